@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Options_h
+#define ahd_Options_h
+
+namespace ahd
+{
+
+/// In which order the points are inserted. It changes the time, never the result.
+/// RG, MG and HG are the names in Su et al., Computers & Graphics 54 (2016).
+enum class InsertionOrder
+{
+  AdaptiveHilbert = 0, ///< HG: multi-grid, boxes along an adaptive Hilbert curve
+  MultiGrid = 1,       ///< MG: multi-grid, boxes line by line (S. H. Lo 2013)
+  RegularGrid = 2,     ///< RG: one even grid, boxes line by line
+  AsGiven = 3          ///< the caller's order
+};
+
+/// Which points are inserted before all others, to keep long thin triangles from being built.
+/// Used by AdaptiveHilbert and MultiGrid; RegularGrid and AsGiven have none.
+enum class ControlPoints
+{
+  Off = 0,
+  SingleLevel = 1, ///< the paper's: the first point of every box of the first level
+  EveryLevel = 2   ///< a sparse subset of the order, of that subset another, and so on
+};
+
+/// Settings of a triangulation. Every combination is legal and gives the same triangles.
+struct Options
+{
+  InsertionOrder order = InsertionOrder::AdaptiveHilbert;
+  ControlPoints controlPoints = ControlPoints::EveryLevel;
+
+  /// Turn the curve in each divided box so that it meets its neighbours (AdaptiveHilbert only).
+  bool geneRotation = true;
+
+  /// A box with more points than this is divided. At least 1; the paper finds 50 to 200 good.
+  int nmax = 50;
+
+  /// Count NP and NR (see Report). Costs a few percent.
+  bool countWork = false;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Points_h
+#define ahd_Points_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// Number of a point, vertex or triangle inside the engine.
+using Index = std::uint32_t;
+constexpr Index kNoIndex = 0xFFFFFFFFu;
+
+/// Most points the engine takes in one run: a half-edge is named by 8 * triangle + edge in 32 bits,
+/// and n points have 2n - 2 triangles, those at infinity included.
+constexpr std::size_t kMaximumPoints = (std::size_t(1) << 28) - 2;
+
+/// A location in the plane.
+struct Point
+{
+  double x;
+  double y;
+};
+
+inline bool operator==(const Point& a, const Point& b)
+{
+  return a.x == b.x && a.y == b.y;
+}
+
+/// Order by x, then y: the order in which ties between cocircular points are broken.
+/// -0.0 and +0.0 are the same coordinate.
+inline bool lexicographicallyLess(const Point& a, const Point& b)
+{
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+/// The caller's points, looked at where they are: x, y of point i are the first two numbers at
+/// data + i * stride. Widening float to double is exact.
+struct PointView
+{
+  PointView() = default;
+  PointView(const double* data, std::size_t pointCount, std::size_t numbersPerPoint)
+    : doubles(data)
+    , count(pointCount)
+    , stride(numbersPerPoint)
+  {
+  }
+  PointView(const float* data, std::size_t pointCount, std::size_t numbersPerPoint)
+    : floats(data)
+    , count(pointCount)
+    , stride(numbersPerPoint)
+  {
+  }
+
+  Point operator[](std::size_t i) const
+  {
+    return doubles ? Point{ doubles[i * stride], doubles[i * stride + 1] }
+                   : Point{ floats[i * stride], floats[i * stride + 1] };
+  }
+
+  /// Is point i to be left out on the caller's wish?
+  bool skipped(std::size_t i) const { return skip && (skip[i] & skipMask) != 0; }
+
+  const double* doubles = nullptr;
+  const float* floats = nullptr;
+  std::size_t count = 0;
+  std::size_t stride = 2;
+
+  /// One byte per point or null; a point with a bit of skipMask set is left out.
+  const unsigned char* skip = nullptr;
+  unsigned char skipMask = 0xFF;
+};
+
+/// Smallest axis-parallel box around points; empty (min > max) around none.
+struct Bounds
+{
+  double xmin = 1.0, xmax = -1.0;
+  double ymin = 1.0, ymax = -1.0;
+};
+
+} // namespace ahd
+
+#endif

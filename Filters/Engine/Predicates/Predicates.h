@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Predicates_h
+#define ahd_Predicates_h
+
+#include "../Points/Points.h"
+
+namespace ahd
+{
+
+/// Sign of the area of a, b, c: +1 counterclockwise, -1 clockwise, 0 collinear.
+/// Exact for all finite coordinates.
+int orient2d(const Point& a, const Point& b, const Point& c);
+
+/// Sign of the in-circle determinant for a, b, c counterclockwise: +1 if d lies strictly inside
+/// their circumcircle, -1 strictly outside, 0 on it. Exact for all finite coordinates.
+int inCircle(const Point& a, const Point& b, const Point& c, const Point& d);
+
+/// Is d in conflict with the counterclockwise triangle a, b, c? As inCircle > 0, but cocircular
+/// points are told apart by an infinitesimal weight per point, in lexicographic order of (x, y), so
+/// the answers describe one unique triangulation of the point set. REQUIRES: four distinct points.
+bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d);
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Result_h
+#define ahd_Result_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// How a run ended. Anything but Ok leaves no triangulation behind.
+enum class Status
+{
+  Ok,            ///< done; fewer than three distinct points or all collinear is Ok with no triangle
+  Cancelled,     ///< the caller's Progress said so
+  TooManyPoints, ///< more than kMaximumPoints
+  OutOfMemory    ///< an allocation failed
+};
+
+/// What became of a point, as Triangulator::writeFates writes it: its own id if it is a vertex,
+/// the id of the vertex it coincides with, or one of these.
+enum : std::int64_t
+{
+  kFateNotFinite = -1,  ///< x or y is NaN or infinite
+  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip)
+};
+
+/// Counts of one run. inserted + duplicates + notFinite + skipped = number of points given.
+struct Report
+{
+  std::size_t inserted = 0;   ///< points that are vertices
+  std::size_t duplicates = 0; ///< points with the same x, y as a vertex of smaller id
+  std::size_t notFinite = 0;  ///< points with a NaN or infinite x or y
+  std::size_t skipped = 0;    ///< points left out on the caller's wish
+  std::size_t triangles = 0;  ///< triangles of the result
+
+  // Work, counted if Options::countWork is set, else 0.
+  std::uint64_t trianglesWalked = 0;  ///< triangles tested while locating, the start included
+  std::uint64_t trianglesRemoved = 0; ///< triangles removed by cavities, ghosts included
+  std::uint64_t exactInCircle = 0;    ///< in-circle tests the floating-point filter left open
+  std::uint64_t exactOrient = 0;      ///< orientation tests the floating-point filter left open
+
+  /// The paper's NP: triangles tested to locate a point, per inserted point.
+  double np() const { return perPoint(trianglesWalked); }
+  /// The paper's NR: triangles removed, per inserted point.
+  double nr() const { return perPoint(trianglesRemoved); }
+
+private:
+  double perPoint(std::uint64_t n) const
+  {
+    return inserted == 0 ? 0.0 : double(n) / double(inserted);
+  }
+};
+
+} // namespace ahd
+
+#endif

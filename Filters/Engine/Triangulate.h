@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Triangulate_h
+#define ahd_Triangulate_h
+
+#include "Options.h"
+#include "Points/Points.h"
+#include "Progress.h"
+#include "Result.h"
+
+#include <cstdint>
+#include <memory>
+
+namespace ahd
+{
+
+/// The Delaunay triangulation of points in the plane: the engine's only door.
+///
+/// Contract. The triangles are the exact Delaunay triangulation of the distinct finite points,
+/// counterclockwise, the hull convex with collinear hull points kept as vertices. Cocircular ties
+/// are broken by the coordinates alone, and triangles and their corners come in a canonical order,
+/// so the result is a function of the point set: the same for every Options and, up to the ids, for
+/// every order of the input. Nothing is thrown across this border, printed, or read from the
+/// environment.
+class Triangulator
+{
+public:
+  Triangulator();
+  ~Triangulator();
+  Triangulator(const Triangulator&) = delete;
+  Triangulator& operator=(const Triangulator&) = delete;
+
+  /// Triangulates. `progress` may be null. The points are borrowed until the last write below.
+  /// Anything but Status::Ok leaves no triangles; run() may be called again after any outcome.
+  Status run(const PointView& points, const Options& options, Progress* progress);
+
+  /// What the last run did.
+  const Report& report() const;
+
+  /// Writes report().triangles triples of the caller's ids. 32-bit ids always fit (kMaximumPoints).
+  /// Returns Cancelled if `progress` said so, else Ok. May be called once per run.
+  Status writeTriangles(std::int32_t* triples, Progress* progress);
+  Status writeTriangles(std::int64_t* triples, Progress* progress);
+
+  /// Writes what became of each point (see Result.h): points.count numbers.
+  void writeFates(std::int64_t* fates) const;
+
+  /// Upper estimate of the bytes that run() and writeTriangles() allocate for this many points,
+  /// input and output not counted.
+  static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+} // namespace ahd
+
+#endif
