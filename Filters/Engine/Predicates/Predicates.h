@@ -20,6 +20,11 @@ int inCircle(const Point& a, const Point& b, const Point& c, const Point& d);
 /// the answers describe one unique triangulation of the point set. REQUIRES: four distinct points.
 bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// The same answers without the floating-point filter, for callers whose own has failed.
+int orient2dExact(const Point& a, const Point& b, const Point& c);
+int inCircleExact(const Point& a, const Point& b, const Point& c, const Point& d);
+bool inConflictExact(const Point& a, const Point& b, const Point& c, const Point& d);
+
 } // namespace ahd
 
 #endif

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Filters_h
+#define ahd_Filters_h
+
+#include "../Points/Points.h"
+
+#include <cmath>
+
+/// The floating-point filters: a determinant in plain double arithmetic and a bound on its error.
+/// Where the determinant exceeds the bound its sign is the exact one ("certain"); everywhere else,
+/// and for every NaN or infinity met on the way, the answer is "uncertain" and an exact predicate
+/// has to decide.
+///
+/// Assumed: IEEE 754 doubles, rounding to nearest, subnormal numbers kept (no flush to zero), no
+/// extended intermediate precision, no -ffast-math. Multiply-adds may be fused or not, and are
+/// fused below where the machine does it at once: no proof here depends on it.
+///
+/// Notation of the proofs: u = 2^-53 and e = 2^-1075. A sum or difference of two doubles has a
+/// relative error of at most u and never underflows. A product, or a fused multiply-add, has a
+/// relative error of at most u plus an absolute one of at most e, the latter only on underflow.
+/// P is the query point; A, B, C are the rounded vectors from P to a, b, c; alpha, beta, gamma are
+/// the true ones, each coordinate known to a factor 1 + u; |A| is a length, x the cross product.
+namespace ahd
+{
+
+/// A point seen from P, lifted to the paraboloid: z = |A|^2.
+struct Lifted
+{
+  double x;
+  double y;
+  double z;
+};
+
+/// a * b + c, with one rounding where that is one instruction.
+inline double multiplyAdd(double a, double b, double c)
+{
+#if defined(__FMA__) || defined(__FP_FAST_FMA)
+  return std::fma(a, b, c);
+#else
+  return a * b + c;
+#endif
+}
+
+inline double squaredLength(double x, double y)
+{
+  return multiplyAdd(x, x, y * y);
+}
+
+inline Lifted liftedFrom(const Point& origin, const Point& a)
+{
+  const double x = a.x - origin.x;
+  const double y = a.y - origin.y;
+  return { x, y, squaredLength(x, y) };
+}
+
+/// A x B, twice the area of P, a, b: positive iff they turn counterclockwise.
+inline double cross(const Lifted& a, const Lifted& b)
+{
+  return multiplyAdd(a.x, b.y, -(a.y * b.x));
+}
+
+/// The in-circle determinant of a, b, c and P: for a, b, c counterclockwise, positive iff P lies
+/// inside their circle. `axb` is cross(a, b), which a walk around a cavity has at hand.
+inline double inCircleDeterminant(const Lifted& a, const Lifted& b, const Lifted& c, double axb)
+{
+  return multiplyAdd(a.z, cross(b, c), multiplyAdd(b.z, cross(c, a), c.z * axb));
+}
+
+/// Is the sign of A x B that of the true alpha x beta? `det` is cross(A, B), la and lb are |A|^2
+/// and |B|^2 as squaredLength computes them.
+///
+/// Proof. Let d be the value whose rounding is det, l and r the two true products. Each carries
+/// two roundings of coordinates and at most one of its own, so |d - (l - r)| is at most
+/// ((1 + u)^3 - 1) (|l| + |r|) + 2e. By the Cauchy-Schwarz and the arithmetic-geometric inequality
+/// |l| + |r| <= |alpha| |beta| <= (|alpha|^2 + |beta|^2) / 2. So the error is below
+/// 1.5 u (1 + 2u) (|alpha|^2 + |beta|^2) + 2e. la + lb has lost at most a factor (1 - u)^5 and 4e;
+/// the last rounding of det and those of the bound change a comparison by a factor of at most
+/// (1 + u)^3 and an addend e. 1.501 u instead of 1.5 u pays for all factors, the guard for all
+/// multiples of e (it is the smallest number that is not subnormal, as those are slow).
+/// Overflow: |l|, |r| and |l - r| are at most (|alpha|^2 + |beta|^2) / 2, so whenever one of them
+/// overflows la + lb does, and the comparison with infinity fails, as it does with NaN.
+constexpr double kOrientBound = 1.501 * 0x1p-53;
+constexpr double kOrientGuard = 0x1p-1022;
+
+inline bool orientIsCertain(double det, double la, double lb)
+{
+  return std::fabs(det) > multiplyAdd(kOrientBound, la + lb, kOrientGuard);
+}
+
+/// Is the sign of the in-circle determinant that of the true one? `det` as inCircleDeterminant
+/// computes it, or with a, b, c in another order. REQUIRES: guard >= inCircleGuard(la + lb + lc).
+///
+/// Proof, without underflow first. Write a, b, c for the true lengths |alpha|, |beta|, |gamma|.
+/// 1. A.z is a^2 up to (1 + u)^4: two roundings of coordinates, the square, the sum.
+/// 2. B x C differs from beta x gamma by at most ((1 + u)^4 - 1) b c: the same four roundings, and
+///    the two products sum to at most b c in magnitude (Cauchy-Schwarz).
+/// 3. So a term of the determinant has an error below ((1 + u)^9 - 1) a^2 b c, and the sum of two
+///    of them one more factor 1 + u. The last sum is rounded too, but keeps its sign.
+/// 4. The error is below ((1 + u)^10 - 1) (a^2 b c + b^2 c a + c^2 a b), and by the
+///    arithmetic-geometric inequality that sum is at most s = a^2 b^2 + b^2 c^2 + c^2 a^2.
+/// 5. The computed la * lb + lc * (la + lb) is at least s (1 - u)^12. 10.01 u instead of 10 u pays
+///    for this, for the rounding of det and of the bound, and for 45 u^2 and what follows it.
+/// Underflow: A.z and the cross products may each be wrong by 3e more, which the other factor of
+/// their term multiplies, and each term by e more. As |B x C| <= (|B|^2 + |C|^2) / 2 that is less
+/// than 8e (la + lb + lc + 1) in all, and what the bound loses is less. The guard is 2^52 as big.
+/// Overflow: la * lb + lc * (la + lb) is computed before the small factor is applied, and it
+/// overflows whenever anything in det does, so that the comparison with infinity fails, as it does
+/// with NaN. For a cross product: (B x C)^2 <= lb lc. For the terms and their sums: a term is
+/// (ab)(ac) |sin(b, c)|, the three together a quadratic form in ab, bc, ca whose symmetric matrix
+/// has trace 0, so its largest eigenvalue is at most sqrt(2 / 3) of its norm, and that is
+/// sqrt((the sum of the sin^2) / 2) <= sqrt(9 / 8) for three angles between lines of a plane. So
+/// the magnitudes of the terms sum to at most 0.87 s.
+constexpr double kInCircleBound = 10.01 * 0x1p-53;
+constexpr double kInCircleGuard = 0x1p-1020;
+
+/// The guard for lengths of at most this sum. One guard serves a whole point set: in its bounding
+/// box no squared length exceeds that of the box's diagonal, roundings included, so
+/// inCircleGuard(4 * squaredLength(xmax - xmin, ymax - ymin)) is enough. Infinite is legal: then
+/// nothing is certain.
+inline double inCircleGuard(double sumOfSquaredLengths)
+{
+  return multiplyAdd(kInCircleGuard, sumOfSquaredLengths, kInCircleGuard);
+}
+
+inline double inCircleErrorBound(double la, double lb, double lc, double guard)
+{
+  return multiplyAdd(kInCircleBound, multiplyAdd(la, lb, lc * (la + lb)), guard);
+}
+
+inline bool inCircleIsCertain(double det, double la, double lb, double lc, double guard)
+{
+  return std::fabs(det) > inCircleErrorBound(la, lb, lc, guard);
+}
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Predicates.h"
+
+#include "Filters.h"
+#include "Stages.h"
+#include "WideInteger.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+namespace ahd
+{
+namespace stages
+{
+namespace
+{
+
+int signOf(double value)
+{
+  return (value > 0.0) - (value < 0.0);
+}
+
+// ---------------------------------------------------------------------------------------- Grid
+
+#ifdef AHD_HAS_INT128
+
+int signOf(Int128 value)
+{
+  return (value > 0) - (value < 0);
+}
+
+/// A vector in units of the grid, each coordinate below 2^63 - 1 in magnitude.
+struct GridVector
+{
+  std::int64_t x;
+  std::int64_t y;
+};
+
+/// a - b = high + low exactly, high being the rounded difference.
+/// REQUIRES: rounding to nearest, no overflow.
+struct ExactDifference
+{
+  double high;
+  double low;
+
+  ExactDifference(double a, double b)
+    : high(a - b)
+  {
+    const double bTaken = a - high;
+    const double aTaken = high + bTaken;
+    low = (a - aTaken) + (bTaken - b);
+  }
+};
+
+/// The `Count` vectors from an origin to other points as 64-bit integers, if one power of two
+/// allows it.
+template <int Count>
+class Grid
+{
+public:
+  bool fit(const Point& origin, const Point* const (&points)[Count]);
+  const GridVector& operator[](int i) const { return vectors_[i]; }
+
+private:
+  bool toInteger(double value, std::int64_t& result) const;
+  bool toInteger(const ExactDifference& value, std::int64_t& result) const;
+
+  GridVector vectors_[Count];
+  double scale_ = 1.0;   ///< a power of two
+  double unscale_ = 1.0; ///< its reciprocal
+};
+
+/// value * scale_ if that is an integer. REQUIRES: it is below 2^63 in magnitude.
+/// A product that is no integer, or that underflows, does not give the value when taken back;
+/// unscale_ >= 2^-1074, so taking back an integer of 53 bits does not round.
+template <int Count>
+bool Grid<Count>::toInteger(double value, std::int64_t& result) const
+{
+  result = static_cast<std::int64_t>(value * scale_);
+  return static_cast<double>(result) * unscale_ == value;
+}
+
+template <int Count>
+bool Grid<Count>::toInteger(const ExactDifference& value, std::int64_t& result) const
+{
+  std::int64_t low = 0;
+  const bool exact = toInteger(value.high, result) &&
+    (value.low == 0.0 || toInteger(value.low, low));
+  result += low; // low is at most half a unit in the last place of high
+  return exact;
+}
+
+template <int Count>
+bool Grid<Count>::fit(const Point& origin, const Point* const (&points)[Count])
+{
+  double largest = 0.0;
+  for (const Point* p : points)
+  {
+    largest = std::max(largest, std::fabs(p->x - origin.x));
+    largest = std::max(largest, std::fabs(p->y - origin.y));
+  }
+  // Within these limits neither the scale nor its reciprocal nor a difference overflows.
+  if (!(largest >= 0x1p-900 && largest <= 0x1p+1000))
+  {
+    return false;
+  }
+  std::uint64_t bits;
+  std::memcpy(&bits, &largest, sizeof bits);
+  const std::uint64_t exponent = bits >> 52; // of largest, biased by 1023
+  const std::uint64_t scaleBits = (2 * 1023 + 61 - exponent) << 52;
+  const std::uint64_t unscaleBits = (exponent - 61) << 52;
+  std::memcpy(&scale_, &scaleBits, sizeof scale_);
+  std::memcpy(&unscale_, &unscaleBits, sizeof unscale_);
+
+  bool exact = true;
+  for (int i = 0; i < Count; ++i)
+  {
+    exact = exact && toInteger(ExactDifference(points[i]->x, origin.x), vectors_[i].x) &&
+      toInteger(ExactDifference(points[i]->y, origin.y), vectors_[i].y);
+  }
+  return exact;
+}
+
+/// A x B, below 2^126 in magnitude.
+Int128 crossOnGrid(const GridVector& a, const GridVector& b)
+{
+  return Int128(a.x) * b.y - Int128(a.y) * b.x;
+}
+
+/// |A|^2, below 2^126.
+Int128 squaredLengthOnGrid(const GridVector& a)
+{
+  return Int128(a.x) * a.x + Int128(a.y) * a.y;
+}
+
+/// A sum of 256 bits in two's complement, kept as its high and low half.
+struct Sum256
+{
+  UInt128 high = 0;
+  UInt128 low = 0;
+
+  /// Adds length * factor. REQUIRES: 0 <= length < 2^127, |factor| < 2^127.
+  void add(Int128 length, Int128 factor)
+  {
+    const UInt128 magnitude = factor < 0 ? -UInt128(factor) : UInt128(factor);
+    const std::uint64_t a0 = std::uint64_t(length), a1 = std::uint64_t(length >> 64);
+    const std::uint64_t b0 = std::uint64_t(magnitude), b1 = std::uint64_t(magnitude >> 64);
+    const UInt128 p00 = UInt128(a0) * b0, p01 = UInt128(a0) * b1;
+    const UInt128 p10 = UInt128(a1) * b0, p11 = UInt128(a1) * b1;
+    const UInt128 middle = p10 + (p00 >> 64) + std::uint64_t(p01); // < 2^128 as a1, b1 < 2^63
+    UInt128 productHigh = p11 + (middle >> 64) + (p01 >> 64);
+    UInt128 productLow = (middle << 64) | std::uint64_t(p00);
+    if (factor < 0)
+    {
+      productLow = -productLow;
+      productHigh = ~productHigh + (productLow == 0);
+    }
+    low += productLow;
+    high += productHigh + (low < productLow);
+  }
+
+  int sign() const { return Int128(high) < 0 ? -1 : ((high | low) != 0); }
+};
+
+#endif // AHD_HAS_INT128
+
+// ----------------------------------------------------------------------------------- Unbounded
+
+/// A finite double as mantissa * 2^exponent, the mantissa odd or 0.
+struct Parts
+{
+  std::uint64_t mantissa;
+  int exponent;
+  bool negative;
+};
+
+Parts partsOf(double value)
+{
+  std::uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  const int biased = static_cast<int>((bits >> 52) & 0x7FF);
+  std::uint64_t mantissa = bits & 0xFFFFFFFFFFFFFu;
+  mantissa |= biased != 0 ? std::uint64_t(1) << 52 : 0;
+  int exponent = (biased != 0 ? biased : 1) - 1075;
+  while (mantissa != 0 && (mantissa & 1) == 0)
+  {
+    mantissa >>= 1;
+    ++exponent;
+  }
+  return { mantissa, exponent, (bits >> 63) != 0 };
+}
+
+/// The largest double has 1024 bits before the point, the smallest one 1074 after it.
+using Coordinate = WideInteger<(1024 + 1074 + 63) / 64>;
+using Difference = WideInteger<(1024 + 1074 + 63) / 64 + 1>;
+
+/// Coordinates as integers in a unit small enough for all of them.
+class Unit
+{
+public:
+  explicit Unit(std::initializer_list<const Point*> points)
+  {
+    for (const Point* p : points)
+    {
+      include(p->x);
+      include(p->y);
+    }
+  }
+
+  Difference difference(double a, double b) const { return integer(a) - integer(b); }
+
+private:
+  void include(double value)
+  {
+    const Parts parts = partsOf(value);
+    if (parts.mantissa != 0)
+    {
+      exponent_ = std::min(exponent_, parts.exponent);
+    }
+  }
+
+  Coordinate integer(double value) const
+  {
+    const Parts parts = partsOf(value);
+    return wideFrom<Coordinate>(parts.mantissa, parts.exponent - exponent_, parts.negative);
+  }
+
+  int exponent_ = 1024;
+};
+
+struct WideVector
+{
+  Difference x;
+  Difference y;
+
+  WideVector(const Unit& unit, const Point& from, const Point& to)
+    : x(unit.difference(to.x, from.x))
+    , y(unit.difference(to.y, from.y))
+  {
+  }
+};
+
+auto crossUnbounded(const WideVector& a, const WideVector& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+auto squaredLengthUnbounded(const WideVector& a)
+{
+  return a.x * a.x + a.y * a.y;
+}
+
+} // namespace
+
+// ------------------------------------------------------------------------------------- orient2d
+
+/// The products themselves give a tighter bound here than squared lengths (Filters.h): their error
+/// is at most 3 u (1 + 2u) (|l| + |r|) + 2e.
+std::optional<int> orient2dByFilter(const Point& a, const Point& b, const Point& c)
+{
+  const double l = (a.x - c.x) * (b.y - c.y);
+  const double r = (a.y - c.y) * (b.x - c.x);
+  const double det = l - r;
+  if (std::fabs(det) > 2.0 * kOrientBound * (std::fabs(l) + std::fabs(r)) + kOrientGuard)
+  {
+    return signOf(det);
+  }
+  return std::nullopt;
+}
+
+std::optional<int> orient2dOnGrid(
+  [[maybe_unused]] const Point& a, [[maybe_unused]] const Point& b, [[maybe_unused]] const Point& c)
+{
+#ifdef AHD_HAS_INT128
+  Grid<2> grid;
+  if (grid.fit(c, { &a, &b }))
+  {
+    return signOf(crossOnGrid(grid[0], grid[1]));
+  }
+#endif
+  return std::nullopt;
+}
+
+int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
+{
+  const Unit unit{ &a, &b, &c };
+  return crossUnbounded(WideVector(unit, c, a), WideVector(unit, c, b)).sign();
+}
+
+// ------------------------------------------------------------------------------------- inCircle
+
+std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Lifted A = liftedFrom(d, a);
+  const Lifted B = liftedFrom(d, b);
+  const Lifted C = liftedFrom(d, c);
+  const double det = inCircleDeterminant(A, B, C, cross(A, B));
+  if (inCircleIsCertain(det, A.z, B.z, C.z, inCircleGuard(A.z + B.z + C.z)))
+  {
+    return signOf(det);
+  }
+  return std::nullopt;
+}
+
+std::optional<int> inCircleOnGrid([[maybe_unused]] const Point& a, [[maybe_unused]] const Point& b,
+  [[maybe_unused]] const Point& c, [[maybe_unused]] const Point& d)
+{
+#ifdef AHD_HAS_INT128
+  Grid<3> grid;
+  if (grid.fit(d, { &a, &b, &c }))
+  {
+    Sum256 det;
+    det.add(squaredLengthOnGrid(grid[0]), crossOnGrid(grid[1], grid[2]));
+    det.add(squaredLengthOnGrid(grid[1]), crossOnGrid(grid[2], grid[0]));
+    det.add(squaredLengthOnGrid(grid[2]), crossOnGrid(grid[0], grid[1]));
+    return det.sign();
+  }
+#endif
+  return std::nullopt;
+}
+
+int inCircleUnbounded(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Unit unit{ &a, &b, &c, &d };
+  const WideVector A(unit, d, a);
+  const WideVector B(unit, d, b);
+  const WideVector C(unit, d, c);
+  const auto first = squaredLengthUnbounded(A) * crossUnbounded(B, C);
+  const auto second = squaredLengthUnbounded(B) * crossUnbounded(C, A);
+  const auto third = squaredLengthUnbounded(C) * crossUnbounded(A, B);
+  return (first + second + third).sign();
+}
+
+// ------------------------------------------------------------------------------------- inConflict
+
+bool conflictOnCircle(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const Point* largest = &a;
+  for (const Point* p : { &b, &c, &d })
+  {
+    largest = lexicographicallyLess(*largest, *p) ? p : largest;
+  }
+  if (largest == &d)
+  {
+    return false;
+  }
+  if (largest == &c)
+  {
+    return orient2d(a, b, d) > 0;
+  }
+  return (largest == &b ? orient2d(c, a, d) : orient2d(b, c, d)) > 0;
+}
+
+} // namespace stages
+
+int orient2dExact(const Point& a, const Point& b, const Point& c)
+{
+  const std::optional<int> sign = stages::orient2dOnGrid(a, b, c);
+  return sign ? *sign : stages::orient2dUnbounded(a, b, c);
+}
+
+int orient2d(const Point& a, const Point& b, const Point& c)
+{
+  const std::optional<int> sign = stages::orient2dByFilter(a, b, c);
+  return sign ? *sign : orient2dExact(a, b, c);
+}
+
+int inCircleExact(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const std::optional<int> sign = stages::inCircleOnGrid(a, b, c, d);
+  return sign ? *sign : stages::inCircleUnbounded(a, b, c, d);
+}
+
+int inCircle(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const std::optional<int> sign = stages::inCircleByFilter(a, b, c, d);
+  return sign ? *sign : inCircleExact(a, b, c, d);
+}
+
+bool inConflictExact(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const int sign = inCircleExact(a, b, c, d);
+  return sign != 0 ? sign > 0 : stages::conflictOnCircle(a, b, c, d);
+}
+
+bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d)
+{
+  const std::optional<int> sign = stages::inCircleByFilter(a, b, c, d);
+  return sign ? *sign > 0 : inConflictExact(a, b, c, d);
+}
+
+} // namespace ahd
