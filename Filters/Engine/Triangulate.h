@@ -37,9 +37,9 @@ public:
   const Report& report() const;
 
   /// Writes report().triangles triples of the caller's ids. 32-bit ids always fit (kMaximumPoints).
-  /// Returns Cancelled if `progress` said so, else Ok. May be called once per run.
-  Status writeTriangles(std::int32_t* triples, Progress* progress);
-  Status writeTriangles(std::int64_t* triples, Progress* progress);
+  /// Returns Ok, Cancelled or OutOfMemory; unless Ok, the triples are not to be used.
+  Status writeTriangles(std::int32_t* triples, Progress* progress) const;
+  Status writeTriangles(std::int64_t* triples, Progress* progress) const;
 
   /// Writes what became of each point (see Result.h): points.count numbers.
   void writeFates(std::int64_t* fates) const;

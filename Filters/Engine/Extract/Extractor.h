@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Extractor_h
+#define ahd_Extractor_h
+
+#include "../Mesh/Mesh.h"
+#include "../Progress.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// Number of vertices on the hull, collinear ones included: the ghost's neighbours.
+/// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel.
+std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
+
+/// Writes the finite triangles of a mesh in canonical order: each starts at its lowest vertex, and
+/// they are sorted by their three vertices. As vertices are numbered by canonical rank, the order
+/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for three
+/// numbers per finite triangle.
+/// Returns false if the caller wants to cancel. Throws std::bad_alloc.
+template <typename Id>
+bool writeCanonical(const Mesh& mesh, const std::uint32_t* ids, Id* triples, Ticker& ticker);
+
+} // namespace ahd
+
+#endif

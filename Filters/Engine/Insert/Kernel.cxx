@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Kernel.h"
+
+namespace ahd
+{
+
+/// Depth first through the triangles in conflict with p, counterclockwise, so that the edges of the
+/// cavity's border are met in the order in which they stand around p, and the star's triangles can
+/// be written and linked at once.
+///
+///             c                 Edge a-b of the cavity, with p on its left; the triangle on its
+///           /   \               outer side has corners c, b, a. If that is in conflict with p, the
+///          /     \              edge is replaced by a-c and c-b, and its slot is free; else a-b is
+///         b <---- a             a border edge, and the star gets the triangle p, a, b.
+///          \     /
+///             p
+///
+/// No triangle is marked: the cavity has no vertex inside, so its dual graph is a tree and no
+/// triangle is met twice. The number of free slots always equals the number of open edges (root: 1
+/// freed and 2 fresh for 3 edges; each conflict: 1 slot, 1 edge more; each border edge takes one),
+/// so each open edge carries a slot.
+///
+/// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
+/// That choice is made in floating point; a wrong hint costs steps, never the result.
+template <bool kCount>
+bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint)
+{
+  std::uint32_t* const data = data_;
+  const Point* const xy = xy_;
+  const Point at = xy[p];
+  const double towardsX = xy[next].x - at.x;
+  const double towardsY = xy[next].y - at.y;
+
+  Corner a = seenFrom(at, xy, data[root + 1]);
+  Corner b = seenFrom(at, xy, data[root + 2]);
+  const Corner c = seenFrom(at, xy, data[root]);
+  double crossed = cross(a, b);
+  Mesh::Halfedge twin = data[root + Mesh::kTwin];
+  Mesh::Slot slot = root;
+  const Mesh::Slot fresh = mesh_.end();
+  PendingEdge* top = pending_.data();
+  *top++ = PendingEdge{ a, cross(c, a), data[root + 2 + Mesh::kTwin], fresh + Mesh::kSlotSize };
+  *top++ = PendingEdge{ c, cross(b, c), data[root + 1 + Mesh::kTwin], fresh };
+  if (kCount)
+  {
+    ++work_.trianglesRemoved;
+  }
+
+  hint = root; // reused by the star: valid even if no wedge holds the next point
+  Mesh::Slot firstStar = kNoIndex;
+  Mesh::Slot previousStar = fresh +
+    Mesh::kSlotSize; // not written yet: takes the first link in vain
+  double sideOfStart = a.x * towardsY - a.y * towardsX;
+  for (;;)
+  {
+    const Corner apex = seenFrom(at, xy, data[twin]);
+    const double crossedIn = cross(a, apex);
+    const double crossedOut = cross(apex, b);
+    const double det = multiplyAdd(
+      a.z, crossedOut, multiplyAdd(b.z, crossedIn, -(apex.z * crossed)));
+    if (inCircleIsCertain(det, a.z, b.z, apex.z, guard_) ? det > 0 : conflicts(b, a, apex, p))
+    {
+      if (kCount)
+      {
+        ++work_.trianglesRemoved;
+      }
+      if (!spend())
+      {
+        return false;
+      }
+      *top++ = PendingEdge{ b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin],
+        Mesh::slotOf(twin) };
+      twin = data[Mesh::next(twin) + Mesh::kTwin];
+      b = apex;
+      crossed = crossedIn;
+      if (top == pending_.data() + pending_.size())
+      {
+        const std::size_t depth = pending_.size();
+        pending_.resize(2 * depth);
+        top = pending_.data() + depth;
+      }
+      continue;
+    }
+
+    // A border edge: write the star's triangle p, a, b and link it.
+    data[slot] = p;
+    data[slot + 1] = a.vertex;
+    data[slot + 2] = b.vertex;
+    data[slot + Mesh::kTwin] = twin;
+    data[twin + Mesh::kTwin] = slot;
+    data[slot + 2 + Mesh::kTwin] = previousStar + 1;
+    data[previousStar + 1 + Mesh::kTwin] = slot + 2;
+    firstStar = firstStar == kNoIndex ? slot : firstStar;
+    previousStar = slot;
+
+    const double sideOfEnd = b.x * towardsY - b.y * towardsX;
+    hint = (sideOfStart >= 0) & (sideOfEnd < 0) ? slot : hint;
+    sideOfStart = sideOfEnd;
+    if (top == pending_.data())
+    {
+      break;
+    }
+    --top;
+    a = b;
+    b = top->end;
+    crossed = top->crossed;
+    twin = top->twin;
+    slot = top->slot;
+  }
+  data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
+  data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
+  mesh_.setEnd(fresh + 2 * Mesh::kSlotSize);
+  return true;
+}
+
+template <bool kCount>
+bool Kernel<kCount>::conflicts(const Corner& a, const Corner& b, const Corner& c, Index p)
+{
+  if (c.vertex == ghost_)
+  {
+    return conflictsWithGhost(a.vertex, b.vertex, p);
+  }
+  if (b.vertex == ghost_)
+  {
+    return conflictsWithGhost(c.vertex, a.vertex, p);
+  }
+  if (a.vertex == ghost_)
+  {
+    return conflictsWithGhost(b.vertex, c.vertex, p);
+  }
+  if (kCount)
+  {
+    ++work_.exactInCircle;
+  }
+  return inConflict(xy_[a.vertex], xy_[b.vertex], xy_[c.vertex], xy_[p]);
+}
+
+/// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
+/// sees the edge from outside, or lies between its ends (then it also is in conflict with the
+/// finite triangle behind the edge).
+template <bool kCount>
+bool Kernel<kCount>::conflictsWithGhost(Index from, Index to, Index p)
+{
+  const Point& a = xy_[from];
+  const Point& b = xy_[to];
+  const Point& q = xy_[p];
+  const int side = orient2d(a, b, q);
+  if (side != 0)
+  {
+    return side > 0;
+  }
+  return lexicographicallyLess(a, q) == lexicographicallyLess(q, b);
+}
+
+template <bool kCount>
+int Kernel<kCount>::orientation(const Corner& a, const Corner& b, Index p)
+{
+  if (kCount)
+  {
+    ++work_.exactOrient;
+  }
+  return orient2d(xy_[a.vertex], xy_[b.vertex], xy_[p]);
+}
+
+template <bool kCount>
+bool Kernel<kCount>::refill()
+{
+  budget_ = kStepsPerRefill;
+  ticker_.finished(insertedSinceAsking_);
+  insertedSinceAsking_ = 0;
+  return ticker_.ask();
+}
+
+template class Kernel<false>;
+template class Kernel<true>;
+
+} // namespace ahd

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Mesh_h
+#define ahd_Mesh_h
+
+#include "../Buffer.h"
+
+#include <cstdint>
+
+namespace ahd
+{
+
+/// Triangles and their neighbours: topology only, no coordinates.
+///
+/// The plane is closed by one vertex at infinity, the ghost. Every hull edge has a ghost triangle
+/// on its outer side, so that every triangle has three neighbours and a point outside the hull is
+/// inserted like any other. n vertices and the ghost make 2n - 2 triangles.
+///
+/// A triangle fills one slot of eight numbers, 32 bytes, half a cache line:
+///
+///     v0 v1 v2 -   n0 n1 n2 -
+///
+/// A half-edge is named by 8 * slot + e, e in {0, 1, 2}: the edge of that triangle opposite to
+/// corner e. Its apex (that corner) stands at its own name, its twin (the same edge seen from the
+/// neighbour) four places on, so both are one load away. Corners are counterclockwise:
+///
+///              v[e]                 half-edge e runs from v[e+1] to v[e+2]
+///              /  \                 (indices modulo 3), its triangle on its left
+///             /    \                .
+///       v[e+1] ---> v[e+2]
+///
+/// A slot is named by its first half-edge, a multiple of 8.
+class Mesh
+{
+public:
+  using Halfedge = std::uint32_t;
+  using Slot = std::uint32_t;
+  using Vertex = std::uint32_t;
+
+  static constexpr std::uint32_t kSlotSize = 8;
+  static constexpr std::uint32_t kTwin = 4; ///< from a half-edge to the place of its twin
+
+  /// The slot a half-edge belongs to.
+  static constexpr Slot slotOf(Halfedge h) { return h & ~7u; }
+  /// The half-edges after and before h in its triangle.
+  static constexpr Halfedge next(Halfedge h) { return (h & 3u) == 2 ? h - 2 : h + 1; }
+  static constexpr Halfedge previous(Halfedge h) { return (h & 3u) == 0 ? h + 2 : h - 1; }
+
+  /// Makes room for the triangulation of `vertexCount` points; vertex `vertexCount` is the ghost.
+  /// REQUIRES: 3 <= vertexCount <= kMaximumPoints. Throws std::bad_alloc.
+  void allocate(std::uint32_t vertexCount);
+
+  /// Gives the memory back.
+  void reset();
+
+  /// Fills the first four slots: triangle a, b, c (counterclockwise) and its three ghosts.
+  void makeFirstTriangle(Vertex a, Vertex b, Vertex c);
+
+  /// The raw slots, for the kernel.
+  std::uint32_t* data() { return data_.data(); }
+  const std::uint32_t* data() const { return data_.data(); }
+
+  Vertex ghost() const { return ghost_; }
+
+  /// One past the last slot in use. Slots in use are contiguous: an insertion reuses the slots of
+  /// the triangles it removes and takes two fresh ones.
+  Slot end() const { return end_; }
+  void setEnd(Slot end) { end_ = end; }
+
+private:
+  void link(Halfedge a, Halfedge b)
+  {
+    data_[a + kTwin] = b;
+    data_[b + kTwin] = a;
+  }
+
+  Buffer<std::uint32_t> data_;
+  Vertex ghost_ = 0;
+  Slot end_ = 0;
+};
+
+} // namespace ahd
+
+#endif

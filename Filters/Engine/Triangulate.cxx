@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Triangulate.h"
+
+#include "Extract/Extractor.h"
+#include "Insert/Inserter.h"
+#include "Mesh/Mesh.h"
+#include "Order/Rank.h"
+#include "Order/Sequence.h"
+
+#include <algorithm>
+#include <new>
+#include <stdexcept>
+
+namespace ahd
+{
+
+namespace
+{
+
+/// The engine's border: what the standard library throws for want of memory becomes a status.
+template <typename Work>
+Status withoutThrowing(Work work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Status::OutOfMemory;
+  }
+  catch (const std::length_error&)
+  {
+    return Status::OutOfMemory;
+  }
+}
+
+} // namespace
+
+struct Triangulator::State
+{
+  PointView points;
+  RankedPoints ranked;
+  Mesh mesh;
+  Report report;
+
+  void reset() { *this = State(); }
+  Status sortAndInsert(const Options& options, Progress* progress);
+  Status insert(const Buffer<Index>& sequence, const Options& options, Progress* progress);
+  template <typename Id>
+  Status write(Id* triples, Progress* progress) const;
+};
+
+Status Triangulator::State::sortAndInsert(const Options& options, Progress* progress)
+{
+  if (points.count > kMaximumPoints)
+  {
+    return Status::TooManyPoints;
+  }
+  if (const Status read = readPoints(points, progress, ranked); read != Status::Ok)
+  {
+    return read;
+  }
+  Ticker sorting(progress, Phase::Sort, points.count);
+  Buffer<Index> sequence;
+  if (const Status sorted = rankPoints(points, sorting, ranked); sorted != Status::Ok)
+  {
+    return sorted;
+  }
+  if (const Status made = makeSequence(ranked, options, sorting, sequence); made != Status::Ok)
+  {
+    return made;
+  }
+  ranked.key.reset();
+  return insert(sequence, options, progress);
+}
+
+Status Triangulator::State::insert(
+  const Buffer<Index>& sequence, const Options& options, Progress* progress)
+{
+  report.inserted = ranked.count;
+  report.duplicates = ranked.duplicates.size();
+  report.notFinite = ranked.notFinite;
+  report.skipped = ranked.skipped;
+  if (ranked.count < 3)
+  {
+    return Status::Ok;
+  }
+  mesh.allocate(ranked.count);
+  Ticker ticker(progress, Phase::Insert, ranked.count);
+  InsertionWork work;
+  const InsertionEnd end = insertSequence(
+    ranked, sequence, mesh, ticker, options.countWork ? &work : nullptr);
+  report.trianglesWalked = work.trianglesWalked;
+  report.trianglesRemoved = work.trianglesRemoved;
+  report.exactInCircle = work.exactInCircle;
+  report.exactOrient = work.exactOrient;
+  if (end == InsertionEnd::Done)
+  {
+    const std::size_t hull = countHullVertices(mesh, ticker);
+    report.triangles = 2 * std::size_t(ranked.count) - 2 - hull;
+    return hull == 0 ? Status::Cancelled : Status::Ok;
+  }
+  return end == InsertionEnd::AllCollinear ? Status::Ok : Status::Cancelled;
+}
+
+template <typename Id>
+Status Triangulator::State::write(Id* triples, Progress* progress) const
+{
+  if (report.triangles == 0)
+  {
+    return Status::Ok;
+  }
+  Ticker ticker(progress, Phase::Extract, ranked.count);
+  return writeCanonical(mesh, ranked.id.data(), triples, ticker) ? Status::Ok : Status::Cancelled;
+}
+
+Triangulator::Triangulator() = default;
+Triangulator::~Triangulator() = default;
+
+Status Triangulator::run(const PointView& points, const Options& options, Progress* progress)
+{
+  const Status status = withoutThrowing(
+    [&]
+    {
+      state_.reset();
+      state_.reset(new State);
+      state_->points = points;
+      return state_->sortAndInsert(options, progress);
+    });
+  if (status != Status::Ok)
+  {
+    state_.reset();
+  }
+  return status;
+}
+
+const Report& Triangulator::report() const
+{
+  static const Report kNothing;
+  return state_ ? state_->report : kNothing;
+}
+
+Status Triangulator::writeTriangles(std::int32_t* triples, Progress* progress) const
+{
+  return state_ ? withoutThrowing([&] { return state_->write(triples, progress); }) : Status::Ok;
+}
+
+Status Triangulator::writeTriangles(std::int64_t* triples, Progress* progress) const
+{
+  return state_ ? withoutThrowing([&] { return state_->write(triples, progress); }) : Status::Ok;
+}
+
+void Triangulator::writeFates(std::int64_t* fates) const
+{
+  if (!state_)
+  {
+    return;
+  }
+  const PointView& points = state_->points;
+  for (std::size_t i = 0; i < points.count; ++i)
+  {
+    fates[i] = points.skipped(i) ? std::int64_t(kFateNotInserted)
+      : isFinite(points[i])      ? std::int64_t(i)
+                                 : std::int64_t(kFateNotFinite);
+  }
+  for (const Duplicate& duplicate : state_->ranked.duplicates)
+  {
+    fates[duplicate.id] = duplicate.keptId;
+  }
+}
+
+std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
+{
+  // Bytes per point, see Algorithm.md: what stays (location, id) plus the larger of sorting (keys
+  // and scratch) and inserting (sequence, two triangles, one fan end while writing).
+  constexpr std::size_t kStays = sizeof(Point) + sizeof(Index);
+  constexpr std::size_t kInserting = sizeof(Index) + 2 * Mesh::kSlotSize * sizeof(std::uint32_t) +
+    sizeof(std::uint32_t);
+  constexpr std::size_t kSmall = std::size_t(1) << 20;
+  return kSmall + pointCount * (kStays + std::max(kRankBytesPerPoint, kInserting));
+}
+
+} // namespace ahd
