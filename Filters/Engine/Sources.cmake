@@ -1,0 +1,19 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The engine, listed once: Filters/CMakeLists.txt compiles it into the VTK module, Testing/ into a
+# library of its own that needs no VTK. Sets
+#   ahd_engine_sources   absolute paths
+#   ahd_engine_options   compile options without which the predicates are not exact
+file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
+if (AHD_ENGINE_SOURCES)
+  set(ahd_engine_sources ${AHD_ENGINE_SOURCES})
+endif ()
+
+# The error bounds of the predicates are derived for products and sums that are each rounded. A
+# compiler that contracts a * b + c into one fused operation gives results of neither kind.
+set(ahd_engine_options)
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(ahd_engine_options -ffp-contract=off)
+elseif (MSVC)
+  set(ahd_engine_options /fp:precise)
+endif ()

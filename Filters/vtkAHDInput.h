@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDInput_h
+#define vtkAHDInput_h
+
+#include "Engine/Triangulate.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkPointSet;
+
+/**
+ * A vtkPointSet as the engine sees points: where they lie in memory if they are floats or doubles,
+ * a converted copy if they are anything else. Borrows the point set, which must outlive it.
+ */
+class vtkAHDInput
+{
+public:
+  explicit vtkAHDInput(vtkPointSet* points);
+  ~vtkAHDInput();
+
+  /// The number of points, those to be left out included.
+  vtkIdType GetCount() const { return this->Count; }
+
+  /// Bytes that View() allocates: 0 if the points are read where they are.
+  std::size_t GetBytesToConvert() const;
+
+  /// The points. Ghost and hidden points (vtkGhostType) are marked to be left out. Converts the
+  /// points if that is needed; throws std::bad_alloc if there is no room for it.
+  ahd::PointView View();
+
+  /// What is worth a warning. One pass over the points; REQUIRES: View() was called.
+  struct Oddities
+  {
+    vtkIdType FirstRejected = -1; ///< smallest id of a point with an x or y that is not finite
+    vtkIdType OddZ = 0;           ///< points with finite x, y and a z that is not finite
+  };
+  Oddities FindOddities() const;
+
+private:
+  bool CanBeReadInPlace() const;
+
+  vtkDataArray* Coordinates = nullptr; // 3 numbers per point; null if there are no points
+  vtkIdType Count = 0;
+  vtkNew<vtkDoubleArray> Converted;
+  ahd::PointView Points;
+};
+
+#endif

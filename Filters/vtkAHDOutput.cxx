@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAHDOutput.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+// n points have fewer than 2n triangles, so the engine's limit on points keeps ids and offsets
+// below 2^31: 32-bit storage always fits. Who raises the limit has to write 64-bit ids here.
+static_assert(3 * 2 * ahd::kMaximumPoints <= std::size_t(VTK_TYPE_INT32_MAX),
+  "offsets of the triangles must fit into 32 bits");
+using IdArray = vtkTypeInt32Array;
+
+ahd::Status WriteTriangles(
+  ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress)
+{
+  const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
+  vtkNew<IdArray> corners;
+  corners->SetNumberOfValues(3 * count);
+  const ahd::Status status = triangulator.writeTriangles(corners->GetPointer(0), progress);
+  if (status != ahd::Status::Ok)
+  {
+    return status;
+  }
+  vtkNew<IdArray> offsets;
+  offsets->SetNumberOfValues(count + 1);
+  auto* offset = offsets->GetPointer(0);
+  for (vtkIdType i = 0; i <= count; ++i)
+  {
+    offset[i] = static_cast<vtkTypeInt32>(3 * i);
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, corners);
+  output->SetPolys(triangles);
+  return status;
+}
+
+void AddCount(vtkPolyData* output, const char* name, std::size_t count)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(static_cast<vtkIdType>(count));
+  output->GetFieldData()->AddArray(array);
+}
+}
+
+std::size_t vtkAHDOutput::EstimateBytes(std::size_t pointCount, bool withFate)
+{
+  const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32); // corners and offset
+  const std::size_t fate = withFate ? sizeof(std::int64_t) + sizeof(vtkIdType) : 0;
+  return pointCount * (2 * perTriangle + fate);
+}
+
+ahd::Status vtkAHDOutput::Write(
+  ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyData* output, ahd::Progress* progress)
+{
+  const ahd::Status status = WriteTriangles(triangulator, output, progress);
+  if (status == ahd::Status::Ok)
+  {
+    output->SetPoints(input->GetPoints());
+    output->GetPointData()->PassData(input->GetPointData());
+    const ahd::Report& report = triangulator.report();
+    AddCount(output, "NumberOfPointsInserted", report.inserted);
+    AddCount(output, "NumberOfDuplicates", report.duplicates);
+    AddCount(output, "NumberOfRejectedPoints", report.notFinite);
+    AddCount(output, "NumberOfSkippedPoints", report.skipped);
+    AddCount(output, "NumberOfTriangles", report.triangles);
+  }
+  return status;
+}
+
+void vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output)
+{
+  // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
+  std::vector<std::int64_t> fates(static_cast<std::size_t>(output->GetNumberOfPoints()));
+  triangulator.writeFates(fates.data());
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName("Fate");
+  array->SetNumberOfValues(output->GetNumberOfPoints());
+  std::transform(fates.begin(), fates.end(), array->GetPointer(0),
+    [](std::int64_t fate) { return static_cast<vtkIdType>(fate); });
+  output->GetPointData()->AddArray(array);
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDOutput_h
+#define vtkAHDOutput_h
+
+#include "Engine/Triangulate.h"
+#include "vtkType.h"
+
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * The engine's result as a vtkPolyData: the input's points and point data, and the triangles, which
+ * the engine writes straight into the memory of the cell array.
+ *
+ * Everything here throws std::bad_alloc if there is no room.
+ */
+namespace vtkAHDOutput
+{
+/// Upper estimate of the bytes that the functions below allocate.
+std::size_t EstimateBytes(std::size_t pointCount, bool withFate);
+
+/// Gives `output` the points and point data of `input` (shared, not copied), the triangles, and the
+/// counts of the run as field data. Returns Cancelled if `progress` said so, else Ok.
+ahd::Status Write(ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyData* output,
+  ahd::Progress* progress);
+
+/// Adds the point array "Fate". REQUIRES: `output` has the points that were triangulated.
+void AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output);
+}
+
+#endif

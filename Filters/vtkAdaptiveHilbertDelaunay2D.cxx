@@ -1,0 +1,268 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAdaptiveHilbertDelaunay2D.h"
+
+#include "Engine/Options.h"
+#include "Engine/Result.h"
+#include "Engine/Triangulate.h"
+#include "vtkAHDInput.h"
+#include "vtkAHDMemory.h"
+#include "vtkAHDOutput.h"
+#include "vtkAHDProgress.h"
+
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+#include "vtkMultiProcessController.h"
+#endif
+
+#include <new>
+
+vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
+
+vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D() = default;
+vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D() = default;
+
+/// One execution: what the steps of RequestData share.
+class vtkAdaptiveHilbertDelaunay2D::Run
+{
+public:
+  Run(vtkAdaptiveHilbertDelaunay2D* filter, vtkPointSet* input, vtkPolyData* output)
+    : Filter(filter)
+    , Input(input)
+    , Output(output)
+    , Points(input)
+    , Progress(filter)
+  {
+  }
+
+  /// Is there memory for it all? Says so if not.
+  bool FitsInMemory();
+
+  /// Triangulates and fills the output; throws nothing.
+  ahd::Status Triangulate();
+
+  /// Empties the output and says why, unless it was the user who cancelled.
+  void Fail(ahd::Status status);
+
+  /// Shows the counts and times of this execution in the filter's Get methods.
+  void KeepMeasures();
+
+  /// Warns of rejected points, of z that are not finite, and of a result without triangles.
+  void Warn();
+
+private:
+  ahd::Options GetOptions() const;
+
+  vtkAdaptiveHilbertDelaunay2D* Filter;
+  vtkPointSet* Input;
+  vtkPolyData* Output;
+  vtkAHDInput Points;
+  vtkAHDProgress Progress;
+  ahd::Report Report;
+};
+
+int vtkAdaptiveHilbertDelaunay2D::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  this->ClearMeasures();
+  this->WarnAboutRanks();
+
+  Run run(this, vtkPointSet::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  if (!run.FitsInMemory())
+  {
+    return 0;
+  }
+  const ahd::Status status = run.Triangulate();
+  if (status != ahd::Status::Ok)
+  {
+    run.Fail(status);
+    return status == ahd::Status::Cancelled ? 1 : 0;
+  }
+  run.KeepMeasures();
+  run.Warn();
+  return 1;
+}
+
+int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  return 1;
+}
+
+ahd::Options vtkAdaptiveHilbertDelaunay2D::Run::GetOptions() const
+{
+  ahd::Options options;
+  options.order = static_cast<ahd::InsertionOrder>(this->Filter->InsertionOrder);
+  options.controlPoints = static_cast<ahd::ControlPoints>(this->Filter->ControlPoints);
+  options.geneRotation = this->Filter->GeneRotation;
+  options.nmax = this->Filter->Nmax;
+  options.countWork = this->Filter->CountWork;
+  return options;
+}
+
+bool vtkAdaptiveHilbertDelaunay2D::Run::FitsInMemory()
+{
+  const std::size_t count = static_cast<std::size_t>(this->Points.GetCount());
+  const std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
+    vtkAHDOutput::EstimateBytes(count, this->Filter->GenerateFate) +
+    this->Points.GetBytesToConvert();
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
+  this->Filter->MemoryEstimate = needed;
+
+  const vtkTypeInt64 limit = this->Filter->MemoryLimit > 0 ? this->Filter->MemoryLimit
+                                                           : vtkAHDAvailableMemory();
+  if (needed > limit)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "Triangulating "
+        << count << " points may take " << needed << " KiB of memory, but "
+        << (this->Filter->MemoryLimit > 0 ? "MemoryLimit allows " : "there are ") << limit
+        << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
+           "more.");
+  }
+  return needed <= limit;
+}
+
+ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::Triangulate()
+{
+  try
+  {
+    ahd::Triangulator triangulator;
+    ahd::Status status = triangulator.run(this->Points.View(), this->GetOptions(), &this->Progress);
+    if (status == ahd::Status::Ok)
+    {
+      status = vtkAHDOutput::Write(triangulator, this->Input, this->Output, &this->Progress);
+    }
+    if (status == ahd::Status::Ok && this->Filter->GenerateFate)
+    {
+      vtkAHDOutput::AddFate(triangulator, this->Output);
+    }
+    this->Progress.Finish();
+    this->Report = triangulator.report();
+    return status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return ahd::Status::OutOfMemory;
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Run::Fail(ahd::Status status)
+{
+  this->Output->Initialize();
+  if (status == ahd::Status::TooManyPoints)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "" << this->Points.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
+         << " can be triangulated.");
+  }
+  else if (status == ahd::Status::OutOfMemory)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "Out of memory while triangulating " << this->Points.GetCount() << " points; about "
+                                           << this->Filter->MemoryEstimate << " KiB are needed.");
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Run::KeepMeasures()
+{
+  vtkAdaptiveHilbertDelaunay2D* filter = this->Filter;
+  filter->NumberOfPointsInserted = static_cast<vtkIdType>(this->Report.inserted);
+  filter->NumberOfDuplicates = static_cast<vtkIdType>(this->Report.duplicates);
+  filter->NumberOfRejectedPoints = static_cast<vtkIdType>(this->Report.notFinite);
+  filter->NumberOfSkippedPoints = static_cast<vtkIdType>(this->Report.skipped);
+  filter->NumberOfTriangles = static_cast<vtkIdType>(this->Report.triangles);
+  if (filter->CountWork)
+  {
+    filter->NP = this->Report.np();
+    filter->NR = this->Report.nr();
+  }
+  filter->SortSeconds = this->Progress.GetSeconds(ahd::Phase::Read) +
+    this->Progress.GetSeconds(ahd::Phase::Sort);
+  filter->InsertSeconds = this->Progress.GetSeconds(ahd::Phase::Insert);
+  filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract);
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Run::Warn()
+{
+  const vtkAHDInput::Oddities odd = this->Points.FindOddities();
+  if (this->Report.notFinite > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << this->Report.notFinite << " of " << this->Points.GetCount()
+         << " points were left out, since their x or y is NaN or infinite; the first is point "
+         << odd.FirstRejected << ".");
+  }
+  if (odd.OddZ > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << odd.OddZ << " of " << this->Points.GetCount()
+         << " points have a z that is NaN or infinite. They are part of the triangulation, which "
+            "is computed in x and y, but cannot be drawn.");
+  }
+  if (this->Report.triangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "There is no triangle, because "
+        << (this->Report.inserted < 3 ? "there are fewer than three distinct points: "
+                                      : "all distinct points are collinear: ")
+        << this->Report.inserted << " distinct points among " << this->Points.GetCount() << ".");
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
+{
+  this->NumberOfPointsInserted = 0;
+  this->NumberOfDuplicates = 0;
+  this->NumberOfRejectedPoints = 0;
+  this->NumberOfSkippedPoints = 0;
+  this->NumberOfTriangles = 0;
+  this->NP = -1.0;
+  this->NR = -1.0;
+  this->SortSeconds = 0.0;
+  this->InsertSeconds = 0.0;
+  this->OutputSeconds = 0.0;
+  this->MemoryEstimate = 0;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::WarnAboutRanks()
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
+  if (!this->WarnedAboutRanks && ranks && ranks->GetNumberOfProcesses() > 1 &&
+    ranks->GetLocalProcessId() == 0)
+  {
+    this->WarnedAboutRanks = true;
+    vtkWarningMacro("There are " << ranks->GetNumberOfProcesses()
+                                 << " ranks, and each triangulates its own points only: the "
+                                    "surfaces of the ranks do not join.");
+  }
+#endif
+}
+
+void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "InsertionOrder: " << this->InsertionOrder << "\n";
+  os << indent << "Nmax: " << this->Nmax << "\n";
+  os << indent << "ControlPoints: " << this->ControlPoints << "\n";
+  os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
+  os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
+  os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "NumberOfPointsInserted: " << this->NumberOfPointsInserted << "\n";
+  os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
+  os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
+  os << indent << "NumberOfSkippedPoints: " << this->NumberOfSkippedPoints << "\n";
+  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "NP: " << this->NP << "\n";
+  os << indent << "NR: " << this->NR << "\n";
+  os << indent << "SortSeconds: " << this->SortSeconds << "\n";
+  os << indent << "InsertSeconds: " << this->InsertSeconds << "\n";
+  os << indent << "OutputSeconds: " << this->OutputSeconds << "\n";
+  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
+}

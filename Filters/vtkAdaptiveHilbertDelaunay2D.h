@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveHilbertDelaunay2D
+ * @brief   exact 2D Delaunay triangulation of large point sets
+ *
+ * Makes a surface of triangles out of scattered points: soundings, lidar returns, samples of a
+ * height field, points of a plane. The triangulation is computed in x and y; z is carried along
+ * unseen, so heights make a terrain (a triangulated irregular network).
+ *
+ * <b>What comes out.</b> The vtkPolyData has the very points of the input (the same vtkPoints
+ * object, the same ids, all point data) and one triangle per cell. Input cells and cell data are
+ * not passed on. The triangles
+ * - are the Delaunay triangulation of the points: no point lies inside the circumcircle of a
+ *   triangle. This holds exactly, not up to a tolerance, for every finite coordinate;
+ * - are all counterclockwise in the x, y plane;
+ * - cover the convex hull of the points; points on its straight edges are corners of triangles;
+ * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull.
+ *
+ * <b>The result is canonical.</b> Where four or more points lie on one circle, there is more than
+ * one Delaunay triangulation; here the coordinates alone decide which is taken, and the triangles
+ * and their corners come in an order that the coordinates decide as well. None of the settings
+ * changes the triangles or their order, and shuffling the input changes nothing but the ids.
+ *
+ * <b>What becomes of each point.</b> Every point is one of these, and the filter counts them:
+ * - a vertex of the triangulation;
+ * - a duplicate: same x and y as a point of smaller id, which stands for it in the triangles;
+ * - rejected: its x or y is NaN or infinite;
+ * - skipped: marked as a duplicate of another piece's point or as hidden in the point data array
+ *   vtkGhostType.
+ *
+ * All stay in the output's points. Switch GenerateFate on to get each point's fate as a point
+ * array. The counts are available from the Get methods below and, as integer arrays of one value
+ * with the names of these methods (NumberOfDuplicates, ...), in the field data of the output.
+ *
+ * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
+ * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
+ * points, the method of T. Su, W. Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for
+ * randomly distributed point cloud data using adaptive Hilbert curve</em>, Computers & Graphics 54
+ * (2016) 65-74, doi:10.1016/j.cag.2015.07.019. Sorting takes O(n log n) time at worst and O(n) in
+ * practice; insertion takes O(n) expected time for points that are not arranged against it. Memory
+ * is linear in n and estimated beforehand: what cannot be had is refused with an error before it is
+ * allocated (see MemoryLimit). At most 2^28 - 2 points are taken. Float and double points are read
+ * where they are; points of another type are converted to double first.
+ *
+ * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
+ * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
+ * because there are fewer than three distinct points or all are collinear; several MPI ranks
+ * (once in the filter's life, from rank 0), since each rank then triangulates its own points only.
+ * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
+ * nothing is said. Errors, with an empty output: too many points, or not enough memory. An aborted
+ * execution leaves an empty output and no error.
+ *
+ * <b>Compared with vtkDelaunay2D.</b> vtkDelaunay2D drops points closer to others than a Tolerance
+ * and decides with rounded arithmetic, so its result may depend on the order of the points and may
+ * miss some; it starts from a big bounding triangulation, which can leave the boundary
+ * short of the convex hull. It has what this class has not: constraints (a Source of edges and
+ * polygons), Alpha shapes, Transform and a projection to the best-fitting plane.
+ *
+ * @sa
+ * vtkDelaunay2D
+ */
+
+#ifndef vtkAdaptiveHilbertDelaunay2D_h
+#define vtkAdaptiveHilbertDelaunay2D_h
+
+#include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertDelaunay2D
+  : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkAdaptiveHilbertDelaunay2D* New();
+  vtkTypeMacro(vtkAdaptiveHilbertDelaunay2D, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The values of InsertionOrder.
+  enum InsertionOrders
+  {
+    ADAPTIVE_HILBERT = 0, ///< HG: boxes divided where crowded, along an adaptive Hilbert curve
+    MULTI_GRID = 1,       ///< MG: boxes divided where crowded, line by line (S. H. Lo, 2013)
+    REGULAR_GRID = 2,     ///< RG: boxes of one even grid, line by line
+    AS_GIVEN = 3          ///< the order of the input
+  };
+
+  /// The values of ControlPoints.
+  enum ControlPointRounds
+  {
+    NO_CONTROL_POINTS = 0, ///< none
+    SINGLE_LEVEL = 1,      ///< one point of each box of the first level
+    EVERY_LEVEL = 2        ///< a sparse subset of the points, before it a sparser one, and so on
+  };
+
+  ///@{
+  /**
+   * In which order the points are inserted: one of InsertionOrders. Changes the time, never the
+   * triangles. The default, ADAPTIVE_HILBERT, is the fastest whatever the distribution; the others
+   * are there to be compared with it (Su et al. 2016, tables 2 to 6). AS_GIVEN is worth a
+   * try where the points come along a curve already, and takes very long where they come at random.
+   */
+  vtkSetClampMacro(InsertionOrder, int, ADAPTIVE_HILBERT, AS_GIVEN);
+  vtkGetMacro(InsertionOrder, int);
+  void SetInsertionOrderToAdaptiveHilbert() { this->SetInsertionOrder(ADAPTIVE_HILBERT); }
+  void SetInsertionOrderToMultiGrid() { this->SetInsertionOrder(MULTI_GRID); }
+  void SetInsertionOrderToRegularGrid() { this->SetInsertionOrder(REGULAR_GRID); }
+  void SetInsertionOrderToAsGiven() { this->SetInsertionOrder(AS_GIVEN); }
+  ///@}
+
+  ///@{
+  /**
+   * A box of the grid that holds more than this many points is divided further; used by
+   * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, the paper's, which
+   * finds 50 to 200 equally good (section 4). Changes the time, never the triangles.
+   */
+  vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Nmax, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which points are inserted before all others, so that the first triangles are neither long nor
+   * thin: one of ControlPointRounds. SINGLE_LEVEL is the paper's (section 3.5). The default,
+   * EVERY_LEVEL, goes further: several rounds, each some times larger than the one before, in the
+   * manner of a biased randomized insertion order (N. Amenta, S. Choi, G. Rote, 2003). Used by
+   * ADAPTIVE_HILBERT and MULTI_GRID. Changes the time, never the triangles.
+   */
+  vtkSetClampMacro(ControlPoints, int, NO_CONTROL_POINTS, EVERY_LEVEL);
+  vtkGetMacro(ControlPoints, int);
+  void SetControlPointsToNone() { this->SetControlPoints(NO_CONTROL_POINTS); }
+  void SetControlPointsToSingleLevel() { this->SetControlPoints(SINGLE_LEVEL); }
+  void SetControlPointsToEveryLevel() { this->SetControlPoints(EVERY_LEVEL); }
+  ///@}
+
+  ///@{
+  /**
+   * Turn the curve inside each divided box so that it enters and leaves where the neighbouring
+   * boxes are (the paper's "gene", table 1). Used by ADAPTIVE_HILBERT. On by default; off shows
+   * what the jumps of an unturned curve cost. Changes the time, never the triangles.
+   */
+  vtkSetMacro(GeneRotation, bool);
+  vtkGetMacro(GeneRotation, bool);
+  vtkBooleanMacro(GeneRotation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Count the work of the insertion: the measures NP and NR. Off by default, since counting slows
+   * the insertion a little. Never changes the triangles.
+   */
+  vtkSetMacro(CountWork, bool);
+  vtkGetMacro(CountWork, bool);
+  vtkBooleanMacro(CountWork, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
+   * if it is a vertex, the id of the vertex it coincides with if it is a duplicate, -1 if it was
+   * rejected because its x or y is not finite, -2 if it was skipped as a ghost or hidden point.
+   * Off by default; costs 16 bytes per point while the filter runs.
+   */
+  vtkSetMacro(GenerateFate, bool);
+  vtkGetMacro(GenerateFate, bool);
+  vtkBooleanMacro(GenerateFate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The most memory the filter may take, in kibibytes (1024 bytes), its output included, its input
+   * not. An execution whose estimate is higher is refused with an error before anything is
+   * allocated. 0, the default, stands for what the machine and the limits of the process leave.
+   */
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Counts of the last execution. Inserted points, duplicates, rejected and skipped points add up
+   * to the number of input points. All 0 if the execution was aborted or ended in an error.
+   */
+  vtkGetMacro(NumberOfPointsInserted, vtkIdType);
+  vtkGetMacro(NumberOfDuplicates, vtkIdType);
+  vtkGetMacro(NumberOfRejectedPoints, vtkIdType);
+  vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The paper's measures of the last execution, per inserted point. NP: triangles tested to locate
+   * the point, the one started from included. NR: triangles removed to make room for it. A good
+   * order makes both small: time of locating goes with NP, time of updating with NR. -1 if they
+   * were not counted (see CountWork).
+   */
+  vtkGetMacro(NP, double);
+  vtkGetMacro(NR, double);
+  ///@}
+
+  ///@{
+  /**
+   * Wall-clock seconds of the last execution: reading and sorting the points, inserting them,
+   * putting out the triangles. 0 if the execution was aborted or ended in an error.
+   */
+  vtkGetMacro(SortSeconds, double);
+  vtkGetMacro(InsertSeconds, double);
+  vtkGetMacro(OutputSeconds, double);
+  ///@}
+
+  /**
+   * Upper estimate, in kibibytes, of the memory that the last execution needed, or was refused,
+   * beyond its input: what MemoryLimit is compared with.
+   */
+  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
+
+protected:
+  vtkAdaptiveHilbertDelaunay2D();
+  ~vtkAdaptiveHilbertDelaunay2D() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  // Settings.
+  int InsertionOrder = ADAPTIVE_HILBERT;
+  int Nmax = 50;
+  int ControlPoints = EVERY_LEVEL;
+  bool GeneRotation = true;
+  bool CountWork = false;
+  bool GenerateFate = false;
+  vtkTypeInt64 MemoryLimit = 0;
+
+  // Measures of the last execution.
+  vtkIdType NumberOfPointsInserted = 0;
+  vtkIdType NumberOfDuplicates = 0;
+  vtkIdType NumberOfRejectedPoints = 0;
+  vtkIdType NumberOfSkippedPoints = 0;
+  vtkIdType NumberOfTriangles = 0;
+  double NP = -1.0;
+  double NR = -1.0;
+  double SortSeconds = 0.0;
+  double InsertSeconds = 0.0;
+  double OutputSeconds = 0.0;
+  vtkTypeInt64 MemoryEstimate = 0;
+
+private:
+  vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
+  void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
+
+  class Run; // one execution
+  void ClearMeasures();
+  void WarnAboutRanks();
+  bool WarnedAboutRanks = false;
+};
+
+#endif
