@@ -21,7 +21,8 @@ namespace ahd
 /// so each open edge carries a slot.
 ///
 /// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
-/// That choice is made in floating point; a wrong hint costs steps, never the result.
+/// That choice is made in floating point, and without a branch, as it would be mispredicted; a
+/// wrong hint (rounding, or the ghost's NaN) costs steps, never the result.
 template <bool kCount>
 bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint)
 {
@@ -33,24 +34,22 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
 
   Corner a = seenFrom(at, xy, data[root + 1]);
   Corner b = seenFrom(at, xy, data[root + 2]);
-  const Corner c = seenFrom(at, xy, data[root]);
   double crossed = cross(a, b);
   Mesh::Halfedge twin = data[root + Mesh::kTwin];
   Mesh::Slot slot = root;
   const Mesh::Slot fresh = mesh_.end();
+  const Corner c = seenFrom(at, xy, data[root]);
   PendingEdge* top = pending_.data();
-  *top++ = PendingEdge{ a, cross(c, a), data[root + 2 + Mesh::kTwin], fresh + Mesh::kSlotSize };
-  *top++ = PendingEdge{ c, cross(b, c), data[root + 1 + Mesh::kTwin], fresh };
-  if (kCount)
-  {
-    ++work_.trianglesRemoved;
-  }
+  *top++ = pendingTo(
+    a, cross(c, a), data[root + 2 + Mesh::kTwin], Mesh::Slot(fresh + Mesh::kSlotSize));
+  *top++ = pendingTo(c, cross(b, c), data[root + 1 + Mesh::kTwin], fresh);
+  countRemoved();
 
-  hint = root; // reused by the star: valid even if no wedge holds the next point
   Mesh::Slot firstStar = kNoIndex;
   Mesh::Slot previousStar = fresh +
-    Mesh::kSlotSize; // not written yet: takes the first link in vain
-  double sideOfStart = a.x * towardsY - a.y * towardsX;
+    Mesh::kSlotSize;             // not written yet: takes the first link in vain
+  Mesh::Slot hintForNext = root; // reused by the star, so a triangle for sure
+  unsigned startIsRight = a.x * towardsY - a.y * towardsX < 0;
   for (;;)
   {
     const Corner apex = seenFrom(at, xy, data[twin]);
@@ -58,27 +57,21 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
     const double crossedOut = cross(apex, b);
     const double det = multiplyAdd(
       a.z, crossedOut, multiplyAdd(b.z, crossedIn, -(apex.z * crossed)));
-    if (inCircleIsCertain(det, a.z, b.z, apex.z, guard_) ? det > 0 : conflicts(b, a, apex, p))
+    if (inCircleIsCertain(det, a.z, b.z, apex.z, guard_)
+        ? det > 0
+        : conflicts(b.vertex, a.vertex, apex.vertex, p))
     {
-      if (kCount)
-      {
-        ++work_.trianglesRemoved;
-      }
+      countRemoved();
       if (!spend())
       {
         return false;
       }
-      *top++ = PendingEdge{ b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin],
-        Mesh::slotOf(twin) };
+      *top++ = pendingTo(
+        b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin], Mesh::slotOf(twin));
+      top = top == pendingEnd_ ? growPending() : top;
       twin = data[Mesh::next(twin) + Mesh::kTwin];
       b = apex;
       crossed = crossedIn;
-      if (top == pending_.data() + pending_.size())
-      {
-        const std::size_t depth = pending_.size();
-        pending_.resize(2 * depth);
-        top = pending_.data() + depth;
-      }
       continue;
     }
 
@@ -93,16 +86,16 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
     firstStar = firstStar == kNoIndex ? slot : firstStar;
     previousStar = slot;
 
-    const double sideOfEnd = b.x * towardsY - b.y * towardsX;
-    hint = (sideOfStart >= 0) & (sideOfEnd < 0) ? slot : hint;
-    sideOfStart = sideOfEnd;
+    const unsigned endIsRight = b.x * towardsY - b.y * towardsX < 0;
+    hintForNext = endIsRight > startIsRight ? slot : hintForNext;
+    startIsRight = endIsRight;
     if (top == pending_.data())
     {
       break;
     }
     --top;
     a = b;
-    b = top->end;
+    b = Corner{ { top->x, top->y, top->z }, top->end };
     crossed = top->crossed;
     twin = top->twin;
     slot = top->slot;
@@ -110,29 +103,40 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
   data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
   data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
   mesh_.setEnd(fresh + 2 * Mesh::kSlotSize);
+  hint = hintForNext;
   return true;
 }
 
+/// Doubles the room for open edges when it is full. Returns where the next one goes.
 template <bool kCount>
-bool Kernel<kCount>::conflicts(const Corner& a, const Corner& b, const Corner& c, Index p)
+typename Kernel<kCount>::PendingEdge* Kernel<kCount>::growPending()
 {
-  if (c.vertex == ghost_)
+  const std::size_t depth = pending_.size();
+  pending_.resize(2 * depth);
+  pendingEnd_ = pending_.data() + pending_.size();
+  return pending_.data() + depth;
+}
+
+template <bool kCount>
+bool Kernel<kCount>::conflicts(Index a, Index b, Index c, Index p)
+{
+  if (c == ghost_)
   {
-    return conflictsWithGhost(a.vertex, b.vertex, p);
+    return conflictsWithGhost(a, b, p);
   }
-  if (b.vertex == ghost_)
+  if (b == ghost_)
   {
-    return conflictsWithGhost(c.vertex, a.vertex, p);
+    return conflictsWithGhost(c, a, p);
   }
-  if (a.vertex == ghost_)
+  if (a == ghost_)
   {
-    return conflictsWithGhost(b.vertex, c.vertex, p);
+    return conflictsWithGhost(b, c, p);
   }
   if (kCount)
   {
     ++work_.exactInCircle;
   }
-  return inConflict(xy_[a.vertex], xy_[b.vertex], xy_[c.vertex], xy_[p]);
+  return inConflict(xy_[a], xy_[b], xy_[c], xy_[p]);
 }
 
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
@@ -153,13 +157,13 @@ bool Kernel<kCount>::conflictsWithGhost(Index from, Index to, Index p)
 }
 
 template <bool kCount>
-int Kernel<kCount>::orientation(const Corner& a, const Corner& b, Index p)
+int Kernel<kCount>::orientation(Index a, Index b, Index p)
 {
   if (kCount)
   {
     ++work_.exactOrient;
   }
-  return orient2d(xy_[a.vertex], xy_[b.vertex], xy_[p]);
+  return orient2d(xy_[a], xy_[b], xy_[p]);
 }
 
 template <bool kCount>

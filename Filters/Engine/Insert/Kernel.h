@@ -37,6 +37,7 @@ public:
     , mesh_(mesh)
     , ticker_(ticker)
     , pending_(kInitialPending)
+    , pendingEnd_(pending_.data() + pending_.size())
   {
   }
 
@@ -60,11 +61,17 @@ private:
   /// end of the edge handled before it to `end`.
   struct PendingEdge
   {
-    Corner end;
-    double crossed;      ///< cross(start, end): twice the area of the star's triangle on this edge
+    double x, y, z; ///< its end, as a Corner
+    Index end;
     Mesh::Halfedge twin; ///< the edge in the triangle on its outer side
+    double crossed;      ///< cross(start, end): twice the area of the star's triangle on this edge
     Mesh::Slot slot;     ///< a free slot: the cavity has as many as open edges
   };
+
+  static PendingEdge pendingTo(Corner end, double crossed, Mesh::Halfedge twin, Mesh::Slot slot)
+  {
+    return PendingEdge{ end.x, end.y, end.z, end.vertex, twin, crossed, slot };
+  }
 
   static constexpr std::size_t kInitialPending = 64;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
@@ -84,7 +91,8 @@ private:
       ++work_.trianglesWalked;
     }
     const double det = inCircleDeterminant(a, b, c, cross(a, b));
-    if (inCircleIsCertain(det, a.z, b.z, c.z, guard_) ? det > 0 : conflicts(a, b, c, p))
+    if (inCircleIsCertain(det, a.z, b.z, c.z, guard_) ? det > 0
+                                                      : conflicts(a.vertex, b.vertex, c.vertex, p))
     {
       return hint;
     }
@@ -109,7 +117,7 @@ private:
   bool isRightOf(const Corner& a, const Corner& b, Index p)
   {
     const double area = cross(a, b);
-    return orientIsCertain(area, a.z, b.z) ? area < 0 : orientation(a, b, p) < 0;
+    return orientIsCertain(area, a.z, b.z) ? area < 0 : orientation(a.vertex, b.vertex, p) < 0;
   }
 
   /// Visibility walk: leave a triangle by an edge that has p strictly behind it, never back by the
@@ -187,13 +195,22 @@ private:
   //--- cavity and star ----------------------------------------------------------------------------
 
   bool carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint);
+  PendingEdge* growPending();
+
+  void countRemoved()
+  {
+    if (kCount)
+    {
+      ++work_.trianglesRemoved;
+    }
+  }
 
   //--- predicates where the filter does not decide ------------------------------------------------
 
   /// Is p in conflict with the triangle a, b, c? One of them may be the ghost. The slow path.
-  bool conflicts(const Corner& a, const Corner& b, const Corner& c, Index p);
+  bool conflicts(Index a, Index b, Index c, Index p);
   bool conflictsWithGhost(Index from, Index to, Index p);
-  int orientation(const Corner& a, const Corner& b, Index p);
+  int orientation(Index a, Index b, Index p);
 
   //--- steps --------------------------------------------------------------------------------------
 
@@ -214,6 +231,7 @@ private:
   Mesh& mesh_;
   Ticker& ticker_;
   std::vector<PendingEdge> pending_;
+  const PendingEdge* pendingEnd_;
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;
