@@ -119,7 +119,7 @@ constexpr double kInCircleGuard = 0x1p-1020;
 /// nothing is certain.
 inline double inCircleGuard(double sumOfSquaredLengths)
 {
-  return multiplyAdd(kInCircleGuard, sumOfSquaredLengths, kInCircleGuard);
+  return kInCircleGuard * (sumOfSquaredLengths + 1.0); // in this order it is never subnormal
 }
 
 inline double inCircleErrorBound(double la, double lb, double lc, double guard)

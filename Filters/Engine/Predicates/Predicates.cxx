@@ -38,8 +38,36 @@ struct GridVector
   std::int64_t y;
 };
 
+/// A scale that makes a value less than 2^62, and its reciprocal, both powers of two.
+struct GridScale
+{
+  double up;
+  double down;
+
+  /// REQUIRES: 2^-900 <= largest <= 2^1000, so that neither scale overflows.
+  explicit GridScale(double largest)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &largest, sizeof bits);
+    const std::uint64_t exponent = bits >> 52; // biased by 1023
+    const std::uint64_t upBits = (2 * 1023 + 61 - exponent) << 52;
+    const std::uint64_t downBits = (exponent - 61) << 52;
+    std::memcpy(&up, &upBits, sizeof up);
+    std::memcpy(&down, &downBits, sizeof down);
+  }
+
+  /// value in units of `down`. `residue` stays 0 while all values are integers: one that is not, or
+  /// whose product underflows, is not met again when taken back; taking back rounds nothing, as
+  /// `down` is at least 2^-961.
+  std::int64_t integer(double value, double& residue) const
+  {
+    const auto result = static_cast<std::int64_t>(value * up);
+    residue += std::fabs(static_cast<double>(result) * down - value);
+    return result;
+  }
+};
+
 /// a - b = high + low exactly, high being the rounded difference.
-/// REQUIRES: rounding to nearest, no overflow.
 struct ExactDifference
 {
   double high;
@@ -54,73 +82,54 @@ struct ExactDifference
   }
 };
 
-/// The `Count` vectors from an origin to other points as 64-bit integers, if one power of two
-/// allows it.
+/// The two vectors from an origin to a point, or three to three, in units of one power of two.
 template <int Count>
 class Grid
 {
 public:
+  /// False if they do not fit.
   bool fit(const Point& origin, const Point* const (&points)[Count]);
   const GridVector& operator[](int i) const { return vectors_[i]; }
 
 private:
-  bool toInteger(double value, std::int64_t& result) const;
-  bool toInteger(const ExactDifference& value, std::int64_t& result) const;
-
   GridVector vectors_[Count];
-  double scale_ = 1.0;   ///< a power of two
-  double unscale_ = 1.0; ///< its reciprocal
 };
-
-/// value * scale_ if that is an integer. REQUIRES: it is below 2^63 in magnitude.
-/// A product that is no integer, or that underflows, does not give the value when taken back;
-/// unscale_ >= 2^-1074, so taking back an integer of 53 bits does not round.
-template <int Count>
-bool Grid<Count>::toInteger(double value, std::int64_t& result) const
-{
-  result = static_cast<std::int64_t>(value * scale_);
-  return static_cast<double>(result) * unscale_ == value;
-}
-
-template <int Count>
-bool Grid<Count>::toInteger(const ExactDifference& value, std::int64_t& result) const
-{
-  std::int64_t low = 0;
-  const bool exact = toInteger(value.high, result) &&
-    (value.low == 0.0 || toInteger(value.low, low));
-  result += low; // low is at most half a unit in the last place of high
-  return exact;
-}
 
 template <int Count>
 bool Grid<Count>::fit(const Point& origin, const Point* const (&points)[Count])
 {
-  double largest = 0.0;
-  for (const Point* p : points)
+  double x[Count], y[Count], lowX[Count], lowY[Count];
+  double largest = 0.0, rounded = 0.0;
+  for (int i = 0; i < Count; ++i)
   {
-    largest = std::max(largest, std::fabs(p->x - origin.x));
-    largest = std::max(largest, std::fabs(p->y - origin.y));
+    const ExactDifference dx(points[i]->x, origin.x), dy(points[i]->y, origin.y);
+    x[i] = dx.high;
+    y[i] = dy.high;
+    lowX[i] = dx.low;
+    lowY[i] = dy.low;
+    largest = std::max(largest, std::max(std::fabs(x[i]), std::fabs(y[i])));
+    rounded += std::fabs(lowX[i]) + std::fabs(lowY[i]);
   }
-  // Within these limits neither the scale nor its reciprocal nor a difference overflows.
   if (!(largest >= 0x1p-900 && largest <= 0x1p+1000))
   {
     return false;
   }
-  std::uint64_t bits;
-  std::memcpy(&bits, &largest, sizeof bits);
-  const std::uint64_t exponent = bits >> 52; // of largest, biased by 1023
-  const std::uint64_t scaleBits = (2 * 1023 + 61 - exponent) << 52;
-  const std::uint64_t unscaleBits = (exponent - 61) << 52;
-  std::memcpy(&scale_, &scaleBits, sizeof scale_);
-  std::memcpy(&unscale_, &unscaleBits, sizeof unscale_);
-
-  bool exact = true;
+  const GridScale scale(largest);
+  double residue = 0.0;
   for (int i = 0; i < Count; ++i)
   {
-    exact = exact && toInteger(ExactDifference(points[i]->x, origin.x), vectors_[i].x) &&
-      toInteger(ExactDifference(points[i]->y, origin.y), vectors_[i].y);
+    vectors_[i].x = scale.integer(x[i], residue);
+    vectors_[i].y = scale.integer(y[i], residue);
   }
-  return exact;
+  if (rounded != 0.0)
+  {
+    for (int i = 0; i < Count; ++i)
+    {
+      vectors_[i].x += scale.integer(lowX[i], residue);
+      vectors_[i].y += scale.integer(lowY[i], residue);
+    }
+  }
+  return residue == 0.0;
 }
 
 /// A x B, below 2^126 in magnitude.
@@ -144,21 +153,15 @@ struct Sum256
   /// Adds length * factor. REQUIRES: 0 <= length < 2^127, |factor| < 2^127.
   void add(Int128 length, Int128 factor)
   {
-    const UInt128 magnitude = factor < 0 ? -UInt128(factor) : UInt128(factor);
     const std::uint64_t a0 = std::uint64_t(length), a1 = std::uint64_t(length >> 64);
-    const std::uint64_t b0 = std::uint64_t(magnitude), b1 = std::uint64_t(magnitude >> 64);
+    const std::uint64_t b0 = std::uint64_t(factor), b1 = std::uint64_t(factor >> 64);
     const UInt128 p00 = UInt128(a0) * b0, p01 = UInt128(a0) * b1;
     const UInt128 p10 = UInt128(a1) * b0, p11 = UInt128(a1) * b1;
-    const UInt128 middle = p10 + (p00 >> 64) + std::uint64_t(p01); // < 2^128 as a1, b1 < 2^63
-    UInt128 productHigh = p11 + (middle >> 64) + (p01 >> 64);
-    UInt128 productLow = (middle << 64) | std::uint64_t(p00);
-    if (factor < 0)
-    {
-      productLow = -productLow;
-      productHigh = ~productHigh + (productLow == 0);
-    }
-    low += productLow;
-    high += productHigh + (low < productLow);
+    const UInt128 middle = p10 + (p00 >> 64) + std::uint64_t(p01); // < 2^128, as a1 < 2^63
+    const UInt128 product = (middle << 64) | std::uint64_t(p00);
+    low += product;
+    high += p11 + (middle >> 64) + (p01 >> 64) + (low < product);
+    high -= UInt128(length) & UInt128(factor >> 127); // the words of factor < 0 are factor + 2^128
   }
 
   int sign() const { return Int128(high) < 0 ? -1 : ((high | low) != 0); }
@@ -168,7 +171,7 @@ struct Sum256
 
 // ----------------------------------------------------------------------------------- Unbounded
 
-/// A finite double as mantissa * 2^exponent, the mantissa odd or 0.
+/// A finite double as mantissa * 2^exponent.
 struct Parts
 {
   std::uint64_t mantissa;
@@ -183,12 +186,7 @@ Parts partsOf(double value)
   const int biased = static_cast<int>((bits >> 52) & 0x7FF);
   std::uint64_t mantissa = bits & 0xFFFFFFFFFFFFFu;
   mantissa |= biased != 0 ? std::uint64_t(1) << 52 : 0;
-  int exponent = (biased != 0 ? biased : 1) - 1075;
-  while (mantissa != 0 && (mantissa & 1) == 0)
-  {
-    mantissa >>= 1;
-    ++exponent;
-  }
+  const int exponent = (biased != 0 ? biased : 1) - 1075;
   return { mantissa, exponent, (bits >> 63) != 0 };
 }
 
