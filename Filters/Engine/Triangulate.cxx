@@ -111,8 +111,10 @@ Status Triangulator::State::write(Id* triples, Progress* progress) const
   {
     return Status::Ok;
   }
-  Ticker ticker(progress, Phase::Extract, ranked.count);
-  return writeCanonical(mesh, ranked.id.data(), triples, ticker) ? Status::Ok : Status::Cancelled;
+  Ticker ticker(progress, Phase::Extract, report.triangles);
+  return writeCanonical(mesh, report.triangles, ranked.id.data(), triples, ticker)
+    ? Status::Ok
+    : Status::Cancelled;
 }
 
 Triangulator::Triangulator() = default;

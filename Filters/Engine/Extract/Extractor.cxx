@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extractor.h"
 
-#include "../SortInSteps.h"
-
 #include <algorithm>
-#include <array>
 
 namespace ahd
 {
@@ -18,14 +15,15 @@ struct FromLowest
   std::uint32_t v0, v1, v2;
 };
 
+/// Without branches: which corner is the lowest is as good as random.
 FromLowest fromLowest(const std::uint32_t* corners)
 {
-  const std::uint32_t a = corners[0], b = corners[1], c = corners[2];
-  if (a < b && a < c)
-  {
-    return { a, b, c };
-  }
-  return b < c ? FromLowest{ b, c, a } : FromLowest{ c, a, b };
+  const unsigned secondOfTwo = corners[1] < corners[0];
+  const unsigned third = corners[2] < corners[secondOfTwo];
+  const unsigned lowest = secondOfTwo + third * (2 - secondOfTwo);
+  constexpr unsigned kNext[3] = { 1, 2, 0 };
+  constexpr unsigned kPrevious[3] = { 2, 0, 1 };
+  return { corners[lowest], corners[kNext[lowest]], corners[kPrevious[lowest]] };
 }
 
 bool hasCorner(const std::uint32_t* corners, std::uint32_t vertex)
@@ -33,7 +31,7 @@ bool hasCorner(const std::uint32_t* corners, std::uint32_t vertex)
   return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
 }
 
-/// Calls visit(v0, v1, v2) for every finite triangle, its lowest vertex first.
+/// Calls visit(slot, corners from the lowest on) for every finite triangle.
 template <typename Visit>
 bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
 {
@@ -42,7 +40,7 @@ bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
     const std::uint32_t* corners = mesh.data() + slot;
     if (!hasCorner(corners, mesh.ghost()))
     {
-      visit(fromLowest(corners));
+      visit(slot, fromLowest(corners));
     }
     if (!ticker.step())
     {
@@ -52,56 +50,38 @@ bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
   return true;
 }
 
-/// From how many triangles have each vertex as their lowest to where the first of them is written.
-bool sumUp(Buffer<std::uint32_t>& counts, Ticker& ticker)
+/// For each vertex, where the next triangle that has it at a certain corner is to be put.
+class Places
 {
-  std::uint32_t sum = 0;
-  for (std::uint32_t& count : counts)
+public:
+  explicit Places(std::uint32_t vertices)
   {
-    const std::uint32_t n = count;
-    count = sum;
-    sum += n;
-    if (!ticker.step())
-    {
-      return false;
-    }
+    next_.allocate(vertices);
+    std::fill(next_.begin(), next_.end(), 0u);
   }
-  return true;
-}
+  void count(std::uint32_t vertex) { ++next_[vertex]; }
+  std::size_t take(std::uint32_t vertex) { return next_[vertex]++; }
 
-template <typename Id>
-using Triple = std::array<Id, 3>;
-
-/// Sorts the triangles around each lowest vertex and turns vertices into ids.
-template <typename Id>
-bool finishFans(
-  const Buffer<std::uint32_t>& ends, const std::uint32_t* ids, Triple<Id>* triples, Ticker& ticker)
-{
-  // Around one lowest vertex the second corner alone tells two triangles apart.
-  const auto bySecond = [](const Triple<Id>& a, const Triple<Id>& b) { return a[1] < b[1]; };
-  Triple<Id>* fan = triples;
-  for (const std::uint32_t end : ends)
+  /// Turns counts into first places.
+  bool sumUp(Ticker& ticker)
   {
-    Triple<Id>* const fanEnd = triples + end;
-    if (!sortInSteps(fan, fanEnd, bySecond, ticker))
+    std::uint32_t sum = 0;
+    for (std::uint32_t& next : next_)
     {
-      return false;
-    }
-    for (; fan != fanEnd; ++fan)
-    {
-      for (Id& corner : *fan)
-      {
-        corner = Id(ids[std::size_t(corner)]);
-      }
+      const std::uint32_t n = next;
+      next = sum;
+      sum += n;
       if (!ticker.step())
       {
         return false;
       }
     }
-    ticker.finished(1);
+    return true;
   }
-  return true;
-}
+
+private:
+  Buffer<std::uint32_t> next_;
+};
 
 } // namespace
 
@@ -133,27 +113,50 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
   return count;
 }
 
+// Two stable counting sorts, by the second corner and then by the lowest; the third follows from
+// them. Nothing in it branches on the data, and no fan of triangles is too large.
 template <typename Id>
-bool writeCanonical(const Mesh& mesh, const std::uint32_t* ids, Id* triples, Ticker& ticker)
+bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
+  Id* triples, Ticker& ticker)
 {
-  Buffer<std::uint32_t> places;
-  places.allocate(mesh.ghost());
-  std::fill(places.begin(), places.end(), 0u);
-  const auto countLowest = [&places](const FromLowest& t) { ++places[t.v0]; };
-  // After this, the places have moved to the ends of the fans.
-  const auto put = [&places, triples](const FromLowest& t)
+  Places byLowest(mesh.ghost());
+  Places bySecond(mesh.ghost());
+  const auto count = [&](Mesh::Slot, const FromLowest& t)
   {
-    Id* out = triples + 3 * std::size_t(places[t.v0]++);
-    out[0] = Id(t.v0);
-    out[1] = Id(t.v1);
-    out[2] = Id(t.v2);
+    byLowest.count(t.v0);
+    bySecond.count(t.v1);
   };
-  return forEachFinite(mesh, ticker, countLowest) && sumUp(places, ticker) &&
-    forEachFinite(mesh, ticker, put) &&
-    finishFans(places, ids, reinterpret_cast<Triple<Id>*>(triples), ticker);
+  if (!forEachFinite(mesh, ticker, count) || !byLowest.sumUp(ticker) || !bySecond.sumUp(ticker))
+  {
+    return false;
+  }
+  Buffer<Mesh::Slot> sorted;
+  sorted.allocate(triangleCount);
+  const auto put = [&](Mesh::Slot slot, const FromLowest& t)
+  { sorted[bySecond.take(t.v1)] = slot; };
+  if (!forEachFinite(mesh, ticker, put))
+  {
+    return false;
+  }
+  for (const Mesh::Slot slot : sorted)
+  {
+    const FromLowest t = fromLowest(mesh.data() + slot);
+    Id* out = triples + 3 * byLowest.take(t.v0);
+    out[0] = Id(ids[t.v0]);
+    out[1] = Id(ids[t.v1]);
+    out[2] = Id(ids[t.v2]);
+    ticker.finished(1);
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
-template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int32_t*, Ticker&);
-template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int64_t*, Ticker&);
+template bool writeCanonical(
+  const Mesh&, std::size_t, const std::uint32_t*, std::int32_t*, Ticker&);
+template bool writeCanonical(
+  const Mesh&, std::size_t, const std::uint32_t*, std::int64_t*, Ticker&);
 
 } // namespace ahd

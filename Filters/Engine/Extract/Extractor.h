@@ -17,11 +17,12 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
 /// Writes the finite triangles of a mesh in canonical order: each starts at its lowest vertex, and
 /// they are sorted by their three vertices. As vertices are numbered by canonical rank, the order
-/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for three
-/// numbers per finite triangle.
+/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for
+/// triangleCount triples, the number of finite triangles.
 /// Returns false if the caller wants to cancel. Throws std::bad_alloc.
 template <typename Id>
-bool writeCanonical(const Mesh& mesh, const std::uint32_t* ids, Id* triples, Ticker& ticker);
+bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
+  Id* triples, Ticker& ticker);
 
 } // namespace ahd
 
