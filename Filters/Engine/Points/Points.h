@@ -2,6 +2,7 @@
 #ifndef ahd_Points_h
 #define ahd_Points_h
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,6 +34,11 @@ inline bool operator==(const Point& a, const Point& b)
 inline bool lexicographicallyLess(const Point& a, const Point& b)
 {
   return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+inline bool isFinite(const Point& p)
+{
+  return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
 /// The caller's points, looked at where they are: x, y of point i are the first two numbers at

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BoxWalk_h
+#define ahd_BoxWalk_h
+
+#include "../Buffer.h"
+#include "../Options.h"
+#include "../Progress.h"
+#include "RankedPoints.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ahd
+{
+
+/// Points sorted by rank: what a walk over the boxes sees.
+struct WalkPoints
+{
+  const std::uint64_t* key; ///< Hilbert keys, ascending
+  const Index* rank;        ///< rank of each point; null if point i has rank i
+  std::size_t count;
+};
+
+/// Points that share a box; the box comprises all keys that agree with theirs above `bits` bits.
+struct Box
+{
+  std::size_t begin, end;
+  unsigned bits;
+};
+
+/// The boxes of one division, in the order in which they are visited. `reordered` says how: false
+/// along the curve of the keys, else as `options` say. Returns false if the work is to be
+/// cancelled. REQUIRES: 2 * levels <= box.bits.
+bool divide(const WalkPoints& points, const Box& box, unsigned levels, const Options& options,
+  std::vector<Box>& boxes, Ticker& ticker);
+
+/// Writes the ranks of all points to `to`, box by box as makeSequence says, and advances it.
+/// `levels` is the first division's, 0 for none. Returns false if the work is to be cancelled.
+class BoxWalk
+{
+public:
+  BoxWalk(const RankedPoints& ranked, const Options& options, Ticker& ticker);
+
+  bool walk(const WalkPoints& points, unsigned levels, Index* to);
+
+private:
+  bool walkAlongKeys(const Box& whole, unsigned levels);
+  bool walkReordered(const Box& whole, unsigned levels);
+  bool isDivided(const Box& box) const;
+  bool leave(const Box& box);
+  bool leaveByRank(const Box& box);
+  bool leaveManyById(const Box& box);
+  Index rankOf(std::size_t i) const { return points_.rank ? points_.rank[i] : Index(i); }
+
+  const RankedPoints& ranked_;
+  const Options& options_;
+  Ticker& ticker_;
+  WalkPoints points_{};
+  Index* to_ = nullptr;
+};
+
+} // namespace ahd
+
+#endif

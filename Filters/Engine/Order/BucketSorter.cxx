@@ -1,0 +1,401 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BucketSorter.h"
+
+#include "Chunks.h"
+#include "HilbertCurve.h"
+#include "Quantise.h"
+#include "Rank.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+namespace
+{
+
+constexpr unsigned kMostSplitBits = 11;
+
+/// Up to kTiedByCoordinates distinct points, each with the smallest id seen at its place.
+struct DistinctPoints
+{
+  struct Entry
+  {
+    Point p;
+    Index id;
+  };
+  Entry entry[kTiedByCoordinates];
+  std::size_t count = 0;
+
+  Entry* find(const Point& p)
+  {
+    std::size_t i = 0;
+    while (i < count && !(entry[i].p == p))
+    {
+      ++i;
+    }
+    return i < count ? entry + i : nullptr;
+  }
+
+  /// Returns false if there is no room for one more place.
+  bool add(const Point& p, Index id)
+  {
+    if (Entry* known = find(p))
+    {
+      if (id < known->id)
+      {
+        *known = { p, id };
+      }
+      return true;
+    }
+    if (count == kTiedByCoordinates)
+    {
+      return false;
+    }
+    entry[count++] = { p, id };
+    return true;
+  }
+
+  void sort()
+  {
+    std::sort(entry, entry + count,
+      [](const Entry& a, const Entry& b) { return lexicographicallyLess(a.p, b.p); });
+  }
+};
+
+} // namespace
+
+BucketSorter::BucketSorter(Buffer<Record>& records, RankedPoints& out, Ticker& ticker)
+  : records_(records)
+  , out_(out)
+  , ticker_(ticker)
+{
+}
+
+bool BucketSorter::take(std::size_t begin, std::size_t end, unsigned bits)
+{
+  waiting_.push_back({ begin, end, bits, false, false, 0 });
+  while (!waiting_.empty())
+  {
+    const Range range = waiting_.back();
+    waiting_.pop_back();
+    const bool goOn = range.sorted        ? emit(range)
+      : range.end - range.begin <= kSmall ? sortSmall(range)
+                                          : split(range);
+    if (!goOn)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Counting sort on the next bits, about one bin per point, straight into the final place; then an
+/// insertion sort, which finds nearly nothing to do. Crowded bins are sorted first.
+bool BucketSorter::sortSmall(const Range& range)
+{
+  const std::size_t n = range.end - range.begin;
+  const Record* const from = records_.data() + range.begin;
+  const unsigned binBits = std::min(range.bits, bitLength(n));
+  const unsigned shift = range.bits - binBits;
+  const std::size_t bins = std::size_t(1) << binBits;
+  const std::uint64_t mask = bins - 1;
+  std::fill(place_.begin(), place_.begin() + bins, 0u);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    ++place_[from[i].key >> shift & mask];
+  }
+  Index next = static_cast<Index>(end_);
+  Index most = 0;
+  for (std::size_t b = 0; b < bins; ++b)
+  {
+    const Index count = place_[b];
+    most = std::max(most, count);
+    place_[b] = next;
+    next += count;
+  }
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Record& r = from[i];
+    put(r, place_[r.key >> shift & mask]++);
+  }
+  if (most > kCrowdedBin)
+  {
+    sortCrowdedBins(bins);
+  }
+  const bool distinct = insertionSort(end_, end_ + n);
+  const Range sorted{ end_, end_ + n, range.bits, true, range.crowd, range.key };
+  if (!distinct || range.crowd)
+  {
+    return ticker_.step(n) && emit(sorted);
+  }
+  end_ += n;
+  return ticker_.step(n);
+}
+
+/// After the counting sort place_[b] is the end of bin b.
+void BucketSorter::sortCrowdedBins(std::size_t bins)
+{
+  std::size_t begin = end_;
+  for (std::size_t b = 0; b < bins; ++b)
+  {
+    const std::size_t end = place_[b];
+    if (end - begin > kCrowdedBin)
+    {
+      sortBin(begin, end);
+    }
+    begin = end;
+  }
+}
+
+void BucketSorter::sortBin(std::size_t begin, std::size_t end)
+{
+  const std::size_t n = end - begin;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    sorting_[i] = { out_.key[begin + i], static_cast<Index>(begin + i) };
+    points_[i] = out_.xy[begin + i];
+    ids_[i] = out_.id[begin + i];
+  }
+  std::sort(sorting_.begin(), sorting_.begin() + n,
+    [](const KeyAndPlace& a, const KeyAndPlace& b) { return a.key < b.key; });
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const std::size_t from = sorting_[i].place - begin;
+    out_.key[begin + i] = sorting_[i].key;
+    out_.xy[begin + i] = points_[from];
+    out_.id[begin + i] = ids_[from];
+  }
+}
+
+/// Returns whether the keys are all different.
+bool BucketSorter::insertionSort(std::size_t begin, std::size_t end)
+{
+  std::uint64_t* const key = out_.key.data();
+  bool distinct = true;
+  for (std::size_t i = begin + 1; i < end; ++i)
+  {
+    if (key[i] > key[i - 1])
+    {
+      continue;
+    }
+    const std::uint64_t k = key[i];
+    const Point p = out_.xy[i];
+    const Index id = out_.id[i];
+    std::size_t j = i;
+    for (; j > begin && key[j - 1] > k; --j)
+    {
+      key[j] = key[j - 1];
+      out_.xy[j] = out_.xy[j - 1];
+      out_.id[j] = out_.id[j - 1];
+    }
+    distinct = distinct && (j == begin || key[j - 1] != k);
+    key[j] = k;
+    out_.xy[j] = p;
+    out_.id[j] = id;
+  }
+  return distinct;
+}
+
+/// Scatters a large range by the first bits in which its keys differ.
+bool BucketSorter::split(const Range& range)
+{
+  const Record* const records = records_.data();
+  const std::uint64_t first = records[range.begin].key;
+  std::uint64_t differing = 0;
+  const bool looked = inChunks(range.begin, range.end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b; ++i)
+      {
+        differing |= records[i].key ^ first;
+      }
+    });
+  if (!looked)
+  {
+    return false;
+  }
+  if (differing == 0)
+  {
+    const std::size_t to = end_;
+    return copyToArrays(range.begin, range.end, to) &&
+      emit({ to, to + (range.end - range.begin), 0, true, range.crowd, range.key });
+  }
+  const unsigned bits = bitLength(differing);
+  const std::size_t wanted = (range.end - range.begin) / kSmall + 1;
+  const unsigned binBits = std::min({ bits, kMostSplitBits, bitLength(wanted) + 1 });
+  return scatter(range, bits - binBits, std::size_t(1) << binBits);
+}
+
+/// To the arrays, sorted by the bits at `shift`, and back: then each bin is a range of records.
+bool BucketSorter::scatter(const Range& range, unsigned shift, std::size_t bins)
+{
+  const Record* const records = records_.data();
+  const std::uint64_t mask = bins - 1;
+  std::fill(place_.begin(), place_.begin() + bins, 0u);
+  const bool counted = inChunks(range.begin, range.end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b; ++i)
+      {
+        ++place_[records[i].key >> shift & mask];
+      }
+    });
+  Index next = static_cast<Index>(range.begin);
+  for (std::size_t b = 0; b < bins; ++b)
+  {
+    const Index count = place_[b];
+    place_[b] = next;
+    next += count;
+  }
+  const bool scattered = counted &&
+    inChunks(range.begin, range.end, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          put(records[i], place_[records[i].key >> shift & mask]++);
+        }
+      });
+  if (!scattered || !copyToRecords(range.begin, range.end))
+  {
+    return false;
+  }
+  for (std::size_t b = bins; b-- > 0;)
+  {
+    const std::size_t begin = b == 0 ? range.begin : place_[b - 1];
+    if (begin < place_[b])
+    {
+      waiting_.push_back({ begin, place_[b], shift, false, range.crowd, range.key });
+    }
+  }
+  return true;
+}
+
+bool BucketSorter::copyToRecords(std::size_t begin, std::size_t end)
+{
+  return inChunks(begin, end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b; ++i)
+      {
+        records_[i] = { out_.xy[i].x, out_.xy[i].y, out_.key[i], out_.id[i] };
+      }
+    });
+}
+
+bool BucketSorter::copyToArrays(std::size_t begin, std::size_t end, std::size_t to)
+{
+  return inChunks(begin, end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b; ++i)
+      {
+        put(records_[i], to + (i - begin));
+      }
+    });
+}
+
+/// Gives the points of a sorted range their ranks, run of equal keys by run, until it meets a
+/// crowd.
+bool BucketSorter::emit(const Range& range)
+{
+  for (std::size_t begin = range.begin; begin < range.end;)
+  {
+    std::size_t end = begin + 1;
+    while (end < range.end && out_.key[end] == out_.key[begin])
+    {
+      if (++end % kChunk == 0 && !ticker_.step(kChunk))
+      {
+        return false;
+      }
+    }
+    const std::uint64_t key = range.crowd ? range.key : out_.key[begin];
+    if (end - begin == 1)
+    {
+      rank(out_.xy[begin], out_.id[begin], key);
+    }
+    else
+    {
+      bool crowd = false;
+      if (!emitEqual(begin, end, key, crowd))
+      {
+        return false;
+      }
+      if (crowd)
+      {
+        waiting_.push_back({ end, range.end, range.bits, true, range.crowd, range.key });
+        return pushCrowd(begin, end, key);
+      }
+    }
+    begin = end;
+  }
+  return true;
+}
+
+/// Ranks points of one key, unless there are too many distinct ones: then says so in `crowd`.
+bool BucketSorter::emitEqual(std::size_t begin, std::size_t end, std::uint64_t key, bool& crowd)
+{
+  DistinctPoints distinct;
+  const bool looked = inChunks(begin, end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b && !crowd; ++i)
+      {
+        crowd = !distinct.add(out_.xy[i], out_.id[i]);
+      }
+    });
+  if (!looked || crowd)
+  {
+    return looked;
+  }
+  const bool listed = end - begin == distinct.count ||
+    inChunks(begin, end, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          const Index kept = distinct.find(out_.xy[i])->id;
+          if (kept != out_.id[i])
+          {
+            out_.duplicates.push_back({ out_.id[i], kept });
+          }
+        }
+      });
+  distinct.sort();
+  for (std::size_t i = 0; i < distinct.count; ++i)
+  {
+    rank(distinct.entry[i].p, distinct.entry[i].id, key);
+  }
+  return listed;
+}
+
+/// Makes a crowd wait as records whose keys are places in the bounds of the crowd.
+bool BucketSorter::pushCrowd(std::size_t begin, std::size_t end, std::uint64_t key)
+{
+  Bounds bounds{ out_.xy[begin].x, out_.xy[begin].x, out_.xy[begin].y, out_.xy[begin].y };
+  const bool looked = inChunks(begin, end, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i < b; ++i)
+      {
+        const Point& p = out_.xy[i];
+        bounds = { std::min(bounds.xmin, p.x), std::max(bounds.xmax, p.x),
+          std::min(bounds.ymin, p.y), std::max(bounds.ymax, p.y) };
+      }
+    });
+  const Grid grid(bounds);
+  waiting_.push_back({ begin, end, 64, false, true, key });
+  return looked &&
+    inChunks(begin, end, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          const Point& p = out_.xy[i];
+          records_[i] = { p.x, p.y, hilbertKey(grid.column(p.x), grid.row(p.y)), out_.id[i] };
+        }
+      });
+}
+
+} // namespace ahd

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Rank_h
+#define ahd_Rank_h
+
+#include "../Points/Points.h"
+#include "../Progress.h"
+#include "../Result.h"
+#include "RankedPoints.h"
+
+#include <cstddef>
+
+namespace ahd
+{
+
+// The canonical rank of a point, a function of the point set alone:
+// 1. x and y are quantised to 32 bits each over the bounding box (Quantise.h);
+// 2. points are sorted by their place on the Hilbert curve of 32 levels (HilbertCurve.h);
+// 3. up to kTiedByCoordinates distinct points of one place are sorted by (x, y); more than that are
+//    ranked again by these rules in the bounding box of their own.
+// Coincident points are one point: the one of smallest id stays.
+
+constexpr std::size_t kTiedByCoordinates = 16;
+
+/// Most bytes per point that rankPoints allocates: locations, ids and keys, which stay, and a
+/// record of each point, which does not.
+constexpr std::size_t kRankBytesPerPoint = sizeof(Point) + sizeof(Index) + 8 + 32;
+
+/// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; a point
+/// that is to be skipped is not looked at. out.count becomes the number of finite points.
+Status readPoints(const PointView& points, Progress* progress, RankedPoints& out);
+
+/// Sorts the points by rank and drops duplicates; sets the rest of `out`.
+/// REQUIRES: readPoints returned Ok for the same points and `out`; at most kMaximumPoints points.
+/// Moves the fraction by three quarters of a unit per point. Throws std::bad_alloc.
+/// Cost: two passes over the points to scatter them to buckets by the first bits of their keys, one
+/// to sort each bucket; crowded buckets are scattered again by further bits.
+Status rankPoints(const PointView& points, Ticker& sorting, RankedPoints& out);
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sequence.h"
+
+#include "BoxWalk.h"
+#include "Chunks.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace ahd
+{
+
+namespace
+{
+
+bool hasControlPoints(const Options& options, ControlPoints kind)
+{
+  return options.controlPoints == kind &&
+    (options.order == InsertionOrder::AdaptiveHilbert ||
+      options.order == InsertionOrder::MultiGrid);
+}
+
+/// Levels of the first division; 0 if the points are not divided.
+unsigned levelsOfFirstDivision(const RankedPoints& points, const Options& options)
+{
+  switch (options.order)
+  {
+    case InsertionOrder::AsGiven:
+      return 0;
+    case InsertionOrder::RegularGrid:
+      return levelsOfDivision(points.count);
+    default:
+      return points.count > std::size_t(options.nmax) ? levelsOfDivision(points.count) : 0;
+  }
+}
+
+/// The control points of ControlPoints::SingleLevel and the points that remain.
+class SingleLevel
+{
+public:
+  SingleLevel(const RankedPoints& points, const Options& options, Ticker& ticker)
+    : points_(points)
+    , options_(options)
+    , ticker_(ticker)
+  {
+  }
+
+  /// Writes the control points to `to`. Returns false if the work is to be cancelled.
+  bool choose(unsigned levels, Index* to)
+  {
+    const std::size_t n = points_.count;
+    std::vector<Box> boxes;
+    isControl_.assign(n, 0);
+    const WalkPoints all{ points_.key.data(), nullptr, n };
+    if (!divide(all, Box{ 0, n, 64 }, levels, options_, boxes, ticker_))
+    {
+      return false;
+    }
+    for (std::size_t b = boxes.size(); b-- > 0;)
+    {
+      std::size_t first = boxes[b].begin;
+      if (!firstOf(boxes[b], first))
+      {
+        return false;
+      }
+      isControl_[first] = 1;
+      to[controls_++] = static_cast<Index>(first);
+    }
+    return keepOthers();
+  }
+
+  std::size_t controls() const { return controls_; }
+  WalkPoints others() const { return { key_.data(), rank_.data(), points_.count - controls_ }; }
+
+private:
+  bool firstOf(const Box& box, std::size_t& first)
+  {
+    return inChunks(box.begin, box.end, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          first = points_.id[i] < points_.id[first] ? i : first;
+        }
+      });
+  }
+
+  bool keepOthers()
+  {
+    key_.allocate(points_.count - controls_);
+    rank_.allocate(points_.count - controls_);
+    std::size_t kept = 0;
+    return inChunks(0, points_.count, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          if (!isControl_[i])
+          {
+            key_[kept] = points_.key[i];
+            rank_[kept++] = static_cast<Index>(i);
+          }
+        }
+      });
+  }
+
+  const RankedPoints& points_;
+  const Options& options_;
+  Ticker& ticker_;
+  std::size_t controls_ = 0;
+  std::vector<unsigned char> isControl_;
+  Buffer<std::uint64_t> key_;
+  Buffer<Index> rank_;
+};
+
+/// Copies `order` to `to`, control points of every level first.
+bool everyLevelFirst(const Buffer<Index>& order, Index* to, Ticker& ticker)
+{
+  const std::size_t n = order.size();
+  std::size_t stride = 1;
+  while (stride * kControlStride < n)
+  {
+    stride *= kControlStride;
+  }
+  // Multiples of the stride, by their number; those of the stride above are out already.
+  for (std::size_t above = 0; stride > 0; above = kControlStride, stride /= kControlStride)
+  {
+    const bool copied = inChunks(0, (n + stride - 1) / stride, ticker,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i < b; ++i)
+        {
+          if (above == 0 || i % kControlStride != 0)
+          {
+            *to++ = order[i * stride];
+          }
+        }
+      });
+    if (!copied)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace
+
+Status makeSequence(
+  const RankedPoints& points, const Options& options, Ticker& sorting, Buffer<Index>& sequence)
+{
+  const unsigned levels = levelsOfFirstDivision(points, options);
+  const WalkPoints all{ points.key.data(), nullptr, points.count };
+  BoxWalk boxes(points, options, sorting);
+  sequence.allocate(points.count);
+  bool done = true;
+  if (levels > 0 && hasControlPoints(options, ControlPoints::SingleLevel))
+  {
+    SingleLevel single(points, options, sorting);
+    done = single.choose(levels, sequence.data()) &&
+      boxes.walk(single.others(), levels, sequence.data() + single.controls());
+  }
+  else if (points.count > 0 && hasControlPoints(options, ControlPoints::EveryLevel))
+  {
+    Buffer<Index> order;
+    order.allocate(points.count);
+    done = boxes.walk(all, levels, order.data()) &&
+      everyLevelFirst(order, sequence.data(), sorting);
+  }
+  else
+  {
+    done = boxes.walk(all, levels, sequence.data());
+  }
+  return done ? Status::Ok : Status::Cancelled;
+}
+
+} // namespace ahd

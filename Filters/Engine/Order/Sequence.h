@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Sequence_h
+#define ahd_Sequence_h
+
+#include "../Buffer.h"
+#include "../Options.h"
+#include "../Progress.h"
+#include "../Result.h"
+#include "RankedPoints.h"
+
+namespace ahd
+{
+
+/// With ControlPoints::EveryLevel every so manieth point of the order comes before the others, and
+/// of those every so manieth before the rest of those, and so on.
+constexpr Index kControlStride = 12;
+
+/// Levels of division for a box of so many points: the smallest r >= 1 for which the 4^r boxes hold
+/// 16 points or fewer on average (the paper's formulas 1 to 5).
+constexpr unsigned levelsOfDivision(std::size_t points)
+{
+  unsigned r = 1;
+  while (points > (std::size_t(16) << (2 * r)))
+  {
+    ++r;
+  }
+  return r;
+}
+
+/// The order in which the points are inserted: a permutation of the ranks 0 .. count - 1.
+///
+/// Boxes: the box of all points is divided into 2^r x 2^r boxes if it holds more than nmax points,
+/// each of those again if it does, and so on; r by levelsOfDivision. Boxes of one division are
+/// visited along the Hilbert curve (AdaptiveHilbert; turned by the gene of the divided box if
+/// options.geneRotation) or row by row, left to right (MultiGrid). Points of an undivided box come
+/// in ascending order of the caller's id. RegularGrid divides once, whatever nmax, and never again.
+/// A departure from the paper: where a crowded box is too small to be divided on the finest grid
+/// (2^32 x 2^32), its points come in order of rank, which goes on inside such boxes.
+///
+/// Control points (AdaptiveHilbert, MultiGrid). SingleLevel: if all points are divided at all, the
+/// point of smallest id of every non-empty box of the first division, in the reverse order of the
+/// boxes, before all others; a control point no longer counts in its box. EveryLevel: positions
+/// that are multiples of the highest power of kControlStride below count, then of the next power,
+/// and so on, each ascending.
+///
+/// REQUIRES: options.nmax >= 1. Moves the fraction by a quarter of a unit per point.
+/// Throws std::bad_alloc.
+Status makeSequence(
+  const RankedPoints& points, const Options& options, Ticker& sorting, Buffer<Index>& sequence);
+
+} // namespace ahd
+
+#endif
