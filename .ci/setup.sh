@@ -1,0 +1,179 @@
+# shellcheck shell=bash disable=SC2154
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# What Plugin/demo.sh and Testing/test.sh share: installing Debian packages, running a long step
+# with its progress shown and its output logged, and saying what to do when something fails.
+# To be sourced by bash; REQUIRES: program (the name to speak under) and logs (a folder) are set.
+
+# What runs in the background must not outlive this: it does not hear Ctrl-C by itself.
+job=""
+server=""
+trap 'kill $job $server 2>/dev/null' EXIT
+
+# Fails with a message. fail <exit code> <line>...
+fail() {
+  local code=$1
+  shift
+  printf '%s: %s\n' "$program" "$1" >&2
+  shift
+  [ $# -eq 0 ] || printf '  %s\n' "$@" >&2
+  exit "$code"
+}
+
+# step <what is being done> <log name> <command>...
+# Runs the command with its output in a log and a sign of life now and then. Returns its status;
+# where it fails, the end of the log is shown.
+step() {
+  local what=$1 log="$logs/$2.log" started=$SECONDS status=0 pause=20 last
+  shift 2
+  mkdir -p "$logs"
+  [ -t 1 ] && pause=3
+  printf '%s\n' "$what"
+  "$@" </dev/null >"$log" 2>&1 &
+  job=$!
+  local waited=0
+  while kill -0 "$job" 2>/dev/null; do
+    sleep 0.2
+    waited=$((waited + 1))
+    if [ $((waited % (5 * pause))) -eq 0 ]; then
+      last=$(tail -c 2000 "$log" | tr '\r' '\n' | grep -v '^[[:space:]]*$' | tail -n 1 | cut -c 1-88)
+      printf '  %3d s  %s\n' $((SECONDS - started)) "$last"
+    fi
+  done
+  wait "$job" || status=$?
+  job=""
+  if [ $status -ne 0 ]; then
+    printf '%s: this failed (exit code %d): %s\n' "$program" "$status" "$what" >&2
+    tail -n 25 "$log" | sed 's/^/  | /' >&2
+    printf '  All of it is in %s\n' "$log" >&2
+  elif [ $((SECONDS - started)) -gt 2 ]; then
+    printf '  done in %d s\n' $((SECONDS - started))
+  fi
+  return $status
+}
+
+# The packages among the arguments that are not installed.
+missing_packages() {
+  local name
+  for name in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$name" 2>/dev/null)" = installed ] || printf '%s ' "$name"
+  done
+}
+
+# Runs a command as root: as it is, or through sudo, which may ask for the password (on the terminal).
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then
+    "$@"
+  else
+    sudo -n "$@"
+  fi
+}
+
+# Makes sure that as_root works, before anything is run in the background.
+become_root() {
+  local missing=$1
+  [ "$(id -u)" -eq 0 ] && return
+  if ! command -v sudo >/dev/null; then
+    fail 1 "packages are missing, and installing them needs root or sudo. Ask for them:" \
+      "apt-get install --no-install-recommends $missing"
+  fi
+  if ! sudo -n true 2>/dev/null; then
+    printf '%s packages are missing; sudo asks for your password to install them.\n' "$(wc -w <<<"$missing")"
+    sudo -v || fail 1 "sudo gave no rights to install packages. Have somebody run:" \
+      "apt-get install --no-install-recommends $missing"
+  fi
+}
+
+apt() {
+  as_root env DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a \
+    apt-get -y -q --no-install-recommends -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 "$@"
+}
+
+# Installs what is missing of the packages given; no network and no rights needed where all are there.
+install_packages() {
+  local missing
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    fail 1 "this is made for Debian 12 and its relatives: there is no apt-get here. Needed:" "$*"
+  fi
+  missing=$(missing_packages "$@")
+  [ -z "$missing" ] && return
+  become_root "$missing"
+  # The lists of a fresh system are empty, those of an old one name files that are gone.
+  if [ -n "$(find /var/lib/apt/lists -maxdepth 1 -name '*_Packages*' -mtime -1 2>/dev/null | head -n 1)" ]; then
+    apt install -s $missing >/dev/null 2>&1 || refresh_lists
+  else
+    refresh_lists
+  fi
+  step "Installing $(wc -w <<<"$missing") packages and what they need: $missing" install apt install $missing ||
+    fail 1 "the packages could not be installed." \
+      "Is the network there, is there room on the disk (3 GB), is another apt running?"
+}
+
+refresh_lists() {
+  step "Fetching the package lists" update apt update ||
+    fail 1 "the package lists could not be fetched. Is the network there?"
+}
+
+# cached <build folder> <NAME=VALUE>: does the build folder's cache say so?
+cached() {
+  grep -q "^${2%%=*}:[A-Z]*=${2#*=}\$" "$1/CMakeCache.txt" 2>/dev/null
+}
+
+# configure_and_build <build folder> <NAME=VALUE>... -- <targets>...
+# Configures with these cache entries where they are not set yet (NAME=VALUE? only where nothing was
+# configured before), and builds the targets, or everything. What a changed CMakeLists.txt asks
+# for, the build does by itself.
+configure_and_build() {
+  local folder=$1 name settings=() generator=() wanting=""
+  shift
+  [ -f "$folder/CMakeCache.txt" ] || generator=(-G Ninja)
+  [ -f "$folder/build.ninja" ] || [ -f "$folder/Makefile" ] || wanting=yes
+  cached "$folder" "CMAKE_HOME_DIRECTORY=$root" || wanting=yes
+  while [ $# -gt 0 ] && [ "$1" != -- ]; do
+    name=${1%\?}
+    if [ "$name" = "$1" ] || [ ! -f "$folder/CMakeCache.txt" ]; then
+      settings+=("-D$name")
+      cached "$folder" "$name" || wanting=yes
+    fi
+    shift
+  done
+  [ $# -eq 0 ] || shift
+  if [ -n "$wanting" ]; then
+    step "Configuring in $folder" "configure-$(basename "$folder")" \
+      cmake -S "$root" -B "$folder" "${generator[@]}" "${settings[@]}" ||
+      fail 1 "CMake could not configure the build." \
+        "If $folder is from another machine or place, remove it and try again: rm -r $folder"
+  fi
+  step "Building in $folder" "build-$(basename "$folder")" cmake --build "$folder" ${1:+--target "$@"} ||
+    fail 1 "the build failed." \
+      "If the log says Killed, memory ran out: try again with CMAKE_BUILD_PARALLEL_LEVEL=1 in the environment."
+}
+
+# with_display <command>...
+# Runs the command on an X server of its own. xvfb-run looks for a free display number and then
+# takes it, so two that start together may collide; here the server chooses the number itself.
+with_display() {
+  local number status folder
+  folder=$(mktemp -d) || return 1
+  mkdir -p "$logs"
+  mkfifo "$folder/number"
+  touch "$folder/authority"
+  xauth -q -f "$folder/authority" add :0 . "$(mcookie)" # the server takes it for any number
+  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp -auth "$folder/authority" \
+    3>"$folder/number" </dev/null >"$logs/display.log" 2>&1 &
+  server=$!
+  read -r -t 60 number <"$folder/number" || number=""
+  if [ -n "$number" ]; then
+    xauth -q -f "$folder/authority" add ":$number" . "$(xauth -f "$folder/authority" list | awk '{ print $3; exit }')"
+    # OpenMPI, which ParaView is built with, refuses root unless told twice
+    DISPLAY=:$number XAUTHORITY="$folder/authority" \
+      OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$@"
+    status=$?
+  fi
+  kill "$server" 2>/dev/null
+  wait "$server" 2>/dev/null
+  server=""
+  rm -r "$folder"
+  [ -n "$number" ] || fail 1 "the X server Xvfb did not start; see $logs/display.log"
+  return $status
+}

@@ -1,0 +1,211 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What demo.sh runs in pvbatch: points in, a triangulated surface and a picture out.
+
+    pvbatch demo.py --plugin AdaptiveHilbertDelaunay.so [file] [options]   (see demo.sh --help)
+
+Exit code 2 for a file or an option that cannot be used, 1 for all else that goes wrong.
+"""
+
+import argparse
+import os
+import sys
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+import numpy
+
+import pointfiles
+from pointfiles import InputError, PointSet, thousands
+
+VTK_FILES = (".vtk", ".vtp", ".vtu", ".ply")
+SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "survey.csv")
+
+
+class Arguments(argparse.ArgumentParser):
+    def error(self, message):
+        raise InputError(message + "; --help lists the options")
+
+
+def parse_arguments(words):
+    parser = Arguments(prog="demo.sh", add_help=False, allow_abbrev=False)
+    parser.add_argument("file", nargs="?", default=os.path.normpath(SAMPLE))
+    for axis in "xyz":
+        parser.add_argument("--" + axis, metavar="COLUMN")
+    parser.add_argument("--columns", metavar="X,Y,Z")
+    parser.add_argument("--output", metavar="DIR", required=True)
+    parser.add_argument("--exaggeration", type=float, metavar="FACTOR")
+    parser.add_argument("--edges", action="store_true")
+    parser.add_argument("--check", action="store_true")
+    parser.add_argument("--plugin", metavar="FILE")
+    chosen = parser.parse_args(words)
+    columns = [chosen.x, chosen.y, chosen.z]
+    if chosen.columns:
+        if any(columns):
+            parser.error("--columns and --x, --y, --z exclude each other")
+        columns = [name.strip() or None for name in chosen.columns.split(",")]
+        if not 2 <= len(columns) <= 3:
+            parser.error("--columns takes two or three names or numbers with commas between")
+        columns += [None] * (3 - len(columns))
+    chosen.columns = tuple(columns)
+    if chosen.exaggeration is not None and not chosen.exaggeration > 0:
+        parser.error("--exaggeration must be greater than 0")
+    check_file(chosen)
+    return chosen
+
+
+def check_file(chosen):
+    ending = os.path.splitext(chosen.file)[1].lower()
+    known = pointfiles.TABLES + pointfiles.LAS + VTK_FILES
+    if not os.path.isfile(chosen.file):
+        raise InputError("no such file: %s" % chosen.file)
+    if not os.access(chosen.file, os.R_OK):
+        raise InputError("no permission to read %s" % chosen.file)
+    if ending not in known:
+        raise InputError("%s: unknown kind of file; known are %s" % (chosen.file, " ".join(known)))
+    if any(chosen.columns) and ending not in pointfiles.TABLES:
+        raise InputError("columns can be chosen in tables only (%s)" % " ".join(pointfiles.TABLES))
+
+
+# --- what needs ParaView ------------------------------------------------------------------------
+
+
+def read_vtk(path):
+    """(source proxy, PointSet) of a file that ParaView reads."""
+    from paraview import servermanager, simple
+    from paraview.vtk.util.numpy_support import vtk_to_numpy
+
+    source = simple.OpenDataFile(path)
+    if source is None:
+        raise InputError("ParaView cannot read %s" % path)
+    data = servermanager.Fetch(source)
+    if data is None or not data.IsA("vtkPointSet"):
+        kind = data.GetClassName() if data else "nothing"
+        raise InputError("%s holds %s; a data set with points of its own is needed" % (path, kind))
+    if data.GetNumberOfPoints() == 0:
+        raise InputError("%s holds no points" % path)
+    xyz = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    return source, PointSet(xyz, ("x", "y", "z"), [data.GetClassName()], 0, True)
+
+
+def make_source(points):
+    """A source proxy that gives the points to the pipeline."""
+    from paraview import simple
+    from paraview.vtk.util.numpy_support import numpy_to_vtk
+    from vtkmodules.vtkCommonCore import vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+    vtk_points = vtkPoints()
+    vtk_points.SetData(numpy_to_vtk(numpy.ascontiguousarray(points.xyz), deep=1))
+    data = vtkPolyData()
+    data.SetPoints(vtk_points)
+    source = simple.TrivialProducer(registrationName="points")
+    source.GetClientSideObject().SetOutput(data)
+    return source
+
+
+def triangulate(source, plugin):
+    """The filter's proxy after a timed run, its surface, and NP and NR counted in a second run:
+    counting takes time that is not the filter's."""
+    import adaptivehilbertdelaunay  # before the filter exists, so that Python knows its class
+    from paraview import servermanager, simple
+
+    simple.LoadPlugin(plugin, remote=False)
+    proxy = simple.AdaptiveHilbertDelaunay2D(Input=source)
+    proxy.UpdatePipeline()
+    engine = proxy.GetClientSideObject()
+    assert isinstance(engine, adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D)
+    measures = {name: getattr(engine, "Get" + name)() for name in (
+        "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
+        "NumberOfSkippedPoints", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
+    surface = servermanager.Fetch(proxy)
+    counter = simple.AdaptiveHilbertDelaunay2D(Input=source, CountWork=1)
+    counter.UpdatePipeline()
+    measures.update(NP=counter.GetClientSideObject().GetNP(), NR=counter.GetClientSideObject().GetNR())
+    simple.Delete(counter)
+    return proxy, surface, measures
+
+
+def report(points, measures):
+    """What the filter did, for people."""
+    seconds = [measures[phase + "Seconds"] for phase in ("Sort", "Insert", "Output")]
+    lines = [
+        ("points", thousands(len(points.xyz))),
+        ("triangles", thousands(measures["NumberOfTriangles"])),
+        ("duplicates", thousands(measures["NumberOfDuplicates"]) + " (same x and y as another point)"),
+        ("rejected", thousands(measures["NumberOfRejectedPoints"]) + " (x or y not finite)"),
+        ("seconds", "%.3f = %.3f sort + %.3f insert + %.3f output" % tuple([sum(seconds)] + seconds)),
+        ("NP", "%.2f (triangles visited to find the place of a point, on average)" % measures["NP"]),
+        ("NR", "%.2f (triangles replaced per point, on average)" % measures["NR"]),
+    ]
+    if measures["NumberOfSkippedPoints"]:
+        lines.insert(4, ("skipped", thousands(measures["NumberOfSkippedPoints"]) + " (ghost or hidden)"))
+    if points.bad_rows:
+        lines.insert(1, ("unreadable", thousands(points.bad_rows) + " (not among the points)"))
+    for name, value in lines:
+        print("  %-11s %s" % (name, value))
+
+
+def write_picture(surface, points, chosen, path):
+    import picture
+
+    scale = picture.choose_scale(points.xyz, points.names, chosen.exaggeration)
+    unit = "" if scale.geographic else " (taking x, y and z to be in one unit)"
+    told = "vertical exaggeration %g%s" % (scale.exaggeration, unit)
+    title = (
+        os.path.basename(chosen.file),
+        "%s points, %s triangles" % (thousands(len(points.xyz)), thousands(surface.GetNumberOfPolys())),
+        told,
+    )
+    picture.draw(surface, scale, points.names[2], title, path, chosen.edges)
+    return told
+
+
+def run(chosen):
+    print("Reading %s" % chosen.file)
+    if os.path.splitext(chosen.file)[1].lower() in VTK_FILES:
+        source, points = read_vtk(chosen.file)
+    else:
+        points = pointfiles.read_points(chosen.file, chosen.columns)
+        source = make_source(points)
+    for note in points.notes:
+        print("  " + note)
+    print("Triangulating", flush=True)
+    proxy, surface, measures = triangulate(source, chosen.plugin)
+    report(points, measures)
+    os.makedirs(chosen.output, exist_ok=True)
+    stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
+    save_surface(proxy, stem + ".vtp")
+    if surface.GetNumberOfPolys() == 0:
+        raise InputError("no triangle, so no picture: all points lie on one line, or there are fewer than three")
+    told = write_picture(surface, points, chosen, stem + ".png")
+    print("Picture  %s.png\n         %s" % (stem, told))
+
+
+def save_surface(proxy, path):
+    from paraview import simple
+
+    simple.SaveData(path, proxy=proxy)
+    print("Surface  %s" % path)
+
+
+def main():
+    try:
+        chosen = parse_arguments(sys.argv[1:])
+        if not chosen.check:
+            run(chosen)
+    except InputError as error:
+        sys.stdout.flush()
+        print("demo: %s" % error, file=sys.stderr)
+        return 2
+    except OSError as error:
+        print("demo: %s" % error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    code = main()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(code)  # pvbatch does not pass on the code of sys.exit

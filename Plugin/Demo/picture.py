@@ -1,0 +1,273 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""An oblique, hill-shaded picture of a triangulated surface, drawn by ParaView.
+
+The horizontal unit is often not the vertical one: degrees beside metres would draw a wall. So
+the surface is drawn at a scale of its own (choose_scale), which is said in the picture.
+"""
+
+import collections
+import math
+
+import numpy
+from paraview import simple
+from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+from pointfiles import DEGREE_NAMES, plain
+
+METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
+RELIEF = 0.13  # the drawn relief, as a share of the horizontal diagonal
+SIZE = (1920, 1080)
+VIEW_ANGLE = 26.0  # degrees, of the camera
+VIEW_HEIGHT = 43.0  # degrees above the horizon that the camera looks from
+FLOOR, WEST_EDGE, SOUTH_EDGE, EAST_EDGE = 4, 1, 2, 8  # bits of vtkGridAxesHelper: faces and axes to label
+LIGHT_FROM = (315.0, 42.0)  # azimuth and height of the sun in degrees: north-west, as on maps
+
+# Elevation colours: lightness rises evenly from deep violet-blue through teal to pale yellow.
+COLOURS = (
+    (0.00, 0.157, 0.102, 0.278),
+    (0.15, 0.196, 0.216, 0.459),
+    (0.30, 0.169, 0.357, 0.553),
+    (0.45, 0.157, 0.498, 0.580),
+    (0.60, 0.231, 0.635, 0.561),
+    (0.75, 0.478, 0.765, 0.510),
+    (0.88, 0.745, 0.871, 0.510),
+    (1.00, 0.988, 0.969, 0.671),
+)  # fmt: skip
+
+# factors: what x, y and z are multiplied with to be drawn · exaggeration: of z against x and y
+# geographic: x and y are degrees · low, high: the range of z without its outermost 1 %
+Scale = collections.namedtuple("Scale", "factors exaggeration geographic low high")
+
+
+def choose_scale(xyz, names, exaggeration=None):
+    """How to draw the points. Degrees of longitude and latitude are taken as metres on a sphere;
+    all else is taken to be in one unit. Without a wish, the exaggeration makes the relief
+    (without its outermost 1 %) RELIEF of the horizontal diagonal, to one or two digits."""
+    xyz = xyz[numpy.isfinite(xyz).all(axis=1)]
+    low, high = numpy.percentile(xyz[:, 2], (0.5, 99.5))
+    west, south = xyz[:, :2].min(axis=0)
+    east, north = xyz[:, :2].max(axis=0)
+    geographic = are_degrees(names) and abs(south) <= 90 and abs(north) <= 90
+    shrink = math.cos(math.radians((south + north) / 2)) if geographic else 1.0
+    unit = METRES_PER_DEGREE if geographic else 1.0
+    diagonal = unit * math.hypot((east - west) * shrink, north - south)
+    if exaggeration is None:
+        relief = float(high - low)
+        exaggeration = round_up_front(RELIEF * diagonal / relief) if relief > 0 and diagonal > 0 else 1.0
+    return Scale((shrink, 1.0, exaggeration / unit), exaggeration, geographic, float(low), float(high))
+
+
+def are_degrees(names):
+    return all(plain(name) in DEGREE_NAMES for name in names[:2])
+
+
+def round_up_front(value):
+    """To two digits, and to half ones below ten: 34.2 is 34, 7.36 is 7.5, 0.0123 is 0.012."""
+    if 1 <= value < 10:
+        return round(2 * value) / 2
+    digits = 1 - math.floor(math.log10(value))
+    return round(value, digits)
+
+
+def corner_ids(surface):
+    """The triangles of a vtkPolyData as an n × 3 array."""
+    return vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def smooth_normals(xyz, triangles, factors):
+    """Unit normals of the points of the surface as drawn, given for the surface as stored: the
+    renderer will divide them by the factors, as it must with normals."""
+    drawn = (xyz - xyz[triangles[0, 0]]) * factors
+    a, b, c = (drawn[triangles[:, corner]] for corner in range(3))
+    flat = numpy.cross(b - a, c - a)  # twice the area long: bigger triangles count more
+    # a long thin triangle across a gap must not bend the normals of a dense survey beside it
+    size = numpy.maximum(numpy.linalg.norm(flat, axis=1, keepdims=True), 1e-300)
+    flat /= numpy.sqrt(size)
+    normals = numpy.empty_like(drawn)
+    for axis in range(3):
+        normals[:, axis] = sum(
+            numpy.bincount(triangles[:, corner], flat[:, axis], len(xyz)) for corner in range(3)
+        )
+    normals *= factors
+    return normals / numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
+
+
+def drawable(surface, scale, z_name):
+    """A copy of the surface with what drawing needs: normals, and z as an array to colour by."""
+    xyz = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    copy = vtkPolyData()
+    copy.CopyStructure(surface)
+    normals = numpy_to_vtk(smooth_normals(xyz, corner_ids(surface), scale.factors).astype("f4"), deep=1)
+    normals.SetName("Normals")
+    copy.GetPointData().SetNormals(normals)
+    z = numpy_to_vtk(numpy.ascontiguousarray(xyz[:, 2]), deep=1)
+    z.SetName(z_name)
+    copy.GetPointData().AddArray(z)
+    return copy, xyz
+
+
+def boundary_edges(triangles):
+    """The edges that only one triangle has, as an n × 2 array."""
+    edges = numpy.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2).astype(numpy.int64), axis=1)
+    keys, counts = numpy.unique(edges[:, 0] << 32 | edges[:, 1], return_counts=True)
+    lonely = keys[counts == 1]
+    return numpy.column_stack([lonely >> 32, lonely & 0xFFFFFFFF])
+
+
+def walls(xyz, triangles, floor):
+    """Upright walls from the boundary of the surface down to the floor."""
+    edges = boundary_edges(triangles)
+    upper = xyz[edges].reshape(-1, 3)
+    lower = upper.copy()
+    lower[:, 2] = floor
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(numpy.vstack([upper, lower]), deep=1))
+    first = 2 * numpy.arange(len(edges))
+    quads = numpy.column_stack([first, first + 1, first + 1 + len(upper), first + len(upper)])
+    cells = vtkCellArray()
+    cells.SetData(4, numpy_to_vtk(quads.ravel(), deep=1, array_type=VTK_ID_TYPE))
+    result = vtkPolyData()
+    result.SetPoints(points)
+    result.SetPolys(cells)
+    return result
+
+
+def show(data, name, view, scale):
+    source = simple.TrivialProducer(registrationName=name)
+    source.GetClientSideObject().SetOutput(data)
+    display = simple.Show(source, view)
+    display.Scale = list(scale.factors)
+    display.Specular = 0.0
+    return display
+
+
+def draw(surface, scale, z_name, title, path, edges=False):
+    """Draws the surface and writes the picture to path."""
+    copy, xyz = drawable(surface, scale, z_name)
+    floor = xyz[:, 2].min() - 0.1 * (scale.high - scale.low)
+    view = new_view()
+    display = show(copy, "surface", view, scale)
+    display.Representation = "Surface With Edges" if edges else "Surface"
+    display.EdgeColor = [0.1, 0.1, 0.15]
+    display.Ambient = 0.25
+    display.Diffuse = 0.95
+    colour(display, scale, z_name, view)
+    block = show(walls(xyz, corner_ids(surface), floor), "walls", view, scale)
+    block.AmbientColor = block.DiffuseColor = [0.66, 0.63, 0.59]
+    block.Ambient = 0.75
+    azimuth = viewing_azimuth(xyz * scale.factors)
+    frame(view, scale, azimuth)
+    write_title(title, view)
+    place_camera(view, xyz * scale.factors, floor * scale.factors[2], azimuth)
+    simple.SaveScreenshot(path, view, ImageResolution=list(SIZE))
+
+
+def new_view():
+    view = simple.CreateView("RenderView")
+    view.ViewSize = list(SIZE)
+    view.OrientationAxesVisibility = 0
+    view.UseColorPaletteForBackground = 0
+    view.BackgroundColorMode = "Gradient"
+    view.Background = [0.86, 0.89, 0.92]
+    view.Background2 = [1.0, 1.0, 1.0]
+    view.UseLight = 0  # no lamp at the camera
+    azimuth, height = (math.radians(angle) for angle in LIGHT_FROM)
+    sun = simple.AddLight(view=view)
+    sun.Coords = "Scene"
+    sun.Type = "Directional"
+    sun.Position = [math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)]
+    sun.FocalPoint = [0, 0, 0]
+    sun.Intensity = 1.1
+    return view
+
+
+def colour(display, scale, z_name, view):
+    simple.ColorBy(display, ("POINTS", z_name))
+    table = simple.GetColorTransferFunction(z_name)
+    low, high = scale.low, scale.high if scale.high > scale.low else scale.low + 1.0
+    table.ColorSpace = "Lab"
+    table.RGBPoints = [n for t, *rgb in COLOURS for n in [low + t * (high - low)] + rgb]
+    bar = simple.GetScalarBar(table, view)
+    bar.Title, bar.ComponentTitle = z_name, ""
+    bar.TitleColor = bar.LabelColor = [0.1, 0.1, 0.1]
+    bar.TitleFontSize = bar.LabelFontSize = 16
+    bar.WindowLocation = "Any Location"
+    bar.Position = [0.93, 0.3]
+    bar.ScalarBarLength = 0.4
+    bar.DrawTickMarks = 1
+    bar.AutomaticLabelFormat = 0
+    bar.LabelFormat = bar.RangeLabelFormat = "%.0f" if high - low > 10 else "%.4g"
+    display.SetScalarBarVisibility(view, True)
+
+
+def frame(view, scale, azimuth):
+    """A box with the data's own numbers along its lower edges."""
+    axes = view.AxesGrid
+    axes.Visibility = 1
+    axes.DataScale = list(scale.factors)  # else the numbers would be those of the drawn surface
+    axes.ShowGrid = 1
+    axes.FacesToRender = FLOOR
+    axes.AxesToLabel = SOUTH_EDGE | (WEST_EDGE if azimuth > 180 else EAST_EDGE)
+    axes.XTitle, axes.YTitle, axes.ZTitle = ("Longitude", "Latitude", "") if scale.geographic else ("x", "y", "")
+    for axis in "XYZ":
+        for part in ("Title", "Label"):
+            setattr(axes, axis + part + "Color", [0.25, 0.25, 0.25])
+        setattr(axes, axis + "TitleFontSize", 18)
+        setattr(axes, axis + "LabelFontSize", 15)
+    axes.GridColor = [0.55, 0.58, 0.62]
+
+
+def write_title(title, view):
+    for number, line in enumerate(title):
+        text = simple.Text(Text=line)
+        shown = simple.Show(text, view)
+        shown.WindowLocation = "Any Location"
+        shown.Position = [0.025, 0.94 - 0.04 * number]
+        shown.Color = [0.1, 0.1, 0.1]
+        shown.FontSize = 26 if number == 0 else 18
+        shown.Bold = int(number == 0)
+
+
+def viewing_azimuth(drawn):
+    """Where the camera stands, in degrees from north: in the south, a little to the west; in the
+    east, a little to the south, where the survey is much longer from north to south."""
+    width, depth = numpy.ptp(drawn[:, :2], axis=0)
+    return 195.0 if width >= 0.7 * depth else 105.0
+
+
+def place_camera(view, drawn, floor, azimuth):
+    """So near that all of the block just fits below the title and beside the colour bar."""
+    low, high = drawn.min(axis=0), drawn.max(axis=0)
+    azimuth, height = math.radians(azimuth), math.radians(VIEW_HEIGHT)
+    toward = numpy.array([math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)])
+    right = numpy.array([-math.cos(azimuth), math.sin(azimuth), 0.0])
+    right /= numpy.linalg.norm(right)
+    up = numpy.cross(toward, right)
+    corners = [[x, y, floor] for x in (low[0], high[0]) for y in (low[1], high[1])]
+    sample = numpy.vstack([drawn[:: max(1, len(drawn) // 20000)], corners])
+    focus, distance = fit(sample, (low + high) / 2, toward, right, up)
+    view.CameraFocalPoint = list(focus)
+    view.CameraPosition = list(focus + distance * toward)
+    view.CameraViewUp = list(up)
+    view.CameraViewAngle = VIEW_ANGLE
+    view.CenterOfRotation = list(focus)
+
+
+def fit(points, focus, toward, right, up):
+    """The nearest camera that has all points within the frame, and what it looks at."""
+    tangent = math.tan(math.radians(VIEW_ANGLE / 2))
+    left_edge, right_edge = -0.90 * SIZE[0] / SIZE[1], 0.80 * SIZE[0] / SIZE[1]
+    lower_edge, upper_edge = -0.86, 0.74
+    distance = 2.0 * float(numpy.ptp(points, axis=0).max()) / tangent
+    for _ in range(30):
+        local = points - focus
+        away = (distance - local @ toward) * tangent
+        across, upward = (local @ right) / away, (local @ up) / away
+        shift_x = (across.max() + across.min() - right_edge - left_edge) / 2
+        shift_y = (upward.max() + upward.min() - upper_edge - lower_edge) / 2
+        focus = focus + (shift_x * right + shift_y * up) * distance * tangent
+        grow = max(numpy.ptp(across) / (right_edge - left_edge), numpy.ptp(upward) / (upper_edge - lower_edge))
+        distance *= grow
+    return focus, distance

@@ -1,0 +1,340 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Points out of text tables and LAS files, with numpy alone.
+
+read_points(path) gives a PointSet. Nothing is left out silently: rows that cannot be read are
+counted, and the count and the first of them stand in PointSet.notes. A file that cannot be used
+at all raises InputError with a message for the person who gave the file.
+"""
+
+import collections
+import csv
+import os
+import re
+import struct
+
+import numpy
+
+TABLES = (".csv", ".xyz", ".txt")
+LAS = (".las", ".laz")
+
+COMMENTS = ("#", "%", "//", "!", ">")  # what a line that is no data begins with
+
+# Column names taken for x, y and z, most telling first. Compared in lower case, without units.
+NAMES = {
+    "x": ("x", "lon", "long", "longitude", "easting", "east", "e", "utm_x", "x_coord", "xcoord", "point_x"),
+    "y": ("y", "lat", "latitude", "northing", "north", "n", "utm_y", "y_coord", "ycoord", "point_y"),
+    "z": ("z", "depth", "elevation", "elev", "height", "altitude", "alt", "bathymetry", "topography",
+          "h", "z_coord", "zcoord", "point_z"),
+}  # fmt: skip
+DEGREE_NAMES = ("lon", "long", "longitude", "lat", "latitude")
+
+# Bytes of a point record, by LAS point format 0 to 10. Longer ones carry extra bytes.
+LAS_RECORD = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
+
+
+class InputError(Exception):
+    """The file cannot be used. The message says why and what to do."""
+
+
+# xyz: n × 3 float64 · names: of the three columns · notes: lines the user should read
+# bad_rows: rows that could not be read · has_z: False where z was made up as 0
+PointSet = collections.namedtuple("PointSet", "xyz names notes bad_rows has_z")
+
+
+def read_points(path, columns=(None, None, None)):
+    """Points of a table (.csv, .xyz, .txt) or a LAS file, by the name's ending."""
+    ending = os.path.splitext(path)[1].lower()
+    if ending in LAS:
+        if any(column is not None for column in columns):
+            raise InputError("columns are for tables; a LAS file has x, y and z of its own")
+        return read_las(path)
+    return read_table(path, columns)
+
+
+# --- tables -------------------------------------------------------------------------------------
+
+
+def read_table(path, columns=(None, None, None)):
+    """A text table. columns: for x, y, z a name, a number counted from 1, or None for a guess;
+    "none" for z makes a flat set."""
+    rows, comment = significant_lines(read_text(path))
+    if not rows:
+        raise InputError("%s holds no data" % path)
+    layout = Layout.of([line for _, line in rows[:200]])
+    header = find_header(rows, comment, layout)
+    if header and header.in_data:
+        rows = rows[1:]
+    if not rows:
+        raise InputError("%s holds a header and no data" % path)
+    width = max(len(layout.split(line)) for _, line in rows[:200])
+    names = header.names if header else [str(i + 1) for i in range(width)]
+    chosen, notes = choose_columns(columns, names, layout, rows, bool(header))
+    values, bad = parse(rows, layout, chosen)
+    if not len(values):
+        raise InputError(
+            "%s: none of its %d rows has numbers in %s; choose with --columns X,Y,Z"
+            % (path, len(rows), describe(chosen, names))
+        )
+    notes.insert(0, "columns: " + describe(chosen, names) + ", " + layout.words())
+    notes += bad_row_notes(bad, len(rows))
+    has_z = chosen[2] is not None
+    xyz = values if has_z else numpy.column_stack([values, numpy.zeros(len(values))])
+    return PointSet(xyz, column_names(chosen, names, bool(header)), notes, len(bad), has_z)
+
+
+def read_text(path):
+    with open(path, "rb") as file:
+        data = file.read()
+    if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
+        return data.decode("utf-16", errors="replace")
+    if b"\0" in data[:4096]:
+        raise InputError("%s is not a text file" % path)
+    return data.decode("utf-8-sig", errors="replace")
+
+
+def significant_lines(text):
+    """[(line number, line)] without blank lines and comments, and the last comment before them."""
+    rows, comment = [], ""
+    for number, line in enumerate(text.split("\n"), 1):
+        line = line.strip(" \r")  # a tab may stand for an empty field
+        if not line.strip():
+            continue
+        if line.lstrip().startswith(COMMENTS):
+            if not rows:
+                comment = line.lstrip().lstrip("#%/!> ")
+            continue
+        rows.append((number, line.split("#", 1)[0].rstrip(" ") if "#" in line else line))
+    return rows, comment
+
+
+class Layout:
+    """How a line of the table is cut into fields."""
+
+    WORDS = {",": "commas", ";": "semicolons", "\t": "tabs", None: "spaces"}
+    DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?$")
+
+    def __init__(self, delimiter, decimal_comma, quoted):
+        self.delimiter, self.decimal_comma, self.quoted = delimiter, decimal_comma, quoted
+
+    @classmethod
+    def of(cls, lines):
+        """Told from the first lines: a delimiter that nearly all of them have, tab and semicolon
+        before comma, as a comma may also be a decimal one."""
+        quoted = any('"' in line for line in lines)
+        for delimiter in ("\t", ";", ","):
+            if sum(delimiter in line for line in lines) < 0.8 * len(lines):
+                continue
+            if delimiter == "," and cls.spaced_decimal_commas(lines):
+                return cls(None, True, False)
+            fields = [field for line in lines for field in line.split(delimiter)]
+            decimal_comma = delimiter != "," and cls.any_decimal_comma(fields)
+            return cls(delimiter, decimal_comma, quoted)
+        decimal_comma = cls.any_decimal_comma([f for line in lines for f in line.split()])
+        return cls(None, decimal_comma, False)
+
+    @classmethod
+    def any_decimal_comma(cls, fields):
+        return any(cls.DECIMAL_COMMA.match(field.strip(' "')) for field in fields)
+
+    @classmethod
+    def spaced_decimal_commas(cls, lines):
+        """Lines like 1,5 2,25 -3,0: spaces between, commas within the numbers."""
+        good = 0
+        for line in lines:
+            fields = line.split()
+            good += len(fields) > 1 and all(cls.DECIMAL_COMMA.match(field) for field in fields)
+        return good >= 0.8 * len(lines)
+
+    def split(self, line):
+        if self.delimiter is None:
+            return line.split()
+        if self.quoted:
+            return [f.strip() for f in next(csv.reader([line], delimiter=self.delimiter, skipinitialspace=True))]
+        return [field.strip() for field in line.split(self.delimiter)]
+
+    def number(self, field):
+        """The field as a float; ValueError where it is none (Python also takes 1_000: we do not)."""
+        if "_" in field:
+            raise ValueError(field)
+        return float(field.replace(",", ".") if self.decimal_comma else field)
+
+    def is_number(self, field):
+        try:
+            self.number(field)
+        except ValueError:
+            return False
+        return True
+
+    def words(self):
+        return self.WORDS[self.delimiter] + " between" + (", decimal commas" if self.decimal_comma else "")
+
+
+Header = collections.namedtuple("Header", "names in_data")
+
+
+def find_header(rows, comment, layout):
+    """The first row is a header if it has text where the second has a number. Else the comment
+    above the data is one if it has as many words as the data has columns, none a number."""
+    first = layout.split(rows[0][1])
+    second = layout.split(rows[1][1]) if len(rows) > 1 else []
+    for here, below in zip(first, second):
+        if here and not layout.is_number(here) and layout.is_number(below):
+            return Header(first, True)
+    if len(rows) == 1 and not any(layout.is_number(field) for field in first):
+        return Header(first, True)
+    names = layout.split(comment) if comment else []
+    if len(names) == len(first) and not any(layout.is_number(name) for name in names):
+        return Header(names, False)
+    return None
+
+
+def plain(name):
+    """A column's name in lower case, without quotes and without its unit: "Depth (m)" is depth."""
+    name = re.sub(r"[\(\[].*?[\)\]]", "", name.strip(' "\'').lower())
+    return re.sub(r"[\s_.-]*(deg|degrees|metres|meters|m|ft|feet)$", "", name.strip()) or name.strip()
+
+
+def choose_columns(wanted, names, layout, rows, has_header):
+    """Index of the x, y and z columns (z may be None), and notes on what was guessed."""
+    chosen = [None, None, None]
+    notes = []
+    for axis, want in enumerate(wanted):
+        if want is not None and not (axis == 2 and want.lower() == "none"):
+            chosen[axis] = named_column(want, names, "xyz"[axis], has_header)
+    no_z = wanted[2] is not None and wanted[2].lower() == "none"
+    for axis in range(2 if no_z else 3):
+        if chosen[axis] is None and has_header:
+            chosen[axis] = guess_by_name("xyz"[axis], names, chosen)
+    for axis in range(2 if no_z else 3):
+        if chosen[axis] is None:
+            chosen[axis] = first_free_number(chosen, layout, rows)
+            if chosen[axis] is not None and has_header:
+                notes.append("no column is called %s: took %s" % (
+                    " or ".join(NAMES["xyz"[axis]][:3]), names[chosen[axis]]))
+    if chosen[0] is None or chosen[1] is None:
+        raise InputError("fewer than two columns of numbers: x and y are needed")
+    if chosen[2] is None and not no_z:
+        notes.append("no third column of numbers: z is 0 everywhere")
+    if not has_header and len(names) > 3 and not any(wanted):
+        notes.append("%d columns without names; choose others with --columns X,Y,Z" % len(names))
+    return chosen, notes
+
+
+def named_column(want, names, axis, has_header):
+    """The index of the column the user asked for, by exact name, name in any case, or number."""
+    for same in (lambda name: name == want, lambda name: plain(name) == plain(want)):
+        if has_header and any(same(name) for name in names):
+            return next(i for i, name in enumerate(names) if same(name))
+    if want.isdigit() and 1 <= int(want) <= len(names):
+        return int(want) - 1
+    known = ", ".join(names) if has_header else "numbers 1 to %d" % len(names)
+    raise InputError('no column "%s" for %s; this file has %s' % (want, axis, known))
+
+
+def guess_by_name(axis, names, taken):
+    bare = [plain(name) for name in names]
+    for candidate in NAMES[axis]:
+        if candidate in bare and bare.index(candidate) not in taken:
+            return bare.index(candidate)
+    return None
+
+
+def first_free_number(taken, layout, rows):
+    """The first column not taken that holds a number in most of the first rows."""
+    sample = [layout.split(line) for _, line in rows[:20]]
+    for column in range(max(len(fields) for fields in sample)):
+        numbers = sum(column < len(fields) and layout.is_number(fields[column]) for fields in sample)
+        if column not in taken and 2 * numbers >= len(sample):
+            return column
+    return None
+
+
+def parse(rows, layout, chosen):
+    """The chosen columns as floats, and the rows that do not have them as [(number, line)]."""
+    use = [column for column in chosen if column is not None]
+    if not layout.quoted and not layout.decimal_comma:
+        try:  # fast, but gives up at the first bad row
+            lines = [line for _, line in rows]
+            values = numpy.loadtxt(lines, delimiter=layout.delimiter, usecols=use, comments=None, ndmin=2)
+            return values, []
+        except ValueError:
+            pass
+    good, bad = [], []
+    for number, line in rows:
+        try:
+            fields = layout.split(line)
+            good.append([layout.number(fields[column]) for column in use])
+        except (ValueError, IndexError, csv.Error):
+            bad.append((number, line))
+    return numpy.array(good, dtype=float).reshape(-1, len(use)), bad
+
+
+def bad_row_notes(bad, total):
+    if not bad:
+        return []
+    notes = ["%s of %s rows cannot be read and are left out:" % (thousands(len(bad)), thousands(total))]
+    notes += ["  line %d: %s" % (number, line[:60]) for number, line in bad[:3]]
+    return notes + (["  ..."] if len(bad) > 3 else [])
+
+
+def describe(chosen, names):
+    parts = ["%s = %s" % ("xyz"[axis], names[column]) for axis, column in enumerate(chosen) if column is not None]
+    return ", ".join(parts)
+
+
+def column_names(chosen, names, has_header):
+    if not has_header:
+        return ("x", "y", "z")
+    return tuple("z" if column is None else names[column].strip(' "') for column in chosen)
+
+
+def thousands(number):
+    """12345 as 12,345."""
+    return "{:,}".format(number)
+
+
+# --- LAS ----------------------------------------------------------------------------------------
+
+
+def read_las(path):
+    """An uncompressed LAS file, versions 1.0 to 1.4, point formats 0 to 10; every return is a
+    point, coordinates are integer · scale + offset as the format says."""
+    with open(path, "rb") as file:
+        head = file.read(375)
+    if head[:4] != b"LASF" or len(head) < 227:
+        raise InputError("%s is not a LAS file (it does not begin with LASF)" % path)
+    version = struct.unpack_from("<BB", head, 24)
+    start, = struct.unpack_from("<I", head, 96)
+    point_format, length, count = struct.unpack_from("<BHI", head, 104)
+    scale, offset = struct.unpack_from("<3d", head, 131), struct.unpack_from("<3d", head, 155)
+    if version >= (1, 4) and len(head) >= 255:
+        count, = struct.unpack_from("<Q", head, 247)
+    check_las(path, version, point_format, length)
+    available = max(0, os.path.getsize(path) - start) // length
+    notes = ["LAS %d.%d, point format %d, %s points" % (version + (point_format, thousands(count)))]
+    missing = max(0, count - available)
+    if missing:
+        notes.append("the file ends early: %s points its header promises are missing" % thousands(missing))
+    if count == missing:
+        raise InputError("%s holds no points" % path)
+    record = numpy.dtype({"names": ["xyz"], "formats": ["(3,)<i4"], "offsets": [0], "itemsize": length})
+    raw = numpy.memmap(path, dtype=record, mode="r", offset=start, shape=(count - missing,))["xyz"]
+    return PointSet(raw * numpy.array(scale) + numpy.array(offset), ("x", "y", "z"), notes, missing, True)
+
+
+def check_las(path, version, point_format, length):
+    if point_format & 0xC0 or path.lower().endswith(".laz"):
+        raise InputError(
+            "%s is compressed (LAZ), which this demo does not read; make it a .las first, for example with\n"
+            "  laszip -i %s    or    pdal translate %s out.las" % (path, path, path)
+        )
+    if version[0] != 1 or version[1] > 4 or point_format >= len(LAS_RECORD):
+        raise InputError(
+            "%s is LAS %d.%d with point format %d; known are LAS 1.0 to 1.4 with formats 0 to 10"
+            % (path, version[0], version[1], point_format)
+        )
+    if length < LAS_RECORD[point_format]:
+        raise InputError(
+            "%s is damaged: its records have %d bytes, point format %d needs %d"
+            % (path, length, point_format, LAS_RECORD[point_format])
+        )

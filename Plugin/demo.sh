@@ -1,0 +1,86 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Points in, a triangulated surface and a picture out, through the plugin in ParaView.
+# See help below, or ./Plugin/demo.sh --help.
+set -uo pipefail
+program=demo.sh
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${AHD_BUILD_DIR:-$root/build}
+logs=$build/logs
+. "$root/.ci/setup.sh"
+
+help() {
+  cat <<'EOF'
+./Plugin/demo.sh [file] [options]
+
+Triangulates the points of a file with the Adaptive Hilbert Delaunay 2D filter in ParaView, writes the
+surface as <name>.vtp and a picture of it as <name>.png, and says how long it took. On the first run it
+installs what is missing (Debian 12, as root or with sudo) and builds the plugin in build/; that takes
+minutes, the runs after it seconds.
+
+file       default: Data/survey.csv, soundings of an invented sea
+  .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces; with or without column names
+  .vtk .vtp .vtu .ply   whatever has points
+  .las                  lidar, not compressed (a .laz has to be unpacked first)
+
+options
+  --x NAME --y NAME --z NAME   which columns, by name or by number from 1 (--z none: a flat set)
+  --columns X,Y,Z              the same in one go, for example --columns lon,lat,depth or 2,3,5
+  --exaggeration FACTOR        how much steeper than it is to draw the relief (default: chosen, and told)
+  --edges                      draw the triangles' edges
+  --output DIR                 where to write (default: build/demo)
+  --help                       this text
+
+exit code  0 done, 1 something failed (a log is named), 2 the file or an option cannot be used
+environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
+EOF
+}
+
+# To build (the plugin's CMake files name python3-paraview and MPI), and to draw without a screen.
+packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev xvfb xauth)
+
+arguments=()
+output=$build/demo
+file=
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help) help && exit 0 ;;
+    --output) [ $# -gt 1 ] || fail 2 "--output needs a folder" && output=$2 && shift ;;
+    --output=*) output=${1#*=} ;;
+    --x | --y | --z | --columns | --exaggeration)
+      [ $# -gt 1 ] || fail 2 "$1 needs a value; --help lists the options"
+      arguments+=("$1=$2") && shift
+      ;;
+    -*) arguments+=("$1") ;;
+    *)
+      [ -z "$file" ] || fail 2 "one file at a time: $file or $1"
+      file=$1
+      arguments+=("$1")
+      ;;
+  esac
+  shift
+done
+# Before minutes of installing and building: is there a file at all?
+[ -z "$file" ] || [ -f "$file" ] || fail 2 "no such file: $file"
+[ -z "$file" ] || [ -r "$file" ] || fail 2 "no permission to read $file"
+arguments+=("--output=$output")
+
+export PYTHONDONTWRITEBYTECODE=1
+install_packages "${packages[@]}"
+/usr/bin/python3 "$root/Plugin/Demo/demo.py" --check "${arguments[@]}" || exit
+configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_WRAP_PYTHON=ON \
+  Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay AdaptiveHilbertDelaunayFiltersPython
+
+plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)
+[ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"
+
+# pvbatch draws on an X display of its own, so nothing appears on the screen.
+export PYTHONPATH="$build/lib/python3/dist-packages"
+with_display pvbatch "$root/Plugin/Demo/demo.py" --plugin "$plugin" "${arguments[@]}"
+status=$?
+case $status in
+  0 | 2) ;;
+  *) fail "$status" "ParaView stopped with exit code $status; its own words are above and in $logs/display.log" ;;
+esac
+exit $status

@@ -1,0 +1,130 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Installs what is missing, builds, and runs the tests. See help below, or ./Testing/test.sh --help.
+set -uo pipefail
+program=test.sh
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${AHD_BUILD_DIR:-$root/build}
+logs=$build/logs
+. "$root/.ci/setup.sh"
+
+help() {
+  cat <<'EOF'
+./Testing/test.sh [--long] [ctest's own options]
+
+Installs what is missing (Debian 12, as root or with sudo), builds everything in build/, and runs the
+tests through CTest: first those of the VTK filter with Debian's VTK 9.1, unpacked in build/vtk91, then
+all of them with ParaView and the VTK in it. Takes under 20 minutes on two cores from nothing.
+
+--long         also the tests that take longer (label: long)
+--paraview     only the tests with ParaView, not those with VTK 9.1
+others         go to ctest, for example  -R Corpus  or  -L engine
+
+exit code  0 all passed, 1 something could not be installed or built (a log is named), else ctest's
+environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
+             CTEST_PARALLEL_LEVEL: how many tests at a time (default: one per processor)
+EOF
+}
+
+# To build; for the plugin's help; to run it on several ranks and without a screen; for the tests,
+# their sanitizers and benchmarks; and for the unpacked VTK 9.1, whose development files want TBB.
+packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev
+  qttools5-dev qtxmlpatterns5-dev-tools
+  openmpi-bin libglew-dev xvfb xauth
+  git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
+  clang clang-format libclang-rt-14-dev valgrind
+  libtbb-dev)
+
+# Debian's VTK 9.1 cannot be installed beside ParaView: their Python packages exclude each other.
+# All six are needed: the files that let CMake find VTK name files of each.
+vtk91_packages=(libvtk9-dev libvtk9.1 libvtk9.1-qt libvtk9-java python3-vtk9 vtk9)
+
+long=OFF
+vtk91=yes
+ctest_options=()
+for argument in "$@"; do
+  case $argument in
+    -h | --help) help && exit 0 ;;
+    --long) long=ON ;;
+    --paraview) vtk91= ;;
+    *) ctest_options+=("$argument") ;;
+  esac
+done
+
+# Debian's VTK 9.1, unpacked in build/vtk91/root.
+unpack_vtk91() {
+  local folder=$build/vtk91 archive
+  [ -f "$folder/unpacked" ] && return
+  rm -rf "$folder/archives" "$folder/root"
+  mkdir -p "$folder/archives" "$folder/root"
+  # apt drops root's rights to download, which fails in a folder that only root can enter
+  fetch() { (cd "$folder/archives" && apt-get -q -o APT::Sandbox::User=root download "${vtk91_packages[@]}"); }
+  step "Fetching Debian's VTK 9.1 (34 MB)" fetch-vtk91 fetch ||
+    { refresh_lists && step "Fetching it once more" fetch-vtk91 fetch; } ||
+    fail 1 "the packages of VTK 9.1 could not be fetched. Without them: ./Testing/test.sh --paraview"
+  for archive in "$folder"/archives/*.deb; do
+    dpkg -x "$archive" "$folder/root" || fail 1 "$archive could not be unpacked"
+  done
+  rm -r "$folder/archives"
+  touch "$folder/unpacked"
+}
+
+# run_ctest <name> <build folder> <ctest options>...
+# Adds to the sums; keeps the first bad exit code.
+total=0
+failed=0
+status=0
+run_ctest() {
+  local name=$1 folder=$2 code summary
+  shift 2
+  printf '\nTesting with %s\n' "$name"
+  with_display ctest --test-dir "$folder" --output-on-failure --no-tests=ignore \
+    --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@" | tee "$logs/ctest.log"
+  code=${PIPESTATUS[0]}
+  summary=$(grep -o '[0-9]* tests failed out of [0-9]*' "$logs/ctest.log" | tail -n 1)
+  if [ -n "$summary" ]; then
+    failed=$((failed + ${summary%% *}))
+    total=$((total + ${summary##* }))
+  fi
+  [ $status -ne 0 ] || status=$code
+}
+
+install_packages "${packages[@]}"
+if ! getent hosts "$(hostname)" >/dev/null; then
+  printf 'The name of this machine (%s) does not resolve: tests with a server may wait a minute each.\n' \
+    "$(hostname)" "  A line  127.0.1.1 $(hostname)  in /etc/hosts helps."
+fi
+
+export PYTHONDONTWRITEBYTECODE=1
+XDG_RUNTIME_DIR=$build/logs/runtime # Qt wants one
+export XDG_RUNTIME_DIR
+mkdir -p "$XDG_RUNTIME_DIR"
+chmod 700 "$XDG_RUNTIME_DIR"
+
+settings=(BUILD_TESTING=ON AHD_WRAP_PYTHON=ON Python3_EXECUTABLE=/usr/bin/python3 "AHD_LONG_TESTS=$long")
+if [ -n "$vtk91" ]; then
+  unpack_vtk91
+  libraries=$build/vtk91/root/usr/lib/$(g++ -print-multiarch)
+  (
+    export LD_LIBRARY_PATH=$libraries # the programs' own search path does not reach their libraries'
+    configure_and_build "$build/with-vtk91" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=OFF \
+      "VTK_DIR=$libraries/cmake/vtk-9.1" "AHD_TEST_PARTS=Support;Filters;Package;Demo"
+  ) || exit
+fi
+configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON
+
+if [ -n "$vtk91" ]; then
+  export LD_LIBRARY_PATH=$libraries
+  run_ctest "VTK 9.1" "$build/with-vtk91" ${ctest_options[@]+"${ctest_options[@]}"}
+  unset LD_LIBRARY_PATH
+fi
+run_ctest "ParaView and its VTK" "$build" ${ctest_options[@]+"${ctest_options[@]}"}
+
+printf '\nIn all, after %d min %d s:\n' $((SECONDS / 60)) $((SECONDS % 60))
+if [ $total -eq 0 ]; then
+  printf 'No tests were found!!!\n'
+else
+  printf '%d%% tests passed, %d tests failed out of %d\n' $((100 * (total - failed) / total)) $failed $total
+fi
+exit $status
