@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Configures, builds and runs the engine's tests with address and undefined-behaviour sanitizers:
+#   cmake -DSOURCE=Testing/Engine -DBINARY=<build> [-DGENERATOR=..] [-DCOMPILER=..] [-DLAUNCHER=..]
+#         -P sanitize.cmake
+cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
+
+set(settings -DAHD_SANITIZE=ON)
+if (COMPILER)
+  list(APPEND settings "-DCMAKE_CXX_COMPILER=${COMPILER}")
+endif ()
+if (LAUNCHER)
+  list(APPEND settings "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")
+endif ()
+if (GENERATOR)
+  list(APPEND settings -G "${GENERATOR}")
+endif ()
+
+function (run what)
+  execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
+  if (NOT result EQUAL 0)
+    message(FATAL_ERROR "Sanitized engine tests: ${what} failed (${result}).")
+  endif ()
+endfunction ()
+
+run("configuring" "${CMAKE_COMMAND}" -S "${SOURCE}" -B "${BINARY}" ${settings})
+run("building" "${CMAKE_COMMAND}" --build "${BINARY}" --parallel ${cores})
+run("testing" "${CMAKE_CTEST_COMMAND}" --test-dir "${BINARY}" --output-on-failure -j ${cores})

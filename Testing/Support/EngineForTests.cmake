@@ -1,0 +1,35 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The engine and the tests' tools as static libraries without VTK, for whoever includes this first:
+#   ahd_engine_static   the engine, from Filters/Engine/Sources.cmake
+#   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
+if (TARGET ahd_engine_static)
+  return ()
+endif ()
+
+find_package(Threads REQUIRED)
+find_library(AHD_GMP_LIBRARY gmp REQUIRED)
+find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
+mark_as_advanced(AHD_GMP_LIBRARY AHD_GMPXX_LIBRARY)
+
+get_filename_component(ahd_testing_dir "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
+get_filename_component(ahd_root_dir "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+include("${ahd_root_dir}/Filters/Engine/Sources.cmake")
+
+set(ahd_warnings)
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  set(ahd_warnings -Wall -Wextra -Wconversion -Wshadow)
+endif ()
+
+add_library(ahd_engine_static STATIC EXCLUDE_FROM_ALL ${ahd_engine_sources})
+target_compile_features(ahd_engine_static PUBLIC cxx_std_17)
+target_compile_options(ahd_engine_static PRIVATE ${ahd_engine_options} ${ahd_warnings})
+target_include_directories(ahd_engine_static PUBLIC "${ahd_root_dir}/Filters/Engine")
+
+file(GLOB ahd_support_sources CONFIGURE_DEPENDS "${ahd_testing_dir}/Support/*.cxx")
+add_library(ahd_test_support STATIC EXCLUDE_FROM_ALL ${ahd_support_sources})
+target_compile_options(ahd_test_support PRIVATE ${ahd_engine_options} ${ahd_warnings})
+target_include_directories(ahd_test_support PUBLIC "${ahd_testing_dir}/Support")
+target_link_libraries(ahd_test_support
+  PUBLIC ahd_engine_static
+  PRIVATE ${AHD_GMPXX_LIBRARY} ${AHD_GMP_LIBRARY})

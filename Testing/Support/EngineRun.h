@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_EngineRun_h
+#define ahd_EngineRun_h
+
+#include "Certifier.h"
+#include "Oracle.h"
+#include "Triangulate.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ahd
+{
+namespace test
+{
+
+/// All that one run of the engine gave.
+struct Outcome
+{
+  Status status = Status::Ok;
+  Report report;
+  std::vector<std::int32_t> triples; ///< three ids per triangle
+  std::vector<std::int64_t> fates;   ///< one per point
+};
+
+/// run(), writeTriangles() and writeFates() in one go. `status` is that of the first call that was
+/// not Ok; what had not been written by then stays empty.
+Outcome triangulate(Triangulator& triangulator, const PointView& points,
+  const Options& options = Options(), Progress* progress = nullptr);
+Outcome triangulate(const PointView& points, const Options& options = Options());
+Outcome triangulate(const std::vector<Point>& points, const Options& options = Options());
+
+PointView viewOf(const std::vector<Point>& points);
+
+/// Is the run Ok, its result right (certify) and its Report in agreement with it? Empty if so.
+std::string faultsOf(const PointView& points, const Outcome& outcome);
+std::string faultsOf(const std::vector<Point>& points, const Outcome& outcome);
+
+/// Every combination of order, control points and gene rotation with each of these Nmax.
+std::vector<Options> everySetting(const std::vector<int>& nmax = { 1, 2, 50, 1000 });
+
+/// "HG, control points 2, genes on, Nmax 50".
+std::string describe(const Options& options);
+
+/// How many points a test shall take that has `n` in mind: fewer where everything is slower
+/// (sanitizers).
+std::size_t reduced(std::size_t n);
+
+} // namespace test
+} // namespace ahd
+
+#endif
