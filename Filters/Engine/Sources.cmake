@@ -5,9 +5,6 @@
 #   ahd_engine_sources   absolute paths
 #   ahd_engine_options   compile options without which the predicates are not exact
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
-if (AHD_ENGINE_SOURCES)
-  set(ahd_engine_sources ${AHD_ENGINE_SOURCES})
-endif ()
 
 # The error bounds of the predicates are derived for products and sums that are each rounded. A
 # compiler that contracts a * b + c into one fused operation gives results of neither kind.
