@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Warnings and errors: which, how often, and with which counts. And what comes out then.
+#include "FilterTestSupport.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFloatArray.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#if defined(__linux__)
+#include <sys/mman.h>
+#endif
+
+using namespace ahdtest;
+
+namespace
+{
+const double kNan = std::numeric_limits<double>::quiet_NaN();
+const double kInf = std::numeric_limits<double>::infinity();
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+/// Runs `filter` on `xyz` and expects exactly one warning, which has each of `parts` in it.
+void expectOneWarning(const std::vector<Xyz>& xyz, const std::vector<std::string>& parts)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(xyz));
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Errors.empty()) << filter.Said->Errors[0];
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  for (const std::string& part : parts)
+  {
+    EXPECT_TRUE(contains(filter.Said->Warnings[0], part))
+      << "no \"" << part << "\" in: " << filter.Said->Warnings[0];
+  }
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), vtkIdType(xyz.size()));
+}
+}
+
+TEST(Messages, NoneForGoodPointsAndDuplicates)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(1000, 20)));
+  filter->Update();
+  EXPECT_GT(filter->GetNumberOfDuplicates(), 0);
+  EXPECT_TRUE(filter.Said->Warnings.empty()) << filter.Said->Warnings[0];
+  EXPECT_TRUE(filter.Said->Errors.empty()) << filter.Said->Errors[0];
+}
+
+TEST(Messages, NoneForNoPoints)
+{
+  for (bool withPoints : { true, false })
+  {
+    WatchedFilter filter;
+    vtkNew<vtkPolyData> cloud;
+    if (withPoints)
+    {
+      cloud->SetPoints(makePoints({}));
+    }
+    filter->SetInputData(cloud);
+    filter->Update();
+    EXPECT_TRUE(filter.Said->Warnings.empty()) << filter.Said->Warnings[0];
+    EXPECT_TRUE(filter.Said->Errors.empty()) << filter.Said->Errors[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+}
+
+TEST(Messages, FewerThanThreeDistinctPoints)
+{
+  expectOneWarning({ { 1, 2, 3 } }, { "fewer than three distinct", "1 distinct points among 1" });
+  expectOneWarning({ { 1, 2, 3 }, { 2, 2, 3 } }, { "fewer than three", "2 distinct points" });
+  expectOneWarning({ { 1, 2, 3 }, { 2, 2, 3 }, { 1, 2, 9 }, { 2, 2, 0 } },
+    { "fewer than three", "2 distinct points among 4" });
+}
+
+TEST(Messages, CollinearPoints)
+{
+  expectOneWarning({ { 0, 0, 0 }, { 1, 2, 0 }, { 3, 6, 1 }, { -2, -4, 7 }, { 1, 2, 0 } },
+    { "collinear", "4 distinct points among 5" });
+}
+
+TEST(Messages, RejectedPointsAreCountedAndTheFirstIsNamed)
+{
+  std::vector<Xyz> points = latticePoints(200, 1000);
+  points[17][1] = kInf;
+  points[40][0] = kNan;
+  points[41][0] = -kInf;
+  expectOneWarning(points, { "3 of 200 points", "NaN or infinite", "first is point 17" });
+
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(points, VTK_FLOAT));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 3);
+  EXPECT_EQ(filter->GetNumberOfPointsInserted() + filter->GetNumberOfDuplicates(), 197);
+}
+
+TEST(Messages, HeightsThatAreNotFiniteAreKeptAndCounted)
+{
+  std::vector<Xyz> points = latticePoints(200, 100000);
+  const std::vector<Triangle> expected = triangulate(points);
+  points[5][2] = kNan;
+  points[7][2] = kInf;
+  expectOneWarning(points, { "2 of 200 points", " z " });
+
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(points));
+  filter->Update();
+  EXPECT_EQ(trianglesOf(filter->GetOutput()), expected);
+  EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 0);
+}
+
+TEST(Messages, AllPointsRejected)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud({ { kNan, 0, 0 }, { 0, kNan, 0 }, { kInf, kInf, 0 } }));
+  filter->Update();
+  EXPECT_EQ(filter.Said->Warnings.size(), 2u) << "rejected points, and no triangle";
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 3);
+}
+
+TEST(Messages, ComeOncePerRun)
+{
+  std::vector<Xyz> points = latticePoints(200, 1000);
+  points[0][0] = kNan;
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(points));
+  filter->Update();
+  filter->Update(); // nothing to do
+  EXPECT_EQ(filter.Said->Warnings.size(), 1u);
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter.Said->Warnings.size(), 2u);
+}
+
+TEST(Messages, TooLittleMemoryIsRefusedBeforeTheWork)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(10000, 100000)));
+  filter->SetMemoryLimit(100);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_TRUE(contains(filter.Said->Errors[0], "MemoryLimit allows 100 KiB"))
+    << filter.Said->Errors[0];
+  EXPECT_TRUE(contains(filter.Said->Errors[0], "10000 points")) << filter.Said->Errors[0];
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(filter->GetNumberOfTriangles(), 0);
+  EXPECT_EQ(filter->GetInsertSeconds(), 0.0);
+  const vtkTypeInt64 needed = filter->GetMemoryEstimate();
+  EXPECT_GT(needed, 100);
+
+  filter.Said->Errors.clear();
+  filter->SetMemoryLimit(needed); // what it asked for is enough
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Errors.empty()) << filter.Said->Errors[0];
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(Messages, MemoryEstimateGrowsWithWhatIsAskedFor)
+{
+  const auto estimate = [](std::size_t count, int type, bool fate)
+  {
+    vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+    filter->SetGenerateFate(fate);
+    filter->SetInputData(makeCloud(latticePoints(count, 100000), type));
+    filter->Update();
+    return filter->GetMemoryEstimate();
+  };
+  const vtkTypeInt64 plain = estimate(10000, VTK_DOUBLE, false);
+  EXPECT_GT(plain, 10000 * 32 / 1024) << "less than the output alone";
+  EXPECT_GT(estimate(20000, VTK_DOUBLE, false), plain);
+  EXPECT_GT(estimate(10000, VTK_DOUBLE, true), plain);
+  EXPECT_GT(estimate(10000, VTK_INT, false), plain);
+  EXPECT_EQ(estimate(10000, VTK_FLOAT, false), plain);
+}
+
+#if defined(__linux__)
+TEST(Messages, TooManyPointsAreRefused)
+{
+  // 2^28 points of address space that no memory stands behind: only their number may be looked at.
+  const std::size_t numbers = 3 * (std::size_t(1) << 28);
+  void* nothing = mmap(nullptr, numbers * sizeof(float), PROT_NONE,
+    MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+  if (nothing == MAP_FAILED)
+  {
+    GTEST_SKIP() << "no 3 GiB of address space";
+  }
+  {
+    vtkNew<vtkFloatArray> array;
+    array->SetNumberOfComponents(3);
+    array->SetArray(static_cast<float*>(nothing), static_cast<vtkIdType>(numbers), 1);
+    vtkNew<vtkPoints> points;
+    points->SetData(array);
+    vtkNew<vtkPolyData> cloud;
+    cloud->SetPoints(points);
+    WatchedFilter filter;
+    filter->SetInputData(cloud);
+    filter->SetMemoryLimit(VTK_TYPE_INT64_MAX);
+    filter->Update();
+    ASSERT_EQ(filter.Said->Errors.size(), 1u);
+    EXPECT_TRUE(contains(filter.Said->Errors[0], "268435456 points are too many"))
+      << filter.Said->Errors[0];
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  munmap(nothing, numbers * sizeof(float));
+}
+#endif

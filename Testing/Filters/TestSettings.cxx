@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Properties: their ranges, and that none of them changes the result or is changed by a run.
+#include "FilterTestSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+using namespace ahdtest;
+using Filter = vtkAdaptiveHilbertDelaunay2D;
+
+TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
+{
+  vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetInsertionOrder(), Filter::ADAPTIVE_HILBERT);
+  EXPECT_EQ(filter->GetNmax(), 50);
+  EXPECT_EQ(filter->GetControlPoints(), Filter::EVERY_LEVEL);
+  EXPECT_TRUE(filter->GetGeneRotation());
+  EXPECT_FALSE(filter->GetCountWork());
+  EXPECT_FALSE(filter->GetGenerateFate());
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
+
+  filter->SetNmax(-3);
+  EXPECT_EQ(filter->GetNmax(), 1);
+  filter->SetInsertionOrder(17);
+  EXPECT_EQ(filter->GetInsertionOrder(), Filter::AS_GIVEN);
+  filter->SetControlPoints(-1);
+  EXPECT_EQ(filter->GetControlPoints(), Filter::NO_CONTROL_POINTS);
+  filter->SetMemoryLimit(-1);
+  EXPECT_EQ(filter->GetMemoryLimit(), 0);
+}
+
+TEST(Settings, NamedSettersSetWhatTheySay)
+{
+  vtkNew<Filter> filter;
+  filter->SetInsertionOrderToAsGiven();
+  EXPECT_EQ(filter->GetInsertionOrder(), 3);
+  filter->SetInsertionOrderToRegularGrid();
+  EXPECT_EQ(filter->GetInsertionOrder(), 2);
+  filter->SetInsertionOrderToMultiGrid();
+  EXPECT_EQ(filter->GetInsertionOrder(), 1);
+  filter->SetInsertionOrderToAdaptiveHilbert();
+  EXPECT_EQ(filter->GetInsertionOrder(), 0);
+  filter->SetControlPointsToNone();
+  EXPECT_EQ(filter->GetControlPoints(), 0);
+  filter->SetControlPointsToSingleLevel();
+  EXPECT_EQ(filter->GetControlPoints(), 1);
+  filter->SetControlPointsToEveryLevel();
+  EXPECT_EQ(filter->GetControlPoints(), 2);
+}
+
+TEST(Settings, NoneChangesTheResult)
+{
+  auto cloud = makeCloud(latticePoints(4000, 100)); // ties and duplicates in plenty
+  vtkNew<Filter> filter;
+  filter->SetInputData(cloud);
+  filter->Update();
+  const std::vector<Triangle> expected = trianglesOf(filter->GetOutput());
+  ASSERT_FALSE(expected.empty());
+  for (int order = Filter::ADAPTIVE_HILBERT; order <= Filter::AS_GIVEN; ++order)
+  {
+    for (int control = Filter::NO_CONTROL_POINTS; control <= Filter::EVERY_LEVEL; ++control)
+    {
+      for (int nmax : { 1, 50, 1000 })
+      {
+        filter->SetInsertionOrder(order);
+        filter->SetControlPoints(control);
+        filter->SetNmax(nmax);
+        filter->SetGeneRotation(nmax != 50);
+        filter->SetCountWork(nmax == 1);
+        filter->Update();
+        ASSERT_EQ(trianglesOf(filter->GetOutput()), expected)
+          << "InsertionOrder " << order << ", ControlPoints " << control << ", Nmax " << nmax;
+      }
+    }
+  }
+}
+
+TEST(Settings, AreReadAndNeverWrittenByARun)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(500, 1000)));
+  filter->SetInsertionOrderToMultiGrid();
+  filter->SetNmax(7);
+  filter->SetControlPointsToSingleLevel();
+  filter->GeneRotationOff();
+  filter->CountWorkOn();
+  const vtkMTimeType before = filter->GetMTime();
+  filter->Update();
+  EXPECT_EQ(filter->GetMTime(), before) << "running changed the filter";
+  EXPECT_EQ(filter->GetInsertionOrder(), Filter::MULTI_GRID);
+  EXPECT_EQ(filter->GetNmax(), 7);
+  EXPECT_EQ(filter->GetControlPoints(), Filter::SINGLE_LEVEL);
+  EXPECT_FALSE(filter->GetGeneRotation());
+  EXPECT_TRUE(filter->GetCountWork());
+}
+
+TEST(Settings, RunningAgainGivesTheSame)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(2000, 300)));
+  filter->Update();
+  const std::vector<Triangle> first = trianglesOf(filter->GetOutput());
+  const vtkIdType duplicates = filter->GetNumberOfDuplicates();
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(trianglesOf(filter->GetOutput()), first);
+  EXPECT_EQ(filter->GetNumberOfDuplicates(), duplicates);
+}
+
+TEST(Settings, WorkIsCountedOnRequestOnly)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(5000, 100000)));
+  filter->Update();
+  EXPECT_EQ(filter->GetNP(), -1.0);
+  EXPECT_EQ(filter->GetNR(), -1.0);
+  filter->CountWorkOn();
+  filter->Update();
+  EXPECT_GT(filter->GetNP(), 1.0) << "each point tests at least the triangle it starts from";
+  EXPECT_GT(filter->GetNR(), 1.0) << "each point removes at least one triangle";
+  EXPECT_LT(filter->GetNR(), 10.0);
+  filter->CountWorkOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetNP(), -1.0) << "a measure of the run before is still shown";
+}
+
+TEST(Settings, TimesAreTaken)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(20000, 100000)));
+  filter->Update();
+  EXPECT_GT(filter->GetSortSeconds(), 0.0);
+  EXPECT_GT(filter->GetInsertSeconds(), 0.0);
+  EXPECT_GT(filter->GetOutputSeconds(), 0.0);
+}
+
+TEST(Settings, AreAllPrinted)
+{
+  vtkNew<Filter> filter;
+  std::ostringstream text;
+  filter->Print(text);
+  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
+         "GenerateFate", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
+         "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
+         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
+  {
+    EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
+  }
+}

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter in Python. Run by /usr/bin/python3, pvpython and pvbatch alike."""
+
+import math
+import random
+import sys
+import unittest
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import (
+    VTK_DOUBLE,
+    VTK_FLOAT,
+    VTK_STRING,
+    vtkDoubleArray,
+    vtkIdList,
+    vtkPoints,
+)
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+
+from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
+
+
+def cloud(points, number=VTK_DOUBLE):
+    """A vtkPolyData of points and no cells."""
+    made = vtkPoints()
+    made.SetDataType(number)
+    for point in points:
+        made.InsertNextPoint(point)
+    data = vtkPolyData()
+    data.SetPoints(made)
+    return data
+
+
+def lattice_points(count, side, seed=1):
+    """Points with whole coordinates: exact as float and as double."""
+    numbers = random.Random(seed)
+    return [(numbers.randrange(side), numbers.randrange(side), 0.0) for _ in range(count)]
+
+
+def triangles(surface):
+    ids = vtkIdList()
+    found = []
+    for cell in range(surface.GetNumberOfCells()):
+        surface.GetCellPoints(cell, ids)
+        found.append(tuple(ids.GetId(i) for i in range(ids.GetNumberOfIds())))
+    return found
+
+
+def watch(algorithm):
+    """Keeps the warnings and errors of a filter."""
+    said = {"WarningEvent": [], "ErrorEvent": []}
+
+    @calldata_type(VTK_STRING)
+    def keep(_, event, text):
+        said[event].append(text)
+
+    for event in said:
+        algorithm.AddObserver(event, keep)
+    return said
+
+
+class FilterTest(unittest.TestCase):
+    def run_filter(self, data, **settings):
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        for name, value in settings.items():
+            getattr(algorithm, "Set" + name)(value)
+        algorithm.SetInputData(data)
+        algorithm.Update()
+        return algorithm
+
+    def test_triangles_are_counterclockwise_and_complete(self):
+        points = lattice_points(500, 10**4)
+        algorithm = self.run_filter(cloud(points))
+        found = triangles(algorithm.GetOutput())
+        self.assertEqual(len(found), algorithm.GetNumberOfTriangles())
+        sides = set()
+        for a, b, c in found:
+            (ax, ay, _), (bx, by, _), (cx, cy, _) = points[a], points[b], points[c]
+            self.assertGreater((bx - ax) * (cy - ay) - (by - ay) * (cx - ax), 0, (a, b, c))
+            sides |= {(a, b), (b, c), (c, a)}
+        hull = sum((end, start) not in sides for start, end in sides)
+        self.assertEqual(len(found), 2 * len(set(points)) - 2 - hull)
+
+    def test_float_and_double_and_every_setting_agree(self):
+        points = lattice_points(400, 60)
+        expected = triangles(self.run_filter(cloud(points)).GetOutput())
+        self.assertEqual(
+            triangles(self.run_filter(cloud(points, VTK_FLOAT)).GetOutput()), expected)
+        for order in range(4):
+            for control in range(3):
+                surface = self.run_filter(
+                    cloud(points), InsertionOrder=order, ControlPoints=control, Nmax=3).GetOutput()
+                self.assertEqual(triangles(surface), expected, (order, control))
+
+    def test_points_are_shared_and_their_data_passed(self):
+        data = cloud(lattice_points(50, 1000))
+        depth = vtkDoubleArray()
+        depth.SetName("depth")
+        depth.SetNumberOfValues(50)
+        depth.Fill(2.0)
+        data.GetPointData().AddArray(depth)
+        surface = self.run_filter(data).GetOutput()
+        self.assertIs(surface.GetPoints(), data.GetPoints())
+        self.assertIs(surface.GetPointData().GetArray("depth"), depth)
+
+    def test_named_values(self):
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        self.assertEqual(algorithm.GetInsertionOrder(), algorithm.ADAPTIVE_HILBERT)
+        self.assertEqual(algorithm.GetControlPoints(), algorithm.EVERY_LEVEL)
+        algorithm.SetInsertionOrderToMultiGrid()
+        self.assertEqual(algorithm.GetInsertionOrder(), algorithm.MULTI_GRID)
+        algorithm.SetNmax(-1)
+        self.assertEqual(algorithm.GetNmax(), 1)
+
+    def test_measures_and_fate(self):
+        data = cloud([(0, 0, 0), (4, 0, 0), (0, 4, 0), (4, 0, 5)])
+        algorithm = self.run_filter(data, CountWork=True, GenerateFate=True)
+        self.assertEqual(algorithm.GetNumberOfPointsInserted(), 3)
+        self.assertEqual(algorithm.GetNumberOfDuplicates(), 1)
+        self.assertGreaterEqual(algorithm.GetNP(), 0.0)
+        self.assertGreaterEqual(algorithm.GetNR(), 0.0)
+        self.assertGreater(algorithm.GetMemoryEstimate(), 0)
+        fate = algorithm.GetOutput().GetPointData().GetArray("Fate")
+        self.assertEqual([fate.GetValue(i) for i in range(4)], [0, 1, 2, 1])
+        counts = algorithm.GetOutput().GetFieldData()
+        self.assertEqual(counts.GetArray("NumberOfDuplicates").GetValue(0), 1)
+        self.assertEqual(counts.GetArray("NumberOfTriangles").GetValue(0), 1)
+
+    def test_warning_with_counts(self):
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        said = watch(algorithm)
+        algorithm.SetInputData(cloud([(0, 0, 0), (4, 0, 0), (math.nan, 1, 0), (0, 4, 0)]))
+        algorithm.Update()
+        self.assertEqual(len(said["WarningEvent"]), 1, said)
+        self.assertIn("1 of 4 points", said["WarningEvent"][0])
+        self.assertIn("point 2", said["WarningEvent"][0])
+        self.assertEqual(said["ErrorEvent"], [])
+
+    def test_abort_and_run_again(self):
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        algorithm.SetInputData(cloud(lattice_points(20000, 10**5)))
+
+        def abort(caller, _):
+            if caller.GetProgress() > 0.5:
+                caller.SetAbortExecute(1)
+
+        tag = algorithm.AddObserver("ProgressEvent", abort)
+        algorithm.Update()
+        self.assertEqual(algorithm.GetOutput().GetNumberOfCells(), 0)
+        algorithm.RemoveObserver(tag)
+        algorithm.SetAbortExecute(0)
+        algorithm.Modified()
+        algorithm.Update()
+        self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 30000)
+
+
+if __name__ == "__main__":
+    # pvpython and pvbatch leave their own words in sys.argv.
+    outcome = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
+    sys.exit(not outcome.wasSuccessful())
