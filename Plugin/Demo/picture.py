@@ -17,12 +17,12 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from pointfiles import DEGREE_NAMES, plain
 
 METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
-RELIEF = 0.13  # the drawn relief, as a share of the horizontal diagonal
+RELIEF = 0.11  # the drawn relief, as a share of the horizontal diagonal
 SIZE = (1920, 1080)
-VIEW_ANGLE = 26.0  # degrees, of the camera
-VIEW_HEIGHT = 43.0  # degrees above the horizon that the camera looks from
+VIEW_ANGLE = 18.0  # degrees, of the camera
+VIEW_HEIGHT = 45.0  # degrees above the horizon that the camera looks from
 FLOOR, WEST_EDGE, SOUTH_EDGE, EAST_EDGE = 4, 1, 2, 8  # bits of vtkGridAxesHelper: faces and axes to label
-LIGHT_FROM = (315.0, 42.0)  # azimuth and height of the sun in degrees: north-west, as on maps
+LIGHT_FROM = (75.0, 36.0)  # degrees to the left of the camera, and above the horizon
 
 # Elevation colours: lightness rises evenly from deep violet-blue through teal to pale yellow.
 COLOURS = (
@@ -44,7 +44,7 @@ Scale = collections.namedtuple("Scale", "factors exaggeration geographic low hig
 def choose_scale(xyz, names, exaggeration=None):
     """How to draw the points. Degrees of longitude and latitude are taken as metres on a sphere;
     all else is taken to be in one unit. Without a wish, the exaggeration makes the relief
-    (without its outermost 1 %) RELIEF of the horizontal diagonal, to one or two digits."""
+    (without its outermost 1 %) about RELIEF of the horizontal diagonal, or is 1 if that is near."""
     xyz = xyz[numpy.isfinite(xyz).all(axis=1)]
     low, high = numpy.percentile(xyz[:, 2], (0.5, 99.5))
     west, south = xyz[:, :2].min(axis=0)
@@ -54,9 +54,14 @@ def choose_scale(xyz, names, exaggeration=None):
     unit = METRES_PER_DEGREE if geographic else 1.0
     diagonal = unit * math.hypot((east - west) * shrink, north - south)
     if exaggeration is None:
-        relief = float(high - low)
-        exaggeration = round_up_front(RELIEF * diagonal / relief) if relief > 0 and diagonal > 0 else 1.0
+        exaggeration = choose_exaggeration(float(high - low), diagonal)
     return Scale((shrink, 1.0, exaggeration / unit), exaggeration, geographic, float(low), float(high))
+
+
+def choose_exaggeration(relief, diagonal):
+    if relief == 0 or diagonal == 0 or 0.5 * RELIEF < relief / diagonal < 1.5 * RELIEF:
+        return 1.0  # as it is: nothing to bend
+    return round_up_front(RELIEF * diagonal / relief)
 
 
 def are_degrees(names):
@@ -147,24 +152,24 @@ def draw(surface, scale, z_name, title, path, edges=False):
     """Draws the surface and writes the picture to path."""
     copy, xyz = drawable(surface, scale, z_name)
     floor = xyz[:, 2].min() - 0.1 * (scale.high - scale.low)
-    view = new_view()
+    azimuth = viewing_azimuth(xyz * scale.factors)
+    view = new_view(azimuth)
     display = show(copy, "surface", view, scale)
     display.Representation = "Surface With Edges" if edges else "Surface"
     display.EdgeColor = [0.1, 0.1, 0.15]
-    display.Ambient = 0.25
-    display.Diffuse = 0.95
+    display.Ambient = 0.35
+    display.Diffuse = 0.8
     colour(display, scale, z_name, view)
     block = show(walls(xyz, corner_ids(surface), floor), "walls", view, scale)
     block.AmbientColor = block.DiffuseColor = [0.66, 0.63, 0.59]
-    block.Ambient = 0.75
-    azimuth = viewing_azimuth(xyz * scale.factors)
+    block.Ambient, block.Diffuse = 0.75, 0.35
     frame(view, scale, azimuth)
     write_title(title, view)
     place_camera(view, xyz * scale.factors, floor * scale.factors[2], azimuth)
     simple.SaveScreenshot(path, view, ImageResolution=list(SIZE))
 
 
-def new_view():
+def new_view(azimuth):
     view = simple.CreateView("RenderView")
     view.ViewSize = list(SIZE)
     view.OrientationAxesVisibility = 0
@@ -173,11 +178,10 @@ def new_view():
     view.Background = [0.86, 0.89, 0.92]
     view.Background2 = [1.0, 1.0, 1.0]
     view.UseLight = 0  # no lamp at the camera
-    azimuth, height = (math.radians(angle) for angle in LIGHT_FROM)
     sun = simple.AddLight(view=view)
     sun.Coords = "Scene"
     sun.Type = "Directional"
-    sun.Position = [math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)]
+    sun.Position = list(toward(azimuth + LIGHT_FROM[0], LIGHT_FROM[1]))
     sun.FocalPoint = [0, 0, 0]
     sun.Intensity = 1.1
     return view
@@ -210,7 +214,7 @@ def frame(view, scale, azimuth):
     axes.ShowGrid = 1
     axes.FacesToRender = FLOOR
     axes.AxesToLabel = SOUTH_EDGE | (WEST_EDGE if azimuth > 180 else EAST_EDGE)
-    axes.XTitle, axes.YTitle, axes.ZTitle = ("Longitude", "Latitude", "") if scale.geographic else ("x", "y", "")
+    axes.XTitle, axes.YTitle, axes.ZTitle = ("Longitude", "Latitude", "") if scale.geographic else ("", "", "")
     for axis in "XYZ":
         for part in ("Title", "Label"):
             setattr(axes, axis + part + "Color", [0.25, 0.25, 0.25])
@@ -234,28 +238,32 @@ def viewing_azimuth(drawn):
     """Where the camera stands, in degrees from north: in the south, a little to the west; in the
     east, a little to the south, where the survey is much longer from north to south."""
     width, depth = numpy.ptp(drawn[:, :2], axis=0)
-    return 195.0 if width >= 0.7 * depth else 105.0
+    return 202.0 if width >= 0.7 * depth else 112.0
+
+
+def toward(azimuth, height):
+    """The direction from the middle to a place at so many degrees from north and above the horizon."""
+    azimuth, height = math.radians(azimuth), math.radians(height)
+    return numpy.array([math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)])
 
 
 def place_camera(view, drawn, floor, azimuth):
     """So near that all of the block just fits below the title and beside the colour bar."""
     low, high = drawn.min(axis=0), drawn.max(axis=0)
-    azimuth, height = math.radians(azimuth), math.radians(VIEW_HEIGHT)
-    toward = numpy.array([math.sin(azimuth) * math.cos(height), math.cos(azimuth) * math.cos(height), math.sin(height)])
-    right = numpy.array([-math.cos(azimuth), math.sin(azimuth), 0.0])
-    right /= numpy.linalg.norm(right)
-    up = numpy.cross(toward, right)
+    back = toward(azimuth, VIEW_HEIGHT)
+    right = toward(azimuth - 90.0, 0.0)
+    up = numpy.cross(back, right)
     corners = [[x, y, floor] for x in (low[0], high[0]) for y in (low[1], high[1])]
     sample = numpy.vstack([drawn[:: max(1, len(drawn) // 20000)], corners])
-    focus, distance = fit(sample, (low + high) / 2, toward, right, up)
+    focus, distance = fit(sample, (low + high) / 2, back, right, up)
     view.CameraFocalPoint = list(focus)
-    view.CameraPosition = list(focus + distance * toward)
+    view.CameraPosition = list(focus + distance * back)
     view.CameraViewUp = list(up)
     view.CameraViewAngle = VIEW_ANGLE
     view.CenterOfRotation = list(focus)
 
 
-def fit(points, focus, toward, right, up):
+def fit(points, focus, back, right, up):
     """The nearest camera that has all points within the frame, and what it looks at."""
     tangent = math.tan(math.radians(VIEW_ANGLE / 2))
     left_edge, right_edge = -0.90 * SIZE[0] / SIZE[1], 0.80 * SIZE[0] / SIZE[1]
@@ -263,7 +271,7 @@ def fit(points, focus, toward, right, up):
     distance = 2.0 * float(numpy.ptp(points, axis=0).max()) / tangent
     for _ in range(30):
         local = points - focus
-        away = (distance - local @ toward) * tangent
+        away = (distance - local @ back) * tangent
         across, upward = (local @ right) / away, (local @ up) / away
         shift_x = (across.max() + across.min() - right_edge - left_edge) / 2
         shift_y = (upward.max() + upward.min() - upper_edge - lower_edge) / 2
