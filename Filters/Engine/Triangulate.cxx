@@ -95,6 +95,7 @@ Status Triangulator::State::insert(
   report.trianglesRemoved = work.trianglesRemoved;
   report.exactInCircle = work.exactInCircle;
   report.exactOrient = work.exactOrient;
+  ranked.xy.reset();
   if (end == InsertionEnd::Done)
   {
     const std::size_t hull = countHullVertices(mesh, ticker);
@@ -174,13 +175,12 @@ void Triangulator::writeFates(std::int64_t* fates) const
 
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
 {
-  // Bytes per point, see Algorithm.md: what stays (location, id) plus the larger of sorting (keys
-  // and scratch) and inserting (sequence, two triangles, one fan end while writing).
-  constexpr std::size_t kStays = sizeof(Point) + sizeof(Index);
-  constexpr std::size_t kInserting = sizeof(Index) + 2 * Mesh::kSlotSize * sizeof(std::uint32_t) +
-    sizeof(std::uint32_t);
+  // Bytes per point of the three moments at which most is held (Algorithm.md, "Memory").
+  constexpr std::size_t kMesh = 2 * Mesh::kSlotSize * sizeof(std::uint32_t);
+  constexpr std::size_t kInserting = sizeof(Point) + 2 * sizeof(Index) + kMesh;
+  constexpr std::size_t kExtracting = sizeof(Index) + kMesh + kExtractBytesPerPoint;
   constexpr std::size_t kSmall = std::size_t(1) << 20;
-  return kSmall + pointCount * (kStays + std::max(kRankBytesPerPoint, kInserting));
+  return kSmall + pointCount * std::max({ kRankBytesPerPoint, kInserting, kExtracting });
 }
 
 } // namespace ahd

@@ -15,6 +15,9 @@ namespace ahd
 /// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel.
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
+/// Bytes that writeCanonical allocates per vertex: two counters, and two triangles' slots.
+constexpr std::size_t kExtractBytesPerPoint = 4 * sizeof(std::uint32_t);
+
 /// Writes the finite triangles of a mesh in canonical order: each starts at its lowest vertex, and
 /// they are sorted by their three vertices. As vertices are numbered by canonical rank, the order
 /// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for
