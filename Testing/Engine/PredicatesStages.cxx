@@ -134,7 +134,7 @@ TEST(PredicatesStages, GridTakesUpWhatRoundingADifferenceLeaves)
   EXPECT_EQ(orient2d({ 1, 1 }, { 0, 0x1p-60 }, { -0x1p-60, 0 }), 1); // the area is 2^-120
 }
 
-TEST(PredicatesStages, UnboundedSettlesWhatSpansMoreThan62Bits)
+TEST(PredicatesStages, UnboundedSettlesWhatSpansMoreThan61Bits)
 {
   const Quadruple wide = { Point{ 0, 0 }, { 1, 0 }, { 1, 1 }, { -0x1p-70, 1 } };
   EXPECT_EQ(inCircleStage(wide), Stage::Unbounded);
@@ -157,7 +157,7 @@ TEST(PredicatesStages, UnboundedSettlesTheEndsOfTheExponentRange)
   EXPECT_EQ(orient2d({ -big, -big }, { big, big }, { 0x1p1000, 0x1p1000 }), 0);
 }
 
-/// Around the limit of 62 bits, in every coordinate: the grid stage must be exact or decline.
+/// Around the limit of 61 bits, in every coordinate: the grid stage must be exact or decline.
 TEST(PredicatesStages, GridIsExactUpToItsLimit)
 {
   int answered = 0, declined = 0;

@@ -22,7 +22,8 @@ int signOf(double value)
   return (value > 0.0) - (value < 0.0);
 }
 
-// ---------------------------------------------------------------------------------------- Grid
+// ----------------------------------------------------------------------------------------
+// Grid
 
 #ifdef AHD_HAS_INT128
 
@@ -31,14 +32,16 @@ int signOf(Int128 value)
   return (value > 0) - (value < 0);
 }
 
-/// A vector in units of the grid, each coordinate below 2^63 - 1 in magnitude.
+/// A vector in units of the grid. Coordinates are below 2^62 in magnitude, those of a difference of
+/// two below 2^63, so that cross and dot products stay below 2^127.
 struct GridVector
 {
   std::int64_t x;
   std::int64_t y;
 };
 
-/// A scale that makes a value less than 2^62, and its reciprocal, both powers of two.
+/// A scale that makes a value less than 2^61, and its reciprocal, both powers
+/// of two.
 struct GridScale
 {
   double up;
@@ -50,15 +53,15 @@ struct GridScale
     std::uint64_t bits;
     std::memcpy(&bits, &largest, sizeof bits);
     const std::uint64_t exponent = bits >> 52; // biased by 1023
-    const std::uint64_t upBits = (2 * 1023 + 61 - exponent) << 52;
-    const std::uint64_t downBits = (exponent - 61) << 52;
+    const std::uint64_t upBits = (2 * 1023 + 60 - exponent) << 52;
+    const std::uint64_t downBits = (exponent - 60) << 52;
     std::memcpy(&up, &upBits, sizeof up);
     std::memcpy(&down, &downBits, sizeof down);
   }
 
-  /// value in units of `down`. `residue` stays 0 while all values are integers: one that is not, or
-  /// whose product underflows, is not met again when taken back; taking back rounds nothing, as
-  /// `down` is at least 2^-961.
+  /// value in units of `down`. `residue` stays 0 while all values are integers:
+  /// one that is not, or whose product underflows, is not met again when taken
+  /// back; taking back rounds nothing, as `down` is at least 2^-961.
   std::int64_t integer(double value, double& residue) const
   {
     const auto result = static_cast<std::int64_t>(value * up);
@@ -82,7 +85,8 @@ struct ExactDifference
   }
 };
 
-/// The two vectors from an origin to a point, or three to three, in units of one power of two.
+/// The two vectors from an origin to a point, or three to three, in units of
+/// one power of two.
 template <int Count>
 class Grid
 {
@@ -132,44 +136,54 @@ bool Grid<Count>::fit(const Point& origin, const Point* const (&points)[Count])
   return residue == 0.0;
 }
 
-/// A x B, below 2^126 in magnitude.
+GridVector operator-(const GridVector& a, const GridVector& b)
+{
+  return { a.x - b.x, a.y - b.y };
+}
+
+/// A x B.
 Int128 crossOnGrid(const GridVector& a, const GridVector& b)
 {
   return Int128(a.x) * b.y - Int128(a.y) * b.x;
 }
 
-/// |A|^2, below 2^126.
-Int128 squaredLengthOnGrid(const GridVector& a)
+/// A . B.
+Int128 dotOnGrid(const GridVector& a, const GridVector& b)
 {
-  return Int128(a.x) * a.x + Int128(a.y) * a.y;
+  return Int128(a.x) * b.x + Int128(a.y) * b.y;
 }
 
-/// A sum of 256 bits in two's complement, kept as its high and low half.
-struct Sum256
+/// a * b in two's complement. The words of a negative number are those of the
+/// number + 2^128.
+struct Product256
 {
-  UInt128 high = 0;
-  UInt128 low = 0;
+  Int128 high;
+  UInt128 low;
 
-  /// Adds length * factor. REQUIRES: 0 <= length < 2^127, |factor| < 2^127.
-  void add(Int128 length, Int128 factor)
+  Product256(Int128 a, Int128 b)
   {
-    const std::uint64_t a0 = std::uint64_t(length), a1 = std::uint64_t(length >> 64);
-    const std::uint64_t b0 = std::uint64_t(factor), b1 = std::uint64_t(factor >> 64);
+    const std::uint64_t a0 = std::uint64_t(a), a1 = std::uint64_t(a >> 64);
+    const std::uint64_t b0 = std::uint64_t(b), b1 = std::uint64_t(b >> 64);
     const UInt128 p00 = UInt128(a0) * b0, p01 = UInt128(a0) * b1;
     const UInt128 p10 = UInt128(a1) * b0, p11 = UInt128(a1) * b1;
-    const UInt128 middle = p10 + (p00 >> 64) + std::uint64_t(p01); // < 2^128, as a1 < 2^63
-    const UInt128 product = (middle << 64) | std::uint64_t(p00);
-    low += product;
-    high += p11 + (middle >> 64) + (p01 >> 64) + (low < product);
-    high -= UInt128(length) & UInt128(factor >> 127); // the words of factor < 0 are factor + 2^128
+    const UInt128 middle = p10 + (p00 >> 64) + std::uint64_t(p01); // at most 2^128 - 1
+    low = (middle << 64) | std::uint64_t(p00);
+    const UInt128 unsignedHigh = p11 + (middle >> 64) + (p01 >> 64);
+    high = Int128(
+      unsignedHigh - (UInt128(a >> 127) & UInt128(b)) - (UInt128(b >> 127) & UInt128(a)));
   }
-
-  int sign() const { return Int128(high) < 0 ? -1 : ((high | low) != 0); }
 };
+
+/// The sign of a - b.
+int compare(const Product256& a, const Product256& b)
+{
+  return a.high != b.high ? (a.high < b.high ? -1 : 1) : (a.low > b.low) - (a.low < b.low);
+}
 
 #endif // AHD_HAS_INT128
 
-// ----------------------------------------------------------------------------------- Unbounded
+// -----------------------------------------------------------------------------------
+// Unbounded
 
 /// A finite double as mantissa * 2^exponent.
 struct Parts
@@ -190,7 +204,8 @@ Parts partsOf(double value)
   return { mantissa, exponent, (bits >> 63) != 0 };
 }
 
-/// The largest double has 1024 bits before the point, the smallest one 1074 after it.
+/// The largest double has 1024 bits before the point, the smallest one 1074
+/// after it.
 using Coordinate = WideInteger<(1024 + 1074 + 63) / 64>;
 using Difference = WideInteger<(1024 + 1074 + 63) / 64 + 1>;
 
@@ -245,17 +260,18 @@ auto crossUnbounded(const WideVector& a, const WideVector& b)
   return a.x * b.y - a.y * b.x;
 }
 
-auto squaredLengthUnbounded(const WideVector& a)
+auto dotUnbounded(const WideVector& a, const WideVector& b)
 {
-  return a.x * a.x + a.y * a.y;
+  return a.x * b.x + a.y * b.y;
 }
 
 } // namespace
 
-// ------------------------------------------------------------------------------------- orient2d
+// -------------------------------------------------------------------------------------
+// orient2d
 
-/// The products themselves give a tighter bound here than squared lengths (Filters.h): their error
-/// is at most 3 u (1 + 2u) (|l| + |r|) + 2e.
+/// The products themselves give a tighter bound here than squared lengths
+/// (Filters.h): their error is at most 3 u (1 + 2u) (|l| + |r|) + 2e.
 std::optional<int> orient2dByFilter(const Point& a, const Point& b, const Point& c)
 {
   const double l = (a.x - c.x) * (b.y - c.y);
@@ -287,7 +303,8 @@ int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
   return crossUnbounded(WideVector(unit, c, a), WideVector(unit, c, b)).sign();
 }
 
-// ------------------------------------------------------------------------------------- inCircle
+// -------------------------------------------------------------------------------------
+// inCircle
 
 std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point& c, const Point& d)
 {
@@ -309,11 +326,10 @@ std::optional<int> inCircleOnGrid([[maybe_unused]] const Point& a, [[maybe_unuse
   Grid<3> grid;
   if (grid.fit(d, { &a, &b, &c }))
   {
-    Sum256 det;
-    det.add(squaredLengthOnGrid(grid[0]), crossOnGrid(grid[1], grid[2]));
-    det.add(squaredLengthOnGrid(grid[1]), crossOnGrid(grid[2], grid[0]));
-    det.add(squaredLengthOnGrid(grid[2]), crossOnGrid(grid[0], grid[1]));
-    return det.sign();
+    const GridVector &A = grid[0], &B = grid[1], &C = grid[2];
+    const GridVector U = A - C, V = B - C;
+    return compare(Product256(crossOnGrid(A, B), dotOnGrid(U, V)),
+      Product256(crossOnGrid(U, V), dotOnGrid(A, B)));
   }
 #endif
   return std::nullopt;
@@ -322,16 +338,15 @@ std::optional<int> inCircleOnGrid([[maybe_unused]] const Point& a, [[maybe_unuse
 int inCircleUnbounded(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Unit unit{ &a, &b, &c, &d };
-  const WideVector A(unit, d, a);
-  const WideVector B(unit, d, b);
-  const WideVector C(unit, d, c);
-  const auto first = squaredLengthUnbounded(A) * crossUnbounded(B, C);
-  const auto second = squaredLengthUnbounded(B) * crossUnbounded(C, A);
-  const auto third = squaredLengthUnbounded(C) * crossUnbounded(A, B);
-  return (first + second + third).sign();
+  const WideVector A(unit, d, a), B(unit, d, b);
+  const WideVector U(unit, c, a), V(unit, c, b);
+  const auto first = crossUnbounded(A, B) * dotUnbounded(U, V);
+  const auto second = crossUnbounded(U, V) * dotUnbounded(A, B);
+  return (first - second).sign();
 }
 
-// ------------------------------------------------------------------------------------- inConflict
+// -------------------------------------------------------------------------------------
+// inConflict
 
 bool conflictOnCircle(const Point& a, const Point& b, const Point& c, const Point& d)
 {

@@ -10,7 +10,7 @@
 /// the last one always answers. For Predicates.cxx and its tests only.
 ///
 /// - Filter: double arithmetic with an error bound (Filters.h). Nearly all calls end here.
-/// - Grid: the vectors to the last point are multiples of one power of two and fit into 62 bits
+/// - Grid: the vectors to the last point are multiples of one power of two and fit into 61 bits
 ///   then. They become 64-bit integers and the determinant one of 128 or 256 bits. Lattices,
 ///   decimals, map coordinates and float data end here, and neighbours in most other data.
 /// - Unbounded: integers as long as the exponents ask for, up to the whole range of double.
