@@ -109,8 +109,10 @@ def triangulate(source, plugin):
     counting takes time that is not the filter's."""
     import adaptivehilbertdelaunay  # before the filter exists, so that Python knows its class
     from paraview import servermanager, simple
+    from vtkmodules.vtkCommonCore import vtkObject
 
-    simple.LoadPlugin(plugin, remote=False)
+    if not hasattr(simple, "AdaptiveHilbertDelaunay2D"):
+        simple.LoadPlugin(plugin, remote=False)
     proxy = simple.AdaptiveHilbertDelaunay2D(Input=source)
     proxy.UpdatePipeline()
     engine = proxy.GetClientSideObject()
@@ -120,7 +122,9 @@ def triangulate(source, plugin):
         "NumberOfSkippedPoints", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
     surface = servermanager.Fetch(proxy)
     counter = simple.AdaptiveHilbertDelaunay2D(Input=source, CountWork=1)
+    vtkObject.GlobalWarningDisplayOff()  # the first run has said it all
     counter.UpdatePipeline()
+    vtkObject.GlobalWarningDisplayOn()
     measures.update(NP=counter.GetClientSideObject().GetNP(), NR=counter.GetClientSideObject().GetNR())
     simple.Delete(counter)
     return proxy, surface, measures
@@ -152,6 +156,9 @@ def write_picture(surface, points, chosen, path):
     scale = picture.choose_scale(points.xyz, points.names, chosen.exaggeration)
     unit = "" if scale.geographic else " (taking x, y and z to be in one unit)"
     told = "vertical exaggeration %g%s" % (scale.exaggeration, unit)
+    odd = int(numpy.isinf(points.xyz[:, 2]).sum() + numpy.isnan(points.xyz[:, 2]).sum())
+    if odd:
+        told += "; %s points without a finite z drawn at the bottom" % thousands(odd)
     title = (
         os.path.basename(chosen.file),
         "%s points, %s triangles" % (thousands(len(points.xyz)), thousands(surface.GetNumberOfPolys())),

@@ -61,15 +61,15 @@ def choose_scale(xyz, names, exaggeration=None):
 def choose_exaggeration(relief, diagonal):
     if relief == 0 or diagonal == 0 or 0.5 * RELIEF < relief / diagonal < 1.5 * RELIEF:
         return 1.0  # as it is: nothing to bend
-    return round_up_front(RELIEF * diagonal / relief)
+    return two_digits(RELIEF * diagonal / relief)
 
 
 def are_degrees(names):
     return all(plain(name) in DEGREE_NAMES for name in names[:2])
 
 
-def round_up_front(value):
-    """To two digits, and to half ones below ten: 34.2 is 34, 7.36 is 7.5, 0.0123 is 0.012."""
+def two_digits(value):
+    """To two digits, or to halves from 1 to 10: 34.2 is 34, 7.36 is 7.5, 0.0123 is 0.012."""
     if 1 <= value < 10:
         return round(2 * value) / 2
     digits = 1 - math.floor(math.log10(value))
@@ -99,11 +99,24 @@ def smooth_normals(xyz, triangles, factors):
     return normals / numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
 
 
+def finite(xyz, scale):
+    """The points with what cannot be drawn put right: a z that is not finite becomes the lowest;
+    points with such x or y, which are in no triangle, are put upon one that is."""
+    z = xyz[:, 2]
+    z[~numpy.isfinite(z)] = scale.low
+    lost = ~numpy.isfinite(xyz).all(axis=1)
+    xyz[lost] = xyz[numpy.argmin(lost)]
+    return xyz
+
+
 def drawable(surface, scale, z_name):
     """A copy of the surface with what drawing needs: normals, and z as an array to colour by."""
-    xyz = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    xyz = finite(vtk_to_numpy(surface.GetPoints().GetData()).astype(float), scale)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(xyz, deep=1))
     copy = vtkPolyData()
-    copy.CopyStructure(surface)
+    copy.SetPoints(points)
+    copy.SetPolys(surface.GetPolys())
     normals = numpy_to_vtk(smooth_normals(xyz, corner_ids(surface), scale.factors).astype("f4"), deep=1)
     normals.SetName("Normals")
     copy.GetPointData().SetNormals(normals)

@@ -1,0 +1,239 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo in pvbatch: VTK's file formats, what it prints and writes, and the picture.
+
+    pvbatch TestPipeline.py <AdaptiveHilbertDelaunay.so>
+"""
+
+import contextlib
+import io
+import math
+import os
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+sys.path.insert(0, os.path.join(ROOT, "Plugin", "Demo"))
+
+import adaptivehilbertdelaunay  # before the filter exists, so that Python knows its class
+import demo
+import picture
+from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from pointfiles import InputError
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter, vtkUnstructuredGridWriter
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+
+PLUGIN = sys.argv[1]
+
+# Exact in float32, as PLY files are; not so small that text at full precision would be needed.
+POINTS = numpy.array([[0.5, 0.25, 7.0], [10.5, 0.0, -3.5], [0.0, 12.0, 1.0], [9.0, 11.75, 2.0], [4.0, 5.0, 0.125]])
+
+
+def points_of(array):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(array, deep=1))
+    return points
+
+
+def poly_data():
+    data = vtkPolyData()
+    data.SetPoints(points_of(POINTS))
+    triangles = vtkCellArray()
+    for corners in ((0, 1, 4), (2, 0, 4), (3, 2, 4), (1, 3, 4)):
+        triangles.InsertNextCell(3, corners)
+    data.SetPolys(triangles)
+    return data
+
+
+def unstructured_grid():
+    data = vtkUnstructuredGrid()
+    data.SetPoints(points_of(POINTS))
+    data.InsertNextCell(5, 3, (0, 1, 4))
+    return data
+
+
+class InFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def write_text(self, name, text):
+        with open(self.path(name), "w", encoding="utf-8") as file:
+            file.write(text)
+        return self.path(name)
+
+    def run_demo(self, *words):
+        """What the demo prints."""
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            demo.run(demo.parse_arguments(["--plugin", PLUGIN, "--output", self.folder, *words]))
+        return said.getvalue()
+
+    def surface(self, name):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(self.path(name))
+        reader.Update()
+        return reader.GetOutput()
+
+
+class VtkFormats(InFolder):
+    def check(self, name, writer, data):
+        path = self.path(name)
+        writer.SetFileName(path)
+        writer.SetInputData(data)
+        self.assertEqual(writer.Write(), 1)
+        _, found = demo.read_vtk(path)
+        numpy.testing.assert_array_equal(found.xyz, POINTS)
+
+    def test_legacy(self):
+        self.check("poly.vtk", vtkPolyDataWriter(), poly_data())
+        self.check("grid.vtk", vtkUnstructuredGridWriter(), unstructured_grid())
+
+    def test_xml(self):
+        self.check("poly.vtp", vtkXMLPolyDataWriter(), poly_data())
+        self.check("grid.vtu", vtkXMLUnstructuredGridWriter(), unstructured_grid())
+
+    def test_ply(self):
+        self.check("poly.ply", vtkPLYWriter(), poly_data())
+
+    def test_images_have_no_points_of_their_own(self):
+        image = vtkImageData()
+        image.SetDimensions(3, 3, 1)
+        image.AllocateScalars(10, 1)
+        writer = vtkStructuredPointsWriter()
+        writer.SetFileName(self.path("image.vtk"))
+        writer.SetInputData(image)
+        writer.Write()
+        with self.assertRaisesRegex(InputError, "holds vtkImageData; a data set with points of its own is needed"):
+            demo.read_vtk(self.path("image.vtk"))
+
+    def test_a_file_without_points(self):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(self.path("empty.vtp"))
+        writer.SetInputData(vtkPolyData())
+        writer.Write()
+        with self.assertRaisesRegex(InputError, "holds no points"):
+            demo.read_vtk(self.path("empty.vtp"))
+
+
+class WholeRuns(InFolder):
+    def assert_lines(self, said, *lines):
+        found = [" ".join(line.split()) for line in said.splitlines()]
+        for line in lines:
+            self.assertIn(line, found, said)
+
+    def assert_picture(self, name):
+        """1920 × 1080, with the many shades of a lit surface, over a good part of the middle."""
+        reader = vtkPNGReader()
+        reader.SetFileName(self.path(name))
+        reader.Update()
+        self.assertEqual(reader.GetOutput().GetDimensions()[:2], picture.SIZE)
+        pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).reshape(1080, 1920, -1)[..., :3]
+        middle = pixels[200:880, 300:1600].reshape(-1, 3).astype(int)
+        self.assertGreater(len(numpy.unique(middle, axis=0)), 300, "%s: hardly any colours" % name)
+        coloured = numpy.ptp(middle, axis=1) > 30  # the background is all but grey
+        self.assertGreater(coloured.mean(), 0.3, "%s: hardly anything drawn" % name)
+
+    def test_counts(self):
+        rows = "x,y,z\n0,0,0\n4,0,1\n4,4,2\n0,4,3\n4,4,5\nnan,1,1\nbad,1,1\n2,1,4\n"
+        said = self.run_demo(self.write_text("square.csv", rows))
+        self.assert_lines(
+            said, "1 of 8 rows cannot be read and are left out:", "line 8: bad,1,1",
+            "points 7", "unreadable 1 (not among the points)", "triangles 4",
+            "duplicates 1 (same x and y as another point)", "rejected 1 (x or y not finite)")  # fmt: skip
+        self.assertRegex(said, r"NP +(?!0\.00)\d+\.\d\d ")
+        self.assertRegex(said, r"NR +(?!0\.00)\d+\.\d\d ")
+        self.assertRegex(said, r"seconds +\d+\.\d{3} = \d+\.\d{3} sort \+ \d+\.\d{3} insert \+ \d+\.\d{3} output")
+        self.assert_picture("square.png")
+
+    def test_the_sample(self):
+        said = self.run_demo()
+        surface = self.surface("survey.vtp")
+        sample = numpy.loadtxt(os.path.join(ROOT, "Data", "survey.csv"), delimiter=",", skiprows=1)
+        numpy.testing.assert_array_equal(vtk_to_numpy(surface.GetPoints().GetData()), sample)
+        distinct = len(numpy.unique(sample[:, :2], axis=0))
+        self.assert_lines(
+            said, "points {:,}".format(len(sample)), "triangles {:,}".format(surface.GetNumberOfPolys()),
+            "duplicates {:,} (same x and y as another point)".format(len(sample) - distinct),
+            "vertical exaggeration 3")  # fmt: skip
+        # 2 v - 2 - h triangles, and every hull vertex is the end of two boundary edges
+        hull = len(picture.boundary_edges(picture.corner_ids(surface)))
+        self.assertEqual(surface.GetNumberOfPolys(), 2 * distinct - 2 - hull)
+        self.assert_picture("survey.png")
+
+    def test_heights_that_are_not_finite_are_drawn_and_told(self):
+        rows = "".join("%d %d %s\n" % (i % 20, i // 20, "nan" if i == 77 else i % 7) for i in range(400))
+        said = self.run_demo(self.write_text("odd.xyz", rows), "--edges")
+        self.assertIn("1 points without a finite z drawn at the bottom", said)
+        self.assertNotIn("unreadable", said)
+        self.assert_picture("odd.png")
+
+    def test_a_line_has_no_triangle_and_no_picture(self):
+        with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
+            self.run_demo(self.write_text("line.txt", "0 0 1\n1 1 2\n2 2 3\n"))
+        self.assertEqual(self.surface("line.vtp").GetNumberOfPoints(), 3)
+        self.assertFalse(os.path.exists(self.path("line.png")))
+
+
+class Drawing(unittest.TestCase):
+    def test_degrees_beside_metres(self):
+        """One degree square at 60 N, 1000 m deep: 55.6 by 111.2 km. No wall, and true to scale."""
+        corners = numpy.array([[5, 59.5, -1000], [6, 59.5, 0], [6, 60.5, -500], [5, 60.5, -700.0]])
+        scale = picture.choose_scale(corners, ("lon", "lat", "depth"))
+        self.assertTrue(scale.geographic)
+        self.assertAlmostEqual(scale.factors[0], 0.5, places=12)
+        diagonal = math.hypot(*(numpy.ptp(corners[:, axis]) * scale.factors[axis] for axis in range(2)))
+        relief = (scale.high - scale.low) * scale.factors[2]
+        self.assertAlmostEqual(relief / diagonal, picture.RELIEF, delta=0.005)
+        self.assertAlmostEqual(scale.factors[2], scale.exaggeration / 111195.0)
+
+    def test_degrees_are_told_by_names(self):
+        corners = numpy.array([[5, 59.5, 0], [6, 60.5, 9.0]])
+        self.assertFalse(picture.choose_scale(corners, ("x", "y", "z")).geographic)
+        self.assertFalse(picture.choose_scale(corners * 1000, ("lon", "lat", "z")).geographic)
+
+    def test_exaggeration(self):
+        self.assertEqual(picture.choose_exaggeration(110.0, 1000.0), 1.0)
+        self.assertEqual(picture.choose_exaggeration(80.0, 1000.0), 1.0)
+        self.assertEqual(picture.choose_exaggeration(1.0, 1000.0), 110)
+        self.assertEqual(picture.choose_exaggeration(1e4, 1000.0), 0.011)
+        self.assertEqual(picture.choose_exaggeration(0.0, 1000.0), 1.0)
+        self.assertEqual([picture.two_digits(value) for value in (34.2, 7.36, 0.0123, 456.0)], [34, 7.5, 0.012, 460])
+
+    def test_normals_of_a_slope_drawn_steeper(self):
+        """z = x drawn ten times as high: the drawn normal is (-10, 0, 1), turned back for storing."""
+        xyz = numpy.array([[0, 0, 0], [1, 0, 1], [1, 1, 1], [0, 1, 0.0]])
+        stored = picture.smooth_normals(xyz, numpy.array([[0, 1, 2], [0, 2, 3]]), (1.0, 1.0, 10.0))
+        drawn = stored / numpy.array([1.0, 1.0, 10.0])
+        drawn /= numpy.linalg.norm(drawn, axis=1, keepdims=True)
+        numpy.testing.assert_allclose(drawn, [[-10 / 101**0.5, 0, 1 / 101**0.5]] * 4, atol=1e-14)
+
+    def test_the_camera_fits_the_block(self):
+        points = numpy.array([[x, y, z] for x in (0, 7e5) for y in (4e6, 4.1e6) for z in (-3e4, 0)])
+        back = picture.toward(202.0, picture.VIEW_HEIGHT)
+        right = picture.toward(112.0, 0.0)
+        up = numpy.cross(back, right)
+        focus, distance = picture.fit(points, points.mean(axis=0), back, right, up)
+        local = points - focus
+        away = (distance - local @ back) * math.tan(math.radians(picture.VIEW_ANGLE / 2))
+        across, upward = (local @ right) / away, (local @ up) / away
+        self.assertLess(numpy.abs(across).max(), 1920 / 1080)
+        self.assertLess(numpy.abs(upward).max(), 1.0)
+        self.assertTrue(numpy.ptp(across) > 2.5 or numpy.ptp(upward) > 1.5, "the block is drawn too small")
+
+
+if __name__ == "__main__":
+    result = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
+    sys.stdout.flush()
+    sys.stderr.flush()
+    os._exit(0 if result.wasSuccessful() else 1)  # pvbatch does not pass on the code of sys.exit

@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The demo's readers of tables and LAS files: exact coordinates, or the message that is promised."""
+
+import os
+import struct
+import sys
+import tempfile
+import unittest
+
+import numpy
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "Demo"))
+
+from pointfiles import LAS_RECORD, InputError, read_points
+
+POINTS = [[637177.98, 849393.95, 411.19], [-0.1, 1e-300, 3.0], [1e300, -2.5, 0.0]]
+
+
+class FileTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def write(self, content, name="points.csv"):
+        path = os.path.join(self.folder.name, name)
+        with open(path, "wb") as file:
+            file.write(content if isinstance(content, bytes) else content.encode("utf-8"))
+        return path
+
+    def read(self, content, *columns, name="points.csv"):
+        return read_points(self.write(content, name), tuple(columns) + (None,) * (3 - len(columns)))
+
+    def assert_points(self, found, expected):
+        numpy.testing.assert_array_equal(found.xyz, numpy.array(expected, dtype=float))
+        self.assertEqual(found.xyz.dtype, numpy.float64)
+
+    def assert_refused(self, words, content, *columns, name="points.csv"):
+        with self.assertRaises(InputError) as caught:
+            self.read(content, *columns, name=name)
+        self.assertIn(words, str(caught.exception))
+
+
+class Delimiters(FileTest):
+    def check(self, delimiter, header=""):
+        rows = "\n".join(delimiter.join(repr(value) for value in point) for point in POINTS)
+        found = self.read(header + rows + "\n")
+        self.assert_points(found, POINTS)
+        self.assertEqual(found.bad_rows, 0)
+
+    def test_each_with_and_without_header(self):
+        for delimiter in (",", ", ", ";", "\t", " ", "   "):
+            for header in ("", delimiter.join("xyz") + "\n"):
+                with self.subTest(delimiter=delimiter, header=header):
+                    self.check(delimiter, header)
+
+    def test_line_ends_and_byte_order_marks(self):
+        self.assert_points(self.read(b"\xef\xbb\xbfx,y,z\r\n1,2,3\r\n4,5,6"), [[1, 2, 3], [4, 5, 6]])
+        self.assert_points(self.read("x;y;z\n1;2;3\n".encode("utf-16")), [[1, 2, 3]])
+
+    def test_decimal_commas(self):
+        for text in ("1,5;2,25;-3\n4;5,5;6\n", "1,5 2,25 -3,0\n4,0 5,5 6,0\n", "1,5\t2,25\t-3\n4\t5,5\t6\n"):
+            with self.subTest(text=text):
+                self.assert_points(self.read(text), [[1.5, 2.25, -3], [4, 5.5, 6]])
+
+    def test_quotes(self):
+        self.assert_points(self.read('"x","y","z"\n"1","2.5","3"\n"4","5","6"\n'), [[1, 2.5, 3], [4, 5, 6]])
+
+    def test_comments(self):
+        text = "# made by hand\n% and\n// by\n> foot\n\n1 2 3 # the first\n! more\n4 5 6\n"
+        self.assert_points(self.read(text, name="points.xyz"), [[1, 2, 3], [4, 5, 6]])
+
+    def test_names_in_a_comment(self):
+        found = self.read("# lat lon depth\n1 2 3\n4 5 6\n", name="points.txt")
+        self.assert_points(found, [[2, 1, 3], [5, 4, 6]])
+        self.assertEqual(found.names, ("lon", "lat", "depth"))
+
+
+class Columns(FileTest):
+    TEXT = "id;name;Northing [m];Easting (m);Depth (m);quality\n1;a;20;10;-5;0.5\n2;b;21;11;-6;0.7\n"
+
+    def test_guessed_by_name(self):
+        found = self.read(self.TEXT)
+        self.assert_points(found, [[10, 20, -5], [11, 21, -6]])
+        self.assertEqual(found.names[2], "Depth (m)")
+
+    def test_chosen_by_name_in_any_case_and_by_number(self):
+        expected = [[20, 10, 0.5], [21, 11, 0.7]]
+        self.assert_points(self.read(self.TEXT, "northing", "Easting (m)", "quality"), expected)
+        self.assert_points(self.read(self.TEXT, "3", "4", "6"), expected)
+
+    def test_without_names_the_first_columns_of_numbers(self):
+        found = self.read("a,1,2,3,9\nb,4,5,6,9\n")
+        self.assert_points(found, [[1, 2, 3], [4, 5, 6]])
+        self.assertIn("5 columns without names; choose others with --columns X,Y,Z", found.notes)
+
+    def test_two_columns_are_flat_and_it_is_said(self):
+        found = self.read("lon,lat\n1,2\n3,4\n")
+        self.assert_points(found, [[1, 2, 0], [3, 4, 0]])
+        self.assertFalse(found.has_z)
+        self.assertIn("no third column of numbers: z is 0 everywhere", found.notes)
+
+    def test_z_none(self):
+        self.assert_points(self.read("1,2,3\n4,5,6\n", "1", "2", "none"), [[1, 2, 0], [4, 5, 0]])
+
+    def test_a_guess_against_the_names_is_said(self):
+        found = self.read("lon,lat,flux\n1,2,3\n")
+        self.assert_points(found, [[1, 2, 3]])
+        self.assertIn("no column is called z or depth or elevation: took flux", found.notes)
+
+    def test_unknown_names_and_numbers(self):
+        self.assert_refused('no column "height" for z; this file has x, y, z', "x,y,z\n1,2,3\n", None, None, "height")
+        self.assert_refused('no column "4" for x; this file has numbers 1 to 3', "1,2,3\n", "4")
+        self.assert_refused('no column "0" for x', "1,2,3\n", "0")
+
+
+class BadRows(FileTest):
+    def test_counted_and_shown(self):
+        text = "x,y,z\n1,2,3\n4,five,6\n7,8\n,,\n9,10,11\nnan,1,2\n1_0,2,3\n"
+        found = self.read(text)
+        self.assertEqual(found.bad_rows, 4)
+        self.assertEqual(found.xyz.shape, (3, 3))
+        numpy.testing.assert_array_equal(found.xyz[:2], [[1, 2, 3], [9, 10, 11]])
+        self.assertTrue(numpy.isnan(found.xyz[2, 0]), "nan is a number; the filter rejects it, not the reader")
+        self.assertIn("4 of 7 rows cannot be read and are left out:", found.notes)
+        self.assertIn("  line 3: 4,five,6", found.notes)
+
+    def test_same_numbers_with_and_without_a_bad_row(self):
+        """The fast way of reading and the careful one round alike."""
+        rows = ["%r %r %r" % (x / 7, x / 11, 10.0 ** (x - 300)) for x in range(600)]
+        fast = self.read("\n".join(rows))
+        careful = self.read("\n".join(rows + ["a b c"]))
+        self.assertEqual((fast.bad_rows, careful.bad_rows), (0, 1))
+        self.assert_points(careful, fast.xyz)
+
+    def test_a_missing_field_behind_a_tab_is_a_bad_row(self):
+        found = self.read("1\t2\t3\n4\t5\t\n6\t7\t8\n")
+        self.assertEqual(found.bad_rows, 1)
+        self.assert_points(found, [[1, 2, 3], [6, 7, 8]])
+
+    def test_files_that_cannot_be_used(self):
+        self.assert_refused("holds no data", "")
+        self.assert_refused("holds no data", "# nothing\n\n")
+        self.assert_refused("holds a header and no data", "x,y,z\n")
+        self.assert_refused("fewer than two columns", "1\n2\n3\n")
+        self.assert_refused("none of its 2 rows has numbers in x = 1, y = 2, z = 3", "a,b,c\nd,e,f\n", "1", "2", "3")
+        self.assert_refused("is not a text file", b"\x89PNG\r\n\0\0\0")
+
+
+def las(point_format=0, version=(1, 2), count=None, extra=0, points=POINTS, legacy=True):
+    """A LAS file of integer coordinates 0.01 apart: the header fields the reader uses, and points."""
+    header_size = {0: 227, 1: 227, 2: 227, 3: 235, 4: 375}[version[1]]
+    start = header_size + 54  # as if a variable length record lay between
+    length = LAS_RECORD[point_format & 0x3F] + extra
+    header = bytearray(start)
+    header[:4] = b"LASF"
+    struct.pack_into("<BB", header, 24, *version)
+    struct.pack_into("<HI", header, 94, header_size, start)
+    count = len(points) if count is None else count
+    struct.pack_into("<BHI", header, 104, point_format, length, count if legacy else 0)
+    struct.pack_into("<6d", header, 131, 0.01, 0.01, 0.001, 1000.0, -500.0, 0.25)
+    if version[1] >= 4:
+        struct.pack_into("<Q", header, 247, count)
+    records = b"".join(struct.pack("<3i", *point) + b"\xaa" * (length - 12) for point in points)
+    return bytes(header) + records
+
+
+class Las(FileTest):
+    INTEGERS = [[0, 0, 0], [63717798, -84939395, 411190], [-(2**31), 2**31 - 1, 7]]
+
+    def expected(self):
+        return numpy.array(self.INTEGERS) * numpy.array([0.01, 0.01, 0.001]) + numpy.array([1000.0, -500.0, 0.25])
+
+    def test_every_version_and_format(self):
+        for minor in range(5):
+            for point_format in range(11):
+                for extra in (0, 5):
+                    with self.subTest(minor=minor, point_format=point_format, extra=extra):
+                        data = las(point_format, (1, minor), extra=extra, points=self.INTEGERS)
+                        found = self.read(data, name="points.las")
+                        self.assert_points(found, self.expected())
+                        self.assertEqual(found.bad_rows, 0)
+
+    def test_14_counts_beyond_the_old_field(self):
+        data = las(6, (1, 4), points=self.INTEGERS, legacy=False)
+        self.assert_points(self.read(data, name="points.las"), self.expected())
+
+    def test_a_file_that_ends_early_is_read_as_far_as_it_goes_and_that_is_said(self):
+        found = self.read(las(count=10, points=self.INTEGERS) + b"\1" * 7, name="points.las")
+        self.assert_points(found, self.expected())
+        self.assertEqual(found.bad_rows, 7)
+        self.assertIn("the file ends early: 7 points its header promises are missing", found.notes)
+
+    def test_files_that_cannot_be_used(self):
+        good = las(points=self.INTEGERS)
+        self.assert_refused("is compressed (LAZ)", las(3 | 0x80, points=self.INTEGERS), name="points.las")
+        self.assert_refused("is compressed (LAZ)", good, name="points.laz")
+        self.assert_refused("does not begin with LASF", b"LASS" + good[4:], name="points.las")
+        self.assert_refused("does not begin with LASF", b"", name="points.las")
+        self.assert_refused("LAS 2.0 with point format 0", good[:24] + b"\2\0" + good[26:], name="points.las")
+        self.assert_refused("with point format 11", good[:104] + b"\x0b" + good[105:], name="points.las")
+        self.assert_refused("records have 5 bytes, point format 0 needs 20", good[:105] + b"\5\0" + good[107:], name="points.las")
+        self.assert_refused("holds no points", las(points=[]), name="points.las")
+        self.assert_refused("columns are for tables", good, "1", "2", name="points.las")
+
+
+if __name__ == "__main__":
+    unittest.main()
