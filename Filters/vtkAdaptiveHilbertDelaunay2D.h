@@ -47,8 +47,10 @@
  * because there are fewer than three distinct points or all are collinear; several MPI ranks
  * (once in the filter's life, from rank 0), since each rank then triangulates its own points only.
  * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
- * nothing is said. Errors, with an empty output: too many points, or not enough memory. An aborted
- * execution leaves an empty output and no error.
+ * nothing is said. Errors, with an empty output: too many points, or not enough memory; the request
+ * then fails, which VTK's pipeline reports as well. An aborted execution (SetAbortExecute from a
+ * progress observer) leaves an empty output and no error; to run again, call SetAbortExecute(0) and
+ * Modified().
  *
  * <b>Compared with vtkDelaunay2D.</b> vtkDelaunay2D drops points closer to others than a Tolerance
  * and decides with rounded arithmetic, so its result may depend on the order of the points and may

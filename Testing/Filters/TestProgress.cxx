@@ -18,16 +18,21 @@ public:
   void Execute(vtkObject* caller, unsigned long, void* amount) override
   {
     this->Seen.push_back(*static_cast<double*>(amount));
-    if (this->Seen.back() >= this->AbortAt)
+    if (this->Aborted)
+    {
+      ++this->SeenAfterAbort;
+    }
+    else if (this->Seen.back() >= this->AbortAt)
     {
       static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      ++this->Aborts;
+      this->Aborted = true;
     }
   }
 
   std::vector<double> Seen;
   double AbortAt = 2.0;
-  int Aborts = 0;
+  bool Aborted = false;
+  int SeenAfterAbort = 0;
 };
 
 constexpr std::size_t kCount = 100000;
@@ -66,8 +71,9 @@ TEST(Progress, AbortAnywhereLeavesAnEmptyOutputAndAReusableFilter)
     watch->AbortAt = at;
     filter->AddObserver(vtkCommand::ProgressEvent, watch);
     filter->Update();
-    EXPECT_EQ(watch->Aborts, 1) << "work went on after the abort at " << at;
-    EXPECT_LT(watch->Seen.back(), 1.0) << "aborted at " << at;
+    ASSERT_TRUE(watch->Aborted) << "no progress of " << at << " was ever reported";
+    // The pipeline may say once, with 1, that it is done with the filter.
+    EXPECT_LE(watch->SeenAfterAbort, 1) << "work went on after the abort at " << at;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "aborted at " << at;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << "aborted at " << at;
     EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << "aborted at " << at;
@@ -75,9 +81,9 @@ TEST(Progress, AbortAnywhereLeavesAnEmptyOutputAndAReusableFilter)
     EXPECT_TRUE(filter.Said->Warnings.empty()) << filter.Said->Warnings[0];
 
     watch->AbortAt = 2.0;
-    filter->SetAbortExecute(0);
+    filter->SetAbortExecute(0); // VTK 9.1 does this by itself, later VTK leaves it to the user
     filter->Modified();
     filter->Update();
-    EXPECT_EQ(trianglesOf(filter->GetOutput()), expected) << "after an abort at " << at;
+    EXPECT_TRUE(trianglesOf(filter->GetOutput()) == expected) << "after an abort at " << at;
   }
 }
