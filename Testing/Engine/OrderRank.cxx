@@ -1,0 +1,442 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The canonical rank: quantisation, order, duplicates, and that it depends on the point set alone.
+#include "Distributions.h"
+#include "EngineRun.h"
+#include "Order/HilbertCurve.h"
+#include "Order/Quantise.h"
+#include "Order/Rank.h"
+#include "PaperOrder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+constexpr double kLargest = std::numeric_limits<double>::max();
+constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+RankedPoints ranked(const PointView& view)
+{
+  RankedPoints result;
+  EXPECT_EQ(readPoints(view, nullptr, result), Status::Ok);
+  Ticker ticker(nullptr, Phase::Sort, view.count);
+  EXPECT_EQ(rankPoints(view, ticker, result), Status::Ok);
+  return result;
+}
+
+RankedPoints ranked(const std::vector<Point>& points)
+{
+  return ranked(viewOf(points));
+}
+
+std::vector<Index> idsOf(const RankedPoints& points)
+{
+  return std::vector<Index>(points.id.data(), points.id.data() + points.count);
+}
+
+/// What is wrong with a RankedPoints, by its own contract and a map of places; empty if nothing.
+std::string faultsOfRank(const std::vector<Point>& points, const RankedPoints& sorted)
+{
+  std::map<std::pair<double, double>, Index> kept; // -0.0 and +0.0 are equal as map keys, too
+  std::map<Index, Index> duplicates;
+  for (Index id = 0; id < points.size(); ++id)
+  {
+    const auto place = kept.insert({ { points[id].x, points[id].y }, id });
+    if (!place.second)
+    {
+      duplicates[id] = place.first->second;
+    }
+  }
+  if (sorted.count != kept.size() || sorted.duplicates.size() != duplicates.size())
+  {
+    return std::to_string(sorted.count) + " points and " +
+      std::to_string(sorted.duplicates.size()) + " duplicates instead of " +
+      std::to_string(kept.size()) + " and " + std::to_string(duplicates.size());
+  }
+  for (const Duplicate& d : sorted.duplicates)
+  {
+    const auto known = duplicates.find(d.id);
+    if (known == duplicates.end() || known->second != d.keptId)
+    {
+      return "point " + std::to_string(d.id) + " is no duplicate of " + std::to_string(d.keptId);
+    }
+    duplicates.erase(known);
+  }
+  const Grid grid(sorted.bounds);
+  for (Index r = 0; r < sorted.count; ++r)
+  {
+    const Point& p = sorted.xy[r];
+    const auto place = kept.find({ p.x, p.y });
+    const std::string at = "rank " + std::to_string(r);
+    if (place == kept.end() || place->second != sorted.id[r])
+    {
+      return at + ": wrong id " + std::to_string(sorted.id[r]);
+    }
+    if (sorted.key[r] != hilbertKey(grid.column(p.x), grid.row(p.y)))
+    {
+      return at + ": wrong key";
+    }
+    if (r > 0 && sorted.key[r] < sorted.key[r - 1])
+    {
+      return at + ": key descends";
+    }
+    kept.erase(place); // a second rank for this place would not find it
+  }
+  const Point& infinite = sorted.xy[sorted.count];
+  return std::isnan(infinite.x) && std::isnan(infinite.y) ? "" : "no vertex at infinity";
+}
+
+std::string nameOfParam(const ::testing::TestParamInfo<Distribution>& info)
+{
+  return nameOf(info.param);
+}
+
+class Rank : public ::testing::TestWithParam<Distribution>
+{
+protected:
+  static std::size_t size(std::size_t usual)
+  {
+    return GetParam() == Distribution::AnyFinite ? usual / 10 : usual;
+  }
+};
+
+TEST_P(Rank, IsTheDefinitions)
+{
+  for (const std::size_t n : { 2, 3, 17, 300, 3000 })
+  {
+    const std::vector<Point> points = makePoints(GetParam(), size(n) + 1, n);
+    EXPECT_EQ(idsOf(ranked(points)), rankByDefinition(points)) << n << " points";
+  }
+}
+
+TEST_P(Rank, ManyPointsAreCompleteAndSorted)
+{
+#ifdef AHD_REDUCED_TESTS
+  const std::size_t n = 20000;
+#else
+  const std::size_t n = 150000;
+#endif
+  const std::vector<Point> points = makePoints(GetParam(), n, 21);
+  EXPECT_EQ(faultsOfRank(points, ranked(points)), "");
+}
+
+TEST_P(Rank, DoesNotDependOnTheOrderOfTheInput)
+{
+  const std::vector<Point> points = makePoints(GetParam(), size(20000), 22);
+  std::vector<Point> shuffled = points;
+  Random random(23);
+  for (std::size_t i = shuffled.size(); i > 1; --i)
+  {
+    std::swap(shuffled[i - 1], shuffled[random.below(i)]);
+  }
+  const RankedPoints a = ranked(points);
+  const RankedPoints b = ranked(shuffled);
+  ASSERT_EQ(a.count, b.count);
+  for (Index r = 0; r < a.count; ++r)
+  {
+    ASSERT_TRUE(a.xy[r] == b.xy[r]) << "rank " << r;
+  }
+}
+
+/// All coordinates times 2^e; empty if that is not exact.
+std::vector<Point> scaled(const std::vector<Point>& points, int e)
+{
+  std::vector<Point> result;
+  for (const Point& p : points)
+  {
+    const Point q{ std::ldexp(p.x, e), std::ldexp(p.y, e) };
+    if (!isFinite(q) || std::ldexp(q.x, -e) != p.x || std::ldexp(q.y, -e) != p.y)
+    {
+      return {};
+    }
+    result.push_back(q);
+  }
+  return result;
+}
+
+TEST_P(Rank, DoesNotDependOnTheUnitOfLength)
+{
+  const std::vector<Point> points = makePoints(GetParam(), size(3000), 24);
+  const std::vector<Index> expected = idsOf(ranked(points));
+  std::size_t tried = 0;
+  for (const int e : { -2000, -1000, -950, -900, -500, -1, 1, 26, 27, 500, 900, 1000, 2000 })
+  {
+    const std::vector<Point> other = scaled(points, e);
+    tried += other.empty() ? 0 : 1;
+    if (!other.empty())
+    {
+      EXPECT_EQ(idsOf(ranked(other)), expected) << "times 2^" << e;
+    }
+  }
+  EXPECT_TRUE(
+    tried > 0 || GetParam() == Distribution::AnyFinite || GetParam() == Distribution::TinyAndHuge)
+    << "no scaling was exact";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Rank, ::testing::ValuesIn(allDistributions()), nameOfParam);
+
+TEST(Crowd, SharesAKeyUpToSixteenDistinctPointsAndMore)
+{
+  // Distinct points in one box of the finest grid, each drawn several times, between two corners.
+  for (const std::size_t distinct : { 2, 15, 16, 17, 18, 100, 2000 })
+  {
+    for (const std::size_t draws : { 1, 3, 50 })
+    {
+      Random random(distinct * 100 + draws);
+      const std::vector<Point> places = makePoints(Distribution::Uniform, distinct, 31);
+      std::vector<Point> points{ { 0.0, 0.0 }, { 1.0, 1.0 } };
+      for (std::size_t i = 0; i < distinct * draws; ++i)
+      {
+        const Point& q = places[i % distinct];
+        points.push_back({ 0.25 + q.x * 0x1p-40, 0.75 + q.y * 0x1p-40 });
+      }
+      for (std::size_t i = points.size(); i > 1; --i)
+      {
+        std::swap(points[i - 1], points[random.below(i)]);
+      }
+      const RankedPoints sorted = ranked(points);
+      SCOPED_TRACE(std::to_string(distinct) + " places, " + std::to_string(draws) + " draws");
+      EXPECT_EQ(faultsOfRank(points, sorted), "");
+      EXPECT_EQ(idsOf(sorted), rankByDefinition(points));
+    }
+  }
+}
+
+TEST(Crowd, WithinCrowds)
+{
+  // Each level 2^-40 as wide as the one above: far below the finest grid every time.
+  std::vector<Point> points;
+  double width = 1.0;
+  for (int level = 0; level < 20; ++level, width *= 0x1p-40)
+  {
+    for (const Point& q : makePoints(Distribution::Uniform, 100, std::uint64_t(level)))
+    {
+      points.push_back({ q.x * width, q.y * width });
+    }
+  }
+  const RankedPoints sorted = ranked(points);
+  EXPECT_EQ(faultsOfRank(points, sorted), "");
+  EXPECT_EQ(idsOf(sorted), rankByDefinition(points));
+}
+
+TEST(Read, CountsWhatIsLeftOut)
+{
+  std::vector<Point> points = makePoints(Distribution::Uniform, 30000, 41);
+  std::vector<unsigned char> skip(points.size(), 0);
+  std::size_t notFinite = 0, skipped = 0;
+  for (std::size_t i = 0; i < points.size(); i += 7)
+  {
+    const double bad = i % 3 == 0 ? kNaN : i % 3 == 1 ? kInfinity : -kInfinity;
+    (i % 2 == 0 ? points[i].x : points[i].y) = bad;
+    skip[i] = i % 5 == 0 ? 6 : 8; // 8 is not in the mask
+    (i % 5 == 0 ? skipped : notFinite) += 1;
+  }
+  points[10].x = 1000.0; // a skipped point does not widen the bounds
+  skip[10] = 2;
+  ++skipped;
+  PointView view = viewOf(points);
+  view.skip = skip.data();
+  view.skipMask = 2;
+  const RankedPoints sorted = ranked(view);
+  EXPECT_EQ(sorted.notFinite, notFinite);
+  EXPECT_EQ(sorted.skipped, skipped);
+  EXPECT_EQ(sorted.count, points.size() - notFinite - skipped);
+  EXPECT_LT(sorted.bounds.xmax, 1.0);
+  std::set<Index> seen(sorted.id.data(), sorted.id.data() + sorted.count);
+  EXPECT_EQ(seen.size(), sorted.count);
+  for (const Index id : seen)
+  {
+    EXPECT_TRUE(isFinite(points[id]) && (skip[id] & 2) == 0) << "point " << id;
+  }
+}
+
+TEST(Read, NothingButBadPoints)
+{
+  const std::vector<Point> points(5000, Point{ kNaN, 1.0 });
+  const RankedPoints sorted = ranked(points);
+  EXPECT_EQ(sorted.count, 0u);
+  EXPECT_EQ(sorted.notFinite, points.size());
+  EXPECT_TRUE(std::isnan(sorted.xy[0].x));
+}
+
+TEST(Read, NoPoints)
+{
+  const RankedPoints sorted = ranked(std::vector<Point>());
+  EXPECT_EQ(sorted.count, 0u);
+  EXPECT_GT(sorted.bounds.xmin, sorted.bounds.xmax);
+}
+
+TEST(Read, BoundsAreTheExtremes)
+{
+  const std::vector<Point> points = makePoints(Distribution::AnyFinite, 10000, 42);
+  Bounds b{ kInfinity, -kInfinity, kInfinity, -kInfinity };
+  for (const Point& p : points)
+  {
+    b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
+      std::max(b.ymax, p.y) };
+  }
+  const Bounds found = ranked(points).bounds;
+  EXPECT_EQ(found.xmin, b.xmin);
+  EXPECT_EQ(found.xmax, b.xmax);
+  EXPECT_EQ(found.ymin, b.ymin);
+  EXPECT_EQ(found.ymax, b.ymax);
+}
+
+TEST(Read, FloatsAndStridesGiveWhatDoublesGive)
+{
+  std::vector<float> floats;
+  std::vector<double> doubles;
+  std::vector<Point> points;
+  for (const Point& p : makePoints(Distribution::Uniform, 5000, 43))
+  {
+    const float x = float(p.x), y = float(p.y);
+    floats.insert(floats.end(), { x, y, float(kNaN) });
+    doubles.insert(doubles.end(), { x, y, kNaN });
+    points.push_back({ x, y });
+  }
+  const std::vector<Index> expected = idsOf(ranked(points));
+  EXPECT_EQ(idsOf(ranked(PointView(floats.data(), points.size(), 3))), expected);
+  EXPECT_EQ(idsOf(ranked(PointView(doubles.data(), points.size(), 3))), expected);
+}
+
+TEST(Duplicates, BothZerosAreOnePlace)
+{
+  const std::vector<Point> points{ { 1.0, 1.0 }, { -0.0, 0.0 }, { 0.0, -0.0 }, { -0.0, 2.0 },
+    { 0.0, 2.0 }, { 0.0, 0.0 } };
+  const RankedPoints sorted = ranked(points);
+  EXPECT_EQ(faultsOfRank(points, sorted), "");
+  EXPECT_EQ(sorted.count, 3u);
+}
+
+struct Interval
+{
+  double low, high;
+};
+
+std::vector<Interval> intervals()
+{
+  return { { 0.0, 1.0 }, { -1.0, 1.0 }, { 1.0, std::nextafter(1.0, 2.0) }, { 0.0, kSubnormal },
+    { -kSubnormal, kSubnormal }, { -kSubnormal, 5 * kSubnormal }, { 0.0, 1e-310 },
+    { 1e-300, 2e-300 }, { 1e300, std::nextafter(1e300, kLargest) }, { 1e300, 2e300 },
+    { -kLargest, kLargest }, { 0.0, kLargest }, { -1.0, kLargest }, { -kLargest, -kSubnormal },
+    { -kLargest / 2, kLargest / 2 }, { -0x1p969, kLargest }, { -1e300, 1e-300 }, { 5e5, 5.02e5 },
+    { 0x1p-900, 0x1p-899 }, { 0.0, 0x1p-900 }, { 0.0, std::nextafter(0x1p-900, 0.0) },
+    { 0.1, 0.3 } };
+}
+
+/// Values of the interval, ascending: its ends, their neighbours, and some between.
+std::vector<double> valuesOf(const Interval& i)
+{
+  std::vector<double> values{ i.low, i.high };
+  double up = i.low, down = i.high;
+  for (int k = 0; k < 40; ++k)
+  {
+    up = std::nextafter(up, i.high);
+    down = std::nextafter(down, i.low);
+    values.insert(values.end(), { up, down });
+  }
+  Random random(51);
+  for (int k = 0; k < 3000; ++k)
+  {
+    const double u = random.unit();
+    values.push_back(i.low * (1.0 - u) + i.high * u);
+    values.push_back(i.low + std::ldexp(i.high / 2 - i.low / 2, -int(random.below(1200))));
+    values.push_back(std::ldexp(u - 0.5, -int(random.below(1074))));
+  }
+  for (double& v : values)
+  {
+    v = std::min(std::max(v, i.low), i.high);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+TEST(Quantiser, IsMonotoneAndMeetsTheEnds)
+{
+  for (const Interval& i : intervals())
+  {
+    const Quantiser quantiser(i.low, i.high);
+    EXPECT_EQ(quantiser(i.low), 0u) << i.low << " .. " << i.high;
+    EXPECT_GE(quantiser(i.high), 0xFFFFFFFEu) << i.low << " .. " << i.high;
+    std::uint32_t last = 0;
+    for (const double v : valuesOf(i))
+    {
+      const std::uint32_t q = quantiser(v);
+      ASSERT_LE(last, q) << v << " in " << i.low << " .. " << i.high;
+      last = q;
+    }
+  }
+}
+
+TEST(Quantiser, IsEvenUpToRounding)
+{
+  if (std::numeric_limits<long double>::max_exponent == std::numeric_limits<double>::max_exponent)
+  {
+    GTEST_SKIP() << "long double has no larger range here";
+  }
+  for (const Interval& i : intervals())
+  {
+    const long double span = (long double)i.high - (long double)i.low;
+    const Quantiser quantiser(i.low, i.high);
+    for (const double v : valuesOf(i))
+    {
+      // A subnormal or overflowing span is no problem here.
+      const long double t = ((long double)v - (long double)i.low) / span * 4294967295.0L;
+      ASSERT_NEAR(double(quantiser(v)), double(t), 1.001)
+        << v << " in " << i.low << " .. " << i.high;
+    }
+  }
+}
+
+TEST(Quantiser, ScalesByPowersOfTwo)
+{
+  for (const Interval& i : intervals())
+  {
+    const Quantiser quantiser(i.low, i.high);
+    for (const int e : { -1800, -950, -60, -2, -1, 1, 2, 60, 950, 1800 })
+    {
+      const double low = std::ldexp(i.low, e), high = std::ldexp(i.high, e);
+      if (!std::isfinite(low) || !std::isfinite(high) || std::ldexp(low, -e) != i.low ||
+        std::ldexp(high, -e) != i.high)
+      {
+        continue;
+      }
+      const Quantiser other(low, high);
+      for (const double v : valuesOf(i))
+      {
+        const double w = std::ldexp(v, e);
+        if (std::ldexp(w, -e) == v)
+        {
+          ASSERT_EQ(other(w), quantiser(v))
+            << v << " in " << i.low << " .. " << i.high << " times 2^" << e;
+        }
+      }
+    }
+  }
+}
+
+TEST(Quantiser, NoSpanIsZero)
+{
+  for (const double v : { 0.0, -0.0, 1.0, kLargest, -kLargest, kSubnormal, 1e300 })
+  {
+    EXPECT_EQ(Quantiser(v, v)(v), 0u) << v;
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
