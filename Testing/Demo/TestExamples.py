@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples of Plugin/Examples, run as their README says.
+
+    python3 TestExamples.py <build folder> <plugin> <cmake> <generator> <compiler>
+"""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+EXAMPLES = os.path.join(ROOT, "Plugin", "Examples")
+SAMPLE = os.path.join(ROOT, "Data", "survey.csv")
+BUILD, PLUGIN, CMAKE, GENERATOR, COMPILER = sys.argv[1:6]
+del sys.argv[1:6]
+
+
+def hull_size(places):
+    """How many points lie on the boundary of the convex hull, those on its edges included. Exact for
+    integers."""
+
+    def half(ordered):
+        chain = []
+        for x, y in ordered:
+            while len(chain) > 1:
+                (ax, ay), (bx, by) = chain[-2:]
+                if (bx - ax) * (y - ay) - (by - ay) * (x - ax) >= 0:
+                    break
+                chain.pop()
+            chain.append((x, y))
+        return chain
+
+    ordered = sorted(places)
+    return len(set(half(ordered) + half(ordered[::-1])))
+
+
+class Examples(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def run_example(self, *command):
+        done = subprocess.run(
+            command, cwd=self.folder, text=True, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)  # fmt: skip
+        self.assertEqual(done.returncode, 0, done.stdout)
+        self.assertNotIn("Traceback", done.stdout)
+        return done.stdout
+
+    def test_surface(self):
+        with open(SAMPLE, encoding="ascii") as file:
+            rows = [line.split(",") for line in file.read().splitlines()[1:]]
+        # degrees to five places: as integers, exact
+        places = {tuple(int(field.replace(".", "")) for field in row[:2]) for row in rows}
+        said = self.run_example("pvpython", os.path.join(EXAMPLES, "surface.py"), PLUGIN, SAMPLE, "survey.png")
+        self.assertIn("NumberOfTriangles %d\n" % (2 * len(places) - 2 - hull_size(places)), said)
+        self.assertIn("NumberOfDuplicates %d\n" % (len(rows) - len(places)), said)
+        self.assertIn("NumberOfRejectedPoints 0\n", said)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "survey.png")), 20000)
+
+    def test_orders(self):
+        said = self.run_example("pvbatch", os.path.join(EXAMPLES, "orders.py"), PLUGIN, "20000")
+        rows = re.findall(r"^([a-z].*?) +(\d+\.\d\d) +(\d+\.\d\d) +\d+\.\d{4} +\d+\.\d{4}$", said, re.MULTILINE)
+        self.assertEqual(len(rows), 5, said)
+        removed = {label: float(nr) for label, _, nr in rows}
+        # any triangulation of a point's surroundings loses at least one triangle to it
+        self.assertTrue(all(nr > 1.0 for nr in removed.values()), said)
+        self.assertLess(removed["adaptive Hilbert, rounds of control points"], removed["adaptive Hilbert, no control points"])
+
+    def test_pipeline(self):
+        said = self.run_example(sys.executable, os.path.join(EXAMPLES, "pipeline.py"), "hill.vtp")
+        self.assertRegex(said, r"\d+ triangles on 9998 points")
+        self.assertIn("point 77 is 7 again; point 99 is rejected", said)
+        self.assertIn("every triangle counterclockwise: True", said)
+        # the integral of exp(-3 r²) over the square; the hull of the points misses a little of its rim
+        hill = math.pi / 3 * math.erf(math.sqrt(3)) ** 2
+        volume = float(re.search(r"volume below the surface: ([\d.]+)", said).group(1))
+        self.assertAlmostEqual(volume, hill, delta=0.01)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "hill.vtp")), 10000)
+
+    def test_cxx(self):
+        self.run_example(
+            CMAKE, "-S", os.path.join(EXAMPLES, "cxx"), "-B", "example", "-G", GENERATOR,
+            "-DCMAKE_PREFIX_PATH=" + BUILD, "-DCMAKE_CXX_COMPILER=" + COMPILER)  # fmt: skip
+        self.run_example(CMAKE, "--build", "example")
+        program = os.path.join(self.folder, "example", "triangulate_xyz")
+        with open(os.path.join(self.folder, "points.xyz"), "w", encoding="ascii") as file:
+            file.write("0 0 1\n1 0 2\n1 1 3\n0 1 4\n0.5 0.5 5\n1 0 6\n")
+        said = self.run_example(program, "points.xyz", "surface.vtp")
+        self.assertIn("6 points, 1 duplicates, 4 triangles in ", said)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "surface.vtp")))
+
+
+if __name__ == "__main__":
+    unittest.main()
