@@ -1,0 +1,45 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The client of RunClientServer.py: the data and the filter are on the server.
+
+    ClientScript.py PORT RANKS
+"""
+
+import paraview.simple
+from paraview.simple import *
+
+from pluginsupport import *
+
+PORT, RANKS = int(sys.argv[1]), int(sys.argv[2])
+
+
+def load_plugin():
+    """Loads the plugin on both sides, unless the environment did; returns the filter's constructor."""
+    names = vars(paraview.simple)
+    if "PV_PLUGIN_CONFIG_FILE" not in os.environ:
+        LoadPlugin(PLUGIN, remote=True, ns=names)
+        LoadPlugin(PLUGIN, remote=False, ns=names)
+    check("AdaptiveHilbertDelaunay2D" in names, "the plugin is not loaded on client and server")
+    return names["AdaptiveHilbertDelaunay2D"]
+
+
+def check_measures(surface):
+    found = measures(surface)
+    check_equal(found["NumberOfPointsInserted"], 393, "points inserted on the server")
+    check_equal(found["NumberOfDuplicates"], 7, "duplicates found on the server")
+    check(found["NP"] >= 1.0, "NP from the server is %r" % found["NP"])
+
+
+Connect("localhost", PORT)
+constructor = load_plugin()
+# Without pieces in the file, the first rank reads all of it.
+reader = XMLPolyDataReader(FileName=[write_vtp("hill.vtp", hill_points(400, 7))])
+surface = constructor(Input=reader, CountWork=1)
+check_measures(surface)
+check_equal(surface.GetDataInformation().GetNumberOfPoints(), 400, "points on the server")
+
+expected = fingerprint(surface)
+SetProperties(surface, InsertionOrder="Multi-grid", Nmax=5, GenerateFate=1)
+surface.UpdatePipeline()
+check(surface.PointData["Fate"], "the setting GenerateFate did not reach the server")
+check_equal(fingerprint(surface), expected, "triangles after the settings were changed")
+check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A client and a server: starts the server, runs ClientScript.py against it, reads what both print.
+
+    RunClientServer.py RANKS COMMAND...    the command that starts the server, e.g. mpiexec -n 2 pvserver
+
+Run by plain Python: an mpiexec started from pvpython, which is an MPI process itself, does not work.
+"""
+
+import os
+import subprocess
+import sys
+import time
+
+from pluginsupport import check, check_equal, free_port, run, scratch
+
+RANKS, COMMAND = int(sys.argv[1]), sys.argv[2:]
+
+
+def read_log():
+    with open(scratch("server.log"), errors="replace") as log:
+        return log.read()
+
+
+def start_server(port):
+    """Starts a server and waits until it listens. None if it ended before (the port was taken)."""
+    with open(scratch("server.log"), "w") as log:
+        server = subprocess.Popen(
+            COMMAND + ["--dr", "--server-port=%d" % port, "--hostname=localhost"],
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=subprocess.STDOUT,
+        )
+    for _ in range(600):
+        if "Accepting connection" in read_log():
+            return server
+        if server.poll() is not None:
+            return None
+        time.sleep(0.1)
+    stop_server(server)
+    raise AssertionError("the server did not listen after a minute:\n" + read_log())
+
+
+def start_server_somewhere():
+    for _ in range(5):
+        port = free_port()
+        server = start_server(port)
+        if server:
+            return server, port
+    raise AssertionError("no server could be started:\n" + read_log())
+
+
+def stop_server(server):
+    """A server ends by itself when its client leaves; one that does not is made to."""
+    for make_it_end in (lambda: None, server.terminate, server.kill):
+        make_it_end()
+        try:
+            return server.wait(10)
+        except subprocess.TimeoutExpired:
+            pass
+    raise AssertionError("the server does not end")
+
+
+server, port = start_server_somewhere()
+try:
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ClientScript.py")
+    status, client_log = run([os.environ["AHD_PVPYTHON"], "--dr", script, str(port), str(RANKS)])
+finally:
+    ended = stop_server(server)
+    print(read_log())
+check_equal(status, 0, "exit status of the client")
+check_equal(ended, 0, "exit status of the server")
+
+for where, printed in (("client", client_log), ("server", read_log())):
+    warnings = [line for line in printed.splitlines() if "triangulates its own points" in line]
+    check_equal(len(warnings), 1 if RANKS > 1 else 0, "warnings about %d ranks printed by the %s" % (RANKS, where))
+print("passed: client and server")

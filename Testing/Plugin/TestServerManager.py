@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What ParaView knows of the filter: where it is in the menu, how its properties are called and
+documented, and that their defaults are those of the C++ class."""
+
+import re
+
+from paraview.simple import *
+from paraview import servermanager
+
+from pluginsupport import *
+
+LoadPlugin(PLUGIN, remote=False, ns=globals())
+proxy = AdaptiveHilbertDelaunay2D(Input=Sphere())
+sm = proxy.SMProxy
+
+
+def properties():
+    iterator = sm.NewPropertyIterator()
+    iterator.Begin()
+    found = {}
+    while not iterator.IsAtEnd():
+        found[iterator.GetKey()] = iterator.GetProperty()
+        iterator.Next()
+    return found
+
+
+def test_menu():
+    check_equal(sm.GetXMLLabel(), "Adaptive Hilbert Delaunay 2D", "label of the filter")
+    check_equal(sm.GetVTKClassName(), "vtkAdaptiveHilbertDelaunay2D", "class of the filter")
+    menu = sm.GetHints().FindNestedElementByName("ShowInMenu")
+    check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Filters menu")
+
+
+def test_properties_are_complete():
+    expected = set(SETTINGS + MEASURES + ["Input"])
+    check_equal(set(properties()), expected, "properties of the filter")
+    for name in MEASURES:
+        check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
+
+
+def test_names_are_the_same_everywhere():
+    """paraview.simple derives the Python name from the label; it must be the name in C++."""
+    for name, item in properties().items():
+        check_equal(item.GetXMLLabel().replace(" ", ""), name, "label of %s, without spaces" % name)
+        check(hasattr(proxy, name), "paraview.simple does not know the property " + name)
+
+
+def test_everything_is_documented():
+    documentation = sm.GetDocumentation()
+    check(len(documentation.GetShortHelp() or "") > 40, "short help of the filter is missing")
+    check(len(documentation.GetLongHelp() or "") > 80, "long help of the filter is missing")
+    check("When to change" in documentation.GetDescription(), "the help does not say when to change a setting")
+    for name, item in properties().items():
+        text = item.GetDocumentation().GetDescription() if item.GetDocumentation() else ""
+        check(len(text) > 30, "the property %s is not documented" % name)
+        check(text.rstrip().endswith("."), "the documentation of %s stops in the middle: %r" % (name, text[-40:]))
+
+
+def test_everything_is_in_the_panel():
+    """information_only hides a property unless its visibility is set; none is to be hidden."""
+    for name, item in properties().items():
+        check(
+            item.GetPanelVisibility() in ("default", "advanced"),
+            "%s has panel_visibility %r" % (name, item.GetPanelVisibility()),
+        )
+    for name in ["InsertionOrder", "GenerateFate"] + COUNTS[:4]:
+        check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
+
+
+def test_choices():
+    def choices(name):
+        domain = sm.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
+        return {domain.GetEntryValue(i): domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())}
+
+    check_equal(
+        choices("InsertionOrder"),
+        {0: "Adaptive Hilbert", 1: "Multi-grid", 2: "Regular grid", 3: "As given"},
+        "choices of InsertionOrder",
+    )
+    check_equal(choices("ControlPoints"), {0: "Off", 1: "First level", 2: "Every level"}, "choices of ControlPoints")
+
+
+def test_ranges():
+    for name, least in (("Nmax", 1), ("MemoryLimit", 0)):
+        domain = sm.GetProperty(name).FindDomain("vtkSMIntRangeDomain")
+        check(domain and domain.GetMinimumExists(0), name + " has no minimum")
+        check_equal(domain.GetMinimum(0), least, "minimum of " + name)
+
+
+def vtk_class():
+    """The C++ class, if its Python wrapping was built."""
+    try:
+        from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
+    except ImportError:
+        return None
+    return vtkAdaptiveHilbertDelaunay2D
+
+
+def own_methods(cls, prefix):
+    """What follows the prefix in the names of the class's own methods, choices (SetXToY) left out."""
+    base = set(dir(cls.__mro__[1]))
+    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and m not in base}
+    return {n for n in names if not re.search(r"(To[A-Z]|MinValue$|MaxValue$)", n)}
+
+
+def test_defaults_and_names_are_those_of_the_class():
+    cls = vtk_class()
+    if cls is None:
+        check(not EXPECT_PYTHON, "the package adaptivehilbertdelaunay cannot be imported")
+        return
+    check_equal(own_methods(cls, "Set"), set(SETTINGS), "settings of the class")
+    check_equal(own_methods(cls, "Get"), set(SETTINGS + MEASURES), "values of the class")
+    fresh = cls()
+    for name in SETTINGS + MEASURES:
+        shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
+        check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
+
+
+EXPECT_PYTHON = os.environ.get("AHD_EXPECT_PYTHON") == "1"
+
+for name, test in sorted(globals().items()):
+    if name.startswith("test_"):
+        test()
+        print("passed:", name)

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A state file, XML or Python, brings the pipeline and its settings back."""
+
+from paraview.simple import *
+from paraview import servermanager, smstate
+
+from pluginsupport import *
+
+LoadPlugin(PLUGIN, remote=False, ns=globals())
+
+CHANGED = {
+    "InsertionOrder": "Multi-grid",
+    "Nmax": 123,
+    "ControlPoints": "First level",
+    "GeneRotation": 0,
+    "CountWork": 1,
+    "GenerateFate": 1,
+    "MemoryLimit": 4000000,
+}
+check_equal(set(CHANGED), set(SETTINGS), "settings this test changes")
+
+
+def build():
+    reader = XMLPolyDataReader(registrationName="hill", FileName=[write_vtp("state.vtp", hill_points())])
+    surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=reader, **CHANGED)
+    return fingerprint(surface)
+
+
+def check_restored(expected, how):
+    surface = FindSource("surface")
+    check(surface, how + ": the filter is not there")
+    check_equal(surface.SMProxy.GetXMLName(), "AdaptiveHilbertDelaunay2D", how + ": the filter's type")
+    check_equal(surface.Input.SMProxy.GetXMLName(), "XMLPolyDataReader", how + ": the filter's input")
+    for name, value in CHANGED.items():
+        check_equal(getattr(surface, name), value, "%s: %s" % (how, name))
+    check_equal(fingerprint(surface), expected, how + ": the triangles")
+    check_equal(measures(surface)["NumberOfDuplicates"], 7, how + ": duplicates")
+
+
+expected = build()
+SaveState(scratch("state.pvsm"))
+python_state = smstate.get_state(filter=smstate.supported_proxies())
+with open(scratch("state.py"), "w") as file:
+    file.write(python_state)
+
+ResetSession()
+check(not FindSource("surface"), "ResetSession left the filter behind, so this test would prove nothing")
+LoadState(scratch("state.pvsm"))
+check_restored(expected, "XML state")
+
+ResetSession()
+exec(compile(python_state, scratch("state.py"), "exec"), {})
+check_restored(expected, "Python state")
+print("passed: state")

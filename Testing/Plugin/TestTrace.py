@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Python trace of a session holds the filter and what was changed, and runs by itself."""
+
+from paraview.simple import *
+from paraview import smtrace
+
+from pluginsupport import *
+
+LoadPlugin(PLUGIN, remote=False, ns=globals())
+path = write_vtp("trace.vtp", hill_points())
+
+smtrace.start_trace()
+reader = XMLPolyDataReader(registrationName="hill", FileName=[path])
+surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=reader, Nmax=77)
+surface.UpdatePipeline()
+# What the Apply button does: trace what is changed between here ...
+modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
+surface.InsertionOrder = "Regular grid"
+surface.GenerateFate = 1
+# ... and here.
+modified.finalize()
+trace = smtrace.stop_trace()
+print(trace)
+
+for piece in ("AdaptiveHilbertDelaunay2D(", "Nmax = 77", "InsertionOrder = 'Regular grid'", "GenerateFate = 1"):
+    check(piece in trace, "%r is not in the trace" % piece)
+check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
+
+expected = fingerprint(surface)
+replay = scratch("trace.py")
+with open(replay, "w") as file:
+    file.write(trace)
+    file.write(
+        "\nfrom pluginsupport import fingerprint\n"
+        "surface = FindSource('surface')\n"
+        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder)\n"
+    )
+status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)
+check_equal(status, 0, "exit status of the replayed trace")
+line = "replayed %s 77 1 'Regular grid'" % expected
+check(line in printed, "the replayed trace did not print %r" % line)
+print("passed: trace")

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the plugin's tests share: where the plugin is, small inputs, and checks that name the culprit.
+
+CTest sets the environment (see CMakeLists.txt):
+    AHD_PLUGIN       the plugin's shared library
+    AHD_PLUGIN_CONF  the file for PV_PLUGIN_CONFIG_FILE
+    AHD_SCRATCH      a directory of this test's own, below the build tree
+"""
+
+import hashlib
+import os
+import random
+import socket
+import subprocess
+import sys
+
+PLUGIN = os.environ["AHD_PLUGIN"]
+PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
+SCRATCH = os.environ["AHD_SCRATCH"]
+
+SETTINGS = ["InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate", "MemoryLimit"]
+COUNTS = [
+    "NumberOfTriangles",
+    "NumberOfPointsInserted",
+    "NumberOfDuplicates",
+    "NumberOfRejectedPoints",
+    "NumberOfSkippedPoints",
+]
+MEASURES = COUNTS + ["NP", "NR", "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate"]
+
+
+def scratch(name):
+    """The path of a file in the test's own directory."""
+    os.makedirs(SCRATCH, exist_ok=True)
+    return os.path.join(SCRATCH, name)
+
+
+def check_equal(found, expected, what):
+    if found != expected:
+        raise AssertionError("%s: found %r, expected %r" % (what, found, expected))
+
+
+def check(condition, what):
+    if not condition:
+        raise AssertionError(what)
+
+
+def hill_points(count=400, duplicates=7, seed=1):
+    """Points on a hill, x and y in [-2, 2]; the last `duplicates` repeat x and y of the first."""
+    draw = random.Random(seed)
+    points = [(draw.uniform(-2, 2), draw.uniform(-2, 2)) for _ in range(count - duplicates)]
+    points += points[:duplicates]
+    return [(x, y, 2.0 / (1.0 + x * x + y * y)) for x, y in points]
+
+
+def write_csv(name, points):
+    """Writes x, y, z with a header line; returns the path."""
+    path = scratch(name)
+    with open(path, "w") as file:
+        file.write("x,y,z\n")
+        file.writelines("%r,%r,%r\n" % point for point in points)
+    return path
+
+
+def write_vtp(name, points):
+    """Writes the points as a .vtp in double precision, with a point array "Height"; returns the path.
+
+    Through VTK's writer, which keeps NaN and infinity."""
+    from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
+    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+
+    data, heights = vtkPolyData(), vtkDoubleArray()
+    coordinates = vtkPoints()
+    coordinates.SetDataTypeToDouble()
+    heights.SetName("Height")
+    for point in points:
+        coordinates.InsertNextPoint(point)
+        heights.InsertNextValue(point[2])
+    data.SetPoints(coordinates)
+    data.GetPointData().AddArray(heights)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(scratch(name))
+    writer.SetDataModeToAppended()
+    writer.SetInputData(data)
+    check(writer.Write(), "could not write " + scratch(name))
+    return scratch(name)
+
+
+def triangles(source):
+    """The triangles of a source, as a list of triples of point ids, brought to the client."""
+    from paraview import servermanager
+
+    cells = servermanager.Fetch(source).GetPolys()
+    result = []
+    for i in range(cells.GetNumberOfCells()):
+        check_equal(cells.GetCellSize(i), 3, "corners of cell %d" % i)
+        result.append(tuple(cell_ids(cells, i)))
+    return result
+
+
+def cell_ids(cells, i):
+    from vtkmodules.vtkCommonCore import vtkIdList
+
+    ids = vtkIdList()
+    cells.GetCellAtId(i, ids)
+    return [ids.GetId(k) for k in range(ids.GetNumberOfIds())]
+
+
+def fingerprint(source):
+    """A hash of the triangles in their order."""
+    return hashlib.sha256(repr(triangles(source)).encode()).hexdigest()
+
+
+def measures(proxy):
+    """The measures of the last run, as ParaView shows them."""
+    proxy.UpdatePipeline()
+    proxy.UpdatePipelineInformation()  # pulls the information properties
+    return {name: getattr(proxy, name) for name in MEASURES}
+
+
+def free_port():
+    """A port nobody listens on. Somebody may take it before the caller does: be ready to try again."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        return probe.getsockname()[1]
+
+
+def run(command, timeout=100, **environment):
+    """Runs a command to its end; returns its exit status and all it printed."""
+    done = subprocess.run(
+        command,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        timeout=timeout,
+        env=dict(os.environ, **environment),
+        universal_newlines=True,
+        errors="replace",
+    )
+    sys.stdout.write(done.stdout)
+    return done.returncode, done.stdout
