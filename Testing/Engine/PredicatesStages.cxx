@@ -134,6 +134,18 @@ TEST(PredicatesStages, GridTakesUpWhatRoundingADifferenceLeaves)
   EXPECT_EQ(orient2d({ 1, 1 }, { 0, 0x1p-60 }, { -0x1p-60, 0 }), 1); // the area is 2^-120
 }
 
+/// The circle through a, b, c touches the x axis at the origin, all but 2^-60 of it: the
+/// determinant is 2^-119, and 2^121 in units of the grid. It is decided in the low half of 256
+/// bits.
+TEST(PredicatesStages, GridSeesTheLastBits)
+{
+  const Point origin{ 0, 0 }, beside{ 0x1p-60, 0 }, right{ 1, 1 }, left{ -1, 1 };
+  EXPECT_EQ(inCircleStage({ beside, right, left, origin }), kGridOrLater);
+  EXPECT_EQ(inCircle(beside, right, left, origin), 1);
+  EXPECT_EQ(inCircleStage({ origin, right, left, beside }), kGridOrLater);
+  EXPECT_EQ(inCircle(origin, right, left, beside), -1);
+}
+
 TEST(PredicatesStages, UnboundedSettlesWhatSpansMoreThan61Bits)
 {
   const Quadruple wide = { Point{ 0, 0 }, { 1, 0 }, { 1, 1 }, { -0x1p-70, 1 } };

@@ -103,11 +103,10 @@ int compareMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
   return 0;
 }
 
-/// |a| + |b|. REQUIRES: a.size >= b.size.
+/// |a| + |b|, to be put into the empty `result`. REQUIRES: a.size >= b.size.
 template <int R, int N, int M>
-WideInteger<R> addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
+void addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
-  WideInteger<R> result;
   std::uint64_t carry = 0;
   for (int i = 0; i < a.size; ++i)
   {
@@ -121,14 +120,12 @@ WideInteger<R> addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
   {
     result.push(carry);
   }
-  return result;
 }
 
-/// |a| - |b|. REQUIRES: |a| >= |b|.
+/// |a| - |b|, to be put into the empty `result`. REQUIRES: |a| >= |b|.
 template <int R, int N, int M>
-WideInteger<R> subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
+void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
-  WideInteger<R> result;
   std::uint64_t borrow = 0;
   for (int i = 0; i < a.size; ++i)
   {
@@ -139,7 +136,6 @@ WideInteger<R> subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>&
     borrow = next;
   }
   result.dropLeadingZeros();
-  return result;
 }
 
 /// |a| + |b| with the sign of a if `sameSign`, else |a| - |b| with the sign that has.
@@ -147,17 +143,22 @@ template <int N, int M>
 WideInteger<(N > M ? N : M) + 1> addSigned(
   const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign)
 {
-  constexpr int R = (N > M ? N : M) + 1;
-  const bool swap = sameSign ? a.size < b.size : compareMagnitudes(a, b) < 0;
+  WideInteger<(N > M ? N : M) + 1> result; // the only one, so that returning it copies nothing
+  result.negative = a.negative;
   if (sameSign)
   {
-    auto sum = swap ? addMagnitudes<R>(b, a) : addMagnitudes<R>(a, b);
-    sum.negative = a.negative;
-    return sum;
+    a.size >= b.size ? addMagnitudes(a, b, result) : addMagnitudes(b, a, result);
   }
-  auto difference = swap ? subtractMagnitudes<R>(b, a) : subtractMagnitudes<R>(a, b);
-  difference.negative = a.negative != swap;
-  return difference;
+  else if (compareMagnitudes(a, b) >= 0)
+  {
+    subtractMagnitudes(a, b, result);
+  }
+  else
+  {
+    subtractMagnitudes(b, a, result);
+    result.negative = !a.negative;
+  }
+  return result;
 }
 
 template <int N, int M>
