@@ -33,7 +33,8 @@ struct Options
   /// Turn the curve in each divided box so that it meets its neighbours (AdaptiveHilbert only).
   bool geneRotation = true;
 
-  /// A box with more points than this is divided. At least 1; the paper finds 50 to 200 good.
+  /// A box with more points than this is divided. At least 1; the paper finds 50 to 200 good. Has
+  /// no say where the curve goes on inside the boxes: AdaptiveHilbert, EveryLevel and geneRotation.
   int nmax = 50;
 
   /// Count NP and NR (see Report). Costs a few percent.

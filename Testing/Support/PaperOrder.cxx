@@ -175,7 +175,7 @@ public:
     if (options_.order == InsertionOrder::AsGiven ||
       (options_.order != InsertionOrder::RegularGrid && !isCrowded(all)))
     {
-      putUncontrolled({ 0, 0, 0, all });
+      putUndivided({ 0, 0, 0, all });
     }
     else
     {
@@ -228,7 +228,7 @@ private:
       }
       else
       {
-        putUncontrolled(unit);
+        putUndivided(unit);
       }
     }
   }
@@ -253,22 +253,36 @@ private:
     uncontrolled_.insert(uncontrolled_.end(), box.ids.begin(), box.ids.end());
   }
 
-  /// The departure: the finest grid does not divide this box as wanted.
+  /// A box that is not crowded: its points in input order, as in the paper; with control points at
+  /// every level the curve goes on inside it (a departure).
+  void putUndivided(const PaperBox& box)
+  {
+    if (options_.order == InsertionOrder::AdaptiveHilbert &&
+      hasControlPoints(ControlPoints::EveryLevel))
+    {
+      putByRank(box);
+    }
+    else
+    {
+      putUncontrolled(box);
+    }
+  }
+
+  /// Also where the finest grid does not divide a box as wanted (another departure).
   void putByRank(const PaperBox& box)
   {
-    PaperBox sorted = box;
-    sorted.ids.clear();
-    if (ranked_.empty())
+    if (rank_.empty())
     {
-      ranked_ = rankByDefinition(points_);
-    }
-    for (const Index id : ranked_)
-    {
-      if (std::binary_search(box.ids.begin(), box.ids.end(), id))
+      const std::vector<Index> ranked = rankByDefinition(points_);
+      rank_.resize(points_.size());
+      for (std::size_t i = 0; i < ranked.size(); ++i)
       {
-        sorted.ids.push_back(id);
+        rank_[ranked[i]] = i;
       }
     }
+    PaperBox sorted = box;
+    std::sort(sorted.ids.begin(), sorted.ids.end(),
+      [this](Index a, Index b) { return rank_[a] < rank_[b]; });
     putUncontrolled(sorted);
   }
 
@@ -303,7 +317,7 @@ private:
   std::map<Index, std::pair<Column, Row>> place_;
   std::vector<Index> control_;
   std::vector<Index> uncontrolled_;
-  std::vector<Index> ranked_;
+  std::vector<std::size_t> rank_; ///< of each id; empty until needed
   PaperOrder result_;
 };
 

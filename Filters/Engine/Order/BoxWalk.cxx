@@ -61,6 +61,13 @@ bool isAlongKeys(const Options& options)
   return options.order == InsertionOrder::AdaptiveHilbert && options.geneRotation;
 }
 
+/// Does the curve go on inside undivided boxes?
+bool isAlongKeysInside(const Options& options)
+{
+  return options.order == InsertionOrder::AdaptiveHilbert &&
+    options.controlPoints == ControlPoints::EveryLevel;
+}
+
 } // namespace
 
 bool divide(const WalkPoints& points, const Box& box, unsigned levels, const Options& options,
@@ -210,15 +217,19 @@ bool BoxWalk::leaveByRank(const Box& box)
     });
 }
 
-/// Each point's place among the few is the number of smaller ids: no branch to guess wrong.
 bool BoxWalk::leave(const Box& box)
 {
-  constexpr std::size_t kFew = 64;
-  const std::size_t n = box.end - box.begin;
-  if (n > kFew)
+  if (isAlongKeysInside(options_))
   {
-    return leaveManyById(box);
+    return leaveByRank(box);
   }
+  return box.end - box.begin <= kFew ? leaveFewById(box) : leaveManyById(box);
+}
+
+/// Each point's place among the few is the number of smaller ids: no branch to guess wrong.
+bool BoxWalk::leaveFewById(const Box& box)
+{
+  const std::size_t n = box.end - box.begin;
   static_assert(kMaximumPoints < std::size_t(std::numeric_limits<std::int32_t>::max()),
     "ids are compared as signed numbers");
   std::array<std::int32_t, kFew> id;

@@ -45,11 +45,14 @@ public:
   bool walk(const WalkPoints& points, unsigned levels, Index* to);
 
 private:
+  static constexpr std::size_t kFew = 64;
+
   bool walkAlongKeys(const Box& whole, unsigned levels);
   bool walkReordered(const Box& whole, unsigned levels);
   bool isDivided(const Box& box) const;
   bool leave(const Box& box);
   bool leaveByRank(const Box& box);
+  bool leaveFewById(const Box& box);
   bool leaveManyById(const Box& box);
   Index rankOf(std::size_t i) const { return points_.rank ? points_.rank[i] : Index(i); }
 

@@ -113,10 +113,11 @@ private:
   Buffer<Index> rank_;
 };
 
-/// Copies `order` to `to`, control points of every level first.
-bool everyLevelFirst(const Buffer<Index>& order, Index* to, Ticker& ticker)
+/// Writes the points of an order to `to`, control points of every level first. `at(i)` is the i-th
+/// of the n points.
+template <typename At>
+bool everyLevelFirst(std::size_t n, At at, Index* to, Ticker& ticker)
 {
-  const std::size_t n = order.size();
   std::size_t stride = 1;
   while (stride * kControlStride < n)
   {
@@ -132,7 +133,7 @@ bool everyLevelFirst(const Buffer<Index>& order, Index* to, Ticker& ticker)
         {
           if (above == 0 || i % kControlStride != 0)
           {
-            *to++ = order[i * stride];
+            *to++ = at(i * stride);
           }
         }
       });
@@ -144,13 +145,32 @@ bool everyLevelFirst(const Buffer<Index>& order, Index* to, Ticker& ticker)
   return true;
 }
 
+/// ControlPoints::EveryLevel.
+bool makeEveryLevel(const RankedPoints& points, const Options& options, unsigned levels,
+  Ticker& ticker, Index* sequence)
+{
+  const std::size_t n = points.count;
+  if (options.order == InsertionOrder::AdaptiveHilbert && options.geneRotation)
+  {
+    // The curve through all boxes and on inside them is the order of rank itself.
+    ticker.finished(n / 4);
+    return everyLevelFirst(
+      n, [](std::size_t i) { return Index(i); }, sequence, ticker);
+  }
+  Buffer<Index> order;
+  order.allocate(n);
+  BoxWalk boxes(points, options, ticker);
+  return boxes.walk(WalkPoints{ points.key.data(), nullptr, n }, levels, order.data()) &&
+    everyLevelFirst(
+      n, [&order](std::size_t i) { return order[i]; }, sequence, ticker);
+}
+
 } // namespace
 
 Status makeSequence(
   const RankedPoints& points, const Options& options, Ticker& sorting, Buffer<Index>& sequence)
 {
   const unsigned levels = levelsOfFirstDivision(points, options);
-  const WalkPoints all{ points.key.data(), nullptr, points.count };
   BoxWalk boxes(points, options, sorting);
   sequence.allocate(points.count);
   bool done = true;
@@ -162,13 +182,11 @@ Status makeSequence(
   }
   else if (points.count > 0 && hasControlPoints(options, ControlPoints::EveryLevel))
   {
-    Buffer<Index> order;
-    order.allocate(points.count);
-    done = boxes.walk(all, levels, order.data()) &&
-      everyLevelFirst(order, sequence.data(), sorting);
+    done = makeEveryLevel(points, options, levels, sorting, sequence.data());
   }
   else
   {
+    const WalkPoints all{ points.key.data(), nullptr, points.count };
     done = boxes.walk(all, levels, sequence.data());
   }
   return done ? Status::Ok : Status::Cancelled;

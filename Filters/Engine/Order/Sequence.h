@@ -34,8 +34,11 @@ constexpr unsigned levelsOfDivision(std::size_t points)
 /// visited along the Hilbert curve (AdaptiveHilbert; turned by the gene of the divided box if
 /// options.geneRotation) or row by row, left to right (MultiGrid). Points of an undivided box come
 /// in ascending order of the caller's id. RegularGrid divides once, whatever nmax, and never again.
-/// A departure from the paper: where a crowded box is too small to be divided on the finest grid
-/// (2^32 x 2^32), its points come in order of rank, which goes on inside such boxes.
+/// A departure from the paper, measured (Algorithm.md): with AdaptiveHilbert and EveryLevel the
+/// curve goes on inside undivided boxes, down to the single point; with geneRotation the order of
+/// the boxes and their points then is the order of rank, whatever nmax. Another: where a crowded
+/// box is too small to be divided on the finest grid (2^32 x 2^32), its points come in order of
+/// rank, which goes on inside such boxes.
 ///
 /// Control points (AdaptiveHilbert, MultiGrid). SingleLevel: if all points are divided at all, the
 /// point of smallest id of every non-empty box of the first division, in the reverse order of the
