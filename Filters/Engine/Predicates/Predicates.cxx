@@ -9,6 +9,8 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <initializer_list>
+#include <optional>
 
 namespace ahd
 {
@@ -22,8 +24,7 @@ int signOf(double value)
   return (value > 0.0) - (value < 0.0);
 }
 
-// ----------------------------------------------------------------------------------------
-// Grid
+// -------------------------------------------------------------------------------------------- Grid
 
 #ifdef AHD_HAS_INT128
 
@@ -40,8 +41,7 @@ struct GridVector
   std::int64_t y;
 };
 
-/// A scale that makes a value less than 2^61, and its reciprocal, both powers
-/// of two.
+/// A scale that makes a value less than 2^61, and its reciprocal, both powers of two.
 struct GridScale
 {
   double up;
@@ -59,9 +59,9 @@ struct GridScale
     std::memcpy(&down, &downBits, sizeof down);
   }
 
-  /// value in units of `down`. `residue` stays 0 while all values are integers:
-  /// one that is not, or whose product underflows, is not met again when taken
-  /// back; taking back rounds nothing, as `down` is at least 2^-961.
+  /// value in units of `down`. `residue` stays 0 while all values are integers: one that is not,
+  /// or whose product underflows, is not met again when taken back; taking back rounds nothing, as
+  /// `down` is at least 2^-961.
   std::int64_t integer(double value, double& residue) const
   {
     const auto result = static_cast<std::int64_t>(value * up);
@@ -70,7 +70,7 @@ struct GridScale
   }
 };
 
-/// a - b = high + low exactly, high being the rounded difference.
+/// a - b = high + low exactly, high being the rounded difference (Knuth's error of a sum).
 struct ExactDifference
 {
   double high;
@@ -85,8 +85,7 @@ struct ExactDifference
   }
 };
 
-/// The two vectors from an origin to a point, or three to three, in units of
-/// one power of two.
+/// The vectors from an origin to `Count` points, in units of one power of two.
 template <int Count>
 class Grid
 {
@@ -153,8 +152,7 @@ Int128 dotOnGrid(const GridVector& a, const GridVector& b)
   return Int128(a.x) * b.x + Int128(a.y) * b.y;
 }
 
-/// a * b in two's complement. The words of a negative number are those of the
-/// number + 2^128.
+/// a * b in two's complement. The words of a negative number are those of the number + 2^128.
 struct Product256
 {
   Int128 high;
@@ -182,8 +180,7 @@ int compare(const Product256& a, const Product256& b)
 
 #endif // AHD_HAS_INT128
 
-// -----------------------------------------------------------------------------------
-// Unbounded
+// --------------------------------------------------------------------------------------- Unbounded
 
 /// A finite double as mantissa * 2^exponent.
 struct Parts
@@ -204,8 +201,7 @@ Parts partsOf(double value)
   return { mantissa, exponent, (bits >> 63) != 0 };
 }
 
-/// The largest double has 1024 bits before the point, the smallest one 1074
-/// after it.
+/// The largest double has 1024 bits before the point, the smallest one 1074 after it.
 using Coordinate = WideInteger<(1024 + 1074 + 63) / 64>;
 using Difference = WideInteger<(1024 + 1074 + 63) / 64 + 1>;
 
@@ -267,11 +263,10 @@ auto dotUnbounded(const WideVector& a, const WideVector& b)
 
 } // namespace
 
-// -------------------------------------------------------------------------------------
-// orient2d
+// ---------------------------------------------------------------------------------------- orient2d
 
-/// The products themselves give a tighter bound here than squared lengths
-/// (Filters.h): their error is at most 3 u (1 + 2u) (|l| + |r|) + 2e.
+/// The products themselves give a tighter bound here than squared lengths (Filters.h): their error
+/// is at most 3 u (1 + 2u) (|l| + |r|) + 2e.
 std::optional<int> orient2dByFilter(const Point& a, const Point& b, const Point& c)
 {
   const double l = (a.x - c.x) * (b.y - c.y);
@@ -303,8 +298,7 @@ int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
   return crossUnbounded(WideVector(unit, c, a), WideVector(unit, c, b)).sign();
 }
 
-// -------------------------------------------------------------------------------------
-// inCircle
+// ---------------------------------------------------------------------------------------- inCircle
 
 std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point& c, const Point& d)
 {
@@ -318,6 +312,13 @@ std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point&
   }
   return std::nullopt;
 }
+
+// The exact stages take the in-circle determinant in another form, with fewer products. Let A, B, C
+// run from d to a, b, c, and U = A - C, V = B - C from c to a, b. Then
+//   |A|^2 (B x C) + |B|^2 (C x A) + |C|^2 (A x B)  =  (A x B)(U . V) - (U x V)(A . B).
+// Proof: on the right U . V = A . B - A . C - B . C + |C|^2 and U x V = A x B + B x C + C x A. On
+// the left A (B x C) + B (C x A) + C (A x B) = 0, multiplied by A and by B, replaces |A|^2 (B x C)
+// and |B|^2 (C x A). The right side compares the angles under which d and c see the edge a, b.
 
 std::optional<int> inCircleOnGrid([[maybe_unused]] const Point& a, [[maybe_unused]] const Point& b,
   [[maybe_unused]] const Point& c, [[maybe_unused]] const Point& d)
@@ -345,9 +346,15 @@ int inCircleUnbounded(const Point& a, const Point& b, const Point& c, const Poin
   return (first - second).sign();
 }
 
-// -------------------------------------------------------------------------------------
-// inConflict
+// -------------------------------------------------------------------------------------- inConflict
 
+/// Let the lifted height |p|^2 of each point be raised by an infinitesimal, that of a larger point
+/// in lexicographic order by infinitely more than those of all smaller ones. The in-circle
+/// determinant is linear in the heights: it says by how much d lies below the plane through the
+/// lifted a, b, c, times their area, so that the heights of a, b, c, d have the coefficients
+/// orient2d(b, c, d), orient2d(c, a, d), orient2d(a, b, d) and -orient2d(a, b, c). Where the
+/// unraised heights cancel, the coefficient of the largest point decides. It is not 0, as no three
+/// of four distinct points of a circle are collinear.
 bool conflictOnCircle(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   const Point* largest = &a;
