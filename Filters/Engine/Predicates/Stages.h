@@ -16,7 +16,8 @@
 /// - Unbounded: integers as long as the exponents ask for, up to the whole range of double.
 ///
 /// Filter and Grid assume rounding to nearest and subnormal numbers kept (no flush to zero);
-/// Unbounded works on the bits of the numbers and assumes nothing.
+/// Unbounded works on the bits of the numbers and assumes nothing. Fused multiply-adds harm none of
+/// them: the filters are proven with and without, and Grid multiplies only by powers of two.
 namespace ahd::stages
 {
 
