@@ -136,7 +136,7 @@ bool Kernel<kCount>::conflicts(Index a, Index b, Index c, Index p)
   {
     ++work_.exactInCircle;
   }
-  return inConflict(xy_[a], xy_[b], xy_[c], xy_[p]);
+  return inConflictExact(xy_[a], xy_[b], xy_[c], xy_[p]);
 }
 
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
@@ -163,7 +163,7 @@ int Kernel<kCount>::orientation(Index a, Index b, Index p)
   {
     ++work_.exactOrient;
   }
-  return orient2d(xy_[a], xy_[b], xy_[p]);
+  return orient2dExact(xy_[a], xy_[b], xy_[p]);
 }
 
 template <bool kCount>
