@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The client of RunClientServer.py: the data and the filter are on the server.
 
-    ClientScript.py PORT RANKS
+    ClientScript.py PORT
 """
 
 import paraview.simple
@@ -9,7 +9,7 @@ from paraview.simple import *
 
 from pluginsupport import *
 
-PORT, RANKS = int(sys.argv[1]), int(sys.argv[2])
+PORT = int(sys.argv[1])
 
 
 def load_plugin():

@@ -7,11 +7,12 @@ Run by plain Python: an mpiexec started from pvpython, which is an MPI process i
 """
 
 import os
+import re
 import subprocess
 import sys
 import time
 
-from pluginsupport import check, check_equal, free_port, run, scratch
+from pluginsupport import check, check_equal, run, scratch
 
 RANKS, COMMAND = int(sys.argv[1]), sys.argv[2:]
 
@@ -21,32 +22,24 @@ def read_log():
         return log.read()
 
 
-def start_server(port):
-    """Starts a server and waits until it listens. None if it ended before (the port was taken)."""
+def start_server():
+    """Starts a server on a port of its choice and waits until it listens there. Returns both."""
     with open(scratch("server.log"), "w") as log:
         server = subprocess.Popen(
-            COMMAND + ["--dr", "--server-port=%d" % port, "--hostname=localhost"],
+            COMMAND + ["--dr", "--server-port=0", "--hostname=localhost"],
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
         )
     for _ in range(600):
-        if "Accepting connection" in read_log():
-            return server
+        listening = re.search(r"Accepting connection.*:(\d+)", read_log())
+        if listening:
+            return server, listening.group(1)
         if server.poll() is not None:
-            return None
+            break
         time.sleep(0.1)
     stop_server(server)
-    raise AssertionError("the server did not listen after a minute:\n" + read_log())
-
-
-def start_server_somewhere():
-    for _ in range(5):
-        port = free_port()
-        server = start_server(port)
-        if server:
-            return server, port
-    raise AssertionError("no server could be started:\n" + read_log())
+    raise AssertionError("the server ended, or did not listen after a minute:\n" + read_log())
 
 
 def stop_server(server):
@@ -60,10 +53,10 @@ def stop_server(server):
     raise AssertionError("the server does not end")
 
 
-server, port = start_server_somewhere()
+server, port = start_server()
 try:
     script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ClientScript.py")
-    status, client_log = run([os.environ["AHD_PVPYTHON"], "--dr", script, str(port), str(RANKS)])
+    status, client_log = run([os.environ["AHD_PVPYTHON"], "--dr", script, port])
 finally:
     ended = stop_server(server)
     print(read_log())

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Warnings and errors of the filter reach ParaView's user, once per run, and name their cause.
 
-    TestMessages.py          runs each case in a pvpython of its own and reads what that prints
-    TestMessages.py CASE     one case
+    TestMessages.py          runs the cases in a second pvpython and reads what that prints
+    TestMessages.py cases    runs the cases
 """
 
 import math
@@ -32,45 +32,53 @@ def duplicates():
     return {"points": hill_points(60, 9)}
 
 
-# Case: what must be printed, as pieces of one message. None: nothing at all.
+# Case: what must be printed, as pieces of one message. Empty: nothing at all.
 EXPECTED = {
     collinear: ["no triangle", "collinear", "9"],
     rejected: ["2 of 62 points", "NaN or infinite", "60"],
     height: ["1 of 61 points", "z"],
     memory: ["4000 points", "KiB", "MemoryLimit"],
-    duplicates: None,
+    duplicates: [],
 }
 
 
-def run_case(name):
+def run_cases():
     LoadPlugin(PLUGIN, remote=False, ns=globals())
-    case = globals()[name]()
-    reader = XMLPolyDataReader(FileName=[write_vtp(name + ".vtp", case.pop("points"))])
-    surface = AdaptiveHilbertDelaunay2D(Input=reader, **case)
-    surface.UpdatePipeline()
+    for make in EXPECTED:
+        case = make()
+        reader = XMLPolyDataReader(FileName=[write_vtp(make.__name__ + ".vtp", case.pop("points"))])
+        print("case", make.__name__, file=sys.stderr, flush=True)
+        AdaptiveHilbertDelaunay2D(Input=reader, **case).UpdatePipeline()
+    print("case end", file=sys.stderr, flush=True)
 
 
-def messages(printed):
+def messages_by_case(printed):
     """The filter's own messages. (VTK's pipeline adds one of its own when a filter fails.)"""
-    return [line for line in printed.splitlines() if "| vtkAdaptiveHilbertDelaunay2D (0x" in line]
+    found, case = {}, None
+    for line in printed.splitlines():
+        if line.startswith("case "):
+            case = line[len("case ") :]
+            found[case] = []
+        elif "| vtkAdaptiveHilbertDelaunay2D (0x" in line:
+            found[case].append(line)
+    return found
 
 
-def check_case(case, pieces):
-    name = case.__name__
-    status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", os.path.abspath(__file__), name])
-    check_equal(status, 0, "exit status of the case " + name)
-    found = messages(printed)
-    if pieces is None:
-        check_equal(found, [], "messages in the case " + name)
-        return
-    check_equal(len(found), 1, "number of messages in the case %s" % name)
-    for piece in pieces:
-        check(piece in found[0], "%s: %r is not in the message %r" % (name, piece, found[0]))
+def check_messages():
+    status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", os.path.abspath(__file__), "cases"])
+    check_equal(status, 0, "exit status of the cases")
+    found = messages_by_case(printed)
+    check_equal(found.pop("end"), [], "messages after the last case")
+    check_equal(set(found), {case.__name__ for case in EXPECTED}, "cases that were run")
+    for case, pieces in EXPECTED.items():
+        own = found[case.__name__]
+        check_equal(len(own), 1 if pieces else 0, "number of messages in the case " + case.__name__)
+        for piece in pieces:
+            check(piece in own[0], "%s: %r is not in the message %r" % (case.__name__, piece, own[0]))
+        print("passed:", case.__name__)
 
 
 if len(sys.argv) > 1:
-    run_case(sys.argv[1])
+    run_cases()
 else:
-    for case, pieces in EXPECTED.items():
-        check_case(case, pieces)
-        print("passed:", case.__name__)
+    check_messages()

@@ -10,7 +10,6 @@ CTest sets the environment (see CMakeLists.txt):
 import hashlib
 import os
 import random
-import socket
 import subprocess
 import sys
 
@@ -117,13 +116,6 @@ def measures(proxy):
     proxy.UpdatePipeline()
     proxy.UpdatePipelineInformation()  # pulls the information properties
     return {name: getattr(proxy, name) for name in MEASURES}
-
-
-def free_port():
-    """A port nobody listens on. Somebody may take it before the caller does: be ready to try again."""
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 def run(command, timeout=100, **environment):
