@@ -50,28 +50,17 @@ vtkAHDInput::vtkAHDInput(vtkPointSet* points)
   }
 }
 
-vtkAHDInput::~vtkAHDInput() = default;
-
-bool vtkAHDInput::CanBeReadInPlace() const
-{
-  return !this->Coordinates || vtkArrayDownCast<vtkFloatArray>(this->Coordinates) ||
-    vtkArrayDownCast<vtkDoubleArray>(this->Coordinates);
-}
-
 std::size_t vtkAHDInput::GetBytesToConvert() const
 {
-  return this->CanBeReadInPlace() ? 0 : static_cast<std::size_t>(this->Count) * 3 * sizeof(double);
+  const bool inPlace = !this->Coordinates || vtkArrayDownCast<vtkFloatArray>(this->Coordinates) ||
+    vtkArrayDownCast<vtkDoubleArray>(this->Coordinates);
+  return inPlace ? 0 : static_cast<std::size_t>(this->Count) * 3 * sizeof(double);
 }
 
 ahd::PointView vtkAHDInput::View()
 {
   this->Points.count = static_cast<std::size_t>(this->Count);
   this->Points.stride = 3;
-  if (!this->CanBeReadInPlace())
-  {
-    this->Converted->DeepCopy(this->Coordinates);
-    this->Coordinates = this->Converted;
-  }
   if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Coordinates))
   {
     this->Points.floats = floats->GetPointer(0);
@@ -79,6 +68,15 @@ ahd::PointView vtkAHDInput::View()
   else if (auto* doubles = vtkArrayDownCast<vtkDoubleArray>(this->Coordinates))
   {
     this->Points.doubles = doubles->GetPointer(0);
+  }
+  else if (this->Coordinates)
+  {
+    this->Converted.resize(this->Points.count * 3);
+    for (vtkIdType i = 0; i < this->Count; ++i)
+    {
+      this->Coordinates->GetTuple(i, this->Converted.data() + 3 * i);
+    }
+    this->Points.doubles = this->Converted.data();
   }
   return this->Points;
 }

@@ -3,11 +3,11 @@
 #define vtkAHDInput_h
 
 #include "Engine/Triangulate.h"
-#include "vtkNew.h"
 #include "vtkType.h"
 
+#include <vector>
+
 class vtkDataArray;
-class vtkDoubleArray;
 class vtkPointSet;
 
 /**
@@ -18,7 +18,6 @@ class vtkAHDInput
 {
 public:
   explicit vtkAHDInput(vtkPointSet* points);
-  ~vtkAHDInput();
 
   /// The number of points, those to be left out included.
   vtkIdType GetCount() const { return this->Count; }
@@ -39,11 +38,9 @@ public:
   Oddities FindOddities() const;
 
 private:
-  bool CanBeReadInPlace() const;
-
   vtkDataArray* Coordinates = nullptr; // 3 numbers per point; null if there are no points
   vtkIdType Count = 0;
-  vtkNew<vtkDoubleArray> Converted;
+  std::vector<double> Converted; // as Coordinates, if these are neither floats nor doubles
   ahd::PointView Points;
 };
 

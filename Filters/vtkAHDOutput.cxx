@@ -8,9 +8,12 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTypeInt32Array.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <new>
 #include <vector>
 
 namespace
@@ -21,19 +24,34 @@ static_assert(3 * 2 * ahd::kMaximumPoints <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
 
+/// An array of `count` values, not initialised. Allocates by itself, since VTK's arrays, depending
+/// on how they were built, end the program where there is no memory.
+template <typename Array>
+vtkSmartPointer<Array> NewArray(vtkIdType count)
+{
+  using Value = typename Array::ValueType;
+  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(Value);
+  auto* values = static_cast<Value*>(std::malloc(bytes > 0 ? bytes : 1));
+  if (!values)
+  {
+    throw std::bad_alloc();
+  }
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetArray(values, count, 0, Array::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
 ahd::Status WriteTriangles(
   ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress)
 {
   const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
-  vtkNew<IdArray> corners;
-  corners->SetNumberOfValues(3 * count);
+  auto corners = NewArray<IdArray>(3 * count);
   const ahd::Status status = triangulator.writeTriangles(corners->GetPointer(0), progress);
   if (status != ahd::Status::Ok)
   {
     return status;
   }
-  vtkNew<IdArray> offsets;
-  offsets->SetNumberOfValues(count + 1);
+  auto offsets = NewArray<IdArray>(count + 1);
   auto* offset = offsets->GetPointer(0);
   for (vtkIdType i = 0; i <= count; ++i)
   {
@@ -84,9 +102,8 @@ void vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* o
   // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
   std::vector<std::int64_t> fates(static_cast<std::size_t>(output->GetNumberOfPoints()));
   triangulator.writeFates(fates.data());
-  vtkNew<vtkIdTypeArray> array;
+  auto array = NewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
   array->SetName("Fate");
-  array->SetNumberOfValues(output->GetNumberOfPoints());
   std::transform(fates.begin(), fates.end(), array->GetPointer(0),
     [](std::int64_t fate) { return static_cast<vtkIdType>(fate); });
   output->GetPointData()->AddArray(array);

@@ -12,7 +12,10 @@
 #include <limits>
 
 #if defined(__linux__)
+#include <fstream>
 #include <sys/mman.h>
+#include <sys/resource.h>
+#include <unistd.h>
 #endif
 
 using namespace ahdtest;
@@ -212,5 +215,77 @@ TEST(Messages, TooManyPointsAreRefused)
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   }
   munmap(nothing, numbers * sizeof(float));
+}
+
+namespace
+{
+/// While it lives, the process may take so many more bytes of address space.
+class AddressSpaceLimit
+{
+public:
+  explicit AddressSpaceLimit(std::size_t more)
+  {
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    getrlimit(RLIMIT_AS, &this->Before);
+    rlimit limit = this->Before;
+    limit.rlim_cur = pages * std::size_t(sysconf(_SC_PAGESIZE)) + more;
+    this->Works = setrlimit(RLIMIT_AS, &limit) == 0;
+  }
+  ~AddressSpaceLimit() { setrlimit(RLIMIT_AS, &this->Before); }
+
+  bool Works = false;
+
+private:
+  rlimit Before;
+};
+
+constexpr std::size_t kMegabyte = std::size_t(1) << 20;
+}
+
+TEST(Messages, TheLimitOfTheProcessIsSeen)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(1000000, 1000000), VTK_FLOAT));
+  {
+    AddressSpaceLimit limit(20 * kMegabyte);
+    ASSERT_TRUE(limit.Works);
+    filter->Update();
+  }
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_TRUE(contains(filter.Said->Errors[0], "but there are ")) << filter.Said->Errors[0];
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
+{
+  // The estimate is told to be no matter, and memory ends a little later each time: in the engine
+  // first, then in the output.
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(300000, 1000000), VTK_FLOAT));
+  filter->SetMemoryLimit(VTK_TYPE_INT64_MAX);
+  filter->GenerateFateOn();
+  std::size_t refusals = 0;
+  for (std::size_t more = 4 * kMegabyte; more <= 256 * kMegabyte; more += 4 * kMegabyte)
+  {
+    filter->Modified();
+    {
+      AddressSpaceLimit limit(more);
+      ASSERT_TRUE(limit.Works);
+      filter->Update();
+    }
+    if (filter.Said->Errors.size() == refusals)
+    {
+      EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0) << more << " bytes";
+      break; // that was enough
+    }
+    ++refusals;
+    ASSERT_EQ(filter.Said->Errors.size(), refusals) << "more than one error, " << more << " bytes";
+    EXPECT_TRUE(contains(filter.Said->Errors.back(), "Out of memory")) << more << " bytes";
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << more << " bytes";
+    EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << more << " bytes";
+  }
+  EXPECT_GT(refusals, 2u) << "memory never ran out: nothing was tested";
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0) << "memory never was enough";
 }
 #endif
