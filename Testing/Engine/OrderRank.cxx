@@ -116,7 +116,7 @@ protected:
 
 TEST_P(Rank, IsTheDefinitions)
 {
-  for (const std::size_t n : { 2, 3, 17, 300, 3000 })
+  for (const std::size_t n : std::vector<std::size_t>{ 2, 3, 17, 300, 3000 })
   {
     const std::vector<Point> points = makePoints(GetParam(), size(n) + 1, n);
     EXPECT_EQ(idsOf(ranked(points)), rankByDefinition(points)) << n << " points";
@@ -192,9 +192,9 @@ INSTANTIATE_TEST_SUITE_P(All, Rank, ::testing::ValuesIn(allDistributions()), nam
 TEST(Crowd, SharesAKeyUpToSixteenDistinctPointsAndMore)
 {
   // Distinct points in one box of the finest grid, each drawn several times, between two corners.
-  for (const std::size_t distinct : { 2, 15, 16, 17, 18, 100, 2000 })
+  for (const std::size_t distinct : std::vector<std::size_t>{ 2, 15, 16, 17, 18, 100, 2000 })
   {
-    for (const std::size_t draws : { 1, 3, 50 })
+    for (const std::size_t draws : std::vector<std::size_t>{ 1, 3, 50 })
     {
       Random random(distinct * 100 + draws);
       const std::vector<Point> places = makePoints(Distribution::Uniform, distinct, 31);
