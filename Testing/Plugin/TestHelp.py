@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin's help is built, says something of every property, and its links lead somewhere.
+
+    TestHelp.py FOLDER    the folder in which the help was built
+"""
+
+import glob
+import html.parser
+import os
+import sqlite3
+import sys
+
+from pluginsupport import MEASURES, SETTINGS, check, check_equal
+
+FOLDER = sys.argv[1]
+VOID = {"br", "hr", "img", "link", "meta", "input"}
+
+
+class Page(html.parser.HTMLParser):
+    """Collects a page's text and links, and notices tags that are not closed in order."""
+
+    def __init__(self, path):
+        super().__init__()
+        self.name, self.text, self.links, self.open = os.path.basename(path), "", [], []
+        with open(path, encoding="utf-8") as file:
+            self.feed(file.read())
+
+    def handle_starttag(self, tag, attributes):
+        if tag not in VOID:
+            self.open.append(tag)
+        self.links += [value for name, value in attributes if name in ("href", "src")]
+
+    def handle_endtag(self, tag):
+        if self.name == "index.html":  # ours; ParaView's generated pages leave some open
+            check_equal(self.open.pop() if self.open else None, tag, "tag closed in line %d" % self.getpos()[0])
+
+    def handle_data(self, data):
+        self.text += data
+
+
+pages = {os.path.basename(path): Page(path) for path in glob.glob(os.path.join(FOLDER, "*.html"))}
+check_equal(set(pages), {"index.html", "filters.AdaptiveHilbertDelaunay2D.html"}, "pages of the help")
+
+reference = " ".join(pages["filters.AdaptiveHilbertDelaunay2D.html"].text.split())
+for name in SETTINGS + MEASURES:
+    spaced = "".join(" " + c if c.isupper() and i and name[i - 1].islower() else c for i, c in enumerate(name))
+    check(spaced in reference, "the page of the filter does not describe " + spaced)
+check("**" not in reference, "markup was left in the page of the filter")
+
+for page in pages.values():
+    for link in page.links:
+        check(link in pages, "%s links to %s, which is not there" % (page.name, link))
+
+# A .qch is an SQLite database.
+with sqlite3.connect("file:%s?mode=ro" % os.path.join(FOLDER, "AdaptiveHilbertDelaunay.qch"), uri=True) as database:
+    inside = {row[0] for row in database.execute("SELECT Name FROM FileNameTable")}
+check(set(pages) <= inside, "the help file holds %r" % inside)
+print("passed: help")
