@@ -165,7 +165,7 @@ TEST(Fates, FloatsGiveWhatTheirWidenedDoublesGive)
   {
     std::vector<float> floats;
     std::vector<Point> doubles;
-    for (const Point& p : makePoints(distribution, reduced(10000), 9))
+    for (const Point& p : makePoints(distribution, affordable(distribution, 10000), 9))
     {
       // Beyond float's range this makes infinities and zeros, which are input as well.
       const float x = p.x > 3e38 ? float(kInfinity) : p.x < -3e38 ? -float(kInfinity) : float(p.x);
@@ -210,15 +210,6 @@ TEST(Fates, MorePointsThanTheEngineTakesAreRefusedUnread)
   EXPECT_EQ(triangulator.report().triangles, 0u);
   const std::vector<Point> points = makePoints(Distribution::Uniform, 100, 1);
   EXPECT_EQ(faultsOf(points, triangulate(triangulator, viewOf(points))), "");
-}
-
-TEST(Fates, MemoryEstimateGrowsWithThePoints)
-{
-  const std::size_t thousand = Triangulator::memoryEstimate(1000, Options());
-  const std::size_t million = Triangulator::memoryEstimate(1000000, Options());
-  EXPECT_GT(thousand, 1000u * 64);    // two triangles of 32 bytes per point, if nothing else
-  EXPECT_GT(million, 500 * thousand); // linear, up to what is allocated once
-  EXPECT_LT(million, 2000 * thousand);
 }
 
 } // namespace

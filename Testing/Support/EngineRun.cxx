@@ -117,6 +117,21 @@ std::vector<Options> everySetting(const std::vector<int>& nmax)
   return result;
 }
 
+std::vector<Options> everyDistinctSetting(const std::vector<int>& nmax)
+{
+  std::vector<Options> result = everySetting(nmax);
+  const auto isRepeat = [&](const Options& o)
+  {
+    const bool hasControlPoints = o.order == InsertionOrder::AdaptiveHilbert ||
+      o.order == InsertionOrder::MultiGrid;
+    return (!hasControlPoints && o.controlPoints != ControlPoints::Off) ||
+      (o.order != InsertionOrder::AdaptiveHilbert && o.geneRotation) ||
+      (o.order == InsertionOrder::AsGiven && o.nmax != nmax.front());
+  };
+  result.erase(std::remove_if(result.begin(), result.end(), isRepeat), result.end());
+  return result;
+}
+
 std::string describe(const Options& options)
 {
   static const char* const kOrders[] = { "HG", "MG", "RG", "as given" };
@@ -132,6 +147,13 @@ std::size_t reduced(std::size_t n)
 #else
   return n;
 #endif
+}
+
+std::size_t affordable(Distribution distribution, std::size_t n)
+{
+  const bool isWide = distribution == Distribution::TinyAndHuge ||
+    distribution == Distribution::AnyFinite;
+  return isWide ? std::max<std::size_t>(80, reduced(n) / 50) : reduced(n);
 }
 
 } // namespace test

@@ -3,6 +3,7 @@
 #define ahd_EngineRun_h
 
 #include "Certifier.h"
+#include "Distributions.h"
 #include "Oracle.h"
 #include "Triangulate.h"
 
@@ -41,12 +42,19 @@ std::string faultsOf(const std::vector<Point>& points, const Outcome& outcome);
 /// Every combination of order, control points and gene rotation with each of these Nmax.
 std::vector<Options> everySetting(const std::vector<int>& nmax = { 1, 2, 50, 1000 });
 
+/// The same without those that differ only in what their order does not look at (Options.h).
+std::vector<Options> everyDistinctSetting(const std::vector<int>& nmax = { 1, 2, 50, 1000 });
+
 /// "HG, control points 2, genes on, Nmax 50".
 std::string describe(const Options& options);
 
 /// How many points a test shall take that has `n` in mind: fewer where everything is slower
 /// (sanitizers).
 std::size_t reduced(std::size_t n);
+
+/// reduced(n), and fewer still for distributions whose every predicate takes numbers of thousands
+/// of bits.
+std::size_t affordable(Distribution distribution, std::size_t n);
 
 } // namespace test
 } // namespace ahd

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the engine allocates: no more than it says beforehand, and where there is no memory it says
+// so and lives on. This program's operator new counts, and fails when told to.
+#include "Distributions.h"
+#include "EngineRun.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+namespace
+{
+
+struct Account
+{
+  std::atomic<std::size_t> held{ 0 };
+  std::atomic<std::size_t> peak{ 0 };
+  std::atomic<std::size_t> allocations{ 0 };
+  std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
+};
+
+Account account;
+
+/// Every block is preceded by its size and by the pointer to be freed.
+struct Header
+{
+  std::size_t size;
+  void* block;
+};
+
+void* allocate(std::size_t size, std::size_t alignment)
+{
+  const std::size_t number = ++account.allocations;
+  const std::size_t failAt = account.failAt;
+  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
+  void* block = failAt != 0 && number >= failAt ? nullptr : std::malloc(size + room);
+  if (!block)
+  {
+    throw std::bad_alloc();
+  }
+  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
+  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
+  *header = { size, block };
+  account.held += size;
+  account.peak = std::max<std::size_t>(account.peak, account.held);
+  return header + 1;
+}
+
+void release(void* p)
+{
+  if (p)
+  {
+    Header* header = static_cast<Header*>(p) - 1;
+    account.held -= header->size;
+    std::free(header->block);
+  }
+}
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+  return allocate(size, alignof(std::max_align_t));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+  return allocate(size, std::max(std::size_t(alignment), alignof(std::max_align_t)));
+}
+
+void operator delete(void* p) noexcept
+{
+  release(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+  release(p);
+}
+
+void operator delete(void* p, std::align_val_t) noexcept
+{
+  release(p);
+}
+
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+  release(p);
+}
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// The most bytes that run() and writeTriangles() held at once, output not counted.
+std::size_t peakOf(const std::vector<Point>& points, const Options& options)
+{
+  std::vector<std::int32_t> triples(6 * points.size() + 6);
+  const std::size_t before = account.held;
+  account.peak = before;
+  Triangulator triangulator;
+  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_EQ(triangulator.writeTriangles(triples.data(), nullptr), Status::Ok);
+  return account.peak - before;
+}
+
+TEST(Memory, NoMoreThanEstimated)
+{
+  for (const Distribution distribution : allDistributions())
+  {
+    for (const std::size_t n : { std::size_t(100), affordable(distribution, 100000) })
+    {
+      const std::vector<Point> points = makePoints(distribution, n, 1);
+      EXPECT_LE(peakOf(points, Options()), Triangulator::memoryEstimate(n, Options()))
+        << nameOf(distribution) << ", " << n << " points";
+    }
+  }
+}
+
+TEST(Memory, NoMoreThanEstimatedUnderAnySetting)
+{
+  const std::size_t n = reduced(50000);
+  const std::vector<Point> points = makePoints(Distribution::Mixed, n, 1);
+  for (const Options& options : everyDistinctSetting())
+  {
+    EXPECT_LE(peakOf(points, options), Triangulator::memoryEstimate(n, options))
+      << describe(options);
+  }
+}
+
+TEST(Memory, EstimateIsNotFarAboveWhatIsNeeded)
+{
+  const std::size_t n = 200000;
+  const std::vector<Point> points = makePoints(Distribution::Uniform, n, 1);
+  EXPECT_LE(Triangulator::memoryEstimate(n, Options()), 2 * peakOf(points, Options()));
+}
+
+TEST(Memory, EstimateGrowsWithThePoints)
+{
+  const std::size_t million = Triangulator::memoryEstimate(1000000, Options());
+  const std::size_t fourMillion = Triangulator::memoryEstimate(4000000, Options());
+  EXPECT_GE(million, 64u * 1000000); // two triangles of 32 bytes per point, if nothing else
+  EXPECT_GT(fourMillion, 3 * million);
+  EXPECT_LT(fourMillion, 5 * million);
+}
+
+TEST(Memory, NothingIsHeldByADestroyedTriangulator)
+{
+  const std::vector<Point> points = makePoints(Distribution::RepeatedDraws, 20000, 1);
+  const std::size_t before = account.held;
+  peakOf(points, Options());
+  EXPECT_EQ(account.held, before);
+}
+
+/// Fails the k-th allocation and all that follow, for every k, until a run gets through.
+void expectOutOfMemoryIsSurvived(const std::vector<Point>& points, const Options& options)
+{
+  const Outcome expected = triangulate(points, options);
+  std::vector<std::int32_t> triples(expected.triples.size());
+  Triangulator triangulator;
+  std::size_t failures = 0;
+  for (std::size_t k = 1; k < 10000; ++k)
+  {
+    account.failAt = account.allocations + k;
+    const Status ran = triangulator.run(viewOf(points), options, nullptr);
+    const Status status = ran == Status::Ok ? triangulator.writeTriangles(triples.data(), nullptr)
+                                            : ran;
+    account.failAt = 0;
+    if (status == Status::Ok)
+    {
+      EXPECT_EQ(triples, expected.triples) << "after " << failures << " failures";
+      EXPECT_GT(failures, 0u) << "the engine no longer allocates through operator new";
+      return;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
+    if (ran != Status::Ok)
+    {
+      ASSERT_EQ(triangulator.report().triangles, 0u) << "at allocation " << k;
+    }
+    ++failures;
+  }
+  FAIL() << "no run got through";
+}
+
+TEST(Memory, OutOfMemoryAtAnyAllocationIsReportedAndSurvived)
+{
+  for (const Distribution distribution : { Distribution::Uniform, Distribution::Lattice,
+         Distribution::RepeatedDraws, Distribution::NestedClusters })
+  {
+    for (const Options& options : everyDistinctSetting({ 50 }))
+    {
+      SCOPED_TRACE(std::string(nameOf(distribution)) + "; " + describe(options));
+      expectOutOfMemoryIsSurvived(makePoints(distribution, 3000, 1), options);
+    }
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
