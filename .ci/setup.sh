@@ -149,30 +149,49 @@ configure_and_build() {
       "If the log says Killed, memory ran out: try again with CMAKE_BUILD_PARALLEL_LEVEL=1 in the environment."
 }
 
+# start_display <folder>
+# Starts an X server that shows nothing; sets server and number (empty where none would start).
+# xvfb-run looks for a free number and then takes it, so two that start together may collide. Here
+# a number is drawn, taken, and drawn anew if somebody had it. -noreset: else the server starts over
+# when its last client leaves, and a client that comes just then (ParaView looks in, leaves and comes
+# back) is turned away.
+start_display() {
+  local folder=$1 cookie
+  cookie=$(mcookie)
+  mkfifo "$folder/ready"
+  for _ in 1 2 3 4 5; do
+    number=$((100 + RANDOM % 20000))
+    xauth -q -f "$folder/authority" add ":$number" . "$cookie"
+    Xvfb ":$number" -displayfd 3 -screen 0 1920x1200x24 -noreset -nolisten tcp \
+      -auth "$folder/authority" 3>"$folder/ready" </dev/null >>"$logs/display.log" 2>&1 &
+    server=$!
+    read -r -t 60 number <"$folder/ready" && return
+    kill "$server" 2>/dev/null
+    wait "$server" 2>/dev/null
+  done
+  server=""
+  number=""
+}
+
 # with_display <command>...
-# Runs the command on an X server of its own. xvfb-run looks for a free display number and then
-# takes it, so two that start together may collide; here the server chooses the number itself.
+# Runs the command on an X server of its own.
 with_display() {
-  local number status folder
+  local number="" status folder
   folder=$(mktemp -d) || return 1
   mkdir -p "$logs"
-  mkfifo "$folder/number"
+  : >"$logs/display.log"
   touch "$folder/authority"
-  xauth -q -f "$folder/authority" add :0 . "$(mcookie)" # the server takes it for any number
-  Xvfb -displayfd 3 -screen 0 1920x1200x24 -nolisten tcp -auth "$folder/authority" \
-    3>"$folder/number" </dev/null >"$logs/display.log" 2>&1 &
-  server=$!
-  read -r -t 60 number <"$folder/number" || number=""
+  start_display "$folder"
   if [ -n "$number" ]; then
-    xauth -q -f "$folder/authority" add ":$number" . "$(xauth -f "$folder/authority" list | awk '{ print $3; exit }')"
-    # OpenMPI, which ParaView is built with, refuses root unless told twice
-    DISPLAY=:$number XAUTHORITY="$folder/authority" \
+    # OpenMPI, which ParaView is built with, refuses root unless told twice; its hwloc would knock
+    # at displays :0 to :9 to see whether they have a graphics card
+    DISPLAY=:$number XAUTHORITY="$folder/authority" HWLOC_COMPONENTS=-gl \
       OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$@"
     status=$?
+    kill "$server" 2>/dev/null
+    wait "$server" 2>/dev/null
+    server=""
   fi
-  kill "$server" 2>/dev/null
-  wait "$server" 2>/dev/null
-  server=""
   rm -r "$folder"
   [ -n "$number" ] || fail 1 "the X server Xvfb did not start; see $logs/display.log"
   return $status

@@ -76,11 +76,12 @@ plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 
 [ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"
 
 # pvbatch draws on an X display of its own, so nothing appears on the screen.
-export PYTHONPATH="$build/lib/python3/dist-packages"
+export PYTHONPATH="$build/lib/python3/dist-packages" PYTHONUNBUFFERED=1
 with_display pvbatch "$root/Plugin/Demo/demo.py" --plugin "$plugin" "${arguments[@]}"
 status=$?
 case $status in
   0 | 2) ;;
-  *) fail "$status" "ParaView stopped with exit code $status; its own words are above and in $logs/display.log" ;;
+  *) fail 1 "ParaView stopped with exit code $status. Its own words are above." \
+    "If they are about X or DISPLAY: the X server's are in $logs/display.log" ;;
 esac
 exit $status

@@ -80,8 +80,8 @@ run_ctest() {
   shift 2
   printf '\nTesting with %s\n' "$name"
   with_display ctest --test-dir "$folder" --output-on-failure --no-tests=ignore \
-    --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@" | tee "$logs/ctest.log"
-  code=${PIPESTATUS[0]}
+    --output-log "$logs/ctest.log" --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@"
+  code=$?
   summary=$(grep -o '[0-9]* tests failed out of [0-9]*' "$logs/ctest.log" | tail -n 1)
   if [ -n "$summary" ]; then
     failed=$((failed + ${summary%% *}))

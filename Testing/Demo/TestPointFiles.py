@@ -55,6 +55,7 @@ class Delimiters(FileTest):
 
     def test_line_ends_and_byte_order_marks(self):
         self.assert_points(self.read(b"\xef\xbb\xbfy,x,z\r\n1,2,3\r\n4,5,6"), [[2, 1, 3], [5, 4, 6]])
+        self.assertEqual(self.read(b"\xef\xbb\xbfy,x,z\n1,2,3\n").names, ("x", "y", "z"))
         self.assert_points(self.read("x;y;z\n1;2;3\n".encode("utf-16")), [[1, 2, 3]])
 
     def test_decimal_commas(self):
