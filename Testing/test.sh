@@ -86,6 +86,8 @@ run_ctest() {
   if [ -n "$summary" ]; then
     failed=$((failed + ${summary%% *}))
     total=$((total + ${summary##* }))
+  elif [ $code -ne 0 ]; then
+    fail "$code" "ctest stopped with exit code $code before its end, testing with $name"
   fi
   [ $status -ne 0 ] || status=$code
 }
