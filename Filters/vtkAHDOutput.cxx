@@ -20,7 +20,7 @@ namespace
 {
 // n points have fewer than 2n triangles, so the engine's limit on points keeps ids and offsets
 // below 2^31: 32-bit storage always fits. Who raises the limit has to write 64-bit ids here.
-static_assert(3 * 2 * ahd::kMaximumPoints <= std::size_t(VTK_TYPE_INT32_MAX),
+static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
 

@@ -57,9 +57,9 @@ public:
 private:
   ahd::Options GetOptions() const;
 
-  vtkAdaptiveHilbertDelaunay2D* Filter;
-  vtkPointSet* Input;
-  vtkPolyData* Output;
+  vtkAdaptiveHilbertDelaunay2D* const Filter;
+  vtkPointSet* const Input;
+  vtkPolyData* const Output;
   vtkAHDInput Points;
   vtkAHDProgress Progress;
   ahd::Report Report;

@@ -36,11 +36,11 @@
  * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
  * points, the method of T. Su, W. Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for
  * randomly distributed point cloud data using adaptive Hilbert curve</em>, Computers & Graphics 54
- * (2016) 65-74, doi:10.1016/j.cag.2015.07.019. Sorting takes O(n log n) time at worst and O(n) in
- * practice; insertion takes O(n) expected time for points that are not arranged against it. Memory
- * is linear in n and estimated beforehand: what cannot be had is refused with an error before it is
- * allocated (see MemoryLimit). At most 2^28 - 2 points are taken. Float and double points are read
- * where they are; points of another type are converted to double first.
+ * (2016) 65-74, doi:10.1016/j.cag.2015.07.019. The time then grows about linearly with the number
+ * of points, however unevenly they are distributed. Memory is linear too and estimated beforehand:
+ * what cannot be had is refused with an error before it is allocated (see MemoryLimit). At most
+ * 2^28 - 2 points are taken. Float and double points are read where they are, and widening float to
+ * double is exact; points of another type are converted to double first.
  *
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
@@ -97,8 +97,9 @@ public:
   /**
    * In which order the points are inserted: one of InsertionOrders. Changes the time, never the
    * triangles. The default, ADAPTIVE_HILBERT, is the fastest whatever the distribution; the others
-   * are there to be compared with it (Su et al. 2016, tables 2 to 6). AS_GIVEN is worth a
-   * try where the points come along a curve already, and takes very long where they come at random.
+   * are there to be compared with it (Su et al. 2016, tables 2 to 6). AS_GIVEN is for points that
+   * follow each other along a curve already: each is looked for from the one before, so points in
+   * random order take very long.
    */
   vtkSetClampMacro(InsertionOrder, int, ADAPTIVE_HILBERT, AS_GIVEN);
   vtkGetMacro(InsertionOrder, int);

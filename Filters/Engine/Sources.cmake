@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The engine, listed once: Filters/CMakeLists.txt compiles it into the VTK module, Testing/ into a
-# library of its own that needs no VTK. Sets
-#   ahd_engine_sources   absolute paths
+# What the engine consists of and how it is compiled, said once: Filters/CMakeLists.txt compiles it
+# into the VTK module, Testing/ into a library of its own that needs no VTK. Sets
+#   ahd_engine_sources   absolute paths: every .cxx file below this directory
 #   ahd_engine_options   compile options without which the predicates are not exact
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
