@@ -19,7 +19,8 @@ struct Duplicate
 
 /// The distinct finite points in canonical order. The rank of a point is its place on a Hilbert
 /// curve through the bounding box, ties broken by (x, y): a function of the point set alone. It
-/// numbers the vertices of the mesh and sorts the output.
+/// numbers the vertices of the mesh and sorts the output. The arrays have room for all finite
+/// points, duplicates included; only the entries named here mean something.
 struct RankedPoints
 {
   Index count = 0;           ///< distinct points
