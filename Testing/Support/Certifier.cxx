@@ -2,12 +2,12 @@
 #include "Certifier.h"
 
 #include "ExactSigns.h"
+#include "PlaceTable.h"
 #include "Result.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <map>
 
 namespace ahd
@@ -52,55 +52,6 @@ public:
 private:
   std::map<std::string, std::size_t> counts_;
   Complaints texts_;
-};
-
-/// Finds the first point at the same place. -0.0 and +0.0 are the same coordinate.
-class PlaceTable
-{
-public:
-  explicit PlaceTable(const PointView& points)
-    : points_(points)
-  {
-    std::size_t capacity = 16;
-    while (capacity < 2 * points.count)
-    {
-      capacity *= 2;
-    }
-    slots_.assign(capacity, kNone);
-  }
-
-  /// The id of the first point handed in that lies where point i lies: i itself if it is the first.
-  std::int32_t firstAt(std::size_t i)
-  {
-    const Point p = points_[i];
-    std::size_t slot = hash(p);
-    for (;; ++slot)
-    {
-      std::int32_t& found = slots_[slot & (slots_.size() - 1)];
-      if (found == kNone)
-      {
-        found = std::int32_t(i);
-      }
-      if (points_[std::size_t(found)] == p)
-      {
-        return found;
-      }
-    }
-  }
-
-private:
-  static std::size_t hash(const Point& p)
-  {
-    const double normal[2] = { p.x + 0.0, p.y + 0.0 };
-    std::uint64_t bits[2];
-    std::memcpy(bits, normal, sizeof bits);
-    std::uint64_t h = bits[0] * 0x9E3779B97F4A7C15u;
-    h = (h ^ (h >> 29) ^ bits[1]) * 0xBF58476D1CE4E5B9u;
-    return std::size_t(h ^ (h >> 32));
-  }
-
-  const PointView& points_;
-  std::vector<std::int32_t> slots_;
 };
 
 /// The work of certify(), step by step.
@@ -151,6 +102,7 @@ private:
   void collectEdges();
   void linkTriangles();
   void checkHull();
+  std::vector<std::int32_t> hullSuccessors();
   void checkHullCorner(std::int32_t before, std::int32_t at, std::int32_t after);
   void checkUse();
   void checkConnected();
@@ -181,6 +133,7 @@ private:
   FaultList faults_;
   std::size_t vertexCount_ = 0;
   std::size_t hullSize_ = 0;
+  std::int32_t hullStart_ = kNone;
   std::vector<std::int32_t> firstEdge_; ///< by vertex: its first place in edges_
   std::vector<Edge> edges_;             ///< by origin, then target
   std::vector<std::int32_t> twin_;      ///< by half-edge; kNone on the hull
@@ -342,16 +295,15 @@ void Certifier::checkHullCorner(std::int32_t before, std::int32_t at, std::int32
   }
 }
 
-void Certifier::checkHull()
+std::vector<std::int32_t> Certifier::hullSuccessors()
 {
   std::vector<std::int32_t> after(points_.count, kNone);
-  std::int32_t start = kNone;
   for (std::int32_t h = 0; std::size_t(h) < triples_.size(); ++h)
   {
     if (twin_[std::size_t(h)] == kNone)
     {
       ++hullSize_;
-      start = start == kNone ? origin(h) : start;
+      hullStart_ = origin(h);
       if (after[std::size_t(origin(h))] != kNone)
       {
         faults_.add("hull passes twice", [&] { return "through " + name(origin(h)); });
@@ -359,36 +311,40 @@ void Certifier::checkHull()
       after[std::size_t(origin(h))] = target(h);
     }
   }
+  return after;
+}
+
+void Certifier::checkHull()
+{
+  const std::vector<std::int32_t> after = hullSuccessors();
+  const auto follow = [&](std::int32_t v) { return v == kNone ? v : after[std::size_t(v)]; };
   std::size_t steps = 0;
-  std::size_t turns = 0; // a convex loop that goes round k times has k lexicographic minima
-  std::int32_t v = start;
-  while (v != kNone && steps < hullSize_)
+  std::size_t rounds = 0; // a convex loop that goes round k times has k lexicographic minima
+  std::int32_t v = hullStart_;
+  for (bool closed = false; !closed && steps < hullSize_; ++steps)
   {
-    const std::int32_t next = after[std::size_t(v)];
-    const std::int32_t afterNext = next == kNone ? kNone : after[std::size_t(next)];
+    const std::int32_t next = follow(v);
+    const std::int32_t afterNext = follow(next);
     if (afterNext == kNone)
     {
-      faults_.add("hull ends", [&] { return "at " + name(next == kNone ? v : next); });
+      faults_.add("hull ends", [&] { return "after " + name(v); });
       return;
     }
     checkHullCorner(v, next, afterNext);
-    turns += lexicographicallyLess(at(next), at(v)) &&
+    const bool isMinimum = lexicographicallyLess(at(next), at(v)) &&
       lexicographicallyLess(at(next), at(afterNext));
+    rounds += isMinimum ? 1 : 0;
     v = next;
-    ++steps;
-    if (v == start)
-    {
-      break;
-    }
+    closed = v == hullStart_;
   }
-  if (v != start || steps != hullSize_ || turns != 1)
+  if (v != hullStart_ || steps != hullSize_ || rounds != 1)
   {
     faults_.add("hull is not one simple loop",
       [&]
       {
         return std::to_string(hullSize_) + " edges used one way, " + std::to_string(steps) +
-          " on the loop, which goes round " + std::to_string(turns) + " times" +
-          (start == kNone ? "" : ", from " + name(start));
+          " on the loop, which goes round " + std::to_string(rounds) + " times" +
+          (hullStart_ == kNone ? "" : ", from " + name(hullStart_));
       });
   }
 }
