@@ -8,7 +8,7 @@
 
 Nothing is asserted: time depends on the machine and on what else it does.
 
-  speed.py <build>/EngineBenchmark [--quick] [--all] [--repeat N] [--json FILE]
+  speed.py <build>/EngineBenchmark [--sizes SMALL LARGE] [--all] [--repeat N] [--json FILE]
 """
 
 import argparse
@@ -26,7 +26,10 @@ def parse_arguments():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("program", help="the EngineBenchmark to run")
-    parser.add_argument("--quick", action="store_true", help="1e5 and 4e5 points instead of 1e6 and 4e6")
+    parser.add_argument(
+        "--sizes", nargs=2, type=int, default=[1000000, 4000000], metavar=("SMALL", "LARGE"),
+        help="numbers of points (default: 1000000 4000000)",
+    )
     parser.add_argument("--all", action="store_true", help="also lattices, UTM and strong clusters")
     parser.add_argument("--repeat", type=int, default=3, help="runs of each; the fastest counts")
     parser.add_argument("--json", help="also keep Google Benchmark's own report in this file")
@@ -103,15 +106,26 @@ def print_goals(benchmarks, small, large):
     print(f"  uniform, {large} / {small} points   {growth:6.2f}   goal: at most 1.15")
 
 
+def check_triangles(benchmarks):
+    """Both engines triangulate the same points: a different count means one of them is wrong."""
+    for name, benchmark in benchmarks.items():
+        other = number(benchmarks, name.replace("ours/", "cgal/", 1), "triangles")
+        if "triangles" not in benchmark:
+            sys.exit(f"speed.py: {name} gave no result: {benchmark.get('error_message')}")
+        if other not in (None, benchmark["triangles"]):
+            sys.exit(f"speed.py: {name}: {benchmark['triangles']} triangles, CGAL has {other}")
+
+
 def main():
     arguments = parse_arguments()
-    small, large = (100000, 400000) if arguments.quick else (1000000, 4000000)
+    small, large = arguments.sizes
     distributions = PAPER + (OTHERS if arguments.all else [])
     benchmarks, report = run(
         arguments.program, [small], distributions, ["ours", "cgal"], arguments.repeat
     )
     more, _ = run(arguments.program, [large], ["Uniform"], ["ours"], arguments.repeat)
     benchmarks.update(more)
+    check_triangles(benchmarks)
     report["benchmarks"] = list(benchmarks.values())
     if arguments.json:
         with open(arguments.json, "w") as text:

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The engine and the tests' tools as static libraries without VTK, for whoever includes this first:
+# The engine and the tests' tools as static libraries without VTK, for the tests and benchmarks:
 #   ahd_engine_static   the engine, from Filters/Engine/Sources.cmake
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
-if (TARGET ahd_engine_static)
-  return ()
-endif ()
-
-find_package(Threads REQUIRED)
+# and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
+# ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY.
 find_library(AHD_GMP_LIBRARY gmp REQUIRED)
 find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
 mark_as_advanced(AHD_GMP_LIBRARY AHD_GMPXX_LIBRARY)
@@ -19,6 +16,10 @@ include("${ahd_root_dir}/Filters/Engine/Sources.cmake")
 set(ahd_warnings)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(ahd_warnings -Wall -Wextra -Wconversion -Wshadow)
+endif ()
+
+if (TARGET ahd_engine_static)
+  return ()
 endif ()
 
 add_library(ahd_engine_static STATIC EXCLUDE_FROM_ALL ${ahd_engine_sources})
