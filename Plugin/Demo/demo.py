@@ -156,6 +156,8 @@ def write_picture(surface, points, chosen, path):
     scale = picture.choose_scale(points.xyz, points.names, chosen.exaggeration)
     unit = "" if scale.geographic else " (taking x, y and z to be in one unit)"
     told = "vertical exaggeration %g%s" % (scale.exaggeration, unit)
+    if scale.low == scale.high:
+        told = "flat: z is %g" % scale.low
     odd = int(numpy.isinf(points.xyz[:, 2]).sum() + numpy.isnan(points.xyz[:, 2]).sum())
     if odd:
         told += "; %s points without a finite z drawn at the bottom" % thousands(odd)

@@ -164,19 +164,23 @@ def show(data, name, view, scale):
 def draw(surface, scale, z_name, title, path, edges=False):
     """Draws the surface and writes the picture to path."""
     copy, xyz = drawable(surface, scale, z_name)
-    floor = xyz[:, 2].min() - 0.1 * (scale.high - scale.low)
+    flat = scale.low == scale.high
+    floor = xyz[:, 2].min() - (0.1 * (scale.high - scale.low) or thickness(xyz, scale))
     azimuth = viewing_azimuth(xyz * scale.factors)
     view = new_view(azimuth)
     display = show(copy, "surface", view, scale)
-    display.Representation = "Surface With Edges" if edges else "Surface"
+    display.Representation = "Surface With Edges" if edges or flat else "Surface"
     display.EdgeColor = [0.1, 0.1, 0.15]
     display.Ambient = 0.35
     display.Diffuse = 0.8
-    colour(display, scale, z_name, view)
+    if flat:
+        display.AmbientColor = display.DiffuseColor = COLOURS[4][1:]
+    else:
+        colour(display, scale, z_name, view)
     block = show(walls(xyz, corner_ids(surface), floor), "walls", view, scale)
     block.AmbientColor = block.DiffuseColor = [0.66, 0.63, 0.59]
     block.Ambient, block.Diffuse = 0.75, 0.35
-    frame(view, scale, azimuth)
+    frame(view, scale, azimuth, xyz)
     write_title(title, view)
     place_camera(view, xyz * scale.factors, floor * scale.factors[2], azimuth)
     simple.SaveScreenshot(path, view, ImageResolution=list(SIZE))
@@ -203,7 +207,7 @@ def new_view(azimuth):
 def colour(display, scale, z_name, view):
     simple.ColorBy(display, ("POINTS", z_name))
     table = simple.GetColorTransferFunction(z_name)
-    low, high = scale.low, scale.high if scale.high > scale.low else scale.low + 1.0
+    low, high = scale.low, scale.high
     table.ColorSpace = "Lab"
     table.RGBPoints = [n for t, *rgb in COLOURS for n in [low + t * (high - low)] + rgb]
     bar = simple.GetScalarBar(table, view)
@@ -219,7 +223,7 @@ def colour(display, scale, z_name, view):
     display.SetScalarBarVisibility(view, True)
 
 
-def frame(view, scale, azimuth):
+def frame(view, scale, azimuth, xyz):
     """A box with the data's own numbers along its lower edges."""
     axes = view.AxesGrid
     axes.Visibility = 1
@@ -228,12 +232,26 @@ def frame(view, scale, azimuth):
     axes.FacesToRender = FLOOR
     axes.AxesToLabel = SOUTH_EDGE | (WEST_EDGE if azimuth > 180 else EAST_EDGE)
     axes.XTitle, axes.YTitle, axes.ZTitle = ("Longitude", "Latitude", "") if scale.geographic else ("", "", "")
-    for axis in "XYZ":
+    for axis, values in zip("XYZ", xyz.T):
+        if numpy.abs(values).max() >= 1e5:  # eastings and northings: not as 6.574e+6
+            setattr(axes, axis + "AxisNotation", "Fixed")
+            setattr(axes, axis + "AxisPrecision", decimals(float(numpy.ptp(values))))
         for part in ("Title", "Label"):
             setattr(axes, axis + part + "Color", [0.25, 0.25, 0.25])
         setattr(axes, axis + "TitleFontSize", 18)
         setattr(axes, axis + "LabelFontSize", 15)
     axes.GridColor = [0.55, 0.58, 0.62]
+
+
+def decimals(span):
+    """How many decimals tell some twenty numbers along the span apart."""
+    return max(0, math.ceil(-math.log10(span / 20))) if span > 0 else 0
+
+
+def thickness(xyz, scale):
+    """In z, of the slab that a flat set is drawn as: a hundredth of its diagonal."""
+    width, depth = numpy.ptp(xyz[:, :2], axis=0)
+    return 0.01 * math.hypot(width * scale.factors[0], depth) / scale.factors[2]
 
 
 def write_title(title, view):

@@ -178,6 +178,12 @@ class WholeRuns(InFolder):
         self.assertNotIn("unreadable", said)
         self.assert_picture("odd.png")
 
+    def test_a_flat_set_shows_its_edges(self):
+        rows = "".join("%d,%d\n" % (i % 20, i // 20) for i in range(400))
+        said = self.run_demo(self.write_text("flat.csv", rows))
+        self.assertIn("flat: z is 0", said)
+        self.assert_picture("flat.png")
+
     def test_a_line_has_no_triangle_and_no_picture(self):
         with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
             self.run_demo(self.write_text("line.txt", "0 0 1\n1 1 2\n2 2 3\n"))
@@ -209,6 +215,9 @@ class Drawing(unittest.TestCase):
         self.assertEqual(picture.choose_exaggeration(1e4, 1000.0), 0.011)
         self.assertEqual(picture.choose_exaggeration(0.0, 1000.0), 1.0)
         self.assertEqual([picture.two_digits(value) for value in (34.2, 7.36, 0.0123, 456.0)], [34, 7.5, 0.012, 460])
+
+    def test_decimals_of_big_numbers(self):
+        self.assertEqual([picture.decimals(span) for span in (3000.0, 20.0, 9.0, 0.9, 0.0)], [0, 0, 1, 2, 0])
 
     def test_normals_of_a_slope_drawn_steeper(self):
         """z = x drawn ten times as high: the drawn normal is (-10, 0, 1), turned back for storing."""
