@@ -113,7 +113,9 @@ public:
   /**
    * A box of the grid that holds more than this many points is divided further; used by
    * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, the paper's, which
-   * finds 50 to 200 equally good (section 4). Changes the time, never the triangles.
+   * finds 50 to 200 equally good (section 4). Changes the time, never the triangles. With the
+   * defaults of ControlPoints and GeneRotation not even that: the curve then goes on inside the
+   * boxes, down to the single point, and where their borders lie makes no difference.
    */
   vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
   vtkGetMacro(Nmax, int);
