@@ -41,8 +41,8 @@ const std::map<std::string, Names>& allowedParts()
 /// Headers that carry words, not work: every part may use them.
 const Names& vocabulary()
 {
-  static const Names kWords = { "Points/Points.h", "Buffer.h", "Options.h", "Progress.h",
-    "Result.h", "SortInSteps.h" };
+  static const Names kWords = { "Points/Points.h", "Buffer.h", "Chunks.h", "Options.h",
+    "Progress.h", "Result.h" };
   return kWords;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extractor.h"
 
+#include "../Chunks.h"
+
 #include <algorithm>
 
 namespace ahd
@@ -35,19 +37,20 @@ bool hasCorner(const std::uint32_t* corners, std::uint32_t vertex)
 template <typename Visit>
 bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
 {
-  for (Mesh::Slot slot = 0; slot != mesh.end(); slot += Mesh::kSlotSize)
-  {
-    const std::uint32_t* corners = mesh.data() + slot;
-    if (!hasCorner(corners, mesh.ghost()))
+  const std::uint32_t* const data = mesh.data();
+  const std::uint32_t ghost = mesh.ghost();
+  return inChunks(0, mesh.end() / Mesh::kSlotSize, ticker,
+    [=](std::size_t a, std::size_t b)
     {
-      visit(slot, fromLowest(corners));
-    }
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  return true;
+      for (std::size_t slot = a * Mesh::kSlotSize; slot != b * Mesh::kSlotSize;
+           slot += Mesh::kSlotSize)
+      {
+        if (!hasCorner(data + slot, ghost))
+        {
+          visit(static_cast<Mesh::Slot>(slot), fromLowest(data + slot));
+        }
+      }
+    });
 }
 
 /// For each vertex, where the next triangle that has it at a certain corner is to be put.
@@ -66,22 +69,36 @@ public:
   bool sumUp(Ticker& ticker)
   {
     std::uint32_t sum = 0;
-    for (std::uint32_t& next : next_)
-    {
-      const std::uint32_t n = next;
-      next = sum;
-      sum += n;
-      if (!ticker.step())
+    return inChunks(0, next_.size(), ticker,
+      [&](std::size_t a, std::size_t b)
       {
-        return false;
-      }
-    }
-    return true;
+        for (std::size_t i = a; i != b; ++i)
+        {
+          const std::uint32_t n = next_[i];
+          next_[i] = sum;
+          sum += n;
+        }
+      });
   }
 
 private:
   Buffer<std::uint32_t> next_;
 };
+
+/// The slots of the finite triangles, sorted by second corner; counts their lowest corners.
+bool sortBySecond(const Mesh& mesh, Buffer<Mesh::Slot>& sorted, Places& byLowest, Ticker& ticker)
+{
+  Places bySecond(mesh.ghost());
+  const auto count = [&](Mesh::Slot, const FromLowest& t)
+  {
+    byLowest.count(t.v0);
+    bySecond.count(t.v1);
+  };
+  const auto put = [&](Mesh::Slot slot, const FromLowest& t)
+  { sorted[bySecond.take(t.v1)] = slot; };
+  return forEachFinite(mesh, ticker, count) && bySecond.sumUp(ticker) &&
+    forEachFinite(mesh, ticker, put);
+}
 
 } // namespace
 
@@ -119,39 +136,29 @@ template <typename Id>
 bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
   Id* triples, Ticker& ticker)
 {
+  constexpr std::size_t kAhead = 16; // triangles; their slots lie anywhere in the cache's reach
   Places byLowest(mesh.ghost());
-  Places bySecond(mesh.ghost());
-  const auto count = [&](Mesh::Slot, const FromLowest& t)
-  {
-    byLowest.count(t.v0);
-    bySecond.count(t.v1);
-  };
-  if (!forEachFinite(mesh, ticker, count) || !byLowest.sumUp(ticker) || !bySecond.sumUp(ticker))
-  {
-    return false;
-  }
   Buffer<Mesh::Slot> sorted;
   sorted.allocate(triangleCount);
-  const auto put = [&](Mesh::Slot slot, const FromLowest& t)
-  { sorted[bySecond.take(t.v1)] = slot; };
-  if (!forEachFinite(mesh, ticker, put))
+  if (!sortBySecond(mesh, sorted, byLowest, ticker) || !byLowest.sumUp(ticker))
   {
     return false;
   }
-  for (const Mesh::Slot slot : sorted)
-  {
-    const FromLowest t = fromLowest(mesh.data() + slot);
-    Id* out = triples + 3 * byLowest.take(t.v0);
-    out[0] = Id(ids[t.v0]);
-    out[1] = Id(ids[t.v1]);
-    out[2] = Id(ids[t.v2]);
-    ticker.finished(1);
-    if (!ticker.step())
+  const std::uint32_t* const data = mesh.data();
+  return inChunks(0, triangleCount, ticker,
+    [&, ids, triples, data](std::size_t a, std::size_t b)
     {
-      return false;
-    }
-  }
-  return true;
+      for (std::size_t i = a; i != b; ++i)
+      {
+        prefetchForRead(data + sorted[i + kAhead < triangleCount ? i + kAhead : i]);
+        const FromLowest t = fromLowest(data + sorted[i]);
+        Id* const out = triples + 3 * byLowest.take(t.v0);
+        out[0] = Id(ids[t.v0]);
+        out[1] = Id(ids[t.v1]);
+        out[2] = Id(ids[t.v2]);
+      }
+      ticker.finished(b - a);
+    });
 }
 
 template bool writeCanonical(

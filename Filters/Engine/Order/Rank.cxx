@@ -2,7 +2,7 @@
 #include "Rank.h"
 
 #include "BucketSorter.h"
-#include "Chunks.h"
+#include "../Chunks.h"
 #include "HilbertCurve.h"
 #include "Quantise.h"
 

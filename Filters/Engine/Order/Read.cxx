@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Chunks.h"
+#include "../Chunks.h"
 #include "Rank.h"
 
 #include <limits>

@@ -2,7 +2,7 @@
 #include "Sequence.h"
 
 #include "BoxWalk.h"
-#include "Chunks.h"
+#include "../Chunks.h"
 
 #include <algorithm>
 #include <vector>

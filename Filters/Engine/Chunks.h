@@ -2,7 +2,7 @@
 #ifndef ahd_Chunks_h
 #define ahd_Chunks_h
 
-#include "../Progress.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -35,6 +35,16 @@ inline void prefetchForWrite(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address, 1);
+#else
+  (void)address;
+#endif
+}
+
+/// Tells the processor that a cache line is about to be read. Changes no result.
+inline void prefetchForRead(const void* address)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  __builtin_prefetch(address, 0);
 #else
   (void)address;
 #endif
