@@ -112,9 +112,8 @@ def fingerprint(source):
 
 
 def measures(proxy):
-    """The measures of the last run, as ParaView shows them."""
+    """The measures of the last run, as ParaView shows them: the update itself must fetch them."""
     proxy.UpdatePipeline()
-    proxy.UpdatePipelineInformation()  # pulls the information properties
     return {name: getattr(proxy, name) for name in MEASURES}
 
 
