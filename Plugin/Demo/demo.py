@@ -83,9 +83,22 @@ def read_vtk(path):
         kind = data.GetClassName() if data else "nothing"
         raise InputError("%s holds %s; a data set with points of its own is needed" % (path, kind))
     if data.GetNumberOfPoints() == 0:
-        raise InputError("%s holds no points" % path)
+        raise InputError("%s holds no points%s" % (path, appended_data_hint(path)))
     xyz = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
     return source, PointSet(xyz, ("x", "y", "z"), [data.GetClassName()], 0, True)
+
+
+def appended_data_hint(path):
+    """Whether the file is one that ParaView 5.11 (VTK 9.2) writes and yet cannot read: with their data
+    appended, the default, it fails on XML files since libexpat changed when it reports what it has
+    read (2.6; in Debian 12 since 2.5.0-1+deb12u2, a security update)."""
+    with open(path, "rb") as file:
+        if b"<AppendedData" not in file.read(1 << 20):
+            return ""
+    return (
+        " that ParaView can read here: its data is appended, which ParaView 5.11 cannot read with newer"
+        "\nversions of libexpat. Save it again with the data mode Binary or Ascii, or as legacy .vtk"
+    )
 
 
 def make_source(points):
@@ -194,7 +207,8 @@ def run(chosen):
 def save_surface(proxy, path):
     from paraview import simple
 
-    simple.SaveData(path, proxy=proxy)
+    # not appended, see appended_data_hint
+    simple.SaveData(path, proxy=proxy, DataMode="Binary", CompressorType="ZLib")
     print("Surface  %s" % path)
 
 

@@ -47,5 +47,6 @@ print("volume below the surface: %.3f" % volume)
 if len(sys.argv) > 1:
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(sys.argv[1])
+    writer.SetDataModeToBinary()  # VTK 9.2 cannot read its default, appended data, with newer libexpat
     writer.SetInputData(surface)
     writer.Write()

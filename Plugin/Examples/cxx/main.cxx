@@ -43,6 +43,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer; // asks the filter for its surface
   writer->SetInputConnection(delaunay->GetOutputPort());
   writer->SetFileName(argv[2]);
+  // VTK 9.2 cannot read what is the default, appended data, with newer versions of libexpat.
+  writer->SetDataModeToBinary();
   if (!writer->Write())
   {
     return EXIT_FAILURE;
