@@ -80,7 +80,8 @@ def write_vtp(name, points):
     data.GetPointData().AddArray(heights)
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(scratch(name))
-    writer.SetDataModeToAppended()
+    # VTK 9.2 cannot read appended data, the default, with newer versions of libexpat.
+    writer.SetDataModeToBinary()
     writer.SetInputData(data)
     check(writer.Write(), "could not write " + scratch(name))
     return scratch(name)
