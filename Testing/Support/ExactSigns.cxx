@@ -76,7 +76,8 @@ bool toIntegers(const double* differences, std::int64_t* integers, int count)
   {
     const double scaled = differences[i] * scale;
     integers[i] = static_cast<std::int64_t>(scaled);
-    if (static_cast<double>(integers[i]) != scaled)
+    const bool lost = scaled == 0.0 && differences[i] != 0.0; // underflow
+    if (lost || static_cast<double>(integers[i]) != scaled)
     {
       return false;
     }
