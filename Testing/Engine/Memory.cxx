@@ -135,6 +135,21 @@ TEST(Memory, NoMoreThanEstimatedUnderAnySetting)
   }
 }
 
+TEST(Memory, NoMoreThanEstimatedForACavityOfAllTriangles)
+{
+  // The last of these points in the order of insertion lies in the circles of nearly all triangles,
+  // which form a chain, so that one open edge of each waits until the end of the cavity is reached.
+  std::vector<Point> points;
+  for (std::size_t i = 1; i <= 20000; ++i)
+  {
+    const double x = -double(i);
+    points.push_back({ x, x * x });
+  }
+  points.push_back({ -1.5, 1e10 });
+  EXPECT_LE(peakOf(points, Options()), Triangulator::memoryEstimate(points.size(), Options()));
+  EXPECT_EQ(faultsOf(points, triangulate(points)), "");
+}
+
 TEST(Memory, EstimateIsNotFarAboveWhatIsNeeded)
 {
   const std::size_t n = 200000;

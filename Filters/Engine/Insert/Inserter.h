@@ -8,7 +8,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace ahd
 {
@@ -34,7 +33,7 @@ enum class InsertionEnd
 /// REQUIRES: the mesh is allocated for points.count vertices and empty.
 /// Cost: O(1) expected per point when successive points are close and a sparse subset of the points
 /// comes first (see Order); O(n) per point at worst.
-/// Throws std::bad_alloc. Counts into `work` unless that is null.
+/// Allocates nothing. Counts into `work` unless that is null.
 InsertionEnd insertSequence(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
   Ticker& ticker, InsertionWork* work);
 

@@ -18,7 +18,7 @@ namespace ahd
 /// No triangle is marked: the cavity has no vertex inside, so its dual graph is a tree and no
 /// triangle is met twice. The number of free slots always equals the number of open edges (root: 1
 /// freed and 2 fresh for 3 edges; each conflict: 1 slot, 1 edge more; each border edge takes one),
-/// so each open edge carries a slot.
+/// so each open edge carries a slot; where there are very many, they wait in these slots.
 ///
 /// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
 /// That choice is made in floating point, and without a branch, as it would be mispredicted; a
@@ -68,7 +68,7 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
       }
       *top++ = pendingTo(
         b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin], Mesh::slotOf(twin));
-      top = top == pendingEnd_ ? growPending() : top;
+      top = top == pendingEnd() ? spillPending() : top;
       twin = data[Mesh::next(twin) + Mesh::kTwin];
       b = apex;
       crossed = crossedIn;
@@ -89,16 +89,27 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
     const unsigned endIsRight = b.x * towardsY - b.y * towardsX < 0;
     hintForNext = endIsRight > startIsRight ? slot : hintForNext;
     startIsRight = endIsRight;
-    if (top == pending_.data())
+    a = b;
+    if (top != pending_.data())
+    {
+      --top;
+      b = Corner{ { top->x, top->y, top->z }, top->end };
+      crossed = top->crossed;
+      twin = top->twin;
+      slot = top->slot;
+    }
+    else if (spilled_ != kNoIndex)
+    {
+      slot = spilled_;
+      b = seenFrom(at, xy, data[slot]);
+      crossed = cross(a, b);
+      twin = data[slot + 1];
+      spilled_ = data[slot + 2];
+    }
+    else
     {
       break;
     }
-    --top;
-    a = b;
-    b = Corner{ { top->x, top->y, top->z }, top->end };
-    crossed = top->crossed;
-    twin = top->twin;
-    slot = top->slot;
   }
   data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
   data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
@@ -107,14 +118,19 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
   return true;
 }
 
-/// Doubles the room for open edges when it is full. Returns where the next one goes.
+/// Moves the open edges, which fill their room, to the slots they carry: end, twin, and the slot of
+/// the one below. So a cavity of any size needs no more memory. Returns where the next edge goes.
 template <bool kCount>
-typename Kernel<kCount>::PendingEdge* Kernel<kCount>::growPending()
+typename Kernel<kCount>::PendingEdge* Kernel<kCount>::spillPending()
 {
-  const std::size_t depth = pending_.size();
-  pending_.resize(2 * depth);
-  pendingEnd_ = pending_.data() + pending_.size();
-  return pending_.data() + depth;
+  for (const PendingEdge& edge : pending_)
+  {
+    data_[edge.slot] = edge.end;
+    data_[edge.slot + 1] = edge.twin;
+    data_[edge.slot + 2] = spilled_;
+    spilled_ = edge.slot;
+  }
+  return pending_.data();
 }
 
 template <bool kCount>

@@ -7,6 +7,8 @@
 #include "../Predicates/Filters.h"
 #include "../Predicates/Predicates.h"
 
+#include <array>
+
 namespace ahd
 {
 
@@ -36,8 +38,6 @@ public:
     , ghost_(mesh.ghost())
     , mesh_(mesh)
     , ticker_(ticker)
-    , pending_(kInitialPending)
-    , pendingEnd_(pending_.data() + pending_.size())
   {
   }
 
@@ -73,7 +73,6 @@ private:
     return PendingEdge{ end.x, end.y, end.z, end.vertex, twin, crossed, slot };
   }
 
-  static constexpr std::size_t kInitialPending = 64;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
 
   //--- locate -------------------------------------------------------------------------------------
@@ -195,7 +194,8 @@ private:
   //--- cavity and star ----------------------------------------------------------------------------
 
   bool carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint);
-  PendingEdge* growPending();
+  const PendingEdge* pendingEnd() const { return pending_.data() + pending_.size(); }
+  PendingEdge* spillPending();
 
   void countRemoved()
   {
@@ -230,8 +230,8 @@ private:
   Index ghost_;
   Mesh& mesh_;
   Ticker& ticker_;
-  std::vector<PendingEdge> pending_;
-  const PendingEdge* pendingEnd_;
+  std::array<PendingEdge, 64> pending_; ///< the topmost open edges
+  Mesh::Slot spilled_ = kNoIndex; ///< slot of the topmost of those below them, if there are any
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;
