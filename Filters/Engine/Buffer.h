@@ -3,7 +3,6 @@
 #define ahd_Buffer_h
 
 #include <cstddef>
-#include <cstdlib>
 #include <new>
 #include <type_traits>
 #include <utility>

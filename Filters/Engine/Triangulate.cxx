@@ -44,7 +44,6 @@ struct Triangulator::State
   Mesh mesh;
   Report report;
 
-  void reset() { *this = State(); }
   Status sortAndInsert(const Options& options, Progress* progress);
   Status insert(const Buffer<Index>& sequence, const Options& options, Progress* progress);
   template <typename Id>
@@ -176,7 +175,7 @@ void Triangulator::writeFates(std::int64_t* fates) const
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
 {
   // Bytes per point of the three moments at which most is held (Algorithm.md, "Memory").
-  constexpr std::size_t kMesh = 2 * Mesh::kSlotSize * sizeof(std::uint32_t);
+  constexpr std::size_t kMesh = 2 * sizeof(std::uint32_t) * Mesh::kSlotSize;
   constexpr std::size_t kInserting = sizeof(Point) + 2 * sizeof(Index) + kMesh;
   constexpr std::size_t kExtracting = sizeof(Index) + kMesh + kExtractBytesPerPoint;
   constexpr std::size_t kSmall = std::size_t(1) << 20;

@@ -14,12 +14,6 @@ void Mesh::allocate(std::uint32_t vertexCount)
   end_ = 0;
 }
 
-void Mesh::reset()
-{
-  data_.reset();
-  end_ = 0;
-}
-
 //            ghost                the ghosts g0, g1, g2 lie across the edges opposite to a, b, c:
 //          g1      g0             g0 = (ghost, c, b)   g1 = (ghost, a, c)   g2 = (ghost, b, a)
 //             c                   their edge 0 is the hull edge; two neighbouring ghosts share an

@@ -50,9 +50,6 @@ public:
   /// REQUIRES: 3 <= vertexCount <= kMaximumPoints. Throws std::bad_alloc.
   void allocate(std::uint32_t vertexCount);
 
-  /// Gives the memory back.
-  void reset();
-
   /// Fills the first four slots: triangle a, b, c (counterclockwise) and its three ghosts.
   void makeFirstTriangle(Vertex a, Vertex b, Vertex c);
 

@@ -70,8 +70,8 @@ bool isAlongKeysInside(const Options& options)
 
 } // namespace
 
-bool divide(const WalkPoints& points, const Box& box, unsigned levels, const Options& options,
-  std::vector<Box>& boxes, Ticker& ticker)
+bool Divider::divide(
+  const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const
 {
   const unsigned bits = box.bits - 2 * levels;
   boxes.clear();
@@ -80,32 +80,35 @@ bool divide(const WalkPoints& points, const Box& box, unsigned levels, const Opt
     const std::size_t end = endOfBox(points.key, begin, box.end, bits);
     boxes.push_back({ begin, end, bits });
     begin = end;
-    if (!ticker.step())
+    if (!ticker_.step())
     {
       return false;
     }
   }
-  if (isAlongKeys(options))
-  {
-    return true;
-  }
+  return isAlongKeys(options_) || reorder(points, levels, boxes);
+}
+
+/// From the order of the keys to that of the options.
+bool Divider::reorder(const WalkPoints& points, unsigned levels, std::vector<Box>& boxes) const
+{
   Buffer<std::uint64_t> visits;
   visits.allocate(boxes.size());
-  const bool visited = inChunks(0, boxes.size(), ticker,
+  const bool visited = inChunks(0, boxes.size(), ticker_,
     [&](std::size_t a, std::size_t b)
     {
       for (std::size_t i = a; i < b; ++i)
       {
-        const std::uint32_t visit = visitOf(points.key[boxes[i].begin], bits, levels, options);
+        const Box& box = boxes[i];
+        const std::uint32_t visit = visitOf(points.key[box.begin], box.bits, levels, options_);
         visits[i] = packed(visit, static_cast<std::uint32_t>(i));
       }
     });
-  if (!visited || !sortPacked(visits, boxes.size(), ticker))
+  if (!visited || !sortPacked(visits, boxes.size(), ticker_))
   {
     return false;
   }
   const std::vector<Box> unsorted(boxes);
-  return inChunks(0, boxes.size(), ticker,
+  return inChunks(0, boxes.size(), ticker_,
     [&](std::size_t a, std::size_t b)
     {
       for (std::size_t i = a; i < b; ++i)
@@ -178,7 +181,8 @@ bool BoxWalk::walkReordered(const Box& whole, unsigned levels)
 {
   std::vector<Box> waiting;
   std::vector<Box> boxes;
-  if (!divide(points_, whole, levels, options_, boxes, ticker_))
+  const Divider divider(options_, ticker_);
+  if (!divider.divide(points_, whole, levels, boxes))
   {
     return false;
   }
@@ -190,7 +194,7 @@ bool BoxWalk::walkReordered(const Box& whole, unsigned levels)
     const unsigned r = levelsOfDivision(box.end - box.begin);
     if (isDivided(box) && 2 * r <= box.bits)
     {
-      if (!divide(points_, box, r, options_, boxes, ticker_))
+      if (!divider.divide(points_, box, r, boxes))
       {
         return false;
       }

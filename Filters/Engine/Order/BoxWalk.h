@@ -29,11 +29,27 @@ struct Box
   unsigned bits;
 };
 
-/// The boxes of one division, in the order in which they are visited. `reordered` says how: false
-/// along the curve of the keys, else as `options` say. Returns false if the work is to be
-/// cancelled. REQUIRES: 2 * levels <= box.bits.
-bool divide(const WalkPoints& points, const Box& box, unsigned levels, const Options& options,
-  std::vector<Box>& boxes, Ticker& ticker);
+/// Divides boxes.
+class Divider
+{
+public:
+  Divider(const Options& options, Ticker& ticker)
+    : options_(options)
+    , ticker_(ticker)
+  {
+  }
+
+  /// The boxes of one division that are not empty, in the order in which `options` visit them.
+  /// Returns false if the work is to be cancelled. REQUIRES: 2 * levels <= box.bits.
+  bool divide(
+    const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const;
+
+private:
+  bool reorder(const WalkPoints& points, unsigned levels, std::vector<Box>& boxes) const;
+
+  const Options& options_;
+  Ticker& ticker_;
+};
 
 /// Writes the ranks of all points to `to`, box by box as makeSequence says, and advances it.
 /// `levels` is the first division's, 0 for none. Returns false if the work is to be cancelled.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rank.h"
 
-#include "BucketSorter.h"
 #include "../Chunks.h"
+#include "BucketSorter.h"
 #include "HilbertCurve.h"
 #include "Quantise.h"
 

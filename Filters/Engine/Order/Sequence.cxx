@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sequence.h"
 
-#include "BoxWalk.h"
 #include "../Chunks.h"
+#include "BoxWalk.h"
 
 #include <algorithm>
 #include <vector>
@@ -52,7 +52,7 @@ public:
     std::vector<Box> boxes;
     isControl_.assign(n, 0);
     const WalkPoints all{ points_.key.data(), nullptr, n };
-    if (!divide(all, Box{ 0, n, 64 }, levels, options_, boxes, ticker_))
+    if (!Divider(options_, ticker_).divide(all, Box{ 0, n, 64 }, levels, boxes))
     {
       return false;
     }

@@ -2,6 +2,7 @@
 #ifndef ahd_WideInteger_h
 #define ahd_WideInteger_h
 
+#include <algorithm>
 #include <cassert>
 #include <cstdint>
 
@@ -140,10 +141,10 @@ void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideIn
 
 /// |a| + |b| with the sign of a if `sameSign`, else |a| - |b| with the sign that has.
 template <int N, int M>
-WideInteger<(N > M ? N : M) + 1> addSigned(
+WideInteger<std::max(N, M) + 1> addSigned(
   const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign)
 {
-  WideInteger<(N > M ? N : M) + 1> result; // the only one, so that returning it copies nothing
+  WideInteger<std::max(N, M) + 1> result; // the only one, so that returning it copies nothing
   result.negative = a.negative;
   if (sameSign)
   {
@@ -162,13 +163,13 @@ WideInteger<(N > M ? N : M) + 1> addSigned(
 }
 
 template <int N, int M>
-WideInteger<(N > M ? N : M) + 1> operator+(const WideInteger<N>& a, const WideInteger<M>& b)
+WideInteger<std::max(N, M) + 1> operator+(const WideInteger<N>& a, const WideInteger<M>& b)
 {
   return addSigned(a, b, a.negative == b.negative);
 }
 
 template <int N, int M>
-WideInteger<(N > M ? N : M) + 1> operator-(const WideInteger<N>& a, const WideInteger<M>& b)
+WideInteger<std::max(N, M) + 1> operator-(const WideInteger<N>& a, const WideInteger<M>& b)
 {
   return addSigned(a, b, a.negative != b.negative);
 }
