@@ -41,7 +41,10 @@ vtkAHDInput::vtkAHDInput(vtkPointSet* points)
   {
     this->Coordinates = points->GetPoints()->GetData();
     this->Count = points->GetNumberOfPoints();
-    if (vtkUnsignedCharArray* marks = points->GetPointGhostArray())
+    vtkUnsignedCharArray* marks = points->GetPointGhostArray();
+    this->MarksAreUnfit = marks &&
+      (marks->GetNumberOfComponents() != 1 || marks->GetNumberOfTuples() != this->Count);
+    if (marks && !this->MarksAreUnfit)
     {
       this->Points.skip = marks->GetPointer(0);
       this->Points.skipMask = vtkDataSetAttributes::DUPLICATEPOINT |

@@ -22,6 +22,9 @@ public:
   /// The number of points, those to be left out included.
   vtkIdType GetCount() const { return this->Count; }
 
+  /// Is there an array vtkGhostType that has not one value per point? It is ignored.
+  bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
+
   /// Bytes that View() allocates: 0 if the points are read where they are.
   std::size_t GetBytesToConvert() const;
 
@@ -40,6 +43,7 @@ public:
 private:
   vtkDataArray* Coordinates = nullptr; // 3 numbers per point; null if there are no points
   vtkIdType Count = 0;
+  bool MarksAreUnfit = false;
   std::vector<double> Converted; // as Coordinates, if these are neither floats nor doubles
   ahd::PointView Points;
 };

@@ -9,6 +9,8 @@
 #include "vtkAHDOutput.h"
 #include "vtkAHDProgress.h"
 
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -51,7 +53,8 @@ public:
   /// Shows the counts and times of this execution in the filter's Get methods.
   void KeepMeasures();
 
-  /// Warns of rejected points, of z that are not finite, and of a result without triangles.
+  /// Warns of marks that do not fit the points, of rejected points, of z that are not finite, and
+  /// of a result without triangles.
   void Warn();
 
 private:
@@ -71,16 +74,27 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   this->ClearMeasures();
   this->WarnAboutRanks();
 
-  Run run(this, vtkPointSet::GetData(inputVector[0]), vtkPolyData::GetData(outputVector));
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
+  vtkPointSet* input = vtkPointSet::SafeDownCast(data);
+  if (!input)
+  {
+    // A block of a composite data set: their types are not looked at by the pipeline.
+    vtkWarningMacro("A " << (data ? data->GetClassName() : "missing block")
+                         << " has no points of its own: nothing was triangulated for it.");
+    return 1;
+  }
+  // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
+  // this filter again with every Update(), and keep the filters behind it at their last output.
+  Run run(this, input, vtkPolyData::GetData(outputVector));
   if (!run.FitsInMemory())
   {
-    return 0;
+    return 1;
   }
   const ahd::Status status = run.Triangulate();
   if (status != ahd::Status::Ok)
   {
     run.Fail(status);
-    return status == ahd::Status::Cancelled ? 1 : 0;
+    return 1;
   }
   run.KeepMeasures();
   run.Warn();
@@ -189,6 +203,13 @@ void vtkAdaptiveHilbertDelaunay2D::Run::KeepMeasures()
 
 void vtkAdaptiveHilbertDelaunay2D::Run::Warn()
 {
+  if (this->Points.GetMarksAreUnfit())
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The point data array " << vtkDataSetAttributes::GhostArrayName()
+                              << " does not have one value for each of the "
+                              << this->Points.GetCount() << " points, so no point was skipped.");
+  }
   const vtkAHDInput::Oddities odd = this->Points.FindOddities();
   if (this->Report.notFinite > 0)
   {

@@ -44,13 +44,16 @@
  *
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
- * because there are fewer than three distinct points or all are collinear; several MPI ranks
+ * because there are fewer than three distinct points or all are collinear; an array vtkGhostType
+ * that has not one value per point, and is ignored; several MPI ranks
  * (once in the filter's life, from rank 0), since each rank then triangulates its own points only.
+ * The blocks of a composite data set are triangulated one by one; one that is no vtkPointSet, such
+ * as an image, gets a warning and an empty output.
  * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
- * nothing is said. Errors, with an empty output: too many points, or not enough memory; the request
- * then fails, which VTK's pipeline reports as well. An aborted execution (SetAbortExecute from a
- * progress observer) leaves an empty output and no error; to run again, call SetAbortExecute(0) and
- * Modified().
+ * nothing is said. Errors, with an empty output: too many points, or not enough memory. The error
+ * is said once, the request counts as done (as in vtkDelaunay2D), and the filters behind this one
+ * get the empty output. An aborted execution (SetAbortExecute from a progress observer) leaves an
+ * empty output and no error; to run again, call SetAbortExecute(0) and Modified().
  *
  * <b>Compared with vtkDelaunay2D.</b> vtkDelaunay2D drops points closer to others than a Tolerance
  * and decides with rounded arithmetic, so its result may depend on the order of the points and may

@@ -5,6 +5,8 @@
 
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
+#include "vtkImageData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkSOADataArrayTemplate.h"
 #include "vtkStructuredGrid.h"
@@ -117,4 +119,54 @@ TEST(Inputs, BlankedPointsOfAStructuredGridAreLeftOut)
   grid->SetPoints(makePoints({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 } }));
   grid->BlankPoint(3);
   EXPECT_EQ(run(grid).size(), 1u);
+}
+
+TEST(Inputs, MarksThatDoNotFitThePointsAreIgnoredAndTold)
+{
+  const std::vector<Xyz> points = latticePoints(1000, 1000);
+  for (const auto& [tuples, components] :
+    std::vector<std::pair<vtkIdType, int>>{ { 0, 1 }, { 1, 1 }, { 1001, 1 }, { 1000, 2 } })
+  {
+    auto cloud = makeCloud(points);
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->SetNumberOfComponents(components);
+    marks->SetNumberOfTuples(tuples);
+    marks->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
+    cloud->GetPointData()->AddArray(marks);
+    WatchedFilter filter;
+    filter->SetInputData(cloud);
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfSkippedPoints(), 0) << tuples << " marks";
+    ASSERT_EQ(filter.Said->Warnings.size(), 1u) << tuples << " marks";
+    EXPECT_NE(
+      filter.Said->Warnings[0].find("one value for each of the 1000 points"), std::string::npos)
+      << filter.Said->Warnings[0];
+  }
+}
+
+TEST(Inputs, BlocksThatHaveNoPointsOfTheirOwnAreTold)
+{
+  // The pipeline hands the blocks of a composite data set on whatever their type.
+  const std::vector<Xyz> points = latticePoints(200, 1000);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, vtkNew<vtkImageData>());
+  blocks->SetBlock(2, vtkNew<vtkPolyData>());
+  blocks->SetBlock(3, makeCloud(points));
+  WatchedFilter filter;
+  filter->SetInputDataObject(blocks);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("vtkImageData"), std::string::npos)
+    << filter.Said->Warnings[0];
+  auto* made = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(made, nullptr);
+  EXPECT_EQ(made->GetBlock(1), nullptr);
+  for (unsigned int block : { 0u, 2u })
+  {
+    auto* surface = vtkPolyData::SafeDownCast(made->GetBlock(block));
+    ASSERT_NE(surface, nullptr) << "block " << block;
+    EXPECT_EQ(surface->GetNumberOfCells(), 0) << "block " << block;
+  }
+  EXPECT_EQ(trianglesOf(vtkPolyData::SafeDownCast(made->GetBlock(3))), triangulate(points));
 }

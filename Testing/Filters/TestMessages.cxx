@@ -168,6 +168,24 @@ TEST(Messages, TooLittleMemoryIsRefusedBeforeTheWork)
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
+TEST(Messages, AnErrorIsSaidOnceAndReachesTheFiltersBehind)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(10000, 100000)));
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> behind;
+  behind->SetInputConnection(filter->GetOutputPort());
+  behind->Update();
+  EXPECT_GT(behind->GetOutput()->GetNumberOfCells(), 0);
+
+  filter->SetMemoryLimit(100);
+  behind->Update();
+  behind->Update(); // what a viewer does again and again
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_TRUE(filter.PipelineSaid->Errors.empty()) << filter.PipelineSaid->Errors[0];
+  EXPECT_EQ(behind->GetOutput()->GetNumberOfCells(), 0)
+    << "an old surface stays where there is none";
+}
+
 TEST(Messages, MemoryEstimateGrowsWithWhatIsAskedFor)
 {
   const auto estimate = [](std::size_t count, int type, bool fate)
