@@ -19,6 +19,8 @@ LAS = (".las", ".laz")
 
 COMMENTS = ("#", "%", "//", "!", ">")  # what a line that is no data begins with
 
+COMMENT_BEHIND = re.compile(r"(^|(?<=[\s,;\d.])) *#.*")  # not the # of a name such as Buoy#3
+
 # Column names taken for x, y and z, most telling first. Compared in lower case, without units.
 NAMES = {
     "x": ("x", "lon", "long", "longitude", "easting", "east", "e", "utm_x", "x_coord", "xcoord", "point_x"),
@@ -60,7 +62,7 @@ def read_table(path, columns=(None, None, None)):
     rows, comment = significant_lines(read_text(path))
     if not rows:
         raise InputError("%s holds no data" % path)
-    layout = Layout.of([line for _, line in rows[:200]])
+    layout = Layout.of([line for _, line in rows[:200]], any('"' in line for _, line in rows))
     header = find_header(rows, comment, layout)
     if header and header.in_data:
         rows = rows[1:]
@@ -95,15 +97,17 @@ def read_text(path):
 def significant_lines(text):
     """[(line number, line)] without blank lines and comments, and the last comment before them."""
     rows, comment = [], ""
+    if "\r" in text:
+        text = text.replace("\r\n", "\n").replace("\r", "\n")
     for number, line in enumerate(text.split("\n"), 1):
-        line = line.strip(" \r")  # a tab may stand for an empty field
+        line = line.strip(" ")  # a tab may stand for an empty field
         if not line.strip():
             continue
         if line.lstrip().startswith(COMMENTS):
             if not rows:
                 comment = line.lstrip().lstrip("#%/!> ")
             continue
-        rows.append((number, line.split("#", 1)[0].rstrip(" ") if "#" in line else line))
+        rows.append((number, COMMENT_BEHIND.sub("", line) if "#" in line else line))
     return rows, comment
 
 
@@ -117,10 +121,9 @@ class Layout:
         self.delimiter, self.decimal_comma, self.quoted = delimiter, decimal_comma, quoted
 
     @classmethod
-    def of(cls, lines):
+    def of(cls, lines, quoted):
         """Told from the first lines: a delimiter that nearly all of them have, tab and semicolon
-        before comma, as a comma may also be a decimal one."""
-        quoted = any('"' in line for line in lines)
+        before comma, as a comma may also be a decimal one. quoted: whether any line has quotes."""
         for delimiter in ("\t", ";", ","):
             if sum(delimiter in line for line in lines) < 0.8 * len(lines):
                 continue
@@ -310,6 +313,8 @@ def read_las(path):
     if version >= (1, 4) and len(head) >= 255:
         count, = struct.unpack_from("<Q", head, 247)
     check_las(path, version, point_format, length)
+    if start < 227:  # bytes of the shortest header
+        raise InputError("%s is damaged: its points are said to begin at byte %d, inside the header" % (path, start))
     available = max(0, os.path.getsize(path) - start) // length
     notes = ["LAS %d.%d, point format %d, %s points" % (version + (point_format, thousands(count)))]
     missing = max(0, count - available)

@@ -58,6 +58,9 @@ class Delimiters(FileTest):
         self.assertEqual(self.read(b"\xef\xbb\xbfy,x,z\n1,2,3\n").names, ("x", "y", "z"))
         self.assert_points(self.read("x;y;z\n1;2;3\n".encode("utf-16")), [[1, 2, 3]])
 
+    def test_line_ends_of_old_macs(self):
+        self.assert_points(self.read("x,y,z\r1,2,3\r4,5,6\r"), [[1, 2, 3], [4, 5, 6]])
+
     def test_decimal_commas(self):
         for text in ("1,5;2,25;-3\n4;5,5;6\n", "1,5 2,25 -3,0\n4,0 5,5 6,0\n", "1,5\t2,25\t-3\n4\t5,5\t6\n"):
             with self.subTest(text=text):
@@ -65,6 +68,15 @@ class Delimiters(FileTest):
 
     def test_quotes(self):
         self.assert_points(self.read('"x","y","z"\n"1","2.5","3"\n"4","5","6"\n'), [[1, 2.5, 3], [4, 5, 6]])
+
+    def test_quotes_that_come_late(self):
+        rows = ["a,%d,%d,0" % (i, i * i) for i in range(500)] + ['"b,6,7,8,c",1,2,3']
+        found = self.read("t,x,y,z\n" + "\n".join(rows))
+        self.assertEqual(found.bad_rows, 0)
+        self.assertEqual(list(found.xyz[-1]), [1.0, 2.0, 3.0])
+
+    def test_number_signs_in_names_are_no_comments(self):
+        self.assert_points(self.read("name,x,y,z\nBuoy#1,1,2,3\nBuoy#2,4,5,6 # good\n"), [[1, 2, 3], [4, 5, 6]])
 
     def test_comments(self):
         text = "# made by hand\n% and\n// by\n> foot\n\n1 2 3 # the first\n! more\n4 5 6\n"
@@ -205,6 +217,9 @@ class Las(FileTest):
         self.assert_refused("with point format 11", good[:104] + b"\x0b" + good[105:], name="points.las")
         self.assert_refused("records have 5 bytes, point format 0 needs 20", good[:105] + b"\5\0" + good[107:], name="points.las")
         self.assert_refused("holds no points", las(points=[]), name="points.las")
+        for start in (0, 226):
+            lying = good[:96] + struct.pack("<I", start) + good[100:]
+            self.assert_refused("begin at byte %d, inside the header" % start, lying, name="points.las")
         self.assert_refused("columns are for tables", good, "1", "2", name="points.las")
 
 
