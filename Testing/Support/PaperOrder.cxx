@@ -52,10 +52,11 @@ struct Vector
   int x, y;
 };
 
-/// The textbook recursion: a square with corner (x, y), the curve starting towards `first` and
-/// ending across `second`, both of the square's side in length.
-void drawHilbert(int x, int y, Vector first, Vector second, unsigned order, Curve& curve)
+/// The textbook recursion: a square with this corner, the curve starting towards `first` and ending
+/// across `second`, both of the square's side in length.
+void drawHilbert(Vector corner, Vector first, Vector second, unsigned order, Curve& curve)
 {
+  const int x = corner.x, y = corner.y;
   if (order == 0)
   {
     const int column = x + std::min(0, first.x + second.x);
@@ -65,11 +66,11 @@ void drawHilbert(int x, int y, Vector first, Vector second, unsigned order, Curv
   }
   const Vector a{ first.x / 2, first.y / 2 };
   const Vector b{ second.x / 2, second.y / 2 };
-  drawHilbert(x, y, b, a, order - 1, curve);
-  drawHilbert(x + a.x, y + a.y, a, b, order - 1, curve);
-  drawHilbert(x + a.x + b.x, y + a.y + b.y, a, b, order - 1, curve);
+  drawHilbert(corner, b, a, order - 1, curve);
+  drawHilbert({ x + a.x, y + a.y }, a, b, order - 1, curve);
+  drawHilbert({ x + a.x + b.x, y + a.y + b.y }, a, b, order - 1, curve);
   drawHilbert(
-    x + a.x + second.x, y + a.y + second.y, { -b.x, -b.y }, { -a.x, -a.y }, order - 1, curve);
+    { x + a.x + second.x, y + a.y + second.y }, { -b.x, -b.y }, { -a.x, -a.y }, order - 1, curve);
 }
 
 std::pair<Column, Row> turned(std::pair<Column, Row> box, Turn turn, std::uint32_t side)
@@ -399,7 +400,7 @@ Curve hilbertCurve(unsigned order)
 {
   Curve curve;
   const int side = 1 << order;
-  drawHilbert(0, 0, { 0, side }, { side, 0 }, order, curve);
+  drawHilbert({ 0, 0 }, { 0, side }, { side, 0 }, order, curve);
   return curve;
 }
 
