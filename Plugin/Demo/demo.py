@@ -75,7 +75,10 @@ def read_vtk(path):
     from paraview import servermanager, simple
     from paraview.vtk.util.numpy_support import vtk_to_numpy
 
-    source = simple.OpenDataFile(path)
+    try:
+        source = simple.OpenDataFile(path)
+    except RuntimeError:  # no reader recognises it, whatever its name
+        source = None
     if source is None:
         raise InputError("ParaView cannot read %s" % path)
     data = servermanager.Fetch(source)
@@ -134,12 +137,14 @@ def triangulate(source, plugin):
         "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
         "NumberOfSkippedPoints", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
     surface = servermanager.Fetch(proxy)
-    counter = simple.AdaptiveHilbertDelaunay2D(Input=source, CountWork=1)
+    # without a proxy: ParaView switches warnings on for as long as it updates one
+    counter = adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D()
+    counter.SetInputData(source.GetClientSideObject().GetOutputDataObject(0))
+    counter.CountWorkOn()
     vtkObject.GlobalWarningDisplayOff()  # the first run has said it all
-    counter.UpdatePipeline()
+    counter.Update()
     vtkObject.GlobalWarningDisplayOn()
-    measures.update(NP=counter.GetClientSideObject().GetNP(), NR=counter.GetClientSideObject().GetNR())
-    simple.Delete(counter)
+    measures.update(NP=counter.GetNP(), NR=counter.GetNR())
     return proxy, surface, measures
 
 
@@ -195,7 +200,10 @@ def run(chosen):
     print("Triangulating", flush=True)
     proxy, surface, measures = triangulate(source, chosen.plugin)
     report(points, measures)
-    os.makedirs(chosen.output, exist_ok=True)
+    try:
+        os.makedirs(chosen.output, exist_ok=True)
+    except OSError as error:
+        raise InputError("--output %s cannot be a folder: %s" % (chosen.output, error.strerror)) from error
     stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
     save_surface(proxy, stem + ".vtp")
     if surface.GetNumberOfPolys() == 0:

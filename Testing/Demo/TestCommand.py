@@ -74,6 +74,22 @@ class Command(unittest.TestCase):
             with open(path, "w", encoding="utf-8") as file:
                 file.write("x,y,z\n")
             self.assert_refused("holds a header and no data", path, "--output", folder)
+            path = os.path.join(folder, "noise.vtp")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("noise\n")
+            self.assert_refused("ParaView cannot read " + path, path, "--output", folder)
+
+    def test_a_file_in_place_of_the_output_folder(self):
+        with tempfile.NamedTemporaryFile() as file:
+            self.assert_refused("--output %s cannot be a folder" % file.name, "--output", file.name)
+
+    def test_the_filter_warns_once(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "line.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("1,1,0\n2,2,0\n3,3,0\n")
+            done = run("Plugin/demo.sh", path, "--output", folder)
+            self.assertEqual((done.stdout + done.stderr).count("There is no triangle"), 1, done.stderr)
 
     def test_without_rights_to_install_it_says_what_to_ask_for(self):
         """Nobody is asked for a password here: sudo is not in the PATH."""
