@@ -45,8 +45,13 @@ def choose_scale(xyz, names, exaggeration=None):
     """How to draw the points. Degrees of longitude and latitude are taken as metres on a sphere;
     all else is taken to be in one unit. Without a wish, the exaggeration makes the relief
     (without its outermost 1 %) about RELIEF of the horizontal diagonal, or is 1 if that is near."""
-    xyz = xyz[numpy.isfinite(xyz).all(axis=1)]
-    low, high = numpy.percentile(xyz[:, 2], (0.5, 99.5))
+    good = xyz[numpy.isfinite(xyz).all(axis=1)]
+    if len(good):
+        xyz = good
+        low, high = numpy.percentile(xyz[:, 2], (0.5, 99.5))
+    else:  # no height at all: flat
+        xyz = xyz[numpy.isfinite(xyz[:, :2]).all(axis=1)]
+        low, high = 0.0, 0.0
     west, south = xyz[:, :2].min(axis=0)
     east, north = xyz[:, :2].max(axis=0)
     geographic = are_degrees(names) and abs(south) <= 90 and abs(north) <= 90

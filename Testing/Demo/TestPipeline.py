@@ -186,6 +186,12 @@ class WholeRuns(InFolder):
         self.assertNotIn("unreadable", said)
         self.assert_picture("odd.png")
 
+    def test_no_height_is_finite(self):
+        rows = "".join("%d %d nan\n" % (i % 20, i // 20) for i in range(400))
+        said = self.run_demo(self.write_text("nowhere.xyz", rows))
+        self.assertIn("flat: z is 0; 400 points without a finite z", said)
+        self.assert_picture("nowhere.png")
+
     def test_a_flat_set_shows_its_edges(self):
         rows = "".join("%d,%d\n" % (i % 20, i // 20) for i in range(400))
         said = self.run_demo(self.write_text("flat.csv", rows))
