@@ -97,14 +97,20 @@ ahd::Status vtkAHDOutput::Write(
   return status;
 }
 
-void vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output)
+ahd::Status vtkAHDOutput::AddFate(
+  const ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress)
 {
   // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
   std::vector<std::int64_t> fates(static_cast<std::size_t>(output->GetNumberOfPoints()));
-  triangulator.writeFates(fates.data());
+  const ahd::Status status = triangulator.writeFates(fates.data(), progress);
+  if (status != ahd::Status::Ok)
+  {
+    return status;
+  }
   auto array = NewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
   array->SetName("Fate");
   std::transform(fates.begin(), fates.end(), array->GetPointer(0),
     [](std::int64_t fate) { return static_cast<vtkIdType>(fate); });
   output->GetPointData()->AddArray(array);
+  return status;
 }

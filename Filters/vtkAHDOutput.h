@@ -24,8 +24,10 @@ std::size_t EstimateBytes(std::size_t pointCount, bool withFate);
 ahd::Status Write(ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyData* output,
   ahd::Progress* progress);
 
-/// Adds the point array "Fate". REQUIRES: `output` has the points that were triangulated.
-void AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output);
+/// Adds the point array "Fate", unless cancelled. REQUIRES: `output` has the points that were
+/// triangulated.
+ahd::Status AddFate(
+  const ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress);
 }
 
 #endif

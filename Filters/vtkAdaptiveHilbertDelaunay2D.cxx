@@ -153,7 +153,7 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::Triangulate()
     }
     if (status == ahd::Status::Ok && this->Filter->GenerateFate)
     {
-      vtkAHDOutput::AddFate(triangulator, this->Output);
+      status = vtkAHDOutput::AddFate(triangulator, this->Output, &this->Progress);
     }
     this->Progress.Finish();
     this->Report = triangulator.report();
@@ -198,7 +198,8 @@ void vtkAdaptiveHilbertDelaunay2D::Run::KeepMeasures()
   filter->SortSeconds = this->Progress.GetSeconds(ahd::Phase::Read) +
     this->Progress.GetSeconds(ahd::Phase::Sort);
   filter->InsertSeconds = this->Progress.GetSeconds(ahd::Phase::Insert);
-  filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract);
+  filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract) +
+    this->Progress.GetSeconds(ahd::Phase::Fates);
 }
 
 void vtkAdaptiveHilbertDelaunay2D::Run::Warn()

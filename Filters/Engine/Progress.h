@@ -14,7 +14,8 @@ enum class Phase
   Read,   ///< look at every point once: finite? bounds?
   Sort,   ///< canonical rank of the points, duplicates, insertion order
   Insert, ///< insert point after point
-  Extract ///< number and sort the triangles for output
+  Extract, ///< number and sort the triangles for output
+  Fates    ///< write what became of each point
 };
 
 /// How the engine talks to its caller while it works. The engine reads no clock: who wants the time

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulate.h"
 
+#include "Chunks.h"
 #include "Extract/Extractor.h"
 #include "Insert/Inserter.h"
 #include "Mesh/Mesh.h"
@@ -48,6 +49,7 @@ struct Triangulator::State
   Status insert(const Buffer<Index>& sequence, const Options& options, Progress* progress);
   template <typename Id>
   Status write(Id* triples, Progress* progress) const;
+  bool writeFates(std::int64_t* fates, Progress* progress) const;
 };
 
 Status Triangulator::State::sortAndInsert(const Options& options, Progress* progress)
@@ -117,6 +119,30 @@ Status Triangulator::State::write(Id* triples, Progress* progress) const
     : Status::Cancelled;
 }
 
+bool Triangulator::State::writeFates(std::int64_t* fates, Progress* progress) const
+{
+  Ticker ticker(progress, Phase::Fates, points.count);
+  const auto writeOwn = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      fates[i] = points.skipped(i) ? std::int64_t(kFateNotInserted)
+        : isFinite(points[i])      ? std::int64_t(i)
+                                   : std::int64_t(kFateNotFinite);
+    }
+    ticker.finished(b - a);
+  };
+  const auto writeMerged = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      fates[ranked.duplicates[i].id] = ranked.duplicates[i].keptId;
+    }
+  };
+  return inChunks(0, points.count, ticker, writeOwn) &&
+    inChunks(0, ranked.duplicates.size(), ticker, writeMerged) && ticker.ask();
+}
+
 Triangulator::Triangulator() = default;
 Triangulator::~Triangulator() = default;
 
@@ -153,23 +179,9 @@ Status Triangulator::writeTriangles(std::int64_t* triples, Progress* progress) c
   return state_ ? withoutThrowing([&] { return state_->write(triples, progress); }) : Status::Ok;
 }
 
-void Triangulator::writeFates(std::int64_t* fates) const
+Status Triangulator::writeFates(std::int64_t* fates, Progress* progress) const
 {
-  if (!state_)
-  {
-    return;
-  }
-  const PointView& points = state_->points;
-  for (std::size_t i = 0; i < points.count; ++i)
-  {
-    fates[i] = points.skipped(i) ? std::int64_t(kFateNotInserted)
-      : isFinite(points[i])      ? std::int64_t(i)
-                                 : std::int64_t(kFateNotFinite);
-  }
-  for (const Duplicate& duplicate : state_->ranked.duplicates)
-  {
-    fates[duplicate.id] = duplicate.keptId;
-  }
+  return state_ && !state_->writeFates(fates, progress) ? Status::Cancelled : Status::Ok;
 }
 
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)

@@ -42,7 +42,8 @@ public:
   Status writeTriangles(std::int64_t* triples, Progress* progress) const;
 
   /// Writes what became of each point (see Result.h): points.count numbers.
-  void writeFates(std::int64_t* fates) const;
+  /// Returns Ok or Cancelled.
+  Status writeFates(std::int64_t* fates, Progress* progress) const;
 
   /// Upper estimate of the bytes that run() and writeTriangles() allocate for this many points,
   /// input and output not counted.

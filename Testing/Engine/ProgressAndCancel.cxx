@@ -17,7 +17,7 @@ namespace
 
 const char* nameOfPhase(Phase phase)
 {
-  static const char* const kNames[] = { "Read", "Sort", "Insert", "Extract" };
+  static const char* const kNames[] = { "Read", "Sort", "Insert", "Extract", "Fates" };
   return kNames[int(phase)];
 }
 
@@ -71,7 +71,7 @@ public:
 private:
   std::size_t cancelAt_;
   std::size_t allAskings_ = 0;
-  std::array<std::size_t, 4> askings_{};
+  std::array<std::size_t, 5> askings_{};
   std::vector<Phase> begun_;
   double fraction_ = 0.0;
   bool cancelled_ = false;
@@ -88,13 +88,14 @@ void expectAskedOften(const std::vector<Point>& points, Options options)
   ASSERT_EQ(outcome.status, Status::Ok);
   EXPECT_EQ(listener.faults(), "");
   EXPECT_EQ(listener.begun(),
-    (std::vector<Phase>{ Phase::Read, Phase::Sort, Phase::Insert, Phase::Extract }));
+    (std::vector<Phase>{ Phase::Read, Phase::Sort, Phase::Insert, Phase::Extract, Phase::Fates }));
   const std::uint64_t inserting = outcome.report.trianglesWalked + outcome.report.trianglesRemoved;
   EXPECT_GE(listener.askings(Phase::Read), points.size() / kStepsPerAsking);
   EXPECT_GE(listener.askings(Phase::Sort), outcome.report.inserted / kStepsPerAsking);
   EXPECT_GE(listener.askings(Phase::Insert), inserting / kStepsPerAsking)
     << inserting << " triangles walked and removed";
   EXPECT_GE(listener.askings(Phase::Extract), outcome.report.triangles / kStepsPerAsking);
+  EXPECT_GE(listener.askings(Phase::Fates), points.size() / kStepsPerAsking);
 }
 
 TEST(ProgressAndCancel, AskedOftenUnderEveryOrder)

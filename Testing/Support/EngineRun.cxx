@@ -39,7 +39,12 @@ Outcome triangulate(
     return outcome;
   }
   outcome.fates.resize(points.count, -7);
-  triangulator.writeFates(outcome.fates.data());
+  outcome.status = triangulator.writeFates(outcome.fates.data(), progress);
+  if (outcome.status != Status::Ok)
+  {
+    outcome.triples.clear();
+    outcome.fates.clear();
+  }
   return outcome;
 }
 
