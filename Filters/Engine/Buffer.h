@@ -26,12 +26,24 @@ public:
     swap(other);
     return *this;
   }
-  ~Buffer() { ::operator delete(data_, std::align_val_t(kAlignment)); }
+  ~Buffer()
+  {
+    if (capacity_ != 0)
+    {
+      ::operator delete(data_, std::align_val_t(kAlignment));
+    }
+  }
 
-  /// Drops what it held and makes room for `size` elements. Throws std::bad_alloc; the engine
-  /// catches it at its border and reports Status::OutOfMemory.
+  /// Drops what it held and makes room for `size` elements, in the memory it has if that is large
+  /// enough and not several times too large. Throws std::bad_alloc; the engine catches it at its
+  /// border and reports Status::OutOfMemory.
   void allocate(std::size_t size)
   {
+    if (size <= capacity_ && capacity_ / kMostWaste <= size)
+    {
+      size_ = size;
+      return;
+    }
     reset();
     if (size > std::size_t(-1) / sizeof(T))
     {
@@ -39,9 +51,22 @@ public:
     }
     data_ = static_cast<T*>(::operator new(size * sizeof(T), std::align_val_t(kAlignment)));
     size_ = size;
+    capacity_ = size;
+  }
+
+  /// Drops what it held and becomes a view of memory that belongs to somebody else.
+  /// REQUIRES: `memory` is aligned for T and outlives the use.
+  void view(void* memory, std::size_t size)
+  {
+    reset();
+    data_ = static_cast<T*>(memory);
+    size_ = size;
   }
 
   void reset() { Buffer old(std::move(*this)); }
+
+  /// Bytes it owns.
+  std::size_t bytes() const { return capacity_ * sizeof(T); }
 
   T* data() { return data_; }
   const T* data() const { return data_; }
@@ -56,16 +81,22 @@ public:
 
 private:
   static constexpr std::size_t kAlignment = 64;
+  static constexpr std::size_t kMostWaste = 4;
 
   void swap(Buffer& other) noexcept
   {
     std::swap(data_, other.data_);
     std::swap(size_, other.size_);
+    std::swap(capacity_, other.capacity_);
   }
 
   T* data_ = nullptr;
   std::size_t size_ = 0;
+  std::size_t capacity_ = 0; ///< elements it owns; 0 for a view
 };
+
+/// Memory for one thing after the other.
+using Scratch = Buffer<unsigned char>;
 
 } // namespace ahd
 

@@ -2,18 +2,21 @@
 #ifndef ahd_Progress_h
 #define ahd_Progress_h
 
+#include <atomic>
 #include <cstddef>
 
 namespace ahd
 {
 
+class Executor;
+
 /// What the engine is doing. Phases come in this order, each at most once per run; a run that has
 /// nothing to do in a phase may skip it.
 enum class Phase
 {
-  Read,   ///< look at every point once: finite? bounds?
-  Sort,   ///< canonical rank of the points, duplicates, insertion order
-  Insert, ///< insert point after point
+  Read,    ///< look at every point once: finite? bounds?
+  Sort,    ///< canonical rank of the points, duplicates, insertion order
+  Insert,  ///< insert point after point
   Extract, ///< number and sort the triangles for output
   Fates    ///< write what became of each point
 };
@@ -30,7 +33,8 @@ public:
 
   /// The phase is done to this fraction (0 to 1, never falling within a phase).
   /// Return false to cancel: the engine then stops at once and reports Status::Cancelled.
-  /// Asked at least once per kStepsPerAsking bounded steps of work.
+  /// Called from the thread that called the engine only, also when others work for it; asked at
+  /// least once per kStepsPerAsking bounded steps of that thread's work.
   virtual bool advance(Phase, double fraction) = 0;
 };
 
@@ -38,22 +42,38 @@ public:
 /// triangle removed) between two calls of Progress::advance.
 constexpr std::size_t kStepsPerAsking = std::size_t(1) << 14;
 
-/// Counts steps of one phase and asks the Progress when a batch of them is full.
+/// One phase's line to the caller: counts steps, asks the Progress when a batch of them is full,
+/// and knows who lends threads. Tasks that run in parallel have one each, made from the phase's
+/// (Tasks.h): the one on the caller's own thread asks, the others look whether it was told to stop.
 class Ticker
 {
 public:
-  /// `progress` may be null (nobody to ask). `total` is the number of units of work the fraction
-  /// refers to; 0 means unknown (the fraction stays 0).
-  Ticker(Progress* progress, Phase phase, std::size_t total)
+  /// `progress` may be null (nobody to ask), and so may `executor` (this thread does it all).
+  /// `total` is the number of units of work the fraction refers to; 0 means unknown (the fraction
+  /// stays 0).
+  Ticker(Progress* progress, Phase phase, std::size_t total, Executor* executor = nullptr)
     : progress_(progress)
     , phase_(phase)
     , total_(total)
+    , executor_(executor)
   {
     if (progress_)
     {
       progress_->beginPhase(phase_);
     }
   }
+
+  /// The ticker of a task of this phase; it hands out no threads.
+  explicit Ticker(Ticker* phase)
+    : progress_(phase->progress_)
+    , phase_(phase->phase_)
+    , total_(phase->total_)
+    , parent_(phase)
+  {
+  }
+  ~Ticker() { flush(); }
+  Ticker(const Ticker&) = delete;
+  Ticker& operator=(const Ticker&) = delete;
 
   /// `steps` more steps were taken. Returns false if the work is to be cancelled.
   /// REQUIRES: steps <= kStepsPerAsking / 2.
@@ -70,20 +90,65 @@ public:
   bool ask()
   {
     pending_ = 0;
-    return !progress_ || progress_->advance(phase_, fraction());
+    if (!parent_)
+    {
+      return !cancelled_.load(std::memory_order_relaxed) && (!progress_ || askCaller());
+    }
+    flush();
+    return parent_->onThisThread() ? parent_->ask()
+                                   : !parent_->cancelled_.load(std::memory_order_relaxed);
   }
 
+  /// Tasks of this phase, and only they, stop at their next asking.
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+  /// Who lends threads to this phase; null if nobody does.
+  Executor* executor() const { return executor_; }
+
 private:
+  bool askCaller()
+  {
+    if (!progress_->advance(phase_, fraction()))
+    {
+      cancel();
+      return false;
+    }
+    return true;
+  }
+
   double fraction() const
   {
-    return total_ == 0 ? 0.0 : done_ >= total_ ? 1.0 : double(done_) / double(total_);
+    const std::size_t done = done_ + doneByTasks_.load(std::memory_order_relaxed);
+    return total_ == 0 ? 0.0 : done >= total_ ? 1.0 : double(done) / double(total_);
   }
+
+  void flush()
+  {
+    if (parent_)
+    {
+      parent_->doneByTasks_.fetch_add(done_, std::memory_order_relaxed);
+      done_ = 0;
+    }
+  }
+
+  /// A mark each thread has one of.
+  static const void* thisThread()
+  {
+    static thread_local char mark;
+    return &mark;
+  }
+  bool onThisThread() const { return thread_ == thisThread(); }
 
   Progress* progress_;
   Phase phase_;
   std::size_t total_;
+  Executor* executor_ = nullptr;
+  Ticker* parent_ = nullptr;
+  const void* thread_ = thisThread(); ///< the thread that made it
   std::size_t done_ = 0;
   std::size_t pending_ = 0;
+  std::atomic<std::size_t> doneByTasks_{ 0 };
+  std::atomic<bool> cancelled_{ false };
 };
 
 } // namespace ahd

@@ -3,6 +3,7 @@
 
 #include "Chunks.h"
 #include "Extract/Extractor.h"
+#include "FloatingPoint.h"
 #include "Insert/Inserter.h"
 #include "Mesh/Mesh.h"
 #include "Order/Rank.h"
@@ -18,10 +19,12 @@ namespace ahd
 namespace
 {
 
-/// The engine's border: what the standard library throws for want of memory becomes a status.
+/// The engine's border: what the standard library throws for want of memory becomes a status, and
+/// floating-point arithmetic is as the engine assumes it.
 template <typename Work>
 Status withoutThrowing(Work work)
 {
+  const ScopedFloatingPoint asAssumed;
   try
   {
     return work();
@@ -45,24 +48,30 @@ struct Triangulator::State
   Mesh mesh;
   Report report;
 
-  Status sortAndInsert(const Options& options, Progress* progress);
-  Status insert(const Buffer<Index>& sequence, const Options& options, Progress* progress);
+  Status sortAndInsert(const Options& options, Progress* progress, Executor* executor);
+  Status insert(
+    const Buffer<Index>& sequence, const Options& options, Progress* progress, Executor* executor);
   template <typename Id>
-  Status write(Id* triples, Progress* progress) const;
-  bool writeFates(std::int64_t* fates, Progress* progress) const;
+  Status write(Id* triples, Progress* progress, Executor* executor);
+  bool writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const;
 };
 
-Status Triangulator::State::sortAndInsert(const Options& options, Progress* progress)
+Status Triangulator::State::sortAndInsert(
+  const Options& options, Progress* progress, Executor* executor)
 {
   if (points.count > kMaximumPoints)
   {
     return Status::TooManyPoints;
   }
-  if (const Status read = readPoints(points, progress, ranked); read != Status::Ok)
+  Ticker reading(progress, Phase::Read, points.count, executor);
+  if (const Status read = readPoints(points, reading, ranked); read != Status::Ok)
   {
     return read;
   }
-  Ticker sorting(progress, Phase::Sort, points.count);
+  // First for sorting, then for the triangles.
+  ranked.scratch.allocate(
+    std::max(Mesh::bytesFor(ranked.count), ranked.count * kRankScratchPerPoint));
+  Ticker sorting(progress, Phase::Sort, points.count, executor);
   Buffer<Index> sequence;
   if (const Status sorted = rankPoints(points, sorting, ranked); sorted != Status::Ok)
   {
@@ -72,12 +81,11 @@ Status Triangulator::State::sortAndInsert(const Options& options, Progress* prog
   {
     return made;
   }
-  ranked.key.reset();
-  return insert(sequence, options, progress);
+  return insert(sequence, options, progress, executor);
 }
 
 Status Triangulator::State::insert(
-  const Buffer<Index>& sequence, const Options& options, Progress* progress)
+  const Buffer<Index>& sequence, const Options& options, Progress* progress, Executor* executor)
 {
   report.inserted = ranked.count;
   report.duplicates = ranked.duplicates.size();
@@ -87,8 +95,8 @@ Status Triangulator::State::insert(
   {
     return Status::Ok;
   }
-  mesh.allocate(ranked.count);
-  Ticker ticker(progress, Phase::Insert, ranked.count);
+  mesh.begin(ranked.count, ranked.scratch.data());
+  Ticker ticker(progress, Phase::Insert, ranked.count, executor);
   InsertionWork work;
   const InsertionEnd end = insertSequence(
     ranked, sequence, mesh, ticker, options.countWork ? &work : nullptr);
@@ -96,7 +104,6 @@ Status Triangulator::State::insert(
   report.trianglesRemoved = work.trianglesRemoved;
   report.exactInCircle = work.exactInCircle;
   report.exactOrient = work.exactOrient;
-  ranked.xy.reset();
   if (end == InsertionEnd::Done)
   {
     const std::size_t hull = countHullVertices(mesh, ticker);
@@ -107,21 +114,24 @@ Status Triangulator::State::insert(
 }
 
 template <typename Id>
-Status Triangulator::State::write(Id* triples, Progress* progress) const
+Status Triangulator::State::write(Id* triples, Progress* progress, Executor* executor)
 {
   if (report.triangles == 0)
   {
     return Status::Ok;
   }
-  Ticker ticker(progress, Phase::Extract, report.triangles);
-  return writeCanonical(mesh, report.triangles, ranked.id.data(), triples, ticker)
+  Ticker ticker(progress, Phase::Extract, report.triangles, executor);
+  Scratch scratch; // where the locations were
+  scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
+  return writeCanonical(mesh, report.triangles, ranked.id.data(), triples, scratch, ticker)
     ? Status::Ok
     : Status::Cancelled;
 }
 
-bool Triangulator::State::writeFates(std::int64_t* fates, Progress* progress) const
+bool Triangulator::State::writeFates(
+  std::int64_t* fates, Progress* progress, Executor* executor) const
 {
-  Ticker ticker(progress, Phase::Fates, points.count);
+  Ticker ticker(progress, Phase::Fates, points.count, executor);
   const auto writeOwn = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t i = a; i != b; ++i)
@@ -146,15 +156,19 @@ bool Triangulator::State::writeFates(std::int64_t* fates, Progress* progress) co
 Triangulator::Triangulator() = default;
 Triangulator::~Triangulator() = default;
 
-Status Triangulator::run(const PointView& points, const Options& options, Progress* progress)
+Status Triangulator::run(
+  const PointView& points, const Options& options, Progress* progress, Executor* executor)
 {
   const Status status = withoutThrowing(
     [&]
     {
-      state_.reset();
-      state_.reset(new State);
+      if (!state_)
+      {
+        state_.reset(new State);
+      }
       state_->points = points;
-      return state_->sortAndInsert(options, progress);
+      state_->report = Report();
+      return state_->sortAndInsert(options, progress, executor);
     });
   if (status != Status::Ok)
   {
@@ -169,29 +183,36 @@ const Report& Triangulator::report() const
   return state_ ? state_->report : kNothing;
 }
 
-Status Triangulator::writeTriangles(std::int32_t* triples, Progress* progress) const
+Status Triangulator::writeTriangles(
+  std::int32_t* triples, Progress* progress, Executor* executor) const
 {
-  return state_ ? withoutThrowing([&] { return state_->write(triples, progress); }) : Status::Ok;
+  return state_ ? withoutThrowing([&] { return state_->write(triples, progress, executor); })
+                : Status::Ok;
 }
 
-Status Triangulator::writeTriangles(std::int64_t* triples, Progress* progress) const
+Status Triangulator::writeTriangles(
+  std::int64_t* triples, Progress* progress, Executor* executor) const
 {
-  return state_ ? withoutThrowing([&] { return state_->write(triples, progress); }) : Status::Ok;
+  return state_ ? withoutThrowing([&] { return state_->write(triples, progress, executor); })
+                : Status::Ok;
 }
 
-Status Triangulator::writeFates(std::int64_t* fates, Progress* progress) const
+Status Triangulator::writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const
 {
-  return state_ && !state_->writeFates(fates, progress) ? Status::Cancelled : Status::Ok;
+  return state_
+    ? withoutThrowing([&]
+        { return state_->writeFates(fates, progress, executor) ? Status::Ok : Status::Cancelled; })
+    : Status::Ok;
 }
 
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
 {
-  // Bytes per point of the three moments at which most is held (Algorithm.md, "Memory").
-  constexpr std::size_t kMesh = 2 * sizeof(std::uint32_t) * Mesh::kSlotSize;
-  constexpr std::size_t kInserting = sizeof(Point) + 2 * sizeof(Index) + kMesh;
-  constexpr std::size_t kExtracting = sizeof(Index) + kMesh + kExtractBytesPerPoint;
+  // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, and a
+  // piece of memory that is first for sorting and then holds two triangles.
+  constexpr std::size_t kSlots = std::max(
+    2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
-  return kSmall + pointCount * std::max({ kRankBytesPerPoint, kInserting, kExtracting });
+  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kSlots);
 }
 
 } // namespace ahd

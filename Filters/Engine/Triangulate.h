@@ -2,6 +2,7 @@
 #ifndef ahd_Triangulate_h
 #define ahd_Triangulate_h
 
+#include "Executor.h"
 #include "Options.h"
 #include "Points/Points.h"
 #include "Progress.h"
@@ -18,9 +19,9 @@ namespace ahd
 /// Contract. The triangles are the exact Delaunay triangulation of the distinct finite points,
 /// counterclockwise, the hull convex with collinear hull points kept as vertices. Cocircular ties
 /// are broken by the coordinates alone, and triangles and their corners come in a canonical order,
-/// so the result is a function of the point set: the same for every Options and, up to the ids, for
-/// every order of the input. Nothing is thrown across this border, printed, or read from the
-/// environment.
+/// so the result is a function of the point set: the same for every Options, any number of threads
+/// and, up to the ids, for every order of the input. Nothing is thrown across this border, printed,
+/// or read from the environment.
 class Triangulator
 {
 public:
@@ -29,21 +30,26 @@ public:
   Triangulator(const Triangulator&) = delete;
   Triangulator& operator=(const Triangulator&) = delete;
 
-  /// Triangulates. `progress` may be null. The points are borrowed until the last write below.
-  /// Anything but Status::Ok leaves no triangles; run() may be called again after any outcome.
-  Status run(const PointView& points, const Options& options, Progress* progress);
+  /// Triangulates. `progress` may be null, and so may `executor`: then the calling thread does all
+  /// the work. The points are borrowed until the last write below.
+  /// Anything but Status::Ok leaves no triangles; run() may be called again after any outcome, and
+  /// uses the memory of the run before as far as it goes.
+  Status run(const PointView& points, const Options& options, Progress* progress,
+    Executor* executor = nullptr);
 
   /// What the last run did.
   const Report& report() const;
 
   /// Writes report().triangles triples of the caller's ids. 32-bit ids always fit (kMaximumPoints).
   /// Returns Ok, Cancelled or OutOfMemory; unless Ok, the triples are not to be used.
-  Status writeTriangles(std::int32_t* triples, Progress* progress) const;
-  Status writeTriangles(std::int64_t* triples, Progress* progress) const;
+  Status writeTriangles(
+    std::int32_t* triples, Progress* progress, Executor* executor = nullptr) const;
+  Status writeTriangles(
+    std::int64_t* triples, Progress* progress, Executor* executor = nullptr) const;
 
   /// Writes what became of each point (see Result.h): points.count numbers.
   /// Returns Ok or Cancelled.
-  Status writeFates(std::int64_t* fates, Progress* progress) const;
+  Status writeFates(std::int64_t* fates, Progress* progress, Executor* executor = nullptr) const;
 
   /// Upper estimate of the bytes that run() and writeTriangles() allocate for this many points,
   /// input and output not counted.

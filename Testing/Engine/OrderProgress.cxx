@@ -56,7 +56,8 @@ private:
 Status order(const std::vector<Point>& points, const Options& options, Counter& counter)
 {
   RankedPoints ranked;
-  Status status = readPoints(viewOf(points), &counter, ranked);
+  Ticker reading(&counter, Phase::Read, points.size());
+  Status status = readPoints(viewOf(points), reading, ranked);
   if (status == Status::Ok)
   {
     Ticker sorting(&counter, Phase::Sort, points.size());

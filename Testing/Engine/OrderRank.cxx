@@ -32,7 +32,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 RankedPoints ranked(const PointView& view)
 {
   RankedPoints result;
-  EXPECT_EQ(readPoints(view, nullptr, result), Status::Ok);
+  Ticker reading(nullptr, Phase::Read, view.count);
+  EXPECT_EQ(readPoints(view, reading, result), Status::Ok);
   Ticker ticker(nullptr, Phase::Sort, view.count);
   EXPECT_EQ(rankPoints(view, ticker, result), Status::Ok);
   return result;

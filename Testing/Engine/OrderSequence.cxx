@@ -23,7 +23,8 @@ RankedPoints ranked(const std::vector<Point>& points)
 {
   RankedPoints result;
   const PointView view = viewOf(points);
-  EXPECT_EQ(readPoints(view, nullptr, result), Status::Ok);
+  Ticker reading(nullptr, Phase::Read, view.count);
+  EXPECT_EQ(readPoints(view, reading, result), Status::Ok);
   Ticker ticker(nullptr, Phase::Sort, view.count);
   EXPECT_EQ(rankPoints(view, ticker, result), Status::Ok);
   return result;

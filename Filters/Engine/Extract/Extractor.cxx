@@ -57,9 +57,9 @@ bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
 class Places
 {
 public:
-  explicit Places(std::uint32_t vertices)
+  Places(std::uint32_t vertices, void* memory)
   {
-    next_.allocate(vertices);
+    next_.view(memory, vertices);
     std::fill(next_.begin(), next_.end(), 0u);
   }
   void count(std::uint32_t vertex) { ++next_[vertex]; }
@@ -86,9 +86,9 @@ private:
 };
 
 /// The slots of the finite triangles, sorted by second corner; counts their lowest corners.
-bool sortBySecond(const Mesh& mesh, Buffer<Mesh::Slot>& sorted, Places& byLowest, Ticker& ticker)
+bool sortBySecond(
+  const Mesh& mesh, Buffer<Mesh::Slot>& sorted, Places& byLowest, Places& bySecond, Ticker& ticker)
 {
-  Places bySecond(mesh.ghost());
   const auto count = [&](Mesh::Slot, const FromLowest& t)
   {
     byLowest.count(t.v0);
@@ -134,13 +134,16 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
 // them. Nothing in it branches on the data, and no fan of triangles is too large.
 template <typename Id>
 bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
-  Id* triples, Ticker& ticker)
+  Id* triples, Scratch& scratch, Ticker& ticker)
 {
   constexpr std::size_t kAhead = 16; // triangles; their slots lie anywhere in the cache's reach
-  Places byLowest(mesh.ghost());
+  const std::size_t n = mesh.ghost();
+  std::uint32_t* const memory = static_cast<std::uint32_t*>(static_cast<void*>(scratch.data()));
+  Places byLowest(mesh.ghost(), memory);
+  Places bySecond(mesh.ghost(), memory + n);
   Buffer<Mesh::Slot> sorted;
-  sorted.allocate(triangleCount);
-  if (!sortBySecond(mesh, sorted, byLowest, ticker) || !byLowest.sumUp(ticker))
+  sorted.view(memory + 2 * n, triangleCount);
+  if (!sortBySecond(mesh, sorted, byLowest, bySecond, ticker) || !byLowest.sumUp(ticker))
   {
     return false;
   }
@@ -162,8 +165,8 @@ bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint
 }
 
 template bool writeCanonical(
-  const Mesh&, std::size_t, const std::uint32_t*, std::int32_t*, Ticker&);
+  const Mesh&, std::size_t, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
 template bool writeCanonical(
-  const Mesh&, std::size_t, const std::uint32_t*, std::int64_t*, Ticker&);
+  const Mesh&, std::size_t, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
 
 } // namespace ahd

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh.h"
 
-#include <cstddef>
-
 namespace ahd
 {
 
-void Mesh::allocate(std::uint32_t vertexCount)
+void Mesh::begin(std::uint32_t vertexCount, void* memory)
 {
-  const std::size_t triangles = 2 * std::size_t(vertexCount) - 2;
-  data_.allocate(triangles * kSlotSize);
+  data_ = static_cast<std::uint32_t*>(memory);
   ghost_ = vertexCount;
   end_ = 0;
 }

@@ -2,8 +2,7 @@
 #ifndef ahd_Mesh_h
 #define ahd_Mesh_h
 
-#include "../Buffer.h"
-
+#include <cstddef>
 #include <cstdint>
 
 namespace ahd
@@ -46,16 +45,23 @@ public:
   static Halfedge next(Halfedge h) { return h + kToNext[h & 3u]; }
   static Halfedge previous(Halfedge h) { return h + kToPrevious[h & 3u]; }
 
-  /// Makes room for the triangulation of `vertexCount` points; vertex `vertexCount` is the ghost.
-  /// REQUIRES: 3 <= vertexCount <= kMaximumPoints. Throws std::bad_alloc.
-  void allocate(std::uint32_t vertexCount);
+  /// Bytes that the triangulation of so many points needs.
+  static constexpr std::size_t bytesFor(std::size_t vertexCount)
+  {
+    return vertexCount < 2 ? 0 : (2 * vertexCount - 2) * kSlotSize * sizeof(std::uint32_t);
+  }
+
+  /// Empties the mesh, for `vertexCount` points; vertex `vertexCount` is the ghost. The triangles
+  /// will lie in `memory`, which stays the caller's.
+  /// REQUIRES: 3 <= vertexCount <= kMaximumPoints; bytesFor(vertexCount) bytes, aligned to 64.
+  void begin(std::uint32_t vertexCount, void* memory);
 
   /// Fills the first four slots: triangle a, b, c (counterclockwise) and its three ghosts.
   void makeFirstTriangle(Vertex a, Vertex b, Vertex c);
 
   /// The raw slots, for the kernel.
-  std::uint32_t* data() { return data_.data(); }
-  const std::uint32_t* data() const { return data_.data(); }
+  std::uint32_t* data() { return data_; }
+  const std::uint32_t* data() const { return data_; }
 
   Vertex ghost() const { return ghost_; }
 
@@ -75,7 +81,7 @@ private:
     data_[b + kTwin] = a;
   }
 
-  Buffer<std::uint32_t> data_;
+  std::uint32_t* data_ = nullptr;
   Vertex ghost_ = 0;
   Slot end_ = 0;
 };

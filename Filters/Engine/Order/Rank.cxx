@@ -141,9 +141,13 @@ Status rankPoints(const PointView& points, Ticker& sorting, RankedPoints& out)
   out.duplicates.clear();
   out.xy.allocate(n + 1);
   out.id.allocate(n);
-  out.key.allocate(n);
   Buffer<Record> records;
-  records.allocate(n);
+  if (out.scratch.size() < n * kRankScratchPerPoint)
+  {
+    out.scratch.allocate(n * kRankScratchPerPoint);
+  }
+  records.view(out.scratch.data(), n);
+  out.key.view(out.scratch.data() + n * sizeof(Record), n);
 
   Scatter scatter(points, out, sorting);
   if (!scatter.run(records))

@@ -21,15 +21,15 @@ namespace ahd
 
 constexpr std::size_t kTiedByCoordinates = 16;
 
-/// Most bytes per point that rankPoints allocates: locations, ids and keys, which stay, and a
-/// record of each point, which does not.
-constexpr std::size_t kRankBytesPerPoint = sizeof(Point) + sizeof(Index) + 8 + 32;
+/// Bytes per point that rankPoints needs beside locations and ids: a record and a key each.
+constexpr std::size_t kRankScratchPerPoint = 32 + 8;
 
 /// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; a point
 /// that is to be skipped is not looked at. out.count becomes the number of finite points.
-Status readPoints(const PointView& points, Progress* progress, RankedPoints& out);
+Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
 
-/// Sorts the points by rank and drops duplicates; sets the rest of `out`.
+/// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch
+/// is made larger if it has not kRankScratchPerPoint bytes for each of out.count points.
 /// REQUIRES: readPoints returned Ok for the same points and `out`; at most kMaximumPoints points.
 /// Moves the fraction by three quarters of a unit per point. Throws std::bad_alloc.
 /// Cost: two passes over the points to scatter them to buckets by the first bits of their keys, one

@@ -26,7 +26,8 @@ struct RankedPoints
   Index count = 0;           ///< distinct points
   Buffer<Point> xy;          ///< count + 1 entries; the last is (NaN, NaN), the vertex at infinity
   Buffer<Index> id;          ///< rank -> the caller's id (the smallest among coincident points)
-  Buffer<std::uint64_t> key; ///< rank -> Hilbert key, ascending; may be dropped once unneeded
+  Buffer<std::uint64_t> key; ///< rank -> Hilbert key, ascending
+  Scratch scratch;           ///< where the keys lie; free for other things once nobody needs them
   Bounds bounds;             ///< of the distinct points
   std::vector<Duplicate> duplicates; ///< in no particular order
   std::size_t notFinite = 0;

@@ -59,9 +59,8 @@ bool readPlainChunk(const PointView& points, std::size_t a, std::size_t b, Extre
 
 } // namespace
 
-Status readPoints(const PointView& points, Progress* progress, RankedPoints& out)
+Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
 {
-  Ticker ticker(progress, Phase::Read, points.count);
   Extremes seen;
   out.notFinite = 0;
   out.skipped = 0;

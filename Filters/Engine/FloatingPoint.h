@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_FloatingPoint_h
+#define ahd_FloatingPoint_h
+
+#if defined(__SSE2__) || defined(_M_X64)
+#include <xmmintrin.h>
+#else
+#include <cfenv>
+#endif
+
+namespace ahd
+{
+
+/// For its lifetime, this thread's floating-point arithmetic is as the predicates assume it:
+/// rounding to nearest, subnormal numbers kept, no traps. A host program, or the task a borrowed
+/// thread ran before, may have left it otherwise.
+/// What was set is set again at the end. Elsewhere than on x86 only the rounding mode is.
+class ScopedFloatingPoint
+{
+public:
+#if defined(__SSE2__) || defined(_M_X64)
+  ScopedFloatingPoint()
+    : before_(_mm_getcsr())
+  {
+    constexpr unsigned kDefault = 0x1F80;
+    _mm_setcsr(kDefault);
+  }
+  ~ScopedFloatingPoint()
+  {
+    _mm_setcsr(before_);
+  }
+
+private:
+  unsigned before_;
+#else
+  ScopedFloatingPoint()
+    : before_(std::fegetround())
+  {
+    std::fesetround(FE_TONEAREST);
+  }
+  ~ScopedFloatingPoint()
+  {
+    std::fesetround(before_);
+  }
+
+private:
+  int before_;
+#endif
+  ScopedFloatingPoint(const ScopedFloatingPoint&) = delete;
+  ScopedFloatingPoint& operator=(const ScopedFloatingPoint&) = delete;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Tasks_h
+#define ahd_Tasks_h
+
+#include "Executor.h"
+#include "FloatingPoint.h"
+#include "Progress.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <new>
+
+namespace ahd
+{
+
+/// How many threads a phase can have.
+inline std::size_t threadsOf(const Ticker& ticker)
+{
+  return ticker.executor() ? std::max(1u, ticker.executor()->threads()) : 1;
+}
+
+/// Calls work(task, ticker of the task) for each task in [0, count) on the threads lent to the
+/// phase; in ascending order on this thread if none are. The tasks must be independent, and what
+/// they write must not depend on which runs first. `work` returns false if it was told to cancel;
+/// then this does. If one throws std::bad_alloc the others are stopped and this throws it.
+template <typename Work>
+bool inParallel(Ticker& ticker, std::size_t count, Work work)
+{
+  if (threadsOf(ticker) == 1 || count == 1)
+  {
+    for (std::size_t task = 0; task < count; ++task)
+    {
+      if (!work(task, ticker))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+  std::atomic<bool> cancelled{ false };
+  std::atomic<bool> outOfMemory{ false };
+  const auto run = [&](std::size_t task)
+  {
+    const ScopedFloatingPoint asAssumed;
+    Ticker own(&ticker);
+    try
+    {
+      if (cancelled.load(std::memory_order_relaxed) || !work(task, own))
+      {
+        cancelled = true;
+      }
+    }
+    catch (const std::bad_alloc&)
+    {
+      outOfMemory = true;
+      cancelled = true;
+      ticker.cancel();
+    }
+  };
+  ticker.executor()->run(count, run, [&] { ticker.ask(); });
+  if (outOfMemory)
+  {
+    throw std::bad_alloc();
+  }
+  return !cancelled;
+}
+
+/// [begin, end) of the items that task `task` of `tasks` takes, when they share `items` evenly.
+struct Share
+{
+  Share(std::size_t items, std::size_t task, std::size_t tasks)
+    : begin(part(items, task, tasks))
+    , end(part(items, task + 1, tasks))
+  {
+  }
+  std::size_t begin;
+  std::size_t end;
+
+private:
+  static std::size_t part(std::size_t items, std::size_t task, std::size_t tasks)
+  {
+    return items / tasks * task + std::min(task, items % tasks);
+  }
+};
+
+} // namespace ahd
+
+#endif
