@@ -40,6 +40,13 @@ struct Report
   std::uint64_t exactInCircle = 0;    ///< in-circle tests the floating-point filter left open
   std::uint64_t exactOrient = 0;      ///< orientation tests the floating-point filter left open
 
+  // How the insertion was shared by threads; always counted. Insertions tried: a point that one part
+  // defers, because its cavity reaches into others, is tried again by a larger part.
+  std::uint64_t insertionAttempts = 0; ///< of all threads; `inserted` if there was one thread
+  std::uint64_t deferredPoints = 0;    ///< attempts that ended in deferring the point
+  std::uint64_t criticalPath = 0; ///< attempts one after the other: in each pass of each round, those
+                                  ///< of the busiest thread, tasks going to the first free thread
+
   /// The paper's NP: triangles tested to locate a point, per inserted point.
   double np() const { return perPoint(trianglesWalked); }
   /// The paper's NR: triangles removed, per inserted point.

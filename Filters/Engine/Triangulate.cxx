@@ -8,6 +8,7 @@
 #include "Mesh/Mesh.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
+#include "Parallel/ByRounds.h"
 
 #include <algorithm>
 #include <new>
@@ -72,14 +73,17 @@ Status Triangulator::State::sortAndInsert(
   ranked.scratch.allocate(
     std::max(Mesh::bytesFor(ranked.count), ranked.count * kRankScratchPerPoint));
   Ticker sorting(progress, Phase::Sort, points.count, executor);
-  Buffer<Index> sequence;
   if (const Status sorted = rankPoints(points, sorting, ranked); sorted != Status::Ok)
   {
     return sorted;
   }
-  if (const Status made = makeSequence(ranked, options, sorting, sequence); made != Status::Ok)
+  Buffer<Index> sequence;
+  if (!isRankByRounds(options))
   {
-    return made;
+    if (const Status made = makeSequence(ranked, options, sorting, sequence); made != Status::Ok)
+    {
+      return made;
+    }
   }
   return insert(sequence, options, progress, executor);
 }
@@ -98,8 +102,14 @@ Status Triangulator::State::insert(
   mesh.begin(ranked.count, ranked.scratch.data());
   Ticker ticker(progress, Phase::Insert, ranked.count, executor);
   InsertionWork work;
-  const InsertionEnd end = insertSequence(
-    ranked, sequence, mesh, ticker, options.countWork ? &work : nullptr);
+  SharedWork shared{ ranked.count, 0, ranked.count };
+  InsertionWork* const counted = options.countWork ? &work : nullptr;
+  const InsertionEnd end = isRankByRounds(options)
+    ? insertByRounds(ranked, mesh, ticker, counted, shared)
+    : insertSequence(ranked, sequence, mesh, ticker, counted);
+  report.insertionAttempts = shared.attempts;
+  report.deferredPoints = shared.deferred;
+  report.criticalPath = shared.criticalPath;
   report.trianglesWalked = work.trianglesWalked;
   report.trianglesRemoved = work.trianglesRemoved;
   report.exactInCircle = work.exactInCircle;

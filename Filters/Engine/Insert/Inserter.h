@@ -29,8 +29,8 @@ enum class InsertionEnd
   Cancelled     ///< the mesh is unusable
 };
 
-/// Inserts `sequence` (distinct vertices, all of them, each once) into `mesh`.
-/// REQUIRES: the mesh is allocated for points.count vertices and empty.
+/// Inserts `sequence` (distinct vertices, all of them, each once) into `mesh`, on this thread.
+/// REQUIRES: the mesh has room for points.count vertices and is empty.
 /// Cost: O(1) expected per point when successive points are close and a sparse subset of the points
 /// comes first (see Order); O(n) per point at worst.
 /// Allocates nothing. Counts into `work` unless that is null.

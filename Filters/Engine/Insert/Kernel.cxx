@@ -23,21 +23,27 @@ namespace ahd
 /// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
 /// That choice is made in floating point, and without a branch, as it would be mispredicted; a
 /// wrong hint (rounding, or the ghost's NaN) costs steps, never the result.
-template <bool kCount>
-bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint)
+template <bool kCount, Access kAccess>
+Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
 {
   std::uint32_t* const data = data_;
   const Point* const xy = xy_;
+  const Index p = cavity.p;
+  const Mesh::Slot root = cavity.root;
   const Point at = xy[p];
-  const double towardsX = xy[next].x - at.x;
-  const double towardsY = xy[next].y - at.y;
+  const double towardsX = xy[cavity.next].x - at.x;
+  const double towardsY = xy[cavity.next].y - at.y;
+  if (kShared && !(owns(data[root]) && owns(data[root + 1]) && owns(data[root + 2])))
+  {
+    return Insertion::Deferred;
+  }
 
   Corner a = seenFrom(at, xy, data[root + 1]);
   Corner b = seenFrom(at, xy, data[root + 2]);
   double crossed = cross(a, b);
   Mesh::Halfedge twin = data[root + Mesh::kTwin];
   Mesh::Slot slot = root;
-  const Mesh::Slot fresh = mesh_.end();
+  const Mesh::Slot fresh = cavity.fresh;
   const Corner c = seenFrom(at, xy, data[root]);
   PendingEdge* top = pending_.data();
   *top++ = pendingTo(
@@ -45,6 +51,7 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
   *top++ = pendingTo(c, cross(b, c), data[root + 1 + Mesh::kTwin], fresh);
   countRemoved();
 
+  std::size_t stars = 0;
   Mesh::Slot firstStar = kNoIndex;
   Mesh::Slot previousStar = fresh +
     Mesh::kSlotSize;             // not written yet: takes the first link in vain
@@ -62,13 +69,24 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
         : conflicts(b.vertex, a.vertex, apex.vertex, p))
     {
       countRemoved();
+      if (kShared && !owns(apex.vertex))
+      {
+        return Insertion::Deferred;
+      }
       if (!spend())
       {
-        return false;
+        return Insertion::Cancelled;
       }
       *top++ = pendingTo(
         b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin], Mesh::slotOf(twin));
-      top = top == pendingEnd() ? spillPending() : top;
+      if (top == pendingEnd())
+      {
+        if (kShared)
+        {
+          return Insertion::Deferred;
+        }
+        top = spillPending();
+      }
       twin = data[Mesh::next(twin) + Mesh::kTwin];
       b = apex;
       crossed = crossedIn;
@@ -76,15 +94,26 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
     }
 
     // A border edge: write the star's triangle p, a, b and link it.
-    data[slot] = p;
-    data[slot + 1] = a.vertex;
-    data[slot + 2] = b.vertex;
-    data[slot + Mesh::kTwin] = twin;
-    data[twin + Mesh::kTwin] = slot;
-    data[slot + 2 + Mesh::kTwin] = previousStar + 1;
-    data[previousStar + 1 + Mesh::kTwin] = slot + 2;
-    firstStar = firstStar == kNoIndex ? slot : firstStar;
-    previousStar = slot;
+    if (kShared)
+    {
+      if (stars == kMostDeferredWrites)
+      {
+        return Insertion::Deferred;
+      }
+      star_[stars++] = { slot, a.vertex, b.vertex, twin };
+    }
+    else
+    {
+      data[slot] = p;
+      data[slot + 1] = a.vertex;
+      data[slot + 2] = b.vertex;
+      data[slot + Mesh::kTwin] = twin;
+      data[twin + Mesh::kTwin] = slot;
+      data[slot + 2 + Mesh::kTwin] = previousStar + 1;
+      data[previousStar + 1 + Mesh::kTwin] = slot + 2;
+      firstStar = firstStar == kNoIndex ? slot : firstStar;
+      previousStar = slot;
+    }
 
     const unsigned endIsRight = b.x * towardsY - b.y * towardsX < 0;
     hintForNext = endIsRight > startIsRight ? slot : hintForNext;
@@ -111,17 +140,42 @@ bool Kernel<kCount>::carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hin
       break;
     }
   }
-  data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
-  data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
-  mesh_.setEnd(fresh + 2 * Mesh::kSlotSize);
+  if (kShared)
+  {
+    writeStar(p, stars);
+  }
+  else
+  {
+    data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
+    data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
+  }
   hint = hintForNext;
-  return true;
+  return Insertion::Done;
+}
+
+/// Writes the triangles p, a, b that carve() has put aside, and links each to the next.
+template <bool kCount, Access kAccess>
+void Kernel<kCount, kAccess>::writeStar(Index p, std::size_t triangles)
+{
+  Mesh::Slot previous = star_[triangles - 1].slot;
+  for (std::size_t i = 0; i < triangles; ++i)
+  {
+    const StarTriangle t = star_[i];
+    data_[t.slot] = p;
+    data_[t.slot + 1] = t.a;
+    data_[t.slot + 2] = t.b;
+    data_[t.slot + Mesh::kTwin] = t.twin;
+    data_[t.twin + Mesh::kTwin] = t.slot;
+    data_[t.slot + 2 + Mesh::kTwin] = previous + 1;
+    data_[previous + 1 + Mesh::kTwin] = t.slot + 2;
+    previous = t.slot;
+  }
 }
 
 /// Moves the open edges, which fill their room, to the slots they carry: end, twin, and the slot of
 /// the one below. So a cavity of any size needs no more memory. Returns where the next edge goes.
-template <bool kCount>
-typename Kernel<kCount>::PendingEdge* Kernel<kCount>::spillPending()
+template <bool kCount, Access kAccess>
+typename Kernel<kCount, kAccess>::PendingEdge* Kernel<kCount, kAccess>::spillPending()
 {
   for (const PendingEdge& edge : pending_)
   {
@@ -133,8 +187,8 @@ typename Kernel<kCount>::PendingEdge* Kernel<kCount>::spillPending()
   return pending_.data();
 }
 
-template <bool kCount>
-bool Kernel<kCount>::conflicts(Index a, Index b, Index c, Index p)
+template <bool kCount, Access kAccess>
+bool Kernel<kCount, kAccess>::conflicts(Index a, Index b, Index c, Index p)
 {
   if (c == ghost_)
   {
@@ -158,8 +212,8 @@ bool Kernel<kCount>::conflicts(Index a, Index b, Index c, Index p)
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
 /// sees the edge from outside, or lies between its ends (then it also is in conflict with the
 /// finite triangle behind the edge).
-template <bool kCount>
-bool Kernel<kCount>::conflictsWithGhost(Index from, Index to, Index p)
+template <bool kCount, Access kAccess>
+bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
 {
   const Point& a = xy_[from];
   const Point& b = xy_[to];
@@ -172,8 +226,8 @@ bool Kernel<kCount>::conflictsWithGhost(Index from, Index to, Index p)
   return lexicographicallyLess(a, q) == lexicographicallyLess(q, b);
 }
 
-template <bool kCount>
-int Kernel<kCount>::orientation(Index a, Index b, Index p)
+template <bool kCount, Access kAccess>
+int Kernel<kCount, kAccess>::orientation(Index a, Index b, Index p)
 {
   if (kCount)
   {
@@ -182,8 +236,8 @@ int Kernel<kCount>::orientation(Index a, Index b, Index p)
   return orient2dExact(xy_[a], xy_[b], xy_[p]);
 }
 
-template <bool kCount>
-bool Kernel<kCount>::refill()
+template <bool kCount, Access kAccess>
+bool Kernel<kCount, kAccess>::refill()
 {
   budget_ = kStepsPerRefill;
   ticker_.finished(insertedSinceAsking_);
@@ -191,7 +245,8 @@ bool Kernel<kCount>::refill()
   return ticker_.ask();
 }
 
-template class Kernel<false>;
-template class Kernel<true>;
+template class Kernel<false, Access::Alone>;
+template class Kernel<true, Access::Alone>;
+template class Kernel<false, Access::Shared>;
 
 } // namespace ahd

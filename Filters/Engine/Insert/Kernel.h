@@ -25,33 +25,63 @@ inline Corner seenFrom(const Point& p, const Point* xy, Index v)
   return Corner{ liftedFrom(p, xy[v]), v };
 }
 
+/// The vertices a part of a parallel insertion owns: a range of ranks.
+struct Territory
+{
+  Index begin = 0;
+  Index size = kNoIndex;
+
+  bool owns(Index vertex) const { return vertex - begin < size; }
+};
+
+/// What became of one insertion.
+enum class Insertion
+{
+  Done,
+  Strayed,  ///< the walk left the territory: nothing was changed; another hint may do
+  Deferred, ///< the cavity reaches out of the territory: nothing was changed
+  Cancelled ///< the caller wants to cancel: the mesh is unusable
+};
+
+/// Alone: the mesh belongs to this kernel. Shared: others insert at the same time, each in a
+/// territory of its own (Parallel/Parts.h says why that is safe). Then a cavity is carved only if
+/// all its finite vertices are owned, and nothing is written before that is known.
+enum class Access
+{
+  Alone,
+  Shared
+};
+
 /// Inserts one point after the other: locate, carve the cavity, fill it with the star.
 /// This is the hot loop of the engine; see Algorithm.md for what was measured.
-template <bool kCount>
+template <bool kCount, Access kAccess>
 class Kernel
 {
 public:
-  Kernel(const RankedPoints& points, Mesh& mesh, Ticker& ticker)
+  Kernel(const RankedPoints& points, Mesh& mesh, Ticker& ticker, Territory territory = Territory())
     : xy_(points.xy.data())
     , guard_(guardFor(points.bounds))
     , data_(mesh.data())
     , ghost_(mesh.ghost())
-    , mesh_(mesh)
+    , territory_(territory)
     , ticker_(ticker)
   {
   }
 
-  /// Inserts vertex p. `hint` is a slot to start locating from, and becomes the slot from which to
-  /// locate `next`. Returns false if the caller wants to cancel; the mesh is then unusable.
-  bool insert(Index p, Index next, Mesh::Slot& hint)
+  /// Inserts vertex p with two more triangles, in the slots `fresh` and the one after it. `hint` is
+  /// a slot to start locating from, and becomes the slot from which to locate `next`.
+  /// REQUIRES, if Shared: the hint's triangle has an owned vertex.
+  Insertion insert(Index p, Index next, Mesh::Slot fresh, Mesh::Slot& hint)
   {
     if (!spend())
     {
-      return false;
+      return Insertion::Cancelled;
     }
     ++insertedSinceAsking_;
     const Mesh::Slot root = locate(p, hint);
-    return root != kNoIndex && carve(p, next, root, hint);
+    return root == kCancelled ? Insertion::Cancelled
+      : root == kStrayed      ? Insertion::Strayed
+                              : carve({ p, next, root, fresh }, hint);
   }
 
   const InsertionWork& work() const { return work_; }
@@ -73,7 +103,31 @@ private:
     return PendingEdge{ end.x, end.y, end.z, end.vertex, twin, crossed, slot };
   }
 
+  /// A triangle of the star, not yet written.
+  struct StarTriangle
+  {
+    Mesh::Slot slot;
+    Index a, b;
+    Mesh::Halfedge twin;
+  };
+
+  /// What carve() is to do.
+  struct Cavity
+  {
+    Index p, next;
+    Mesh::Slot root, fresh;
+  };
+
+  static constexpr bool kShared = kAccess == Access::Shared;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
+  static constexpr std::size_t kMostOpenEdges = 64;
+  static constexpr std::size_t kMostDeferredWrites = kShared ? 2 * kMostOpenEdges : 1;
+
+  // Not slots, as they are not multiples of eight.
+  static constexpr Mesh::Slot kCancelled = kNoIndex;
+  static constexpr Mesh::Slot kStrayed = kNoIndex - 1;
+
+  bool owns(Index vertex) const { return territory_.owns(vertex) || vertex == ghost_; }
 
   //--- locate -------------------------------------------------------------------------------------
 
@@ -150,18 +204,23 @@ private:
     {
       return start;
     }
-    return walkAcross(p, data_[h + Mesh::kTwin], a, b);
+    return walkAcross(p, h, a, b);
   }
 
-  /// The walk goes on: p lies strictly behind half-edge h, which runs from b to a.
-  Mesh::Slot walkAcross(Index p, Mesh::Halfedge h, Corner a, Corner b)
+  /// The walk goes on: p lies strictly behind half-edge `crossed`, which runs from a to b.
+  Mesh::Slot walkAcross(Index p, Mesh::Halfedge crossed, Corner a, Corner b)
   {
     for (;;)
     {
       if (!spend())
       {
-        return kNoIndex;
+        return kCancelled;
       }
+      if (kShared && !territory_.owns(a.vertex) && !territory_.owns(b.vertex))
+      {
+        return kStrayed;
+      }
+      const Mesh::Halfedge h = data_[crossed + Mesh::kTwin];
       if (kCount)
       {
         ++work_.trianglesWalked;
@@ -176,12 +235,12 @@ private:
       }
       if (isRightOf(a, apex, p))
       {
-        h = data_[Mesh::next(h) + Mesh::kTwin];
+        crossed = Mesh::next(h);
         b = apex;
       }
       else if (isRightOf(apex, b, p))
       {
-        h = data_[Mesh::previous(h) + Mesh::kTwin];
+        crossed = Mesh::previous(h);
         a = apex;
       }
       else
@@ -193,7 +252,8 @@ private:
 
   //--- cavity and star ----------------------------------------------------------------------------
 
-  bool carve(Index p, Index next, Mesh::Slot root, Mesh::Slot& hint);
+  Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
+  void writeStar(Index p, std::size_t triangles);
   const PendingEdge* pendingEnd() const { return pending_.data() + pending_.size(); }
   PendingEdge* spillPending();
 
@@ -228,9 +288,10 @@ private:
   double guard_; ///< what underflow may cost an in-circle determinant (see Filters.h)
   std::uint32_t* data_;
   Index ghost_;
-  Mesh& mesh_;
+  Territory territory_;
   Ticker& ticker_;
-  std::array<PendingEdge, 64> pending_; ///< the topmost open edges
+  std::array<PendingEdge, kMostOpenEdges> pending_;    ///< the topmost open edges
+  std::array<StarTriangle, kMostDeferredWrites> star_; ///< if Shared: what is to be written
   Mesh::Slot spilled_ = kNoIndex; ///< slot of the topmost of those below them, if there are any
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;

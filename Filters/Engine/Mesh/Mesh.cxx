@@ -8,7 +8,6 @@ void Mesh::begin(std::uint32_t vertexCount, void* memory)
 {
   data_ = static_cast<std::uint32_t*>(memory);
   ghost_ = vertexCount;
-  end_ = 0;
 }
 
 //            ghost                the ghosts g0, g1, g2 lie across the edges opposite to a, b, c:
@@ -36,7 +35,6 @@ void Mesh::makeFirstTriangle(Vertex a, Vertex b, Vertex c)
   link(g0 + 1, g2 + 2); // at b
   link(g1 + 1, g0 + 2); // at c
   link(g2 + 1, g1 + 2); // at a
-  end_ = 32;
 }
 
 } // namespace ahd

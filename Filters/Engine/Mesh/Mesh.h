@@ -65,10 +65,14 @@ public:
 
   Vertex ghost() const { return ghost_; }
 
-  /// One past the last slot in use. Slots in use are contiguous: an insertion reuses the slots of
-  /// the triangles it removes and takes two fresh ones.
-  Slot end() const { return end_; }
-  void setEnd(Slot end) { end_ = end; }
+  /// The slot of the k-th triangle. An insertion reuses the slots of the triangles it removes and
+  /// takes two more: vertex after vertex, the i-th one inserted (from 0; the first three make four
+  /// triangles) those of triangles 2 i - 2 and 2 i - 1.
+  static constexpr Slot slotOfTriangle(std::size_t k) { return static_cast<Slot>(k * kSlotSize); }
+  static constexpr Slot freshSlots(std::size_t i) { return slotOfTriangle(2 * i - 2); }
+
+  /// One past the last slot in use, once all vertices are inserted.
+  Slot end() const { return freshSlots(ghost_); }
 
 private:
   // Modulo 2^32: -2 and -1 wrap round.
@@ -83,7 +87,6 @@ private:
 
   std::uint32_t* data_ = nullptr;
   Vertex ghost_ = 0;
-  Slot end_ = 0;
 };
 
 } // namespace ahd

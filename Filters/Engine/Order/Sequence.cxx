@@ -3,6 +3,7 @@
 
 #include "../Chunks.h"
 #include "BoxWalk.h"
+#include "Rounds.h"
 
 #include <algorithm>
 #include <vector>
@@ -118,23 +119,15 @@ private:
 template <typename At>
 bool everyLevelFirst(std::size_t n, At at, Index* to, Ticker& ticker)
 {
-  std::size_t stride = 1;
-  while (stride * kControlStride < n)
+  const Rounds rounds(n);
+  for (std::size_t stride = rounds.firstStride(); stride > 0; stride /= kControlStride)
   {
-    stride *= kControlStride;
-  }
-  // Multiples of the stride, by their number; those of the stride above are out already.
-  for (std::size_t above = 0; stride > 0; above = kControlStride, stride /= kControlStride)
-  {
-    const bool copied = inChunks(0, (n + stride - 1) / stride, ticker,
+    const bool copied = inChunks(0, rounds.size(stride), ticker,
       [&](std::size_t a, std::size_t b)
       {
-        for (std::size_t i = a; i < b; ++i)
+        for (std::size_t k = a; k < b; ++k)
         {
-          if (above == 0 || i % kControlStride != 0)
-          {
-            *to++ = at(i * stride);
-          }
+          *to++ = at(rounds.place(stride, k));
         }
       });
     if (!copied)
@@ -150,7 +143,7 @@ bool makeEveryLevel(const RankedPoints& points, const Options& options, unsigned
   Ticker& ticker, Index* sequence)
 {
   const std::size_t n = points.count;
-  if (options.order == InsertionOrder::AdaptiveHilbert && options.geneRotation)
+  if (isRankByRounds(options))
   {
     // The curve through all boxes and on inside them is the order of rank itself.
     ticker.finished(n / 4);

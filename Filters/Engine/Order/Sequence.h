@@ -11,9 +11,13 @@
 namespace ahd
 {
 
-/// With ControlPoints::EveryLevel every so manieth point of the order comes before the others, and
-/// of those every so manieth before the rest of those, and so on.
-constexpr Index kControlStride = 12;
+/// Do these settings make the sequence that of the ranks 0 .. count - 1 by Rounds? The default
+/// does.
+inline bool isRankByRounds(const Options& options)
+{
+  return options.order == InsertionOrder::AdaptiveHilbert && options.geneRotation &&
+    options.controlPoints == ControlPoints::EveryLevel;
+}
 
 /// Levels of division for a box of so many points: the smallest r >= 1 for which the 4^r boxes hold
 /// 16 points or fewer on average (the paper's formulas 1 to 5).
@@ -42,9 +46,8 @@ constexpr unsigned levelsOfDivision(std::size_t points)
 ///
 /// Control points (AdaptiveHilbert, MultiGrid). SingleLevel: if all points are divided at all, the
 /// point of smallest id of every non-empty box of the first division, in the reverse order of the
-/// boxes, before all others; a control point no longer counts in its box. EveryLevel: positions
-/// that are multiples of the highest power of kControlStride below count, then of the next power,
-/// and so on, each ascending.
+/// boxes, before all others; a control point no longer counts in its box. EveryLevel: the positions
+/// by Rounds.
 ///
 /// REQUIRES: options.nmax >= 1. Moves the fraction by a quarter of a unit per point.
 /// Throws std::bad_alloc.
