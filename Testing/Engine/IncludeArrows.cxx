@@ -42,7 +42,7 @@ const std::map<std::string, Names>& allowedParts()
 const Names& vocabulary()
 {
   static const Names kWords = { "Buffer.h", "Chunks.h", "Executor.h", "FloatingPoint.h",
-    "Options.h", "Progress.h", "Result.h", "Tasks.h" };
+    "Instructions.h", "Options.h", "Progress.h", "Result.h", "Tasks.h" };
   return kWords;
 }
 

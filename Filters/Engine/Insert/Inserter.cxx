@@ -6,6 +6,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 namespace
 {
@@ -38,12 +40,13 @@ InsertionEnd insertAll(const RankedPoints& points, const Buffer<Index>& sequence
 
 } // namespace
 
-InsertionEnd insertSequence(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
-  Ticker& ticker, InsertionWork* work)
+InsertionEnd insertSequenceHere(const RankedPoints& points, const Buffer<Index>& sequence,
+  Mesh& mesh, Ticker& ticker, InsertionWork* work)
 {
   InsertionWork ignored;
   return work ? insertAll<true>(points, sequence, mesh, ticker, *work)
               : insertAll<false>(points, sequence, mesh, ticker, ignored);
 }
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd

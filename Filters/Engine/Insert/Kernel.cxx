@@ -3,6 +3,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 /// Depth first through the triangles in conflict with p, counterclockwise, so that the edges of the
 /// cavity's border are met in the order in which they stand around p, and the star's triangles can
@@ -249,4 +251,5 @@ template class Kernel<false, Access::Alone>;
 template class Kernel<true, Access::Alone>;
 template class Kernel<false, Access::Shared>;
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd

@@ -11,6 +11,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 /// A vertex as the new point sees it. For the ghost all its numbers are NaN, which no
 /// floating-point filter accepts: that is how ghosts leave the fast path without a test of their
@@ -298,6 +300,7 @@ private:
   InsertionWork work_;
 };
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd
 
 #endif

@@ -12,6 +12,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 namespace
 {
@@ -140,7 +142,7 @@ InsertionEnd insertAll(
 
 } // namespace
 
-InsertionEnd insertByRounds(
+InsertionEnd insertByRoundsHere(
   const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
 {
   InsertionWork ignored;
@@ -148,4 +150,5 @@ InsertionEnd insertByRounds(
               : insertAll<false>(points, mesh, ticker, ignored, shared);
 }
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd

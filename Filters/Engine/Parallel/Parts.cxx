@@ -8,6 +8,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 namespace
 {
@@ -205,4 +207,5 @@ void Parts::account(SharedWork& work)
   work.deferred += waiting();
 }
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd

@@ -15,6 +15,8 @@
 
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 /// One round of an insertion, in parts (ByRounds.h). What a part could not insert waits, and is
 /// tried again by the part that joins it with its neighbours, until one part owns everything.
@@ -116,6 +118,7 @@ private:
   std::unique_ptr<std::atomic<Mesh::Slot>[]> starts_;
 };
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd
 
 #endif

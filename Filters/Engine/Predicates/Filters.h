@@ -2,6 +2,7 @@
 #ifndef ahd_Filters_h
 #define ahd_Filters_h
 
+#include "../Instructions.h"
 #include "../Points/Points.h"
 
 #include <cmath>
@@ -22,6 +23,8 @@
 /// the true ones, each coordinate known to a factor 1 + u; |A| is a length, x the cross product.
 namespace ahd
 {
+inline namespace AHD_INSTRUCTIONS
+{
 
 /// A point seen from P, lifted to the paraboloid: z = |A|^2.
 struct Lifted
@@ -34,7 +37,7 @@ struct Lifted
 /// a * b + c, with one rounding where that is one instruction.
 inline double multiplyAdd(double a, double b, double c)
 {
-#if defined(__FMA__) || defined(__FP_FAST_FMA)
+#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(AHD_FUSED_MULTIPLY_ADD)
   return std::fma(a, b, c);
 #else
   return a * b + c;
@@ -132,6 +135,7 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
   return std::fabs(det) > inCircleErrorBound(la, lb, lc, guard);
 }
 
+} // namespace AHD_INSTRUCTIONS
 } // namespace ahd
 
 #endif
