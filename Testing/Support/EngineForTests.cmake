@@ -5,6 +5,7 @@
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
 # ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY.
+find_package(Threads REQUIRED)
 find_library(AHD_GMP_LIBRARY gmp REQUIRED)
 find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
 mark_as_advanced(AHD_GMP_LIBRARY AHD_GMPXX_LIBRARY)
@@ -32,5 +33,5 @@ add_library(ahd_test_support STATIC EXCLUDE_FROM_ALL ${ahd_support_sources})
 target_compile_options(ahd_test_support PRIVATE ${ahd_engine_options} ${ahd_warnings})
 target_include_directories(ahd_test_support PUBLIC "${ahd_testing_dir}/Support")
 target_link_libraries(ahd_test_support
-  PUBLIC ahd_engine_static
+  PUBLIC ahd_engine_static Threads::Threads
   PRIVATE ${AHD_GMPXX_LIBRARY} ${AHD_GMP_LIBRARY})

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Several threads and something goes wrong: the caller cancels, or memory runs out in a task. This
+// program's operator new fails when told to.
+#include "EngineRun.h"
+#include "Executors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <new>
+#include <string>
+#include <thread>
+
+namespace
+{
+
+std::atomic<std::size_t> allocations{ 0 };
+std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
+
+/// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
+void (*volatile freeBlock)(void*) = std::free;
+
+void* allocate(std::size_t size, std::size_t alignment)
+{
+  const std::size_t number = ++allocations;
+  const std::size_t last = failAt;
+  const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment *
+    alignment;
+  void* block = last != 0 && number >= last ? nullptr : std::aligned_alloc(alignment, whole);
+  if (!block)
+  {
+    throw std::bad_alloc();
+  }
+  return block;
+}
+
+} // namespace
+
+void* operator new(std::size_t size)
+{
+  return allocate(size, alignof(std::max_align_t));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+  return allocate(size, std::size_t(alignment));
+}
+
+void operator delete(void* p) noexcept
+{
+  freeBlock(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+  freeBlock(p);
+}
+
+void operator delete(void* p, std::align_val_t) noexcept
+{
+  freeBlock(p);
+}
+
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+  freeBlock(p);
+}
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+std::vector<Point> somePoints(Distribution distribution)
+{
+  return makePoints(distribution, reduced(100000) == 100000 ? 100000 : 34000, 1);
+}
+
+/// Notes what breaks the rules of Progress.h, and cancels at one asking if so told.
+class Listener : public Progress
+{
+public:
+  explicit Listener(std::size_t cancelAt = 0)
+    : cancelAt_(cancelAt)
+  {
+  }
+
+  void beginPhase(Phase phase) override
+  {
+    check(true, 0.0);
+    phase_ = phase;
+    fraction_ = 0.0;
+  }
+
+  bool advance(Phase phase, double fraction) override
+  {
+    check(phase == phase_, fraction);
+    fraction_ = fraction;
+    cancelled_ = ++askings_ == cancelAt_;
+    return !cancelled_;
+  }
+
+  std::size_t askings() const { return askings_; }
+  const std::string& faults() const { return faults_; }
+
+private:
+  void check(bool isPhase, double fraction)
+  {
+    faults_ += isPhase ? "" : "asked in another phase\n";
+    faults_ += fraction == 0.0 || fraction >= fraction_ ? "" : "the fraction falls\n";
+    faults_ += fraction <= 1.0 ? "" : "the fraction passes 1\n";
+    faults_ += cancelled_ ? "heard of after cancelling\n" : "";
+    faults_ += thread_ == std::this_thread::get_id() ? "" : "asked from another thread\n";
+  }
+
+  std::size_t cancelAt_;
+  std::size_t askings_ = 0;
+  Phase phase_ = Phase::Fates;
+  double fraction_ = 0.0;
+  bool cancelled_ = false;
+  std::thread::id thread_ = std::this_thread::get_id();
+  std::string faults_;
+};
+
+/// run(), writeTriangles() and writeFates() until one is not Ok.
+Status attempt(Triangulator& triangulator, const std::vector<Point>& points, Outcome& outcome,
+  Progress* progress, Executor* executor)
+{
+  const PointView view = viewOf(points);
+  Status status = triangulator.run(view, Options(), progress, executor);
+  if (status != Status::Ok)
+  {
+    EXPECT_EQ(triangulator.report().triangles, 0u);
+    return status;
+  }
+  EXPECT_EQ(3 * triangulator.report().triangles, outcome.triples.size());
+  status = triangulator.writeTriangles(outcome.triples.data(), progress, executor);
+  return status != Status::Ok ? status
+                              : triangulator.writeFates(outcome.fates.data(), progress, executor);
+}
+
+void expectCancelledAnywhere(Distribution distribution, Executor& executor, std::size_t moments)
+{
+  const std::vector<Point> points = somePoints(distribution);
+  const Outcome expected = triangulate(points);
+  Outcome outcome = expected;
+  Triangulator triangulator;
+  Listener whole;
+  ASSERT_EQ(attempt(triangulator, points, outcome, &whole, &executor), Status::Ok);
+  EXPECT_EQ(whole.faults(), "");
+  const std::size_t step = 1 + whole.askings() / moments;
+  for (std::size_t k = 1; k <= whole.askings(); k += step)
+  {
+    Listener listener(k);
+    const Status status = attempt(triangulator, points, outcome, &listener, &executor);
+    // How often is asked depends on who was how fast: the k-th asking may not come.
+    ASSERT_EQ(status, listener.askings() < k ? Status::Ok : Status::Cancelled) << "asking " << k;
+    ASSERT_EQ(listener.faults(), "") << "cancelled at asking " << k;
+    ASSERT_LE(listener.askings(), k);
+  }
+  ASSERT_EQ(attempt(triangulator, points, outcome, nullptr, &executor), Status::Ok);
+  EXPECT_TRUE(outcome.triples == expected.triples) << "after being cancelled";
+  EXPECT_TRUE(outcome.fates == expected.fates) << "after being cancelled";
+}
+
+TEST(ThreadsTrouble, CancelledAtManyMoments)
+{
+  ThreadExecutor together(3);
+  BackwardExecutor backward(4);
+  ElsewhereExecutor elsewhere(2);
+  expectCancelledAnywhere(Distribution::Uniform, together, 100);
+  expectCancelledAnywhere(Distribution::Uniform, backward, 100);
+  expectCancelledAnywhere(Distribution::Uniform, elsewhere, 40);
+}
+
+TEST(ThreadsTrouble, CancelledAtManyMomentsOfAwkwardInput)
+{
+  ThreadExecutor executor(3);
+  for (const Distribution distribution : { Distribution::NestedClusters, Distribution::Lattice,
+         Distribution::OnCircle, Distribution::OnParabola, Distribution::Collinear,
+         Distribution::RepeatedDraws, Distribution::AllEqual })
+  {
+    SCOPED_TRACE(nameOf(distribution));
+    expectCancelledAnywhere(distribution, executor, 20);
+  }
+}
+
+/// Fails the k-th allocation and all that follow, for every k, until a run gets through.
+void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
+{
+  const std::vector<Point> points = somePoints(distribution);
+  const Outcome expected = triangulate(points);
+  Outcome outcome = expected;
+  Triangulator triangulator;
+  for (std::size_t k = 1; k < 10000; ++k)
+  {
+    failAt = allocations + k;
+    const Status status = attempt(triangulator, points, outcome, nullptr, &executor);
+    failAt = 0;
+    if (status == Status::Ok)
+    {
+      EXPECT_GT(k, 5u) << "the engine no longer allocates through operator new";
+      EXPECT_TRUE(outcome.triples == expected.triples) << "after " << k << " failures";
+      EXPECT_TRUE(outcome.fates == expected.fates) << "after " << k << " failures";
+      return;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
+  }
+  FAIL() << "no run got through";
+}
+
+TEST(ThreadsTrouble, OutOfMemoryAtAnyAllocation)
+{
+  BackwardExecutor backward(3);
+  ThreadExecutor together(3);
+  expectOutOfMemoryIsSurvived(Distribution::Uniform, backward);
+  expectOutOfMemoryIsSurvived(Distribution::Uniform, together);
+  expectOutOfMemoryIsSurvived(Distribution::NestedClusters, backward);
+  expectOutOfMemoryIsSurvived(Distribution::RepeatedDraws, together);
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
