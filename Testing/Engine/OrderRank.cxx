@@ -438,6 +438,26 @@ TEST(Quantiser, NoSpanIsZero)
   }
 }
 
+TEST(Grid, BoxesAreAtMostTwiceAsLongAsWide)
+{
+  for (const double unit : { 1.0, 0x1p-1000, 0x1p1000, 3.0 * kSubnormal })
+  {
+    const Grid wide(Bounds{ 0.0, 6.0 * unit, 0.0, unit });
+    EXPECT_GE(wide.column(6.0 * unit), 0xFFFFFFFEu);
+    EXPECT_NEAR(wide.row(unit), 0xFFFFFFFFu / 3.0, 1.0) << "2 to 6 times the unit are one grid";
+    const Grid high(Bounds{ 0.0, unit, 0.0, 6.0 * unit });
+    EXPECT_NEAR(high.column(unit), 0xFFFFFFFFu / 3.0, 1.0);
+    const Grid square(Bounds{ 0.0, 2.0 * unit, 0.0, unit });
+    EXPECT_GE(square.column(2.0 * unit), 0xFFFFFFFEu);
+    EXPECT_GE(square.row(unit), 0xFFFFFFFEu);
+  }
+  const Grid strip(Bounds{ -kLargest, kLargest, 0.0, 1.0 });
+  EXPECT_EQ(strip.row(1.0), 0u);
+  EXPECT_GE(strip.column(kLargest), 0xFFFFFFFEu);
+  const Grid needle(Bounds{ 0.0, kLargest, 0.0, kSubnormal });
+  EXPECT_EQ(needle.row(kSubnormal), 0u);
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd

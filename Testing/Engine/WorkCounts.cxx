@@ -135,6 +135,35 @@ TEST(WorkCounts, AllPointsInOneOfABillionBoxes)
   EXPECT_LE(stepsPerPoint(report), 2 * uniform) << "NP " << report.np() << ", NR " << report.nr();
 }
 
+TEST(WorkCounts, StripsAreNoHarderThanSquares)
+{
+  const std::size_t n = reduced(40000);
+  for (const double height : { 1.0, 0.3, 0.1, 1e-3, 1e-9, 1e-300 })
+  {
+    std::vector<Point> points = makePoints(Distribution::Uniform, n, 3);
+    for (Point& p : points)
+    {
+      p.y *= height;
+    }
+    EXPECT_LT(countedRun(points).np(), 1.6) << "1 by " << height;
+    for (Point& p : points)
+    {
+      p = { p.y, p.x };
+    }
+    EXPECT_LT(countedRun(points).np(), 1.6) << height << " by 1";
+  }
+}
+
+TEST(WorkCounts, FarClustersAreNoHarderThanOne)
+{
+  std::vector<Point> points = makePoints(Distribution::Uniform, reduced(40000), 4);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    points[i] = { points[i].x * 1e-12 + double(i % 2), points[i].y * 1e-12 };
+  }
+  EXPECT_LT(countedRun(points).np(), 1.6);
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd

@@ -4,6 +4,7 @@
 
 #include "../Points/Points.h"
 
+#include <algorithm>
 #include <cstdint>
 
 namespace ahd
@@ -17,22 +18,31 @@ namespace ahd
 ///    (The second happens where rounding takes (high - low) * scale below the whole number.)
 /// 2. Multiplying all coordinates by one power of two, where that is exact, changes nothing.
 /// 3. low == high maps to 0.
+/// 4. Where the interval is less than 1 / kLongestBox of the one of the other axis, the columns are
+///    as wide as if it were just that, and high maps to a lower number.
 ///
 /// How: t = (v f - low f) s with a power of two f and s = (2^32 - 1) / (high f - low f), cut off to
 /// an integer. Each operation is monotone in v. f keeps the span and s within the range of doubles:
-/// f = 1/2 where high - low would overflow, and then low and high are beyond 2^969 in magnitude, so
-/// the last bit that a subnormal v loses is far below the rounding of the difference; f = 2^500
+/// f = 1/2 where high - low would overflow (on either axis), and then the last bit that a subnormal
+/// v loses is far below the width of a column, as that is at least a 2^34-th of 2^1023; f = 2^500
 /// where the span is below 2^-900, and then low and high are below 2^-847 and nothing is lost.
 /// The quotient and the product exceed 2^32 - 1 by less than 2^-19, so the cut never gives 2^32.
 class Quantiser
 {
 public:
-  Quantiser(double low, double high)
+  static constexpr double kLongestBox = 2.0;
+
+  Quantiser(double low, double high, double otherLow = 0.0, double otherHigh = 0.0)
   {
     const double span = high - low;
-    factor_ = span > kLargest ? 0.5 : low < high && span < kSmall ? 0x1p500 : 1.0;
+    const double other = otherHigh - otherLow;
+    const bool overflows = span > kLargest || other > kLargest;
+    factor_ = overflows ? 0.5 : low < high && span < kSmall ? 0x1p500 : 1.0;
     low_ = low * factor_;
-    scale_ = low < high ? kLastColumn / (high * factor_ - low_) : 0.0;
+    const double otherWidth = overflows ? otherHigh * factor_ - otherLow * factor_
+                                        : other * factor_;
+    const double width = std::max(high * factor_ - low_, otherWidth / kLongestBox);
+    scale_ = low < high ? kLastColumn / width : 0.0;
   }
 
   std::uint32_t operator()(double v) const
@@ -50,12 +60,15 @@ private:
   double scale_;
 };
 
-/// The two axes with their separate spans, as in the paper's rule of grid division.
+/// The two axes with their separate spans, as in the paper's rule of grid division, but no box more
+/// than twice (Quantiser::kLongestBox) as long as it is wide: where the bounds are, the grid
+/// reaches beyond them on their shorter side. Else, in a long strip, neighbours along it are far
+/// apart on the curve, as it has to visit all rows first; Algorithm.md has the numbers.
 struct Grid
 {
   explicit Grid(const Bounds& b)
-    : column(b.xmin, b.xmax)
-    , row(b.ymin, b.ymax)
+    : column(b.xmin, b.xmax, b.ymin, b.ymax)
+    , row(b.ymin, b.ymax, b.xmin, b.xmax)
   {
   }
 
