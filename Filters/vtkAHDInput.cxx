@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDInput.h"
 
+#include "vtkAHDLoop.h"
+
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
@@ -8,30 +10,65 @@
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <atomic>
 #include <cmath>
 
 namespace
 {
+/// Is there anything in [begin, end) for FindOddities() to look at? Sums that become NaN with the
+/// first number that is not finite: nothing to branch on, since there hardly ever is one.
 template <typename Number>
-vtkAHDInput::Oddities Find(const Number* xyz, const ahd::PointView& points)
+bool AllFinite(const Number* begin, const Number* end)
 {
-  vtkAHDInput::Oddities odd;
-  for (std::size_t i = 0; i < points.count; ++i, xyz += 3)
+  Number x = 0, y = 0, z = 0;
+  for (const Number* p = begin; p != end; p += 3)
   {
+    x += p[0] * 0;
+    y += p[1] * 0;
+    z += p[2] * 0;
+  }
+  return x + y + z == 0;
+}
+
+/// What the pieces of a loop find, each with few writes.
+struct Found
+{
+  std::atomic<vtkIdType> FirstRejected{ VTK_ID_MAX };
+  std::atomic<vtkIdType> OddZ{ 0 };
+
+  void Reject(vtkIdType id)
+  {
+    vtkIdType least = this->FirstRejected;
+    while (id < least && !this->FirstRejected.compare_exchange_weak(least, id))
+    {
+    }
+  }
+};
+
+template <typename Number>
+void Find(
+  const Number* xyz, const ahd::PointView& points, std::size_t begin, std::size_t end, Found& found)
+{
+  if (AllFinite(xyz + 3 * begin, xyz + 3 * end))
+  {
+    return;
+  }
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Number* p = xyz + 3 * i;
     if (points.skipped(i))
     {
       continue;
     }
-    if (!std::isfinite(xyz[0]) || !std::isfinite(xyz[1]))
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
     {
-      odd.FirstRejected = odd.FirstRejected < 0 ? static_cast<vtkIdType>(i) : odd.FirstRejected;
+      found.Reject(static_cast<vtkIdType>(i));
     }
-    else if (!std::isfinite(xyz[2]))
+    else if (!std::isfinite(p[2]))
     {
-      ++odd.OddZ;
+      ++found.OddZ;
     }
   }
-  return odd;
 }
 }
 
@@ -60,7 +97,7 @@ std::size_t vtkAHDInput::GetBytesToConvert() const
   return inPlace ? 0 : static_cast<std::size_t>(this->Count) * 3 * sizeof(double);
 }
 
-ahd::PointView vtkAHDInput::View()
+bool vtkAHDInput::Open(ahd::Executor& executor, vtkAHDProgress& progress)
 {
   this->Points.count = static_cast<std::size_t>(this->Count);
   this->Points.stride = 3;
@@ -74,18 +111,37 @@ ahd::PointView vtkAHDInput::View()
   }
   else if (this->Coordinates)
   {
-    this->Converted.resize(this->Points.count * 3);
-    for (vtkIdType i = 0; i < this->Count; ++i)
-    {
-      this->Coordinates->GetTuple(i, this->Converted.data() + 3 * i);
-    }
-    this->Points.doubles = this->Converted.data();
+    this->Converted.reset(new double[this->Points.count * 3]);
+    this->Points.doubles = this->Converted.get();
+    return vtkAHDLoop(this->Points.count, executor, progress,
+      [this](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->Coordinates->GetTuple(static_cast<vtkIdType>(i), this->Converted.get() + 3 * i);
+        }
+      });
   }
-  return this->Points;
+  return true;
 }
 
-vtkAHDInput::Oddities vtkAHDInput::FindOddities() const
+bool vtkAHDInput::FindOddities(
+  ahd::Executor& executor, vtkAHDProgress& progress, Oddities& odd) const
 {
-  return this->Points.floats ? Find(this->Points.floats, this->Points)
-                             : Find(this->Points.doubles, this->Points);
+  Found found;
+  const bool all = vtkAHDLoop(this->Points.count, executor, progress,
+    [&](std::size_t begin, std::size_t end)
+    {
+      if (this->Points.floats)
+      {
+        Find(this->Points.floats, this->Points, begin, end, found);
+      }
+      else
+      {
+        Find(this->Points.doubles, this->Points, begin, end, found);
+      }
+    });
+  odd.FirstRejected = found.FirstRejected;
+  odd.OddZ = found.OddZ;
+  return all;
 }

@@ -5,8 +5,9 @@
 #include "Engine/Triangulate.h"
 #include "vtkType.h"
 
-#include <vector>
+#include <memory>
 
+class vtkAHDProgress;
 class vtkDataArray;
 class vtkPointSet;
 
@@ -25,26 +26,33 @@ public:
   /// Is there an array vtkGhostType that has not one value per point? It is ignored.
   bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
 
-  /// Bytes that View() allocates: 0 if the points are read where they are.
+  /// Bytes that Open() allocates: 0 if the points are read where they are.
   std::size_t GetBytesToConvert() const;
 
-  /// The points. Ghost and hidden points (vtkGhostType) are marked to be left out. Converts the
-  /// points if that is needed; throws std::bad_alloc if there is no room for it.
-  ahd::PointView View();
+  /// Converts the points if that is needed. Returns false if the filter is to abort; throws
+  /// std::bad_alloc if there is no room.
+  bool Open(ahd::Executor& executor, vtkAHDProgress& progress);
 
-  /// What is worth a warning. One pass over the points; REQUIRES: View() was called.
+  /// The points. Ghost and hidden points (vtkGhostType) are marked to be left out.
+  /// REQUIRES: Open() was called.
+  const ahd::PointView& View() const { return this->Points; }
+
+  /// What is worth a warning.
   struct Oddities
   {
-    vtkIdType FirstRejected = -1; ///< smallest id of a point with an x or y that is not finite
-    vtkIdType OddZ = 0;           ///< points with finite x, y and a z that is not finite
+    vtkIdType FirstRejected = 0; ///< smallest id of a point with an x or y that is not finite
+    vtkIdType OddZ = 0;          ///< points with finite x, y and a z that is not finite
   };
-  Oddities FindOddities() const;
+
+  /// One pass over the points. Returns false if the filter is to abort. REQUIRES: Open() was
+  /// called.
+  bool FindOddities(ahd::Executor& executor, vtkAHDProgress& progress, Oddities& odd) const;
 
 private:
   vtkDataArray* Coordinates = nullptr; // 3 numbers per point; null if there are no points
   vtkIdType Count = 0;
   bool MarksAreUnfit = false;
-  std::vector<double> Converted; // as Coordinates, if these are neither floats nor doubles
+  std::unique_ptr<double[]> Converted; // as Coordinates, if these are neither floats nor doubles
   ahd::PointView Points;
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDOutput.h"
 
+#include "vtkAHDLoop.h"
+
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
@@ -11,10 +13,9 @@
 #include "vtkSmartPointer.h"
 #include "vtkTypeInt32Array.h"
 
-#include <algorithm>
 #include <cstdlib>
+#include <memory>
 #include <new>
-#include <vector>
 
 namespace
 {
@@ -41,21 +42,30 @@ vtkSmartPointer<Array> NewArray(vtkIdType count)
   return array;
 }
 
-ahd::Status WriteTriangles(
-  ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress)
+ahd::Status WriteTriangles(ahd::Triangulator& triangulator, vtkPolyData* output,
+  ahd::Executor& executor, vtkAHDProgress& progress)
 {
   const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
   auto corners = NewArray<IdArray>(3 * count);
-  const ahd::Status status = triangulator.writeTriangles(corners->GetPointer(0), progress);
+  const ahd::Status status = triangulator.writeTriangles(
+    corners->GetPointer(0), &progress, &executor);
   if (status != ahd::Status::Ok)
   {
     return status;
   }
   auto offsets = NewArray<IdArray>(count + 1);
   auto* offset = offsets->GetPointer(0);
-  for (vtkIdType i = 0; i <= count; ++i)
+  const bool all = vtkAHDLoop(static_cast<std::size_t>(count + 1), executor, progress,
+    [offset](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        offset[i] = static_cast<vtkTypeInt32>(3 * i);
+      }
+    });
+  if (!all)
   {
-    offset[i] = static_cast<vtkTypeInt32>(3 * i);
+    return ahd::Status::Cancelled;
   }
   vtkNew<vtkCellArray> triangles;
   triangles->SetData(offsets, corners);
@@ -79,10 +89,10 @@ std::size_t vtkAHDOutput::EstimateBytes(std::size_t pointCount, bool withFate)
   return pointCount * (2 * perTriangle + fate);
 }
 
-ahd::Status vtkAHDOutput::Write(
-  ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyData* output, ahd::Progress* progress)
+ahd::Status vtkAHDOutput::Write(ahd::Triangulator& triangulator, vtkPointSet* input,
+  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress)
 {
-  const ahd::Status status = WriteTriangles(triangulator, output, progress);
+  const ahd::Status status = WriteTriangles(triangulator, output, executor, progress);
   if (status == ahd::Status::Ok)
   {
     output->SetPoints(input->GetPoints());
@@ -97,20 +107,32 @@ ahd::Status vtkAHDOutput::Write(
   return status;
 }
 
-ahd::Status vtkAHDOutput::AddFate(
-  const ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress)
+ahd::Status vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output,
+  ahd::Executor& executor, vtkAHDProgress& progress)
 {
   // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
-  std::vector<std::int64_t> fates(static_cast<std::size_t>(output->GetNumberOfPoints()));
-  const ahd::Status status = triangulator.writeFates(fates.data(), progress);
+  const std::size_t count = static_cast<std::size_t>(output->GetNumberOfPoints());
+  const std::unique_ptr<std::int64_t[]> fates(new std::int64_t[count]);
+  const ahd::Status status = triangulator.writeFates(fates.get(), &progress, &executor);
   if (status != ahd::Status::Ok)
   {
     return status;
   }
   auto array = NewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
   array->SetName("Fate");
-  std::transform(fates.begin(), fates.end(), array->GetPointer(0),
-    [](std::int64_t fate) { return static_cast<vtkIdType>(fate); });
+  vtkIdType* values = array->GetPointer(0);
+  const bool all = vtkAHDLoop(count, executor, progress,
+    [&fates, values](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        values[i] = static_cast<vtkIdType>(fates[i]);
+      }
+    });
+  if (!all)
+  {
+    return ahd::Status::Cancelled;
+  }
   output->GetPointData()->AddArray(array);
   return status;
 }

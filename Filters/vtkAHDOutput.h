@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "vtkType.h"
 
+class vtkAHDProgress;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -20,14 +21,14 @@ namespace vtkAHDOutput
 std::size_t EstimateBytes(std::size_t pointCount, bool withFate);
 
 /// Gives `output` the points and point data of `input` (shared, not copied), the triangles, and the
-/// counts of the run as field data. Returns Cancelled if `progress` said so, else Ok.
+/// counts of the run as field data. Returns Cancelled if the filter is to abort, else Ok.
 ahd::Status Write(ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyData* output,
-  ahd::Progress* progress);
+  ahd::Executor& executor, vtkAHDProgress& progress);
 
 /// Adds the point array "Fate", unless cancelled. REQUIRES: `output` has the points that were
 /// triangulated.
-ahd::Status AddFate(
-  const ahd::Triangulator& triangulator, vtkPolyData* output, ahd::Progress* progress);
+ahd::Status AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output,
+  ahd::Executor& executor, vtkAHDProgress& progress);
 }
 
 #endif

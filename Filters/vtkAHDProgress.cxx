@@ -11,15 +11,15 @@ constexpr double kBegin[] = { 0.0, 0.05, 0.2, 0.9, 0.98, 1.0 };
 
 // The filter's observers may be slow (a GUI redraws its progress bar), so they hear of hundredths.
 constexpr double kStep = 0.01;
+}
 
-bool MustAbort(vtkAlgorithm* filter)
+bool vtkAHDProgress::MustAbort() const
 {
 #if AHD_VTK_HAS_CHECK_ABORT
-  return filter->CheckAbort();
+  return this->Filter->CheckAbort();
 #else
-  return filter->GetAbortExecute() != 0;
+  return this->Filter->GetAbortExecute() != 0;
 #endif
-}
 }
 
 void vtkAHDProgress::beginPhase(ahd::Phase phase)
@@ -39,7 +39,7 @@ bool vtkAHDProgress::advance(ahd::Phase phase, double fraction)
     this->Shown = whole;
     this->Filter->UpdateProgress(whole);
   }
-  return !MustAbort(this->Filter);
+  return !this->MustAbort();
 }
 
 void vtkAHDProgress::Finish()

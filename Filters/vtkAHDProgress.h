@@ -24,6 +24,9 @@ public:
   void beginPhase(ahd::Phase phase) override;
   bool advance(ahd::Phase phase, double fraction) override;
 
+  /// Is the filter to abort?
+  bool MustAbort() const;
+
   /// Ends the last phase. Time after this belongs to none.
   void Finish();
 

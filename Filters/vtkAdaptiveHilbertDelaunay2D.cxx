@@ -4,6 +4,7 @@
 #include "Engine/Options.h"
 #include "Engine/Result.h"
 #include "Engine/Triangulate.h"
+#include "vtkAHDExecutor.h"
 #include "vtkAHDInput.h"
 #include "vtkAHDMemory.h"
 #include "vtkAHDOutput.h"
@@ -25,7 +26,10 @@
 
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 
-vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D() = default;
+vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
+  : Triangulator(new ahd::Triangulator)
+{
+}
 vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D() = default;
 
 /// One execution: what the steps of RequestData share.
@@ -38,8 +42,10 @@ public:
     , Output(output)
     , Points(input)
     , Progress(filter)
+    , Executor(vtkAHDThreadsToUse(filter->NumberOfThreads))
   {
   }
+  ~Run();
 
   /// Is there memory for it all? Says so if not.
   bool FitsInMemory();
@@ -59,14 +65,29 @@ public:
 
 private:
   ahd::Options GetOptions() const;
+  ahd::Status TriangulateOrThrow();
 
   vtkAdaptiveHilbertDelaunay2D* const Filter;
   vtkPointSet* const Input;
   vtkPolyData* const Output;
   vtkAHDInput Points;
   vtkAHDProgress Progress;
+  vtkAHDExecutor Executor;
   ahd::Report Report;
+  vtkAHDInput::Oddities Odd;
 };
+
+/// The working memory is kept for the next execution if it is not too much; the input is not.
+vtkAdaptiveHilbertDelaunay2D::Run::~Run()
+{
+  ahd::Triangulator& triangulator = *this->Filter->Triangulator;
+  triangulator.forgetPoints();
+  const std::size_t held = (triangulator.memoryHeld() + 1023) / 1024;
+  if (static_cast<vtkTypeInt64>(held) > this->Filter->ReuseLimit)
+  {
+    triangulator.release();
+  }
+}
 
 int vtkAdaptiveHilbertDelaunay2D::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -127,14 +148,22 @@ bool vtkAdaptiveHilbertDelaunay2D::Run::FitsInMemory()
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
   this->Filter->MemoryEstimate = needed;
 
-  const vtkTypeInt64 limit = this->Filter->MemoryLimit > 0 ? this->Filter->MemoryLimit
-                                                           : vtkAHDAvailableMemory();
+  // What was kept for this execution is part of the estimate. With a limit, all of it is given back
+  // where it might be too much.
+  ahd::Triangulator& triangulator = *this->Filter->Triangulator;
+  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(triangulator.memoryHeld() / 1024);
+  const bool isLimited = this->Filter->MemoryLimit > 0;
+  const vtkTypeInt64 limit = isLimited ? this->Filter->MemoryLimit : vtkAHDAvailableMemory() + held;
+  if (isLimited && held > needed)
+  {
+    triangulator.release();
+  }
   if (needed > limit)
   {
     vtkErrorWithObjectMacro(this->Filter,
       "Triangulating "
         << count << " points may take " << needed << " KiB of memory, but "
-        << (this->Filter->MemoryLimit > 0 ? "MemoryLimit allows " : "there are ") << limit
+        << (isLimited ? "MemoryLimit allows " : "there are ") << limit
         << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
            "more.");
   }
@@ -145,19 +174,7 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::Triangulate()
 {
   try
   {
-    ahd::Triangulator triangulator;
-    ahd::Status status = triangulator.run(this->Points.View(), this->GetOptions(), &this->Progress);
-    if (status == ahd::Status::Ok)
-    {
-      status = vtkAHDOutput::Write(triangulator, this->Input, this->Output, &this->Progress);
-    }
-    if (status == ahd::Status::Ok && this->Filter->GenerateFate)
-    {
-      status = vtkAHDOutput::AddFate(triangulator, this->Output, &this->Progress);
-    }
-    this->Progress.Finish();
-    this->Report = triangulator.report();
-    return status;
+    return this->TriangulateOrThrow();
   }
   catch (const std::bad_alloc&)
   {
@@ -165,9 +182,39 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::Triangulate()
   }
 }
 
+ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::TriangulateOrThrow()
+{
+  ahd::Triangulator& triangulator = *this->Filter->Triangulator;
+  if (!this->Points.Open(this->Executor, this->Progress))
+  {
+    return ahd::Status::Cancelled;
+  }
+  ahd::Status status = triangulator.run(
+    this->Points.View(), this->GetOptions(), &this->Progress, &this->Executor);
+  this->Progress.Finish();
+  if (status == ahd::Status::Ok &&
+    !this->Points.FindOddities(this->Executor, this->Progress, this->Odd))
+  {
+    status = ahd::Status::Cancelled;
+  }
+  if (status == ahd::Status::Ok)
+  {
+    status = vtkAHDOutput::Write(
+      triangulator, this->Input, this->Output, this->Executor, this->Progress);
+  }
+  if (status == ahd::Status::Ok && this->Filter->GenerateFate)
+  {
+    status = vtkAHDOutput::AddFate(triangulator, this->Output, this->Executor, this->Progress);
+  }
+  this->Progress.Finish();
+  this->Report = triangulator.report();
+  return status;
+}
+
 void vtkAdaptiveHilbertDelaunay2D::Run::Fail(ahd::Status status)
 {
   this->Output->Initialize();
+  this->Filter->Triangulator->release();
   if (status == ahd::Status::TooManyPoints)
   {
     vtkErrorWithObjectMacro(this->Filter,
@@ -200,6 +247,7 @@ void vtkAdaptiveHilbertDelaunay2D::Run::KeepMeasures()
   filter->InsertSeconds = this->Progress.GetSeconds(ahd::Phase::Insert);
   filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract) +
     this->Progress.GetSeconds(ahd::Phase::Fates);
+  filter->NumberOfThreadsUsed = static_cast<int>(this->Executor.GetThreadsUsed());
 }
 
 void vtkAdaptiveHilbertDelaunay2D::Run::Warn()
@@ -211,18 +259,17 @@ void vtkAdaptiveHilbertDelaunay2D::Run::Warn()
                               << " does not have one value for each of the "
                               << this->Points.GetCount() << " points, so no point was skipped.");
   }
-  const vtkAHDInput::Oddities odd = this->Points.FindOddities();
   if (this->Report.notFinite > 0)
   {
     vtkWarningWithObjectMacro(this->Filter,
       "" << this->Report.notFinite << " of " << this->Points.GetCount()
          << " points were left out, since their x or y is NaN or infinite; the first is point "
-         << odd.FirstRejected << ".");
+         << this->Odd.FirstRejected << ".");
   }
-  if (odd.OddZ > 0)
+  if (this->Odd.OddZ > 0)
   {
     vtkWarningWithObjectMacro(this->Filter,
-      "" << odd.OddZ << " of " << this->Points.GetCount()
+      "" << this->Odd.OddZ << " of " << this->Points.GetCount()
          << " points have a z that is NaN or infinite. They are part of the triangulation, which "
             "is computed in x and y, but cannot be drawn.");
   }
@@ -248,6 +295,7 @@ void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
   this->SortSeconds = 0.0;
   this->InsertSeconds = 0.0;
   this->OutputSeconds = 0.0;
+  this->NumberOfThreadsUsed = 0;
   this->MemoryEstimate = 0;
 }
 
@@ -276,6 +324,8 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
+  os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
   os << indent << "NumberOfPointsInserted: " << this->NumberOfPointsInserted << "\n";
   os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
   os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
@@ -286,5 +336,6 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SortSeconds: " << this->SortSeconds << "\n";
   os << indent << "InsertSeconds: " << this->InsertSeconds << "\n";
   os << indent << "OutputSeconds: " << this->OutputSeconds << "\n";
+  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
 }

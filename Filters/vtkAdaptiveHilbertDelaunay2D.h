@@ -71,6 +71,13 @@
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
+
+namespace ahd
+{
+class Triangulator;
+}
+
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertDelaunay2D
   : public vtkPolyDataAlgorithm
 {
@@ -184,6 +191,44 @@ public:
 
   ///@{
   /**
+   * How many threads work. Changes the time, never the triangles.
+   *
+   * 0, the default: one for each processor that this process may run on (on Linux, its CPU affinity
+   * is respected), but no more than vtkSMPTools was told to take, by vtkSMPTools::Initialize(n) or,
+   * without it, by the environment variable VTK_SMP_MAX_THREADS. This holds as well where the
+   * backend of vtkSMPTools is Sequential, as it is by default in Debian's ParaView: VTK's own
+   * filters then use one thread, this one uses all. Where this filter runs inside a loop of
+   * vtkSMPTools and vtkSMPTools::SetNestedParallelism(false) was called, 0 stands for 1.
+   *
+   * 1 to 1024: exactly so many. Larger numbers stand for 1024, negative ones for 0.
+   *
+   * One of them is the thread that calls Update(). It alone reports progress, and it alone is asked
+   * for an abort. The others belong to vtkSMPTools' backend, which may have fewer than are wished
+   * for; where that is Sequential, or is at work already, the filter starts threads of its own for
+   * the time of one execution. Threads that the system refuses are done without.
+   *
+   * Points are inserted by one thread if InsertionOrder is not ADAPTIVE_HILBERT, if other settings
+   * of the insertion differ from the default, or if CountWork is on: there is then an order to be
+   * kept to. So are few points, as it would not pay. The other steps use all threads.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most working memory, in kibibytes (1024 bytes), that the filter keeps for its next
+   * execution, which then does not ask the system for it anew (about a tenth of the time of 10^6
+   * points). After an execution that took more, all of it is given back; 0 keeps none, ever. The
+   * default, 262144 (256 MiB), is enough for 2.8 million points. The working memory of an execution
+   * that failed or was aborted is given back always. The input is never kept.
+   */
+  vtkSetClampMacro(ReuseLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(ReuseLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
    * Counts of the last execution. Inserted points, duplicates, rejected and skipped points add up
    * to the number of input points. All 0 if the execution was aborted or ended in an error.
    */
@@ -216,6 +261,12 @@ public:
   ///@}
 
   /**
+   * Threads that shared the work of the last execution, the calling one included: 1 if there was
+   * too little to share, else what NumberOfThreads asked for, as far as threads could be started.
+   */
+  vtkGetMacro(NumberOfThreadsUsed, int);
+
+  /**
    * Upper estimate, in kibibytes, of the memory that the last execution needed, or was refused,
    * beyond its input: what MemoryLimit is compared with.
    */
@@ -236,6 +287,8 @@ protected:
   bool CountWork = false;
   bool GenerateFate = false;
   vtkTypeInt64 MemoryLimit = 0;
+  int NumberOfThreads = 0;
+  vtkTypeInt64 ReuseLimit = 262144;
 
   // Measures of the last execution.
   vtkIdType NumberOfPointsInserted = 0;
@@ -248,13 +301,15 @@ protected:
   double SortSeconds = 0.0;
   double InsertSeconds = 0.0;
   double OutputSeconds = 0.0;
+  int NumberOfThreadsUsed = 0;
   vtkTypeInt64 MemoryEstimate = 0;
 
 private:
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
-  class Run; // one execution
+  class Run;                                             // one execution
+  const std::unique_ptr<ahd::Triangulator> Triangulator; // for its memory
   void ClearMeasures();
   void WarnAboutRanks();
   bool WarnedAboutRanks = false;

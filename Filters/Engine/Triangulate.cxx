@@ -215,6 +215,27 @@ Status Triangulator::writeFates(std::int64_t* fates, Progress* progress, Executo
     : Status::Ok;
 }
 
+std::size_t Triangulator::memoryHeld() const
+{
+  return state_ ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() +
+      state_->ranked.scratch.bytes() + state_->ranked.duplicates.capacity() * sizeof(Duplicate)
+                : 0;
+}
+
+void Triangulator::forgetPoints()
+{
+  if (state_)
+  {
+    state_->points = PointView();
+    state_->report = Report();
+  }
+}
+
+void Triangulator::release()
+{
+  state_.reset();
+}
+
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
 {
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, and a

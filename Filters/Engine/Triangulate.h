@@ -51,6 +51,15 @@ public:
   /// Returns Ok or Cancelled.
   Status writeFates(std::int64_t* fates, Progress* progress, Executor* executor = nullptr) const;
 
+  /// Bytes that are kept for the next run.
+  std::size_t memoryHeld() const;
+
+  /// Forgets where the points of the last run were; there is nothing to write any more.
+  void forgetPoints();
+
+  /// Gives the kept memory back, and with it what the last run found.
+  void release();
+
   /// Upper estimate of the bytes that run() and writeTriangles() allocate for this many points,
   /// input and output not counted.
   static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDLoop_h
+#define vtkAHDLoop_h
+
+#include "Engine/Executor.h"
+#include "vtkAHDProgress.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+/**
+ * Calls work(begin, end) for pieces of [0, count), on the threads of `executor`, and asks on the
+ * calling thread between its pieces (`progress`, which shows nothing new) whether the filter is to
+ * abort. Returns false if so: then some pieces are missing. `work` throws nothing.
+ */
+template <typename Work>
+bool vtkAHDLoop(
+  std::size_t count, ahd::Executor& executor, vtkAHDProgress& progress, const Work& work)
+{
+  constexpr std::size_t kPiece = std::size_t(1) << 14;
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> aborted{ false };
+  const auto ask = [&]
+  {
+    if (progress.MustAbort())
+    {
+      aborted = true;
+    }
+  };
+  const auto piece = [&](std::size_t i)
+  {
+    if (std::this_thread::get_id() == caller)
+    {
+      ask();
+    }
+    if (!aborted.load(std::memory_order_relaxed))
+    {
+      work(i * kPiece, std::min(count, (i + 1) * kPiece));
+    }
+  };
+  executor.run((count + kPiece - 1) / kPiece, piece, ask);
+  return !aborted;
+}
+
+#endif
