@@ -20,6 +20,8 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_FALSE(filter->GetCountWork());
   EXPECT_FALSE(filter->GetGenerateFate());
   EXPECT_EQ(filter->GetMemoryLimit(), 0);
+  EXPECT_EQ(filter->GetNumberOfThreads(), 0);
+  EXPECT_EQ(filter->GetReuseLimit(), 262144);
 
   filter->SetNmax(-3);
   EXPECT_EQ(filter->GetNmax(), 1);
@@ -29,6 +31,12 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_EQ(filter->GetControlPoints(), Filter::NO_CONTROL_POINTS);
   filter->SetMemoryLimit(-1);
   EXPECT_EQ(filter->GetMemoryLimit(), 0);
+  filter->SetNumberOfThreads(-2);
+  EXPECT_EQ(filter->GetNumberOfThreads(), 0);
+  filter->SetNumberOfThreads(1000000);
+  EXPECT_EQ(filter->GetNumberOfThreads(), 1024);
+  filter->SetReuseLimit(-1);
+  EXPECT_EQ(filter->GetReuseLimit(), 0);
 }
 
 TEST(Settings, NamedSettersSetWhatTheySay)
@@ -141,10 +149,11 @@ TEST(Settings, AreAllPrinted)
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
-         "GenerateFate", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
-         "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
-         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
+  for (const char* name :
+    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate",
+      "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
+      "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit",
+      "NumberOfThreadsUsed", "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }

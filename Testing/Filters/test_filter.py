@@ -136,6 +136,28 @@ class FilterTest(unittest.TestCase):
         self.assertIn("point 2", said["WarningEvent"][0])
         self.assertEqual(said["ErrorEvent"], [])
 
+    def test_threads(self):
+        data = cloud(lattice_points(40000, 10**6))
+        expected = None
+        for threads in (1, 2, 3, 5, 8):
+            algorithm = self.run_filter(data, NumberOfThreads=threads)
+            self.assertEqual(algorithm.GetNumberOfThreads(), threads)
+            self.assertEqual(algorithm.GetNumberOfThreadsUsed(), threads)
+            polys = algorithm.GetOutput().GetPolys()
+            made = bytes(memoryview(polys.GetConnectivityArray())), bytes(memoryview(polys.GetOffsetsArray()))
+            expected = expected or made
+            self.assertTrue(made == expected, threads)
+        self.assertGreaterEqual(self.run_filter(data).GetNumberOfThreadsUsed(), 1)
+
+    def test_memory_is_reused(self):
+        algorithm = self.run_filter(cloud(lattice_points(5000, 10**6)), ReuseLimit=1000000)
+        expected = triangles(algorithm.GetOutput())
+        for limit in (1000000, 0, 1000000):
+            algorithm.SetReuseLimit(limit)
+            algorithm.Modified()
+            algorithm.Update()
+            self.assertTrue(triangles(algorithm.GetOutput()) == expected, limit)
+
     def test_abort_and_run_again(self):
         algorithm = vtkAdaptiveHilbertDelaunay2D()
         algorithm.SetInputData(cloud(lattice_points(20000, 10**5)))

@@ -63,6 +63,21 @@ def test_measures():
         check(0.0 <= counted[name] < 60.0, "%s is %r" % (name, counted[name]))
 
 
+def test_threads_do_not_change_the_triangles():
+    """40 000 points are worth sharing, whatever the backend of vtkSMPTools."""
+    surface = AdaptiveHilbertDelaunay2D(Input=Plane(XResolution=199, YResolution=199), NumberOfThreads=1)
+    expected = fingerprint(surface)
+    check_equal(measures(surface)["NumberOfThreadsUsed"], 1, "threads used of 1")
+    for threads in (2, 4):
+        surface.NumberOfThreads = threads
+        check_equal(fingerprint(surface), expected, "triangles of %d threads" % threads)
+        check_equal(measures(surface)["NumberOfThreadsUsed"], threads, "threads used of %d" % threads)
+    surface.NumberOfThreads = 0
+    surface.ReuseLimit = 0
+    check_equal(fingerprint(surface), expected, "triangles with the default")
+    check(measures(surface)["NumberOfThreadsUsed"] >= 1, "threads used by default")
+
+
 def test_settings_do_not_change_the_triangles():
     reader = XMLPolyDataReader(FileName=[write_vtp("settings.vtp", hill_points(500, 3, seed=2))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader)

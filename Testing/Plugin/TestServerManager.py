@@ -81,7 +81,7 @@ def test_choices():
 
 
 def test_ranges():
-    for name, least in (("Nmax", 1), ("MemoryLimit", 0)):
+    for name, least in (("Nmax", 1), ("MemoryLimit", 0), ("NumberOfThreads", 0), ("ReuseLimit", 0)):
         domain = sm.GetProperty(name).FindDomain("vtkSMIntRangeDomain")
         check(domain and domain.GetMinimumExists(0), name + " has no minimum")
         check_equal(domain.GetMinimum(0), least, "minimum of " + name)

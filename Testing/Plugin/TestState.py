@@ -16,6 +16,8 @@ CHANGED = {
     "CountWork": 1,
     "GenerateFate": 1,
     "MemoryLimit": 4000000,
+    "NumberOfThreads": 3,
+    "ReuseLimit": 1000,
 }
 check_equal(set(CHANGED), set(SETTINGS), "settings this test changes")
 

@@ -17,12 +17,21 @@ surface.UpdatePipeline()
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
 surface.InsertionOrder = "Regular grid"
 surface.GenerateFate = 1
+surface.NumberOfThreads = 3
+surface.ReuseLimit = 0
 # ... and here.
 modified.finalize()
 trace = smtrace.stop_trace()
 print(trace)
 
-for piece in ("AdaptiveHilbertDelaunay2D(", "Nmax = 77", "InsertionOrder = 'Regular grid'", "GenerateFate = 1"):
+for piece in (
+    "AdaptiveHilbertDelaunay2D(",
+    "Nmax = 77",
+    "InsertionOrder = 'Regular grid'",
+    "GenerateFate = 1",
+    "NumberOfThreads = 3",
+    "ReuseLimit = 0",
+):
     check(piece in trace, "%r is not in the trace" % piece)
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
 
@@ -33,10 +42,11 @@ with open(replay, "w") as file:
     file.write(
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
-        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder)\n"
+        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder,\n"
+        "    surface.NumberOfThreads, surface.ReuseLimit)\n"
     )
 status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)
 check_equal(status, 0, "exit status of the replayed trace")
-line = "replayed %s 77 1 'Regular grid'" % expected
+line = "replayed %s 77 1 'Regular grid' 3 0" % expected
 check(line in printed, "the replayed trace did not print %r" % line)
 print("passed: trace")

@@ -17,7 +17,17 @@ PLUGIN = os.environ["AHD_PLUGIN"]
 PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
 SCRATCH = os.environ["AHD_SCRATCH"]
 
-SETTINGS = ["InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate", "MemoryLimit"]
+SETTINGS = [
+    "InsertionOrder",
+    "Nmax",
+    "ControlPoints",
+    "GeneRotation",
+    "CountWork",
+    "GenerateFate",
+    "MemoryLimit",
+    "NumberOfThreads",
+    "ReuseLimit",
+]
 COUNTS = [
     "NumberOfTriangles",
     "NumberOfPointsInserted",
@@ -25,7 +35,15 @@ COUNTS = [
     "NumberOfRejectedPoints",
     "NumberOfSkippedPoints",
 ]
-MEASURES = COUNTS + ["NP", "NR", "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate"]
+MEASURES = COUNTS + [
+    "NP",
+    "NR",
+    "SortSeconds",
+    "InsertSeconds",
+    "OutputSeconds",
+    "NumberOfThreadsUsed",
+    "MemoryEstimate",
+]
 
 
 def scratch(name):
