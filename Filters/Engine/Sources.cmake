@@ -16,3 +16,10 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
 elseif (MSVC)
   set(ahd_engine_options /fp:precise)
 endif ()
+
+# One program for all processors, or code for several instruction sets, chosen at run time.
+option(AHD_PORTABLE "Leave out the code for processors that know more instructions" OFF)
+mark_as_advanced(AHD_PORTABLE)
+if (AHD_PORTABLE)
+  list(APPEND ahd_engine_options -DAHD_PORTABLE)
+endif ()

@@ -72,11 +72,17 @@ void takeSizes(BenchmarkFlags& flags, const std::string& value, std::string& err
   }
 }
 
-void takeEngines(BenchmarkFlags& flags, const std::string& value)
+void takeEngines(BenchmarkFlags& flags, const std::string& value, std::string& error)
 {
-  const std::vector<std::string> words = split(value);
-  flags.ours = std::count(words.begin(), words.end(), "ours") != 0;
-  flags.cgal = std::count(words.begin(), words.end(), "cgal") != 0;
+  flags.engines = split(value);
+  for (const std::string& word : flags.engines)
+  {
+    const bool isThreads = word.rfind("threads", 0) == 0 && std::atoi(word.c_str() + 7) > 0;
+    if (word != "ours" && word != "cgal" && word != "float" && !isThreads)
+    {
+      error += "no engine is called " + word + "\n";
+    }
+  }
 }
 
 /// If `argument` is "--name=value", sets `value`.
@@ -111,11 +117,15 @@ BenchmarkFlags takeFlags(int& argc, char** argv, std::string& error)
     }
     else if (isFlag(argv[i], "engines", value))
     {
-      takeEngines(flags, value);
+      takeEngines(flags, value, error);
     }
     else if (isFlag(argv[i], "repeat", value))
     {
       flags.repeat = std::max(1, std::atoi(value.c_str()));
+    }
+    else if (std::string(argv[i]) == "--cold")
+    {
+      flags.cold = true;
     }
     else
     {

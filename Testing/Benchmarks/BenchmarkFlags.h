@@ -17,13 +17,19 @@ struct BenchmarkFlags
 {
   std::vector<std::size_t> sizes = { 1000000 };
   std::vector<Distribution> distributions; ///< by default those of the paper and five harder ones
-  bool ours = true;
-  bool cgal = true;
-  int repeat = 3; ///< runs of each; the fastest counts, as whatever disturbs a run only slows it
+
+  /// What triangulates them, and by which clock:
+  ///   ours, cgal   by the CPU time of the thread
+  ///   float        ours, with coordinates of 32 bits
+  ///   threads<n>   ours on n threads, by the time on the wall
+  std::vector<std::string> engines = { "ours", "cgal" };
+
+  int repeat = 3;    ///< measurements of each
+  bool cold = false; ///< the first call of the process is measured, not one after it
 };
 
 /// Takes --sizes=1e6,4e6  --distributions=Uniform,Utm|paper|all  --engines=ours,cgal  --repeat=3
-/// out of the command line and leaves the rest. Empty `error` means all was understood.
+/// --cold  out of the command line and leaves the rest. Empty `error` means all was understood.
 BenchmarkFlags takeFlags(int& argc, char** argv, std::string& error);
 
 } // namespace test

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The engine beside CGAL, in one process, on one core, by the CPU time of the thread: other work on
-// the machine disturbs it less than the time on the wall. Each run is timed whole, from coordinates
-// in doubles to triangles in 32-bit ids, buffers allocated and freed; CGAL's from points to its
-// data structure. What each run reports is the fastest of its repetitions.
+// The engine beside CGAL in one process. Each run is timed whole: ours from coordinates to
+// triangles in 32-bit ids of the caller, CGAL's from its points to its data structure, which has no
+// ids.
+//
+// Warm (the default), the engine and the memory for the triangles are those of the call before, and
+// so are CGAL's pages as far as malloc has kept them. Cold (--cold), the call is the first of the
+// process, and page faults are part of it. One thread is timed by its CPU time, which other work on
+// the machine disturbs less; several by the time on the wall.
 #include "BenchmarkFlags.h"
 #ifdef AHD_WITH_CGAL
 #include "CgalRun.h"
 #endif
+#include "Executors.h"
 #include "Triangulate.h"
 
 #include <benchmark/benchmark.h>
@@ -15,7 +20,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <ctime>
+#include <map>
 #include <memory>
+#include <set>
 
 namespace
 {
@@ -23,98 +30,117 @@ namespace
 using namespace ahd;
 using namespace ahd::test;
 
-/// CPU time of this thread in seconds.
-double threadSeconds()
+/// One thing to measure.
+struct Case
+{
+  std::string engine;
+  Distribution distribution;
+  std::size_t n;
+  bool cold;
+
+  std::string name() const { return engine + "/" + nameOf(distribution) + "/" + std::to_string(n); }
+  bool byWall() const { return engine.rfind("threads", 0) == 0; }
+};
+
+double secondsOf(clockid_t clock)
 {
   timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-/// The points of the benchmark that runs. Kept from one to the next: both engines get the same.
-const std::vector<Point>& pointsOf(Distribution distribution, std::size_t n)
+/// The points of a case, made once: all engines get the same.
+const std::vector<Point>& pointsOf(const Case& c)
 {
-  static Distribution last;
-  static std::vector<Point> points;
-  if (points.size() != n || last != distribution)
+  static std::map<std::pair<Distribution, std::size_t>, std::vector<Point>> made;
+  std::vector<Point>& points = made[{ c.distribution, c.n }];
+  if (points.empty())
   {
-    points = makePoints(distribution, n, 1);
-    last = distribution;
+    points = makePoints(c.distribution, c.n, 1);
   }
   return points;
 }
 
-PointView viewOf(const std::vector<Point>& points)
-{
-  return PointView(&points[0].x, points.size(), 2);
-}
-
-/// Times `run` once per iteration, after one that does not count (the process has grown by then);
-/// `nsPerPoint` reports the fastest.
+/// Times `run` and reports the number of triangles it returns. Small cases are run several times in
+/// a row, of which the fastest counts: they are over before the clock has moved much.
 template <typename Run>
-void measure(benchmark::State& state, std::size_t n, Run run)
+void measure(benchmark::State& state, const Case& c, Run run)
 {
-  run();
-  double fastest = 1e300;
+  static std::set<std::string> warm;
+  std::size_t triangles = 0;
+  if (!c.cold && warm.insert(c.name()).second)
+  {
+    run();
+  }
+  const std::size_t times = c.cold ? 1 : std::max<std::size_t>(1, 200000 / c.n);
+  const clockid_t clock = c.byWall() ? CLOCK_MONOTONIC : CLOCK_THREAD_CPUTIME_ID;
   for (auto _ : state)
   {
-    const double start = threadSeconds();
-    run();
-    const double seconds = threadSeconds() - start;
-    state.SetIterationTime(seconds);
-    fastest = std::min(fastest, seconds);
-  }
-  state.counters["nsPerPoint"] = 1e9 * fastest / double(n);
-}
-
-void triangulateOurs(benchmark::State& state, Distribution distribution, std::size_t n)
-{
-  const std::vector<Point>& points = pointsOf(distribution, n);
-  Report report;
-  bool ok = true;
-  measure(state, n,
-    [&]
+    double fastest = 1e300;
+    for (std::size_t i = 0; i < times; ++i)
     {
-      Triangulator triangulator;
-      ok = ok && triangulator.run(viewOf(points), Options(), nullptr) == Status::Ok;
-      report = triangulator.report();
-      std::unique_ptr<std::int32_t[]> triples(new std::int32_t[3 * report.triangles]);
-      ok = ok && triangulator.writeTriangles(triples.get(), nullptr) == Status::Ok;
-      benchmark::DoNotOptimize(triples.get());
-    });
-  if (!ok)
-  {
-    state.SkipWithError("the engine did not finish");
-    return;
+      const double start = secondsOf(clock);
+      triangles = run();
+      fastest = std::min(fastest, secondsOf(clock) - start);
+    }
+    state.SetIterationTime(fastest);
+    state.counters["nsPerPoint"] = 1e9 * fastest / double(c.n);
   }
-  Options counting;
-  counting.countWork = true;
-  Triangulator counted;
-  counted.run(viewOf(points), counting, nullptr);
-  state.counters["NP"] = counted.report().np();
-  state.counters["NR"] = counted.report().nr();
-  state.counters["triangles"] = double(report.triangles);
-}
-
-#ifdef AHD_WITH_CGAL
-void triangulateByCgal(benchmark::State& state, Distribution distribution, std::size_t n)
-{
-  const CgalRun run(pointsOf(distribution, n));
-  std::size_t triangles = 0;
-  measure(state, n, [&] { triangles = run.triangulate(); });
   state.counters["triangles"] = double(triangles);
 }
-#endif
 
-void registerOne(const std::string& name, const BenchmarkFlags& flags,
-  void (*function)(benchmark::State&, Distribution, std::size_t), Distribution distribution,
-  std::size_t n)
+/// The engine and the memory for its triangles, kept from call to call by cases of one size.
+struct Ours
 {
-  benchmark::RegisterBenchmark(
-    name.c_str(), [=](benchmark::State& state) { function(state, distribution, n); })
-    ->UseManualTime()
-    ->Iterations(flags.repeat)
-    ->Unit(benchmark::kMillisecond);
+  Triangulator triangulator;
+  std::unique_ptr<std::int32_t[]> triples;
+  std::size_t capacity = 0;
+
+  std::size_t triangulate(const PointView& points, Executor* executor)
+  {
+    if (triangulator.run(points, Options(), nullptr, executor) != Status::Ok)
+    {
+      return 0;
+    }
+    const std::size_t triangles = triangulator.report().triangles;
+    if (capacity < triangles)
+    {
+      triples.reset(new std::int32_t[3 * triangles]);
+      capacity = triangles;
+    }
+    const Status written = triangulator.writeTriangles(triples.get(), nullptr, executor);
+    return written == Status::Ok ? triangles : 0;
+  }
+};
+
+void triangulateOurs(benchmark::State& state, const Case& c)
+{
+  static std::map<std::size_t, Ours> kept;
+  const std::vector<Point>& points = pointsOf(c);
+  std::vector<float> floats;
+  if (c.engine == "float")
+  {
+    for (const Point& p : points)
+    {
+      floats.insert(floats.end(), { float(p.x), float(p.y) });
+    }
+  }
+  const unsigned threads = c.byWall() ? unsigned(std::atoi(c.engine.c_str() + 7)) : 1;
+  std::unique_ptr<Executor> executor(threads == 1 ? nullptr : new ThreadExecutor(threads));
+  const PointView view = floats.empty() ? PointView(&points[0].x, c.n, 2)
+                                        : PointView(floats.data(), c.n, 2);
+  measure(state, c, [&] { return kept[c.n].triangulate(view, executor.get()); });
+}
+
+void triangulateByCgal(benchmark::State& state, const Case& c)
+{
+#ifdef AHD_WITH_CGAL
+  const CgalRun run(pointsOf(c));
+  measure(state, c, [&] { return run.triangulate(); });
+#else
+  (void)c;
+  state.SkipWithError("built without CGAL");
+#endif
 }
 
 void registerAll(const BenchmarkFlags& flags)
@@ -123,17 +149,17 @@ void registerAll(const BenchmarkFlags& flags)
   {
     for (const Distribution distribution : flags.distributions)
     {
-      const std::string what = std::string(nameOf(distribution)) + "/" + std::to_string(n);
-      if (flags.ours)
+      for (const std::string& engine : flags.engines)
       {
-        registerOne("ours/" + what, flags, triangulateOurs, distribution, n);
+        const Case c{ engine, distribution, n, flags.cold };
+        const auto run = engine == "cgal" ? triangulateByCgal : triangulateOurs;
+        benchmark::RegisterBenchmark(
+          c.name().c_str(), [=](benchmark::State& state) { run(state, c); })
+          ->UseManualTime()
+          ->Iterations(1)
+          ->Repetitions(flags.repeat)
+          ->Unit(benchmark::kMillisecond);
       }
-#ifdef AHD_WITH_CGAL
-      if (flags.cgal)
-      {
-        registerOne("cgal/" + what, flags, triangulateByCgal, distribution, n);
-      }
-#endif
     }
   }
 }

@@ -220,6 +220,18 @@ Point utm(Random& random)
   return { east / 100.0, north / 100.0 };
 }
 
+Point onUtmRaster(std::size_t i, std::size_t side)
+{
+  const Point p = onLattice(i, side);
+  return { (50000000.0 + 25.0 * p.x) / 100.0, (450000000.0 + 25.0 * p.y) / 100.0 };
+}
+
+Point nearlyCollinear(Random& random)
+{
+  const double x = random.unit();
+  return { x, x / 3.0 };
+}
+
 Point slivers(Random& random)
 {
   const double x = random.unit();
@@ -274,6 +286,8 @@ Point independentPoint(Distribution d, Random& random)
       return onIntegerCircle(random);
     case Distribution::Collinear:
       return collinear(random);
+    case Distribution::NearlyCollinear:
+      return nearlyCollinear(random);
     case Distribution::Utm:
       return utm(random);
     case Distribution::Slivers:
@@ -310,6 +324,8 @@ struct Maker
         return onLattice(i, side);
       case Distribution::DecimalLattice:
         return { double(i % side) * 0.1, double(i / side) * 0.1 };
+      case Distribution::UtmRaster:
+        return onUtmRaster(i, side);
       case Distribution::OnCircle:
         return direction(random.unit());
       case Distribution::OnParabola:
@@ -354,9 +370,11 @@ constexpr Named kNamed[] = {
   { Distribution::OnIntegerCircle, "OnIntegerCircle" },
   { Distribution::OnParabola, "OnParabola" },
   { Distribution::Collinear, "Collinear" },
+  { Distribution::NearlyCollinear, "NearlyCollinear" },
   { Distribution::AllEqual, "AllEqual" },
   { Distribution::RepeatedDraws, "RepeatedDraws" },
   { Distribution::Utm, "Utm" },
+  { Distribution::UtmRaster, "UtmRaster" },
   { Distribution::Slivers, "Slivers" },
   { Distribution::Tiny, "Tiny" },
   { Distribution::Huge, "Huge" },

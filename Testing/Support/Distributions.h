@@ -36,9 +36,11 @@ enum class Distribution
   OnIntegerCircle, ///< exactly cocircular: x^2 + y^2 = 1105^2 * 29^2, repeats beyond its 324 points
   OnParabola,      ///< y = x^2, x in (-1, 1), rounded
   Collinear,       ///< exactly on y = 2 x
+  NearlyCollinear, ///< on y = x / 3 up to rounding
   AllEqual,        ///< one place
   RepeatedDraws,   ///< drawn from 1000 places
   Utm,             ///< easting and northing in metres rounded to 0.01, a 2 km square
+  UtmRaster,       ///< a raster of such points with a pitch of 0.25, row by row
   Slivers,         ///< within 1e-12 of a diagonal
 
   // At the ends of the exponent range.

@@ -2,6 +2,7 @@
 #
 # The engine and the tests' tools as static libraries without VTK, for the tests and benchmarks:
 #   ahd_engine_static   the engine, from Filters/Engine/Sources.cmake
+#   ahd_engine_portable the same with AHD_PORTABLE: the instructions every processor has, no others
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
 # ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY.
@@ -23,10 +24,15 @@ if (TARGET ahd_engine_static)
   return ()
 endif ()
 
-add_library(ahd_engine_static STATIC EXCLUDE_FROM_ALL ${ahd_engine_sources})
-target_compile_features(ahd_engine_static PUBLIC cxx_std_17)
-target_compile_options(ahd_engine_static PRIVATE ${ahd_engine_options} ${ahd_warnings})
-target_include_directories(ahd_engine_static PUBLIC "${ahd_root_dir}/Filters/Engine")
+function (ahd_add_engine name)
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${ahd_engine_sources})
+  target_compile_features(${name} PUBLIC cxx_std_17)
+  target_compile_options(${name} PRIVATE ${ahd_engine_options} ${ahd_warnings})
+  target_include_directories(${name} PUBLIC "${ahd_root_dir}/Filters/Engine")
+endfunction ()
+ahd_add_engine(ahd_engine_static)
+ahd_add_engine(ahd_engine_portable)
+target_compile_definitions(ahd_engine_portable PUBLIC AHD_PORTABLE)
 
 file(GLOB ahd_support_sources CONFIGURE_DEPENDS "${ahd_testing_dir}/Support/*.cxx")
 add_library(ahd_test_support STATIC EXCLUDE_FROM_ALL ${ahd_support_sources})
