@@ -220,7 +220,7 @@ public:
    * The most working memory, in kibibytes (1024 bytes), that the filter keeps for its next
    * execution, which then does not ask the system for it anew (about a tenth of the time of 10^6
    * points). After an execution that took more, all of it is given back; 0 keeps none, ever. The
-   * default, 262144 (256 MiB), is enough for 2.8 million points. The working memory of an execution
+   * default, 262144 (256 MiB), is enough for 3 million points. The working memory of an execution
    * that failed or was aborted is given back always. The input is never kept.
    */
   vtkSetClampMacro(ReuseLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
