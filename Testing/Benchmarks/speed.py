@@ -36,8 +36,8 @@ class Plan:
             (10000, 30000, 100000) if quick else (100000, 1000000, 10000000)
         )
         self.few = [3000, 10000] if quick else [10000, 30000, 100000]  # for threads
-        self.repeat = {self.small: 1 if quick else 7, self.middle: 1 if quick else 7, self.large: 3}
-        self.cold = {self.middle: 1 if quick else 7, self.large: 1 if quick else 3}
+        self.repeat = {self.small: 1 if quick else 5, self.middle: 1 if quick else 5, self.large: 3}
+        self.cold = {self.middle: 1 if quick else 5, self.large: 1 if quick else 3}
         self.patience = 3 if quick else 60  # seconds for a call on degenerate input
 
 
@@ -314,7 +314,8 @@ def measure_threads(program, plan, targets):
 
 def measure_counts(program, plan, targets):
     say("counts: NP, NR, memory, critical path")
-    counted = counts_of(program, [plan.middle], PAPER + ROUNDED + CROWDED, [1, 2])
+    inputs = PAPER + ROUNDED + CROWDED + ["RepeatedDraws"]
+    counted = counts_of(program, [plan.middle], inputs, [1, 2])
     counted += counts_of(program, [plan.large], ["Uniform"], [1, 2])
     alone = {c["distribution"]: c for c in counted if c["threads"] == 1 and c["points"] == plan.middle}
     print(f"\nCounted, {powered(plan.middle)} points")
