@@ -102,6 +102,9 @@ public:
   /// Tasks of this phase, and only they, stop at their next asking.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
+  /// Was it told to stop?
+  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
   /// Who lends threads to this phase; null if nobody does.
   Executor* executor() const { return executor_; }
 

@@ -63,7 +63,7 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
   {
     throw std::bad_alloc();
   }
-  return !cancelled;
+  return !cancelled && !ticker.cancelled(); // the last idle() may have been told
 }
 
 /// [begin, end) of the items that task `task` of `tasks` takes, when they share `items` evenly.

@@ -70,8 +70,7 @@ Status Triangulator::State::sortAndInsert(
     return read;
   }
   // First for sorting, then for the triangles.
-  ranked.scratch.allocate(
-    std::max(Mesh::bytesFor(ranked.count), ranked.count * kRankScratchPerPoint));
+  ranked.scratch.allocate(std::max(Mesh::bytesFor(ranked.count), rankScratchBytes(ranked.count)));
   Ticker sorting(progress, Phase::Sort, points.count, executor);
   if (const Status sorted = rankPoints(points, sorting, ranked); sorted != Status::Ok)
   {
@@ -217,9 +216,9 @@ Status Triangulator::writeFates(std::int64_t* fates, Progress* progress, Executo
 
 std::size_t Triangulator::memoryHeld() const
 {
-  return state_ ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() +
-      state_->ranked.scratch.bytes() + state_->ranked.duplicates.capacity() * sizeof(Duplicate)
-                : 0;
+  return state_
+    ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() + state_->ranked.scratch.bytes()
+    : 0;
 }
 
 void Triangulator::forgetPoints()

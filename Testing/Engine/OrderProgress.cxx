@@ -4,6 +4,7 @@
 // the number of points however the points coincide or crowd.
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "Executors.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
 
@@ -69,6 +70,19 @@ Status order(const std::vector<Point>& points, const Options& options, Counter& 
     }
   }
   return status;
+}
+
+Status rank(const std::vector<Point>& points, Executor* executor, Counter& counter)
+{
+  RankedPoints ranked;
+  Ticker reading(&counter, Phase::Read, points.size(), executor);
+  const Status status = readPoints(viewOf(points), reading, ranked);
+  if (status != Status::Ok)
+  {
+    return status;
+  }
+  Ticker sorting(&counter, Phase::Sort, points.size(), executor);
+  return rankPoints(viewOf(points), sorting, ranked);
 }
 
 std::vector<Distribution> kinds()
@@ -152,6 +166,33 @@ TEST(OrderProgress, ManyDrawsOfFewPlacesStayLinear)
     Counter counter;
     EXPECT_EQ(order(makePoints(d, n, 63), Options(), counter), Status::Ok);
     EXPECT_LE(counter.sort, 12 * n / (kStepsPerAsking / 2)) << nameOf(d);
+  }
+}
+
+TEST(OrderProgress, StopsAtEveryAskingWithThreads)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::CrowdedBox,
+         Distribution::RepeatedDraws, Distribution::AllEqual })
+  {
+    const std::vector<Point> points = makePoints(d, kMany, 65);
+    // In one thread's turn the number of askings is always the same; what real threads do is
+    // another matter, but they must stop, and nobody is asked again.
+    BackwardExecutor backward(3);
+    Counter all;
+    ASSERT_EQ(rank(points, &backward, all), Status::Ok);
+    EXPECT_GE(all.read + all.sort, 3 * points.size() / kStepsPerAsking) << nameOf(d);
+    EXPECT_EQ(all.falls, 0u) << nameOf(d);
+    for (std::size_t k = 1; k <= all.read + all.sort; ++k)
+    {
+      Counter counter(k);
+      ASSERT_EQ(rank(points, &backward, counter), Status::Cancelled) << "at asking " << k;
+      ASSERT_EQ(counter.read + counter.sort, k) << nameOf(d);
+      ASSERT_EQ(counter.late, 0u) << nameOf(d);
+    }
+    ThreadExecutor threads(3);
+    Counter first(1);
+    EXPECT_EQ(rank(points, &threads, first), Status::Cancelled);
+    EXPECT_EQ(first.late, 0u) << nameOf(d);
   }
 }
 

@@ -3,6 +3,7 @@
 // The canonical rank: quantisation, order, duplicates, and that it depends on the point set alone.
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "Executors.h"
 #include "Order/HilbertCurve.h"
 #include "Order/Quantise.h"
 #include "Order/Rank.h"
@@ -29,12 +30,12 @@ constexpr double kSubnormal = std::numeric_limits<double>::denorm_min();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-RankedPoints ranked(const PointView& view)
+RankedPoints ranked(const PointView& view, Executor* executor = nullptr)
 {
   RankedPoints result;
-  Ticker reading(nullptr, Phase::Read, view.count);
+  Ticker reading(nullptr, Phase::Read, view.count, executor);
   EXPECT_EQ(readPoints(view, reading, result), Status::Ok);
-  Ticker ticker(nullptr, Phase::Sort, view.count);
+  Ticker ticker(nullptr, Phase::Sort, view.count, executor);
   EXPECT_EQ(rankPoints(view, ticker, result), Status::Ok);
   return result;
 }
@@ -186,6 +187,72 @@ TEST_P(Rank, DoesNotDependOnTheUnitOfLength)
   EXPECT_TRUE(
     tried > 0 || GetParam() == Distribution::AnyFinite || GetParam() == Distribution::TinyAndHuge)
     << "no scaling was exact";
+}
+
+bool sameBytes(const void* a, const void* b, std::size_t bytes)
+{
+  return bytes == 0 || std::memcmp(a, b, bytes) == 0;
+}
+
+/// The first thing in which two results differ, byte for byte; empty if they are the same.
+std::string differenceOf(const RankedPoints& a, const RankedPoints& b)
+{
+  const auto same = [](const auto& x, const auto& y, std::size_t n)
+  { return sameBytes(x.data(), y.data(), n * sizeof(x[0])); };
+  return a.count != b.count || a.duplicates.size() != b.duplicates.size() ||
+      a.notFinite != b.notFinite || a.skipped != b.skipped
+    ? "counts"
+    : !sameBytes(&a.bounds, &b.bounds, sizeof(Bounds))       ? "bounds"
+    : !same(a.xy, b.xy, a.count)                             ? "locations"
+    : !same(a.id, b.id, a.count)                             ? "ids"
+    : !same(a.key, b.key, a.count)                           ? "keys"
+    : !same(a.duplicates, b.duplicates, a.duplicates.size()) ? "duplicates"
+                                                             : "";
+}
+
+/// For any number of threads, and whichever task comes first.
+void expectTheSameOnManyThreads(const PointView& view)
+{
+  const RankedPoints expected = ranked(view);
+  for (const unsigned threads : { 1u, 2u, 3u, 5u, 8u })
+  {
+    ThreadExecutor executor(threads);
+    EXPECT_EQ(differenceOf(ranked(view, &executor), expected), "") << threads << " threads";
+  }
+  for (const unsigned threads : { 2u, 64u, 1000u })
+  {
+    BackwardExecutor backward(threads);
+    EXPECT_EQ(differenceOf(ranked(view, &backward), expected), "") << "backward, " << threads;
+  }
+}
+
+TEST_P(Rank, IsTheSameOnManyThreads)
+{
+  for (const std::size_t n : std::vector<std::size_t>{ 3, 300, reduced(50000) })
+  {
+    SCOPED_TRACE(std::to_string(n) + " points");
+    expectTheSameOnManyThreads(viewOf(makePoints(GetParam(), n, 25)));
+  }
+}
+
+TEST_P(Rank, IsTheSameOnManyThreadsWithDuplicatesAndBadPoints)
+{
+  // Places drawn twice on average, so that every task leaves gaps; some points are left out.
+  const std::size_t n = reduced(100000);
+  const std::vector<Point> places = makePoints(GetParam(), n / 2, 26);
+  Random random(27);
+  std::vector<Point> points;
+  std::vector<unsigned char> skip(n, 0);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const bool bad = random.below(50) == 0;
+    points.push_back(bad ? Point{ kNaN, 0.0 } : places[random.below(places.size())]);
+    skip[i] = random.below(40) == 0 ? 1 : 0;
+  }
+  PointView view = viewOf(points);
+  expectTheSameOnManyThreads(view);
+  view.skip = skip.data();
+  expectTheSameOnManyThreads(view);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Rank, ::testing::ValuesIn(allDistributions()), nameOfParam);

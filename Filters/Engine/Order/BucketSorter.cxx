@@ -65,10 +65,12 @@ struct DistinctPoints
 
 } // namespace
 
-BucketSorter::BucketSorter(Buffer<Record>& records, RankedPoints& out, Ticker& ticker)
-  : records_(records)
+BucketSorter::BucketSorter(const Place& place, RankedPoints& out, Ticker& ticker)
+  : records_(place.records)
+  , duplicate_(place.duplicates)
   , out_(out)
   , ticker_(ticker)
+  , end_(place.begin)
 {
 }
 
@@ -95,7 +97,7 @@ bool BucketSorter::take(std::size_t begin, std::size_t end, unsigned bits)
 bool BucketSorter::sortSmall(const Range& range)
 {
   const std::size_t n = range.end - range.begin;
-  const Record* const from = records_.data() + range.begin;
+  const Record* const from = records_ + range.begin;
   const unsigned binBits = std::min(range.bits, bitLength(n));
   const unsigned shift = range.bits - binBits;
   const std::size_t bins = std::size_t(1) << binBits;
@@ -200,7 +202,7 @@ bool BucketSorter::insertionSort(std::size_t begin, std::size_t end)
 /// Scatters a large range by the first bits in which its keys differ.
 bool BucketSorter::split(const Range& range)
 {
-  const Record* const records = records_.data();
+  const Record* const records = records_;
   const std::uint64_t first = records[range.begin].key;
   std::uint64_t differing = 0;
   const bool looked = inChunks(range.begin, range.end, ticker_,
@@ -230,7 +232,7 @@ bool BucketSorter::split(const Range& range)
 /// To the arrays, sorted by the bits at `shift`, and back: then each bin is a range of records.
 bool BucketSorter::scatter(const Range& range, unsigned shift, std::size_t bins)
 {
-  const Record* const records = records_.data();
+  const Record* const records = records_;
   const std::uint64_t mask = bins - 1;
   std::fill(place_.begin(), place_.begin() + bins, 0u);
   const bool counted = inChunks(range.begin, range.end, ticker_,
@@ -358,7 +360,7 @@ bool BucketSorter::emitEqual(std::size_t begin, std::size_t end, std::uint64_t k
           const Index kept = distinct.find(out_.xy[i])->id;
           if (kept != out_.id[i])
           {
-            out_.duplicates.push_back({ out_.id[i], kept });
+            duplicate_[duplicates_++] = { out_.id[i], kept };
           }
         }
       });

@@ -2,10 +2,10 @@
 #ifndef ahd_BucketSorter_h
 #define ahd_BucketSorter_h
 
-#include "../Buffer.h"
 #include "../Points/Points.h"
 #include "../Progress.h"
 #include "RankedPoints.h"
+#include "Record.h"
 
 #include <array>
 #include <cstddef>
@@ -15,33 +15,32 @@
 namespace ahd
 {
 
-/// A point on its way to its rank.
-struct Record
-{
-  double x;
-  double y;
-  std::uint64_t key;
-  Index id;
-};
-
 /// Sorts buckets of records by (key, x, y) into the arrays of a RankedPoints, one bucket after the
 /// other, drops duplicates, and ranks crowds of one key again in bounds of their own.
 ///
 /// Two places hold points: `records`, and the arrays of `out`, whose part from `end()` on is free
-/// scratch for the bucket in work. Ranges that wait lie on a stack, so nothing recurses.
+/// scratch for the bucket in work. Ranges that wait lie on a stack, so nothing recurses. Several
+/// sorters may work on the same arrays: each touches only the places of the records it takes.
 class BucketSorter
 {
 public:
-  /// `records` and the arrays of `out` have room for as many points; all are borrowed.
-  BucketSorter(Buffer<Record>& records, RankedPoints& out, Ticker& ticker);
+  struct Place
+  {
+    Record* records;       ///< of all buckets; as many as the arrays of `out` have room for
+    Duplicate* duplicates; ///< where those found here go; never more than records taken
+    std::size_t begin;     ///< of the first bucket
+  };
+  BucketSorter(const Place& place, RankedPoints& out, Ticker& ticker);
 
   /// Takes the records [begin, end), whose keys differ at most in their low `bits` bits. Buckets
   /// come in ascending order of key and, without gaps, of place: begin is the end of the bucket
   /// before. Returns false if the work is to be cancelled.
   bool take(std::size_t begin, std::size_t end, unsigned bits);
 
-  /// Ranks given so far.
+  /// Behind the last rank given.
   std::size_t end() const { return end_; }
+  /// Duplicates found so far.
+  std::size_t duplicates() const { return duplicates_; }
 
 private:
   /// Points that wait to be ranked.
@@ -92,10 +91,12 @@ private:
     ++end_;
   }
 
-  Buffer<Record>& records_;
+  Record* records_;
+  Duplicate* duplicate_;
+  std::size_t duplicates_ = 0;
   RankedPoints& out_;
   Ticker& ticker_;
-  std::size_t end_ = 0;
+  std::size_t end_;
   std::vector<Range> waiting_;
 
   // Scratch of the ranges in work.

@@ -2,9 +2,9 @@
 #include "Rank.h"
 
 #include "../Chunks.h"
+#include "../Tasks.h"
 #include "BucketSorter.h"
-#include "HilbertCurve.h"
-#include "Quantise.h"
+#include "Scatter.h"
 
 #include <algorithm>
 #include <limits>
@@ -16,158 +16,176 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kBucket = 256;      // points per bucket aimed at
-constexpr unsigned kMostBucketBits = 15;  // more buckets than this cost more than they save
-constexpr std::size_t kPrefetchAhead = 2; // records: the next cache line
+constexpr std::size_t kGroupsPerThread = 8;    // crowded buckets take longer than others
+constexpr std::size_t kFewPoints = 4 * kChunk; // no group for less
 
-/// The caller's numbers, widened.
-template <typename Number>
-struct Source
+/// How out.scratch is used. The counters of the scatter lie where the duplicates come later.
+struct Layout
 {
-  const Number* numbers;
-  std::size_t stride;
-
-  Point operator[](std::size_t i) const { return { numbers[i * stride], numbers[i * stride + 1] }; }
+  explicit Layout(RankedPoints& out, std::size_t n)
+    : records(reinterpret_cast<Record*>(out.scratch.data()))
+    , keys(reinterpret_cast<std::uint64_t*>(records + n))
+    , duplicates(reinterpret_cast<Duplicate*>(keys + n))
+    , counters(out.scratch.data() + (n * (sizeof(Record) + sizeof(*keys)) + 63) / 64 * 64)
+  {
+  }
+  Record* records;
+  std::uint64_t* keys;
+  Duplicate* duplicates; ///< those of a group of buckets begin where its points do
+  void* counters;
 };
 
-/// Keys of all finite points in the caller's order, and how many fall into each bucket; then the
-/// records, bucket by bucket.
-class Scatter
+/// Buckets that one task sorts, and what came of them.
+struct Group
 {
-public:
-  Scatter(const PointView& points, RankedPoints& out, Ticker& ticker)
-    : points_(points)
-    , out_(out)
-    , ticker_(ticker)
-    , grid_(out.bounds)
-    , plain_(out.count == points.count)
-    , bits_(out.count <= kBucket ? 0 : std::min(kMostBucketBits, bitLength(out.count / kBucket)))
-    , place_((std::size_t(1) << bits_) + 1, 0u)
+  std::size_t firstBucket, endBucket;
+  std::size_t begin;     ///< place of its first record, and of its first rank until closeGaps
+  std::size_t count = 0; ///< ranks
+  std::size_t duplicates = 0;
+  std::size_t to = 0; ///< its first rank
+};
+
+std::vector<Group> makeGroups(const Scatter& scatter, std::size_t n, std::size_t threads)
+{
+  const std::size_t wanted = threads == 1
+    ? 1
+    : std::min(threads * kGroupsPerThread, n / kFewPoints + 1);
+  std::vector<Group> groups;
+  std::size_t first = 0;
+  for (std::size_t g = 0; g < wanted; ++g)
   {
-  }
-
-  bool run(Buffer<Record>& records)
-  {
-    return points_.doubles ? runOn(Source<double>{ points_.doubles, points_.stride }, records)
-                           : runOn(Source<float>{ points_.floats, points_.stride }, records);
-  }
-
-  /// After run(): bucket b is [begin(b), begin(b + 1)) and shares all but so many bits.
-  std::size_t buckets() const { return std::size_t(1) << bits_; }
-  std::size_t begin(std::size_t b) const { return b == 0 ? 0 : place_[b - 1]; }
-  unsigned bitsLeft() const { return 64 - bits_; }
-
-private:
-  template <typename From>
-  bool runOn(const From& from, Buffer<Record>& records)
-  {
-    return plain_ ? makeKeys<true>(from) && makeRecords<true>(from, records)
-                  : makeKeys<false>(from) && makeRecords<false>(from, records);
-  }
-
-  std::size_t bucketOf(std::uint64_t key) const { return key >> 1 >> (63 - bits_); }
-
-  template <bool kPlain, typename From>
-  bool wanted(const From& from, std::size_t i) const
-  {
-    return kPlain || (!points_.skipped(i) && isFinite(from[i]));
-  }
-
-  template <bool kPlain, typename From>
-  bool makeKeys(const From& from)
-  {
-    std::uint64_t* next = out_.key.data();
-    return inChunks(0, points_.count, ticker_,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t i = a; i < b; ++i)
-        {
-          if (wanted<kPlain>(from, i))
-          {
-            const Point p = from[i];
-            const std::uint64_t key = hilbertKey(grid_.column(p.x), grid_.row(p.y));
-            *next++ = key;
-            ++place_[bucketOf(key)];
-          }
-        }
-        ticker_.finished((b - a) / 4);
-      });
-  }
-
-  template <bool kPlain, typename From>
-  bool makeRecords(const From& from, Buffer<Record>& records)
-  {
-    Index sum = 0;
-    for (Index& place : place_)
+    const std::size_t end = g + 1 == wanted ? scatter.buckets()
+                                            : scatter.firstFrom(Share(n, g, wanted).end);
+    if (first < end)
     {
-      const Index count = place;
-      place = sum;
-      sum += count;
+      groups.push_back({ first, end, scatter.begin(first) });
+      first = end;
     }
-    const std::uint64_t* next = out_.key.data();
-    Record* const to = records.data();
-    return inChunks(0, points_.count, ticker_,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t i = a; i < b; ++i)
-        {
-          if (wanted<kPlain>(from, i))
-          {
-            const Point p = from[i];
-            const std::uint64_t key = *next++;
-            Record* const r = to + place_[bucketOf(key)]++;
-            *r = { p.x, p.y, key, static_cast<Index>(i) };
-            prefetchForWrite(r + kPrefetchAhead);
-          }
-        }
-        ticker_.finished((b - a) / 4);
-      });
   }
+  return groups;
+}
 
-  const PointView& points_;
-  RankedPoints& out_;
-  Ticker& ticker_;
-  Grid grid_;
-  bool plain_;
-  unsigned bits_;
-  std::vector<Index> place_; ///< where the next record of each bucket goes
-};
+bool sortGroup(
+  Group& group, const Scatter& scatter, const Layout& layout, RankedPoints& out, Ticker& ticker)
+{
+  BucketSorter sorter(
+    { layout.records, layout.duplicates + group.begin, group.begin }, out, ticker);
+  for (std::size_t b = group.firstBucket; b < group.endBucket; ++b)
+  {
+    const std::size_t begin = scatter.begin(b);
+    const std::size_t end = scatter.begin(b + 1);
+    if (begin < end && !sorter.take(begin, end, scatter.bitsLeft()))
+    {
+      return false;
+    }
+    ticker.finished((end - begin) / 4);
+  }
+  group.count = sorter.end() - group.begin;
+  group.duplicates = sorter.duplicates();
+  return true;
+}
+
+template <typename T>
+bool copyInChunks(const T* from, T* to, std::size_t n, Ticker& ticker)
+{
+  return inChunks(
+    0, n, ticker, [&](std::size_t a, std::size_t b) { std::copy(from + a, from + b, to + a); });
+}
+
+/// Moves the ranks of all groups together. Out of the arrays and back, both in parallel: moved
+/// within the arrays, a group would have to wait for the one before.
+bool closeGaps(const std::vector<Group>& groups, const Layout& layout, std::size_t n,
+  RankedPoints& out, Ticker& ticker)
+{
+  Point* const xy = reinterpret_cast<Point*>(layout.records);
+  std::uint64_t* const key = reinterpret_cast<std::uint64_t*>(xy + n);
+  Index* const id = reinterpret_cast<Index*>(key + n);
+  static_assert(sizeof(Point) + sizeof(std::uint64_t) + sizeof(Index) <= sizeof(Record), "room");
+  const auto move = [&](std::size_t g, Ticker& own)
+  {
+    const Group& group = groups[g];
+    return group.begin == group.to ||
+      (copyInChunks(&out.xy[group.begin], xy + group.to, group.count, own) &&
+        copyInChunks(&out.key[group.begin], key + group.to, group.count, own) &&
+        copyInChunks(&out.id[group.begin], id + group.to, group.count, own));
+  };
+  const auto moveBack = [&](std::size_t g, Ticker& own)
+  {
+    const Group& group = groups[g];
+    return group.begin == group.to ||
+      (copyInChunks(xy + group.to, &out.xy[group.to], group.count, own) &&
+        copyInChunks(key + group.to, &out.key[group.to], group.count, own) &&
+        copyInChunks(id + group.to, &out.id[group.to], group.count, own));
+  };
+  return inParallel(ticker, groups.size(), move) && inParallel(ticker, groups.size(), moveBack);
+}
+
+/// Moves the duplicates of all groups to the end of the scratch, the last group first: none is
+/// moved down, so none is overwritten before its turn.
+bool gatherDuplicates(
+  const std::vector<Group>& groups, const Layout& layout, RankedPoints& out, Ticker& ticker)
+{
+  Duplicate* const end = reinterpret_cast<Duplicate*>(out.scratch.data() + out.scratch.size());
+  Duplicate* to = end;
+  for (std::size_t g = groups.size(); g-- > 0;)
+  {
+    const Duplicate* const from = layout.duplicates + groups[g].begin;
+    for (std::size_t left = groups[g].duplicates; left > 0;)
+    {
+      const std::size_t some = std::min(left, kChunk);
+      to = std::copy_backward(from + (left - some), from + left, to);
+      left -= some;
+      if (!ticker.step(some))
+      {
+        return false;
+      }
+    }
+  }
+  out.duplicates.view(to, static_cast<std::size_t>(end - to));
+  return true;
+}
 
 } // namespace
 
 Status rankPoints(const PointView& points, Ticker& sorting, RankedPoints& out)
 {
   const std::size_t n = out.count;
-  out.duplicates.clear();
+  const std::size_t threads = threadsOf(sorting);
+  out.duplicates.reset();
   out.xy.allocate(n + 1);
   out.id.allocate(n);
-  Buffer<Record> records;
-  if (out.scratch.size() < n * kRankScratchPerPoint)
+  if (out.scratch.size() < rankScratchBytes(n))
   {
-    out.scratch.allocate(n * kRankScratchPerPoint);
+    out.scratch.allocate(rankScratchBytes(n));
   }
-  records.view(out.scratch.data(), n);
-  out.key.view(out.scratch.data() + n * sizeof(Record), n);
-
-  Scatter scatter(points, out, sorting);
-  if (!scatter.run(records))
+  const Layout layout(out, n);
+  out.key.view(layout.keys, n);
+  Scatter scatter(points, out, threads);
+  if (!scatter.run(layout.records, layout.keys, layout.counters, sorting))
   {
     return Status::Cancelled;
   }
-  BucketSorter sorter(records, out, sorting);
-  for (std::size_t b = 0; b < scatter.buckets(); ++b)
+  std::vector<Group> groups = makeGroups(scatter, n, threads);
+  const auto sort = [&](std::size_t g, Ticker& own)
+  { return sortGroup(groups[g], scatter, layout, out, own); };
+  if (!inParallel(sorting, groups.size(), sort))
   {
-    const std::size_t begin = scatter.begin(b);
-    const std::size_t end = scatter.begin(b + 1);
-    if (begin < end && !sorter.take(begin, end, scatter.bitsLeft()))
-    {
-      return Status::Cancelled;
-    }
-    sorting.finished((end - begin) / 4);
+    return Status::Cancelled;
+  }
+  std::size_t count = 0;
+  for (Group& group : groups)
+  {
+    group.to = count;
+    count += group.count;
+  }
+  if ((count < n && !closeGaps(groups, layout, n, out, sorting)) ||
+    !gatherDuplicates(groups, layout, out, sorting))
+  {
+    return Status::Cancelled;
   }
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  out.count = static_cast<Index>(sorter.end());
-  out.xy[sorter.end()] = { kNaN, kNaN };
+  out.count = static_cast<Index>(count);
+  out.xy[count] = { kNaN, kNaN };
   return Status::Ok;
 }
 

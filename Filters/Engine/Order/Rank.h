@@ -21,19 +21,29 @@ namespace ahd
 
 constexpr std::size_t kTiedByCoordinates = 16;
 
-/// Bytes per point that rankPoints needs beside locations and ids: a record and a key each.
-constexpr std::size_t kRankScratchPerPoint = 32 + 8;
+/// Bytes per point that rankPoints needs beside locations and ids: a record, a key and a duplicate.
+constexpr std::size_t kRankScratchPerPoint = 32 + 8 + 8;
+
+/// Bytes of scratch that rankPoints needs for so many finite points.
+constexpr std::size_t rankScratchBytes(std::size_t n)
+{
+  return n * kRankScratchPerPoint + 128;
+}
+
+// Both functions use all threads that are lent to the phase; what they find does not depend on how
+// many those are, nor does the order of the duplicates.
 
 /// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; a point
 /// that is to be skipped is not looked at. out.count becomes the number of finite points.
 Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
 
-/// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch
-/// is made larger if it has not kRankScratchPerPoint bytes for each of out.count points.
+/// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch is made
+/// larger if it has not rankScratchBytes(out.count) bytes.
 /// REQUIRES: readPoints returned Ok for the same points and `out`; at most kMaximumPoints points.
 /// Moves the fraction by three quarters of a unit per point. Throws std::bad_alloc.
 /// Cost: two passes over the points to scatter them to buckets by the first bits of their keys, one
-/// to sort each bucket; crowded buckets are scattered again by further bits.
+/// to sort each bucket; crowded buckets are scattered again by further bits. With several threads
+/// and duplicates, two more to close the gaps that these leave. A bucket is sorted by one thread.
 Status rankPoints(const PointView& points, Ticker& sorting, RankedPoints& out);
 
 } // namespace ahd

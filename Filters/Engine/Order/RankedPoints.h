@@ -5,7 +5,8 @@
 #include "../Buffer.h"
 #include "../Points/Points.h"
 
-#include <vector>
+#include <cstddef>
+#include <cstdint>
 
 namespace ahd
 {
@@ -27,9 +28,11 @@ struct RankedPoints
   Buffer<Point> xy;          ///< count + 1 entries; the last is (NaN, NaN), the vertex at infinity
   Buffer<Index> id;          ///< rank -> the caller's id (the smallest among coincident points)
   Buffer<std::uint64_t> key; ///< rank -> Hilbert key, ascending
-  Scratch scratch;           ///< where the keys lie; free for other things once nobody needs them
-  Bounds bounds;             ///< of the distinct points
-  std::vector<Duplicate> duplicates; ///< in no particular order
+  /// Where the keys lie, and at its very end the duplicates. The rest is free for other things once
+  /// nobody needs the keys.
+  Scratch scratch;
+  Bounds bounds;                ///< of the distinct points
+  Buffer<Duplicate> duplicates; ///< in no particular order, but the same for any number of threads
   std::size_t notFinite = 0;
   std::size_t skipped = 0;
 };

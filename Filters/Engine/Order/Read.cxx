@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "../Chunks.h"
+#include "../Tasks.h"
 #include "Rank.h"
 
+#include <algorithm>
 #include <limits>
+#include <vector>
 
 namespace ahd
 {
@@ -10,6 +13,8 @@ namespace ahd
 namespace
 {
 
+constexpr std::size_t kTasksPerThread = 4;
+constexpr std::size_t kFewPoints = 4 * kChunk; // no task for less
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Bounds of the points seen; the signs of zeros are left to chance.
@@ -26,10 +31,33 @@ struct Extremes
     ymax = p.y > ymax ? p.y : ymax;
   }
 
+  void add(const Extremes& other)
+  {
+    xmin = std::min(xmin, other.xmin);
+    xmax = std::max(xmax, other.xmax);
+    ymin = std::min(ymin, other.ymin);
+    ymax = std::max(ymax, other.ymax);
+  }
+
   /// The zero of a coordinate is +0.0.
   Bounds bounds() const
   {
     return xmin <= xmax ? Bounds{ xmin + 0.0, xmax + 0.0, ymin + 0.0, ymax + 0.0 } : Bounds{};
+  }
+};
+
+/// What a task has seen.
+struct Seen
+{
+  Extremes extremes;
+  std::size_t notFinite = 0;
+  std::size_t skipped = 0;
+
+  void add(const Seen& other)
+  {
+    extremes.add(other.extremes);
+    notFinite += other.notFinite;
+    skipped += other.skipped;
   }
 };
 
@@ -57,45 +85,66 @@ bool readPlainChunk(const PointView& points, std::size_t a, std::size_t b, Extre
   return true;
 }
 
+void readChunk(const PointView& points, std::size_t a, std::size_t b, Seen& seen)
+{
+  for (std::size_t i = a; i < b; ++i)
+  {
+    if (points.skipped(i))
+    {
+      ++seen.skipped;
+    }
+    else if (!isFinite(points[i]))
+    {
+      ++seen.notFinite;
+    }
+    else
+    {
+      seen.extremes.add(points[i]);
+    }
+  }
+}
+
+bool readShare(const PointView& points, const Share& share, Ticker& ticker, Seen& result)
+{
+  Seen seen; // not in the result at once: it shares a cache line with those of other tasks
+  const bool done = inChunks(share.begin, share.end, ticker,
+    [&](std::size_t a, std::size_t b)
+    {
+      if (!readPlainChunk(points, a, b, seen.extremes))
+      {
+        readChunk(points, a, b, seen);
+      }
+      ticker.finished(b - a);
+    });
+  result = seen;
+  return done;
+}
+
 } // namespace
 
 Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
 {
-  Extremes seen;
-  out.notFinite = 0;
-  out.skipped = 0;
-  const auto readChunk = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i < b; ++i)
-    {
-      if (points.skipped(i))
-      {
-        ++out.skipped;
-      }
-      else if (!isFinite(points[i]))
-      {
-        ++out.notFinite;
-      }
-      else
-      {
-        seen.add(points[i]);
-      }
-    }
-  };
-  const bool done = inChunks(0, points.count, ticker,
-    [&](std::size_t a, std::size_t b)
-    {
-      if (!readPlainChunk(points, a, b, seen))
-      {
-        readChunk(a, b);
-      }
-      ticker.finished(b - a);
+  const std::size_t threads = threadsOf(ticker);
+  const std::size_t tasks = threads == 1
+    ? 1
+    : std::min(threads * kTasksPerThread, points.count / kFewPoints + 1);
+  std::vector<Seen> seen(tasks);
+  const bool done = inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own) {
+      return readShare(points, { points.count, task, tasks }, own, seen[task]);
     });
   if (!done)
   {
     return Status::Cancelled;
   }
-  out.bounds = seen.bounds();
+  Seen all;
+  for (const Seen& part : seen)
+  {
+    all.add(part);
+  }
+  out.notFinite = all.notFinite;
+  out.skipped = all.skipped;
+  out.bounds = all.extremes.bounds();
   out.count = static_cast<Index>(points.count - out.notFinite - out.skipped);
   return Status::Ok;
 }
