@@ -9,6 +9,7 @@
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
 #include "Parallel/ByRounds.h"
+#include "Tasks.h"
 
 #include <algorithm>
 #include <new>
@@ -132,9 +133,8 @@ Status Triangulator::State::write(Id* triples, Progress* progress, Executor* exe
   Ticker ticker(progress, Phase::Extract, report.triangles, executor);
   Scratch scratch; // where the locations were
   scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
-  return writeCanonical(mesh, report.triangles, ranked.id.data(), triples, scratch, ticker)
-    ? Status::Ok
-    : Status::Cancelled;
+  return writeCanonical(mesh, ranked.id.data(), triples, scratch, ticker) ? Status::Ok
+                                                                          : Status::Cancelled;
 }
 
 bool Triangulator::State::writeFates(
@@ -149,7 +149,6 @@ bool Triangulator::State::writeFates(
         : isFinite(points[i])      ? std::int64_t(i)
                                    : std::int64_t(kFateNotFinite);
     }
-    ticker.finished(b - a);
   };
   const auto writeMerged = [&](std::size_t a, std::size_t b)
   {
@@ -158,8 +157,24 @@ bool Triangulator::State::writeFates(
       fates[ranked.duplicates[i].id] = ranked.duplicates[i].keptId;
     }
   };
-  return inChunks(0, points.count, ticker, writeOwn) &&
-    inChunks(0, ranked.duplicates.size(), ticker, writeMerged) && ticker.ask();
+  // What the duplicates overwrite has to be written before.
+  const std::size_t tasks = std::min(threadsOf(ticker), 1 + points.count / kChunk);
+  const auto inShares = [&](std::size_t items, auto write)
+  {
+    return inParallel(ticker, tasks,
+      [&](std::size_t task, Ticker& own)
+      {
+        const Share share(items, task, tasks);
+        return inChunks(share.begin, share.end, own,
+          [&](std::size_t a, std::size_t b)
+          {
+            write(a, b);
+            own.finished(b - a);
+          });
+      });
+  };
+  return inShares(points.count, writeOwn) && inShares(ranked.duplicates.size(), writeMerged) &&
+    ticker.ask();
 }
 
 Triangulator::Triangulator() = default;

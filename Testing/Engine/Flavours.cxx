@@ -58,7 +58,7 @@ std::vector<std::int32_t> trianglesBy(
   std::vector<std::int32_t> triples(3 * count);
   Scratch scratch;
   scratch.allocate(kExtractScratchPerPoint * (ranked.count + 1));
-  EXPECT_TRUE(writeCanonical(mesh, count, ranked.id.data(), triples.data(), scratch, ticker));
+  EXPECT_TRUE(writeCanonical(mesh, ranked.id.data(), triples.data(), scratch, ticker));
   return triples;
 }
 

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extractor.h"
 
-#include "../Chunks.h"
+#include "../Tasks.h"
+#include "SortKeys.h"
+#include "TriangleKeys.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace ahd
 {
@@ -11,99 +14,213 @@ namespace ahd
 namespace
 {
 
-/// The corners of a triangle, from its lowest on, counterclockwise.
-struct FromLowest
+using Key = TriangleKeys::Key;
+
+/// Calls visit(corners) for every triangle of a share of the slots, ghosts included.
+template <typename Visit>
+bool forEachTriangle(const Mesh& mesh, const Share& slots, Ticker& ticker, Visit visit)
 {
-  std::uint32_t v0, v1, v2;
+  const std::uint32_t* const data = mesh.data();
+  return inChunks(slots.begin, slots.end, ticker,
+    [=](std::size_t a, std::size_t b)
+    {
+      for (std::size_t slot = a; slot != b; ++slot)
+      {
+        visit(data + slot * Mesh::kSlotSize);
+      }
+    });
+}
+
+std::size_t slotsOf(const Mesh& mesh)
+{
+  return mesh.end() / Mesh::kSlotSize;
+}
+
+/// As many tasks as threads, if each gets a chunk or more.
+std::size_t tasksFor(const Mesh& mesh, const Ticker& ticker)
+{
+  return std::min(threadsOf(ticker), 1 + slotsOf(mesh) / kChunk);
+}
+
+/// Scatters the keys of all triangles to the blocks of their lowest corners, in shares of the slots
+/// that run in parallel; then each block can be sorted by itself, in the cache.
+class BlocksOfKeys
+{
+public:
+  /// Throws std::bad_alloc. REQUIRES: room for a key per slot at `memory`.
+  BlocksOfKeys(const Mesh& mesh, std::size_t tasks, void* memory)
+    : mesh_(mesh)
+    , layout_(mesh)
+    , tasks_(tasks)
+    , keys_(static_cast<Key*>(memory))
+  {
+    begins_.allocate(layout_.blocks() + 1);
+    places_.allocate(tasks * layout_.blocks());
+  }
+
+  bool fill(Ticker& ticker) { return count(ticker) && sumUp(ticker) && scatter(ticker); }
+
+  const TriangleKeys& layout() const { return layout_; }
+  /// The blocks without that of the ghost: of these no triangle has the ghost as a corner.
+  std::size_t finiteBlocks() const { return layout_.blocks() - 1; }
+  /// Where the keys of a block begin: so many triangles come before it.
+  std::size_t begin(std::size_t block) const { return begins_[block]; }
+  Key* keys(std::size_t block) { return keys_ + begins_[block]; }
+
+private:
+  bool count(Ticker& ticker)
+  {
+    return eachShare(ticker,
+      [this](const Share& share, std::uint32_t* places, Ticker& own)
+      {
+        std::fill_n(places, layout_.blocks(), 0u);
+        return forEachTriangle(mesh_, share, own,
+          [layout = layout_, places](const std::uint32_t* corners)
+          { ++places[layout.blockOf(corners)]; });
+      });
+  }
+
+  /// Turns the counts into first places, block after block and in each task after task.
+  bool sumUp(Ticker& ticker)
+  {
+    const std::size_t blocks = layout_.blocks();
+    std::uint32_t sum = 0;
+    for (std::size_t block = 0; block < blocks; ++block)
+    {
+      begins_[block] = sum;
+      for (std::size_t task = 0; task < tasks_; ++task)
+      {
+        std::uint32_t& place = places_[task * blocks + block];
+        const std::uint32_t n = place;
+        place = sum;
+        sum += n;
+      }
+      if (!ticker.step(std::min(tasks_, kChunk)))
+      {
+        return false;
+      }
+    }
+    begins_[blocks] = sum;
+    return true;
+  }
+
+  bool scatter(Ticker& ticker)
+  {
+    return eachShare(ticker,
+      [this](const Share& share, std::uint32_t* places, Ticker& own)
+      {
+        return forEachTriangle(mesh_, share, own,
+          [layout = layout_, places, keys = keys_](const std::uint32_t* corners)
+          {
+            const auto blockAndKey = layout(corners);
+            keys[places[blockAndKey.first]++] = blockAndKey.second;
+          });
+      });
+  }
+
+  template <typename Work>
+  bool eachShare(Ticker& ticker, Work work)
+  {
+    return inParallel(ticker, tasks_,
+      [&](std::size_t task, Ticker& own)
+      {
+        return work(
+          Share(slotsOf(mesh_), task, tasks_), places_.data() + task * layout_.blocks(), own);
+      });
+  }
+
+  const Mesh& mesh_;
+  TriangleKeys layout_;
+  std::size_t tasks_;
+  Key* keys_;
+  Buffer<std::uint32_t> begins_; ///< of each block, and where the last one ends
+  Buffer<std::uint32_t> places_; ///< for each task, where its next key of each block is to be put
 };
 
-/// Without branches: which corner is the lowest is as good as random.
-FromLowest fromLowest(const std::uint32_t* corners)
+/// Writes the triangles of one block from its sorted keys.
+template <typename Id>
+class BlockWriter
 {
-  const unsigned secondOfTwo = corners[1] < corners[0];
-  const unsigned third = corners[2] < corners[secondOfTwo];
-  const unsigned lowest = secondOfTwo + third * (2 - secondOfTwo);
-  constexpr unsigned kNext[3] = { 1, 2, 0 };
-  constexpr unsigned kPrevious[3] = { 2, 0, 1 };
-  return { corners[lowest], corners[kNext[lowest]], corners[kPrevious[lowest]] };
-}
+public:
+  BlockWriter(const TriangleKeys& layout, const std::uint32_t* ids, Id* triples)
+    : layout_(layout)
+    , ids_(ids)
+    , triples_(triples)
+  {
+  }
+
+  bool write(BlocksOfKeys& blocks, std::size_t block, SmallBlockSorter& sorter, Ticker& ticker)
+  {
+    const std::size_t begin = blocks.begin(block);
+    const std::size_t count = blocks.begin(block + 1) - begin;
+    const Key* sorted = blocks.keys(block);
+    if (count <= SmallBlockSorter::kMostKeys)
+    {
+      sorted = sorter.sorted(sorted, count);
+    }
+    else if (!sortManyKeys(blocks.keys(block), count, layout_.bits(), ticker))
+    {
+      return false;
+    }
+    return inChunks(0, count, ticker,
+      [&](std::size_t a, std::size_t b)
+      {
+        writeTriples(sorted + a, b - a, block, triples_ + 3 * (begin + a));
+        ticker.finished(b - a);
+      });
+  }
+
+private:
+  void writeTriples(const Key* sorted, std::size_t count, std::size_t block, Id* out) const
+  {
+    const TriangleKeys layout = layout_;
+    const std::uint32_t* const ids = ids_;
+    const std::size_t offset = layout.offset();
+    const std::size_t first = block * layout.blockSize() - offset; // modulo 2^64
+    for (const Key* key = sorted; key != sorted + count; ++key, out += 3)
+    {
+      out[0] = Id(ids[first + layout.placeInBlock(*key)]);
+      out[1] = Id(ids[layout.second(*key) - offset]);
+      out[2] = Id(ids[layout.third(*key) - offset]);
+    }
+  }
+
+  TriangleKeys layout_;
+  const std::uint32_t* ids_;
+  Id* triples_;
+};
 
 bool hasCorner(const std::uint32_t* corners, std::uint32_t vertex)
 {
   return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
 }
 
-/// Calls visit(slot, corners from the lowest on) for every finite triangle.
-template <typename Visit>
-bool forEachFinite(const Mesh& mesh, Ticker& ticker, Visit visit)
+/// As many as there are ghost triangles.
+std::size_t countGhosts(const Mesh& mesh, Ticker& ticker)
 {
-  const std::uint32_t* const data = mesh.data();
-  const std::uint32_t ghost = mesh.ghost();
-  return inChunks(0, mesh.end() / Mesh::kSlotSize, ticker,
-    [=](std::size_t a, std::size_t b)
+  const std::size_t tasks = tasksFor(mesh, ticker);
+  std::atomic<std::size_t> count{ 0 };
+  const bool done = inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
     {
-      for (std::size_t slot = a * Mesh::kSlotSize; slot != b * Mesh::kSlotSize;
-           slot += Mesh::kSlotSize)
-      {
-        if (!hasCorner(data + slot, ghost))
-        {
-          visit(static_cast<Mesh::Slot>(slot), fromLowest(data + slot));
-        }
-      }
+      std::size_t ghosts = 0;
+      const auto look = [&](const std::uint32_t* corners)
+      { ghosts += hasCorner(corners, mesh.ghost()) ? 1 : 0; };
+      const bool all = forEachTriangle(mesh, Share(slotsOf(mesh), task, tasks), own, look);
+      count += ghosts;
+      return all;
     });
-}
-
-/// For each vertex, where the next triangle that has it at a certain corner is to be put.
-class Places
-{
-public:
-  Places(std::uint32_t vertices, void* memory)
-  {
-    next_.view(memory, vertices);
-    std::fill(next_.begin(), next_.end(), 0u);
-  }
-  void count(std::uint32_t vertex) { ++next_[vertex]; }
-  std::size_t take(std::uint32_t vertex) { return next_[vertex]++; }
-
-  /// Turns counts into first places.
-  bool sumUp(Ticker& ticker)
-  {
-    std::uint32_t sum = 0;
-    return inChunks(0, next_.size(), ticker,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t i = a; i != b; ++i)
-        {
-          const std::uint32_t n = next_[i];
-          next_[i] = sum;
-          sum += n;
-        }
-      });
-  }
-
-private:
-  Buffer<std::uint32_t> next_;
-};
-
-/// The slots of the finite triangles, sorted by second corner; counts their lowest corners.
-bool sortBySecond(
-  const Mesh& mesh, Buffer<Mesh::Slot>& sorted, Places& byLowest, Places& bySecond, Ticker& ticker)
-{
-  const auto count = [&](Mesh::Slot, const FromLowest& t)
-  {
-    byLowest.count(t.v0);
-    bySecond.count(t.v1);
-  };
-  const auto put = [&](Mesh::Slot slot, const FromLowest& t)
-  { sorted[bySecond.take(t.v1)] = slot; };
-  return forEachFinite(mesh, ticker, count) && bySecond.sumUp(ticker) &&
-    forEachFinite(mesh, ticker, put);
+  return done ? count.load() : 0;
 }
 
 } // namespace
 
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
 {
+  if (threadsOf(ticker) > 1)
+  {
+    return countGhosts(mesh, ticker);
+  }
   const std::uint32_t* data = mesh.data();
   Mesh::Halfedge start = 0;
   while (data[start] != mesh.ghost())
@@ -130,43 +247,38 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
   return count;
 }
 
-// Two stable counting sorts, by the second corner and then by the lowest; the third follows from
-// them. Nothing in it branches on the data, and no fan of triangles is too large.
 template <typename Id>
-bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
-  Id* triples, Scratch& scratch, Ticker& ticker)
+bool writeCanonical(
+  const Mesh& mesh, const std::uint32_t* ids, Id* triples, Scratch& scratch, Ticker& ticker)
 {
-  constexpr std::size_t kAhead = 16; // triangles; their slots lie anywhere in the cache's reach
-  const std::size_t n = mesh.ghost();
-  std::uint32_t* const memory = static_cast<std::uint32_t*>(static_cast<void*>(scratch.data()));
-  Places byLowest(mesh.ghost(), memory);
-  Places bySecond(mesh.ghost(), memory + n);
-  Buffer<Mesh::Slot> sorted;
-  sorted.view(memory + 2 * n, triangleCount);
-  if (!sortBySecond(mesh, sorted, byLowest, bySecond, ticker) || !byLowest.sumUp(ticker))
+  constexpr std::size_t kSharesPerThread = 8; // as blocks take unequal time
+  BlocksOfKeys blocks(mesh, tasksFor(mesh, ticker), scratch.data());
+  if (!blocks.fill(ticker))
   {
     return false;
   }
-  const std::uint32_t* const data = mesh.data();
-  return inChunks(0, triangleCount, ticker,
-    [&, ids, triples, data](std::size_t a, std::size_t b)
+  const std::size_t threads = threadsOf(ticker);
+  const std::size_t shares = threads == 1
+    ? 1
+    : std::min(kSharesPerThread * threads, blocks.finiteBlocks());
+  return inParallel(ticker, shares,
+    [&](std::size_t task, Ticker& own)
     {
-      for (std::size_t i = a; i != b; ++i)
+      SmallBlockSorter sorter(blocks.layout());
+      BlockWriter<Id> writer(blocks.layout(), ids, triples);
+      const Share share(blocks.finiteBlocks(), task, shares);
+      for (std::size_t block = share.begin; block != share.end; ++block)
       {
-        prefetchForRead(data + sorted[i + kAhead < triangleCount ? i + kAhead : i]);
-        const FromLowest t = fromLowest(data + sorted[i]);
-        Id* const out = triples + 3 * byLowest.take(t.v0);
-        out[0] = Id(ids[t.v0]);
-        out[1] = Id(ids[t.v1]);
-        out[2] = Id(ids[t.v2]);
+        if (!writer.write(blocks, block, sorter, own))
+        {
+          return false;
+        }
       }
-      ticker.finished(b - a);
+      return true;
     });
 }
 
-template bool writeCanonical(
-  const Mesh&, std::size_t, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
-template bool writeCanonical(
-  const Mesh&, std::size_t, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
+template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
+template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
 
 } // namespace ahd

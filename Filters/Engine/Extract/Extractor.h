@@ -16,18 +16,18 @@ namespace ahd
 /// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel.
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
-/// Bytes of scratch that writeCanonical needs per vertex: two counters, and two triangles' slots.
-constexpr std::size_t kExtractScratchPerPoint = 4 * sizeof(std::uint32_t);
+/// Bytes of scratch that writeCanonical needs per vertex: a key for each of two triangles.
+constexpr std::size_t kExtractScratchPerPoint = 2 * sizeof(std::uint64_t);
 
 /// Writes the finite triangles of a mesh in canonical order: each starts at its lowest vertex, and
 /// they are sorted by their three vertices. As vertices are numbered by canonical rank, the order
-/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for
-/// triangleCount triples, the number of finite triangles.
+/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for a triple
+/// for each finite triangle. On all threads lent; each allocates 70 KB, and 1 byte per 64 points.
 /// REQUIRES: kExtractScratchPerPoint bytes of scratch for each vertex.
-/// Returns false if the caller wants to cancel.
+/// Returns false if the caller wants to cancel. Throws std::bad_alloc.
 template <typename Id>
-bool writeCanonical(const Mesh& mesh, std::size_t triangleCount, const std::uint32_t* ids,
-  Id* triples, Scratch& scratch, Ticker& ticker);
+bool writeCanonical(
+  const Mesh& mesh, const std::uint32_t* ids, Id* triples, Scratch& scratch, Ticker& ticker);
 
 } // namespace ahd
 
