@@ -4,11 +4,13 @@
 // Hilbert curve at every depth.
 #include "Distributions.h"
 #include "Order/HilbertCurve.h"
+#include "Order/HilbertKeys.h"
 #include "PaperOrder.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <random>
 
 namespace ahd
 {
@@ -187,6 +189,54 @@ TEST(HilbertCurve, FinestGridHasNoJump)
     const std::int64_t dx = std::int64_t(a.column) - std::int64_t(b.column);
     const std::int64_t dy = std::int64_t(a.row) - std::int64_t(b.row);
     ASSERT_EQ(std::abs(dx) + std::abs(dy), 1) << std::hex << key;
+  }
+}
+
+/// The places of one block: corners and edges of the grid, then places of ever more bits.
+std::vector<GridPlace> placesToTry(std::size_t count, std::mt19937& random)
+{
+  static constexpr std::uint32_t kEdges[] = { 0, 1, 0x7FFFFFFF, 0x80000000, 0xFFFFFFFE, 0xFFFFFFFF,
+    0x55555555, 0xAAAAAAAA };
+  std::vector<GridPlace> places;
+  for (const std::uint32_t x : kEdges)
+  {
+    for (const std::uint32_t y : kEdges)
+    {
+      places.push_back({ x, y });
+    }
+  }
+  while (places.size() < count)
+  {
+    const unsigned shift = static_cast<unsigned>(places.size() % 32);
+    places.push_back({ std::uint32_t(random()) >> shift, std::uint32_t(random()) >> shift });
+  }
+  places.resize(count);
+  return places;
+}
+
+TEST(HilbertKeys, AllFlavoursAreTheStateMachine)
+{
+  std::mt19937 random(3);
+  for (const flavours::KeyFlavour& flavour : flavours::kKeyFlavours)
+  {
+    for (std::size_t round = 0; flavour.available && round < 4000; ++round)
+    {
+      const std::size_t count = round < 2 * kKeyBlock ? round / 2 : kKeyBlock;
+      std::uint32_t columns[kKeyBlock], rows[kKeyBlock];
+      std::uint64_t keys[kKeyBlock];
+      const std::vector<GridPlace> places = placesToTry(count, random);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        columns[i] = places[i].column;
+        rows[i] = places[i].row;
+      }
+      flavour.keys(columns, rows, keys, count);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        ASSERT_EQ(keys[i], hilbertKey(columns[i], rows[i]))
+          << flavour.name << ": column " << columns[i] << ", row " << rows[i];
+      }
+    }
   }
 }
 

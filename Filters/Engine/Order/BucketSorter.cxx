@@ -16,6 +16,61 @@ namespace
 
 constexpr unsigned kMostSplitBits = 11;
 
+/// About one bin per key, by the highest of the bits in which the keys may differ.
+struct Bins
+{
+  Bins(unsigned bits, std::size_t keys)
+    : shift(bits - std::min(bits, bitLength(keys)))
+    , count(std::size_t(1) << (bits - shift))
+  {
+  }
+  std::size_t of(std::uint64_t key) const { return key >> shift & (count - 1); }
+
+  unsigned shift;
+  std::size_t count;
+};
+
+std::uint64_t keyOf(const Record& record)
+{
+  return record.key;
+}
+std::uint64_t keyOf(std::uint64_t key)
+{
+  return key;
+}
+
+template <typename Item>
+unsigned bitsThatDiffer(const Item* items, std::size_t n)
+{
+  std::uint64_t differing = 0;
+  for (std::size_t i = 1; i < n; ++i)
+  {
+    differing |= keyOf(items[i]) ^ keyOf(items[0]);
+  }
+  return bitLength(differing);
+}
+
+/// Where the first key of each bin goes, if that of the first bin goes to `next`. Returns the
+/// largest number of keys in a bin.
+template <typename Item, typename Places>
+Index findPlaces(const Item* items, std::size_t n, const Bins& bins, Index next, Places& places)
+{
+  std::fill_n(places.begin(), bins.count, 0u);
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    ++places[bins.of(keyOf(items[i]))];
+  }
+  Index most = 0;
+  for (std::size_t b = 0; b < bins.count; ++b)
+  {
+    const Index count = places[b];
+    most = std::max(most, count);
+    places[b] = next;
+    next += count;
+  }
+  return most;
+}
+
 /// Up to kTiedByCoordinates distinct points, each with the smallest id seen at its place.
 struct DistinctPoints
 {
@@ -98,32 +153,22 @@ bool BucketSorter::sortSmall(const Range& range)
 {
   const std::size_t n = range.end - range.begin;
   const Record* const from = records_ + range.begin;
-  const unsigned binBits = std::min(range.bits, bitLength(n));
-  const unsigned shift = range.bits - binBits;
-  const std::size_t bins = std::size_t(1) << binBits;
-  const std::uint64_t mask = bins - 1;
-  std::fill(place_.begin(), place_.begin() + bins, 0u);
-  for (std::size_t i = 0; i < n; ++i)
+  Bins bins(range.bits, n);
+  const Index first = static_cast<Index>(end_);
+  Index most = findPlaces(from, n, bins, first, place_);
+  if (most > kCrowdedBin)
   {
-    ++place_[from[i].key >> shift & mask];
-  }
-  Index next = static_cast<Index>(end_);
-  Index most = 0;
-  for (std::size_t b = 0; b < bins; ++b)
-  {
-    const Index count = place_[b];
-    most = std::max(most, count);
-    place_[b] = next;
-    next += count;
+    // The keys may begin alike: then further bits tell more.
+    bins = Bins(bitsThatDiffer(from, n), n);
+    most = findPlaces(from, n, bins, first, place_);
   }
   for (std::size_t i = 0; i < n; ++i)
   {
-    const Record& r = from[i];
-    put(r, place_[r.key >> shift & mask]++);
+    put(from[i], place_[bins.of(from[i].key)]++);
   }
   if (most > kCrowdedBin)
   {
-    sortCrowdedBins(bins);
+    sortCrowdedBins(bins.count);
   }
   const bool distinct = insertionSort(end_, end_ + n);
   const Range sorted{ end_, end_ + n, range.bits, true, range.crowd, range.key };
@@ -150,23 +195,32 @@ void BucketSorter::sortCrowdedBins(std::size_t bins)
   }
 }
 
+/// Sorts a crowded bin by the bits in which its keys differ, as sortSmall does the range.
 void BucketSorter::sortBin(std::size_t begin, std::size_t end)
 {
   const std::size_t n = end - begin;
+  const std::uint64_t* const keys = out_.key.data() + begin;
+  const Bins bins(bitsThatDiffer(keys, n), n);
+  findPlaces(keys, n, bins, 0, inBin_);
   for (std::size_t i = 0; i < n; ++i)
   {
-    sorting_[i] = { out_.key[begin + i], static_cast<Index>(begin + i) };
+    sorting_[inBin_[bins.of(keys[i])]++] = { keys[i], static_cast<Index>(i) };
     points_[i] = out_.xy[begin + i];
     ids_[i] = out_.id[begin + i];
   }
-  std::sort(sorting_.begin(), sorting_.begin() + n,
-    [](const KeyAndPlace& a, const KeyAndPlace& b) { return a.key < b.key; });
+  for (std::size_t b = 0, from = 0; b < bins.count; from = inBin_[b++])
+  {
+    if (inBin_[b] - from > kCrowdedBin)
+    {
+      std::sort(sorting_.begin() + from, sorting_.begin() + inBin_[b],
+        [](const KeyAndPlace& x, const KeyAndPlace& y) { return x.key < y.key; });
+    }
+  }
   for (std::size_t i = 0; i < n; ++i)
   {
-    const std::size_t from = sorting_[i].place - begin;
     out_.key[begin + i] = sorting_[i].key;
-    out_.xy[begin + i] = points_[from];
-    out_.id[begin + i] = ids_[from];
+    out_.xy[begin + i] = points_[sorting_[i].place];
+    out_.id[begin + i] = ids_[sorting_[i].place];
   }
 }
 

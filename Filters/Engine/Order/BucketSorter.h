@@ -101,6 +101,7 @@ private:
 
   // Scratch of the ranges in work.
   std::array<Index, 2 * kSmall> place_;
+  std::array<Index, 2 * kSmall> inBin_;
   std::array<KeyAndPlace, kSmall> sorting_;
   std::array<Point, kSmall> points_;
   std::array<Index, kSmall> ids_;

@@ -3,7 +3,7 @@
 
 #include "../Chunks.h"
 #include "../Tasks.h"
-#include "HilbertCurve.h"
+#include "HilbertKeys.h"
 
 #include <algorithm>
 
@@ -112,6 +112,28 @@ bool Scatter::countFinite(const From& from, Ticker& ticker)
   return counted;
 }
 
+/// Keys of the finite points among [begin, end), at most kKeyBlock points; returns how many.
+template <bool kPlain, typename From>
+std::size_t Scatter::makeKeyBlock(
+  const From& from, std::size_t begin, std::size_t end, std::uint64_t* keys) const
+{
+  std::uint32_t columns[kKeyBlock];
+  std::uint32_t rows[kKeyBlock];
+  std::size_t count = 0;
+  const Grid grid = grid_;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    if (wanted<kPlain>(from, i))
+    {
+      const Point p = from[i];
+      columns[count] = grid.column(p.x);
+      rows[count++] = grid.row(p.y);
+    }
+  }
+  hilbertKeys(columns, rows, keys, count);
+  return count;
+}
+
 /// Keys of all finite points in the caller's order, and how many of each task fall into each
 /// bucket.
 template <bool kPlain, typename From>
@@ -127,15 +149,12 @@ bool Scatter::makeKeys(const From& from, Ticker& ticker)
       return inChunks(share.begin, share.end, own,
         [&](std::size_t a, std::size_t b)
         {
-          for (std::size_t i = a; i < b; ++i)
+          for (std::size_t i = a; i < b; i += kKeyBlock)
           {
-            if (wanted<kPlain>(from, i))
-            {
-              const Point p = from[i];
-              const std::uint64_t key = hilbertKey(grid_.column(p.x), grid_.row(p.y));
-              *next++ = key;
-              ++count[bucketOf(key)];
-            }
+            const std::size_t made = makeKeyBlock<kPlain>(
+              from, i, std::min(b, i + kKeyBlock), next);
+            std::for_each(next, next + made, [&](std::uint64_t key) { ++count[bucketOf(key)]; });
+            next += made;
           }
           own.finished((b - a) / 4);
         });

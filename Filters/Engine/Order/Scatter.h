@@ -46,6 +46,9 @@ private:
   template <bool kPlain, typename From>
   bool countFinite(const From& from, Ticker& ticker);
   template <bool kPlain, typename From>
+  std::size_t makeKeyBlock(
+    const From& from, std::size_t begin, std::size_t end, std::uint64_t* keys) const;
+  template <bool kPlain, typename From>
   bool makeKeys(const From& from, Ticker& ticker);
   template <bool kPlain, typename From>
   bool makeRecords(const From& from, Ticker& ticker);
