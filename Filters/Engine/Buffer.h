@@ -39,12 +39,16 @@ public:
   /// border and reports Status::OutOfMemory.
   void allocate(std::size_t size)
   {
-    if (size <= capacity_ && capacity_ / kMostWaste <= size)
+    if (capacity_ != 0 && size <= capacity_ && capacity_ / kMostWaste <= size)
     {
       size_ = size;
       return;
     }
     reset();
+    if (size == 0)
+    {
+      return;
+    }
     if (size > std::size_t(-1) / sizeof(T))
     {
       throw std::bad_alloc();
