@@ -34,7 +34,7 @@ bool vtkAHDProgress::advance(ahd::Phase phase, double fraction)
 {
   const double* begin = kBegin + std::size_t(phase);
   const double whole = begin[0] + fraction * (begin[1] - begin[0]);
-  if (whole >= this->Shown + kStep)
+  if (whole >= this->Shown + kStep && !this->MustAbort())
   {
     this->Shown = whole;
     this->Filter->UpdateProgress(whole);

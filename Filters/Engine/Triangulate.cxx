@@ -133,8 +133,10 @@ Status Triangulator::State::write(Id* triples, Progress* progress, Executor* exe
   Ticker ticker(progress, Phase::Extract, report.triangles, executor);
   Scratch scratch; // where the locations were
   scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
-  return writeCanonical(mesh, ranked.id.data(), triples, scratch, ticker) ? Status::Ok
-                                                                          : Status::Cancelled;
+  // Asked at the end as well: the last part of the work may have been another thread's.
+  return writeCanonical(mesh, ranked.id.data(), triples, scratch, ticker) && ticker.ask()
+    ? Status::Ok
+    : Status::Cancelled;
 }
 
 bool Triangulator::State::writeFates(
