@@ -20,6 +20,14 @@ inline std::size_t threadsOf(const Ticker& ticker)
   return ticker.executor() ? std::max(1u, ticker.executor()->threads()) : 1;
 }
 
+/// Into how many tasks to cut the work on so many items: several per thread where they may take
+/// unequal time, but none for less than `least` items; one if there is one thread.
+inline std::size_t tasksFor(
+  std::size_t threads, std::size_t items, std::size_t perThread, std::size_t least)
+{
+  return threads == 1 ? 1 : std::min(threads * perThread, items / least + 1);
+}
+
 /// Calls work(task, ticker of the task) for each task in [0, count) on the threads lent to the
 /// phase; in ascending order on this thread if none are. The tasks must be independent, and what
 /// they write must not depend on which runs first. `work` returns false if it was told to cancel;

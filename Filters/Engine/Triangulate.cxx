@@ -169,7 +169,7 @@ bool Triangulator::State::writeFates(
     }
   };
   // What the duplicates overwrite has to be written before.
-  const std::size_t tasks = std::min(threadsOf(ticker), 1 + points.count / kChunk);
+  const std::size_t tasks = tasksFor(threadsOf(ticker), points.count, 1, kChunk);
   const auto inShares = [&](std::size_t items, auto write)
   {
     return inParallel(ticker, tasks,

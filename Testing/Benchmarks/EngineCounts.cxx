@@ -6,6 +6,7 @@
 // Numbers of threads beyond those of the machine are said, not had: what is counted is the same.
 #include "BenchmarkFlags.h"
 #include "Executors.h"
+#include "OwnNew.h"
 #include "Triangulate.h"
 
 #include <malloc.h>
@@ -14,7 +15,6 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
-#include <new>
 #include <sstream>
 #include <thread>
 
@@ -24,8 +24,13 @@ namespace
 std::atomic<std::size_t> held{ 0 };
 std::atomic<std::size_t> peak{ 0 };
 
-void* counted(void* block)
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
 {
+  void* const block = alignment == alignof(std::max_align_t)
+    ? std::malloc(size)
+    : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (!block)
   {
     throw std::bad_alloc();
@@ -38,43 +43,10 @@ void* counted(void* block)
   return block;
 }
 
-void release(void* block)
+void ahd::test::ownRelease(void* block)
 {
   held -= block ? malloc_usable_size(block) : 0;
   std::free(block);
-}
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-  return counted(std::malloc(size));
-}
-
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-  const std::size_t a = std::size_t(alignment);
-  return counted(std::aligned_alloc(a, (size + a - 1) / a * a));
-}
-
-void operator delete(void* p) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::size_t) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::align_val_t) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
-{
-  release(p);
 }
 
 namespace

@@ -9,24 +9,12 @@
 #include "Instructions.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
-#include "Parallel/ByRounds.h"
+#include "Parallel/Flavours.h"
 
 #include <gtest/gtest.h>
 
 namespace ahd
 {
-
-#define AHD_DECLARE_FLAVOUR(name)                                                                  \
-  namespace name                                                                                   \
-  {                                                                                                \
-  InsertionEnd insertByRoundsHere(                                                                 \
-    const RankedPoints&, Mesh&, Ticker&, InsertionWork*, SharedWork&);                             \
-  InsertionEnd insertSequenceHere(                                                                 \
-    const RankedPoints&, const Buffer<Index>&, Mesh&, Ticker&, InsertionWork*);                    \
-  }
-
-AHD_DECLARE_FLAVOUR(baseline)
-AHD_DECLARE_FLAVOUR(fma)
 
 namespace test
 {

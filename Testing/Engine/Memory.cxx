@@ -4,13 +4,13 @@
 // so and lives on. This program's operator new counts, and fails when told to.
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "OwnNew.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <new>
 
 namespace
 {
@@ -32,7 +32,9 @@ struct Header
   void* block;
 };
 
-void* allocate(std::size_t size, std::size_t alignment)
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
 {
   const std::size_t number = ++account.allocations;
   const std::size_t failAt = account.failAt;
@@ -50,7 +52,7 @@ void* allocate(std::size_t size, std::size_t alignment)
   return header + 1;
 }
 
-void release(void* p)
+void ahd::test::ownRelease(void* p)
 {
   if (p)
   {
@@ -58,38 +60,6 @@ void release(void* p)
     account.held -= header->size;
     std::free(header->block);
   }
-}
-
-} // namespace
-
-void* operator new(std::size_t size)
-{
-  return allocate(size, alignof(std::max_align_t));
-}
-
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-  return allocate(size, std::max(std::size_t(alignment), alignof(std::max_align_t)));
-}
-
-void operator delete(void* p) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::size_t) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::align_val_t) noexcept
-{
-  release(p);
-}
-
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
-{
-  release(p);
 }
 
 namespace ahd

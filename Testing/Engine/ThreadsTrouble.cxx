@@ -4,13 +4,13 @@
 // program's operator new fails when told to.
 #include "EngineRun.h"
 #include "Executors.h"
+#include "OwnNew.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cstdlib>
-#include <new>
 #include <string>
 #include <thread>
 
@@ -23,7 +23,9 @@ std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fa
 /// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
 void (*volatile freeBlock)(void*) = std::free;
 
-void* allocate(std::size_t size, std::size_t alignment)
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
 {
   const std::size_t number = ++allocations;
   const std::size_t last = failAt;
@@ -37,34 +39,7 @@ void* allocate(std::size_t size, std::size_t alignment)
   return block;
 }
 
-} // namespace
-
-void* operator new(std::size_t size)
-{
-  return allocate(size, alignof(std::max_align_t));
-}
-
-void* operator new(std::size_t size, std::align_val_t alignment)
-{
-  return allocate(size, std::size_t(alignment));
-}
-
-void operator delete(void* p) noexcept
-{
-  freeBlock(p);
-}
-
-void operator delete(void* p, std::size_t) noexcept
-{
-  freeBlock(p);
-}
-
-void operator delete(void* p, std::align_val_t) noexcept
-{
-  freeBlock(p);
-}
-
-void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+void ahd::test::ownRelease(void* p)
 {
   freeBlock(p);
 }

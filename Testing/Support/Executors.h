@@ -62,37 +62,37 @@ protected:
   void beforeTasks(unsigned thread) override;
 };
 
-/// Says it has so many threads and runs all tasks on the calling one, the last first: what comes
-/// out wrong then depends on the order of the tasks.
-class BackwardExecutor : public Executor
+/// Says it has so many threads, whatever runs the tasks.
+class NominalExecutor : public Executor
 {
 public:
-  explicit BackwardExecutor(unsigned threads)
+  explicit NominalExecutor(unsigned threads)
     : threads_(threads)
   {
   }
   unsigned threads() const override { return threads_; }
-  void run(std::size_t count, const std::function<void(std::size_t)>& task,
-    const std::function<void()>& idle) override;
 
 private:
   unsigned threads_;
 };
 
-/// Runs all tasks on one thread that is not the caller's, who only waits and asks.
-class ElsewhereExecutor : public Executor
+/// Runs all tasks on the calling thread, the last first: what comes out wrong then depends on the
+/// order of the tasks.
+class BackwardExecutor : public NominalExecutor
 {
 public:
-  explicit ElsewhereExecutor(unsigned threads)
-    : threads_(threads)
-  {
-  }
-  unsigned threads() const override { return threads_; }
+  using NominalExecutor::NominalExecutor;
   void run(std::size_t count, const std::function<void(std::size_t)>& task,
     const std::function<void()>& idle) override;
+};
 
-private:
-  unsigned threads_;
+/// Runs all tasks on one thread that is not the caller's, who only waits and asks.
+class ElsewhereExecutor : public NominalExecutor
+{
+public:
+  using NominalExecutor::NominalExecutor;
+  void run(std::size_t count, const std::function<void(std::size_t)>& task,
+    const std::function<void()>& idle) override;
 };
 
 } // namespace test

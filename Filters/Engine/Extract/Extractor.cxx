@@ -6,7 +6,6 @@
 #include "TriangleKeys.h"
 
 #include <algorithm>
-#include <atomic>
 
 namespace ahd
 {
@@ -34,12 +33,6 @@ bool forEachTriangle(const Mesh& mesh, const Share& slots, Ticker& ticker, Visit
 std::size_t slotsOf(const Mesh& mesh)
 {
   return mesh.end() / Mesh::kSlotSize;
-}
-
-/// As many tasks as threads, if each gets a chunk or more.
-std::size_t tasksFor(const Mesh& mesh, const Ticker& ticker)
-{
-  return std::min(threadsOf(ticker), 1 + slotsOf(mesh) / kChunk);
 }
 
 /// Scatters the keys of all triangles to the blocks of their lowest corners, in shares of the slots
@@ -190,37 +183,10 @@ private:
   Id* triples_;
 };
 
-bool hasCorner(const std::uint32_t* corners, std::uint32_t vertex)
-{
-  return corners[0] == vertex || corners[1] == vertex || corners[2] == vertex;
-}
-
-/// As many as there are ghost triangles.
-std::size_t countGhosts(const Mesh& mesh, Ticker& ticker)
-{
-  const std::size_t tasks = tasksFor(mesh, ticker);
-  std::atomic<std::size_t> count{ 0 };
-  const bool done = inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      std::size_t ghosts = 0;
-      const auto look = [&](const std::uint32_t* corners)
-      { ghosts += hasCorner(corners, mesh.ghost()) ? 1 : 0; };
-      const bool all = forEachTriangle(mesh, Share(slotsOf(mesh), task, tasks), own, look);
-      count += ghosts;
-      return all;
-    });
-  return done ? count.load() : 0;
-}
-
 } // namespace
 
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
 {
-  if (threadsOf(ticker) > 1)
-  {
-    return countGhosts(mesh, ticker);
-  }
   const std::uint32_t* data = mesh.data();
   Mesh::Halfedge start = 0;
   while (data[start] != mesh.ghost())
@@ -252,12 +218,12 @@ bool writeCanonical(
   const Mesh& mesh, const std::uint32_t* ids, Id* triples, Scratch& scratch, Ticker& ticker)
 {
   constexpr std::size_t kSharesPerThread = 8; // as blocks take unequal time
-  BlocksOfKeys blocks(mesh, tasksFor(mesh, ticker), scratch.data());
+  const std::size_t threads = threadsOf(ticker);
+  BlocksOfKeys blocks(mesh, tasksFor(threads, slotsOf(mesh), 1, kChunk), scratch.data());
   if (!blocks.fill(ticker))
   {
     return false;
   }
-  const std::size_t threads = threadsOf(ticker);
   const std::size_t shares = threads == 1
     ? 1
     : std::min(kSharesPerThread * threads, blocks.finiteBlocks());

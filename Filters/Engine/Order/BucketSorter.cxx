@@ -39,19 +39,35 @@ std::uint64_t keyOf(std::uint64_t key)
   return key;
 }
 
+/// The bits in which one of the keys differs from `key`.
 template <typename Item>
-unsigned bitsThatDiffer(const Item* items, std::size_t n)
+std::uint64_t differing(const Item* items, std::size_t n, std::uint64_t key)
 {
-  std::uint64_t differing = 0;
-  for (std::size_t i = 1; i < n; ++i)
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < n; ++i)
   {
-    differing |= keyOf(items[i]) ^ keyOf(items[0]);
+    bits |= keyOf(items[i]) ^ key;
   }
-  return bitLength(differing);
+  return bits;
 }
 
-/// Where the first key of each bin goes, if that of the first bin goes to `next`. Returns the
-/// largest number of keys in a bin.
+/// Turns the numbers of keys in the bins into places: where the first key of each bin goes, if that
+/// of the first bin goes to `next`. Returns the largest of the numbers.
+template <typename Places>
+Index toPlaces(Places& places, std::size_t bins, Index next)
+{
+  Index most = 0;
+  for (std::size_t b = 0; b < bins; ++b)
+  {
+    const Index count = places[b];
+    most = std::max(most, count);
+    places[b] = next;
+    next += count;
+  }
+  return most;
+}
+
+/// The same from the keys themselves.
 template <typename Item, typename Places>
 Index findPlaces(const Item* items, std::size_t n, const Bins& bins, Index next, Places& places)
 {
@@ -60,15 +76,7 @@ Index findPlaces(const Item* items, std::size_t n, const Bins& bins, Index next,
   {
     ++places[bins.of(keyOf(items[i]))];
   }
-  Index most = 0;
-  for (std::size_t b = 0; b < bins.count; ++b)
-  {
-    const Index count = places[b];
-    most = std::max(most, count);
-    places[b] = next;
-    next += count;
-  }
-  return most;
+  return toPlaces(places, bins.count, next);
 }
 
 /// Up to kTiedByCoordinates distinct points, each with the smallest id seen at its place.
@@ -159,7 +167,7 @@ bool BucketSorter::sortSmall(const Range& range)
   if (most > kCrowdedBin)
   {
     // The keys may begin alike: then further bits tell more.
-    bins = Bins(bitsThatDiffer(from, n), n);
+    bins = Bins(bitLength(differing(from, n, from->key)), n);
     most = findPlaces(from, n, bins, first, place_);
   }
   for (std::size_t i = 0; i < n; ++i)
@@ -200,7 +208,7 @@ void BucketSorter::sortBin(std::size_t begin, std::size_t end)
 {
   const std::size_t n = end - begin;
   const std::uint64_t* const keys = out_.key.data() + begin;
-  const Bins bins(bitsThatDiffer(keys, n), n);
+  const Bins bins(bitLength(differing(keys, n, keys[0])), n);
   findPlaces(keys, n, bins, 0, inBin_);
   for (std::size_t i = 0; i < n; ++i)
   {
@@ -256,28 +264,21 @@ bool BucketSorter::insertionSort(std::size_t begin, std::size_t end)
 /// Scatters a large range by the first bits in which its keys differ.
 bool BucketSorter::split(const Range& range)
 {
-  const Record* const records = records_;
-  const std::uint64_t first = records[range.begin].key;
-  std::uint64_t differing = 0;
+  const std::uint64_t first = records_[range.begin].key;
+  std::uint64_t unlike = 0;
   const bool looked = inChunks(range.begin, range.end, ticker_,
-    [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t i = a; i < b; ++i)
-      {
-        differing |= records[i].key ^ first;
-      }
-    });
+    [&](std::size_t a, std::size_t b) { unlike |= differing(records_ + a, b - a, first); });
   if (!looked)
   {
     return false;
   }
-  if (differing == 0)
+  if (unlike == 0)
   {
     const std::size_t to = end_;
     return copyToArrays(range.begin, range.end, to) &&
       emit({ to, to + (range.end - range.begin), 0, true, range.crowd, range.key });
   }
-  const unsigned bits = bitLength(differing);
+  const unsigned bits = bitLength(unlike);
   const std::size_t wanted = (range.end - range.begin) / kSmall + 1;
   const unsigned binBits = std::min({ bits, kMostSplitBits, bitLength(wanted) + 1 });
   return scatter(range, bits - binBits, std::size_t(1) << binBits);
@@ -297,13 +298,7 @@ bool BucketSorter::scatter(const Range& range, unsigned shift, std::size_t bins)
         ++place_[records[i].key >> shift & mask];
       }
     });
-  Index next = static_cast<Index>(range.begin);
-  for (std::size_t b = 0; b < bins; ++b)
-  {
-    const Index count = place_[b];
-    place_[b] = next;
-    next += count;
-  }
+  toPlaces(place_, bins, static_cast<Index>(range.begin));
   const bool scattered = counted &&
     inChunks(range.begin, range.end, ticker_,
       [&](std::size_t a, std::size_t b)

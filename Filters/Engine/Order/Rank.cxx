@@ -47,9 +47,7 @@ struct Group
 
 std::vector<Group> makeGroups(const Scatter& scatter, std::size_t n, std::size_t threads)
 {
-  const std::size_t wanted = threads == 1
-    ? 1
-    : std::min(threads * kGroupsPerThread, n / kFewPoints + 1);
+  const std::size_t wanted = tasksFor(threads, n, kGroupsPerThread, kFewPoints);
   std::vector<Group> groups;
   std::size_t first = 0;
   for (std::size_t g = 0; g < wanted; ++g)

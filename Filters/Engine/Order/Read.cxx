@@ -124,10 +124,7 @@ bool readShare(const PointView& points, const Share& share, Ticker& ticker, Seen
 
 Status readPoints(const PointView& points, Ticker& ticker, RankedPoints& out)
 {
-  const std::size_t threads = threadsOf(ticker);
-  const std::size_t tasks = threads == 1
-    ? 1
-    : std::min(threads * kTasksPerThread, points.count / kFewPoints + 1);
+  const std::size_t tasks = tasksFor(threadsOf(ticker), points.count, kTasksPerThread, kFewPoints);
   std::vector<Seen> seen(tasks);
   const bool done = inParallel(ticker, tasks,
     [&](std::size_t task, Ticker& own) {

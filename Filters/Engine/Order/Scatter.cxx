@@ -43,9 +43,7 @@ Scatter::Scatter(const PointView& points, const RankedPoints& ranked, std::size_
   , grid_(ranked.bounds)
   , plain_(ranked.count == points.count)
   , bits_(bucketBits(ranked.count))
-  , tasks_(threads == 1
-        ? 1
-        : std::min({ threads * kTasksPerThread, kMostTasks, ranked.count / kFewPoints + 1 }))
+  , tasks_(std::min(kMostTasks, tasksFor(threads, ranked.count, kTasksPerThread, kFewPoints)))
   , row_((buckets() + kLine - 1) / kLine * kLine)
   , begin_(buckets() + 1)
   , firstKey_(tasks_ + 1)

@@ -1,21 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Flavours.h"
+
 #include "../Instructions.h"
-#include "ByRounds.h"
 
 namespace ahd
 {
-
-#define AHD_DECLARE_FLAVOUR(name)                                                                  \
-  namespace name                                                                                   \
-  {                                                                                                \
-  InsertionEnd insertByRoundsHere(                                                                 \
-    const RankedPoints&, Mesh&, Ticker&, InsertionWork*, SharedWork&);                             \
-  InsertionEnd insertSequenceHere(                                                                 \
-    const RankedPoints&, const Buffer<Index>&, Mesh&, Ticker&, InsertionWork*);                    \
-  }
-
-AHD_DECLARE_FLAVOUR(baseline)
-AHD_DECLARE_FLAVOUR(fma)
 
 InsertionEnd insertByRounds(
   const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_OwnNew_h
+#define ahd_OwnNew_h
+
+// Gives a program operator new and delete of its own, in the forms the engine and the standard
+// library use, over two functions that the program defines. To be included by one of its sources.
+#include <algorithm>
+#include <cstddef>
+#include <new>
+
+namespace ahd
+{
+namespace test
+{
+
+/// A block of `size` bytes; `alignment` is at least that of std::max_align_t. Throws
+/// std::bad_alloc.
+void* ownAllocate(std::size_t size, std::size_t alignment);
+/// Takes it back; null is legal.
+void ownRelease(void* block);
+
+} // namespace test
+} // namespace ahd
+
+void* operator new(std::size_t size)
+{
+  return ahd::test::ownAllocate(size, alignof(std::max_align_t));
+}
+
+void* operator new(std::size_t size, std::align_val_t alignment)
+{
+  return ahd::test::ownAllocate(size, std::max(std::size_t(alignment), alignof(std::max_align_t)));
+}
+
+void operator delete(void* p) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete(void* p, std::size_t) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete(void* p, std::align_val_t) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete(void* p, std::size_t, std::align_val_t) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+#endif
