@@ -2,6 +2,8 @@
 #ifndef ahd_Options_h
 #define ahd_Options_h
 
+#include <cstddef>
+
 namespace ahd
 {
 
@@ -24,7 +26,8 @@ enum class ControlPoints
   EveryLevel = 2   ///< a sparse subset of the order, of that subset another, and so on
 };
 
-/// Settings of a triangulation. Every combination is legal and gives the same triangles.
+/// Settings of a triangulation. Every combination is legal and, without insertionLimit, gives the
+/// same triangles.
 struct Options
 {
   InsertionOrder order = InsertionOrder::AdaptiveHilbert;
@@ -39,6 +42,17 @@ struct Options
 
   /// Count NP and NR (see Report). Costs a few percent.
   bool countWork = false;
+
+  /// Stop after so many points of the insertion order: the triangles are then the Delaunay
+  /// triangulation of these. 0 stands for all. With a limit one thread inserts.
+  std::size_t insertionLimit = 0;
+
+  /// Keep the insertion order, for Triangulator::writeOrder and writeInsertionRanks. 4 bytes per
+  /// point, kept until the next run.
+  bool keepOrder = false;
+
+  /// Keep the boxes of the grid, for Triangulator::boxes. AsGiven has none.
+  bool keepBoxes = false;
 };
 
 } // namespace ahd

@@ -22,17 +22,34 @@ enum class Status
 enum : std::int64_t
 {
   kFateNotFinite = -1,  ///< x or y is NaN or infinite
-  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip)
+  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip) or beyond the limit
 };
 
-/// Counts of one run. inserted + duplicates + notFinite + skipped = number of points given.
+/// What Triangulator::writeInsertionRanks writes for a point that is in no order.
+enum : std::int64_t
+{
+  kRankNone = -1
+};
+
+/// A box of the grid that was not divided, as the insertion order visits it. A point on the border
+/// of two boxes belongs to the one of larger x (or y).
+struct GridBox
+{
+  double xmin, xmax, ymin, ymax;
+  int level;         ///< divisions that made it: 0 for the box of all points, if it is not divided
+  std::size_t count; ///< distinct points in it, control points and those beyond the limit included
+};
+
+/// Counts of one run. inserted + beyondLimit + duplicates + notFinite + skipped = number of points
+/// given.
 struct Report
 {
-  std::size_t inserted = 0;   ///< points that are vertices
-  std::size_t duplicates = 0; ///< points with the same x, y as a vertex of smaller id
-  std::size_t notFinite = 0;  ///< points with a NaN or infinite x or y
-  std::size_t skipped = 0;    ///< points left out on the caller's wish
-  std::size_t triangles = 0;  ///< triangles of the result
+  std::size_t inserted = 0;    ///< points that are vertices
+  std::size_t beyondLimit = 0; ///< distinct points that Options::insertionLimit left out
+  std::size_t duplicates = 0;  ///< points with the same x, y as another of smaller id, not left out
+  std::size_t notFinite = 0;   ///< points with a NaN or infinite x or y
+  std::size_t skipped = 0;     ///< points left out on the caller's wish
+  std::size_t triangles = 0;   ///< triangles of the result
 
   // Work, counted if Options::countWork is set, else 0.
   std::uint64_t trianglesWalked = 0;  ///< triangles tested while locating, the start included
@@ -40,12 +57,13 @@ struct Report
   std::uint64_t exactInCircle = 0;    ///< in-circle tests the floating-point filter left open
   std::uint64_t exactOrient = 0;      ///< orientation tests the floating-point filter left open
 
-  // How the insertion was shared by threads; always counted. Insertions tried: a point that one part
-  // defers, because its cavity reaches into others, is tried again by a larger part.
+  // How the insertion was shared by threads; always counted. Insertions tried: a point that one
+  // part defers, because its cavity reaches into others, is tried again by a larger part.
   std::uint64_t insertionAttempts = 0; ///< of all threads; `inserted` if there was one thread
   std::uint64_t deferredPoints = 0;    ///< attempts that ended in deferring the point
-  std::uint64_t criticalPath = 0; ///< attempts one after the other: in each pass of each round, those
-                                  ///< of the busiest thread, tasks going to the first free thread
+  std::uint64_t criticalPath =
+    0; ///< attempts one after the other: in each pass of each round, those
+       ///< of the busiest thread, tasks going to the first free thread
 
   /// The paper's NP: triangles tested to locate a point, per inserted point.
   double np() const { return perPoint(trianglesWalked); }

@@ -6,6 +6,7 @@
 #include "FloatingPoint.h"
 #include "Insert/Inserter.h"
 #include "Mesh/Mesh.h"
+#include "Order/GridBoxes.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
 #include "Parallel/ByRounds.h"
@@ -45,6 +46,19 @@ Status withoutThrowing(Work work)
   }
 }
 
+/// The same for work that returns false where it was cancelled.
+template <typename Work>
+Status unlessCancelled(Work work)
+{
+  return withoutThrowing([&] { return work() ? Status::Ok : Status::Cancelled; });
+}
+
+/// Is the order made point by point, rather than followed by its formula?
+bool needsSequence(const Options& options)
+{
+  return !isRankByRounds(options) || options.insertionLimit > 0;
+}
+
 } // namespace
 
 struct Triangulator::State
@@ -52,6 +66,8 @@ struct Triangulator::State
   PointView points;
   RankedPoints ranked;
   Mesh mesh;
+  Buffer<Index> sequence; ///< of ranks; empty if nobody needs it
+  std::vector<GridBox> boxes;
   Report report;
 
   Executor* worthItsWhile(Executor* lent) const
@@ -59,11 +75,16 @@ struct Triangulator::State
     return points.count < kLeastForThreads ? nullptr : lent;
   }
   Status sortAndInsert(const Options& options, Progress* progress, Executor* executor);
-  Status insert(
-    const Buffer<Index>& sequence, const Options& options, Progress* progress, Executor* executor);
+  Status order(const Options& options, Ticker& sorting);
+  void count(const Options& options);
+  Status insert(const Options& options, Progress* progress, Executor* executor);
+  InsertionEnd insertInOrder(
+    const Options& options, Ticker& ticker, InsertionWork* work, SharedWork& shared);
   template <typename Id>
   Status write(Id* triples, Progress* progress, Executor* executor);
   bool writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const;
+  bool writeOrder(std::int64_t* ids, Progress* progress, Executor* executor) const;
+  bool writeInsertionRanks(std::int64_t* ranks, Progress* progress, Executor* executor) const;
 };
 
 Status Triangulator::State::sortAndInsert(
@@ -86,36 +107,66 @@ Status Triangulator::State::sortAndInsert(
   {
     return sorted;
   }
-  Buffer<Index> sequence;
-  if (!isRankByRounds(options))
+  if (const Status made = order(options, sorting); made != Status::Ok)
   {
-    if (const Status made = makeSequence(ranked, options, sorting, sequence); made != Status::Ok)
-    {
-      return made;
-    }
+    return made;
   }
-  return insert(sequence, options, progress, executor);
+  count(options);
+  return report.inserted < 3 ? Status::Ok : insert(options, progress, executor);
 }
 
-Status Triangulator::State::insert(
-  const Buffer<Index>& sequence, const Options& options, Progress* progress, Executor* executor)
+/// The boxes and the sequence, as far as they are wanted: later the keys are gone.
+Status Triangulator::State::order(const Options& options, Ticker& sorting)
 {
-  report.inserted = ranked.count;
+  boxes = {};
+  if (options.keepBoxes)
+  {
+    if (const Status listed = listBoxes(ranked, options, sorting, boxes); listed != Status::Ok)
+    {
+      return listed;
+    }
+  }
+  if (needsSequence(options) || options.keepOrder)
+  {
+    return makeSequence(ranked, options, sorting, sequence);
+  }
+  sequence.reset();
+  return Status::Ok;
+}
+
+void Triangulator::State::count(const Options& options)
+{
+  report.inserted = options.insertionLimit == 0
+    ? ranked.count
+    : std::min<std::size_t>(ranked.count, options.insertionLimit);
+  report.beyondLimit = ranked.count - report.inserted;
   report.duplicates = ranked.duplicates.size();
   report.notFinite = ranked.notFinite;
   report.skipped = ranked.skipped;
-  if (ranked.count < 3)
+}
+
+InsertionEnd Triangulator::State::insertInOrder(
+  const Options& options, Ticker& ticker, InsertionWork* work, SharedWork& shared)
+{
+  if (!needsSequence(options))
   {
-    return Status::Ok;
+    return insertByRounds(ranked, mesh, ticker, work, shared);
   }
+  Buffer<Index> first;
+  first.view(sequence.data(), report.inserted);
+  return insertSequence(ranked, first, mesh, ticker, work);
+}
+
+/// REQUIRES: there are three points or more to insert.
+Status Triangulator::State::insert(const Options& options, Progress* progress, Executor* executor)
+{
   mesh.begin(ranked.count, ranked.scratch.data());
-  Ticker ticker(progress, Phase::Insert, ranked.count, executor);
+  mesh.limitTo(static_cast<std::uint32_t>(report.inserted));
+  Ticker ticker(progress, Phase::Insert, report.inserted, executor);
   InsertionWork work;
-  SharedWork shared{ ranked.count, 0, ranked.count };
-  InsertionWork* const counted = options.countWork ? &work : nullptr;
-  const InsertionEnd end = isRankByRounds(options)
-    ? insertByRounds(ranked, mesh, ticker, counted, shared)
-    : insertSequence(ranked, sequence, mesh, ticker, counted);
+  SharedWork shared{ report.inserted, 0, report.inserted };
+  const InsertionEnd end = insertInOrder(
+    options, ticker, options.countWork ? &work : nullptr, shared);
   report.insertionAttempts = shared.attempts;
   report.deferredPoints = shared.deferred;
   report.criticalPath = shared.criticalPath;
@@ -126,7 +177,7 @@ Status Triangulator::State::insert(
   if (end == InsertionEnd::Done)
   {
     const std::size_t hull = countHullVertices(mesh, ticker);
-    report.triangles = 2 * std::size_t(ranked.count) - 2 - hull;
+    report.triangles = 2 * report.inserted - 2 - hull;
     return hull == 0 ? Status::Cancelled : Status::Ok;
   }
   return end == InsertionEnd::AllCollinear ? Status::Ok : Status::Cancelled;
@@ -148,6 +199,30 @@ Status Triangulator::State::write(Id* triples, Progress* progress, Executor* exe
     : Status::Cancelled;
 }
 
+namespace
+{
+
+/// Calls write(begin, end) for pieces of [0, items), on the threads lent to the phase. Returns
+/// false if the work is to be cancelled.
+template <typename Write>
+bool writeInShares(std::size_t items, Ticker& ticker, Write write)
+{
+  const std::size_t tasks = tasksFor(threadsOf(ticker), items, 1, kChunk);
+  return inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
+    {
+      const Share share(items, task, tasks);
+      return inChunks(share.begin, share.end, own,
+        [&](std::size_t a, std::size_t b)
+        {
+          write(a, b);
+          own.finished(b - a);
+        });
+    });
+}
+
+} // namespace
+
 bool Triangulator::State::writeFates(
   std::int64_t* fates, Progress* progress, Executor* executor) const
 {
@@ -168,24 +243,49 @@ bool Triangulator::State::writeFates(
       fates[ranked.duplicates[i].id] = ranked.duplicates[i].keptId;
     }
   };
-  // What the duplicates overwrite has to be written before.
-  const std::size_t tasks = tasksFor(threadsOf(ticker), points.count, 1, kChunk);
-  const auto inShares = [&](std::size_t items, auto write)
+  const auto writeBeyond = [&](std::size_t a, std::size_t b)
   {
-    return inParallel(ticker, tasks,
-      [&](std::size_t task, Ticker& own)
-      {
-        const Share share(items, task, tasks);
-        return inChunks(share.begin, share.end, own,
-          [&](std::size_t a, std::size_t b)
-          {
-            write(a, b);
-            own.finished(b - a);
-          });
-      });
+    for (std::size_t i = report.inserted + a; i != report.inserted + b; ++i)
+    {
+      fates[ranked.id[sequence[i]]] = kFateNotInserted;
+    }
   };
-  return inShares(points.count, writeOwn) && inShares(ranked.duplicates.size(), writeMerged) &&
-    ticker.ask();
+  // What the others overwrite has to be written before.
+  return writeInShares(points.count, ticker, writeOwn) &&
+    writeInShares(ranked.duplicates.size(), ticker, writeMerged) &&
+    writeInShares(report.beyondLimit, ticker, writeBeyond) && ticker.ask();
+}
+
+bool Triangulator::State::writeOrder(
+  std::int64_t* ids, Progress* progress, Executor* executor) const
+{
+  Ticker ticker(progress, Phase::Fates, report.inserted, worthItsWhile(executor));
+  const auto write = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      ids[i] = ranked.id[sequence[i]];
+    }
+  };
+  return writeInShares(report.inserted, ticker, write) && ticker.ask();
+}
+
+bool Triangulator::State::writeInsertionRanks(
+  std::int64_t* ranks, Progress* progress, Executor* executor) const
+{
+  Ticker ticker(progress, Phase::Fates, points.count, worthItsWhile(executor));
+  const auto writeNone = [&](std::size_t a, std::size_t b)
+  { std::fill(ranks + a, ranks + b, std::int64_t(kRankNone)); };
+  const auto writePlaces = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      ranks[ranked.id[sequence[i]]] = static_cast<std::int64_t>(i);
+    }
+  };
+  const std::size_t inOrder = report.inserted + report.beyondLimit;
+  return writeInShares(points.count, ticker, writeNone) &&
+    writeInShares(inOrder, ticker, writePlaces) && ticker.ask();
 }
 
 Triangulator::Triangulator() = default;
@@ -234,17 +334,32 @@ Status Triangulator::writeTriangles(
 
 Status Triangulator::writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const
 {
-  return state_
-    ? withoutThrowing([&]
-        { return state_->writeFates(fates, progress, executor) ? Status::Ok : Status::Cancelled; })
-    : Status::Ok;
+  return unlessCancelled([&] { return !state_ || state_->writeFates(fates, progress, executor); });
+}
+
+Status Triangulator::writeOrder(std::int64_t* ids, Progress* progress, Executor* executor) const
+{
+  return unlessCancelled([&] { return !state_ || state_->writeOrder(ids, progress, executor); });
+}
+
+Status Triangulator::writeInsertionRanks(
+  std::int64_t* ranks, Progress* progress, Executor* executor) const
+{
+  return unlessCancelled(
+    [&] { return !state_ || state_->writeInsertionRanks(ranks, progress, executor); });
+}
+
+const std::vector<GridBox>& Triangulator::boxes() const
+{
+  static const std::vector<GridBox> kNone;
+  return state_ ? state_->boxes : kNone;
 }
 
 std::size_t Triangulator::memoryHeld() const
 {
-  return state_
-    ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() + state_->ranked.scratch.bytes()
-    : 0;
+  return state_ ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() +
+      state_->ranked.scratch.bytes() + state_->sequence.bytes()
+                : 0;
 }
 
 void Triangulator::forgetPoints()
@@ -252,6 +367,7 @@ void Triangulator::forgetPoints()
   if (state_)
   {
     state_->points = PointView();
+    state_->boxes = {};
     state_->report = Report();
   }
 }
@@ -261,14 +377,16 @@ void Triangulator::release()
   state_.reset();
 }
 
-std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options&)
+std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& options)
 {
-  // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, and a
-  // piece of memory that is first for sorting and then holds two triangles.
+  // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
+  // where threads insert while an order is kept, and a piece of memory that is first for sorting
+  // and then holds two triangles.
   constexpr std::size_t kSlots = std::max(
     2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
-  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kSlots);
+  const std::size_t kept = options.keepOrder && !needsSequence(options) ? sizeof(Index) : 0;
+  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + kSlots);
 }
 
 } // namespace ahd

@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 namespace ahd
 {
@@ -50,6 +51,22 @@ public:
   /// Writes what became of each point (see Result.h): points.count numbers.
   /// Returns Ok or Cancelled.
   Status writeFates(std::int64_t* fates, Progress* progress, Executor* executor = nullptr) const;
+
+  /// Writes the caller's ids in the order of insertion: report().inserted of them. Needs
+  /// Options::keepOrder. The order is that of one thread, by whichever number of threads the points
+  /// were inserted. Returns Ok or Cancelled.
+  Status writeOrder(std::int64_t* ids, Progress* progress, Executor* executor = nullptr) const;
+
+  /// Writes each point's place in the insertion order, from 0, those beyond the limit included;
+  /// kRankNone for points that are not in it: duplicates and points left out. points.count numbers.
+  /// Needs Options::keepOrder. Returns Ok or Cancelled.
+  Status writeInsertionRanks(
+    std::int64_t* ranks, Progress* progress, Executor* executor = nullptr) const;
+
+  /// The undivided boxes of the grid in the order in which they are visited, empty ones included.
+  /// Empty without Options::keepBoxes, with InsertionOrder::AsGiven and without points. What they
+  /// take is not part of memoryEstimate.
+  const std::vector<GridBox>& boxes() const;
 
   /// Bytes that are kept for the next run.
   std::size_t memoryHeld() const;

@@ -8,6 +8,7 @@ void Mesh::begin(std::uint32_t vertexCount, void* memory)
 {
   data_ = static_cast<std::uint32_t*>(memory);
   ghost_ = vertexCount;
+  insertions_ = vertexCount;
 }
 
 //            ghost                the ghosts g0, g1, g2 lie across the edges opposite to a, b, c:

@@ -56,6 +56,9 @@ public:
   /// REQUIRES: 3 <= vertexCount <= kMaximumPoints; bytesFor(vertexCount) bytes, aligned to 64.
   void begin(std::uint32_t vertexCount, void* memory);
 
+  /// Only so many of the vertices will be inserted. REQUIRES: no more than there are.
+  void limitTo(std::uint32_t insertions) { insertions_ = insertions; }
+
   /// Fills the first four slots: triangle a, b, c (counterclockwise) and its three ghosts.
   void makeFirstTriangle(Vertex a, Vertex b, Vertex c);
 
@@ -71,8 +74,8 @@ public:
   static constexpr Slot slotOfTriangle(std::size_t k) { return static_cast<Slot>(k * kSlotSize); }
   static constexpr Slot freshSlots(std::size_t i) { return slotOfTriangle(2 * i - 2); }
 
-  /// One past the last slot in use, once all vertices are inserted.
-  Slot end() const { return freshSlots(ghost_); }
+  /// One past the last slot in use, once all vertices (up to the limit) are inserted.
+  Slot end() const { return freshSlots(insertions_); }
 
 private:
   // Modulo 2^32: -2 and -1 wrap round.
@@ -87,6 +90,7 @@ private:
 
   std::uint32_t* data_ = nullptr;
   Vertex ghost_ = 0;
+  std::uint32_t insertions_ = 0;
 };
 
 } // namespace ahd

@@ -43,11 +43,20 @@ public:
                                         : other * factor_;
     const double width = std::max(high * factor_ - low_, otherWidth / kLongestBox);
     scale_ = low < high ? kLastColumn / width : 0.0;
+    pitch_ = width / kLastColumn;
   }
 
   std::uint32_t operator()(double v) const
   {
     return static_cast<std::uint32_t>(static_cast<std::int64_t>((v * factor_ - low_) * scale_));
+  }
+
+  /// Where a column begins, up to rounding; the next to last, 2^32, is where the last one ends. For
+  /// drawing: the order of the points is decided by operator() alone. Finite.
+  double begin(std::uint64_t column) const
+  {
+    const double v = (low_ + static_cast<double>(column) * pitch_) / factor_;
+    return std::min(std::max(v, -kLargest), kLargest);
   }
 
 private:
@@ -58,6 +67,7 @@ private:
   double factor_;
   double low_;
   double scale_;
+  double pitch_;
 };
 
 /// The two axes with their separate spans, as in the paper's rule of grid division, but no box more

@@ -21,20 +21,6 @@ bool hasControlPoints(const Options& options, ControlPoints kind)
       options.order == InsertionOrder::MultiGrid);
 }
 
-/// Levels of the first division; 0 if the points are not divided.
-unsigned levelsOfFirstDivision(const RankedPoints& points, const Options& options)
-{
-  switch (options.order)
-  {
-    case InsertionOrder::AsGiven:
-      return 0;
-    case InsertionOrder::RegularGrid:
-      return levelsOfDivision(points.count);
-    default:
-      return points.count > std::size_t(options.nmax) ? levelsOfDivision(points.count) : 0;
-  }
-}
-
 /// The control points of ControlPoints::SingleLevel and the points that remain.
 class SingleLevel
 {
@@ -160,10 +146,23 @@ bool makeEveryLevel(const RankedPoints& points, const Options& options, unsigned
 
 } // namespace
 
+unsigned levelsOfFirstDivision(std::size_t points, const Options& options)
+{
+  switch (options.order)
+  {
+    case InsertionOrder::AsGiven:
+      return 0;
+    case InsertionOrder::RegularGrid:
+      return levelsOfDivision(points);
+    default:
+      return points > std::size_t(options.nmax) ? levelsOfDivision(points) : 0;
+  }
+}
+
 Status makeSequence(
   const RankedPoints& points, const Options& options, Ticker& sorting, Buffer<Index>& sequence)
 {
-  const unsigned levels = levelsOfFirstDivision(points, options);
+  const unsigned levels = levelsOfFirstDivision(points.count, options);
   BoxWalk boxes(points, options, sorting);
   sequence.allocate(points.count);
   bool done = true;

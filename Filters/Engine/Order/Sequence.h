@@ -31,6 +31,9 @@ constexpr unsigned levelsOfDivision(std::size_t points)
   return r;
 }
 
+/// Levels of the first division of so many points; 0 if they are not divided.
+unsigned levelsOfFirstDivision(std::size_t points, const Options& options);
+
 /// The order in which the points are inserted: a permutation of the ranks 0 .. count - 1.
 ///
 /// Boxes: the box of all points is divided into 2^r x 2^r boxes if it holds more than nmax points,

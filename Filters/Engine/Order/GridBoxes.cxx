@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "GridBoxes.h"
+
+#include "../Chunks.h"
+#include "HilbertCurve.h"
+#include "Quantise.h"
+#include "Sequence.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ahd
+{
+
+namespace
+{
+
+/// A box: the places that agree with `column` and `row`, its numbers among the boxes of its size,
+/// above `below` levels of the finest grid.
+struct Piece
+{
+  std::uint64_t column, row;
+  unsigned below;
+  int level;              ///< divisions that made it
+  std::size_t begin, end; ///< its points, by rank
+};
+
+class BoxLister
+{
+public:
+  BoxLister(
+    const RankedPoints& points, const Options& options, Ticker& ticker, std::vector<GridBox>& boxes)
+    : points_(points)
+    , options_(options)
+    , ticker_(ticker)
+    , boxes_(boxes)
+    , grid_(points.bounds)
+  {
+  }
+
+  /// Returns false if the work is to be cancelled.
+  bool list()
+  {
+    const Piece whole{ 0, 0, 32, 0, 0, points_.count };
+    const unsigned levels = levelsOfFirstDivision(points_.count, options_);
+    if (levels == 0)
+    {
+      leave(whole);
+      return true;
+    }
+    open_[depth_++] = { whole, levels, 0 };
+    while (depth_ > 0)
+    {
+      Division& division = open_[depth_ - 1];
+      if (division.next == std::uint64_t(1) << (2 * division.levels))
+      {
+        --depth_;
+        continue;
+      }
+      const Piece box = quarter(division, division.next++);
+      if ((depth_ == 1 && !findControlPoint(box)) || !ticker_.step())
+      {
+        return false;
+      }
+      divideOrLeave(box);
+    }
+    return true;
+  }
+
+private:
+  struct Division
+  {
+    Piece box;
+    unsigned levels;
+    std::uint64_t next; ///< which of its boxes is to be visited next
+  };
+
+  /// The visit-th box of a division.
+  Piece quarter(const Division& division, std::uint64_t visit) const
+  {
+    const unsigned levels = division.levels;
+    const Piece& whole = division.box;
+    Piece box{ whole.column << levels, whole.row << levels, whole.below - levels, whole.level + 1,
+      0, 0 };
+    if (options_.order != InsertionOrder::AdaptiveHilbert)
+    {
+      box.column |= visit & ((std::uint64_t(1) << levels) - 1);
+      box.row |= visit >> levels;
+    }
+    else if (!options_.geneRotation)
+    {
+      const GridPlace place = placeOfKey(visit << (64 - 2 * levels));
+      box.column |= place.column >> (32 - levels);
+      box.row |= place.row >> (32 - levels);
+    }
+    else
+    {
+      const GridPlace place = placeOfKey(beginKey(whole) | visit << (2 * box.below));
+      box.column = place.column >> box.below;
+      box.row = place.row >> box.below;
+    }
+    findPoints(whole, box);
+    return box;
+  }
+
+  /// The smallest key of a box.
+  static std::uint64_t beginKey(const Piece& box)
+  {
+    if (box.below == 32)
+    {
+      return 0;
+    }
+    const std::uint64_t key = hilbertKey(static_cast<std::uint32_t>(box.column << box.below),
+      static_cast<std::uint32_t>(box.row << box.below));
+    return key >> (2 * box.below) << (2 * box.below);
+  }
+
+  void findPoints(const Piece& whole, Piece& box) const
+  {
+    const std::uint64_t first = beginKey(box);
+    const std::uint64_t last = first | ((std::uint64_t(1) << (2 * box.below)) - 1);
+    const std::uint64_t* const keys = points_.key.data();
+    const auto* const begin = std::lower_bound(keys + whole.begin, keys + whole.end, first);
+    box.begin = std::size_t(begin - keys);
+    box.end = std::size_t(std::upper_bound(begin, keys + whole.end, last) - keys);
+  }
+
+  /// The control point of a box of the first division, which does not count where it is decided
+  /// whether boxes are divided. Returns false if the work is to be cancelled.
+  bool findControlPoint(const Piece& box)
+  {
+    control_ = points_.count;
+    return options_.controlPoints != ControlPoints::SingleLevel ||
+      inChunks(box.begin, box.end, ticker_,
+        [&](std::size_t a, std::size_t b)
+        {
+          for (std::size_t i = a; i < b; ++i)
+          {
+            control_ = control_ == points_.count || points_.id[i] < points_.id[control_] ? i
+                                                                                         : control_;
+          }
+        });
+  }
+
+  void divideOrLeave(const Piece& box)
+  {
+    const bool holdsControl = box.begin <= control_ && control_ < box.end;
+    const std::size_t count = box.end - box.begin - (holdsControl ? 1 : 0);
+    const unsigned levels = levelsOfDivision(count);
+    if (options_.order != InsertionOrder::RegularGrid && count > std::size_t(options_.nmax) &&
+      levels <= box.below)
+    {
+      open_[depth_++] = { box, levels, 0 };
+    }
+    else
+    {
+      leave(box);
+    }
+  }
+
+  void leave(const Piece& box)
+  {
+    const auto edge = [&box](const Quantiser& axis, std::uint64_t place)
+    { return axis.begin(place << box.below); };
+    boxes_.push_back({ edge(grid_.column, box.column), edge(grid_.column, box.column + 1),
+      edge(grid_.row, box.row), edge(grid_.row, box.row + 1), box.level, box.end - box.begin });
+  }
+
+  const RankedPoints& points_;
+  const Options& options_;
+  Ticker& ticker_;
+  std::vector<GridBox>& boxes_;
+  const Grid grid_;
+  std::array<Division, 33> open_; ///< each division halves its boxes at least once
+  std::size_t depth_ = 0;
+  std::size_t control_ = 0;
+};
+
+} // namespace
+
+Status listBoxes(
+  const RankedPoints& points, const Options& options, Ticker& ticker, std::vector<GridBox>& boxes)
+{
+  boxes.clear();
+  if (points.count == 0 || options.order == InsertionOrder::AsGiven)
+  {
+    return Status::Ok;
+  }
+  return BoxLister(points, options, ticker, boxes).list() ? Status::Ok : Status::Cancelled;
+}
+
+} // namespace ahd

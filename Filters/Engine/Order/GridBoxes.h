@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_GridBoxes_h
+#define ahd_GridBoxes_h
+
+#include "../Options.h"
+#include "../Progress.h"
+#include "../Result.h"
+#include "RankedPoints.h"
+
+#include <vector>
+
+namespace ahd
+{
+
+/// The undivided boxes of the grid that makeSequence visits (see there), in that order, the empty
+/// ones among the boxes of each division included. For drawing; the insertion does without them.
+/// A division of n points makes at most n / 4 boxes (4 if n is less), so there are at most that
+/// many per level.
+/// REQUIRES: the keys of `points` are still there. Throws std::bad_alloc.
+Status listBoxes(
+  const RankedPoints& points, const Options& options, Ticker& ticker, std::vector<GridBox>& boxes);
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What shows the algorithm at work: the order that is kept, a limit on the insertions, and the
+// boxes of the grid against the paper's section 3 done literally.
+#include "Distributions.h"
+#include "EngineRun.h"
+#include "Executors.h"
+#include "Order/Quantise.h"
+#include "PaperOrder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+using Triangles = std::set<std::array<std::int64_t, 3>>;
+
+/// The triangles, each from its smallest id on, after `nameOf` each id.
+template <typename Name>
+Triangles trianglesOf(const Outcome& outcome, Name nameOf)
+{
+  Triangles triangles;
+  for (std::size_t i = 0; i < outcome.triples.size(); i += 3)
+  {
+    std::array<std::int64_t, 3> t;
+    std::transform(&outcome.triples[i], &outcome.triples[i] + 3, t.begin(), nameOf);
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    triangles.insert(t);
+  }
+  return triangles;
+}
+
+Bounds boundsOf(const std::vector<Point>& points)
+{
+  Bounds b;
+  const double infinity = std::numeric_limits<double>::infinity();
+  b.xmin = b.ymin = infinity;
+  b.xmax = b.ymax = -infinity;
+  for (const Point& p : points)
+  {
+    b.xmin = std::min(b.xmin, p.x);
+    b.xmax = std::max(b.xmax, p.x);
+    b.ymin = std::min(b.ymin, p.y);
+    b.ymax = std::max(b.ymax, p.y);
+  }
+  return b;
+}
+
+std::vector<std::int64_t> orderOf(const Triangulator& triangulator)
+{
+  std::vector<std::int64_t> ids(triangulator.report().inserted);
+  EXPECT_EQ(triangulator.writeOrder(ids.data(), nullptr), Status::Ok);
+  return ids;
+}
+
+std::vector<std::int64_t> ranksOf(const Triangulator& triangulator, std::size_t points)
+{
+  std::vector<std::int64_t> ranks(points, -7);
+  EXPECT_EQ(triangulator.writeInsertionRanks(ranks.data(), nullptr), Status::Ok);
+  return ranks;
+}
+
+/// Points of which some are twice there, and one is none.
+std::vector<Point> pointsWithFaults(Distribution distribution, std::size_t n)
+{
+  std::vector<Point> points = makePoints(distribution, n, 5);
+  points.insert(points.begin() + 10, points[20]);
+  points.push_back(points[3]);
+  points[7].x = std::numeric_limits<double>::quiet_NaN();
+  return points;
+}
+
+/// The order that an unlimited run keeps is one of all vertices.
+TEST(Limit, OrderIsAPermutationAndRanksItsInverse)
+{
+  const std::vector<Point> points = pointsWithFaults(Distribution::Mixed, 700);
+  for (Options options : everySetting({ 1, 50 }))
+  {
+    SCOPED_TRACE(describe(options));
+    options.keepOrder = true;
+    Triangulator triangulator;
+    const Outcome outcome = triangulate(triangulator, viewOf(points), options);
+    EXPECT_EQ(faultsOf(points, outcome), "");
+    const std::vector<std::int64_t> order = orderOf(triangulator);
+    const std::vector<std::int64_t> ranks = ranksOf(triangulator, points.size());
+    ASSERT_EQ(order.size(), points.size() - 3); // two duplicates and one that is not finite
+    std::vector<std::int64_t> expected(points.size(), kRankNone);
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      ASSERT_EQ(outcome.fates[order[i]], order[i]);
+      expected[order[i]] = std::int64_t(i);
+    }
+    EXPECT_EQ(ranks, expected);
+    EXPECT_EQ(std::count(ranks.begin(), ranks.end(), kRankNone), 3);
+    if (options.order == InsertionOrder::AsGiven)
+    {
+      EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+    }
+  }
+}
+
+TEST(Limit, OrderIsTheSameForAnyNumberOfThreads)
+{
+  const std::vector<Point> points = makePoints(Distribution::Spiral, reduced(100000), 3);
+  Options options;
+  options.keepOrder = true;
+  Triangulator alone;
+  ASSERT_EQ(alone.run(viewOf(points), options, nullptr), Status::Ok);
+  ThreadExecutor executor(3);
+  Triangulator shared;
+  ASSERT_EQ(shared.run(viewOf(points), options, nullptr, &executor), Status::Ok);
+  std::vector<std::int64_t> ids(points.size());
+  ASSERT_EQ(shared.writeOrder(ids.data(), nullptr, &executor), Status::Ok);
+  EXPECT_EQ(ids, orderOf(alone));
+  std::vector<std::int64_t> ranks(points.size());
+  ASSERT_EQ(shared.writeInsertionRanks(ranks.data(), nullptr, &executor), Status::Ok);
+  EXPECT_EQ(ranks, ranksOf(alone, points.size()));
+}
+
+/// The first k points of the order, triangulated by themselves, give the triangles of limit k.
+void expectMeshOfTheFirst(const std::vector<Point>& points, Options options, std::size_t limit)
+{
+  options.keepOrder = true;
+  options.insertionLimit = limit;
+  Triangulator triangulator;
+  const Outcome limited = triangulate(triangulator, viewOf(points), options);
+  ASSERT_EQ(limited.status, Status::Ok);
+  const std::vector<std::int64_t> order = orderOf(triangulator);
+  std::vector<Point> first;
+  for (const std::int64_t id : order)
+  {
+    first.push_back(points[id]);
+  }
+  const Outcome expected = triangulate(first);
+  EXPECT_EQ(faultsOf(first, expected), "");
+  EXPECT_EQ(trianglesOf(limited, [](std::int32_t id) { return std::int64_t(id); }),
+    trianglesOf(expected, [&](std::int32_t i) { return order[i]; }));
+  EXPECT_EQ(limited.report.triangles, expected.report.triangles);
+  EXPECT_EQ(limited.report.inserted, order.size());
+  EXPECT_EQ(limited.report.inserted + limited.report.beyondLimit + limited.report.duplicates +
+      limited.report.notFinite,
+    points.size());
+  const auto notInserted = std::count(limited.fates.begin(), limited.fates.end(), kFateNotInserted);
+  EXPECT_EQ(std::size_t(notInserted), limited.report.beyondLimit);
+}
+
+TEST(Limit, GivesTheTriangulationOfTheFirstPoints)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::Lattice,
+         Distribution::OnCircle, Distribution::Collinear, Distribution::NestedClusters })
+  {
+    const std::vector<Point> points = pointsWithFaults(d, 400);
+    for (const Options& options : everyDistinctSetting({ 1, 50 }))
+    {
+      for (const std::size_t limit : { 1, 2, 3, 4, 50, 399, 400, 5000 })
+      {
+        SCOPED_TRACE(
+          std::string(nameOf(d)) + ", limit " + std::to_string(limit) + ", " + describe(options));
+        expectMeshOfTheFirst(points, options, limit);
+      }
+    }
+  }
+}
+
+/// The last run's order is not the next one's: nothing is written of what was not kept.
+TEST(Limit, TheNextRunForgetsOrderAndBoxes)
+{
+  const std::vector<Point> points = makePoints(Distribution::Uniform, 300, 1);
+  Options options;
+  options.keepOrder = options.keepBoxes = true;
+  options.insertionLimit = 20;
+  Triangulator triangulator;
+  ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_FALSE(triangulator.boxes().empty());
+  const Outcome next = triangulate(triangulator, viewOf(points));
+  EXPECT_EQ(faultsOf(points, next), "");
+  EXPECT_TRUE(triangulator.boxes().empty());
+  EXPECT_EQ(next.triples, triangulate(points).triples);
+}
+
+std::size_t countIn(const PaperBox& box, const std::vector<Point>& points, const Grid& grid)
+{
+  const unsigned rest = 32 - box.levels;
+  return std::size_t(std::count_if(points.begin(), points.end(),
+    [&](const Point& p)
+    {
+      return std::uint64_t(grid.column(p.x)) >> rest == box.column &&
+        std::uint64_t(grid.row(p.y)) >> rest == box.row;
+    }));
+}
+
+TEST(Limit, BoxesAreThoseOfThePaper)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::Line, Distribution::Mixed,
+         Distribution::KuzminDisc, Distribution::Collinear })
+  {
+    const std::vector<Point> points = makePoints(d, 600, 2);
+    Triangulator triangulator;
+    for (Options options : everyDistinctSetting({ 2, 50, 1000 }))
+    {
+      SCOPED_TRACE(std::string(nameOf(d)) + ", " + describe(options));
+      options.keepBoxes = true;
+      ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+      const std::vector<GridBox>& boxes = triangulator.boxes();
+      if (options.order == InsertionOrder::AsGiven)
+      {
+        EXPECT_TRUE(boxes.empty());
+        continue;
+      }
+      const std::vector<PaperBox> expected = paperOrder(points, options).boxes;
+      const Grid grid(boundsOf(points));
+      ASSERT_EQ(boxes.size(), expected.size());
+      std::size_t sum = 0;
+      for (std::size_t i = 0; i < boxes.size(); ++i)
+      {
+        const unsigned rest = 32 - expected[i].levels;
+        ASSERT_EQ(boxes[i].xmin, grid.column.begin(std::uint64_t(expected[i].column) << rest));
+        ASSERT_EQ(boxes[i].ymax, grid.row.begin((std::uint64_t(expected[i].row) + 1) << rest));
+        ASSERT_EQ(boxes[i].count, countIn(expected[i], points, grid));
+        ASSERT_EQ(boxes[i].level == 0, boxes.size() == 1);
+        sum += boxes[i].count;
+      }
+      EXPECT_EQ(sum, points.size());
+    }
+  }
+}
+
+/// A box holds its points also by its drawn edges, up to rounding; at the ends of the range too.
+TEST(Limit, BoxesAreFiniteAndCoverThePoints)
+{
+  for (const Distribution d : { Distribution::Tiny, Distribution::Huge, Distribution::TinyAndHuge,
+         Distribution::AnyFinite, Distribution::AllEqual, Distribution::Slivers })
+  {
+    SCOPED_TRACE(nameOf(d));
+    const std::vector<Point> points = makePoints(d, 200, 4);
+    Options options;
+    options.keepBoxes = true;
+    Triangulator triangulator;
+    ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+    const Bounds bounds = boundsOf(points);
+    double xmin = std::numeric_limits<double>::infinity();
+    double ymax = -xmin;
+    for (const GridBox& box : triangulator.boxes())
+    {
+      ASSERT_TRUE(std::isfinite(box.xmin) && std::isfinite(box.xmax) && std::isfinite(box.ymin) &&
+        std::isfinite(box.ymax));
+      ASSERT_LE(box.xmin, box.xmax);
+      ASSERT_LE(box.ymin, box.ymax);
+      xmin = std::min(xmin, box.xmin);
+      ymax = std::max(ymax, box.ymax);
+    }
+    EXPECT_EQ(xmin, bounds.xmin);
+    EXPECT_GE(ymax, bounds.ymax);
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
