@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDOutput.h"
 
+#include "vtkAHDArray.h"
 #include "vtkAHDLoop.h"
 
 #include "vtkCellArray.h"
@@ -10,12 +11,9 @@
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 #include "vtkTypeInt32Array.h"
 
-#include <cstdlib>
 #include <memory>
-#include <new>
 
 namespace
 {
@@ -25,35 +23,18 @@ static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
 
-/// An array of `count` values, not initialised. Allocates by itself, since VTK's arrays, depending
-/// on how they were built, end the program where there is no memory.
-template <typename Array>
-vtkSmartPointer<Array> NewArray(vtkIdType count)
-{
-  using Value = typename Array::ValueType;
-  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(Value);
-  auto* values = static_cast<Value*>(std::malloc(bytes > 0 ? bytes : 1));
-  if (!values)
-  {
-    throw std::bad_alloc();
-  }
-  auto array = vtkSmartPointer<Array>::New();
-  array->SetArray(values, count, 0, Array::VTK_DATA_ARRAY_FREE);
-  return array;
-}
-
 ahd::Status WriteTriangles(ahd::Triangulator& triangulator, vtkPolyData* output,
   ahd::Executor& executor, vtkAHDProgress& progress)
 {
   const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
-  auto corners = NewArray<IdArray>(3 * count);
+  auto corners = vtkAHDNewArray<IdArray>(3 * count);
   const ahd::Status status = triangulator.writeTriangles(
     corners->GetPointer(0), &progress, &executor);
   if (status != ahd::Status::Ok)
   {
     return status;
   }
-  auto offsets = NewArray<IdArray>(count + 1);
+  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
   auto* offset = offsets->GetPointer(0);
   const bool all = vtkAHDLoop(static_cast<std::size_t>(count + 1), executor, progress,
     [offset](std::size_t begin, std::size_t end)
@@ -118,7 +99,7 @@ ahd::Status vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPoly
   {
     return status;
   }
-  auto array = NewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
+  auto array = vtkAHDNewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
   array->SetName("Fate");
   vtkIdType* values = array->GetPointer(0);
   const bool all = vtkAHDLoop(count, executor, progress,

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDArray_h
+#define vtkAHDArray_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+/// A VTK array of `count` numbers, one component, not initialised; throws std::bad_alloc. Allocates
+/// by itself, since VTK's arrays, depending on how they were built, end the program where there is
+/// no memory.
+template <typename Array>
+vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count)
+{
+  using Value = typename Array::ValueType;
+  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(Value);
+  auto* values = static_cast<Value*>(std::malloc(bytes > 0 ? bytes : 1));
+  if (!values)
+  {
+    throw std::bad_alloc();
+  }
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetArray(values, count, 0, Array::VTK_DATA_ARRAY_FREE);
+  return array;
+}
+
+#endif
