@@ -3,6 +3,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
 
 namespace ahd
 {
@@ -35,8 +36,24 @@ CgalRun::~CgalRun()
 
 std::size_t CgalRun::triangulate() const
 {
+  return this->triangulate([] {});
+}
+
+std::size_t CgalRun::triangulate(const std::function<void()>& triangulated) const
+{
   const Delaunay delaunay(input_->points.begin(), input_->points.end());
+  triangulated();
   return delaunay.number_of_faces();
+}
+
+bool CgalRun::isValid() const
+{
+  return Delaunay(input_->points.begin(), input_->points.end()).is_valid();
+}
+
+const char* CgalRun::version()
+{
+  return CGAL_VERSION_STR;
 }
 
 } // namespace test

@@ -5,6 +5,7 @@
 #include "Points/Points.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace ahd
@@ -24,6 +25,15 @@ public:
   /// Delaunay_triangulation_2 over Exact_predicates_inexact_constructions_kernel, all points
   /// inserted as one range (CGAL sorts them spatially). Returns the number of finite triangles.
   std::size_t triangulate() const;
+
+  /// The same; calls `triangulated` before what was made is given back, to end a measurement there.
+  std::size_t triangulate(const std::function<void()>& triangulated) const;
+
+  /// Triangulates: does CGAL find the result right (its is_valid(), with exact predicates)?
+  bool isValid() const;
+
+  /// CGAL's version, as "5.5.1".
+  static const char* version();
 
 private:
   struct Input;
