@@ -179,6 +179,28 @@ TEST(IncludeArrows, EngineKeepsToItself)
   }
 }
 
+TEST(IncludeArrows, MakersOfPointsKeepToThemselves)
+{
+  // They name their own headers without a folder, and the standard library's.
+  static const std::regex kOwnOrStandard("\"[A-Za-z]+\\.h\"|<[a-z]+>");
+  std::size_t files = 0;
+  for (const auto& entry : fs::directory_iterator(kEngine.parent_path() / "Distributions"))
+  {
+    if (!isSource(entry.path()))
+    {
+      continue;
+    }
+    ++files;
+    for (const std::string& operand : includesOf(entry.path()))
+    {
+      EXPECT_TRUE(std::regex_match(operand, kOwnOrStandard))
+        << entry.path() << " includes " << operand;
+      EXPECT_NE(operand, "<random>") << entry.path() << ": its distributions differ by platform";
+    }
+  }
+  EXPECT_GE(files, 6u);
+}
+
 TEST(IncludeArrows, VtkFilesComeThroughTheDoor)
 {
   static const Names kDoor = { "Engine/Triangulate.h", "Engine/Options.h", "Engine/Result.h",

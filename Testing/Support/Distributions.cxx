@@ -9,144 +9,20 @@ namespace ahd
 namespace test
 {
 
-std::uint64_t Random::bits()
-{
-  std::uint64_t z = (state_ += 0x9E3779B97F4A7C15ull);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ull;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBull;
-  return z ^ (z >> 31);
-}
-
-double Random::unit()
-{
-  return double(bits() >> 11) * 0x1p-53;
-}
-
-std::size_t Random::below(std::size_t n)
-{
-  return std::size_t(bits() % n);
-}
-
-double Random::bell()
-{
-  double sum = -6.0;
-  for (int i = 0; i < 12; ++i)
-  {
-    sum += unit();
-  }
-  return sum;
-}
-
 namespace
 {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kBand = 0.01;
-
-/// sin(a) for |a| <= pi / 4 by its series: the library's own sine differs between platforms.
-double sineSeries(double a)
+/// What the source vtkPlanarPointSource makes too is made by its makers, Filters/Distributions.
+Point at(const Place& p)
 {
-  const double b = -a * a;
-  double sum = 0.0;
-  for (int k = 19; k > 1; k -= 2)
-  {
-    sum = (sum + 1.0) * b / double(k * (k - 1));
-  }
-  return a * (sum + 1.0);
-}
-
-double cosineSeries(double a)
-{
-  const double b = -a * a;
-  double sum = 0.0;
-  for (int k = 20; k > 1; k -= 2)
-  {
-    sum = (sum + 1.0) * b / double(k * (k - 1));
-  }
-  return sum + 1.0;
-}
-
-/// The point of the unit circle after `turns` turns (0 to 1) from (1, 0).
-Point direction(double turns)
-{
-  const int eighth = int(turns * 8.0);
-  const int quarter = ((eighth + 1) / 2) % 4;
-  const double a = (turns - double((eighth + 1) / 2) * 0.25) * (2.0 * kPi);
-  const double c = cosineSeries(a);
-  const double s = sineSeries(a);
-  switch (quarter)
-  {
-    case 0:
-      return { c, s };
-    case 1:
-      return { -s, c };
-    case 2:
-      return { -c, -s };
-    default:
-      return { s, -c };
-  }
-}
-
-Point onRay(double turns, double radius)
-{
-  const Point d = direction(turns);
-  return { 0.5 + radius * d.x, 0.5 + radius * d.y };
-}
-
-Point uniform(Random& random)
-{
-  const double x = random.unit();
-  return { x, random.unit() };
-}
-
-Point line(Random& random)
-{
-  const double along = random.unit();
-  return { along, along + kBand * random.bell() };
-}
-
-Point cross(Random& random)
-{
-  const Point p = line(random);
-  return (random.bits() >> 63) != 0 ? p : Point{ p.x, 1.0 - p.y };
-}
-
-Point circle(Random& random)
-{
-  const double turns = random.unit();
-  return onRay(turns, 0.4 + kBand * random.bell());
-}
-
-Point spiral(Random& random)
-{
-  const double turns = 3.0 * std::sqrt(random.unit());
-  const double radius = 0.15 * turns + kBand * random.bell();
-  return onRay(turns - std::floor(turns), radius);
-}
-
-/// Place k of a fixed random set of places.
-Point place(std::uint64_t set, std::uint64_t k)
-{
-  Random random(set ^ (0x5851F42D4C957F2Dull * (k + 1)));
-  return uniform(random);
-}
-
-Point mixed(Random& random, std::uint64_t seed)
-{
-  if ((random.bits() >> 63) != 0)
-  {
-    return uniform(random);
-  }
-  const Point c = place(seed, random.below(20));
-  const double dx = kBand * random.bell();
-  return { c.x + dx, c.y + kBand * random.bell() };
+  return { p.x, p.y };
 }
 
 Point kuzminDisc(Random& random)
 {
   const double m = 1.0 - random.unit();
   const double radius = std::sqrt(1.0 / (m * m) - 1.0);
-  const Point d = direction(random.unit());
+  const Place d = onUnitCircle(random.unit());
   return { radius * d.x, radius * d.y };
 }
 
@@ -158,25 +34,20 @@ Point nestedClusters(Random& random, std::uint64_t seed)
   for (int depth = 0; depth < 6; ++depth)
   {
     path = path * 8 + random.below(8) + 1;
-    const Point c = place(seed, path);
+    const Place c = placeOfSet(seed, path);
     p.x += width * c.x;
     p.y += width * c.y;
     width /= 64.0;
   }
-  const Point q = uniform(random);
+  const Place q = inUnitSquare(random);
   return { p.x + width * q.x, p.y + width * q.y };
 }
 
 Point crowdedBox(Random& random, std::size_t i)
 {
-  const Point q = uniform(random);
+  const Place q = inUnitSquare(random);
   const double width = 1.0 / 31623.0;
-  return i % 10 == 0 ? q : Point{ (12345.0 + q.x) * width, (23456.0 + q.y) * width };
-}
-
-Point onLattice(std::size_t i, std::size_t side)
-{
-  return { double(i % side), double(i / side) };
+  return i % 10 == 0 ? at(q) : Point{ (12345.0 + q.x) * width, (23456.0 + q.y) * width };
 }
 
 /// Exactly on the circle of radius 1105 * 29 about the origin. 1105 * 29 = 5 * 13 * 17 * 29 is the
@@ -214,7 +85,7 @@ Point collinear(Random& random)
 
 Point utm(Random& random)
 {
-  const Point q = uniform(random);
+  const Place q = inUnitSquare(random);
   const double east = 50000000.0 + std::floor(q.x * 200000.0);
   const double north = 450000000.0 + std::floor(q.y * 200000.0);
   return { east / 100.0, north / 100.0 };
@@ -222,7 +93,7 @@ Point utm(Random& random)
 
 Point onUtmRaster(std::size_t i, std::size_t side)
 {
-  const Point p = onLattice(i, side);
+  const Place p = onLattice(i, side);
   return { (50000000.0 + 25.0 * p.x) / 100.0, (450000000.0 + 25.0 * p.y) / 100.0 };
 }
 
@@ -272,14 +143,6 @@ Point independentPoint(Distribution d, Random& random)
 {
   switch (d)
   {
-    case Distribution::Line:
-      return line(random);
-    case Distribution::Cross:
-      return cross(random);
-    case Distribution::Circle:
-      return circle(random);
-    case Distribution::Spiral:
-      return spiral(random);
     case Distribution::KuzminDisc:
       return kuzminDisc(random);
     case Distribution::OnIntegerCircle:
@@ -296,11 +159,20 @@ Point independentPoint(Distribution d, Random& random)
       return extreme(random, true, false);
     case Distribution::Huge:
       return extreme(random, false, true);
-    case Distribution::TinyAndHuge:
+    default: // TinyAndHuge
       return extreme(random, true, true);
-    default:
-      return uniform(random);
   }
+}
+
+static_assert(int(Distribution::Mixed) == int(PlanarDistribution::Mixed),
+  "the paper's distributions have the same numbers here and there");
+
+/// The distribution of the source that is the same as `d`. Of no meaning where there is none.
+PlanarDistribution planar(Distribution d)
+{
+  return d == Distribution::Lattice ? PlanarDistribution::Lattice
+    : d <= Distribution::Mixed      ? PlanarDistribution(d)
+                                    : PlanarDistribution::Uniform;
 }
 
 struct Maker
@@ -309,25 +181,30 @@ struct Maker
   std::uint64_t seed;
   std::size_t side;
   Random random;
+  PlanarPoints source;
 
   Point make(std::size_t i)
   {
     switch (d)
     {
+      case Distribution::Uniform:
+      case Distribution::Line:
+      case Distribution::Cross:
+      case Distribution::Circle:
+      case Distribution::Spiral:
       case Distribution::Mixed:
-        return mixed(random, seed);
+      case Distribution::Lattice:
+        return at(source.next());
       case Distribution::NestedClusters:
         return nestedClusters(random, seed);
       case Distribution::CrowdedBox:
         return crowdedBox(random, i);
-      case Distribution::Lattice:
-        return onLattice(i, side);
       case Distribution::DecimalLattice:
         return { double(i % side) * 0.1, double(i / side) * 0.1 };
       case Distribution::UtmRaster:
         return onUtmRaster(i, side);
       case Distribution::OnCircle:
-        return direction(random.unit());
+        return at(onUnitCircle(random.unit()));
       case Distribution::OnParabola:
       {
         const double x = 2.0 * random.unit() - 1.0;
@@ -336,7 +213,7 @@ struct Maker
       case Distribution::AllEqual:
         return { 0.1, -0.7 };
       case Distribution::RepeatedDraws:
-        return place(seed, random.below(1000));
+        return at(placeOfSet(seed, random.below(1000)));
       case Distribution::AnyFinite:
       {
         const double x = anyFinite(random);
@@ -396,9 +273,7 @@ std::vector<Distribution> firstOf(std::size_t n)
 
 std::vector<ahd::Point> makePoints(Distribution d, std::size_t n, std::uint64_t seed)
 {
-  std::size_t side = std::size_t(std::sqrt(double(n)));
-  side += side * side < n ? 1 : 0;
-  Maker maker{ d, seed, side, Random(seed) };
+  Maker maker{ d, seed, latticeSide(n), Random(seed), PlanarPoints(planar(d), n, seed) };
   std::vector<Point> points;
   points.reserve(n);
   for (std::size_t i = 0; i < n; ++i)

@@ -2,6 +2,7 @@
 #ifndef ahd_Distributions_h
 #define ahd_Distributions_h
 
+#include "PlanarPoints.h"
 #include "Points/Points.h"
 
 #include <cstddef>
@@ -13,16 +14,18 @@ namespace ahd
 namespace test
 {
 
-/// Kinds of point sets that tests and benchmarks share. "In the square" means in [0, 1) x [0, 1).
+using ahd::Random; // for shuffles and choices
+
+/// Kinds of point sets that tests and benchmarks share.
 enum class Distribution
 {
-  // The six of the paper (Figure 10; widths are ours, the paper gives none).
-  Uniform, ///< in the square
-  Line,    ///< a band of width 0.01 (deviation) about the diagonal of the square
-  Cross,   ///< such bands about both diagonals
-  Circle,  ///< such a band about a circle of radius 0.4
-  Spiral,  ///< such a band about a spiral of three turns
-  Mixed,   ///< half uniform, half in 20 round clusters
+  // The six of the paper (Figure 10), as vtkPlanarPointSource makes them: see PlanarPoints.h.
+  Uniform,
+  Line,
+  Cross,
+  Circle,
+  Spiral,
+  Mixed,
 
   // Strongly clustered.
   KuzminDisc,     ///< density (1 + r^2)^(-3/2) about a centre: a crowd in a very large box
@@ -30,7 +33,7 @@ enum class Distribution
   CrowdedBox,     ///< 9 of 10 points in one box of 31623 x 31623 (10^9) boxes, the rest uniform
 
   // Degenerate or nearly so.
-  Lattice,         ///< integer lattice, row by row, side = ceil(sqrt(n)); no point twice
+  Lattice,         ///< integer lattice: see PlanarPoints.h
   DecimalLattice,  ///< the same in steps of 0.1 (nearly, not exactly, cocircular)
   OnCircle,        ///< on the unit circle up to rounding
   OnIntegerCircle, ///< exactly cocircular: x^2 + y^2 = 1105^2 * 29^2, repeats beyond its 324 points
@@ -58,23 +61,6 @@ const char* nameOf(Distribution d);
 
 const std::vector<Distribution>& allDistributions();
 const std::vector<Distribution>& paperDistributions();
-
-/// Small generator (splitmix64), for shuffles and choices in tests.
-class Random
-{
-public:
-  explicit Random(std::uint64_t seed)
-    : state_(seed)
-  {
-  }
-  std::uint64_t bits();
-  double unit();                    ///< in [0, 1), multiples of 2^-53
-  std::size_t below(std::size_t n); ///< in [0, n), n > 0
-  double bell();                    ///< mean 0, deviation 1, within 6 (sum of 12 units)
-
-private:
-  std::uint64_t state_;
-};
 
 } // namespace test
 } // namespace ahd
