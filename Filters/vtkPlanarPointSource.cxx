@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPlanarPointSource.h"
+
+#include "Distributions/PlanarPoints.h"
+#include "vtkAHDArray.h"
+#include "vtkAHDMemory.h"
+#include "vtkAHDProgress.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <new>
+
+vtkStandardNewMacro(vtkPlanarPointSource);
+
+static_assert(int(vtkPlanarPointSource::UNIFORM) == int(ahd::PlanarDistribution::Uniform) &&
+    int(vtkPlanarPointSource::MIXED) == int(ahd::PlanarDistribution::Mixed) &&
+    int(vtkPlanarPointSource::LATTICE) == int(ahd::PlanarDistribution::Lattice),
+  "the same numbers here and there");
+
+namespace
+{
+/// Points made between two askings whether to abort.
+constexpr vtkIdType kPiece = vtkIdType(1) << 14;
+
+/// What the points are written to.
+template <typename Number>
+struct Arrays
+{
+  Number* Xyz;       // three for each point
+  vtkTypeInt32* Ids; // of the vertex cell
+  vtkIdType Count;   // of points
+};
+
+/// Makes all points; false if the execution is to be aborted.
+template <typename Number>
+bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* source)
+{
+  const vtkAHDProgress progress(source);
+  const vtkIdType step = std::max(kPiece, to.Count / 100); // observers may be slow
+  vtkIdType told = 0;
+  for (vtkIdType begin = 0; begin < to.Count; begin += kPiece)
+  {
+    if (begin >= told + step)
+    {
+      told = begin;
+      source->UpdateProgress(double(begin) / double(to.Count));
+    }
+    if (progress.MustAbort())
+    {
+      return false;
+    }
+    const vtkIdType end = std::min(to.Count, begin + kPiece);
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const ahd::Place p = points.next();
+      to.Xyz[3 * i] = static_cast<Number>(p.x);
+      to.Xyz[3 * i + 1] = static_cast<Number>(p.y);
+      to.Xyz[3 * i + 2] = Number(0);
+      to.Ids[i] = static_cast<vtkTypeInt32>(i);
+    }
+  }
+  return true;
+}
+
+/// One VTK_POLY_VERTEX. 32 bits hold every id and every offset.
+vtkSmartPointer<vtkCellArray> PolyVertex(vtkTypeInt32Array* ids)
+{
+  auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(2);
+  offsets->SetValue(0, 0);
+  offsets->SetValue(1, static_cast<vtkTypeInt32>(ids->GetNumberOfValues()));
+  auto vertices = vtkSmartPointer<vtkCellArray>::New();
+  vertices->SetData(offsets, ids);
+  return vertices;
+}
+}
+
+vtkPlanarPointSource::vtkPlanarPointSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkPlanarPointSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more.
+  if (!this->FitsInMemory())
+  {
+    return 1;
+  }
+  try
+  {
+    const bool all = this->OutputPointsPrecision == SINGLE_PRECISION
+      ? this->MakePoints<vtkFloatArray>(output)
+      : this->MakePoints<vtkDoubleArray>(output);
+    if (!all)
+    {
+      output->Initialize();
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorMacro("Out of memory while making " << this->NumberOfPoints << " points.");
+  }
+  return 1;
+}
+
+bool vtkPlanarPointSource::FitsInMemory()
+{
+  const bool isSingle = this->OutputPointsPrecision == SINGLE_PRECISION;
+  const vtkTypeInt64 perPoint = 3 * (isSingle ? sizeof(float) : sizeof(double)) +
+    sizeof(vtkTypeInt32);
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->NumberOfPoints) * perPoint / 1024;
+  const vtkTypeInt64 available = vtkAHDAvailableMemory();
+  if (needed > available)
+  {
+    vtkErrorMacro("Making " << this->NumberOfPoints << " points takes " << needed
+                            << " KiB of memory, but there are " << available
+                            << " KiB. No point was made. Make fewer.");
+  }
+  return needed <= available;
+}
+
+/// False if aborted: then the output is not complete.
+template <typename Array>
+bool vtkPlanarPointSource::MakePoints(vtkPolyData* output)
+{
+  const vtkIdType count = this->NumberOfPoints;
+  auto coordinates = vtkAHDNewArray<Array>(3 * count);
+  auto ids = vtkAHDNewArray<vtkTypeInt32Array>(count);
+  ahd::PlanarPoints made(static_cast<ahd::PlanarDistribution>(this->Distribution),
+    static_cast<std::size_t>(count), static_cast<std::uint64_t>(this->Seed));
+  const Arrays<typename Array::ValueType> arrays{ coordinates->GetPointer(0), ids->GetPointer(0),
+    count };
+  if (!Fill(arrays, made, this))
+  {
+    return false;
+  }
+  coordinates->SetNumberOfComponents(3);
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  output->SetPoints(points);
+  if (count > 0)
+  {
+    output->SetVerts(PolyVertex(ids));
+  }
+  return true;
+}
+
+void vtkPlanarPointSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Distribution: " << this->Distribution << "\n";
+  os << indent << "NumberOfPoints: " << this->NumberOfPoints << "\n";
+  os << indent << "Seed: " << this->Seed << "\n";
+  os << indent << "OutputPointsPrecision: " << this->OutputPointsPrecision << "\n";
+}
