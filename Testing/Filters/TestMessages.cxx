@@ -12,10 +12,8 @@
 #include <limits>
 
 #if defined(__linux__)
-#include <fstream>
+#include "AddressSpaceLimit.h"
 #include <sys/mman.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #endif
 
 using namespace ahdtest;
@@ -233,32 +231,6 @@ TEST(Messages, TooManyPointsAreRefused)
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   }
   munmap(nothing, numbers * sizeof(float));
-}
-
-namespace
-{
-/// While it lives, the process may take so many more bytes of address space.
-class AddressSpaceLimit
-{
-public:
-  explicit AddressSpaceLimit(std::size_t more)
-  {
-    std::size_t pages = 0;
-    std::ifstream("/proc/self/statm") >> pages;
-    getrlimit(RLIMIT_AS, &this->Before);
-    rlimit limit = this->Before;
-    limit.rlim_cur = pages * std::size_t(sysconf(_SC_PAGESIZE)) + more;
-    this->Works = setrlimit(RLIMIT_AS, &limit) == 0;
-  }
-  ~AddressSpaceLimit() { setrlimit(RLIMIT_AS, &this->Before); }
-
-  bool Works = false;
-
-private:
-  rlimit Before;
-};
-
-constexpr std::size_t kMegabyte = std::size_t(1) << 20;
 }
 
 TEST(Messages, TheLimitOfTheProcessIsSeen)

@@ -2,6 +2,7 @@
 //
 // Progress is reported and never goes back; an abort at any time leaves nothing and breaks nothing.
 #include "FilterTestSupport.h"
+#include "ProgressWatch.h"
 
 #include <gtest/gtest.h>
 
@@ -9,32 +10,6 @@ using namespace ahdtest;
 
 namespace
 {
-/// Keeps what the filter says of its progress, and aborts it at a given one.
-class ProgressWatch : public vtkCommand
-{
-public:
-  static ProgressWatch* New() { return new ProgressWatch; }
-
-  void Execute(vtkObject* caller, unsigned long, void* amount) override
-  {
-    this->Seen.push_back(*static_cast<double*>(amount));
-    if (this->Aborted)
-    {
-      ++this->SeenAfterAbort;
-    }
-    else if (this->Seen.back() >= this->AbortAt)
-    {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-      this->Aborted = true;
-    }
-  }
-
-  std::vector<double> Seen;
-  double AbortAt = 2.0;
-  bool Aborted = false;
-  int SeenAfterAbort = 0;
-};
-
 constexpr std::size_t kCount = 100000;
 }
 

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_ProgressWatch_h
+#define ahd_ProgressWatch_h
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+
+#include <vector>
+
+namespace ahdtest
+{
+
+/// Keeps what a filter says of its progress, and aborts it at a given one.
+class ProgressWatch : public vtkCommand
+{
+public:
+  static ProgressWatch* New() { return new ProgressWatch; }
+
+  void Execute(vtkObject* caller, unsigned long, void* amount) override
+  {
+    this->Seen.push_back(*static_cast<double*>(amount));
+    if (this->Aborted)
+    {
+      ++this->SeenAfterAbort;
+    }
+    else if (this->Seen.back() >= this->AbortAt)
+    {
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      this->Aborted = true;
+    }
+  }
+
+  std::vector<double> Seen;
+  double AbortAt = 2.0;
+  bool Aborted = false;
+  int SeenAfterAbort = 0;
+};
+
+} // namespace ahdtest
+
+#endif
