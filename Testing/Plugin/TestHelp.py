@@ -39,7 +39,11 @@ class Page(html.parser.HTMLParser):
 
 
 pages = {os.path.basename(path): Page(path) for path in glob.glob(os.path.join(FOLDER, "*.html"))}
-check_equal(set(pages), {"index.html", "filters.AdaptiveHilbertDelaunay2D.html"}, "pages of the help")
+check_equal(
+    set(pages),
+    {"index.html", "filters.AdaptiveHilbertDelaunay2D.html", "sources.PlanarPointSource.html"},
+    "pages of the help",
+)
 
 reference = " ".join(pages["filters.AdaptiveHilbertDelaunay2D.html"].text.split())
 for name in SETTINGS + MEASURES:
