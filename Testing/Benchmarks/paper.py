@@ -178,7 +178,8 @@ def measure_part(part, plan, arguments, data):
         validate=points == min(plan.sizes),
     )
     old = rows_of(part, data)
-    data[kind] = [row for row in data[kind] if row not in old] + rows
+    kept = [row for row in data[kind] if row not in old]
+    data[kind] = sorted(kept + rows, key=lambda row: (row["points"], PARTS[kind].index(row["distribution"])))
     data["failures"] += failures
     for failure in failures:
         say(failure)

@@ -245,14 +245,17 @@ def noise_sentence(rows, made):
     if not timed:
         return ""
     cpu, wall = (sum(sum(row["rounds"][k]) for row in timed) for k in ("total", "wall"))
+    waited = (
+        f"{100 * max(0.0, 1 - cpu / wall):.1f} % of the time on the wall was spent waiting, "
+        f"which is not counted; the load of the machine was {made['loadBefore']:.1f} before."
+    )
+    counts = sorted({len(row["rounds"]["total"]) for row in timed})
+    if counts == [1]:
+        return f"Each was measured once, so how far the times are off is not known. {waited}"
     deviations = [deviation(row) for row in timed]
-    counts = span((len(row["rounds"]["total"]) for row in timed), "{:.0f}")
     return (
-        f"Each time is the median of {counts} rounds. The rounds' median distance from it was "
-        f"{sum(deviations) / len(deviations):.1f} % on average, {max(deviations):.1f} % at worst. "
-        f"{100 * max(0.0, 1 - cpu / wall):.1f} % of the time on the wall was spent "
-        "waiting, which is not counted; "
-        f"the load of the machine was {made['loadBefore']:.1f} before."
+        f"Each time is the median of {span(counts, '{:.0f}')} rounds. The rounds' median "
+        f"distance from it was {sum(deviations) / len(deviations):.1f} % on average, {max(deviations):.1f} % at worst. {waited}"
     )
 
 
@@ -264,8 +267,8 @@ def checked_sentence(data):
     validated = sum("is_valid" in row["checked"] for row in cgal)
     return (
         f"Of each point set, the first result was certified in exact arithmetic ({certified} certificates); "
-        f"all other runs of the engine had to give the same bytes ({same} configurations). CGAL's number of triangles "
-        f"had to agree ({len(cgal)} point sets), and its own is_valid() was asked "
+        f"all other runs of the engine had to give the same bytes ({same} configurations). CGAL's number "
+        f"of triangles had to agree ({len(cgal)} point sets), and its own is_valid() was asked "
         f"at the smallest size ({validated})."
     )
 
