@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "vtkType.h"
 
+#include <array>
 #include <memory>
 
 class vtkAHDProgress;
@@ -36,6 +37,18 @@ public:
   /// The points. Ghost and hidden points (vtkGhostType) are marked to be left out.
   /// REQUIRES: Open() was called.
   const ahd::PointView& View() const { return this->Points; }
+
+  /// The three coordinates of a point. REQUIRES: Open() was called.
+  std::array<double, 3> GetPoint(std::size_t i) const
+  {
+    if (this->Points.floats)
+    {
+      const float* p = this->Points.floats + 3 * i;
+      return { { p[0], p[1], p[2] } };
+    }
+    const double* p = this->Points.doubles + 3 * i;
+    return { { p[0], p[1], p[2] } };
+  }
 
   /// What is worth a warning.
   struct Oddities

@@ -61,13 +61,45 @@ void AddCount(vtkPolyData* output, const char* name, std::size_t count)
   array->InsertNextValue(static_cast<vtkIdType>(count));
   output->GetFieldData()->AddArray(array);
 }
+
+/// Adds a point array of what write(ids) writes, one number per point.
+template <typename Write>
+ahd::Status AddIds(const char* name, vtkPolyData* output, ahd::Executor& executor,
+  vtkAHDProgress& progress, const Write& write)
+{
+  // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
+  const std::size_t count = static_cast<std::size_t>(output->GetNumberOfPoints());
+  const std::unique_ptr<std::int64_t[]> ids(new std::int64_t[count]);
+  const ahd::Status status = write(ids.get());
+  if (status != ahd::Status::Ok)
+  {
+    return status;
+  }
+  auto array = vtkAHDNewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
+  array->SetName(name);
+  vtkIdType* values = array->GetPointer(0);
+  const bool all = vtkAHDLoop(count, executor, progress,
+    [&ids, values](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        values[i] = static_cast<vtkIdType>(ids[i]);
+      }
+    });
+  if (!all)
+  {
+    return ahd::Status::Cancelled;
+  }
+  output->GetPointData()->AddArray(array);
+  return status;
+}
 }
 
-std::size_t vtkAHDOutput::EstimateBytes(std::size_t pointCount, bool withFate)
+std::size_t vtkAHDOutput::EstimateBytes(std::size_t pointCount, std::size_t idArrays)
 {
   const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32); // corners and offset
-  const std::size_t fate = withFate ? sizeof(std::int64_t) + sizeof(vtkIdType) : 0;
-  return pointCount * (2 * perTriangle + fate);
+  const std::size_t ids = idArrays * (sizeof(std::int64_t) + sizeof(vtkIdType));
+  return pointCount * (2 * perTriangle + ids);
 }
 
 ahd::Status vtkAHDOutput::Write(ahd::Triangulator& triangulator, vtkPointSet* input,
@@ -83,6 +115,7 @@ ahd::Status vtkAHDOutput::Write(ahd::Triangulator& triangulator, vtkPointSet* in
     AddCount(output, "NumberOfDuplicates", report.duplicates);
     AddCount(output, "NumberOfRejectedPoints", report.notFinite);
     AddCount(output, "NumberOfSkippedPoints", report.skipped);
+    AddCount(output, "NumberOfPointsBeyondLimit", report.beyondLimit);
     AddCount(output, "NumberOfTriangles", report.triangles);
   }
   return status;
@@ -91,29 +124,13 @@ ahd::Status vtkAHDOutput::Write(ahd::Triangulator& triangulator, vtkPointSet* in
 ahd::Status vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output,
   ahd::Executor& executor, vtkAHDProgress& progress)
 {
-  // Through a copy: vtkIdType may have 32 bits, and where it has 64 it is not std::int64_t.
-  const std::size_t count = static_cast<std::size_t>(output->GetNumberOfPoints());
-  const std::unique_ptr<std::int64_t[]> fates(new std::int64_t[count]);
-  const ahd::Status status = triangulator.writeFates(fates.get(), &progress, &executor);
-  if (status != ahd::Status::Ok)
-  {
-    return status;
-  }
-  auto array = vtkAHDNewArray<vtkIdTypeArray>(output->GetNumberOfPoints());
-  array->SetName("Fate");
-  vtkIdType* values = array->GetPointer(0);
-  const bool all = vtkAHDLoop(count, executor, progress,
-    [&fates, values](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        values[i] = static_cast<vtkIdType>(fates[i]);
-      }
-    });
-  if (!all)
-  {
-    return ahd::Status::Cancelled;
-  }
-  output->GetPointData()->AddArray(array);
-  return status;
+  return AddIds("Fate", output, executor, progress,
+    [&](std::int64_t* ids) { return triangulator.writeFates(ids, &progress, &executor); });
+}
+
+ahd::Status vtkAHDOutput::AddInsertionRank(const ahd::Triangulator& triangulator,
+  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress)
+{
+  return AddIds("InsertionRank", output, executor, progress,
+    [&](std::int64_t* ids) { return triangulator.writeInsertionRanks(ids, &progress, &executor); });
 }

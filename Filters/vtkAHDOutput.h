@@ -17,8 +17,9 @@ class vtkPolyData;
  */
 namespace vtkAHDOutput
 {
-/// Upper estimate of the bytes that the functions below allocate.
-std::size_t EstimateBytes(std::size_t pointCount, bool withFate);
+/// Upper estimate of the bytes that the functions below allocate; `idArrays` says how many of the
+/// point arrays are asked for.
+std::size_t EstimateBytes(std::size_t pointCount, std::size_t idArrays);
 
 /// Gives `output` the points and point data of `input` (shared, not copied), the triangles, and the
 /// counts of the run as field data. Returns Cancelled if the filter is to abort, else Ok.
@@ -28,6 +29,11 @@ ahd::Status Write(ahd::Triangulator& triangulator, vtkPointSet* input, vtkPolyDa
 /// Adds the point array "Fate", unless cancelled. REQUIRES: `output` has the points that were
 /// triangulated.
 ahd::Status AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output,
+  ahd::Executor& executor, vtkAHDProgress& progress);
+
+/// Adds the point array "InsertionRank", unless cancelled. REQUIRES: `output` has the points that
+/// were triangulated, with Options::keepOrder.
+ahd::Status AddInsertionRank(const ahd::Triangulator& triangulator, vtkPolyData* output,
   ahd::Executor& executor, vtkAHDProgress& progress);
 }
 

@@ -7,6 +7,7 @@
 #include "vtkAHDExecutor.h"
 #include "vtkAHDInput.h"
 #include "vtkAHDMemory.h"
+#include "vtkAHDOrderOutput.h"
 #include "vtkAHDOutput.h"
 #include "vtkAHDProgress.h"
 
@@ -22,13 +23,16 @@
 #include "vtkMultiProcessController.h"
 #endif
 
+#include <algorithm>
 #include <new>
+#include <sstream>
 
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   : Triangulator(new ahd::Triangulator)
 {
+  this->SetNumberOfOutputPorts(2);
 }
 vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D() = default;
 
@@ -36,10 +40,11 @@ vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D() = default;
 class vtkAdaptiveHilbertDelaunay2D::Run
 {
 public:
-  Run(vtkAdaptiveHilbertDelaunay2D* filter, vtkPointSet* input, vtkPolyData* output)
+  Run(vtkAdaptiveHilbertDelaunay2D* filter, vtkPointSet* input, vtkInformationVector* outputs)
     : Filter(filter)
     , Input(input)
-    , Output(output)
+    , Surface(vtkPolyData::GetData(outputs, 0))
+    , Order(vtkPolyData::GetData(outputs, 1))
     , Points(input)
     , Progress(filter)
     , Executor(vtkAHDThreadsToUse(filter->NumberOfThreads))
@@ -47,13 +52,14 @@ public:
   }
   ~Run();
 
-  /// Is there memory for it all? Says so if not.
+  /// Is there memory for it all, as far as that is known before? Says so if not.
   bool FitsInMemory();
 
-  /// Triangulates and fills the output; throws nothing.
+  /// Triangulates and fills the outputs; throws nothing. Cancelled as well if there is no memory
+  /// for the boxes, which is said then.
   ahd::Status Triangulate();
 
-  /// Empties the output and says why, unless it was the user who cancelled.
+  /// Empties the outputs and says why, unless it was the user who cancelled.
   void Fail(ahd::Status status);
 
   /// Shows the counts and times of this execution in the filter's Get methods.
@@ -65,11 +71,17 @@ public:
 
 private:
   ahd::Options GetOptions() const;
+  bool IsOrderWanted() const;
+  std::size_t EstimateBytes() const;
+  bool IsAllowed(std::size_t bytes, std::size_t boxes);
   ahd::Status TriangulateOrThrow();
+  ahd::Status WriteOutputs();
+  void WarnOfNoTriangle();
 
   vtkAdaptiveHilbertDelaunay2D* const Filter;
   vtkPointSet* const Input;
-  vtkPolyData* const Output;
+  vtkPolyData* const Surface;
+  vtkPolyData* const Order;
   vtkAHDInput Points;
   vtkAHDProgress Progress;
   vtkAHDExecutor Executor;
@@ -106,7 +118,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   }
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
-  Run run(this, input, vtkPolyData::GetData(outputVector));
+  Run run(this, input, outputVector);
   if (!run.FitsInMemory())
   {
     return 1;
@@ -136,36 +148,70 @@ ahd::Options vtkAdaptiveHilbertDelaunay2D::Run::GetOptions() const
   options.geneRotation = this->Filter->GeneRotation;
   options.nmax = this->Filter->Nmax;
   options.countWork = this->Filter->CountWork;
+  options.insertionLimit = static_cast<std::size_t>(this->Filter->InsertionLimit);
+  options.keepOrder = this->Filter->GenerateInsertionRank || this->IsOrderWanted();
+  options.keepBoxes = this->Filter->GenerateBoxes;
   return options;
+}
+
+/// Is anything of the second output asked for?
+bool vtkAdaptiveHilbertDelaunay2D::Run::IsOrderWanted() const
+{
+  return this->Filter->GenerateInsertionCurve || this->Filter->GenerateBoxes;
+}
+
+/// How many boxes there are shows only when the points are sorted; the rest is known before.
+std::size_t vtkAdaptiveHilbertDelaunay2D::Run::EstimateBytes() const
+{
+  const std::size_t count = static_cast<std::size_t>(this->Points.GetCount());
+  const std::size_t limit = static_cast<std::size_t>(this->Filter->InsertionLimit);
+  const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GenerateFate) +
+    static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
+  std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
+    vtkAHDOutput::EstimateBytes(count, idArrays) + this->Points.GetBytesToConvert();
+  if (this->IsOrderWanted())
+  {
+    bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count);
+  }
+  return bytes;
 }
 
 bool vtkAdaptiveHilbertDelaunay2D::Run::FitsInMemory()
 {
-  const std::size_t count = static_cast<std::size_t>(this->Points.GetCount());
-  const std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
-    vtkAHDOutput::EstimateBytes(count, this->Filter->GenerateFate) +
-    this->Points.GetBytesToConvert();
-  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
-  this->Filter->MemoryEstimate = needed;
-
   // What was kept for this execution is part of the estimate. With a limit, all of it is given back
   // where it might be too much.
+  const std::size_t bytes = this->EstimateBytes();
   ahd::Triangulator& triangulator = *this->Filter->Triangulator;
-  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(triangulator.memoryHeld() / 1024);
-  const bool isLimited = this->Filter->MemoryLimit > 0;
-  const vtkTypeInt64 limit = isLimited ? this->Filter->MemoryLimit : vtkAHDAvailableMemory() + held;
-  if (isLimited && held > needed)
+  if (this->Filter->MemoryLimit > 0 && triangulator.memoryHeld() / 1024 > bytes / 1024)
   {
     triangulator.release();
   }
+  return this->IsAllowed(bytes, 0);
+}
+
+/// Keeps the estimate, and says so if it is too high.
+bool vtkAdaptiveHilbertDelaunay2D::Run::IsAllowed(std::size_t bytes, std::size_t boxes)
+{
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
+  const std::size_t held = this->Filter->Triangulator->memoryHeld() / 1024;
+  const bool isLimited = this->Filter->MemoryLimit > 0;
+  const vtkTypeInt64 limit = isLimited ? this->Filter->MemoryLimit
+                                       : vtkAHDAvailableMemory() + static_cast<vtkTypeInt64>(held);
+  this->Filter->MemoryEstimate = needed;
   if (needed > limit)
   {
+    std::ostringstream withBoxes;
+    if (boxes > 0)
+    {
+      withBoxes << " and putting out " << boxes << " boxes";
+    }
     vtkErrorWithObjectMacro(this->Filter,
-      "Triangulating "
-        << count << " points may take " << needed << " KiB of memory, but "
-        << (isLimited ? "MemoryLimit allows " : "there are ") << limit
-        << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
-           "more.");
+      "Triangulating " << this->Points.GetCount() << " points" << withBoxes.str() << " may take "
+                       << needed << " KiB of memory, but "
+                       << (isLimited ? "MemoryLimit allows " : "there are ") << limit << " KiB. "
+                       << (boxes > 0 ? "Nothing was put out. " : "Nothing was computed. ")
+                       << "Take fewer points, " << (boxes > 0 ? "switch GenerateBoxes off, " : "")
+                       << "or set MemoryLimit (in KiB) to allow more.");
   }
   return needed <= limit;
 }
@@ -192,6 +238,12 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::TriangulateOrThrow()
   ahd::Status status = triangulator.run(
     this->Points.View(), this->GetOptions(), &this->Progress, &this->Executor);
   this->Progress.Finish();
+  const std::size_t boxes = triangulator.boxes().size();
+  if (status == ahd::Status::Ok && boxes > 0 &&
+    !this->IsAllowed(this->EstimateBytes() + vtkAHDOrderOutput::EstimateBoxBytes(boxes), boxes))
+  {
+    return ahd::Status::Cancelled;
+  }
   if (status == ahd::Status::Ok &&
     !this->Points.FindOddities(this->Executor, this->Progress, this->Odd))
   {
@@ -199,21 +251,39 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::TriangulateOrThrow()
   }
   if (status == ahd::Status::Ok)
   {
-    status = vtkAHDOutput::Write(
-      triangulator, this->Input, this->Output, this->Executor, this->Progress);
-  }
-  if (status == ahd::Status::Ok && this->Filter->GenerateFate)
-  {
-    status = vtkAHDOutput::AddFate(triangulator, this->Output, this->Executor, this->Progress);
+    status = this->WriteOutputs();
   }
   this->Progress.Finish();
   this->Report = triangulator.report();
   return status;
 }
 
+ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::WriteOutputs()
+{
+  ahd::Triangulator& triangulator = *this->Filter->Triangulator;
+  ahd::Status status = vtkAHDOutput::Write(
+    triangulator, this->Input, this->Surface, this->Executor, this->Progress);
+  if (status == ahd::Status::Ok && this->Filter->GenerateFate)
+  {
+    status = vtkAHDOutput::AddFate(triangulator, this->Surface, this->Executor, this->Progress);
+  }
+  if (status == ahd::Status::Ok && this->Filter->GenerateInsertionRank)
+  {
+    status = vtkAHDOutput::AddInsertionRank(
+      triangulator, this->Surface, this->Executor, this->Progress);
+  }
+  if (status == ahd::Status::Ok && this->IsOrderWanted())
+  {
+    vtkAHDOrderOutput order(triangulator, this->Points, this->Executor, this->Progress);
+    status = order.Write(this->Filter->GenerateInsertionCurve, this->Order);
+  }
+  return status;
+}
+
 void vtkAdaptiveHilbertDelaunay2D::Run::Fail(ahd::Status status)
 {
-  this->Output->Initialize();
+  this->Surface->Initialize();
+  this->Order->Initialize();
   this->Filter->Triangulator->release();
   if (status == ahd::Status::TooManyPoints)
   {
@@ -236,6 +306,7 @@ void vtkAdaptiveHilbertDelaunay2D::Run::KeepMeasures()
   filter->NumberOfDuplicates = static_cast<vtkIdType>(this->Report.duplicates);
   filter->NumberOfRejectedPoints = static_cast<vtkIdType>(this->Report.notFinite);
   filter->NumberOfSkippedPoints = static_cast<vtkIdType>(this->Report.skipped);
+  filter->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(this->Report.beyondLimit);
   filter->NumberOfTriangles = static_cast<vtkIdType>(this->Report.triangles);
   if (filter->CountWork)
   {
@@ -275,12 +346,27 @@ void vtkAdaptiveHilbertDelaunay2D::Run::Warn()
   }
   if (this->Report.triangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
   {
-    vtkWarningWithObjectMacro(this->Filter,
-      "There is no triangle, because "
-        << (this->Report.inserted < 3 ? "there are fewer than three distinct points: "
-                                      : "all distinct points are collinear: ")
-        << this->Report.inserted << " distinct points among " << this->Points.GetCount() << ".");
+    this->WarnOfNoTriangle();
   }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Run::WarnOfNoTriangle()
+{
+  const bool areFew = this->Report.inserted < 3;
+  if (this->Report.beyondLimit > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "There is no triangle yet, because InsertionLimit has only the first "
+        << this->Report.inserted << " of " << this->Report.inserted + this->Report.beyondLimit
+        << " distinct points inserted, "
+        << (areFew ? "fewer than three." : "and these are collinear."));
+    return;
+  }
+  vtkWarningWithObjectMacro(this->Filter,
+    "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
+                                                : "all distinct points are collinear: ")
+                                     << this->Report.inserted << " distinct points among "
+                                     << this->Points.GetCount() << ".");
 }
 
 void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
@@ -289,6 +375,7 @@ void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
   this->NumberOfDuplicates = 0;
   this->NumberOfRejectedPoints = 0;
   this->NumberOfSkippedPoints = 0;
+  this->NumberOfPointsBeyondLimit = 0;
   this->NumberOfTriangles = 0;
   this->NP = -1.0;
   this->NR = -1.0;
@@ -323,6 +410,10 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
   os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
+  os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
+  os << indent << "GenerateInsertionRank: " << (this->GenerateInsertionRank ? "On\n" : "Off\n");
+  os << indent << "GenerateInsertionCurve: " << (this->GenerateInsertionCurve ? "On\n" : "Off\n");
+  os << indent << "GenerateBoxes: " << (this->GenerateBoxes ? "On\n" : "Off\n");
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
@@ -330,6 +421,7 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
   os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->NumberOfSkippedPoints << "\n";
+  os << indent << "NumberOfPointsBeyondLimit: " << this->NumberOfPointsBeyondLimit << "\n";
   os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NP: " << this->NP << "\n";
   os << indent << "NR: " << this->NR << "\n";

@@ -16,17 +16,21 @@
  * - cover the convex hull of the points; points on its straight edges are corners of triangles;
  * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull.
  *
+ * This is output port 0. Output port 1 is empty unless asked for (see below).
+ *
  * <b>The result is canonical.</b> Where four or more points lie on one circle, there is more than
  * one Delaunay triangulation; here the coordinates alone decide which is taken, and the triangles
  * and their corners come in an order that the coordinates decide as well. None of the settings
- * changes the triangles or their order, and shuffling the input changes nothing but the ids.
+ * but InsertionLimit changes the triangles or their order, and shuffling the input changes nothing
+ * but the ids.
  *
  * <b>What becomes of each point.</b> Every point is one of these, and the filter counts them:
  * - a vertex of the triangulation;
  * - a duplicate: same x and y as a point of smaller id, which stands for it in the triangles;
  * - rejected: its x or y is NaN or infinite;
  * - skipped: marked as a duplicate of another piece's point or as hidden in the point data array
- *   vtkGhostType.
+ *   vtkGhostType;
+ * - beyond the limit: it would be a vertex, but InsertionLimit stopped the insertion before.
  *
  * All stay in the output's points. Switch GenerateFate on to get each point's fate as a point
  * array. The counts are available from the Get methods below and, as integer arrays of one value
@@ -42,18 +46,40 @@
  * 2^28 - 2 points are taken. Float and double points are read where they are, and widening float to
  * double is exact; points of another type are converted to double first.
  *
+ * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
+ * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank
+ * adds the place of each point in the order of insertion to the surface. The order itself is output
+ * port 1, a vtkPolyData, which is empty unless GenerateInsertionCurve or GenerateBoxes is on:
+ * - its points are the inserted points, in the order of their insertion, then four corners for each
+ *   box. They are of double precision; a corner's z is the lowest finite one of the input, so that
+ *   the boxes lie below the surface;
+ * - its cells are, with GenerateInsertionCurve, a polyline through the inserted points (if there
+ *   are two or more), then, with GenerateBoxes, a counterclockwise quadrangle for each box of the
+ *   grid that is not divided further, empty boxes included, in the order in which they are visited;
+ * - its point data are "InsertionRank", the place in the order from 0, and "OriginalPointIds", the
+ *   id in the input (both vtkIdTypeArray and -1 at corners);
+ * - its cell data are "Level" (vtkIntArray), the number of divisions that made the box, 0 for the
+ *   box of all points, and "Count" (vtkIdTypeArray), the distinct points in the box, control points
+ *   and those beyond the limit included; for the curve -1 and the points it passes. A point on the
+ *   border of two boxes belongs to the one of larger x or y.
+ *
+ * So the Counts of all boxes add up to the points inserted and those beyond the limit. The sides of
+ * the boxes are rounded, as they are there to be drawn. The outermost ones may stand a little way
+ * beyond the points, as a box is at most twice as long as wide.
+ *
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
- * because there are fewer than three distinct points or all are collinear; an array vtkGhostType
+ * because there are fewer than three distinct points or all are collinear (if InsertionLimit lets
+ * no more be inserted, this is said); an array vtkGhostType
  * that has not one value per point, and is ignored; several MPI ranks
  * (once in the filter's life, from rank 0), since each rank then triangulates its own points only.
  * The blocks of a composite data set are triangulated one by one; one that is no vtkPointSet, such
  * as an image, gets a warning and an empty output.
  * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
- * nothing is said. Errors, with an empty output: too many points, or not enough memory. The error
- * is said once, the request counts as done (as in vtkDelaunay2D), and the filters behind this one
- * get the empty output. An aborted execution (SetAbortExecute from a progress observer) leaves an
- * empty output and no error; to run again, call SetAbortExecute(0) and Modified().
+ * nothing is said. Errors, with both outputs empty: too many points, or not enough memory. The
+ * error is said once, the request counts as done (as in vtkDelaunay2D), and the filters behind this
+ * one get the empty outputs. An aborted execution (SetAbortExecute from a progress observer) leaves
+ * empty outputs and no error; to run again, call SetAbortExecute(0) and Modified().
  *
  * <b>Compared with vtkDelaunay2D.</b> vtkDelaunay2D drops points closer to others than a Tolerance
  * and decides with rounded arithmetic, so its result may depend on the order of the points and may
@@ -169,9 +195,64 @@ public:
 
   ///@{
   /**
+   * Stop after so many points of the order of insertion: the triangles are the Delaunay
+   * triangulation of these points, as it was when the last of them was inserted. A number of
+   * distinct points (duplicates do not count); 0, the default, and all numbers that are large
+   * enough stand for all points. Negative numbers stand for 0. Which points come first depends on
+   * InsertionOrder, Nmax, ControlPoints and GeneRotation; GenerateInsertionRank shows it. The other
+   * points stay in the output, in no triangle, and are counted by NumberOfPointsBeyondLimit. With a
+   * limit the points are inserted by one thread. The time to sort them is as without.
+   */
+  vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(InsertionLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "InsertionRank" (vtkIdTypeArray): the place of each point in the order of
+   * insertion, from 0, those beyond InsertionLimit included; -1 for points that are in no order:
+   * duplicates, rejected and skipped ones. The order is that of one thread; several threads insert
+   * the points of one round of the default order side by side. Off by default; costs 4 bytes per
+   * point, and 16 more while the filter runs.
+   */
+  vtkSetMacro(GenerateInsertionRank, bool);
+  vtkGetMacro(GenerateInsertionRank, bool);
+  vtkBooleanMacro(GenerateInsertionRank, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Put a polyline through the inserted points, in the order of their insertion, into output port 1
+   * (see the description of the class). Off by default.
+   */
+  vtkSetMacro(GenerateInsertionCurve, bool);
+  vtkGetMacro(GenerateInsertionCurve, bool);
+  vtkBooleanMacro(GenerateInsertionCurve, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Put the boxes of the grid that decides the order into output port 1 (see the description of the
+   * class): those that are not divided further, in the order in which they are visited, each with
+   * its level of division and the points in it. They depend on InsertionOrder, Nmax and, as they
+   * follow the curve, on GeneRotation; SINGLE_LEVEL's control points do not count where it is
+   * decided whether a box is divided. AS_GIVEN has no boxes. With the default settings the order
+   * is made without a grid, as the curve goes on inside the boxes down to the single point; the
+   * boxes are then those along which it runs. Off by default; costs about 300 bytes per box. How
+   * many boxes there are shows only when the points are sorted: if there is no memory for them, the
+   * execution is refused then.
+   */
+  vtkSetMacro(GenerateBoxes, bool);
+  vtkGetMacro(GenerateBoxes, bool);
+  vtkBooleanMacro(GenerateBoxes, bool);
+  ///@}
+
+  ///@{
+  /**
    * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
-   * if it is a vertex, the id of the vertex it coincides with if it is a duplicate, -1 if it was
-   * rejected because its x or y is not finite, -2 if it was skipped as a ghost or hidden point.
+   * if it is a vertex, the id of the point it coincides with if it is a duplicate, -1 if it was
+   * rejected because its x or y is not finite, -2 if it was not inserted, because it is marked as a
+   * ghost or hidden point or lies beyond InsertionLimit.
    * Off by default; costs 16 bytes per point while the filter runs.
    */
   vtkSetMacro(GenerateFate, bool);
@@ -208,8 +289,9 @@ public:
    * the time of one execution. Threads that the system refuses are done without.
    *
    * Points are inserted by one thread if InsertionOrder is not ADAPTIVE_HILBERT, if other settings
-   * of the insertion differ from the default, or if CountWork is on: there is then an order to be
-   * kept to. So are few points, as it would not pay. The other steps use all threads.
+   * of the insertion differ from the default, or if CountWork or InsertionLimit is on: there is
+   * then an order to be kept to. So are few points, as it would not pay. The other steps use all
+   * threads.
    */
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
@@ -229,13 +311,15 @@ public:
 
   ///@{
   /**
-   * Counts of the last execution. Inserted points, duplicates, rejected and skipped points add up
-   * to the number of input points. All 0 if the execution was aborted or ended in an error.
+   * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points and
+   * those beyond the limit add up to the number of input points. All 0 if the execution was aborted
+   * or ended in an error.
    */
   vtkGetMacro(NumberOfPointsInserted, vtkIdType);
   vtkGetMacro(NumberOfDuplicates, vtkIdType);
   vtkGetMacro(NumberOfRejectedPoints, vtkIdType);
   vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
+  vtkGetMacro(NumberOfPointsBeyondLimit, vtkIdType);
   vtkGetMacro(NumberOfTriangles, vtkIdType);
   ///@}
 
@@ -286,6 +370,10 @@ protected:
   bool GeneRotation = true;
   bool CountWork = false;
   bool GenerateFate = false;
+  vtkIdType InsertionLimit = 0;
+  bool GenerateInsertionRank = false;
+  bool GenerateInsertionCurve = false;
+  bool GenerateBoxes = false;
   vtkTypeInt64 MemoryLimit = 0;
   int NumberOfThreads = 0;
   vtkTypeInt64 ReuseLimit = 262144;
@@ -295,6 +383,7 @@ protected:
   vtkIdType NumberOfDuplicates = 0;
   vtkIdType NumberOfRejectedPoints = 0;
   vtkIdType NumberOfSkippedPoints = 0;
+  vtkIdType NumberOfPointsBeyondLimit = 0;
   vtkIdType NumberOfTriangles = 0;
   double NP = -1.0;
   double NR = -1.0;
