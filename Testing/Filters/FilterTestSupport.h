@@ -7,7 +7,9 @@
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkExecutive.h"
+#include "vtkIdTypeArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -33,6 +35,19 @@ inline std::vector<Xyz> latticePoints(std::size_t count, int side, unsigned seed
   for (Xyz& p : points)
   {
     p = { double(random() % unsigned(side)), double(random() % unsigned(side)), 0.0 };
+  }
+  return points;
+}
+
+/// `count` points with x and y from [0, 1), no two alike, and z = 0; the same ones each time.
+inline std::vector<Xyz> scatteredPoints(std::size_t count, unsigned seed = 1)
+{
+  std::mt19937_64 random(seed); // its sequence is fixed by the standard
+  std::vector<Xyz> points(count);
+  for (Xyz& p : points)
+  {
+    const double x = double(random() >> 11) * 0x1p-53;
+    p = { x, double(random() >> 11) * 0x1p-53, 0.0 };
   }
   return points;
 }
@@ -71,6 +86,15 @@ inline std::vector<Triangle> trianglesOf(vtkPolyData* surface)
   return triangles;
 }
 
+/// The values of an array of ids; empty if there is no such array.
+inline std::vector<vtkIdType> idsOf(vtkFieldData* data, const char* name)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
+  return array ? std::vector<vtkIdType>(
+                   array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
+               : std::vector<vtkIdType>();
+}
+
 /// The triangles of `xyz` with default settings.
 inline std::vector<Triangle> triangulate(const std::vector<Xyz>& xyz, int type = VTK_DOUBLE)
 {
@@ -100,6 +124,25 @@ public:
 
   std::vector<std::string> Warnings;
   std::vector<std::string> Errors;
+};
+
+/// Aborts the filter it watches when its progress comes to a fraction.
+class AbortAt : public vtkCommand
+{
+public:
+  static AbortAt* New() { return new AbortAt; }
+
+  void Execute(vtkObject* caller, unsigned long, void* amount) override
+  {
+    if (!this->Done && *static_cast<double*>(amount) >= this->Fraction)
+    {
+      this->Done = true;
+      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+    }
+  }
+
+  double Fraction = 0.0;
+  bool Done = false;
 };
 
 /// A filter whose messages are kept instead of printed.

@@ -255,6 +255,9 @@ TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
   filter->SetInputData(makeCloud(latticePoints(300000, 1000000), VTK_FLOAT));
   filter->SetMemoryLimit(VTK_TYPE_INT64_MAX);
   filter->GenerateFateOn();
+  filter->GenerateInsertionRankOn();
+  filter->GenerateInsertionCurveOn();
+  filter->GenerateBoxesOn();
   std::size_t refusals = 0;
   for (std::size_t more = 4 * kMegabyte; more <= 256 * kMegabyte; more += 4 * kMegabyte)
   {
@@ -273,6 +276,8 @@ TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
     ASSERT_EQ(filter.Said->Errors.size(), refusals) << "more than one error, " << more << " bytes";
     EXPECT_TRUE(contains(filter.Said->Errors.back(), "Out of memory")) << more << " bytes";
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << more << " bytes";
+    EXPECT_EQ(filter->GetOutput(1)->GetNumberOfPoints(), 0) << more << " bytes";
+    EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0) << more << " bytes";
     EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << more << " bytes";
   }
   EXPECT_GT(refusals, 2u) << "memory never ran out: nothing was tested";

@@ -19,6 +19,10 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_TRUE(filter->GetGeneRotation());
   EXPECT_FALSE(filter->GetCountWork());
   EXPECT_FALSE(filter->GetGenerateFate());
+  EXPECT_EQ(filter->GetInsertionLimit(), 0);
+  EXPECT_FALSE(filter->GetGenerateInsertionRank());
+  EXPECT_FALSE(filter->GetGenerateInsertionCurve());
+  EXPECT_FALSE(filter->GetGenerateBoxes());
   EXPECT_EQ(filter->GetMemoryLimit(), 0);
   EXPECT_EQ(filter->GetNumberOfThreads(), 0);
   EXPECT_EQ(filter->GetReuseLimit(), 262144);
@@ -29,6 +33,8 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_EQ(filter->GetInsertionOrder(), Filter::AS_GIVEN);
   filter->SetControlPoints(-1);
   EXPECT_EQ(filter->GetControlPoints(), Filter::NO_CONTROL_POINTS);
+  filter->SetInsertionLimit(-7);
+  EXPECT_EQ(filter->GetInsertionLimit(), 0);
   filter->SetMemoryLimit(-1);
   EXPECT_EQ(filter->GetMemoryLimit(), 0);
   filter->SetNumberOfThreads(-2);
@@ -149,11 +155,12 @@ TEST(Settings, AreAllPrinted)
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name :
-    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate",
-      "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
-      "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit",
-      "NumberOfThreadsUsed", "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
+  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
+         "GenerateFate", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
+         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
+         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
+         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
+         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }
