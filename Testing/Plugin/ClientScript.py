@@ -5,6 +5,7 @@
 """
 
 import paraview.simple
+from paraview import servermanager
 from paraview.simple import *
 
 from pluginsupport import *
@@ -42,4 +43,12 @@ SetProperties(surface, InsertionOrder="Multi-grid", Nmax=5, GenerateFate=1)
 surface.UpdatePipeline()
 check(surface.PointData["Fate"], "the setting GenerateFate did not reach the server")
 check_equal(fingerprint(surface), expected, "triangles after the settings were changed")
+
+SetProperties(surface, InsertionLimit=100, GenerateInsertionCurve=1, GenerateBoxes=1)
+found = measures(surface)
+check_equal(found["NumberOfPointsInserted"], 100, "points inserted on the server, with a limit")
+check_equal(found["NumberOfPointsBeyondLimit"], 293, "points beyond the limit on the server")
+order = servermanager.Fetch(surface, idx=1)
+check_equal(order.GetNumberOfLines(), 1, "curves that came from the server")
+check_equal(order.GetNumberOfPoints(), 100 + 4 * order.GetNumberOfPolys(), "points that came from the server")
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")

@@ -14,6 +14,8 @@ rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 surface = AdaptiveHilbertDelaunay2D(Input=Sphere())
 surface.UpdatePipeline()
 surface.GenerateFate = 1
+surface.GenerateInsertionCurve = 1
 surface.UpdatePipeline()
 check_equal(surface.GetDataInformation().GetNumberOfPoints(), 32, "points of rank %d" % rank)
+check_equal(surface[1].GetDataInformation().GetNumberOfCells(), 1, "curves of rank %d" % rank)
 print("rank %d of %d: %d triangles" % (rank, ranks, surface.GetDataInformation().GetNumberOfCells()), flush=True)

@@ -24,6 +24,14 @@ def height():
     return {"points": hill_points(60, 0) + [(5.0, 5.0, math.nan)]}
 
 
+def limit():
+    return {"points": hill_points(60, 0), "InsertionLimit": 2}
+
+
+def limited():
+    return {"points": hill_points(60, 0), "InsertionLimit": 30, "GenerateBoxes": 1}
+
+
 def memory():
     return {"points": hill_points(4000, 0), "MemoryLimit": 1}
 
@@ -37,6 +45,8 @@ EXPECTED = {
     collinear: ["no triangle", "collinear", "9"],
     rejected: ["2 of 62 points", "NaN or infinite", "60"],
     height: ["1 of 61 points", "z"],
+    limit: ["no triangle", "InsertionLimit", "2 of 60"],
+    limited: [],
     memory: ["4000 points", "KiB", "MemoryLimit"],
     duplicates: [],
 }

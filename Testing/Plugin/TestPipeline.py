@@ -107,13 +107,73 @@ def test_fate():
 
 
 def test_multiblock():
-    """Each block by itself."""
+    """Each block by itself, in both outputs."""
     group = GroupDatasets(Input=[Plane(XResolution=3, YResolution=3), Plane(XResolution=2, YResolution=2)])
     surface = AdaptiveHilbertDelaunay2D(Input=group)
     surface.UpdatePipeline()
     information = surface.GetDataInformation()
     check(information.IsCompositeDataSet(), "a multiblock input does not give a multiblock output")
     check_equal(information.GetNumberOfCells(), 2 * 3 * 3 + 2 * 2 * 2, "triangles of both blocks")
+    check_equal(surface[1].GetDataInformation().GetNumberOfPoints(), 0, "points of the second output")
+    SetProperties(surface, GenerateInsertionCurve=1, GenerateBoxes=1)
+    surface.UpdatePipeline()
+    order = surface[1].GetDataInformation()
+    check(order.IsCompositeDataSet(), "a multiblock input does not give a multiblock second output")
+    check_equal(order.GetNumberOfCells(), 2 * (1 + 1), "a curve and a box for each block")
+    check_equal(order.GetNumberOfPoints(), 16 + 4 + 9 + 4, "points of the second output")
+
+
+def test_second_output():
+    """The order of insertion, for what users do with it."""
+    reader = XMLPolyDataReader(FileName=[write_vtp("order.vtp", hill_points(500, 3))])
+    surface = AdaptiveHilbertDelaunay2D(Input=reader, InsertionLimit=200)
+    surface.UpdatePipeline()
+    nothing = surface[1].GetDataInformation()
+    check_equal((nothing.GetNumberOfPoints(), nothing.GetNumberOfCells()), (0, 0), "second output, not asked for")
+    expected = fingerprint(surface)
+    SetProperties(surface, GenerateInsertionCurve=1, GenerateBoxes=1, GenerateInsertionRank=1)
+    check_equal(fingerprint(surface), expected, "triangles beside the second output")
+    check_equal(surface.PointData["InsertionRank"].GetRange(0), (-1.0, 496.0), "ranks in the surface")
+    order = servermanager.Fetch(surface, idx=1)
+    boxes = order.GetNumberOfPolys()
+    check_equal(order.GetNumberOfLines(), 1, "curves")
+    check(boxes > 15, "there are %d boxes" % boxes)
+    check_equal(order.GetNumberOfPoints(), 200 + 4 * boxes, "points of the second output")
+    counts, levels = (order.GetCellData().GetArray(name) for name in ("Count", "Level"))
+    check_equal(counts.GetValue(0), 200, "points that the curve passes")
+    check_equal(sum(counts.GetValue(i) for i in range(1, 1 + boxes)), 497, "points in the boxes")
+    check_equal(levels.GetRange(), (-1.0, 1.0), "levels")
+    low, high = order.GetBounds()[4:]
+    heights = servermanager.Fetch(reader).GetBounds()[4:]
+    check_equal(low, heights[0], "height of the boxes, below all points")
+    check(high <= heights[1], "a point of the curve is too high")
+
+    edges = Tube(Input=OutputPort(surface, 1), Radius=0.01)
+    edges.UpdatePipeline()
+    check(edges.GetDataInformation().GetNumberOfCells() > 0, "no tube along the curve")
+
+
+def test_animation():
+    """What a user does who wants to see the surface grow."""
+    reader = XMLPolyDataReader(FileName=[write_vtp("animation.vtp", hill_points(60, 0))])
+    surface = AdaptiveHilbertDelaunay2D(Input=reader, GenerateInsertionCurve=1)
+    track = GetAnimationTrack("InsertionLimit", proxy=surface)
+    track.KeyFrames = [CompositeKeyFrame(KeyTime=0.0, KeyValues=[10.0]), CompositeKeyFrame(KeyTime=1.0, KeyValues=[60.0])]
+    scene = GetAnimationScene()
+    scene.PlayMode = "Sequence"
+    scene.NumberOfFrames = 6
+    scene.GoToFirst()
+    seen = []
+    for _ in range(6):
+        found = measures(surface)
+        check_equal(surface[1].GetDataInformation().GetNumberOfPoints(), surface.InsertionLimit, "points of the curve")
+        check_equal(found["NumberOfPointsInserted"], surface.InsertionLimit, "points inserted")
+        seen.append((surface.InsertionLimit, found["NumberOfTriangles"]))
+        scene.GoToNext()
+    check_equal([limit for limit, _ in seen], [10, 20, 30, 40, 50, 60], "limits of the animation")
+    check(all(a[1] < b[1] for a, b in zip(seen, seen[1:])), "the surface does not grow: %r" % seen)
+    whole = AdaptiveHilbertDelaunay2D(Input=reader)
+    check_equal(fingerprint(surface), fingerprint(whole), "the surface at the end")
 
 
 def test_input_types():

@@ -81,10 +81,33 @@ def test_choices():
 
 
 def test_ranges():
-    for name, least in (("Nmax", 1), ("MemoryLimit", 0), ("NumberOfThreads", 0), ("ReuseLimit", 0)):
+    ranges = {"Nmax": 1, "InsertionLimit": 0, "MemoryLimit": 0, "NumberOfThreads": 0, "ReuseLimit": 0}
+    for name, least in ranges.items():
         domain = sm.GetProperty(name).FindDomain("vtkSMIntRangeDomain")
         check(domain and domain.GetMinimumExists(0), name + " has no minimum")
         check_equal(domain.GetMinimum(0), least, "minimum of " + name)
+
+
+def test_the_limit_goes_up_to_the_number_of_points():
+    """A range with both ends is shown as a slider, and is what an animation goes through at first."""
+    reader = XMLPolyDataReader(FileName=[write_vtp("limit.vtp", hill_points(300))])
+    limited = AdaptiveHilbertDelaunay2D(Input=reader)
+    item = limited.SMProxy.GetProperty("InsertionLimit")
+    domain = item.FindDomain("vtkSMIntRangeDomain")
+    reader.UpdatePipeline()
+    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (0, 300), "range of InsertionLimit")
+    check(domain.GetMinimumExists(0) and domain.GetMaximumExists(0), "the range of InsertionLimit is open")
+    limited.Input = Plane(XResolution=1, YResolution=2)
+    limited.UpdatePipeline()
+    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (0, 6), "range with another input")
+    check_equal(limited.InsertionLimit, 0, "InsertionLimit, which the range must not change")
+    check(item.GetAnimateable(), "InsertionLimit cannot be animated")
+
+
+def test_outputs():
+    check_equal(sm.GetNumberOfOutputPorts(), 2, "number of outputs")
+    names = [sm.GetOutputPortName(i) for i in range(2)]
+    check_equal(names, ["Surface", "Insertion order"], "names of the outputs")
 
 
 def vtk_class():

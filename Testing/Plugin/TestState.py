@@ -15,6 +15,10 @@ CHANGED = {
     "GeneRotation": 0,
     "CountWork": 1,
     "GenerateFate": 1,
+    "InsertionLimit": 200,
+    "GenerateInsertionRank": 1,
+    "GenerateInsertionCurve": 1,
+    "GenerateBoxes": 1,
     "MemoryLimit": 4000000,
     "NumberOfThreads": 3,
     "ReuseLimit": 1000,
@@ -25,6 +29,8 @@ check_equal(set(CHANGED), set(SETTINGS), "settings this test changes")
 def build():
     reader = XMLPolyDataReader(registrationName="hill", FileName=[write_vtp("state.vtp", hill_points())])
     surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=reader, **CHANGED)
+    # A filter on the second output, so that the state has to say which.
+    Outline(registrationName="outline", Input=OutputPort(surface, 1)).UpdatePipeline()
     return fingerprint(surface)
 
 
@@ -36,7 +42,12 @@ def check_restored(expected, how):
     for name, value in CHANGED.items():
         check_equal(getattr(surface, name), value, "%s: %s" % (how, name))
     check_equal(fingerprint(surface), expected, how + ": the triangles")
-    check_equal(measures(surface)["NumberOfDuplicates"], 7, how + ": duplicates")
+    found = measures(surface)
+    check_equal(found["NumberOfDuplicates"], 7, how + ": duplicates")
+    check_equal(found["NumberOfPointsBeyondLimit"], 193, how + ": points beyond the limit")
+    outline = FindSource("outline")
+    check_equal(outline.Input.Port, 1, how + ": the output the outline is of")
+    check(surface[1].GetDataInformation().GetNumberOfCells() > 1, how + ": no boxes in the second output")
 
 
 expected = build()

@@ -12,6 +12,7 @@ path = write_vtp("trace.vtp", hill_points())
 smtrace.start_trace()
 reader = XMLPolyDataReader(registrationName="hill", FileName=[path])
 surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=reader, Nmax=77)
+outline = Outline(registrationName="outline", Input=OutputPort(surface, 1))
 surface.UpdatePipeline()
 # What the Apply button does: trace what is changed between here ...
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
@@ -19,6 +20,8 @@ surface.InsertionOrder = "Regular grid"
 surface.GenerateFate = 1
 surface.NumberOfThreads = 3
 surface.ReuseLimit = 0
+surface.InsertionLimit = 150
+surface.GenerateBoxes = 1
 # ... and here.
 modified.finalize()
 trace = smtrace.stop_trace()
@@ -31,6 +34,9 @@ for piece in (
     "GenerateFate = 1",
     "NumberOfThreads = 3",
     "ReuseLimit = 0",
+    "InsertionLimit = 150",
+    "GenerateBoxes = 1",
+    "Input=OutputPort(",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
@@ -43,10 +49,11 @@ with open(replay, "w") as file:
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
         "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder,\n"
-        "    surface.NumberOfThreads, surface.ReuseLimit)\n"
+        "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit, int(surface.GenerateBoxes),\n"
+        "    FindSource('outline').Input.Port)\n"
     )
 status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)
 check_equal(status, 0, "exit status of the replayed trace")
-line = "replayed %s 77 1 'Regular grid' 3 0" % expected
+line = "replayed %s 77 1 'Regular grid' 3 0 150 1 1" % expected
 check(line in printed, "the replayed trace did not print %r" % line)
 print("passed: trace")

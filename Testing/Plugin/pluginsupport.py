@@ -24,6 +24,10 @@ SETTINGS = [
     "GeneRotation",
     "CountWork",
     "GenerateFate",
+    "InsertionLimit",
+    "GenerateInsertionRank",
+    "GenerateInsertionCurve",
+    "GenerateBoxes",
     "MemoryLimit",
     "NumberOfThreads",
     "ReuseLimit",
@@ -34,6 +38,7 @@ COUNTS = [
     "NumberOfDuplicates",
     "NumberOfRejectedPoints",
     "NumberOfSkippedPoints",
+    "NumberOfPointsBeyondLimit",
 ]
 MEASURES = COUNTS + [
     "NP",

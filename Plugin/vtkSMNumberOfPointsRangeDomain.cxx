@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSMNumberOfPointsRangeDomain.h"
+
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkSMNumberOfPointsRangeDomain);
+
+void vtkSMNumberOfPointsRangeDomain::Update(vtkSMProperty*)
+{
+  vtkPVDataInformation* input = this->GetInputDataInformation("Input");
+  const vtkTypeInt64 points = input ? input->GetNumberOfPoints() : 0;
+  const vtkTypeInt64 most = std::min<vtkTypeInt64>(points, VTK_INT_MAX);
+  this->SetEntries({ vtkEntry(0, static_cast<int>(std::max<vtkTypeInt64>(0, most))) });
+}
+
+void vtkSMNumberOfPointsRangeDomain::Register()
+{
+  // ParaView makes domains by name through this; classes in modules are registered by generated
+  // code.
+  vtkClientServerInterpreterInitializer::GetGlobalInterpreter()->AddNewInstanceFunction(
+    "vtkSMNumberOfPointsRangeDomain",
+    [](void*) -> vtkObjectBase* { return vtkSMNumberOfPointsRangeDomain::New(); });
+}
