@@ -28,13 +28,14 @@ EOF
 }
 
 # To build; for the plugin's help; to run it on several ranks and without a screen; for the tests,
-# their sanitizers and benchmarks; and for the unpacked VTK 9.1, whose development files want TBB.
+# their sanitizers and benchmarks; for the unpacked VTK 9.1, whose development files want TBB; and for
+# the peers of PyPI that the benchmarks compare with.
 packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev
   qttools5-dev qtxmlpatterns5-dev-tools
   openmpi-bin libglew-dev xvfb xauth
   git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
   clang clang-format libclang-rt-14-dev valgrind
-  libtbb-dev)
+  libtbb-dev python3-venv)
 
 # Debian's VTK 9.1 cannot be installed beside ParaView: their Python packages exclude each other.
 # All six are needed: the files that let CMake find VTK name files of each.

@@ -50,14 +50,14 @@ class Results:
 
 
 def markdown(data):
-    """The whole section, Markdown, headings of the third level and below."""
+    """The whole section, Markdown, with its heading (of the second level)."""
     results = Results(data)
-    parts = ["\n".join(f"- {sentence}" for sentence in sentences(results)), who(results)]
+    parts = ["## The peers", "\n".join(f"- {sentence}" for sentence in sentences(results)), who(results)]
     for size in [*results.sizes, None]:
         if results.keys(size):
             parts.append(times(results, size))
     parts += [fault_summary(results), fault_details(results), memory(results)]
-    return "\n\n".join(part for part in parts if part) + "\n"
+    return "\n\n".join(part for part in parts if part)
 
 
 def table(head, rows):
