@@ -21,14 +21,14 @@
  * - CIRCLE: radius 0.4 + 0.01 g about (0.5, 0.5), direction 2 pi u. A ring with radii from 0.34 to
  *   0.46.
  * - SPIRAL: radius 0.15 t + 0.01 g about (0.5, 0.5), direction 2 pi t, with t = 3 sqrt(u). Three
- *   turns of an Archimedean spiral, 0.15 from turn to turn, that ends at radius 0.45; the root
- * spreads the points evenly along its length. All points lie within 0.51 of (0.5, 0.5).
- * - MIXED: with probability 1/2 a point of UNIFORM; else a point (0.01 g, 0.01 g) from the centre
- * of one of 20 clusters, all equally likely. The centres are (u, u), and depend on Seed. A
- *   coordinate lies from -0.06 to 1.06.
+ *   turns of an Archimedean spiral, 0.15 from turn to turn, that ends at radius 0.45. The root
+ *   spreads the points evenly along its length. All points lie within 0.51 of (0.5, 0.5).
+ * - MIXED: with probability 1/2 a point of UNIFORM; else a point (0.01 g, 0.01 g) away from the
+ *   centre of one of 20 clusters, all equally likely. The centres are (u, u); they depend on Seed
+ *   only. A coordinate lies from -0.06 to 1.06.
  * - LATTICE: point i is (i modulo s, i / s rounded down), where s is the square root of
  *   NumberOfPoints rounded up: whole coordinates, row by row from (0, 0). No point is there twice.
- * A square number of points fills the square lattice, another leaves places of the last rows empty.
+ *   A square number of points fills the square, any other leaves places of the last rows empty.
  *
  * <b>What comes out.</b> A vtkPolyData of NumberOfPoints points, z = 0, and one vertex cell of the
  * type VTK_POLY_VERTEX with all of them, as vtkPointSource makes it, so that they are seen when
@@ -36,11 +36,10 @@
  * row. vtkAdaptiveHilbertDelaunay2D and vtkDelaunay2D take the output as it is.
  *
  * <b>The same everywhere.</b> The points are a function of Distribution, NumberOfPoints and Seed,
- * to the last bit, on every platform: the random numbers are this class's own (splitmix64), neither
- * vtkMath's nor the C library's, and sines and cosines are summed up from their series. A larger
- * NumberOfPoints appends to the points that a smaller one makes, except on the LATTICE, which
- * becomes wider. Beside the class itself, nothing is changed: vtkMath's random sequence is not
- * used.
+ * to the last bit, wherever doubles are those of IEEE 754: the random numbers are this class's own
+ * (splitmix64), neither vtkMath's nor the C library's, and sines and cosines are summed up from
+ * their series. A larger NumberOfPoints appends to the points that a smaller one makes, except on
+ * the LATTICE, which becomes wider.
  *
  * <b>Time, memory, errors.</b> One thread works. The output takes 28 bytes per point (16 in single
  * precision). Where there is not as much memory, an error says so, once, before anything is

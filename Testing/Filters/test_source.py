@@ -44,7 +44,8 @@ class SourceTest(unittest.TestCase):
         whole = hashlib.sha256()
         for name in DISTRIBUTIONS:
             whole.update(coordinates(run(name, NumberOfPoints=1000)))
-        self.assertEqual(whole.hexdigest(), "7280f070c170562ab55db605a3c1a2acbcf3a9e46c8702081b3b4201113c53aa")
+        self.assertEqual(
+            whole.hexdigest(), "7280f070c170562ab55db605a3c1a2acbcf3a9e46c8702081b3b4201113c53aa")
 
     def test_one_cell_for_all_points(self):
         for name in DISTRIBUTIONS:

@@ -72,7 +72,8 @@ def test_distributions_differ_and_seeds_matter():
         first = coordinates(source)
         source.Seed = 2
         made |= {first, coordinates(source)}
-        check_equal(coordinates(source) == first, name == "Lattice", name + ": are the points of two seeds the same")
+        same = coordinates(source) == first
+        check_equal(same, name == "Lattice", name + ": are the points of two seeds the same")
         source.Seed = 1
         check(coordinates(source) == first, name + ": other points when run again")
     check_equal(len(made), 2 * len(DISTRIBUTIONS) - 1, "different sets of points")
@@ -105,7 +106,7 @@ def test_state():
     }
     for how, load in restore.items():
         ResetSession()
-        check(not FindSource("points"), "ResetSession left the source behind, so this test would prove nothing")
+        check(not FindSource("points"), "ResetSession left the source behind: this test would prove nothing")
         load()
         source = FindSource("points")
         check(source, how + ": the source is not there")
