@@ -69,6 +69,7 @@ def find_vtk91(work, fetch):
         cwd=archives, timeout=PIP_SECONDS)
     for archive in archives.glob("*.deb"):
         run(["dpkg", "-x", archive, fetched])
+        archive.unlink()
     return fetched
 
 

@@ -153,6 +153,9 @@ class Session:
                       "detail": why}
         else:
             record = self.measure(peer, points)
+            before = self.smaller(peer, name, size) if record["status"] == "hang" and size else []
+            if before and before[0][1]["status"] == "ok":  # was it to be expected?
+                record["before"] = {"size": before[0][0], "seconds": seconds_of(peer, before[0][1])}
         with self.lock:
             self.data["runs"][self.key(peer, name, size)] = record
             self.save()
@@ -167,6 +170,9 @@ class Session:
         missing = self.data["peers"][peer.name].get("missing")
         if missing or size is None:
             return missing or ""
+        elsewhere = self.over_the_limit(peer, size) if self.options.quick else ""
+        if elsewhere:
+            return f"> {self.options.limit:g} s for {elsewhere}"
         before = self.smaller(peer, name, size)
         if not before:
             return ""
@@ -175,12 +181,18 @@ class Session:
             return f"> {self.options.limit:g} s for {smaller:,}"
         if record["status"] == "not run":
             return record["detail"]
-        expected = record.get("wall", 0.0) * size / smaller
-        if expected > self.options.limit:
-            return f"> {self.options.limit:g} s ({record['wall']:.1f} s for {smaller:,})"
+        taken = seconds_of(peer, record)
+        if taken * size / smaller > self.options.limit:
+            return f"> {self.options.limit:g} s ({taken:.1f} s for {smaller:,})"
         if len(before) > 1 and all(r["status"] in FAILED for _, r in before[:2]):
             return f"failed for {before[1][0]:,} and for {smaller:,}"
         return ""
+
+    def over_the_limit(self, peer, size):
+        """An input of this size that was too much for the peer, or an empty text."""
+        found = (kind for (who, kind, count), record in self.sized_runs()
+                 if (who, count, record["status"]) == (peer.name, size, "hang"))
+        return next(found, "")
 
     def smaller(self, peer, name, size):
         """The peer's runs on smaller inputs of this kind, or else of any: (size, record), largest first."""
@@ -192,11 +204,10 @@ class Session:
         return sorted(runs_of_kind, key=lambda entry: -entry[0])
 
     def sized_runs(self):
+        """((peer, input, size), record) of all runs so far, those on real files left out."""
         with self.lock:
-            for key, record in self.data["runs"].items():
-                parts = key.split("|")
-                if len(parts) == 3:
-                    yield (parts[0], parts[1], int(parts[2])), record
+            entries = [(key.split("|"), record) for key, record in self.data["runs"].items()]
+        return [((*key[:2], int(key[2])), record) for key, record in entries if len(key) == 3]
 
     def measure(self, peer, points):
         """Runs, judges, and if it was short runs twice more for the time."""
@@ -234,6 +245,11 @@ class Session:
             for name in self.options.inputs:
                 if name not in REAL_FILES:
                     self.run_input(name, size, peers)
+
+
+def seconds_of(peer, record):
+    """What a run is said to have taken: CPU time on one thread, else time on the wall; 0 if it failed."""
+    return record.get("wall" if peer.threads else "cpu", 0.0)
 
 
 def processor():

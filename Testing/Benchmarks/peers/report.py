@@ -269,8 +269,9 @@ def fault_summary(results):
     head = ["", "runs", "certified", "wrong", *FAILURES.values(), "not begun", "hull not whole",
             "most points lost", "most edges not Delaunay"]
     note = ("Numbers of runs. Wrong: it came to an end with one of the faults of the table after this. Over "
-            "the limit: too slow, or hanging. Not begun: the time for the size before, times the ratio of "
-            "the sizes, is over the limit, or the two sizes before failed.")
+            "the limit: too slow, or hanging; what the size before took is in that table. Not begun: the time "
+            "for the size before, times the ratio of the sizes, is over the limit, or the two sizes before "
+            "failed.")
     return f"### Faults\n\n{note}\n\n" + table(head, rows)
 
 
@@ -290,8 +291,12 @@ def fault_details(results):
 
 
 def fault_text(run):
+    if run.get("status") == "hang":
+        before = run.get("before")
+        told = f" ({duration(before['seconds'])} for {before['size']:,})" if before else ""
+        return FAILURES["hang"] + told
     if run.get("status") in FAILURES:
-        return FAILURES[run["status"]] + ("" if run["status"] == "hang" else f": {run['detail']}")
+        return f"{FAILURES[run['status']]}: {run['detail']}"
     verdict = run.get("verdict")
     if not verdict or verdict["right"]:
         return ""

@@ -78,9 +78,9 @@ class Endings(unittest.TestCase):
         self.assertLess(time.monotonic() - begun, 30)
 
     def test_the_limit_is_for_the_call_alone(self):
-        wait = "time.sleep(0.7)\n"
+        wait = "time.sleep(1.5)\n"
         text = "import time\n" + wait + CALL + "print('called', flush=True)\n" + wait + DONE
-        self.assertEqual(play(text, limit=0.6)["status"], "ok")
+        self.assertEqual(play(text, limit=1.2)["status"], "ok")
 
     def test_out_of_memory(self):
         with mock.patch.object(runs, "memory_limit", lambda: 10**9):
@@ -152,12 +152,27 @@ class Sessions(unittest.TestCase):
         self.assertIn("failed for 1,000 and for 2,000", rendered)
 
     def test_what_would_take_too_long_is_not_begun(self):
-        slow = dict(FIGURES, wall=3.0)
+        slow = dict(FIGURES, cpu=3.0)
         text = CALL + "print('called')\nprint('done ' + " + repr(json.dumps(slow)) + ", flush=True)\n"
         with self.played(text + "open(sys.argv[2], 'wb')"):
             data = self.session("--inputs", "Uniform", sizes="1000,10000")
         self.assertEqual(data["runs"]["ours|Uniform|10000"]["status"], "not run")
         self.assertIn("> 20 s (3.0 s for 1,000)", peers.markdown(data))
+
+    def test_a_hang_is_told_with_what_the_size_before_took(self):
+        slow = "import os, time\nif os.path.getsize(sys.argv[1]) > 16000: time.sleep(60)\n"
+        with self.played(CALL + slow + "open(sys.argv[2], 'wb')\n" + DONE):
+            data = self.session("--inputs", "Uniform", "--limit", "3", sizes="1000,2000")
+        self.assertEqual(data["runs"]["ours|Uniform|2000"]["status"], "hang")
+        self.assertIn("over the limit (250 ms for 1,000)", peers.markdown(data))
+
+    def test_quick_runs_do_not_wait_twice_for_a_peer(self):
+        slow = "import os, time\nif os.path.getsize(sys.argv[1]) > 16000: time.sleep(60)\n"
+        with self.played(CALL + slow + "open(sys.argv[2], 'wb')\n" + DONE):
+            data = self.session("--quick", "--limit", "3", sizes="10000")
+        states = {key: record["status"] for key, record in data["runs"].items()}
+        self.assertEqual(states, {"ours|Uniform|1000": "ok", "ours|Uniform|10000": "hang",
+                                  "ours|DecimalLattice|10000": "not run", "ours|Utm|10000": "not run"})
 
     def test_after_a_hang_the_next_size_is_not_begun(self):
         with self.played("import time\n" + CALL + "time.sleep(60)"):
