@@ -45,7 +45,7 @@ def parse_arguments():
     parser.add_argument("--resume", action="store_true", help="keep what the same build has measured here")
     parser.add_argument("--only-peers", action="store_true", help="no tables, no ablations")
     parser.add_argument("--no-peers", action="store_true", help="no peers")
-    parser.add_argument("--peers-bin", help="folder of the peers' programs (that of --program)")
+    parser.add_argument("--peers-limit", type=float, help="seconds a peer's call may take (60; quick: 10)")
     parser.add_argument("--peers-work", help="folder for the peers' files")
     parser.add_argument("--render", action="store_true", help="Results.md from Results.json")
     parser.add_argument("--compare", action="store_true", help="is Results.md what --render gives?")
@@ -162,7 +162,7 @@ def begin_data(arguments, about):
     same = all(found["made"][key] == about[key] for key in ("program", "machine"))
     if not same:
         say("other programs or another machine: what was measured before is dropped")
-        return {**empty, **({"peers": found["peers"]} if "peers" in found else {})}
+        return empty
     return {**found, "failures": []}
 
 
@@ -197,12 +197,14 @@ def measure_peers(arguments, data):
         sys.executable,
         str(HERE / "peers" / "peers.py"),
         "--bin",
-        arguments.peers_bin or str(Path(arguments.program).parent),
+        str(Path(arguments.program).parent),
         "--work",
         work,
         "--out",
         str(out),
-    ] + (["--quick"] if arguments.quick else [])
+    ]
+    command += ["--quick"] if arguments.quick else []
+    command += ["--limit", str(arguments.peers_limit)] if arguments.peers_limit else []
     say("peers")
     code = subprocess.run(command).returncode
     if code != 0:

@@ -60,7 +60,7 @@ fi
 
 if command -v dpkg-query >/dev/null; then
   missing=$(missing_packages g++ cmake ninja-build libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev \
-    libgtest-dev python3)
+    libgtest-dev python3 python3-venv)
   [ -z "$missing" ] || fail 1 "packages are missing:" "apt-get install --no-install-recommends $missing"
 fi
 

@@ -255,7 +255,8 @@ def noise_sentence(rows, made):
     deviations = [deviation(row) for row in timed]
     return (
         f"Each time is the median of {span(counts, '{:.0f}')} rounds. The rounds' median "
-        f"distance from it was {sum(deviations) / len(deviations):.1f} % on average, {max(deviations):.1f} % at worst. {waited}"
+        f"distance from it was {sum(deviations) / len(deviations):.1f} % on average, "
+        f"{max(deviations):.1f} % at worst. {waited}"
     )
 
 
