@@ -18,8 +18,8 @@ Repeats the experiments of Su et al., Computers & Graphics 54 (2016), on one cor
 HG, HG with control points at every level, our default and CGAL, each result certified; ablations; and
 the peers, other libraries on the same files (peers/peers.py). Writes Results.json (all numbers) and
 Results.md (tables, and sentences computed from them) and updates the table in README.md.
-Without sizes: the paper's, 2e6 4e6 6e6 8e6 1e7, about an hour, and as long again for the peers. The machine
-should do nothing else meanwhile.
+Without sizes: the paper's, 2e6 4e6 6e6 8e6 1e7, about an hour, and hours more for the peers. The machine should
+do nothing else meanwhile.
 
 --quick       2e5 points, few rounds: two minutes, and numbers that only show that all is measured
 sizes         numbers of points, such as 2e5 1e6

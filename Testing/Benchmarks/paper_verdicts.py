@@ -305,6 +305,12 @@ def in_short(here, paper, ablated, cgal):
         for over, name in (("CGAL", cgal), ("MG", "MG"), ("RG", "RG"))
         if gains(here, "HG", over)
     ]
+    ours, theirs = (gains(rows, "MG", "CGAL").values() for rows in (here, paper))
+    if ours:
+        lines.append(
+            f"MG, on the same kernel, took {less_or_more(ours)} than {cgal} (the paper: "
+            f"{less_or_more(theirs)}); only what HG gains beyond that is the order's."
+        )
     for over in ("CGAL", "HG"):
         ours = gains(here, "default", over).values()
         if ours:
