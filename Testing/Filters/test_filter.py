@@ -126,6 +126,30 @@ class FilterTest(unittest.TestCase):
         self.assertEqual(counts.GetArray("NumberOfDuplicates").GetValue(0), 1)
         self.assertEqual(counts.GetArray("NumberOfTriangles").GetValue(0), 1)
 
+    def test_insertion_can_be_watched(self):
+        points = lattice_points(300, 10**6)
+        settings = {"GenerateInsertionRank": True, "GenerateInsertionCurve": True, "GenerateBoxes": True}
+        algorithm = self.run_filter(cloud(points), InsertionLimit=120, **settings)
+        self.assertEqual(algorithm.GetNumberOfPointsInserted(), 120)
+        self.assertEqual(algorithm.GetNumberOfPointsBeyondLimit(), 180)
+        counts = algorithm.GetOutput().GetFieldData()
+        self.assertEqual(counts.GetArray("NumberOfPointsBeyondLimit").GetValue(0), 180)
+        ranks = algorithm.GetOutput().GetPointData().GetArray("InsertionRank")
+        ranks = [ranks.GetValue(i) for i in range(300)]
+        self.assertEqual(sorted(ranks), list(range(300)))
+        used = {point for triangle in triangles(algorithm.GetOutput()) for point in triangle}
+        self.assertEqual(used, {point for point in range(300) if ranks[point] < 120})
+
+        order = algorithm.GetOutput(1)
+        boxes = order.GetNumberOfPolys()
+        self.assertEqual((order.GetNumberOfLines(), order.GetNumberOfPoints()), (1, 120 + 4 * boxes))
+        ids = order.GetPointData().GetArray("OriginalPointIds")
+        for i in range(120):
+            self.assertEqual(order.GetPoint(i), points[ids.GetValue(i)])
+            self.assertEqual(ranks[ids.GetValue(i)], i)
+        held = order.GetCellData().GetArray("Count")
+        self.assertEqual(sum(held.GetValue(i) for i in range(1, 1 + boxes)), 300)
+
     def test_warning_with_counts(self):
         algorithm = vtkAdaptiveHilbertDelaunay2D()
         said = watch(algorithm)
