@@ -4,6 +4,8 @@
 #include "FilterTestSupport.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -227,6 +229,31 @@ TEST(InsertionBoxes, StayWhereTheyAreWhileTheLimitChanges)
       EXPECT_EQ(some[i].count, all[i].count);
     }
   }
+}
+
+TEST(InsertionBoxes, LieAtTheLowestHeightThatCounts)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::vector<Xyz> points = scatteredPoints(300);
+  points[5] = { kNan, 0.5, -100.0 }; // rejected
+  points[6] = { 0.5, infinity, -100.0 };
+  points[7][2] = -infinity;
+  points[8][2] = kNan;
+  points[9][2] = -100.0; // a ghost
+  points[10] = { points[11][0], points[11][1], -2.0 };
+  auto cloud = makeCloud(points);
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(300);
+  marks->FillValue(0);
+  marks->SetValue(9, vtkDataSetAttributes::DUPLICATEPOINT);
+  cloud->GetPointData()->AddArray(marks);
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->GenerateBoxesOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfDuplicates(), 1);
+  EXPECT_FALSE(boxesOf(filter->GetOutput(1), -2.0).empty()); // expects this height
 }
 
 TEST(InsertionBoxes, FewPointsAreOneBox)

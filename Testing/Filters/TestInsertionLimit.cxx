@@ -352,6 +352,19 @@ TEST(InsertionLimit, OfCollinearPointsIsNotBlamedWhereAllAreInserted)
     << filter.Said->Warnings[0];
 }
 
+TEST(InsertionLimit, CountsNothingWhereTheRunIsRefused)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(scatteredPoints(3000)));
+  filter->SetInsertionLimit(1000);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfPointsBeyondLimit(), 2000);
+  filter->SetMemoryLimit(1);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_EQ(filter->GetNumberOfPointsBeyondLimit(), 0);
+}
+
 TEST(InsertionLimit, NothingIsLeftOverWhenItChanges)
 {
   auto cloud = makeCloud(scatteredPoints(3000));

@@ -247,20 +247,17 @@ TEST(Messages, TheLimitOfTheProcessIsSeen)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
+namespace
 {
-  // The estimate is told to be no matter, and memory ends a little later each time: in the engine
-  // first, then in the output.
-  WatchedFilter filter;
-  filter->SetInputData(makeCloud(latticePoints(300000, 1000000), VTK_FLOAT));
+/// Runs `filter` with more memory each time until it is enough, and expects of each run before an
+/// error and nothing else. The estimate is told to be no matter.
+void expectErrorsUntilMemoryIsEnough(WatchedFilter& filter, std::size_t step)
+{
   filter->SetMemoryLimit(VTK_TYPE_INT64_MAX);
-  filter->GenerateFateOn();
-  filter->GenerateInsertionRankOn();
-  filter->GenerateInsertionCurveOn();
-  filter->GenerateBoxesOn();
   std::size_t refusals = 0;
-  for (std::size_t more = 4 * kMegabyte; more <= 256 * kMegabyte; more += 4 * kMegabyte)
+  for (std::size_t more = step; more <= 256 * kMegabyte; more += step)
   {
+    SCOPED_TRACE(std::to_string(more) + " bytes");
     filter->Modified();
     {
       AddressSpaceLimit limit(more);
@@ -269,18 +266,44 @@ TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
     }
     if (filter.Said->Errors.size() == refusals)
     {
-      EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0) << more << " bytes";
       break; // that was enough
     }
     ++refusals;
-    ASSERT_EQ(filter.Said->Errors.size(), refusals) << "more than one error, " << more << " bytes";
-    EXPECT_TRUE(contains(filter.Said->Errors.back(), "Out of memory")) << more << " bytes";
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << more << " bytes";
-    EXPECT_EQ(filter->GetOutput(1)->GetNumberOfPoints(), 0) << more << " bytes";
-    EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0) << more << " bytes";
-    EXPECT_EQ(filter->GetNumberOfTriangles(), 0) << more << " bytes";
+    ASSERT_EQ(filter.Said->Errors.size(), refusals) << "more than one error";
+    EXPECT_TRUE(contains(filter.Said->Errors.back(), "Out of memory"));
+    for (int port : { 0, 1 })
+    {
+      EXPECT_EQ(filter->GetOutput(port)->GetNumberOfPoints(), 0) << "output " << port;
+      EXPECT_EQ(filter->GetOutput(port)->GetNumberOfCells(), 0) << "output " << port;
+      EXPECT_EQ(filter->GetOutput(port)->GetPointData()->GetNumberOfArrays(), 0)
+        << "output " << port;
+    }
+    EXPECT_EQ(filter->GetNumberOfTriangles(), 0);
   }
   EXPECT_GT(refusals, 2u) << "memory never ran out: nothing was tested";
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0) << "memory never was enough";
+}
+}
+
+TEST(Messages, RunningOutOfMemoryAnywhereIsAnErrorAndNoMore)
+{
+  // In the engine first, then in the output.
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(300000, 1000000), VTK_FLOAT));
+  filter->GenerateFateOn();
+  expectErrorsUntilMemoryIsEnough(filter, 4 * kMegabyte);
+}
+
+TEST(Messages, RunningOutOfMemoryInTheSecondOutputIsAnErrorAndNoMore)
+{
+  // So many boxes that they take more than all the rest.
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(scatteredPoints(50000)));
+  filter->SetNmax(1);
+  filter->GenerateInsertionRankOn();
+  filter->GenerateInsertionCurveOn();
+  filter->GenerateBoxesOn();
+  expectErrorsUntilMemoryIsEnough(filter, kMegabyte);
+  EXPECT_GT(filter->GetOutput(1)->GetNumberOfCells(), 100000);
 }
 #endif
