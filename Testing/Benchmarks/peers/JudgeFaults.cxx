@@ -222,6 +222,21 @@ TEST(JudgeFaults, NoTriangles)
   EXPECT_FALSE(verdict.isRight());
 }
 
+TEST(JudgeFaults, EveryCountSpoilsTheVerdict)
+{
+  const Verdict right = judge(hexagon(), rightTriples(hexagon()));
+  for (std::size_t Verdict::*count : { &Verdict::lost, &Verdict::invented, &Verdict::degenerate,
+         &Verdict::clockwise, &Verdict::overlaps, &Verdict::notDelaunay, &Verdict::triangles })
+  {
+    Verdict spoilt = right;
+    ++(spoilt.*count);
+    EXPECT_FALSE(spoilt.isRight()) << spoilt.json();
+  }
+  Verdict open = right;
+  open.hullComplete = false;
+  EXPECT_FALSE(open.isRight());
+}
+
 TEST(JudgeFaults, AreasAreExactFarFromTheOrigin)
 {
   std::vector<Point> points;

@@ -103,7 +103,7 @@ def geos(points):
     made = []
 
     def result():
-        corners = shapely.get_coordinates(shapely.get_parts(made[0])).reshape(-1, 4, 2)[:, :3]
+        corners = shapely.get_coordinates(made[0]).reshape(-1, 4, 2)[:, :3]  # closed rings
         return np.arange(3 * len(corners)), corners.reshape(-1, 2)
 
     return lambda: made.append(shapely.delaunay_triangles(multipoint)), result

@@ -170,10 +170,11 @@ class Session:
         missing = self.data["peers"][peer.name].get("missing")
         if missing or size is None:
             return missing or ""
-        elsewhere = self.over_the_limit(peer, size) if self.options.quick else ""
+        before = self.smaller(peer, name, size)
+        taken = seconds_of(peer, before[0][1]) if before else 0.0
+        elsewhere = self.over_the_limit(peer, size, taken)
         if elsewhere:
             return f"> {self.options.limit:g} s for {elsewhere}"
-        before = self.smaller(peer, name, size)
         if not before:
             return ""
         smaller, record = before[0]
@@ -181,18 +182,22 @@ class Session:
             return f"> {self.options.limit:g} s for {smaller:,}"
         if record["status"] == "not run":
             return record["detail"]
-        taken = seconds_of(peer, record)
         if taken * size / smaller > self.options.limit:
             return f"> {self.options.limit:g} s ({taken:.1f} s for {smaller:,})"
         if len(before) > 1 and all(r["status"] in FAILED for _, r in before[:2]):
             return f"failed for {before[1][0]:,} and for {smaller:,}"
         return ""
 
-    def over_the_limit(self, peer, size):
-        """An input of this size that was too much for the peer, or an empty text."""
-        found = (kind for (who, kind, count), record in self.sized_runs()
-                 if (who, count, record["status"]) == (peer.name, size, "hang"))
-        return next(found, "")
+    def over_the_limit(self, peer, size, taken):
+        """An input of this size that was too much for the peer, or an empty text. In a full run one that
+        for the size before took less than the one in question, which took `taken`."""
+        for (who, kind, count), record in self.sized_runs():
+            if (who, count, record["status"]) == (peer.name, size, "hang"):
+                if self.options.quick:
+                    return kind
+                if record.get("before", {"seconds": taken})["seconds"] < taken:
+                    return f"{kind}, which took less for the size before"
+        return ""
 
     def smaller(self, peer, name, size):
         """The peer's runs on smaller inputs of this kind, or else of any: (size, record), largest first."""

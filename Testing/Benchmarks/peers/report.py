@@ -269,9 +269,9 @@ def fault_summary(results):
     head = ["", "runs", "certified", "wrong", *FAILURES.values(), "not begun", "hull not whole",
             "most points lost", "most edges not Delaunay"]
     note = ("Numbers of runs. Wrong: it came to an end with one of the faults of the table after this. Over "
-            "the limit: too slow, or hanging; what the size before took is in that table. Not begun: the time "
-            "for the size before, times the ratio of the sizes, is over the limit, or the two sizes before "
-            "failed.")
+            "the limit: too slow, or hanging; what the size before took is in that table. Not begun: the "
+            "time for the size before, times the ratio of the sizes, is over the limit, or the two sizes "
+            "before failed.")
     return f"### Faults\n\n{note}\n\n" + table(head, rows)
 
 

@@ -166,6 +166,19 @@ class Sessions(unittest.TestCase):
         self.assertEqual(data["runs"]["ours|Uniform|2000"]["status"], "hang")
         self.assertIn("over the limit (250 ms for 1,000)", peers.markdown(data))
 
+    def test_what_is_slower_than_a_hang_is_not_begun(self):
+        slow = "import os, time\nif os.path.getsize(sys.argv[1]) > 16000: time.sleep(60)\n"
+        for later, status in ((0.6, "not run"), (0.1, "hang")):
+            with self.subTest(later=later), self.played(CALL + slow + "open(sys.argv[2], 'wb')\n" + DONE):
+                self.session("--inputs", "Uniform", "--limit", "2", "--again", sizes="1000,2000")
+                self.session("--inputs", "Line", "--limit", "2", "--again", sizes="1000")
+                file = Path(self.folder.name, "peers.json")
+                data = json.loads(file.read_text(encoding="utf-8"))
+                data["runs"]["ours|Line|1000"]["cpu"] = later  # the first input took 0.25 s
+                file.write_text(json.dumps(data), encoding="utf-8")
+                data = self.session("--inputs", "Line", "--limit", "2", sizes="2000")
+                self.assertEqual(data["runs"]["ours|Line|2000"]["status"], status)
+
     def test_quick_runs_do_not_wait_twice_for_a_peer(self):
         slow = "import os, time\nif os.path.getsize(sys.argv[1]) > 16000: time.sleep(60)\n"
         with self.played(CALL + slow + "open(sys.argv[2], 'wb')\n" + DONE):
