@@ -221,7 +221,7 @@ def hilbert(path):
 
 def jump(path):
     """Figures 6 and 8: the curve in divided boxes, not turned and turned."""
-    points = meshes.source("Mixed", 250, 3)
+    points = meshes.source("Mixed", 250, 4)
     panels, numbers = [], {}
     for name, settings in (("off", UNTURNED), ("on", BARE)):
         run = meshes.triangulate(points, Nmax=16, **settings)
