@@ -62,11 +62,15 @@ def check_pictures(numbers):
     check(numbers["jump"]["jumps_off"] > 0, "there should be jumps without genes")
     check_equal(numbers["jump"]["jumps_on"], 0, "jumps with genes")
 
+    picture = draw("multi-grid", numbers)
+    check(share(picture, VERMILLION) > 0.0005, "the ways back are not to be seen in multi-grid")
+
 
 def check_as_published(numbers):
     """What small pictures do not change is what the page says."""
     published = read_json(os.path.join(DOCUMENTATION, "Figures", "numbers.json"))
-    check_equal(numbers["one-point"], published["one-point"], "numbers of one-point: draw the gallery again?")
+    for name in ("one-point", "multi-grid"):
+        check_equal(numbers[name], published[name], "numbers of %s: draw the gallery again?" % name)
     for name in ("jumps_off", "jumps_on"):
         check_equal(numbers["jump"][name], published["jump"][name], name + ": draw the gallery again?")
 
