@@ -51,8 +51,8 @@
  * adds the place of each point in the order of insertion to the surface. The order itself is output
  * port 1, a vtkPolyData, which is empty unless GenerateInsertionCurve or GenerateBoxes is on:
  * - its points are the inserted points, in the order of their insertion, then four corners for each
- *   box. They are of double precision; a corner's z is the lowest finite one of the input, so that
- *   the boxes lie below the surface;
+ *   box. They are of double precision; a corner's z is the lowest finite z of all points that are
+ *   neither rejected nor skipped (0 if there is none), so that the boxes lie below the surface;
  * - its cells are, with GenerateInsertionCurve, a polyline through the inserted points (if there
  *   are two or more), then, with GenerateBoxes, a counterclockwise quadrangle for each box of the
  *   grid that is not divided further, empty boxes included, in the order in which they are visited;
@@ -64,17 +64,16 @@
  *   border of two boxes belongs to the one of larger x or y.
  *
  * So the Counts of all boxes add up to the points inserted and those beyond the limit. The sides of
- * the boxes are rounded, as they are there to be drawn. The outermost ones may stand a little way
- * beyond the points, as a box is at most twice as long as wide.
+ * the boxes are rounded, as they are there to be drawn. No box is more than twice as long as wide,
+ * so the boxes of points in a narrow band reach beyond the band.
  *
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
- * because there are fewer than three distinct points or all are collinear (if InsertionLimit lets
- * no more be inserted, this is said); an array vtkGhostType
- * that has not one value per point, and is ignored; several MPI ranks
- * (once in the filter's life, from rank 0), since each rank then triangulates its own points only.
- * The blocks of a composite data set are triangulated one by one; one that is no vtkPointSet, such
- * as an image, gets a warning and an empty output.
+ * because there are fewer than three distinct points or all are collinear (or InsertionLimit lets
+ * no others be inserted: then this is said); an array vtkGhostType that has not one value per
+ * point, and is ignored; several MPI ranks (once in the filter's life, from rank 0), since each
+ * rank then triangulates its own points only. The blocks of a composite data set are triangulated
+ * one by one; one that is no vtkPointSet, such as an image, gets a warning and an empty output.
  * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
  * nothing is said. Errors, with both outputs empty: too many points, or not enough memory. The
  * error is said once, the request counts as done (as in vtkDelaunay2D), and the filters behind this

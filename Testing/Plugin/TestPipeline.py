@@ -128,8 +128,8 @@ def test_second_output():
     reader = XMLPolyDataReader(FileName=[write_vtp("order.vtp", hill_points(500, 3))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader, InsertionLimit=200)
     surface.UpdatePipeline()
-    nothing = surface[1].GetDataInformation()
-    check_equal((nothing.GetNumberOfPoints(), nothing.GetNumberOfCells()), (0, 0), "second output, not asked for")
+    unasked = surface[1].GetDataInformation()
+    check_equal((unasked.GetNumberOfPoints(), unasked.GetNumberOfCells()), (0, 0), "second output, unasked")
     expected = fingerprint(surface)
     SetProperties(surface, GenerateInsertionCurve=1, GenerateBoxes=1, GenerateInsertionRank=1)
     check_equal(fingerprint(surface), expected, "triangles beside the second output")
@@ -158,7 +158,8 @@ def test_animation():
     reader = XMLPolyDataReader(FileName=[write_vtp("animation.vtp", hill_points(60, 0))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader, GenerateInsertionCurve=1)
     track = GetAnimationTrack("InsertionLimit", proxy=surface)
-    track.KeyFrames = [CompositeKeyFrame(KeyTime=0.0, KeyValues=[10.0]), CompositeKeyFrame(KeyTime=1.0, KeyValues=[60.0])]
+    ends = (0.0, [10.0]), (1.0, [60.0])
+    track.KeyFrames = [CompositeKeyFrame(KeyTime=time, KeyValues=value) for time, value in ends]
     scene = GetAnimationScene()
     scene.PlayMode = "Sequence"
     scene.NumberOfFrames = 6
@@ -166,7 +167,8 @@ def test_animation():
     seen = []
     for _ in range(6):
         found = measures(surface)
-        check_equal(surface[1].GetDataInformation().GetNumberOfPoints(), surface.InsertionLimit, "points of the curve")
+        curve = surface[1].GetDataInformation()
+        check_equal(curve.GetNumberOfPoints(), surface.InsertionLimit, "points of the curve")
         check_equal(found["NumberOfPointsInserted"], surface.InsertionLimit, "points inserted")
         seen.append((surface.InsertionLimit, found["NumberOfTriangles"]))
         scene.GoToNext()

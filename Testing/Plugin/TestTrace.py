@@ -49,8 +49,8 @@ with open(replay, "w") as file:
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
         "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder,\n"
-        "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit, int(surface.GenerateBoxes),\n"
-        "    FindSource('outline').Input.Port)\n"
+        "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
+        "    int(surface.GenerateBoxes), FindSource('outline').Input.Port)\n"
     )
 status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)
 check_equal(status, 0, "exit status of the replayed trace")
