@@ -72,6 +72,17 @@ class Examples(unittest.TestCase):
         self.assertTrue(all(nr > 1.0 for nr in removed.values()), said)
         self.assertLess(removed["adaptive Hilbert, rounds of control points"], removed["adaptive Hilbert, no control points"])
 
+    def test_insertion(self):
+        said = self.run_example("pvpython", os.path.join(EXAMPLES, "insertion.py"), PLUGIN, self.folder)
+        grown = [(int(n), int(t)) for n, t in re.findall(r"^ *(\d+) points: +(\d+) triangles$", said, re.MULTILINE)]
+        self.assertEqual([n for n, _ in grown], [20, 100, 400, 1000, 2000], said)
+        pictures = set()
+        for n, triangles in grown:
+            self.assertTrue(n <= triangles <= 2 * n - 5, said)  # 2 n - 2 less the 3 or more of the hull
+            with open(os.path.join(self.folder, "insertion-%04d.png" % n), "rb") as file:
+                pictures.add(file.read())
+        self.assertEqual(len(pictures), len(grown), "pictures that are alike")
+
     def test_pipeline(self):
         said = self.run_example(sys.executable, os.path.join(EXAMPLES, "pipeline.py"), "hill.vtp")
         self.assertRegex(said, r"\d+ triangles on 9998 points")
