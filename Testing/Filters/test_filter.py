@@ -3,7 +3,6 @@
 
 import math
 import random
-import sys
 import unittest
 
 from vtkmodules.util.misc import calldata_type
@@ -18,6 +17,7 @@ from vtkmodules.vtkCommonCore import (
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
+from algorithmtests import check_abort_and_run_again, run_tests
 
 
 def cloud(points, number=VTK_DOUBLE):
@@ -185,22 +185,9 @@ class FilterTest(unittest.TestCase):
     def test_abort_and_run_again(self):
         algorithm = vtkAdaptiveHilbertDelaunay2D()
         algorithm.SetInputData(cloud(lattice_points(20000, 10**5)))
-
-        def abort(caller, _):
-            if caller.GetProgress() > 0.5:
-                caller.SetAbortExecute(1)
-
-        tag = algorithm.AddObserver("ProgressEvent", abort)
-        algorithm.Update()
-        self.assertEqual(algorithm.GetOutput().GetNumberOfCells(), 0)
-        algorithm.RemoveObserver(tag)
-        algorithm.SetAbortExecute(0)
-        algorithm.Modified()
-        algorithm.Update()
-        self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 30000)
+        cells = check_abort_and_run_again(self, algorithm, lambda output: output.GetNumberOfCells())
+        self.assertGreater(cells, 30000)
 
 
 if __name__ == "__main__":
-    # pvpython and pvbatch leave their own words in sys.argv.
-    outcome = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
-    sys.exit(not outcome.wasSuccessful())
+    run_tests()

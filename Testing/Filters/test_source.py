@@ -2,13 +2,13 @@
 """The source of points in Python. Run by /usr/bin/python3, pvpython and pvbatch alike."""
 
 import hashlib
-import sys
 import unittest
 
 from vtkmodules.vtkCommonCore import VTK_DOUBLE, VTK_FLOAT
 from vtkmodules.vtkCommonDataModel import VTK_POLY_VERTEX
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource
+from algorithmtests import check_abort_and_run_again, run_tests
 
 DISTRIBUTIONS = ["Uniform", "Line", "Cross", "Circle", "Spiral", "Mixed", "Lattice"]
 
@@ -75,22 +75,9 @@ class SourceTest(unittest.TestCase):
     def test_abort_and_run_again(self):
         source = vtkPlanarPointSource()
         source.SetNumberOfPoints(300000)
-
-        def abort(caller, _):
-            if caller.GetProgress() > 0.5:
-                caller.SetAbortExecute(1)
-
-        tag = source.AddObserver("ProgressEvent", abort)
-        source.Update()
-        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 0)
-        source.RemoveObserver(tag)
-        source.SetAbortExecute(0)
-        source.Modified()
-        source.Update()
-        self.assertEqual(source.GetOutput().GetNumberOfPoints(), 300000)
+        points = check_abort_and_run_again(self, source, lambda output: output.GetNumberOfPoints())
+        self.assertEqual(points, 300000)
 
 
 if __name__ == "__main__":
-    # pvpython and pvbatch leave their own words in sys.argv.
-    outcome = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
-    sys.exit(not outcome.wasSuccessful())
+    run_tests()
