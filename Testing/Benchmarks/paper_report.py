@@ -280,13 +280,14 @@ def failures_section(data):
     return ["## What went wrong", "\n".join(f"- {failure}" for failure in data["failures"])]
 
 
-def peers_section(data):
+def of_peers(data, render_peers):
+    """What a function of peers.py, by its name, makes of the peers' part of the data; [] without it."""
     if not data.get("peers"):
         return []
     sys.path.insert(0, str(Path(HERE) / "peers"))
     import peers
 
-    return [peers.markdown(data["peers"])]
+    return [getattr(peers, render_peers)(data["peers"])]
 
 
 def render(data):
@@ -319,12 +320,13 @@ def render(data):
         parts += ["## Ablations", TEXT["ablation"].format(**deltas)]
         parts += ablation_sections(ablated)
     parts += ["## What differs from the paper, and why", TEXT["departures"]]
-    parts += peers_section(data)
+    parts += of_peers(data, "markdown")
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
 def readme_table(data):
-    """The short table of README.md: CGAL's total over that of each, at the largest size of the paper."""
+    """The short tables of README.md: CGAL's total over that of each, at the largest size of the paper, and the
+    peers."""
     here, paper = Rows(data["tables"]), paper_rows()
     common = [n for n in here.sizes if n in paper.sizes] or here.sizes
     if not common:
@@ -340,4 +342,5 @@ def readme_table(data):
 
     systems = [s for s in SYSTEMS if s != "CGAL"]
     rows = [[d.lower(), *(cell(d, s) for s in systems)] for d in DISTRIBUTIONS]
-    return table([f"{thousands(points)} points", *(title(s) for s in systems)], rows)
+    ratios = table([f"{thousands(points)} points", *(title(s) for s in systems)], rows)
+    return "\n\n".join([ratios, *of_peers(data, "summary")])

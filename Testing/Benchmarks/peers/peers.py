@@ -6,7 +6,8 @@
 
 Each peer runs in a process of its own, on one core, cold; the call that triangulates is timed and measured
 inside the process, and its triangles are judged exactly (PeerJudge). peers.json is written after each run;
-what it has is not run again, unless --again is given. The module function markdown(data) renders it.
+what it has is not run again, unless --again is given. The module functions markdown(data) and
+summary(data) render it.
 """
 import argparse
 import concurrent.futures
@@ -25,7 +26,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import install
 import runs
 from catalogue import BY_NAME, INPUTS, PEERS, QUICK_INPUTS, REAL_FILES, Places
-from report import markdown  # noqa: F401 (for those who import this file)
+from report import markdown, summary  # noqa: F401 (for those who import this file)
 
 FAILED = ("error", "memory", "crash")
 FINAL = ("ok", "hang") + FAILED  # runs that are not repeated when the file is completed

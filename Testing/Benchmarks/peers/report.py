@@ -15,6 +15,7 @@ class Results:
         self.there = [name for name, about in self.peers.items() if "missing" not in about]
         self.inputs = data["inputs"]
         self.runs = data["runs"]
+        self.counts = [about["points"] for about in self.inputs.values()]
         self.sizes = sorted({about["size"] for about in self.inputs.values() if about["size"]})
 
     def run(self, peer, key):
@@ -58,6 +59,34 @@ def markdown(data):
             parts.append(times(results, size))
     parts += [fault_summary(results), fault_details(results), memory(results)]
     return "\n\n".join(part for part in parts if part)
+
+
+def summary(data):
+    """A short table for README: of each peer how often it was right, how fast, and what it lost most."""
+    results = Results(data)
+    rows = []
+    for peer in results.there:
+        tried = results.tried(peer)
+        if peer == OURS or not tried:
+            continue
+        right = sum(results.certified(peer, key) for key in tried)
+        ratios = [ratio for ratio in (results.ratio(peer, key) for key in tried) if ratio]
+        slow = results.unoptimised(peer) or not ratios
+        over = sum(run["status"] == "hang" for run in tried.values())
+        rows.append([results.peers[peer]["title"], f"{right} of {len(tried)}", over or "",
+                     most_lost(results, peer), "" if slow else times_of(statistics.median(ratios))])
+    limit = f"over {results.settings['limit']:g} s"
+    told = (f"Other libraries, each on up to {len(results.inputs)} inputs of {min(results.counts):,} to "
+            f"{max(results.counts):,} points, one core; certified: exactly the Delaunay triangulation, whole:")
+    return told + "\n\n" + table(["", "runs certified", limit, "most points lost", "time over ours, median"], rows)
+
+
+def most_lost(results, peer):
+    """The largest share of the points that a run of the peer lost, or an empty text."""
+    lost = [(run["verdict"]["lost"] / run["verdict"]["places"], run["verdict"])
+            for run in results.tried(peer).values() if run.get("verdict", {}).get("lost")]
+    worst = max(lost, key=lambda entry: entry[0], default=None)
+    return share(worst[1]["lost"], worst[1]["places"]) if worst else ""
 
 
 def table(head, rows):
@@ -110,10 +139,12 @@ def scope(results):
     right = sum(results.certified(peer, key) for peer in results.there for key in results.tried(peer))
     settings = results.settings
     pinned = "pinned to one core" if settings["pinned"] else "not pinned to a core"
+    left = sum(not results.run(peer, key) for peer in results.there for key in results.inputs)
+    left = f" {left:,} more were left out of this measurement: their cells are empty." if left else ""
     together = "" if settings["atATime"] == 1 else f", {settings['atATime']} at a time: no figure counts"
     return (f"{len(results.there)} ways to triangulate, {len(results.inputs)} inputs, {tried} runs, each in "
             f"a process of its own, {pinned} unless it has threads, the call limited to "
-            f"{settings['limit']:g} s{together}. Certified by the judge: {right}. "
+            f"{settings['limit']:g} s{together}. Certified by the judge: {right}.{left} "
             f"Processor: {settings['processor']}, {settings['cores']} cores.")
 
 
@@ -258,13 +289,12 @@ def fault_summary(results):
         right = sum(results.certified(peer, key) for key in runs)
         wrong = len(results.ended(peer)) - right
         verdicts = [run["verdict"] for run in runs.values() if "verdict" in run]
-        lost = max((share(v["lost"], v["places"]) for v in verdicts if v["lost"]),
-                   key=lambda text: float(text.split()[0]), default="")
         edges = max((v["notDelaunay"] for v in verdicts), default=0)
         hulls = sum(not v["hullComplete"] for v in verdicts)
         skipped = sum(results.run(peer, key).get("status") == "not run" for key in results.inputs)
         cells = [right, wrong, *counts, skipped, hulls]
-        rows.append([results.peers[peer]["title"], len(runs), *(cell or "" for cell in cells), lost,
+        rows.append([results.peers[peer]["title"], len(runs), *(cell or "" for cell in cells),
+                     most_lost(results, peer),
                      f"{edges:,}" if edges else ""])
     head = ["", "runs", "certified", "wrong", *FAILURES.values(), "not begun", "hull not whole",
             "most points lost", "most edges not Delaunay"]

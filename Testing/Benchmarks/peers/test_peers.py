@@ -122,6 +122,10 @@ class Sessions(unittest.TestCase):
         self.assertIn(f"{len(catalogue.INPUTS)} of {len(catalogue.INPUTS)} runs certified", text)
         self.assertIn("Nothing was wrong with any result.", text)
         self.assertNotIn(" ✗ |", text)
+        rows = peers.summary(data).splitlines()
+        runs = len(catalogue.INPUTS)
+        self.assertTrue(any(row.startswith(f"| this engine, all threads | {runs} of {runs} |  |  | ")
+                            for row in rows), rows)
 
     def test_real_files(self):
         text = "x,y,z\n0,0,5\n1,0,5\n0,1.5,5\n0,0,6\n"
@@ -140,6 +144,13 @@ class Sessions(unittest.TestCase):
         rendered = peers.markdown(data)
         self.assertIn("250 ms ✗", rendered)
         self.assertIn("1,997 points lost (99.85 %)", rendered)
+        self.assertNotIn("this engine", peers.summary(data))  # which is not compared with itself
+
+    def test_what_was_left_out_is_told(self):
+        data = self.session("--inputs", "Uniform,Line", only="ours,ours-threads")
+        self.assertNotIn("left out", peers.markdown(data))
+        del data["runs"]["ours-threads|Line|2000"]
+        self.assertIn(" 1 more were left out", peers.markdown(data))
 
     def test_failures_are_told(self):
         with self.played("import os\n" + CALL + "os.kill(os.getpid(), 11)"):
