@@ -10,15 +10,15 @@ namespace ahd
 
 class Executor;
 
-/// What the engine is doing. Phases come in this order, each at most once per run; a run that has
-/// nothing to do in a phase may skip it.
+/// What the engine is doing. Phases come in this order, each at most once per run, but for Fates,
+/// which each call of that kind begins; a run that has nothing to do in a phase may skip it.
 enum class Phase
 {
   Read,    ///< look at every point once: finite? bounds?
   Sort,    ///< canonical rank of the points, duplicates, insertion order
   Insert,  ///< insert point after point
   Extract, ///< number and sort the triangles for output
-  Fates    ///< write what became of each point
+  Fates    ///< write what became of each point, the insertion order, or the places in it
 };
 
 /// How the engine talks to its caller while it works. The engine reads no clock: who wants the time
