@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <new>
-#include <sstream>
 
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 
@@ -55,8 +54,7 @@ public:
   /// Is there memory for it all, as far as that is known before? Says so if not.
   bool FitsInMemory();
 
-  /// Triangulates and fills the outputs; throws nothing. Cancelled as well if there is no memory
-  /// for the boxes, which is said then.
+  /// Triangulates and fills the outputs; throws nothing.
   ahd::Status Triangulate();
 
   /// Empties the outputs and says why, unless it was the user who cancelled.
@@ -73,7 +71,7 @@ private:
   ahd::Options GetOptions() const;
   bool IsOrderWanted() const;
   std::size_t EstimateBytes() const;
-  bool IsAllowed(std::size_t bytes, std::size_t boxes);
+  void AddBoxesToEstimate(std::size_t boxes);
   ahd::Status TriangulateOrThrow();
   ahd::Status WriteOutputs();
   void WarnOfNoTriangle();
@@ -85,6 +83,8 @@ private:
   vtkAHDInput Points;
   vtkAHDProgress Progress;
   vtkAHDExecutor Executor;
+  vtkTypeInt64 Limit = 0;    // KiB
+  std::size_t MostBoxes = 0; // for which there is memory
   ahd::Report Report;
   vtkAHDInput::Oddities Odd;
 };
@@ -151,6 +151,7 @@ ahd::Options vtkAdaptiveHilbertDelaunay2D::Run::GetOptions() const
   options.insertionLimit = static_cast<std::size_t>(this->Filter->InsertionLimit);
   options.keepOrder = this->Filter->GenerateInsertionRank || this->IsOrderWanted();
   options.keepBoxes = this->Filter->GenerateBoxes;
+  options.mostBoxes = this->MostBoxes;
   return options;
 }
 
@@ -182,38 +183,30 @@ bool vtkAdaptiveHilbertDelaunay2D::Run::FitsInMemory()
   // where it might be too much.
   const std::size_t bytes = this->EstimateBytes();
   ahd::Triangulator& triangulator = *this->Filter->Triangulator;
-  if (this->Filter->MemoryLimit > 0 && triangulator.memoryHeld() / 1024 > bytes / 1024)
+  const bool isLimited = this->Filter->MemoryLimit > 0;
+  if (isLimited && triangulator.memoryHeld() / 1024 > bytes / 1024)
   {
     triangulator.release();
   }
-  return this->IsAllowed(bytes, 0);
-}
-
-/// Keeps the estimate, and says so if it is too high.
-bool vtkAdaptiveHilbertDelaunay2D::Run::IsAllowed(std::size_t bytes, std::size_t boxes)
-{
+  constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
-  const std::size_t held = this->Filter->Triangulator->memoryHeld() / 1024;
-  const bool isLimited = this->Filter->MemoryLimit > 0;
-  const vtkTypeInt64 limit = isLimited ? this->Filter->MemoryLimit
-                                       : vtkAHDAvailableMemory() + static_cast<vtkTypeInt64>(held);
+  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(triangulator.memoryHeld() / 1024);
+  this->Limit = std::min(
+    kPlenty, isLimited ? this->Filter->MemoryLimit : vtkAHDAvailableMemory() + held);
   this->Filter->MemoryEstimate = needed;
-  if (needed > limit)
+  if (needed > this->Limit)
   {
-    std::ostringstream withBoxes;
-    if (boxes > 0)
-    {
-      withBoxes << " and putting out " << boxes << " boxes";
-    }
     vtkErrorWithObjectMacro(this->Filter,
-      "Triangulating " << this->Points.GetCount() << " points" << withBoxes.str() << " may take "
-                       << needed << " KiB of memory, but "
-                       << (isLimited ? "MemoryLimit allows " : "there are ") << limit << " KiB. "
-                       << (boxes > 0 ? "Nothing was put out. " : "Nothing was computed. ")
-                       << "Take fewer points, " << (boxes > 0 ? "switch GenerateBoxes off, " : "")
-                       << "or set MemoryLimit (in KiB) to allow more.");
+      "Triangulating "
+        << this->Points.GetCount() << " points may take " << needed << " KiB of memory, but "
+        << (isLimited ? "MemoryLimit allows " : "there are ") << this->Limit
+        << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
+           "more.");
+    return false;
   }
-  return needed <= limit;
+  const std::size_t left = (static_cast<std::size_t>(this->Limit) + 1) * 1024 - 1 - bytes;
+  this->MostBoxes = left / vtkAHDOrderOutput::EstimateBoxBytes(1);
+  return true;
 }
 
 ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::Triangulate()
@@ -238,12 +231,8 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::TriangulateOrThrow()
   ahd::Status status = triangulator.run(
     this->Points.View(), this->GetOptions(), &this->Progress, &this->Executor);
   this->Progress.Finish();
-  const std::size_t boxes = triangulator.boxes().size();
-  if (status == ahd::Status::Ok && boxes > 0 &&
-    !this->IsAllowed(this->EstimateBytes() + vtkAHDOrderOutput::EstimateBoxBytes(boxes), boxes))
-  {
-    return ahd::Status::Cancelled;
-  }
+  this->AddBoxesToEstimate(
+    status == ahd::Status::TooManyBoxes ? this->MostBoxes + 1 : triangulator.boxes().size());
   if (status == ahd::Status::Ok &&
     !this->Points.FindOddities(this->Executor, this->Progress, this->Odd))
   {
@@ -256,6 +245,12 @@ ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::TriangulateOrThrow()
   this->Progress.Finish();
   this->Report = triangulator.report();
   return status;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Run::AddBoxesToEstimate(std::size_t boxes)
+{
+  const std::size_t bytes = this->EstimateBytes() + vtkAHDOrderOutput::EstimateBoxBytes(boxes);
+  this->Filter->MemoryEstimate = static_cast<vtkTypeInt64>(bytes / 1024);
 }
 
 ahd::Status vtkAdaptiveHilbertDelaunay2D::Run::WriteOutputs()
@@ -290,6 +285,16 @@ void vtkAdaptiveHilbertDelaunay2D::Run::Fail(ahd::Status status)
     vtkErrorWithObjectMacro(this->Filter,
       "" << this->Points.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
          << " can be triangulated.");
+  }
+  else if (status == ahd::Status::TooManyBoxes)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "The grid of "
+        << this->Points.GetCount() << " points has more than " << this->MostBoxes
+        << " boxes, and putting out more may take more memory than "
+        << (this->Filter->MemoryLimit > 0 ? "MemoryLimit allows, " : "there is, ") << this->Limit
+        << " KiB. Nothing was computed. Switch GenerateBoxes off, take fewer points or "
+           "a larger Nmax, or set MemoryLimit (in KiB) to allow more.");
   }
   else if (status == ahd::Status::OutOfMemory)
   {

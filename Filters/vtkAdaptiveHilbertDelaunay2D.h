@@ -38,13 +38,14 @@
  *
  * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
  * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
- * points, the method of T. Su, W. Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for
- * randomly distributed point cloud data using adaptive Hilbert curve</em>, Computers & Graphics 54
- * (2016) 65-74, doi:10.1016/j.cag.2015.07.019. The time then grows about linearly with the number
- * of points, however unevenly they are distributed. Memory is linear too and estimated beforehand:
- * what cannot be had is refused with an error before it is allocated (see MemoryLimit). At most
- * 2^28 - 2 points are taken. Float and double points are read where they are, and widening float to
- * double is exact; points of another type are converted to double first.
+ * points (by default it goes on inside them, down to the single point), the method of T. Su, W.
+ * Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for randomly distributed point cloud
+ * data using adaptive Hilbert curve</em>, Computers & Graphics 54 (2016) 65-74,
+ * doi:10.1016/j.cag.2015.07.019. The time then grows about linearly with the number of points,
+ * however unevenly they are distributed. Memory is linear too and estimated beforehand: what cannot
+ * be had is refused with an error before it is allocated (see MemoryLimit). At most 2^28 - 2 points
+ * are taken. Float and double points are read where they are, and widening float to double is
+ * exact; points of another type are converted to double first.
  *
  * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
  * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank
@@ -147,10 +148,11 @@ public:
   ///@{
   /**
    * A box of the grid that holds more than this many points is divided further; used by
-   * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, the paper's, which
-   * finds 50 to 200 equally good (section 4). Changes the time, never the triangles. With the
-   * defaults of ControlPoints and GeneRotation not even that: the curve then goes on inside the
-   * boxes, down to the single point, and where their borders lie makes no difference.
+   * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, as in the
+   * paper, which finds 50 to 200 more efficient than other values (section 4). Changes the time,
+   * never the triangles. With the defaults of ControlPoints and GeneRotation not even that: the
+   * curve then goes on inside the boxes, down to the single point, and where their borders lie
+   * makes no difference but to the boxes that GenerateBoxes shows.
    */
   vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
   vtkGetMacro(Nmax, int);
@@ -159,7 +161,7 @@ public:
   ///@{
   /**
    * Which points are inserted before all others, so that the first triangles are neither long nor
-   * thin: one of ControlPointRounds. SINGLE_LEVEL is the paper's (section 3.5). The default,
+   * thin: one of ControlPointRounds. SINGLE_LEVEL is the paper's (section 3.3). The default,
    * EVERY_LEVEL, goes further: several rounds, each some times larger than the one before, in the
    * manner of a biased randomized insertion order (N. Amenta, S. Choi, G. Rote, 2003). Used by
    * ADAPTIVE_HILBERT and MULTI_GRID. Changes the time, never the triangles.
@@ -237,9 +239,9 @@ public:
    * follow the curve, on GeneRotation; SINGLE_LEVEL's control points do not count where it is
    * decided whether a box is divided. AS_GIVEN has no boxes. With the default settings the order
    * is made without a grid, as the curve goes on inside the boxes down to the single point; the
-   * boxes are then those along which it runs. Off by default; costs about 300 bytes per box. How
-   * many boxes there are shows only when the points are sorted: if there is no memory for them, the
-   * execution is refused then.
+   * boxes are then those along which it runs. Off by default; costs about 300 bytes per box. Boxes
+   * of few points and a small Nmax may be many more than points. How many there are shows only when
+   * the points are sorted: if there is no memory for them, the execution is refused then.
    */
   vtkSetMacro(GenerateBoxes, bool);
   vtkGetMacro(GenerateBoxes, bool);
@@ -263,7 +265,8 @@ public:
   /**
    * The most memory the filter may take, in kibibytes (1024 bytes), its output included, its input
    * not. An execution whose estimate is higher is refused with an error before anything is
-   * allocated. 0, the default, stands for what the machine and the limits of the process leave.
+   * allocated (with GenerateBoxes, before anything is inserted). 0, the default, stands for what
+   * the machine and the limits of the process leave.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);

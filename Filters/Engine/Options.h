@@ -51,8 +51,11 @@ struct Options
   /// point, kept until the next run.
   bool keepOrder = false;
 
-  /// Keep the boxes of the grid, for Triangulator::boxes. AsGiven has none.
+  /// Keep the boxes of the grid, for Triangulator::boxes, until the next run. AsGiven has none.
   bool keepBoxes = false;
+
+  /// A run that would have to keep more boxes ends with Status::TooManyBoxes, before it inserts.
+  std::size_t mostBoxes = std::size_t(-1);
 };
 
 } // namespace ahd

@@ -14,11 +14,12 @@ enum class Status
   Ok,            ///< done; fewer than three distinct points or all collinear is Ok with no triangle
   Cancelled,     ///< the caller's Progress said so
   TooManyPoints, ///< more than kMaximumPoints
+  TooManyBoxes,  ///< more than Options::mostBoxes
   OutOfMemory    ///< an allocation failed
 };
 
 /// What became of a point, as Triangulator::writeFates writes it: its own id if it is a vertex,
-/// the id of the vertex it coincides with, or one of these.
+/// the smallest id of a point at its place if that is another one, or one of these.
 enum : std::int64_t
 {
   kFateNotFinite = -1,  ///< x or y is NaN or infinite

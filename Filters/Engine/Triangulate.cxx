@@ -118,7 +118,7 @@ Status Triangulator::State::sortAndInsert(
 /// The boxes and the sequence, as far as they are wanted: later the keys are gone.
 Status Triangulator::State::order(const Options& options, Ticker& sorting)
 {
-  boxes = {};
+  std::vector<GridBox>().swap(boxes);
   if (options.keepBoxes)
   {
     if (const Status listed = listBoxes(ranked, options, sorting, boxes); listed != Status::Ok)
@@ -357,9 +357,10 @@ const std::vector<GridBox>& Triangulator::boxes() const
 
 std::size_t Triangulator::memoryHeld() const
 {
-  return state_ ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() +
-      state_->ranked.scratch.bytes() + state_->sequence.bytes()
-                : 0;
+  return state_
+    ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() + state_->ranked.scratch.bytes() +
+      state_->sequence.bytes() + state_->boxes.capacity() * sizeof(GridBox)
+    : 0;
 }
 
 void Triangulator::forgetPoints()
@@ -367,7 +368,8 @@ void Triangulator::forgetPoints()
   if (state_)
   {
     state_->points = PointView();
-    state_->boxes = {};
+    state_->ranked.duplicates.reset();
+    std::vector<GridBox>().swap(state_->boxes);
     state_->report = Report();
   }
 }
@@ -380,13 +382,14 @@ void Triangulator::release()
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& options)
 {
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
-  // where threads insert while an order is kept, and a piece of memory that is first for sorting
-  // and then holds two triangles.
+  // where threads insert while an order is kept, what it takes to make an order that has no
+  // formula, and a piece of memory that is first for sorting and then holds two triangles.
   constexpr std::size_t kSlots = std::max(
     2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
   const std::size_t kept = options.keepOrder && !needsSequence(options) ? sizeof(Index) : 0;
-  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + kSlots);
+  const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
+  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + made + kSlots);
 }
 
 } // namespace ahd

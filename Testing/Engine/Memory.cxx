@@ -96,10 +96,11 @@ TEST(Memory, NoMoreThanEstimated)
 
 TEST(Memory, NoMoreThanEstimatedUnderAnySetting)
 {
-  const std::size_t n = reduced(50000);
+  const std::size_t n = reduced(300000); // more than the megabyte that is estimated on top can hide
   const std::vector<Point> points = makePoints(Distribution::Mixed, n, 1);
-  for (const Options& options : everyDistinctSetting())
+  for (Options options : everyDistinctSetting({ 1, 50 }))
   {
+    options.keepOrder = true;
     EXPECT_LE(peakOf(points, options), Triangulator::memoryEstimate(n, options))
       << describe(options);
   }
@@ -125,6 +126,38 @@ TEST(Memory, EstimateIsNotFarAboveWhatIsNeeded)
   const std::size_t n = 200000;
   const std::vector<Point> points = makePoints(Distribution::Uniform, n, 1);
   EXPECT_LE(Triangulator::memoryEstimate(n, Options()), 2 * peakOf(points, Options()));
+}
+
+TEST(Memory, BoxesAreHeldOnlyWhileTheyAreWanted)
+{
+  const std::size_t n = 20000;
+  const std::vector<Point> points = makePoints(Distribution::Uniform, n, 1);
+  Options options;
+  options.nmax = 1;
+  options.keepBoxes = true;
+  const std::size_t before = account.held;
+  Triangulator triangulator;
+  const auto isAllTold = [&]
+  {
+    const std::size_t held = account.held - before;
+    return triangulator.memoryHeld() <= held && held <= triangulator.memoryHeld() + 4096;
+  };
+  ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  const std::size_t boxes = triangulator.boxes().size();
+  const std::size_t withBoxes = triangulator.memoryHeld();
+  EXPECT_GT(boxes, n);
+  EXPECT_TRUE(isAllTold());
+  triangulator.forgetPoints();
+  EXPECT_LE(triangulator.memoryHeld() + boxes * sizeof(GridBox), withBoxes);
+  EXPECT_TRUE(isAllTold());
+
+  options.mostBoxes = boxes - 1;
+  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::TooManyBoxes);
+  options.mostBoxes = boxes;
+  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  options.keepBoxes = false;
+  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_LE(triangulator.memoryHeld() + boxes * sizeof(GridBox), withBoxes);
 }
 
 TEST(Memory, EstimateGrowsWithThePoints)

@@ -194,8 +194,9 @@ TEST(InsertionOutput, BoxesThatDoNotFitAreRefused)
   filter->SetMemoryLimit(needed - 1); // enough for all but the boxes
   filter->Update();
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  for (const char* part : { "10000 points and putting out ", " boxes may take ",
-         "Nothing was put out", "switch GenerateBoxes off" })
+  for (const char* part :
+    { "The grid of 10000 points has more than ", " boxes, and putting out more ",
+      "MemoryLimit allows, ", "Nothing was computed", "Switch GenerateBoxes off" })
   {
     EXPECT_NE(filter.Said->Errors[0].find(part), std::string::npos) << filter.Said->Errors[0];
   }

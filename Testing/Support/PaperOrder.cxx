@@ -176,11 +176,11 @@ public:
     if (options_.order == InsertionOrder::AsGiven ||
       (options_.order != InsertionOrder::RegularGrid && !isCrowded(all)))
     {
-      putUndivided({ 0, 0, 0, all });
+      putUndivided({ 0, 0, 0, 0, all });
     }
     else
     {
-      gridDivide({ 0, 0, 0, all }, Turn::WithoutChange, false, 1);
+      gridDivide({ 0, 0, 0, 0, all }, Turn::WithoutChange, false, 1);
     }
     insertFromBothSets();
     return result_;
@@ -214,7 +214,7 @@ private:
     for (std::size_t i = 0; i < curve.size(); ++i)
     {
       PaperBox unit{ box.column << r | curve[i].first, box.row << r | curve[i].second,
-        box.levels + r, units[curve[i]] };
+        box.levels + r, m, units[curve[i]] };
       if (m == 1 && hasControlPoints(ControlPoints::SingleLevel) && !unit.ids.empty())
       {
         control_.push_back(unit.ids.front());

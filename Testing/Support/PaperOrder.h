@@ -67,6 +67,7 @@ struct PaperBox
   Column column;
   Row row;
   unsigned levels;
+  int divisions;          ///< that made it
   std::vector<Index> ids; ///< its points, control points left out
 };
 

@@ -38,15 +38,14 @@ public:
   {
   }
 
-  /// Returns false if the work is to be cancelled.
-  bool list()
+  Status list()
   {
     const Piece whole{ 0, 0, 32, 0, 0, points_.count };
     const unsigned levels = levelsOfFirstDivision(points_.count, options_);
     if (levels == 0)
     {
       leave(whole);
-      return true;
+      return Status::Ok;
     }
     open_[depth_++] = { whole, levels, 0 };
     while (depth_ > 0)
@@ -60,11 +59,14 @@ public:
       const Piece box = quarter(division, division.next++);
       if ((depth_ == 1 && !findControlPoint(box)) || !ticker_.step())
       {
-        return false;
+        return Status::Cancelled;
       }
-      divideOrLeave(box);
+      if (divideOrLeave(box) && boxes_.size() > options_.mostBoxes)
+      {
+        return Status::TooManyBoxes;
+      }
     }
-    return true;
+    return Status::Ok;
   }
 
 private:
@@ -142,13 +144,15 @@ private:
         });
   }
 
-  void divideOrLeave(const Piece& box)
+  /// Returns true if the box was left undivided.
+  bool divideOrLeave(const Piece& box)
   {
     const bool holdsControl = box.begin <= control_ && control_ < box.end;
     const std::size_t count = box.end - box.begin - (holdsControl ? 1 : 0);
     const unsigned levels = levelsOfDivision(count);
-    if (options_.order != InsertionOrder::RegularGrid && count > std::size_t(options_.nmax) &&
-      levels <= box.below)
+    const bool isDivided = options_.order != InsertionOrder::RegularGrid &&
+      count > std::size_t(options_.nmax) && levels <= box.below;
+    if (isDivided)
     {
       open_[depth_++] = { box, levels, 0 };
     }
@@ -156,6 +160,7 @@ private:
     {
       leave(box);
     }
+    return !isDivided;
   }
 
   void leave(const Piece& box)
@@ -186,7 +191,7 @@ Status listBoxes(
   {
     return Status::Ok;
   }
-  return BoxLister(points, options, ticker, boxes).list() ? Status::Ok : Status::Cancelled;
+  return BoxLister(points, options, ticker, boxes).list();
 }
 
 } // namespace ahd

@@ -25,7 +25,8 @@ namespace ahd
 /// an integer. Each operation is monotone in v. f keeps the span and s within the range of doubles:
 /// f = 1/2 where high - low would overflow (on either axis), and then the last bit that a subnormal
 /// v loses is far below the width of a column, as that is at least a 2^34-th of 2^1023; f = 2^500
-/// where the span is below 2^-900, and then low and high are below 2^-847 and nothing is lost.
+/// where the span is below 2^-900, and then low and high are below 2^-847 and nothing is lost (not
+/// where the other span is above 2^500: then every v is in column 0 anyway).
 /// The quotient and the product exceed 2^32 - 1 by less than 2^-19, so the cut never gives 2^32.
 class Quantiser
 {
@@ -37,7 +38,8 @@ public:
     const double span = high - low;
     const double other = otherHigh - otherLow;
     const bool overflows = span > kLargest || other > kLargest;
-    factor_ = overflows ? 0.5 : low < high && span < kSmall ? 0x1p500 : 1.0;
+    const bool isSmall = low < high && span < kSmall && other < 0x1p500;
+    factor_ = overflows ? 0.5 : isSmall ? 0x1p500 : 1.0;
     low_ = low * factor_;
     const double otherWidth = overflows ? otherHigh * factor_ - otherLow * factor_
                                         : other * factor_;

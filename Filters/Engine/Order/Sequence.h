@@ -34,6 +34,11 @@ constexpr unsigned levelsOfDivision(std::size_t points)
 /// Levels of the first division of so many points; 0 if they are not divided.
 unsigned levelsOfFirstDivision(std::size_t points, const Options& options);
 
+/// Bytes per point, at most, that makeSequence takes beside the sequence. A division has at most a
+/// quarter as many boxes that are not empty as it has points; lists of them (24 bytes a box) grow
+/// by doubling, and are sorted with 16 bytes a box.
+constexpr std::size_t kSequenceScratchPerPoint = 56;
+
 /// The order in which the points are inserted: a permutation of the ranks 0 .. count - 1.
 ///
 /// Boxes: the box of all points is divided into 2^r x 2^r boxes if it holds more than nmax points,
