@@ -392,7 +392,7 @@ int main(int argc, char** argv)
   {
     for (std::size_t i = 0; i < configurations.size(); ++i)
     {
-      const std::size_t turn = (i + round) % configurations.size(); // none always follows the same
+      const std::size_t turn = (i + round) % configurations.size(); // none always begins
       experiment.run(configurations[turn], measured[turn]);
     }
   }

@@ -2,8 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sentences of Results.md follow from the numbers, whatever they are."""
 
+import argparse
 import json
+import tempfile
 import unittest
+from pathlib import Path
 
 import paper
 import paper_data as data
@@ -167,6 +170,13 @@ class Report(unittest.TestCase):
         readme = paper.with_table(paper.README.read_text(), some)
         self.assertEqual(readme.count("| 2.50 / 1.14 |"), 1)
         self.assertEqual(paper.with_table(readme, some), readme)
+
+    def test_new_peers_clear_what_was_wrong_with_the_old(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder)
+            paper.save(out, self.data(failures=["peers.py ended with 1", "Line: crashed"]))
+            asked = argparse.Namespace(out=out, resume=False, only_peers=True)
+            self.assertEqual(paper.begin_data(asked, {})["failures"], ["Line: crashed"])
 
     def test_what_check_finds(self):
         peers = {

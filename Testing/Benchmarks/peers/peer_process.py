@@ -109,7 +109,7 @@ def geos(points):
     return lambda: made.append(shapely.delaunay_triangles(multipoint)), result
 
 
-def startinpy(points, snap=None):
+def startinpy(points, snap=None, jump=False):
     from startinpy import DT
 
     coordinates = np.zeros((len(points), 3))
@@ -117,6 +117,7 @@ def startinpy(points, snap=None):
     peer = DT()
     if snap is not None:
         peer.snap_tolerance = snap
+    peer.jump_and_walk = jump
     made = []
 
     def call():
@@ -166,7 +167,7 @@ PEERS = {
     "scipy": scipy,
     "geos": geos,
     "startinpy": startinpy,
-    "startinpy-nosnap": lambda points: startinpy(points, snap=1e-300),
+    "startinpy-nosnap": lambda points: startinpy(points, snap=1e-300, jump=True),
     "triangle": triangle,
     "dylaunator": dylaunator,
     "cdt": cdt,

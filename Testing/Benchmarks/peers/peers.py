@@ -12,6 +12,7 @@ summary(data) render it.
 import argparse
 import concurrent.futures
 import csv
+import hashlib
 import json
 import os
 import platform
@@ -29,8 +30,8 @@ from catalogue import BY_NAME, INPUTS, PEERS, QUICK_INPUTS, REAL_FILES, Places
 from report import markdown, summary  # noqa: F401 (for those who import this file)
 
 FAILED = ("error", "memory", "crash")
-FINAL = ("ok", "hang") + FAILED  # runs that are not repeated when the file is completed
-SHORT_SECONDS = 2.0  # a call that takes less is measured three times, of which the median counts
+FINAL = ("ok",) + FAILED  # runs that are not repeated when the file is completed
+SHORT_SECONDS = 0.3  # a call that takes less is measured three times, of which the median counts
 
 
 def arguments(given=None):
@@ -77,13 +78,28 @@ class Session:
         self.data = {"peers": {}, "inputs": {}, "runs": {}}
         if self.file.exists():
             self.data.update(json.loads(self.file.read_text(encoding="utf-8")))
+            self.drop_other_builds()
         cores = sorted(os.sched_getaffinity(0))
         self.jobs = min(2, len(cores)) if options.quick else 1
         self.core = cores[-1] if len(cores) > 1 and self.jobs == 1 else None
         self.data["settings"] = {
             "limit": options.limit, "quick": options.quick, "sizes": options.sizes, "cores": len(cores),
             "processor": processor(), "pinned": self.core is not None, "atATime": self.jobs,
-            "memoryLimit": runs.memory_limit()}
+            "memoryLimit": runs.memory_limit(), "programs": self.programs()}
+
+    def programs(self):
+        """A fingerprint of what was built here."""
+        made = hashlib.sha256()
+        for name in ("PeerOurs", "PeerCgal"):
+            file = Path(self.options.bin) / name
+            made.update(file.read_bytes() if file.exists() else b"")
+        return made.hexdigest()[:16]
+
+    def drop_other_builds(self):
+        """Runs of programs that have been built anew since do not belong beside those to come."""
+        if self.data.get("settings", {}).get("programs", self.programs()) != self.programs():
+            self.data["runs"] = {key: run for key, run in self.data["runs"].items()
+                                 if BY_NAME[key.split("|")[0]].kind != "program"}
 
     def save(self):
         draft = self.file.with_suffix(".draft")
@@ -145,7 +161,11 @@ class Session:
 
     def wants(self, peer, name, size):
         record = self.data["runs"].get(self.key(peer, name, size))
-        return self.options.again or record is None or record["status"] not in FINAL
+        if self.options.again or record is None:
+            return True
+        if record["status"] == "hang":
+            return record.get("limit", self.options.limit) < self.options.limit
+        return record["status"] not in FINAL
 
     def run_peer(self, peer, name, size, points):
         why = self.reason_not_to(peer, name, size)
@@ -154,6 +174,7 @@ class Session:
                       "detail": why}
         else:
             record = self.measure(peer, points)
+            record["limit"] = self.options.limit
             before = self.smaller(peer, name, size) if record["status"] == "hang" and size else []
             if before and before[0][1]["status"] == "ok":  # was it to be expected?
                 record["before"] = {"size": before[0][0], "seconds": seconds_of(peer, before[0][1])}

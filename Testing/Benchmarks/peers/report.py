@@ -67,7 +67,7 @@ def summary(data):
     rows = []
     for peer in results.there:
         tried = results.tried(peer)
-        if peer == OURS or not tried:
+        if peer.startswith(OURS) or results.peers[peer]["threads"] or not tried:
             continue
         right = sum(results.certified(peer, key) for key in tried)
         ratios = [ratio for ratio in (results.ratio(peer, key) for key in tried) if ratio]
@@ -78,7 +78,7 @@ def summary(data):
     limit = f"over {results.settings['limit']:g} s"
     told = (f"Other libraries, each on up to {len(results.inputs)} inputs of {min(results.counts):,} to "
             f"{max(results.counts):,} points, one core; certified: exactly the Delaunay triangulation, whole:")
-    return told + "\n\n" + table(["", "runs certified", limit, "most points lost", "time over ours, median"], rows)
+    return told + "\n\n" + table(["", "runs certified", limit, "most points lost", "time over ours, median of all that ended"], rows)
 
 
 def most_lost(results, peer):
@@ -267,7 +267,7 @@ def time_cell(results, peer, key):
     run = results.run(peer, key)
     status = run.get("status", "")
     if status == "hang":
-        return f"> {results.settings['limit']:g} s"
+        return f"> {run.get('limit', results.settings['limit']):g} s"
     if status in FAILURES:
         return "**" + FAILURES[status] + "**"
     if status != "ok":
@@ -300,8 +300,9 @@ def fault_summary(results):
             "most points lost", "most edges not Delaunay"]
     note = ("Numbers of runs. Wrong: it came to an end with one of the faults of the table after this. Over "
             "the limit: too slow, or hanging; what the size before took is in that table. Not begun: the "
-            "time for the size before, times the ratio of the sizes, is over the limit, or the two sizes "
-            "before failed.")
+            "time for the size before, times the ratio of the sizes, is over the limit; or the size before was "
+            "over the limit, or the two sizes before failed; or another input of this size was over the limit "
+            "that had taken less for the size before.")
     return f"### Faults\n\n{note}\n\n" + table(head, rows)
 
 

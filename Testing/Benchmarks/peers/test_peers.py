@@ -122,10 +122,7 @@ class Sessions(unittest.TestCase):
         self.assertIn(f"{len(catalogue.INPUTS)} of {len(catalogue.INPUTS)} runs certified", text)
         self.assertIn("Nothing was wrong with any result.", text)
         self.assertNotIn(" ✗ |", text)
-        rows = peers.summary(data).splitlines()
-        runs = len(catalogue.INPUTS)
-        self.assertTrue(any(row.startswith(f"| this engine, all threads | {runs} of {runs} |  |  | ")
-                            for row in rows), rows)
+        self.assertNotIn("this engine", peers.summary(data))  # others only, and on one thread
 
     def test_real_files(self):
         text = "x,y,z\n0,0,5\n1,0,5\n0,1.5,5\n0,0,6\n"
@@ -144,7 +141,22 @@ class Sessions(unittest.TestCase):
         rendered = peers.markdown(data)
         self.assertIn("250 ms ✗", rendered)
         self.assertIn("1,997 points lost (99.85 %)", rendered)
-        self.assertNotIn("this engine", peers.summary(data))  # which is not compared with itself
+        data["peers"]["other"] = data["peers"]["ours"]
+        data["runs"]["other|Uniform|2000"] = data["runs"]["ours|Uniform|2000"]
+        self.assertIn("| 0 of 1 |  | 99.85 % | 1.00 |", peers.summary(data))
+
+    def test_what_is_run_again(self):
+        with self.played("import time\n" + CALL + "time.sleep(9)"):
+            self.session("--inputs", "Uniform", "--limit", "0.2")
+        done = CALL + "open(sys.argv[2], 'wb')\n" + DONE
+        with self.played(done):
+            data = self.session("--inputs", "Uniform", "--limit", "0.1")
+            self.assertEqual(data["runs"]["ours|Uniform|2000"]["status"], "hang", "the limit is not higher")
+            data = self.session("--inputs", "Uniform")
+            self.assertEqual(data["runs"]["ours|Uniform|2000"]["status"], "ok")
+        with self.played("sys.exit(1)"), mock.patch.object(peers.Session, "programs", return_value="others"):
+            data = self.session("--inputs", "Uniform")
+        self.assertEqual(data["runs"]["ours|Uniform|2000"]["status"], "error", "built anew")
 
     def test_what_was_left_out_is_told(self):
         data = self.session("--inputs", "Uniform,Line", only="ours,ours-threads")
