@@ -22,9 +22,9 @@ points = PointSource(NumberOfPoints=count, Radius=1.0)
 
 print("%-45s %8s %8s %10s %10s" % ("insertion order", "NP", "NR", "sort, s", "insert, s"))
 for order, control, label in (
-    ("Adaptive Hilbert", "Every level", "adaptive Hilbert, rounds of control points"),
-    ("Adaptive Hilbert", "First level", "adaptive Hilbert, the paper's control points"),
-    ("Adaptive Hilbert", "Off", "adaptive Hilbert, no control points"),
+    ("Adaptive Hilbert", "Every level", "adaptive Hilbert, control points: every level"),
+    ("Adaptive Hilbert", "First level", "adaptive Hilbert, control points: first level"),
+    ("Adaptive Hilbert", "Off", "adaptive Hilbert, control points: off"),
     ("Multi-grid", "Off", "multi-grid (Lo 2013)"),
     ("Regular grid", "Off", "regular grid"),
 ):
