@@ -126,9 +126,12 @@ def regular_grid(path):
         [visits.image(), mesh.image()],
         ["The boxes, line by line", "The mesh after %d of 1,000 points" % limit],
         key=[
-            (BLUE, "line", "order of the boxes"),
+            (BLUE, "line", "to the next box"),
+            (VERMILLION, "line", "back"),
+            (GREEN, "dot", "first box"),
+            (INK, "dot", "last box"),
             (ORANGE, "face", "long triangles"),
-            (VERMILLION, "dot", "the last point"),
+            (VERMILLION, "dot", "last point"),
         ],
     )
     return {"limit": limit, "long": long, "triangles": total}
@@ -161,7 +164,7 @@ def multi_grid(path):
     stage.figure(
         path, [spread.image(), visits.image()],
         ["Boxes are divided where it is crowded", "All boxes, line by line"],
-        key=[(BLUE, "line", "to a neighbour"), (VERMILLION, "line", "to a box farther away"),
+        key=[(BLUE, "line", "to a neighbour"), (VERMILLION, "line", "to a box that is no neighbour"),
              (GREEN, "dot", "first box"), (INK, "dot", "last box")])  # fmt: skip
     return {"boxes": len(run.boxes), "jumps": far, "levels": int(run.levels.max())}
 
@@ -180,7 +183,9 @@ def far_apart(path):
     count, k, before = most
     crossed = meshes.walked(before.xy, before.triangles, way[k - 1], way[k])
     middle = (way[k - 1] + way[k]) / 2
-    panel = Panel(middle - [0.3, 0.2], middle + [0.3, 0.2], 1100, 0.0)
+    corners = before.xy[before.triangles[crossed]].reshape(-1, 2)
+    reach = max(0.3, numpy.abs(corners - middle)[:, 0].max() + 0.02)
+    panel = Panel(middle - [reach, 0.2], middle + [reach, 0.2], 1100, 0.0)
     panel.boxes(before.boxes, PALE, 2.5)
     panel.faces(before.xy, before.triangles[crossed], LIGHT_BLUE)
     panel.mesh(before.xy, before.triangles, GREY, 1.5)
@@ -192,7 +197,8 @@ def far_apart(path):
         path, [panel.image()], [""],
         key=[(BLUE, "dot", "the point before"), (VERMILLION, "dot", "the next point"),
              (LIGHT_BLUE, "face", "triangles on the way"), (PALE, "line", "boxes")])  # fmt: skip
-    return {"crossed": int(count), "place": k}
+    long = meshes.aspect_ratios(before.xy, before.triangles[crossed]) > meshes.LONG
+    return {"crossed": int(count), "place": k, "long": int(long.sum())}
 
 
 def first_of_boxes(run, low, high):
@@ -319,7 +325,7 @@ def film(path):
             panel.mesh(run.xy, run.triangles, GREY, 1.0)
             tail = run.xy[run.order[-max(6, len(run.order) // 25) :]]
             panel.way(tail, BLUE, 2.5)
-            panel.points(tail[-1:], VERMILLION, 14.0)
+            panel.points(tail[-1:], VERMILLION, 7.0)
             panels.append(panel.image())
     titles = [
         "%s\n%s" % (words, "{:,} points".format(limit) if limit else "all 5,000 points")
