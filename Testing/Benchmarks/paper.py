@@ -187,6 +187,13 @@ def measure_part(part, plan, arguments, data):
         say(failure)
 
 
+def without_words(peers):
+    """All that programs said beside their figures names files of this machine: it is not published."""
+    for run in peers["runs"].values():
+        run.pop("said", None)
+    return peers
+
+
 def measure_peers(arguments, data):
     """peers.py completes the file it finds."""
     out = arguments.out / "peers.json"
@@ -212,7 +219,7 @@ def measure_peers(arguments, data):
     if code != 0:
         data["failures"].append(f"{PEERS_FAILED} {code}")
     if out.exists():
-        data["peers"] = json.loads(out.read_text())
+        data["peers"] = without_words(json.loads(out.read_text()))
         out.unlink()
 
 

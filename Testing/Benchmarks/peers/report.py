@@ -135,6 +135,7 @@ def sentences(results):
 
 
 def scope(results):
+    """What was run, and, if they wrote one into the settings, the remark of those who ran it."""
     tried = sum(len(results.tried(peer)) for peer in results.there)
     right = sum(results.certified(peer, key) for peer in results.there for key in results.tried(peer))
     settings = results.settings
@@ -145,7 +146,8 @@ def scope(results):
     return (f"{len(results.there)} ways to triangulate, {len(results.inputs)} inputs, {tried} runs, each in "
             f"a process of its own, {pinned} unless it has threads, the call limited to "
             f"{settings['limit']:g} s{together}. Certified by the judge: {right}.{left} "
-            f"Processor: {settings['processor']}, {settings['cores']} cores.")
+            f"Processor: {settings['processor']}, {settings['cores']} cores."
+            + (f" {settings['remark']}" if "remark" in settings else ""))
 
 
 def ours(results):
@@ -156,7 +158,8 @@ def ours(results):
         spent = [1e9 * results.seconds(OURS, key) / results.inputs[key]["points"]
                  for key in results.keys(size) if results.seconds(OURS, key)]
         if spent:
-            speeds.append(f"{min(spent):.0f} to {max(spent):.0f} for {size:,} points")
+            low, high = (f"{nanoseconds:.0f}" for nanoseconds in (min(spent), max(spent)))
+            speeds.append((low if low == high else f"{low} to {high}") + f" for {size:,} points")
     yield (f"This engine on one thread: {right} of {len(tried)} runs certified; nanoseconds per point, cold: "
            f"{', '.join(speeds)}.")
 
