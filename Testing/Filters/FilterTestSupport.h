@@ -126,25 +126,6 @@ public:
   std::vector<std::string> Errors;
 };
 
-/// Aborts the filter it watches when its progress comes to a fraction.
-class AbortAt : public vtkCommand
-{
-public:
-  static AbortAt* New() { return new AbortAt; }
-
-  void Execute(vtkObject* caller, unsigned long, void* amount) override
-  {
-    if (!this->Done && *static_cast<double*>(amount) >= this->Fraction)
-    {
-      this->Done = true;
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-    }
-  }
-
-  double Fraction = 0.0;
-  bool Done = false;
-};
-
 /// A filter whose messages are kept instead of printed.
 struct WatchedFilter
 {

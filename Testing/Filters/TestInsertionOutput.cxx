@@ -3,6 +3,7 @@
 // The second output as a whole: the curve of the insertion; when it is empty; memory, threads,
 // abort.
 #include "FilterTestSupport.h"
+#include "ProgressWatch.h"
 
 #include "vtkCellData.h"
 #include "vtkImageData.h"
@@ -263,14 +264,14 @@ TEST(InsertionOutput, IsEmptyAfterAnAbort)
     filter->SetNumberOfThreads(threads);
     for (double at : { 0.1, 0.5, 0.95, 0.98, 0.99 })
     {
-      vtkNew<AbortAt> abort;
-      abort->Fraction = at;
-      const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, abort);
+      vtkNew<ProgressWatch> watch;
+      watch->AbortAt = at;
+      const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, watch);
       filter->SetAbortExecute(0);
       filter->Modified();
       filter->Update();
       filter->RemoveObserver(tag);
-      EXPECT_TRUE(abort->Done) << at;
+      EXPECT_TRUE(watch->Aborted) << at;
       EXPECT_TRUE(isEmpty(filter->GetOutput(0))) << at;
       EXPECT_TRUE(isEmpty(filter->GetOutput(1))) << at;
       EXPECT_EQ(filter->GetNumberOfPointsInserted(), 0) << at;

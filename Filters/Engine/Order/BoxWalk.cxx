@@ -143,8 +143,7 @@ bool BoxWalk::walk(const WalkPoints& points, unsigned levels, Index* to)
 
 bool BoxWalk::isDivided(const Box& box) const
 {
-  return options_.order != InsertionOrder::RegularGrid &&
-    box.end - box.begin > std::size_t(options_.nmax);
+  return isDividedAgain(box.end - box.begin, options_);
 }
 
 /// One division in work per depth, at most one for every two bits of the keys: no box is stored.

@@ -150,8 +150,7 @@ private:
     const bool holdsControl = box.begin <= control_ && control_ < box.end;
     const std::size_t count = box.end - box.begin - (holdsControl ? 1 : 0);
     const unsigned levels = levelsOfDivision(count);
-    const bool isDivided = options_.order != InsertionOrder::RegularGrid &&
-      count > std::size_t(options_.nmax) && levels <= box.below;
+    const bool isDivided = isDividedAgain(count, options_) && levels <= box.below;
     if (isDivided)
     {
       open_[depth_++] = { box, levels, 0 };

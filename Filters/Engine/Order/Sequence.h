@@ -31,6 +31,12 @@ constexpr unsigned levelsOfDivision(std::size_t points)
   return r;
 }
 
+/// Is a box of a division with so many points divided again?
+inline bool isDividedAgain(std::size_t points, const Options& options)
+{
+  return options.order != InsertionOrder::RegularGrid && points > std::size_t(options.nmax);
+}
+
 /// Levels of the first division of so many points; 0 if they are not divided.
 unsigned levelsOfFirstDivision(std::size_t points, const Options& options);
 
