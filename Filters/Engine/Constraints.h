@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Constraints_h
+#define ahd_Constraints_h
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ahd
+{
+
+/// Which regions between loops are kept. A region is bounded by edges of loops only; where there is
+/// no loop, everything is kept.
+enum class FillRule
+{
+  /// Inside is on the left. A region is kept if it lies on the left of every loop edge that bounds
+  /// it, or if none does. Each loop that passes along an edge counts; an edge that loops pass as
+  /// often one way as the other bounds nothing.
+  Orientation = 0,
+  /// A region is kept if a way from the outside to it crosses loops an odd number of times.
+  EvenOdd = 1
+};
+
+/// Chains of points, looked at where the caller has them: each pair of successive points is a
+/// segment that is to be an edge of the triangulation, or a row of edges if there are vertices on
+/// it. Any ids are legal, repeated ones included.
+struct ConstraintView
+{
+  const std::int64_t* ids = nullptr; ///< the caller's ids of points, chain after chain
+  /// Chain k is ids[offsets[k]] to ids[offsets[k + 1] - 1]: chains + 1 numbers, ascending.
+  const std::int64_t* offsets = nullptr;
+  std::size_t chains = 0;
+  /// So many chains, the first, are open. The others are loops: their last point is joined to their
+  /// first.
+  std::size_t lines = 0;
+};
+
+/// A segment that was left out, since it crosses another one that comes before it.
+struct LeftOut
+{
+  std::size_t chain, segment;           ///< the segment, from 0 within its chain
+  std::size_t otherChain, otherSegment; ///< the one it crosses first on its way
+};
+
+/// What became of the constraints. segments = points + withoutVertex + crossing + those that became
+/// edges.
+struct ConstraintReport
+{
+  std::size_t segments = 0;      ///< given
+  std::size_t points = 0;        ///< of no length: both ends are one vertex
+  std::size_t withoutVertex = 0; ///< with an end that is no vertex, or no point at all
+  std::size_t crossing = 0;      ///< left out: see leftOut
+  std::size_t unfilledLoops = 0; ///< loops that bound no region, as a segment of theirs is missing
+  std::size_t edges = 0;         ///< distinct edges of the triangulation that are constraints
+  std::vector<LeftOut> leftOut;  ///< in the order of the chains
+};
+
+} // namespace ahd
+
+#endif
