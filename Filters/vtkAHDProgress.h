@@ -37,8 +37,8 @@ private:
   using Clock = std::chrono::steady_clock;
 
   vtkAlgorithm* Filter;
-  double Shown = 0.0;                                              // what the filter was told last
-  std::array<double, 5> Seconds = { { 0.0, 0.0, 0.0, 0.0, 0.0 } }; // of each phase
+  double Shown = 0.0;                            // what the filter was told last
+  std::array<double, ahd::kPhases> Seconds = {}; // of each phase
   bool InPhase = false;
   ahd::Phase Current = ahd::Phase::Read;
   Clock::time_point Begun;

@@ -14,12 +14,15 @@ class Executor;
 /// which each call of that kind begins; a run that has nothing to do in a phase may skip it.
 enum class Phase
 {
+  Merge,   ///< mergeWithin (Merge.h): merge points that are near each other
+  Split,   ///< splitAtCrossings (Crossings.h): find the crossings of constraints and split there
   Read,    ///< look at every point once: finite? bounds?
   Sort,    ///< canonical rank of the points, duplicates, insertion order
   Insert,  ///< insert point after point
   Extract, ///< number and sort the triangles for output
   Fates    ///< write what became of each point, the insertion order, or the places in it
 };
+constexpr std::size_t kPhases = std::size_t(Phase::Fates) + 1;
 
 /// How the engine talks to its caller while it works. The engine reads no clock: who wants the time
 /// of a phase takes it in beginPhase().

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulate.h"
 
+#include "Border.h"
 #include "Chunks.h"
 #include "Extract/Extractor.h"
-#include "FloatingPoint.h"
 #include "Insert/Inserter.h"
 #include "Mesh/Mesh.h"
 #include "Order/GridBoxes.h"
@@ -13,8 +13,6 @@
 #include "Tasks.h"
 
 #include <algorithm>
-#include <new>
-#include <stdexcept>
 
 namespace ahd
 {
@@ -25,33 +23,6 @@ namespace
 /// Threads are asked for from so many points on: with 10^4 they cost as much as they gave, with
 /// 3 10^4 two were 1.4 times as fast as one.
 constexpr std::size_t kLeastForThreads = 15000;
-
-/// The engine's border: what the standard library throws for want of memory becomes a status, and
-/// floating-point arithmetic is as the engine assumes it.
-template <typename Work>
-Status withoutThrowing(Work work)
-{
-  const ScopedFloatingPoint asAssumed;
-  try
-  {
-    return work();
-  }
-  catch (const std::bad_alloc&)
-  {
-    return Status::OutOfMemory;
-  }
-  catch (const std::length_error&)
-  {
-    return Status::OutOfMemory;
-  }
-}
-
-/// The same for work that returns false where it was cancelled.
-template <typename Work>
-Status unlessCancelled(Work work)
-{
-  return withoutThrowing([&] { return work() ? Status::Ok : Status::Cancelled; });
-}
 
 /// Is the order made point by point, rather than followed by its formula?
 bool needsSequence(const Options& options)

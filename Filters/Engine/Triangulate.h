@@ -15,7 +15,7 @@
 namespace ahd
 {
 
-/// The Delaunay triangulation of points in the plane: the engine's only door.
+/// The Delaunay triangulation of points in the plane: the engine's door.
 ///
 /// Contract. The triangles are the exact Delaunay triangulation of the distinct finite points,
 /// counterclockwise, the hull convex with collinear hull points kept as vertices. Cocircular ties

@@ -17,7 +17,9 @@ namespace
 
 const char* nameOfPhase(Phase phase)
 {
-  static const char* const kNames[] = { "Read", "Sort", "Insert", "Extract", "Fates" };
+  static const char* const kNames[] = { "Merge", "Split", "Read", "Sort", "Insert", "Extract",
+    "Fates" };
+  static_assert(sizeof kNames / sizeof *kNames == kPhases, "a name for each phase");
   return kNames[int(phase)];
 }
 
@@ -71,7 +73,7 @@ public:
 private:
   std::size_t cancelAt_;
   std::size_t allAskings_ = 0;
-  std::array<std::size_t, 5> askings_{};
+  std::array<std::size_t, kPhases> askings_{};
   std::vector<Phase> begun_;
   double fraction_ = 0.0;
   bool cancelled_ = false;
