@@ -7,7 +7,7 @@ namespace
 {
 // Which part of the whole a phase takes, roughly as the time goes: from kBegin[phase] to
 // kBegin[phase + 1].
-constexpr double kBegin[] = { 0.0, 0.0, 0.0, 0.05, 0.2, 0.9, 0.98, 1.0 };
+constexpr double kBegin[] = { 0.0, 0.0, 0.0, 0.05, 0.2, 0.9, 0.9, 0.98, 1.0 };
 static_assert(
   sizeof kBegin / sizeof *kBegin == ahd::kPhases + 1, "a beginning for each phase, and the end");
 

@@ -54,6 +54,10 @@ struct Options
   /// Keep the boxes of the grid, for Triangulator::boxes, until the next run. AsGiven has none.
   bool keepBoxes = false;
 
+  /// Allow the triangles to be written before Triangulator::constrain as well as after. 16 bytes
+  /// per point more while they are written.
+  bool keepLocations = false;
+
   /// A run that would have to keep more boxes ends with Status::TooManyBoxes, before it inserts.
   std::size_t mostBoxes = std::size_t(-1);
 };

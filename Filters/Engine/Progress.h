@@ -10,17 +10,19 @@ namespace ahd
 
 class Executor;
 
-/// What the engine is doing. Phases come in this order, each at most once per run, but for Fates,
-/// which each call of that kind begins; a run that has nothing to do in a phase may skip it.
+/// What the engine is doing. Phases come in this order, each at most once per run, but for Extract
+/// and Fates, which each call of that kind begins; a run that has nothing to do in a phase may skip
+/// it.
 enum class Phase
 {
-  Merge,   ///< mergeWithin (Merge.h): merge points that are near each other
-  Split,   ///< splitAtCrossings (Crossings.h): find the crossings of constraints and split there
-  Read,    ///< look at every point once: finite? bounds?
-  Sort,    ///< canonical rank of the points, duplicates, insertion order
-  Insert,  ///< insert point after point
-  Extract, ///< number and sort the triangles for output
-  Fates    ///< write what became of each point, the insertion order, or the places in it
+  Merge,     ///< mergeWithin (Merge.h): merge points that are near each other
+  Split,     ///< splitAtCrossings (Crossings.h): find the crossings of constraints and split there
+  Read,      ///< look at every point once: finite? bounds?
+  Sort,      ///< canonical rank of the points, duplicates, insertion order
+  Insert,    ///< insert point after point
+  Constrain, ///< make the constraints edges, and drop what is outside
+  Extract,   ///< number and sort the triangles for output
+  Fates      ///< write what became of each point, the insertion order, the places in it, cell data
 };
 constexpr std::size_t kPhases = std::size_t(Phase::Fates) + 1;
 

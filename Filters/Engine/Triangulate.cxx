@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulate.h"
 
+#include "TriangulatorState.h"
+
 #include "Border.h"
 #include "Chunks.h"
 #include "Extract/Extractor.h"
-#include "Insert/Inserter.h"
-#include "Mesh/Mesh.h"
 #include "Order/GridBoxes.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
-#include "Parallel/ByRounds.h"
 #include "Tasks.h"
 
 #include <algorithm>
@@ -20,10 +19,6 @@ namespace ahd
 namespace
 {
 
-/// Threads are asked for from so many points on: with 10^4 they cost as much as they gave, with
-/// 3 10^4 two were 1.4 times as fast as one.
-constexpr std::size_t kLeastForThreads = 15000;
-
 /// Is the order made point by point, rather than followed by its formula?
 bool needsSequence(const Options& options)
 {
@@ -31,32 +26,6 @@ bool needsSequence(const Options& options)
 }
 
 } // namespace
-
-struct Triangulator::State
-{
-  PointView points;
-  RankedPoints ranked;
-  Mesh mesh;
-  Buffer<Index> sequence; ///< of ranks; empty if nobody needs it
-  std::vector<GridBox> boxes;
-  Report report;
-
-  Executor* worthItsWhile(Executor* lent) const
-  {
-    return points.count < kLeastForThreads ? nullptr : lent;
-  }
-  Status sortAndInsert(const Options& options, Progress* progress, Executor* executor);
-  Status order(const Options& options, Ticker& sorting);
-  void count(const Options& options);
-  Status insert(const Options& options, Progress* progress, Executor* executor);
-  InsertionEnd insertInOrder(
-    const Options& options, Ticker& ticker, InsertionWork* work, SharedWork& shared);
-  template <typename Id>
-  Status write(Id* triples, Progress* progress, Executor* executor);
-  bool writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const;
-  bool writeOrder(std::int64_t* ids, Progress* progress, Executor* executor) const;
-  bool writeInsertionRanks(std::int64_t* ranks, Progress* progress, Executor* executor) const;
-};
 
 Status Triangulator::State::sortAndInsert(
   const Options& options, Progress* progress, Executor* lent)
@@ -162,10 +131,19 @@ Status Triangulator::State::write(Id* triples, Progress* progress, Executor* exe
     return Status::Ok;
   }
   Ticker ticker(progress, Phase::Extract, report.triangles, worthItsWhile(executor));
-  Scratch scratch; // where the locations were
-  scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
+  Scratch scratch;
+  if (keepLocations)
+  {
+    scratch.allocate(ranked.count * kExtractScratchPerPoint);
+  }
+  else
+  {
+    scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
+  }
+  const ExtractedMesh kept = isLookedUp ? ExtractedMesh(mesh, constrained.allMarks(), kDropped)
+                                        : mesh;
   // Asked at the end as well: the last part of the work may have been another thread's.
-  return writeCanonical(mesh, ranked.id.data(), triples, scratch, ticker) && ticker.ask()
+  return writeCanonical(kept, ranked.id.data(), triples, scratch, ticker) && ticker.ask()
     ? Status::Ok
     : Status::Cancelled;
 }
@@ -274,6 +252,10 @@ Status Triangulator::run(
       }
       state_->points = points;
       state_->report = Report();
+      state_->constraints = ConstraintReport();
+      state_->isLookedUp = false;
+      state_->areCellsAtHand = false;
+      state_->keepLocations = options.keepLocations;
       return state_->sortAndInsert(options, progress, executor);
     });
   if (status != Status::Ok)
@@ -330,7 +312,8 @@ std::size_t Triangulator::memoryHeld() const
 {
   return state_
     ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() + state_->ranked.scratch.bytes() +
-      state_->sequence.bytes() + state_->boxes.capacity() * sizeof(GridBox)
+      state_->sequence.bytes() + state_->boxes.capacity() * sizeof(GridBox) +
+      state_->constrained.bytes() + state_->cells.bytes()
     : 0;
 }
 
@@ -342,6 +325,7 @@ void Triangulator::forgetPoints()
     state_->ranked.duplicates.reset();
     std::vector<GridBox>().swap(state_->boxes);
     state_->report = Report();
+    state_->constraints = ConstraintReport();
   }
 }
 
@@ -360,7 +344,8 @@ std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& 
   constexpr std::size_t kSmall = std::size_t(1) << 20;
   const std::size_t kept = options.keepOrder && !needsSequence(options) ? sizeof(Index) : 0;
   const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
-  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + made + kSlots);
+  const std::size_t written = options.keepLocations ? kExtractScratchPerPoint : 0;
+  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + made + written + kSlots);
 }
 
 } // namespace ahd

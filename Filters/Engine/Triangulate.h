@@ -2,6 +2,7 @@
 #ifndef ahd_Triangulate_h
 #define ahd_Triangulate_h
 
+#include "Constraints.h"
 #include "Executor.h"
 #include "Options.h"
 #include "Points/Points.h"
@@ -41,6 +42,26 @@ public:
   /// What the last run did.
   const Report& report() const;
 
+  /// Makes the constraints edges, as far as they do not cross, and leaves out what the loops do not
+  /// keep: report().triangles then counts the kept triangles. The result is the constrained
+  /// Delaunay triangulation: no vertex that can be seen from inside a triangle lies in its
+  /// circumcircle, where constraint edges block the view. Ties are broken as without constraints,
+  /// so it depends on the points and on which segments are accepted, not on the order of these.
+  ///
+  /// Segments are taken in the order of the chains. A segment that passes through vertices becomes
+  /// edges from one to the next. One that crosses an edge of a segment before it is left out whole,
+  /// and a loop with a segment left out, or with one whose end is no vertex, bounds no region: its
+  /// other segments are edges as those of lines are. Without a triangle there are no edges to be
+  /// had: then all segments count as withoutVertex.
+  ///
+  /// At most once after run(), before the triangles are written (but see Options::keepLocations).
+  /// Returns Ok, Cancelled or OutOfMemory; unless Ok, the triangulation is gone, as after a run
+  /// that ended so. REQUIRES: the points of run() are still there; offsets ascend.
+  Status constrain(const ConstraintView& constraints, FillRule rule, Progress* progress);
+
+  /// What the last constrain() did; empty before.
+  const ConstraintReport& constraints() const;
+
   /// Writes report().triangles triples of the caller's ids. 32-bit ids always fit (kMaximumPoints).
   /// Returns Ok, Cancelled or OutOfMemory; unless Ok, the triples are not to be used.
   Status writeTriangles(
@@ -63,6 +84,19 @@ public:
   Status writeInsertionRanks(
     std::int64_t* ranks, Progress* progress, Executor* executor = nullptr) const;
 
+  /// Cell data, in the order of the triangles as they are written. A triangle's edge 0 runs from
+  /// its first corner to its second, edge 1 from there to its third, edge 2 back to the first. All
+  /// return Ok, Cancelled or OutOfMemory.
+  ///
+  /// Neighbours: three numbers per triangle, the triangle on the other side of each edge; -1 where
+  /// there is none, or none that was kept.
+  Status writeNeighbors(std::int64_t* neighbors, Progress* progress);
+  /// One number per triangle: bit e (1, 2, 4) is set if edge e is a constraint.
+  Status writeConstraintEdges(std::uint8_t* edges, Progress* progress);
+  /// One number per triangle: the region it is in. Regions are what constraint edges, those of
+  /// lines included, separate; numbered from 0 in the order of their first triangle.
+  Status writeRegions(std::int64_t* regions, Progress* progress);
+
   /// The undivided boxes of the grid in the order in which they are visited, empty ones included.
   /// Empty without Options::keepBoxes, with InsertionOrder::AsGiven and without points. What they
   /// take is not part of memoryEstimate.
@@ -81,8 +115,13 @@ public:
   /// input and output not counted.
   static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);
 
+  /// What constrain() takes on top of it for so many segments (0 for none), and the cell data.
+  static std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
+
 private:
   struct State;
+  template <typename Write>
+  Status writeCells(Progress* progress, Write write);
   std::unique_ptr<State> state_;
 };
 

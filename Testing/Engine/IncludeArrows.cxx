@@ -31,7 +31,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Order", { "Points" } },
     { "Insert", { "Points", "Order", "Predicates", "Mesh" } },
     { "Extract", { "Mesh" } },
-    { "Constrain", { "Points", "Order", "Predicates", "Mesh", "Insert" } },
+    { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Parallel", { "Points", "Order", "Predicates", "Mesh", "Insert" } },
     { "Distribute", { "Order", "Insert", "Extract" } },
   };
@@ -60,7 +60,9 @@ const std::map<std::string, std::string>& sideDoors()
 /// words only words.
 bool isDoor(const fs::path& file)
 {
-  return file.parent_path().empty() && file.stem() == "Triangulate";
+  static const std::set<std::string> kStems = { "Triangulate", "TriangulateCells",
+    "TriangulatorState" };
+  return file.parent_path().empty() && kStems.count(file.stem().string()) != 0;
 }
 
 /// The operands of #include: "x" with the quotes, <x> with the brackets.

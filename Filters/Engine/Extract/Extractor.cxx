@@ -15,17 +15,29 @@ namespace
 
 using Key = TriangleKeys::Key;
 
-/// Calls visit(corners) for every triangle of a share of the slots, ghosts included.
+/// Calls visit(corners) for every triangle of a share of the slots that is not to be left out,
+/// ghosts included.
 template <typename Visit>
-bool forEachTriangle(const Mesh& mesh, const Share& slots, Ticker& ticker, Visit visit)
+bool forEachTriangle(const ExtractedMesh& from, const Share& slots, Ticker& ticker, Visit visit)
 {
-  const std::uint32_t* const data = mesh.data();
+  const std::uint32_t* const data = from.mesh.data();
   return inChunks(slots.begin, slots.end, ticker,
-    [=](std::size_t a, std::size_t b)
+    [=, marks = from.marks, leaveOut = from.leaveOut](std::size_t a, std::size_t b)
     {
+      if (!marks)
+      {
+        for (std::size_t slot = a; slot != b; ++slot)
+        {
+          visit(data + slot * Mesh::kSlotSize);
+        }
+        return;
+      }
       for (std::size_t slot = a; slot != b; ++slot)
       {
-        visit(data + slot * Mesh::kSlotSize);
+        if ((marks[slot] & leaveOut) == 0)
+        {
+          visit(data + slot * Mesh::kSlotSize);
+        }
       }
     });
 }
@@ -41,9 +53,9 @@ class BlocksOfKeys
 {
 public:
   /// Throws std::bad_alloc. REQUIRES: room for a key per slot at `memory`.
-  BlocksOfKeys(const Mesh& mesh, std::size_t tasks, void* memory)
-    : mesh_(mesh)
-    , layout_(mesh)
+  BlocksOfKeys(const ExtractedMesh& from, std::size_t tasks, void* memory)
+    : from_(from)
+    , layout_(from.mesh)
     , tasks_(tasks)
     , keys_(static_cast<Key*>(memory))
   {
@@ -67,7 +79,7 @@ private:
       [this](const Share& share, std::uint32_t* places, Ticker& own)
       {
         std::fill_n(places, layout_.blocks(), 0u);
-        return forEachTriangle(mesh_, share, own,
+        return forEachTriangle(from_, share, own,
           [layout = layout_, places](const std::uint32_t* corners)
           { ++places[layout.blockOf(corners)]; });
       });
@@ -102,7 +114,7 @@ private:
     return eachShare(ticker,
       [this](const Share& share, std::uint32_t* places, Ticker& own)
       {
-        return forEachTriangle(mesh_, share, own,
+        return forEachTriangle(from_, share, own,
           [layout = layout_, places, keys = keys_](const std::uint32_t* corners)
           {
             const auto blockAndKey = layout(corners);
@@ -118,11 +130,11 @@ private:
       [&](std::size_t task, Ticker& own)
       {
         return work(
-          Share(slotsOf(mesh_), task, tasks_), places_.data() + task * layout_.blocks(), own);
+          Share(slotsOf(from_.mesh), task, tasks_), places_.data() + task * layout_.blocks(), own);
       });
   }
 
-  const Mesh& mesh_;
+  ExtractedMesh from_;
   TriangleKeys layout_;
   std::size_t tasks_;
   Key* keys_;
@@ -214,12 +226,12 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
 }
 
 template <typename Id>
-bool writeCanonical(
-  const Mesh& mesh, const std::uint32_t* ids, Id* triples, Scratch& scratch, Ticker& ticker)
+bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,
+  Scratch& scratch, Ticker& ticker)
 {
   constexpr std::size_t kSharesPerThread = 8; // as blocks take unequal time
   const std::size_t threads = threadsOf(ticker);
-  BlocksOfKeys blocks(mesh, tasksFor(threads, slotsOf(mesh), 1, kChunk), scratch.data());
+  BlocksOfKeys blocks(from, tasksFor(threads, slotsOf(from.mesh), 1, kChunk), scratch.data());
   if (!blocks.fill(ticker))
   {
     return false;
@@ -244,7 +256,9 @@ bool writeCanonical(
     });
 }
 
-template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
-template bool writeCanonical(const Mesh&, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
+template bool writeCanonical(
+  const ExtractedMesh&, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
+template bool writeCanonical(
+  const ExtractedMesh&, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
 
 } // namespace ahd

@@ -16,18 +16,37 @@ namespace ahd
 /// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel.
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
+/// A mesh, and which of its triangles to leave out.
+struct ExtractedMesh
+{
+  ExtractedMesh(const Mesh& all)
+    : mesh(all)
+  {
+  }
+  ExtractedMesh(const Mesh& some, const std::uint8_t* theirMarks, std::uint8_t leftOut)
+    : mesh(some)
+    , marks(theirMarks)
+    , leaveOut(leftOut)
+  {
+  }
+
+  const Mesh& mesh;
+  const std::uint8_t* marks = nullptr; ///< null, or one per triangle
+  std::uint8_t leaveOut = 0;           ///< triangles with this bit in their mark are left out
+};
+
 /// Bytes of scratch that writeCanonical needs per vertex: a key for each of two triangles.
 constexpr std::size_t kExtractScratchPerPoint = 2 * sizeof(std::uint64_t);
 
-/// Writes the finite triangles of a mesh in canonical order: each starts at its lowest vertex, and
-/// they are sorted by their three vertices. As vertices are numbered by canonical rank, the order
-/// depends on the point set alone. Vertex v is written as ids[v]; `triples` has room for a triple
-/// for each finite triangle. On all threads lent; each allocates 70 KB, and 1 byte per 64 points.
-/// REQUIRES: kExtractScratchPerPoint bytes of scratch for each vertex.
-/// Returns false if the caller wants to cancel. Throws std::bad_alloc.
+/// Writes the finite triangles of a mesh, but those to be left out, in canonical order: each starts
+/// at its lowest vertex, and they are sorted by their three vertices. As vertices are numbered by
+/// canonical rank, the order depends on the point set alone. Vertex v is written as ids[v];
+/// `triples` has room for a triple for each finite triangle. On all threads lent; each allocates 70
+/// KB, and 1 byte per 64 points. REQUIRES: kExtractScratchPerPoint bytes of scratch for each
+/// vertex. Returns false if the caller wants to cancel. Throws std::bad_alloc.
 template <typename Id>
-bool writeCanonical(
-  const Mesh& mesh, const std::uint32_t* ids, Id* triples, Scratch& scratch, Ticker& ticker);
+bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,
+  Scratch& scratch, Ticker& ticker);
 
 } // namespace ahd
 

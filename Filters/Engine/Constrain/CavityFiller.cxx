@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CavityFiller.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+void CavityFiller::Side::clear()
+{
+  corners.clear();
+  old.clear();
+}
+
+void CavityFiller::Side::add(Index corner, Mesh::Halfedge edge)
+{
+  corners.push_back(corner);
+  old.push_back(edge);
+}
+
+/// The triangles to go, and the two polygons.
+///
+///       left            first triangle: from, right, left; the edge crossed runs right -> left
+///      /    \           in it. Each one after it has one corner more, on one of the sides.
+///   from      apex
+///      \    /
+///       right
+void CavityFiller::collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count)
+{
+  right_.clear();
+  left_.clear();
+  slots_.assign(1, Mesh::slotOf(crossed[0]));
+  right_.add(from, Mesh::previous(crossed[0]));
+  left_.add(mesh_.destination(crossed[0]), Mesh::next(crossed[0]));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Mesh::Halfedge ahead = mesh_.twin(crossed[i]); // left -> right
+    slots_.push_back(Mesh::slotOf(ahead));
+    const bool toRight = i + 1 < count && crossed[i + 1] == Mesh::previous(ahead);
+    const bool toLeft = i + 1 < count && !toRight;
+    if (!toLeft) // the edge right -> apex is on the border
+    {
+      right_.add(mesh_.destination(ahead), Mesh::next(ahead));
+    }
+    if (!toRight) // and apex -> left
+    {
+      left_.add(mesh_.apex(ahead), Mesh::previous(ahead));
+    }
+  }
+  right_.corners.push_back(to);
+  // From `to` back to `from`: corner p is where edge p begins.
+  std::reverse(left_.corners.begin(), left_.corners.end());
+  std::reverse(left_.old.begin(), left_.old.end());
+  left_.corners.push_back(from);
+}
+
+void CavityFiller::lookBeyond(Side& side)
+{
+  const std::size_t edges = side.old.size();
+  side.beyond.resize(edges);
+  side.flags.resize(edges);
+  bool anyHanging = false;
+  for (std::size_t p = 0; p < edges; ++p)
+  {
+    const Mesh::Halfedge h = side.old[p];
+    side.beyond[p] = mesh_.twin(h);
+    const bool hangs = (mesh_.marks(side.beyond[p]) & kInCavity) != 0;
+    side.flags[p] = static_cast<std::uint8_t>(
+      (mesh_.isConstrained(h) ? kConstrained : 0) | (hangs ? kHanging : 0));
+    anyHanging = anyHanging || hangs;
+  }
+  if (!anyHanging)
+  {
+    return;
+  }
+  // Twins in place of places: what goes needs its links no more.
+  for (std::size_t p = 0; p < edges; ++p)
+  {
+    if ((side.flags[p] & kHanging) != 0)
+    {
+      mesh_.data()[side.old[p] + Mesh::kTwin] = static_cast<std::uint32_t>(p);
+    }
+  }
+  for (std::size_t p = 0; p < edges; ++p)
+  {
+    if ((side.flags[p] & kHanging) != 0)
+    {
+      side.beyond[p] = mesh_.data()[side.beyond[p] + Mesh::kTwin];
+    }
+  }
+}
+
+bool CavityFiller::fillSide(Side& side, const Mesh::Slot* slots)
+{
+  if (!filler_.fill(side.corners, slots))
+  {
+    return false;
+  }
+  for (std::size_t p = 0; p < side.old.size(); ++p)
+  {
+    side.old[p] = filler_.inner(p);
+  }
+  return true;
+}
+
+void CavityFiller::join(Side& side)
+{
+  for (std::size_t p = 0; p < side.old.size(); ++p)
+  {
+    const bool hangs = (side.flags[p] & kHanging) != 0;
+    mesh_.link(side.old[p], hangs ? side.old[side.beyond[p]] : side.beyond[p]);
+    if ((side.flags[p] & kConstrained) != 0)
+    {
+      mesh_.constrain(side.old[p]);
+    }
+  }
+}
+
+bool CavityFiller::fill(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count)
+{
+  collect(from, to, crossed, count);
+  for (const Mesh::Slot slot : slots_)
+  {
+    mesh_.marks(slot) |= kInCavity;
+  }
+  lookBeyond(right_);
+  lookBeyond(left_);
+  const std::size_t onRight = right_.corners.size() - 2;
+  if (!fillSide(right_, slots_.data()))
+  {
+    return false;
+  }
+  const Mesh::Halfedge back = filler_.inner(right_.corners.size() - 1);
+  if (!fillSide(left_, slots_.data() + onRight))
+  {
+    return false;
+  }
+  made_ = filler_.inner(left_.corners.size() - 1);
+  for (const Mesh::Slot slot : slots_)
+  {
+    mesh_.marks(slot) = 0;
+    mesh_.setCorners(slot);
+  }
+  join(right_);
+  join(left_);
+  mesh_.link(made_, back);
+  return true;
+}
+
+} // namespace ahd

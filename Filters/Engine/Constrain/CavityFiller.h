@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_CavityFiller_h
+#define ahd_CavityFiller_h
+
+#include "ConstrainedMesh.h"
+#include "PolygonFiller.h"
+
+#include <vector>
+
+namespace ahd
+{
+
+/// Makes a segment an edge: the triangles it crosses give way to those of the two polygons on its
+/// sides (M. V. Anglada, "An improved incremental algorithm for constructing restricted Delaunay
+/// triangulations", 1997). What was a constraint stays one.
+class CavityFiller
+{
+public:
+  CavityFiller(ConstrainedMesh& mesh, Ticker& ticker)
+    : mesh_(mesh)
+    , filler_(mesh.data(), mesh.places(), ticker)
+  {
+  }
+
+  /// `crossed` are the edges that the segment crosses, as SegmentWalk gives them. Returns false if
+  /// the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  bool fill(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
+
+  /// The half-edge from -> to that was made. REQUIRES: fill() returned true.
+  Mesh::Halfedge made() const { return made_; }
+
+private:
+  /// The polygon on one side, counterclockwise, its last edge along the segment; and for each of
+  /// the other edges the half-edge of the triangle that goes, and where to link the new one.
+  struct Side
+  {
+    std::vector<Index> corners;
+    std::vector<Mesh::Halfedge> old;   ///< later: the new one
+    std::vector<std::uint32_t> beyond; ///< the twin; or, where it goes as well, its place in `old`
+    std::vector<std::uint8_t> flags;
+
+    void clear();
+    void add(Index corner, Mesh::Halfedge edge);
+  };
+  enum : std::uint8_t
+  {
+    kConstrained = 1,
+    kHanging = 2 ///< both triangles of the edge go: it hangs into the polygon
+  };
+
+  void collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
+  void lookBeyond(Side& side);
+  bool fillSide(Side& side, const Mesh::Slot* slots);
+  void join(Side& side);
+
+  ConstrainedMesh& mesh_;
+  PolygonFiller filler_;
+  Side right_, left_;
+  std::vector<Mesh::Slot> slots_;
+  Mesh::Halfedge made_ = kNoIndex;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_ConstrainedMesh_h
+#define ahd_ConstrainedMesh_h
+
+#include "../Buffer.h"
+#include "../Mesh/Mesh.h"
+#include "../Points/Points.h"
+#include "../Progress.h"
+
+#include <cstdint>
+
+namespace ahd
+{
+
+/// What the marks of a triangle say, one bit each.
+enum : std::uint8_t
+{
+  kConstrainedEdges = 7, ///< bit e: edge e is a constraint; both triangles of an edge say so
+  kDropped = 8,          ///< outside of what the loops enclose: not part of the result
+  kVisited = 16,         ///< by a search that has not ended
+  kInside = 32,          ///< found to lie inside by such a search
+  kInCavity = 64         ///< about to be replaced
+};
+
+/// A triangulation, where its vertices are, and what is known of its triangles beyond that.
+class ConstrainedMesh
+{
+public:
+  /// Looks at every triangle once. Returns false if the caller wants to cancel; throws
+  /// std::bad_alloc. REQUIRES: a mesh with a triangle; xy outlives this.
+  bool begin(Mesh& mesh, const Point* xy, Ticker& ticker);
+
+  std::uint32_t* data() { return data_; }
+  const std::uint32_t* data() const { return data_; }
+  const Point& at(Index vertex) const { return xy_[vertex]; }
+  const Point* places() const { return xy_; }
+  Index ghost() const { return ghost_; }
+  std::size_t triangles() const { return marks_.size(); } ///< ghosts included
+
+  /// Ends of a half-edge, and the corner opposite to it.
+  Index origin(Mesh::Halfedge h) const { return data_[Mesh::next(h)]; }
+  Index destination(Mesh::Halfedge h) const { return data_[Mesh::previous(h)]; }
+  Index apex(Mesh::Halfedge h) const { return data_[h]; }
+  Mesh::Halfedge twin(Mesh::Halfedge h) const { return data_[h + Mesh::kTwin]; }
+  void link(Mesh::Halfedge a, Mesh::Halfedge b)
+  {
+    data_[a + Mesh::kTwin] = b;
+    data_[b + Mesh::kTwin] = a;
+  }
+
+  bool isGhost(Mesh::Slot slot) const
+  {
+    return data_[slot] == ghost_ || data_[slot + 1] == ghost_ || data_[slot + 2] == ghost_;
+  }
+
+  /// Is the vertex a corner of any triangle?
+  bool isInMesh(Index vertex) const { return slotOf_[vertex] != kNoIndex; }
+
+  /// A half-edge that runs from the vertex. REQUIRES: isInMesh(vertex).
+  Mesh::Halfedge outgoing(Index vertex) const
+  {
+    Mesh::Halfedge h = slotOf_[vertex];
+    while (data_[h] != vertex)
+    {
+      ++h;
+    }
+    return Mesh::previous(h);
+  }
+  /// The half-edge from the same vertex that follows counterclockwise.
+  Mesh::Halfedge nextAround(Mesh::Halfedge h) const { return twin(Mesh::previous(h)); }
+
+  /// The slot now holds other corners than before.
+  void setCorners(Mesh::Slot slot)
+  {
+    slotOf_[data_[slot]] = slot;
+    slotOf_[data_[slot + 1]] = slot;
+    slotOf_[data_[slot + 2]] = slot;
+  }
+
+  std::uint8_t& marks(Mesh::Halfedge h) { return marks_[h / Mesh::kSlotSize]; }
+  std::uint8_t marks(Mesh::Halfedge h) const { return marks_[h / Mesh::kSlotSize]; }
+  const std::uint8_t* allMarks() const { return marks_.data(); }
+
+  bool isConstrained(Mesh::Halfedge h) const { return (marks(h) >> (h & 3u) & 1u) != 0; }
+  void constrain(Mesh::Halfedge h)
+  {
+    marks(h) = static_cast<std::uint8_t>(marks(h) | 1u << (h & 3u));
+  }
+
+  /// Where to look a vertex up, for a hint to the processor.
+  const void* placeOfSlot(Index vertex) const { return slotOf_.data() + vertex; }
+  Mesh::Slot slotOf(Index vertex) const { return slotOf_[vertex]; }
+
+  std::size_t bytes() const { return slotOf_.bytes() + marks_.bytes(); }
+
+private:
+  std::uint32_t* data_ = nullptr;
+  const Point* xy_ = nullptr;
+  Index ghost_ = 0;
+  Buffer<Mesh::Slot> slotOf_; ///< a triangle that has the vertex as a corner; kNoIndex if none has
+  Buffer<std::uint8_t> marks_;
+};
+
+} // namespace ahd
+
+#endif

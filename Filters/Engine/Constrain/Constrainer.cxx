@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Constrainer.h"
+
+#include "../Chunks.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+Constrainer::Constrainer(
+  ConstrainedMesh& mesh, const Index* rankOf, std::size_t points, Ticker& ticker)
+  : mesh_(mesh)
+  , rankOf_(rankOf)
+  , points_(points)
+  , ticker_(ticker)
+  , walk_(mesh, ticker)
+  , cavity_(mesh, ticker)
+  , edges_(64)
+{
+}
+
+bool Constrainer::insertAll(const ConstraintView& constraints)
+{
+  constraints_ = constraints;
+  firstSegment_.clear();
+  firstSegment_.reserve(constraints.chains);
+  for (std::size_t chain = 0; chain < constraints.chains; ++chain)
+  {
+    firstSegment_.push_back(segment_);
+    if (!insertChain(chain))
+    {
+      return false;
+    }
+  }
+  report_.segments = segment_;
+  report_.crossing = report_.leftOut.size();
+  report_.edges = edges_.size();
+  return true;
+}
+
+bool Constrainer::insertChain(std::size_t chain)
+{
+  const std::int64_t* const ids = constraints_.ids + constraints_.offsets[chain];
+  const std::size_t count = static_cast<std::size_t>(
+    constraints_.offsets[chain + 1] - constraints_.offsets[chain]);
+  isLoop_ = chain >= constraints_.lines;
+  loop_.clear();
+  bool isWhole = true;
+  const bool isClosed = isLoop_ && count > 1 && ids[0] != ids[count - 1];
+  const std::size_t segments = count < 2 ? 0 : count - 1 + (isClosed ? 1 : 0);
+  for (std::size_t i = 0; i < segments; ++i, ++segment_)
+  {
+    prefetch(ids + i, count - i);
+    const Fate fate = insertSegment(ids[i], ids[i + 1 == count ? 0 : i + 1]);
+    if (fate == Fate::Cancelled || !ticker_.step())
+    {
+      return false;
+    }
+    isWhole = isWhole && fate != Fate::Missing;
+    ticker_.finished(1);
+  }
+  if (isLoop_ && isWhole)
+  {
+    useLoop();
+  }
+  report_.unfilledLoops += isLoop_ && !isWhole ? 1 : 0;
+  return true;
+}
+
+/// Fetches what the segments soon to come are looked up by.
+void Constrainer::prefetch(const std::int64_t* ids, std::size_t count) const
+{
+  constexpr std::size_t kRank = 24, kSlot = 16, kTriangle = 8;
+  const auto isPoint = [this](std::int64_t id) { return std::uint64_t(id) < points_; };
+  if (count > kRank && isPoint(ids[kRank]))
+  {
+    prefetchForRead(rankOf_ + ids[kRank]);
+  }
+  if (count > kSlot && vertexOf(ids[kSlot]) != kNoIndex)
+  {
+    prefetchForRead(mesh_.placeOfSlot(vertexOf(ids[kSlot])));
+  }
+  if (count > kTriangle && vertexOf(ids[kTriangle]) != kNoIndex)
+  {
+    const Mesh::Slot slot = mesh_.slotOf(vertexOf(ids[kTriangle]));
+    prefetchForRead(mesh_.data() + (slot == kNoIndex ? 0 : slot));
+  }
+}
+
+Index Constrainer::vertexOf(std::int64_t id) const
+{
+  return std::uint64_t(id) < points_ ? rankOf_[id] : kNoIndex;
+}
+
+Constrainer::Fate Constrainer::insertSegment(std::int64_t fromId, std::int64_t toId)
+{
+  const Index from = vertexOf(fromId);
+  const Index to = vertexOf(toId);
+  if (from == kNoIndex || to == kNoIndex || !mesh_.isInMesh(from) || !mesh_.isInMesh(to))
+  {
+    ++report_.withoutVertex;
+    return Fate::Missing;
+  }
+  if (from == to)
+  {
+    ++report_.points;
+    return Fate::IsPoint;
+  }
+  switch (walk_.walk(from, to))
+  {
+    case SegmentWalk::Outcome::Blocked:
+      return leaveOut(walk_.blockedBy());
+    case SegmentWalk::Outcome::Cancelled:
+      return Fate::Cancelled;
+    default:
+      return makeEdges(walk_.start() == from) ? Fate::IsEdge : Fate::Cancelled;
+  }
+}
+
+Constrainer::Fate Constrainer::leaveOut(Mesh::Halfedge crossed)
+{
+  const EdgeTable::Edge* edge = edges_.find(mesh_.origin(crossed), mesh_.destination(crossed));
+  const auto left = find(segment_);
+  const auto other = find(edge->segment);
+  report_.leftOut.push_back({ left.first, left.second, other.first, other.second });
+  return Fate::Missing;
+}
+
+/// Chain and number of a segment.
+std::pair<std::size_t, std::size_t> Constrainer::find(std::uint64_t segment) const
+{
+  // The last chain that begins there or before: chains without segments begin where the next does.
+  const auto after = std::upper_bound(firstSegment_.begin(), firstSegment_.end(), segment);
+  const std::size_t chain = static_cast<std::size_t>(after - firstSegment_.begin()) - 1;
+  return { chain, static_cast<std::size_t>(segment - firstSegment_[chain]) };
+}
+
+/// The pieces of the walk become edges: cavities do not overlap, and no triangle of an edge on the
+/// segment is in one.
+bool Constrainer::makeEdges(bool isForward)
+{
+  for (const SegmentWalk::Piece& piece : walk_.pieces())
+  {
+    Mesh::Halfedge edge = piece.edge;
+    if (edge == kNoIndex)
+    {
+      const Mesh::Halfedge* const crossed = walk_.crossed().data() + piece.begin;
+      if (!cavity_.fill(piece.from, piece.to, crossed, piece.end - piece.begin))
+      {
+        return false;
+      }
+      edge = cavity_.made();
+    }
+    markEdge(edge, isForward);
+  }
+  return true;
+}
+
+void Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
+{
+  const Index from = mesh_.origin(h), to = mesh_.destination(h);
+  if (!mesh_.isConstrained(h))
+  {
+    mesh_.constrain(h);
+    mesh_.constrain(mesh_.twin(h));
+    edges_.add(from, to, segment_);
+  }
+  if (isLoop_)
+  {
+    loop_.push_back(isForward ? std::make_pair(from, to) : std::make_pair(to, from));
+  }
+}
+
+void Constrainer::useLoop()
+{
+  for (const auto& step : loop_)
+  {
+    EdgeTable::Edge& edge = *edges_.find(step.first, step.second);
+    edge.balance += step.first < step.second ? 1 : -1;
+    ++edge.uses;
+    anyLoop_ = true;
+  }
+}
+
+} // namespace ahd

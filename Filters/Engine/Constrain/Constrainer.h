@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Constrainer_h
+#define ahd_Constrainer_h
+
+#include "../Constraints.h"
+#include "CavityFiller.h"
+#include "ConstrainedMesh.h"
+#include "EdgeTable.h"
+#include "SegmentWalk.h"
+
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+
+/// Inserts constraints into a mesh, one segment after the other.
+class Constrainer
+{
+public:
+  /// `rankOf` tells the vertex of each of `points` ids of the caller, kNoIndex if it has none.
+  /// Throws std::bad_alloc.
+  Constrainer(ConstrainedMesh& mesh, const Index* rankOf, std::size_t points, Ticker& ticker);
+
+  /// Returns false if the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  bool insertAll(const ConstraintView& constraints);
+
+  /// The constraint edges, with the loops that use them; of loops that are whole only.
+  const EdgeTable& edges() const { return edges_; }
+  bool anyLoop() const { return anyLoop_; }
+  ConstraintReport takeReport() { return std::move(report_); }
+
+private:
+  enum class Fate
+  {
+    IsEdge,  ///< or a row of edges
+    IsPoint, ///< of no length
+    Missing, ///< left out
+    Cancelled
+  };
+
+  bool insertChain(std::size_t chain);
+  Fate insertSegment(std::int64_t fromId, std::int64_t toId);
+  Fate leaveOut(Mesh::Halfedge crossed);
+  Index vertexOf(std::int64_t id) const;
+  bool makeEdges(bool isForward);
+  void markEdge(Mesh::Halfedge h, bool isForward);
+  void useLoop();
+  std::pair<std::size_t, std::size_t> find(std::uint64_t segment) const;
+  void prefetch(const std::int64_t* ids, std::size_t count) const;
+
+  ConstrainedMesh& mesh_;
+  const Index* rankOf_;
+  std::size_t points_;
+  Ticker& ticker_;
+  SegmentWalk walk_;
+  CavityFiller cavity_;
+  EdgeTable edges_;
+  ConstraintView constraints_;
+  std::vector<std::uint64_t> firstSegment_;   ///< of each chain, among all segments
+  std::uint64_t segment_ = 0;                 ///< at work on
+  std::vector<std::pair<Index, Index>> loop_; ///< edges of the chain at work on, in its direction
+  bool isLoop_ = false;
+  bool anyLoop_ = false;
+  ConstraintReport report_;
+};
+
+} // namespace ahd
+
+#endif

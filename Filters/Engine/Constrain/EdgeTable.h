@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_EdgeTable_h
+#define ahd_EdgeTable_h
+
+#include "../Buffer.h"
+#include "../Points/Points.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// What is known of each constraint edge, by its two vertices. A hash table, open addressing.
+class EdgeTable
+{
+public:
+  struct Edge
+  {
+    std::uint64_t key;
+    std::uint64_t segment; ///< the first segment, in the order of the constraints, that uses it
+    std::int64_t balance; ///< loops that run from the smaller to the larger vertex, less the others
+    std::uint64_t uses;   ///< by loops
+  };
+
+  /// Throws std::bad_alloc.
+  explicit EdgeTable(std::size_t expected) { allocate(roomFor(expected)); }
+
+  /// The edge between two vertices, which is new if it has not been there. Throws std::bad_alloc.
+  Edge& add(Index u, Index v, std::uint64_t segment)
+  {
+    if (2 * (count_ + 1) > edges_.size())
+    {
+      grow();
+    }
+    Edge& edge = *place(keyOf(u, v));
+    if (edge.key == kFree)
+    {
+      edge = Edge{ keyOf(u, v), segment, 0, 0 };
+      ++count_;
+    }
+    return edge;
+  }
+
+  /// Null if there is none.
+  Edge* find(Index u, Index v)
+  {
+    Edge* const edge = place(keyOf(u, v));
+    return edge->key == kFree ? nullptr : edge;
+  }
+  const Edge* find(Index u, Index v) const { return const_cast<EdgeTable*>(this)->find(u, v); }
+
+  std::size_t size() const { return count_; }
+
+private:
+  static constexpr std::uint64_t kFree = ~std::uint64_t(0); // of no edge: u < v
+
+  static std::uint64_t keyOf(Index u, Index v)
+  {
+    return std::uint64_t(std::min(u, v)) << 32 | std::max(u, v);
+  }
+
+  static std::size_t roomFor(std::size_t edges)
+  {
+    std::size_t room = 64;
+    while (room < 2 * edges + 2)
+    {
+      room *= 2;
+    }
+    return room;
+  }
+
+  void allocate(std::size_t room)
+  {
+    edges_.allocate(room);
+    std::fill(edges_.begin(), edges_.end(), Edge{ kFree, 0, 0, 0 });
+    shift_ = 64;
+    for (; room > 1; room /= 2)
+    {
+      --shift_;
+    }
+  }
+
+  void grow()
+  {
+    Buffer<Edge> old;
+    std::swap(old, edges_);
+    allocate(2 * old.size());
+    for (const Edge& edge : old)
+    {
+      if (edge.key != kFree)
+      {
+        *place(edge.key) = edge;
+      }
+    }
+  }
+
+  Edge* place(std::uint64_t key)
+  {
+    std::size_t i = static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> shift_);
+    while (edges_[i].key != key && edges_[i].key != kFree)
+    {
+      i = i + 1 == edges_.size() ? 0 : i + 1;
+    }
+    return &edges_[i];
+  }
+
+  Buffer<Edge> edges_;
+  std::size_t count_ = 0;
+  unsigned shift_ = 64;
+};
+
+} // namespace ahd
+
+#endif
