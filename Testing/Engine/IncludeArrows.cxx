@@ -34,6 +34,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Parallel", { "Points", "Order", "Predicates", "Mesh", "Insert" } },
     { "Distribute", { "Order", "Insert", "Extract" } },
+    { "Voronoi", { "Points" } },
   };
   return kAllowed;
 }
@@ -52,7 +53,7 @@ const Names& vocabulary()
 const std::map<std::string, std::string>& sideDoors()
 {
   static const std::map<std::string, std::string> kParts = { { "Merge.h", "Points" },
-    { "Crossings.h", "Constrain" } };
+    { "Crossings.h", "Constrain" }, { "Voronoi.h", "Voronoi" } };
   return kParts;
 }
 
@@ -226,7 +227,7 @@ TEST(IncludeArrows, VtkFilesComeThroughTheDoor)
 {
   static const Names kDoor = { "Engine/Triangulate.h", "Engine/Options.h", "Engine/Result.h",
     "Engine/Progress.h", "Engine/Executor.h", "Engine/Constraints.h", "Engine/Crossings.h",
-    "Engine/Merge.h" };
+    "Engine/Merge.h", "Engine/Voronoi.h" };
   for (const auto& entry : fs::directory_iterator(kEngine.parent_path()))
   {
     if (!entry.is_regular_file() || !isSource(entry.path()))

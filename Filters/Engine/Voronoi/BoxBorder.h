@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BoxBorder_h
+#define ahd_BoxBorder_h
+
+#include "Box.h"
+#include "CellBorder.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+/// The bounding box of the vertices. REQUIRES: it has an area.
+class BoxBorder : public CellBorder
+{
+public:
+  BoxBorder(Diagram& diagram, const Box& box)
+    : CellBorder(diagram)
+    , box_(box)
+  {
+    std::fill(corners_, corners_ + 4, kNoCorner);
+  }
+
+  bool build(Ticker&) override { return true; }
+  void follow(std::size_t site, CornerId last, CornerId next, bool isOpen,
+    std::vector<CornerId>& cell) override;
+
+  /// What is left of the bisector of p and q, without ends of its own.
+  Piece chord(const Point& p, const Point& q);
+
+protected:
+  bool isInside(std::size_t triangle) const override
+  {
+    return box_.contains(diagram_.centre(diagram_.standIn(triangle)));
+  }
+  Piece cut(HalfEdge h) override;
+
+private:
+  bool mayFollow(std::size_t site, const Point& from, const Point& to) const;
+  bool isAhead(HalfEdge h, const Point& p, const Point& q) const;
+  CornerId crossing(const Point& p, const Point& q, CornerId end);
+  CornerId cornerOfBox(unsigned k);
+
+  const Box box_;
+  CornerId corners_[4];
+};
+
+} // namespace ahd
+
+#endif

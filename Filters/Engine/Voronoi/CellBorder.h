@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_CellBorder_h
+#define ahd_CellBorder_h
+
+#include "Diagram.h"
+
+#include <unordered_map>
+#include <vector>
+
+namespace ahd
+{
+
+/// Number of a corner of cells: that of a triangle for its centre, the triangles and more for a
+/// point of the border.
+using CornerId = std::uint32_t;
+constexpr CornerId kNoCorner = 0xFFFFFFFFu;
+
+/// What is left of an edge of the diagram inside the border: nothing, or from one corner to
+/// another. The edge between the cells of p and q is followed as who goes counterclockwise around
+/// p.
+struct Piece
+{
+  CornerId from = kNoCorner;
+  CornerId to = kNoCorner;
+
+  bool isEmpty() const { return from == kNoCorner; }
+};
+
+inline Piece turned(const Piece& piece)
+{
+  return { piece.to, piece.from };
+}
+
+/// The convex border where cells are cut off. Each edge of the diagram is cut once, for both of its
+/// cells, so these share the corners on the border too.
+class CellBorder
+{
+public:
+  explicit CellBorder(Diagram& diagram)
+    : diagram_(diagram)
+  {
+  }
+  virtual ~CellBorder() = default;
+  CellBorder(const CellBorder&) = delete;
+  CellBorder& operator=(const CellBorder&) = delete;
+
+  /// Returns false if cancelled; throws std::bad_alloc, as everything here does.
+  virtual bool build(Ticker& ticker) = 0;
+
+  /// The edge that is dual to h, counterclockwise around the origin of h.
+  Piece piece(HalfEdge h)
+  {
+    const HalfEdge twin = diagram_.twin(h);
+    const bool isOwn = twin == kNoHalfEdge || h < twin;
+    const HalfEdge own = isOwn ? h : twin;
+    if (twin != kNoHalfEdge && isInside(h / 3) && isInside(twin / 3))
+    {
+      return { centre(twin / 3), centre(h / 3) };
+    }
+    const auto found = cut_.find(own);
+    const Piece result = found != cut_.end() ? found->second : cut_[own] = cut(own);
+    return isOwn ? result : turned(result);
+  }
+
+  /// Adds what the cell of `site` has of the border between its corner `last` and the next one,
+  /// both on the border, in counterclockwise direction. `isOpen`: there the cell has no end.
+  virtual void follow(
+    std::size_t site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) = 0;
+
+  Point corner(CornerId id) const
+  {
+    const std::size_t triangles = diagram_.triangles();
+    return id < triangles ? diagram_.centre(id) : points_[id - triangles];
+  }
+  std::size_t corners() const { return diagram_.triangles() + points_.size(); }
+
+  /// One more corner.
+  CornerId add(const Point& p)
+  {
+    points_.push_back(p);
+    return static_cast<CornerId>(diagram_.triangles() + points_.size() - 1);
+  }
+
+protected:
+  /// Does the centre of the triangle lie on the border or inside?
+  virtual bool isInside(std::size_t triangle) const = 0;
+
+  /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the
+  /// two half-edges.
+  virtual Piece cut(HalfEdge h) = 0;
+
+  CornerId centre(std::size_t triangle) const
+  {
+    return static_cast<CornerId>(diagram_.standIn(triangle));
+  }
+
+  Diagram& diagram_;
+  std::vector<Point> points_;
+
+private:
+  std::unordered_map<HalfEdge, Piece> cut_;
+};
+
+} // namespace ahd
+
+#endif

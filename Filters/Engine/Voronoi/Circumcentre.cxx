@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Circumcentre.h"
+
+#include "Twofold.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+
+namespace
+{
+
+/// Differences of points, all times the same power of two: the largest is then about 1, and neither
+/// their products nor products of these overflow.
+class Differences
+{
+public:
+  explicit Differences(const Point& origin)
+    : origin_(origin)
+  {
+  }
+
+  /// Takes a point into account. All have to be known before the first from().
+  void add(const Point& p)
+  {
+    const double far = std::max(half(p.x, origin_.x), half(p.y, origin_.y));
+    largest_ = std::max(largest_, far);
+  }
+
+  void scale()
+  {
+    int exponent = 0;
+    // Of half the largest difference, which may round to zero.
+    std::frexp(std::max(largest_, std::numeric_limits<double>::denorm_min()), &exponent);
+    // Differences of huge numbers are taken of their quarters.
+    before_ = exponent > 1000 ? 0.25 : 1.0;
+    const int shift = exponent > 1000 ? exponent - 1 : exponent + 1;
+    first_ = std::ldexp(1.0, -shift / 2);
+    second_ = std::ldexp(1.0, -(shift - shift / 2));
+    back_ = shift + (exponent > 1000 ? 2 : 0);
+  }
+
+  TwofoldVector between(const Point& from, const Point& to) const
+  {
+    return { one(to.x, from.x), one(to.y, from.y) };
+  }
+
+  /// origin + v, unscaled and rounded.
+  Point apply(const TwofoldVector& v) const
+  {
+    return { back(origin_.x, v.x), back(origin_.y, v.y) };
+  }
+
+private:
+  static double half(double a, double b) { return std::fabs(0.5 * a - 0.5 * b); }
+
+  Twofold one(double a, double b) const
+  {
+    const Twofold d = exactDifference(before_ * a, before_ * b);
+    return scaled(scaled(d, first_), second_);
+  }
+
+  double back(double origin, const Twofold& v) const
+  {
+    const double a = std::ldexp(v.high, back_);
+    const double b = std::ldexp(v.low, back_);
+    const Twofold sum = exactSum(origin, a);
+    return std::isfinite(sum.low) ? sum.high + (sum.low + b) : origin + a;
+  }
+
+  Point origin_;
+  double largest_ = 0.0;
+  double before_ = 1.0;
+  double first_ = 1.0, second_ = 1.0; ///< their product may be no double
+  int back_ = 0;
+};
+
+/// The circumcentre is corner a + offset / divisor.
+struct Centre
+{
+  TwofoldVector offset;
+  Twofold divisor; ///< four times the area of the triangle
+};
+
+Centre centreOf(const Differences& differences, const Corners& triangle)
+{
+  const TwofoldVector u = differences.between(triangle.a, triangle.b);
+  const TwofoldVector v = differences.between(triangle.a, triangle.c);
+  const Twofold uu = dot(u, u);
+  const Twofold vv = dot(v, v);
+  Centre result;
+  result.offset = { uu * v.y - vv * u.y, vv * u.x - uu * v.x };
+  result.divisor = scaled(cross(u, v), 2.0);
+  return result;
+}
+
+} // namespace
+
+Point circumcentre(const Corners& triangle)
+{
+  Differences differences(triangle.a);
+  differences.add(triangle.b);
+  differences.add(triangle.c);
+  differences.scale();
+  const Centre centre = centreOf(differences, triangle);
+  return differences.apply({ centre.offset.x / centre.divisor, centre.offset.y / centre.divisor });
+}
+
+int sideOfCircumcentre(const Corners& triangle, const Point& from, const Point& to)
+{
+  Differences differences(triangle.a);
+  differences.add(triangle.b);
+  differences.add(triangle.c);
+  differences.add(from);
+  differences.add(to);
+  differences.scale();
+  const Centre centre = centreOf(differences, triangle);
+  const TwofoldVector along = differences.between(from, to);
+  const TwofoldVector corner = differences.between(from, triangle.a);
+  return signOf(cross(along, corner) * centre.divisor + cross(along, centre.offset));
+}
+
+Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const Point& to)
+{
+  Differences differences(from);
+  differences.add(p);
+  differences.add(q);
+  differences.add(to);
+  differences.scale();
+  const TwofoldVector along = differences.between(from, to);
+  const TwofoldVector apart = differences.between(p, q);
+  const TwofoldVector toP = differences.between(from, p);
+  const TwofoldVector toQ = differences.between(from, q);
+  const TwofoldVector twiceMiddle = { toP.x + toQ.x, toP.y + toQ.y };
+  const Twofold steep = scaled(dot(along, apart), 2.0);
+  Twofold part{ 0.5, 0.0 };
+  if (signOf(steep) != 0)
+  {
+    part = dot(twiceMiddle, apart) / steep;
+  }
+  if (!(part.high > 0.0))
+  {
+    return from;
+  }
+  if (!(part.high < 1.0))
+  {
+    return to;
+  }
+  return differences.apply({ along.x * part, along.y * part });
+}
+
+} // namespace ahd

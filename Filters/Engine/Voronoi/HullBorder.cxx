@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "HullBorder.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+namespace
+{
+constexpr std::size_t kNoTriangle = std::size_t(-1);
+}
+
+bool HullBorder::build(Ticker& ticker)
+{
+  beyond_.allocate(diagram_.triangles());
+  std::fill(beyond_.begin(), beyond_.end(), kNoHalfEdge);
+  const std::size_t halfEdges = 3 * diagram_.triangles();
+  for (std::size_t h = 0; h < halfEdges; ++h)
+  {
+    if (diagram_.delaunay().neighbors[h] < 0 && !findBeyond(static_cast<HalfEdge>(h), ticker))
+    {
+      return false;
+    }
+    if (h % 3 == 0 && !ticker.step())
+    {
+      return false;
+    }
+  }
+  for (std::size_t t = 0; t < diagram_.triangles(); ++t)
+  {
+    if (isInside(t))
+    {
+      diagram_.settle(diagram_.standIn(t));
+    }
+  }
+  return true;
+}
+
+/// Marks the triangles of the hull edge's tree.
+bool HullBorder::findBeyond(HalfEdge hullEdge, Ticker& ticker)
+{
+  const auto visit = [&](std::size_t triangle)
+  {
+    if (isInside(triangle) && side(triangle, hullEdge) < 0)
+    {
+      beyond_[triangle] = hullEdge;
+      stack_.push_back(static_cast<std::uint32_t>(triangle));
+    }
+  };
+  visit(hullEdge / 3);
+  while (!stack_.empty())
+  {
+    const std::size_t triangle = stack_.back();
+    stack_.pop_back();
+    for (std::size_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+    {
+      const std::int64_t other = diagram_.delaunay().neighbors[h];
+      if (other >= 0)
+      {
+        visit(static_cast<std::size_t>(other));
+      }
+    }
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+int HullBorder::side(std::size_t triangle, HalfEdge hullEdge) const
+{
+  return sideOfCircumcentre(diagram_.corners(diagram_.standIn(triangle)),
+    diagram_.point(diagram_.origin(hullEdge)), diagram_.point(diagram_.target(hullEdge)));
+}
+
+Piece HullBorder::cut(HalfEdge h)
+{
+  // From the triangle to the right, or infinity beyond the edge itself, to the one to the left.
+  const HalfEdge twin = diagram_.twin(h);
+  const std::size_t right = twin == kNoHalfEdge ? kNoTriangle : twin / 3;
+  const std::size_t left = h / 3;
+  const HalfEdge rightEdge = right == kNoTriangle ? h : beyond_[right];
+  const HalfEdge leftEdge = beyond_[left];
+  if (rightEdge == leftEdge)
+  {
+    return {};
+  }
+  if (rightEdge == kNoHalfEdge)
+  {
+    return { centre(right), crossing(h, leftEdge, right) };
+  }
+  if (leftEdge == kNoHalfEdge)
+  {
+    return { crossing(h, rightEdge, left), centre(left) };
+  }
+  const CornerId from = crossing(h, rightEdge, kNoTriangle);
+  const CornerId to = crossing(h, leftEdge, kNoTriangle);
+  return corner(from) == corner(to) ? Piece{ from, from } : Piece{ from, to };
+}
+
+/// Where the dual of h crosses the hull; `insideTriangle`: whose centre is the end that lies
+/// inside.
+CornerId HullBorder::crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle)
+{
+  const Point where = bisectorOnSegment(diagram_.point(diagram_.origin(h)),
+    diagram_.point(diagram_.target(h)), diagram_.point(diagram_.origin(hullEdge)),
+    diagram_.point(diagram_.target(hullEdge)));
+  if (insideTriangle != kNoTriangle)
+  {
+    const CornerId end = centre(insideTriangle);
+    if (corner(end) == where || side(insideTriangle, hullEdge) == 0)
+    {
+      return end;
+    }
+  }
+  return add(where);
+}
+
+void HullBorder::follow(
+  std::size_t site, CornerId, CornerId, bool isOpen, std::vector<CornerId>& cell)
+{
+  if (isOpen)
+  {
+    cell.push_back(add(diagram_.point(site)));
+  }
+}
+
+} // namespace ahd

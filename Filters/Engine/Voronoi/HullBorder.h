@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_HullBorder_h
+#define ahd_HullBorder_h
+
+#include "CellBorder.h"
+
+namespace ahd
+{
+
+/// The convex hull of the vertices.
+///
+/// Beyond the line through an edge of the hull, the diagram is a forest. The tree that has the
+/// edge's own ray crosses the edge itself, between its ends, and nothing else does; and the trees
+/// of different edges have no triangle in common, as the cell of each hull vertex lies between
+/// those of the edges at either side. So each centre outside belongs to one edge of the hull, all
+/// of them are found from the hull inwards, and the work is linear however far away the centres
+/// lie.
+class HullBorder : public CellBorder
+{
+public:
+  using CellBorder::CellBorder;
+
+  bool build(Ticker& ticker) override;
+  void follow(std::size_t site, CornerId last, CornerId next, bool isOpen,
+    std::vector<CornerId>& cell) override;
+
+protected:
+  bool isInside(std::size_t triangle) const override { return beyond_[triangle] == kNoHalfEdge; }
+  Piece cut(HalfEdge h) override;
+
+private:
+  bool findBeyond(HalfEdge hullEdge, Ticker& ticker);
+  int side(std::size_t triangle, HalfEdge hullEdge) const;
+  CornerId crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle);
+
+  Buffer<HalfEdge> beyond_; ///< of each triangle: the edge of the hull its centre lies beyond
+  std::vector<std::uint32_t> stack_;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "../Voronoi.h"
+
+#include "../Border.h"
+#include "../Chunks.h"
+#include "../SortAsking.h"
+#include "Box.h"
+#include "BoxBorder.h"
+#include "Cells.h"
+#include "Diagram.h"
+#include "HullBorder.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+namespace
+{
+
+bool isVertex(const DelaunayView& delaunay, std::size_t i)
+{
+  return delaunay.fates[i] == static_cast<std::int64_t>(i);
+}
+
+/// The vertices from one end of their line to the other. Returns false if cancelled.
+bool verticesInLine(const DelaunayView& delaunay, std::vector<std::int64_t>& line, Ticker& ticker)
+{
+  const bool all = inChunks(0, delaunay.points.count, ticker,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (isVertex(delaunay, i))
+        {
+          line.push_back(static_cast<std::int64_t>(i));
+        }
+      }
+    });
+  return all &&
+    sortAsking(line, ticker,
+      [&](std::int64_t a, std::int64_t b)
+      {
+        return lexicographicallyLess(delaunay.points[static_cast<std::size_t>(a)],
+          delaunay.points[static_cast<std::size_t>(b)]);
+      });
+}
+
+void extend(Bounds& bounds, const Point& p)
+{
+  if (bounds.xmin > bounds.xmax)
+  {
+    bounds = { p.x, p.x, p.y, p.y };
+    return;
+  }
+  bounds.xmin = std::min(bounds.xmin, p.x);
+  bounds.xmax = std::max(bounds.xmax, p.x);
+  bounds.ymin = std::min(bounds.ymin, p.y);
+  bounds.ymax = std::max(bounds.ymax, p.y);
+}
+
+/// Of the vertices. Returns false if cancelled.
+bool findBounds(const DelaunayView& delaunay, Bounds& bounds, Ticker& ticker)
+{
+  return inChunks(0, delaunay.points.count, ticker,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        if (isVertex(delaunay, i))
+        {
+          extend(bounds, delaunay.points[i]);
+        }
+      }
+    });
+}
+
+bool makeStrips(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells, Ticker& ticker)
+{
+  std::vector<std::int64_t> line;
+  Bounds bounds;
+  if (!verticesInLine(delaunay, line, ticker) || !findBounds(delaunay, bounds, ticker))
+  {
+    return false;
+  }
+  const Box box(bounds);
+  if (clip == VoronoiClip::Hull || line.size() < 2 || !box.hasArea())
+  {
+    return ticker.ask();
+  }
+  Diagram diagram(delaunay);
+  BoxBorder border(diagram, box);
+  CellWalk walk(diagram, border, cells);
+  return walk.walkStrips(line, border, ticker) && walk.number(ticker) && ticker.ask();
+}
+
+bool makeCells(const Diagram& diagram, CellBorder& border, VoronoiCells& cells, Ticker& ticker)
+{
+  const std::size_t triangles = diagram.triangles();
+  cells.offsets.reserve(triangles / 2 + 2);
+  cells.sites.reserve(triangles / 2 + 2);
+  cells.corners.reserve(3 * triangles);
+  CellWalk walk(diagram, border, cells);
+  return border.build(ticker) && walk.walk(ticker) && walk.number(ticker) && ticker.ask();
+}
+
+bool make(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells, Ticker& ticker)
+{
+  cells.offsets.assign(1, 0);
+  if (delaunay.triangles == 0)
+  {
+    return makeStrips(delaunay, clip, cells, ticker);
+  }
+  Diagram diagram(delaunay);
+  if (!diagram.build(ticker))
+  {
+    return false;
+  }
+  if (clip == VoronoiClip::Hull)
+  {
+    HullBorder border(diagram);
+    return makeCells(diagram, border, cells, ticker);
+  }
+  Bounds bounds;
+  if (!findBounds(delaunay, bounds, ticker))
+  {
+    return false;
+  }
+  BoxBorder border(diagram, Box(bounds));
+  return makeCells(diagram, border, cells, ticker);
+}
+
+} // namespace
+
+Status voronoiCells(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells,
+  Progress* progress, Executor* executor)
+{
+  cells = VoronoiCells();
+  const Status status = unlessCancelled(
+    [&]
+    {
+      const std::size_t steps = delaunay.points.count + delaunay.triangles;
+      Ticker ticker(progress, Phase::Fates, steps, executor);
+      return make(delaunay, clip, cells, ticker);
+    });
+  if (status != Status::Ok)
+  {
+    cells = VoronoiCells();
+  }
+  return status;
+}
+
+std::size_t voronoiMemoryEstimate(std::size_t pointCount)
+{
+  // Per triangle, of which there are up to two per point: the centre (16), stand-in (4), hull edge
+  // (4), number (8), as a corner (16, twice while the array grows), three corners of cells (24);
+  // per point: start (4), offset and site (16).
+  return pointCount * (2 * (16 + 4 + 4 + 8 + 32 + 24) + 20 + 60);
+}
+
+} // namespace ahd
