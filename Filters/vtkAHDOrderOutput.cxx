@@ -2,8 +2,8 @@
 #include "vtkAHDOrderOutput.h"
 
 #include "vtkAHDArray.h"
-#include "vtkAHDInput.h"
 #include "vtkAHDLoop.h"
+#include "vtkAHDWorkingPoints.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -41,7 +41,7 @@ vtkIdType* AddIds(vtkDataSetAttributes* data, const char* name, std::size_t tupl
 }
 
 vtkAHDOrderOutput::vtkAHDOrderOutput(const ahd::Triangulator& triangulator,
-  const vtkAHDInput& input, ahd::Executor& executor, vtkAHDProgress& progress)
+  const vtkAHDWorkingPoints& input, ahd::Executor& executor, vtkAHDProgress& progress)
   : Triangulator(triangulator)
   , Input(input)
   , Executor(executor)

@@ -5,7 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "vtkType.h"
 
-class vtkAHDInput;
+class vtkAHDWorkingPoints;
 class vtkAHDProgress;
 class vtkPolyData;
 
@@ -22,7 +22,7 @@ class vtkAHDOrderOutput
 {
 public:
   /// Borrows all of them. REQUIRES: `input` is open and was triangulated with Options::keepOrder.
-  vtkAHDOrderOutput(const ahd::Triangulator& triangulator, const vtkAHDInput& input,
+  vtkAHDOrderOutput(const ahd::Triangulator& triangulator, const vtkAHDWorkingPoints& input,
     ahd::Executor& executor, vtkAHDProgress& progress);
 
   /// Fills `output`; with boxes if the engine kept them. Returns Cancelled if the filter is to
@@ -46,7 +46,7 @@ private:
   bool WriteCellData(bool withCurve, vtkPolyData* output);
 
   const ahd::Triangulator& Triangulator;
-  const vtkAHDInput& Input;
+  const vtkAHDWorkingPoints& Input;
   ahd::Executor& Executor;
   vtkAHDProgress& Progress;
   const std::size_t Inserted;

@@ -95,157 +95,239 @@
 #define vtkAdaptiveHilbertDelaunay2D_h
 
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
-#include "vtkPolyDataAlgorithm.h"
+#include "vtkAdaptiveHilbertAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
+class vtkAHDRun;
+class vtkAbstractTransform;
 
-namespace ahd
-{
-class Triangulator;
-}
+// The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
+#ifndef VTK_DELAUNAY_XY_PLANE
+#define VTK_DELAUNAY_XY_PLANE 0
+#endif
+#ifndef VTK_SET_TRANSFORM_PLANE
+#define VTK_SET_TRANSFORM_PLANE 1
+#endif
+#ifndef VTK_BEST_FITTING_PLANE
+#define VTK_BEST_FITTING_PLANE 2
+#endif
 
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertDelaunay2D
-  : public vtkPolyDataAlgorithm
+  : public vtkAdaptiveHilbertAlgorithm
 {
 public:
   static vtkAdaptiveHilbertDelaunay2D* New();
-  vtkTypeMacro(vtkAdaptiveHilbertDelaunay2D, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAdaptiveHilbertDelaunay2D, vtkAdaptiveHilbertAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The values of InsertionOrder.
-  enum InsertionOrders
+  /// The values of SourceMode.
+  enum SourceModes
   {
-    ADAPTIVE_HILBERT = 0, ///< HG: boxes divided where crowded, along an adaptive Hilbert curve
-    MULTI_GRID = 1,       ///< MG: boxes divided where crowded, line by line (S. H. Lo, 2013)
-    REGULAR_GRID = 2,     ///< RG: boxes of one even grid, line by line
-    AS_GIVEN = 3          ///< the order of the input
+    SOURCE_IDS = 0,        ///< the ids in the source's cells are those of the input's points
+    SOURCE_COORDINATES = 1 ///< the source's own points are triangulated with those of the input
   };
 
-  /// The values of ControlPoints.
-  enum ControlPointRounds
+  /// The values of CrossingMode.
+  enum CrossingModes
   {
-    NO_CONTROL_POINTS = 0, ///< none
-    SINGLE_LEVEL = 1,      ///< one point of each box of the first level
-    EVERY_LEVEL = 2        ///< a sparse subset of the points, before it a sparser one, and so on
+    LEAVE_OUT = 0, ///< of two segments that cross, the later one is left out
+    SPLIT = 1      ///< both are split where they cross, by a point that is added
+  };
+
+  /// The values of FillRule.
+  enum FillRules
+  {
+    ORIENTATION = 0, ///< inside is on the left of each loop
+    EVEN_ODD = 1     ///< inside is where a way from outside crosses loops an odd number of times
+  };
+
+  /// The values of DuplicatePolicy.
+  enum DuplicatePolicies
+  {
+    FIRST = 0,     ///< the smallest id
+    LOWEST_Z = 1,  ///< the lowest z
+    HIGHEST_Z = 2, ///< the highest z
+    MEAN_Z = 3     ///< the smallest id, at the mean of all z
+  };
+
+  /// The values of VoronoiClip.
+  enum VoronoiClips
+  {
+    CLIP_TO_HULL = 0,  ///< the convex hull of the points
+    CLIP_TO_BOUNDS = 1 ///< the bounding box of the points
   };
 
   ///@{
   /**
-   * In which order the points are inserted: one of InsertionOrders. Changes the time, never the
-   * triangles. The default, ADAPTIVE_HILBERT, is the fastest whatever the distribution; the others
-   * are there to be compared with it (Su et al. 2016, tables 2 to 6). AS_GIVEN is for points that
-   * follow each other along a curve already: each is looked for from the one before, so points in
-   * random order take very long.
+   * The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become edges
+   * of the triangulation, polygons loops that bound what is kept (see the description of the class,
+   * SourceMode, CrossingMode and FillRule). Vertices and strips of the source mean nothing here.
+   * SetSourceData takes the data as they are, SetSourceConnection the output of a filter; GetSource
+   * returns them, null if there are none. As in vtkDelaunay2D.
    */
-  vtkSetClampMacro(InsertionOrder, int, ADAPTIVE_HILBERT, AS_GIVEN);
-  vtkGetMacro(InsertionOrder, int);
-  void SetInsertionOrderToAdaptiveHilbert() { this->SetInsertionOrder(ADAPTIVE_HILBERT); }
-  void SetInsertionOrderToMultiGrid() { this->SetInsertionOrder(MULTI_GRID); }
-  void SetInsertionOrderToRegularGrid() { this->SetInsertionOrder(REGULAR_GRID); }
-  void SetInsertionOrderToAsGiven() { this->SetInsertionOrder(AS_GIVEN); }
+  void SetSourceData(vtkPolyData* source);
+  void SetSourceConnection(vtkAlgorithmOutput* output);
+  vtkPolyData* GetSource();
   ///@}
 
   ///@{
   /**
-   * A box of the grid that holds more than this many points is divided further; used by
-   * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, as in the
-   * paper, which finds 50 to 200 more efficient than other values (section 4). Changes the time,
-   * never the triangles. With the defaults of ControlPoints and GeneRotation not even that: the
-   * curve then goes on inside the boxes, down to the single point, and where their borders lie
-   * makes no difference but to the boxes that GenerateBoxes shows.
+   * What the source's cells refer to: one of SourceModes. SOURCE_IDS, the default and what
+   * vtkDelaunay2D does: the points of the input, by their ids; the source's own points mean
+   * nothing. SOURCE_COORDINATES: the source's own points, which are added behind those of the input
+   * and triangulated with them (a shapefile's lines over a lidar file), all of them, in no cell
+   * too. One that coincides with a point of the input is a duplicate of it. Its point data are
+   * those of the source's arrays that have the name and the number of components of one of the
+   * input; where there is none, NaN in arrays of floating point numbers and 0 in others.
    */
-  vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
-  vtkGetMacro(Nmax, int);
+  vtkSetClampMacro(SourceMode, int, SOURCE_IDS, SOURCE_COORDINATES);
+  vtkGetMacro(SourceMode, int);
+  void SetSourceModeToIds() { this->SetSourceMode(SOURCE_IDS); }
+  void SetSourceModeToCoordinates() { this->SetSourceMode(SOURCE_COORDINATES); }
   ///@}
 
   ///@{
   /**
-   * Which points are inserted before all others, so that the first triangles are neither long nor
-   * thin: one of ControlPointRounds. SINGLE_LEVEL is the paper's (section 3.3). The default,
-   * EVERY_LEVEL, goes further: several rounds, each some times larger than the one before, in the
-   * manner of a biased randomized insertion order (N. Amenta, S. Choi, G. Rote, 2003). Used by
-   * ADAPTIVE_HILBERT and MULTI_GRID. Changes the time, never the triangles.
+   * What is done where constraints cross, other than in a point of theirs: one of CrossingModes.
+   * LEAVE_OUT, the default: the later of the two segments is no constraint (lines come before
+   * polygons, then the order of the cells decides), and if it is part of a loop, the loop bounds
+   * nothing. SPLIT: a point is added where they cross, rounded to double precision, and both bend
+   * to pass through it. Its z and point data are the means of what linear interpolation along
+   * either gives (arrays that are no numbers: their default); the ghost mark is 0. A warning says
+   * how often either happened. vtkDelaunay2D leaves such edges to chance.
    */
-  vtkSetClampMacro(ControlPoints, int, NO_CONTROL_POINTS, EVERY_LEVEL);
-  vtkGetMacro(ControlPoints, int);
-  void SetControlPointsToNone() { this->SetControlPoints(NO_CONTROL_POINTS); }
-  void SetControlPointsToSingleLevel() { this->SetControlPoints(SINGLE_LEVEL); }
-  void SetControlPointsToEveryLevel() { this->SetControlPoints(EVERY_LEVEL); }
+  vtkSetClampMacro(CrossingMode, int, LEAVE_OUT, SPLIT);
+  vtkGetMacro(CrossingMode, int);
+  void SetCrossingModeToLeaveOut() { this->SetCrossingMode(LEAVE_OUT); }
+  void SetCrossingModeToSplit() { this->SetCrossingMode(SPLIT); }
   ///@}
 
   ///@{
   /**
-   * Turn the curve inside each divided box so that it enters and leaves where the neighbouring
-   * boxes are (the paper's "gene", table 1). Used by ADAPTIVE_HILBERT. On by default; off shows
-   * what the jumps of an unturned curve cost. Changes the time, never the triangles.
+   * What loops keep: one of FillRules. ORIENTATION, the default and vtkDelaunay2D's rule: what is
+   * on the left of every loop edge that bounds it, and what no loop bounds; so an outline runs
+   * counterclockwise and a hole in it clockwise, nested as deep as you like, and a lone clockwise
+   * loop is a hole in the convex hull. EVEN_ODD: what lies inside an odd number of loops, whichever
+   * way they run; for data whose orientation means nothing. Without loops all is kept.
    */
-  vtkSetMacro(GeneRotation, bool);
-  vtkGetMacro(GeneRotation, bool);
-  vtkBooleanMacro(GeneRotation, bool);
+  vtkSetClampMacro(FillRule, int, ORIENTATION, EVEN_ODD);
+  vtkGetMacro(FillRule, int);
+  void SetFillRuleToOrientation() { this->SetFillRule(ORIENTATION); }
+  void SetFillRuleToEvenOdd() { this->SetFillRule(EVEN_ODD); }
   ///@}
 
   ///@{
   /**
-   * Count the work of the insertion: the measures NP and NR. Off by default, since counting slows
-   * the insertion a little. Never changes the triangles.
+   * A length, in the unit of the points: only what fits is put out. Triangles whose circumscribed
+   * circle has no larger radius than this, measured in the space of the points; edges of none of
+   * these that are not longer than twice this, as lines; and points in none of both, as vertices.
+   * 0, the default, puts out all triangles and nothing else. As in vtkDelaunay2D; the three kinds
+   * can be switched off one by one, by AlphaTris, AlphaLines and AlphaVerts, all on by default and
+   * without effect where Alpha is 0.
    */
-  vtkSetMacro(CountWork, bool);
-  vtkGetMacro(CountWork, bool);
-  vtkBooleanMacro(CountWork, bool);
+  vtkSetClampMacro(Alpha, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(Alpha, double);
+  vtkSetMacro(AlphaTris, vtkTypeBool);
+  vtkGetMacro(AlphaTris, vtkTypeBool);
+  vtkBooleanMacro(AlphaTris, vtkTypeBool);
+  vtkSetMacro(AlphaLines, vtkTypeBool);
+  vtkGetMacro(AlphaLines, vtkTypeBool);
+  vtkBooleanMacro(AlphaLines, vtkTypeBool);
+  vtkSetMacro(AlphaVerts, vtkTypeBool);
+  vtkGetMacro(AlphaVerts, vtkTypeBool);
+  vtkBooleanMacro(AlphaVerts, vtkTypeBool);
   ///@}
 
   ///@{
   /**
-   * Stop after so many points of the order of insertion: the triangles are the Delaunay
-   * triangulation of these points, as it was when the last of them was inserted. A number of
-   * distinct points (duplicates do not count); 0, the default, and all numbers that are large
-   * enough stand for all points. Negative numbers stand for 0. Which points come first depends on
-   * InsertionOrder, Nmax, ControlPoints and GeneRotation; GenerateInsertionRank shows it. The other
-   * points stay in the output, in no triangle, and are counted by NumberOfPointsBeyondLimit. With a
-   * limit the points are inserted by one thread. The time to sort them is as without.
+   * Triangles with an edge longer than this are not put out: gives a survey its concave outline. A
+   * length in the plane of the triangulation, in the unit of its coordinates, up from 0; 0, the
+   * default, keeps all. vtkDelaunay2D has no such setting.
    */
-  vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(InsertionLimit, vtkIdType);
+  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   ///@{
   /**
-   * Add the point array "InsertionRank" (vtkIdTypeArray): the place of each point in the order of
-   * insertion, from 0, those beyond InsertionLimit included; -1 for points that are in no order:
-   * duplicates, rejected and skipped ones. The order is that of one thread; several threads insert
-   * the points of one round of the default order side by side. Off by default; costs 4 bytes per
-   * point, and 16 more while the filter runs.
+   * The plane in which the points are triangulated. VTK_DELAUNAY_XY_PLANE (0), the default: x and
+   * y. VTK_SET_TRANSFORM_PLANE (1): x and y of the points after Transform.
+   * VTK_BEST_FITTING_PLANE (2): the plane that fits the points best, by least squares of their
+   * distances from it. The output has the points where they were. Triangles are counterclockwise
+   * in the plane.
    */
-  vtkSetMacro(GenerateInsertionRank, bool);
-  vtkGetMacro(GenerateInsertionRank, bool);
-  vtkBooleanMacro(GenerateInsertionRank, bool);
+  vtkSetClampMacro(ProjectionPlaneMode, int, VTK_DELAUNAY_XY_PLANE, VTK_BEST_FITTING_PLANE);
+  vtkGetMacro(ProjectionPlaneMode, int);
   ///@}
 
   ///@{
   /**
-   * Put a polyline through the inserted points, in the order of their insertion, into output port 1
-   * (see the description of the class). Off by default.
+   * What the points are transformed by before they are triangulated in x and y; the output has them
+   * as they were. Any vtkAbstractTransform, linear or not, invertible or not; none by default. It
+   * is used with each ProjectionPlaneMode, as in vtkDelaunay2D; unlike there, an execution never
+   * changes it.
    */
-  vtkSetMacro(GenerateInsertionCurve, bool);
-  vtkGetMacro(GenerateInsertionCurve, bool);
-  vtkBooleanMacro(GenerateInsertionCurve, bool);
+  virtual void SetTransform(vtkAbstractTransform* transform);
+  vtkGetObjectMacro(Transform, vtkAbstractTransform);
   ///@}
 
   ///@{
   /**
-   * Put the boxes of the grid that decides the order into output port 1 (see the description of the
-   * class): those that are not divided further, in the order in which they are visited, each with
-   * its level of division and the points in it. They depend on InsertionOrder, Nmax and, as they
-   * follow the curve, on GeneRotation; SINGLE_LEVEL's control points do not count where it is
-   * decided whether a box is divided. AS_GIVEN has no boxes. With the default settings the order
-   * is made without a grid, as the curve goes on inside the boxes down to the single point; the
-   * boxes are then those along which it runs. Off by default; costs about 300 bytes per box. Boxes
-   * of few points and a small Nmax may be many more than points. How many there are shows only when
-   * the points are sorted: if there is no memory for them, the execution is refused then.
+   * Points that are nearer to each other than this are merged into one, as a fraction of the
+   * diagonal of the bounding box of all points in the plane of the triangulation, from 0 to 1. 0,
+   * the default, merges none but those that coincide. Points are taken in the order of their x,
+   * then y, and one that has kept ones within that distance is merged into the nearest of them: so
+   * the order of the input has no say. Constraints follow their points. NumberOfMergedPoints
+   * counts, GenerateFate says into which. vtkDelaunay2D's default is 1e-5, of the diagonal in
+   * space, and what it drops depends on the order of the points.
    */
-  vtkSetMacro(GenerateBoxes, bool);
-  vtkGetMacro(GenerateBoxes, bool);
-  vtkBooleanMacro(GenerateBoxes, bool);
+  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which of several points with the same place in the plane is the vertex: one of
+   * DuplicatePolicies. FIRST, the default: the one of smallest id. LOWEST_Z, HIGHEST_Z: the one of
+   * the lowest or highest z, of several of these the one of smallest id; a z that is NaN is taken
+   * only where all are. MEAN_Z: the one of smallest id, and the output's points are a copy in which
+   * its z is the mean of all. Changes ids and z, never the shape in the plane. In vtkDelaunay2D the
+   * first one inserted stays.
+   */
+  vtkSetClampMacro(DuplicatePolicy, int, FIRST, MEAN_Z);
+  vtkGetMacro(DuplicatePolicy, int);
+  void SetDuplicatePolicyToFirst() { this->SetDuplicatePolicy(FIRST); }
+  void SetDuplicatePolicyToLowestZ() { this->SetDuplicatePolicy(LOWEST_Z); }
+  void SetDuplicatePolicyToHighestZ() { this->SetDuplicatePolicy(HIGHEST_Z); }
+  void SetDuplicatePolicyToMeanZ() { this->SetDuplicatePolicy(MEAN_Z); }
+  ///@}
+
+  ///@{
+  /**
+   * With BoundingTriangulation on, eight points are added around all others and triangulated with
+   * them: on a circle about the centre of the bounding box, its radius Offset times the length of
+   * the box's diagonal in space, at angles of 0, 45, ... 315 degrees, z that of the centre. Off by
+   * default. Offset: from 0.75, default 1; without BoundingTriangulation it has no effect, since
+   * the boundary is the convex hull anyway. Points and triangles as in vtkDelaunay2D, which starts
+   * from these eight always.
+   */
+  vtkSetClampMacro(Offset, double, 0.75, VTK_DOUBLE_MAX);
+  vtkGetMacro(Offset, double);
+  vtkSetMacro(BoundingTriangulation, vtkTypeBool);
+  vtkGetMacro(BoundingTriangulation, vtkTypeBool);
+  vtkBooleanMacro(BoundingTriangulation, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * No effect: they are here so that programs written for vtkDelaunay2D run as they are. The result
+   * does not depend on the order of insertion, and InsertionOrder sets it. Off by default.
+   */
+  vtkSetMacro(RandomPointInsertion, vtkTypeBool);
+  vtkGetMacro(RandomPointInsertion, vtkTypeBool);
+  vtkBooleanMacro(RandomPointInsertion, vtkTypeBool);
+  vtkSetMacro(UseHilbertSorter, vtkTypeBool);
+  vtkGetMacro(UseHilbertSorter, vtkTypeBool);
+  vtkBooleanMacro(UseHilbertSorter, vtkTypeBool);
   ///@}
 
   ///@{
@@ -260,103 +342,81 @@ public:
   vtkGetMacro(GenerateFate, bool);
   vtkBooleanMacro(GenerateFate, bool);
   ///@}
-
   ///@{
   /**
-   * The most memory the filter may take, in kibibytes (1024 bytes), its output included, its input
-   * not. An execution whose estimate is higher is refused with an error before anything is
-   * allocated (with GenerateBoxes, before anything is inserted). 0, the default, stands for what
-   * the machine and the limits of the process leave.
+   * Add the cell array "ConstraintEdges" (vtkUnsignedCharArray), which says which edges of a
+   * triangle are constraints: 1 for the edge from its first corner to its second, 2 from the second
+   * to the third, 4 from the third to the first, added up. 0 for lines and vertices. Off by
+   * default; costs 1 byte per triangle.
    */
-  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
-  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  vtkSetMacro(GenerateConstraintEdges, bool);
+  vtkGetMacro(GenerateConstraintEdges, bool);
+  vtkBooleanMacro(GenerateConstraintEdges, bool);
   ///@}
 
   ///@{
   /**
-   * How many threads work. Changes the time, never the triangles.
-   *
-   * 0, the default: one for each processor that this process may run on (on Linux, its CPU affinity
-   * is respected), but no more than vtkSMPTools was told to take, by vtkSMPTools::Initialize(n) or,
-   * without it, by the environment variable VTK_SMP_MAX_THREADS. This holds as well where the
-   * backend of vtkSMPTools is Sequential, as it is by default in Debian's ParaView: VTK's own
-   * filters then use one thread, this one uses all. Where this filter runs inside a loop of
-   * vtkSMPTools and vtkSMPTools::SetNestedParallelism(false) was called, 0 stands for 1.
-   *
-   * 1 to 1024: exactly so many. Larger numbers stand for 1024, negative ones for 0.
-   *
-   * One of them is the thread that calls Update(). It alone reports progress, and it alone is asked
-   * for an abort. The others belong to vtkSMPTools' backend, which may have fewer than are wished
-   * for; where that is Sequential, or is at work already, the filter starts threads of its own for
-   * the time of one execution. Threads that the system refuses are done without.
-   *
-   * Points are inserted by one thread if InsertionOrder is not ADAPTIVE_HILBERT, if other settings
-   * of the insertion differ from the default, or if CountWork or InsertionLimit is on: there is
-   * then an order to be kept to. So are few points, as it would not pay. The other steps use all
-   * threads.
+   * Add the cell array "RegionId" (vtkIdTypeArray): triangles have the same number if a way from
+   * one to the other crosses no constraint, lines included. From 0, in the order in which the
+   * regions appear among the triangles; -1 for lines and vertices. Off by default; costs 24 bytes
+   * per triangle while the filter runs.
    */
-  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
-  vtkGetMacro(NumberOfThreads, int);
+  vtkSetMacro(GenerateRegionIds, bool);
+  vtkGetMacro(GenerateRegionIds, bool);
+  vtkBooleanMacro(GenerateRegionIds, bool);
   ///@}
 
   ///@{
   /**
-   * The most working memory, in kibibytes (1024 bytes), that the filter keeps for its next
-   * execution, which then does not ask the system for it anew (about a tenth of the time of 10^6
-   * points). After an execution that took more, all of it is given back; 0 keeps none, ever. The
-   * default, 262144 (256 MiB), is enough for 3 million points. The working memory of an execution
-   * that failed or was aborted is given back always. The input is never kept.
+   * Add the cell array "Neighbors" (vtkIdTypeArray, three components): the ids of the cells beyond
+   * the edges of a triangle, in the order of the bits of "ConstraintEdges"; -1 where there is none,
+   * and for lines and vertices. Off by default; costs 48 bytes per triangle while the filter runs.
    */
-  vtkSetClampMacro(ReuseLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
-  vtkGetMacro(ReuseLimit, vtkTypeInt64);
+  vtkSetMacro(GenerateNeighbors, bool);
+  vtkGetMacro(GenerateNeighbors, bool);
+  vtkBooleanMacro(GenerateNeighbors, bool);
   ///@}
 
   ///@{
   /**
-   * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points and
-   * those beyond the limit add up to the number of input points. All 0 if the execution was aborted
-   * or ended in an error.
+   * Put the Voronoi diagram of the vertices into output port 2: for each vertex a convex polygon of
+   * what is nearer to it than to any other vertex, in the plane of the triangulation, with the
+   * point data of the vertex as cell data. Constraints and what is dropped make no difference to
+   * it. Cut off at the convex hull of the points (CLIP_TO_HULL, the default) or at their bounding
+   * box (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips. Off by default.
    */
-  vtkGetMacro(NumberOfPointsInserted, vtkIdType);
-  vtkGetMacro(NumberOfDuplicates, vtkIdType);
-  vtkGetMacro(NumberOfRejectedPoints, vtkIdType);
-  vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
-  vtkGetMacro(NumberOfPointsBeyondLimit, vtkIdType);
-  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  vtkSetMacro(GenerateVoronoi, bool);
+  vtkGetMacro(GenerateVoronoi, bool);
+  vtkBooleanMacro(GenerateVoronoi, bool);
+  vtkSetClampMacro(VoronoiClip, int, CLIP_TO_HULL, CLIP_TO_BOUNDS);
+  vtkGetMacro(VoronoiClip, int);
+  void SetVoronoiClipToHull() { this->SetVoronoiClip(CLIP_TO_HULL); }
+  void SetVoronoiClipToBounds() { this->SetVoronoiClip(CLIP_TO_BOUNDS); }
   ///@}
 
   ///@{
   /**
-   * The paper's measures of the last execution, per inserted point. NP: triangles tested to locate
-   * the point, the one started from included. NR: triangles removed to make room for it. A good
-   * order makes both small: time of locating goes with NP, time of updating with NR. -1 if they
-   * were not counted (see CountWork).
+   * Counts of the last execution, 0 if it was aborted or ended in an error: points merged by
+   * Tolerance; points added (of the source, around all, at crossings); distinct edges of the
+   * triangulation that are constraints, those of dropped triangles included; with LEAVE_OUT the
+   * segments left out as they cross others, with SPLIT the points added; segments that are no
+   * constraint, as they cross others or an end of theirs is no vertex; loops that bound nothing, as
+   * a segment of theirs was left out.
    */
-  vtkGetMacro(NP, double);
-  vtkGetMacro(NR, double);
+  vtkGetMacro(NumberOfMergedPoints, vtkIdType);
+  vtkGetMacro(NumberOfAddedPoints, vtkIdType);
+  vtkGetMacro(NumberOfConstraintEdges, vtkIdType);
+  vtkGetMacro(NumberOfCrossings, vtkIdType);
+  vtkGetMacro(NumberOfConstraintsLeftOut, vtkIdType);
+  vtkGetMacro(NumberOfUnfilledLoops, vtkIdType);
   ///@}
 
-  ///@{
-  /**
-   * Wall-clock seconds of the last execution: reading and sorting the points, inserting them,
-   * putting out the triangles. 0 if the execution was aborted or ended in an error.
-   */
-  vtkGetMacro(SortSeconds, double);
-  vtkGetMacro(InsertSeconds, double);
-  vtkGetMacro(OutputSeconds, double);
-  ///@}
+  /// Wall-clock seconds of the last execution for the constraints: splitting them, making them
+  /// edges, and finding what the loops keep. 0 if it was aborted or ended in an error.
+  vtkGetMacro(ConstrainSeconds, double);
 
-  /**
-   * Threads that shared the work of the last execution, the calling one included: 1 if there was
-   * too little to share, else what NumberOfThreads asked for, as far as threads could be started.
-   */
-  vtkGetMacro(NumberOfThreadsUsed, int);
-
-  /**
-   * Upper estimate, in kibibytes, of the memory that the last execution needed, or was refused,
-   * beyond its input: what MemoryLimit is compared with.
-   */
-  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
+  /// When the filter or its Transform was changed last.
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkAdaptiveHilbertDelaunay2D();
@@ -364,44 +424,46 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  void ClearMeasures() override;
 
   // Settings.
-  int InsertionOrder = ADAPTIVE_HILBERT;
-  int Nmax = 50;
-  int ControlPoints = EVERY_LEVEL;
-  bool GeneRotation = true;
-  bool CountWork = false;
+  int SourceMode = SOURCE_IDS;
+  int CrossingMode = LEAVE_OUT;
+  int FillRule = ORIENTATION;
+  double Alpha = 0.0;
+  vtkTypeBool AlphaTris = 1;
+  vtkTypeBool AlphaLines = 1;
+  vtkTypeBool AlphaVerts = 1;
+  double MaximumEdgeLength = 0.0;
+  int ProjectionPlaneMode = VTK_DELAUNAY_XY_PLANE;
+  vtkAbstractTransform* Transform = nullptr;
+  double Tolerance = 0.0;
+  int DuplicatePolicy = FIRST;
+  double Offset = 1.0;
+  vtkTypeBool BoundingTriangulation = 0;
+  vtkTypeBool RandomPointInsertion = 0;
+  vtkTypeBool UseHilbertSorter = 0;
   bool GenerateFate = false;
-  vtkIdType InsertionLimit = 0;
-  bool GenerateInsertionRank = false;
-  bool GenerateInsertionCurve = false;
-  bool GenerateBoxes = false;
-  vtkTypeInt64 MemoryLimit = 0;
-  int NumberOfThreads = 0;
-  vtkTypeInt64 ReuseLimit = 262144;
+  bool GenerateConstraintEdges = false;
+  bool GenerateRegionIds = false;
+  bool GenerateNeighbors = false;
+  bool GenerateVoronoi = false;
+  int VoronoiClip = CLIP_TO_HULL;
 
   // Measures of the last execution.
-  vtkIdType NumberOfPointsInserted = 0;
-  vtkIdType NumberOfDuplicates = 0;
-  vtkIdType NumberOfRejectedPoints = 0;
-  vtkIdType NumberOfSkippedPoints = 0;
-  vtkIdType NumberOfPointsBeyondLimit = 0;
-  vtkIdType NumberOfTriangles = 0;
-  double NP = -1.0;
-  double NR = -1.0;
-  double SortSeconds = 0.0;
-  double InsertSeconds = 0.0;
-  double OutputSeconds = 0.0;
-  int NumberOfThreadsUsed = 0;
-  vtkTypeInt64 MemoryEstimate = 0;
+  vtkIdType NumberOfMergedPoints = 0;
+  vtkIdType NumberOfAddedPoints = 0;
+  vtkIdType NumberOfConstraintEdges = 0;
+  vtkIdType NumberOfCrossings = 0;
+  vtkIdType NumberOfConstraintsLeftOut = 0;
+  vtkIdType NumberOfUnfilledLoops = 0;
+  double ConstrainSeconds = 0.0;
 
 private:
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
-  class Run;                                             // one execution
-  const std::unique_ptr<ahd::Triangulator> Triangulator; // for its memory
-  void ClearMeasures();
+  friend class vtkAHDRun; // one execution
   void WarnAboutRanks();
   bool WarnedAboutRanks = false;
 };

@@ -31,13 +31,15 @@ bool isEmpty(vtkPolyData* output)
 TEST(InsertionOutput, IsEmptyUnlessAskedFor)
 {
   WatchedFilter filter;
-  ASSERT_EQ(filter->GetNumberOfOutputPorts(), 2);
+  ASSERT_EQ(filter->GetNumberOfOutputPorts(), 3);
   filter->SetInputData(makeCloud(scatteredPoints(100)));
   filter->GenerateFateOn();
   filter->GenerateInsertionRankOn();
   filter->Update();
   ASSERT_NE(filter->GetOutput(1), nullptr);
   EXPECT_TRUE(isEmpty(filter->GetOutput(1)));
+  ASSERT_NE(filter->GetOutput(2), nullptr);
+  EXPECT_TRUE(isEmpty(filter->GetOutput(2)));
   filter->GenerateInsertionCurveOn();
   filter->GenerateBoxesOn();
   filter->Update();

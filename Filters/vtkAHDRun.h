@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRun_h
+#define vtkAHDRun_h
+
+#include "Engine/Options.h"
+#include "Engine/Result.h"
+#include "Engine/Triangulate.h"
+#include "vtkAHDExecutor.h"
+#include "vtkAHDProgress.h"
+#include "vtkAHDWorkingPoints.h"
+
+#include <cstddef>
+
+class vtkAdaptiveHilbertDelaunay2D;
+class vtkInformationVector;
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * One execution of vtkAdaptiveHilbertDelaunay2D: what its steps share, and their order. The work is
+ * done by others, to whom the steps hand on; the filter's settings are read, never written.
+ */
+class vtkAHDRun
+{
+public:
+  /// Borrows all of them. `source` may be null. REQUIRES: three outputs.
+  vtkAHDRun(vtkAdaptiveHilbertDelaunay2D* filter, vtkPointSet* input, vtkPolyData* source,
+    vtkInformationVector* outputs);
+  ~vtkAHDRun();
+  vtkAHDRun(const vtkAHDRun&) = delete;
+  vtkAHDRun& operator=(const vtkAHDRun&) = delete;
+
+  /// Is there memory for it all, as far as that is known before? Says so if not.
+  bool FitsInMemory();
+
+  /// Triangulates and fills the outputs; throws nothing.
+  ahd::Status Triangulate();
+
+  /// Empties the outputs and says why, unless it was the user who cancelled.
+  void Fail(ahd::Status status);
+
+  /// Shows the counts and times of this execution in the filter's Get methods.
+  void KeepMeasures();
+
+  /// Warns of what there is to be warned of, each at most once.
+  void Warn();
+
+private:
+  // The steps, in this order. Each returns Ok, or why there is to be no next step; each may throw
+  // std::bad_alloc.
+  ahd::Status OpenPoints();      // Points: the input's, then the source's own
+  ahd::Status Project();         // Points: moved into the plane of the triangulation
+  ahd::Status AddBounding();     // Points: the eight around all
+  ahd::Status Merge();           // Points: those near to others are left out
+  ahd::Status ReadConstraints(); // what the source asks for, in the ids of Points
+  ahd::Status Split();           // Points and constraints: crossings
+  ahd::Status Insert();          // the Delaunay triangulation of Points, unconstrained
+  ahd::Status MakeVoronoi();     // Voronoi
+  ahd::Status Constrain();       // constraints become edges, loops drop triangles
+  ahd::Status WriteSurface();    // Surface: points, point data, triangles
+  ahd::Status DropByLength();    // Surface: triangles dropped by Alpha and MaximumEdgeLength
+  ahd::Status AddArrays();       // Surface: arrays of points and cells, field data
+  ahd::Status WriteOrder();      // Order
+
+  ahd::Status TakeSteps();
+  ahd::Options GetOptions() const;
+  bool IsOrderWanted() const;
+  std::size_t EstimateBytes() const;
+  void AddBoxesToEstimate(std::size_t boxes);
+  void WarnOfNoTriangle();
+
+  vtkAdaptiveHilbertDelaunay2D* const Filter;
+  ahd::Triangulator& Triangulator; // the filter's
+  vtkPointSet* const Input;
+  vtkPolyData* const Source; // may be null
+  vtkPolyData* const Surface;
+  vtkPolyData* const Order;
+  vtkPolyData* const Voronoi;
+  vtkAHDWorkingPoints Points;
+  vtkAHDProgress Progress;
+  vtkAHDExecutor Executor;
+  vtkTypeInt64 Limit = 0;    // KiB
+  std::size_t MostBoxes = 0; // for which there is memory
+  ahd::Report Report;
+  vtkAHDWorkingPoints::Oddities Odd;
+};
+
+#endif

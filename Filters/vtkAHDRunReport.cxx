@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What an execution says of itself: the memory it needs, measures, warnings and errors.
+#include "vtkAHDRun.h"
+
+#include "vtkAHDMemory.h"
+#include "vtkAHDOrderOutput.h"
+#include "vtkAHDOutput.h"
+#include "vtkAdaptiveHilbertDelaunay2D.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+
+/// How many boxes there are shows only when the points are sorted; the rest is known before.
+std::size_t vtkAHDRun::EstimateBytes() const
+{
+  const std::size_t count = static_cast<std::size_t>(this->Points.GetCount());
+  const std::size_t limit = static_cast<std::size_t>(this->Filter->InsertionLimit);
+  const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GenerateFate) +
+    static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
+  std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
+    vtkAHDOutput::EstimateBytes(count, idArrays);
+  if (this->Points.MustBeConverted())
+  {
+    bytes += vtkAHDWorkingPoints::EstimateBytes(count);
+  }
+  if (this->IsOrderWanted())
+  {
+    bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count);
+  }
+  return bytes;
+}
+
+bool vtkAHDRun::FitsInMemory()
+{
+  // What was kept for this execution is part of the estimate. With a limit, all of it is given back
+  // where it might be too much.
+  const std::size_t bytes = this->EstimateBytes();
+  const bool isLimited = this->Filter->MemoryLimit > 0;
+  if (isLimited && this->Triangulator.memoryHeld() / 1024 > bytes / 1024)
+  {
+    this->Triangulator.release();
+  }
+  constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
+  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(this->Triangulator.memoryHeld() / 1024);
+  this->Limit = std::min(
+    kPlenty, isLimited ? this->Filter->MemoryLimit : vtkAHDAvailableMemory() + held);
+  this->Filter->MemoryEstimate = needed;
+  if (needed > this->Limit)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "Triangulating "
+        << this->Points.GetCount() << " points may take " << needed << " KiB of memory, but "
+        << (isLimited ? "MemoryLimit allows " : "there are ") << this->Limit
+        << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
+           "more.");
+    return false;
+  }
+  const std::size_t left = (static_cast<std::size_t>(this->Limit) + 1) * 1024 - 1 - bytes;
+  this->MostBoxes = left / vtkAHDOrderOutput::EstimateBoxBytes(1);
+  return true;
+}
+
+void vtkAHDRun::AddBoxesToEstimate(std::size_t boxes)
+{
+  const std::size_t bytes = this->EstimateBytes() + vtkAHDOrderOutput::EstimateBoxBytes(boxes);
+  this->Filter->MemoryEstimate = static_cast<vtkTypeInt64>(bytes / 1024);
+}
+
+void vtkAHDRun::Fail(ahd::Status status)
+{
+  this->Surface->Initialize();
+  this->Order->Initialize();
+  this->Voronoi->Initialize();
+  this->Triangulator.release();
+  if (status == ahd::Status::TooManyPoints)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "" << this->Points.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
+         << " can be triangulated.");
+  }
+  else if (status == ahd::Status::TooManyBoxes)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "The grid of "
+        << this->Points.GetCount() << " points has more than " << this->MostBoxes
+        << " boxes, and putting out more may take more memory than "
+        << (this->Filter->MemoryLimit > 0 ? "MemoryLimit allows, " : "there is, ") << this->Limit
+        << " KiB. Nothing was computed. Switch GenerateBoxes off, take fewer points or "
+           "a larger Nmax, or set MemoryLimit (in KiB) to allow more.");
+  }
+  else if (status == ahd::Status::OutOfMemory)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "Out of memory while triangulating " << this->Points.GetCount() << " points; about "
+                                           << this->Filter->MemoryEstimate << " KiB are needed.");
+  }
+}
+
+void vtkAHDRun::KeepMeasures()
+{
+  vtkAdaptiveHilbertDelaunay2D* filter = this->Filter;
+  filter->NumberOfPointsInserted = static_cast<vtkIdType>(this->Report.inserted);
+  filter->NumberOfDuplicates = static_cast<vtkIdType>(this->Report.duplicates);
+  filter->NumberOfRejectedPoints = static_cast<vtkIdType>(this->Report.notFinite);
+  filter->NumberOfSkippedPoints = static_cast<vtkIdType>(this->Report.skipped);
+  filter->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(this->Report.beyondLimit);
+  filter->NumberOfTriangles = static_cast<vtkIdType>(this->Report.triangles);
+  if (filter->CountWork)
+  {
+    filter->NP = this->Report.np();
+    filter->NR = this->Report.nr();
+  }
+  filter->SortSeconds = this->Progress.GetSeconds(ahd::Phase::Read) +
+    this->Progress.GetSeconds(ahd::Phase::Sort);
+  filter->InsertSeconds = this->Progress.GetSeconds(ahd::Phase::Insert);
+  filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract) +
+    this->Progress.GetSeconds(ahd::Phase::Fates);
+  filter->NumberOfThreadsUsed = static_cast<int>(this->Executor.GetThreadsUsed());
+}
+
+void vtkAHDRun::Warn()
+{
+  if (this->Points.GetMarksAreUnfit())
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The point data array " << vtkDataSetAttributes::GhostArrayName()
+                              << " does not have one value for each of the "
+                              << this->Points.GetCount() << " points, so no point was skipped.");
+  }
+  if (this->Report.notFinite > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << this->Report.notFinite << " of " << this->Points.GetCount()
+         << " points were left out, since their x or y is NaN or infinite; the first is point "
+         << this->Odd.FirstRejected << ".");
+  }
+  if (this->Odd.OddZ > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << this->Odd.OddZ << " of " << this->Points.GetCount()
+         << " points have a z that is NaN or infinite. They are part of the triangulation, which "
+            "is computed in x and y, but cannot be drawn.");
+  }
+  if (this->Report.triangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
+  {
+    this->WarnOfNoTriangle();
+  }
+}
+
+void vtkAHDRun::WarnOfNoTriangle()
+{
+  const bool areFew = this->Report.inserted < 3;
+  if (this->Report.beyondLimit > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "There is no triangle yet, because InsertionLimit has only the first "
+        << this->Report.inserted << " of " << this->Report.inserted + this->Report.beyondLimit
+        << " distinct points inserted, "
+        << (areFew ? "fewer than three." : "and these are collinear."));
+    return;
+  }
+  vtkWarningWithObjectMacro(this->Filter,
+    "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
+                                                : "all distinct points are collinear: ")
+                                     << this->Report.inserted << " distinct points among "
+                                     << this->Points.GetCount() << ".");
+}

@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkAdaptiveHilbertAlgorithm
+ * @brief   a filter that inserts points into a Delaunay triangulation: how it goes about it
+ *
+ * The part of vtkAdaptiveHilbertDelaunay2D that says how the points are inserted and how the work
+ * is measured: the order of insertion, its limit and what is shown of it, threads and memory. None
+ * of it but InsertionLimit changes the triangles. What is triangulated, and what comes out, is said
+ * there.
+ *
+ * @sa
+ * vtkAdaptiveHilbertDelaunay2D
+ */
+
+#ifndef vtkAdaptiveHilbertAlgorithm_h
+#define vtkAdaptiveHilbertAlgorithm_h
+
+#include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // for std::unique_ptr
+
+namespace ahd
+{
+class Triangulator;
+}
+class vtkAHDRun;
+
+class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertAlgorithm
+  : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkAdaptiveHilbertAlgorithm, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// The values of InsertionOrder.
+  enum InsertionOrders
+  {
+    ADAPTIVE_HILBERT = 0, ///< HG: boxes divided where crowded, along an adaptive Hilbert curve
+    MULTI_GRID = 1,       ///< MG: boxes divided where crowded, line by line (S. H. Lo, 2013)
+    REGULAR_GRID = 2,     ///< RG: boxes of one even grid, line by line
+    AS_GIVEN = 3          ///< the order of the input
+  };
+
+  /// The values of ControlPoints.
+  enum ControlPointRounds
+  {
+    NO_CONTROL_POINTS = 0, ///< none
+    SINGLE_LEVEL = 1,      ///< one point of each box of the first level
+    EVERY_LEVEL = 2        ///< a sparse subset of the points, before it a sparser one, and so on
+  };
+
+  ///@{
+  /**
+   * In which order the points are inserted: one of InsertionOrders. Changes the time, never the
+   * triangles. The default, ADAPTIVE_HILBERT, is the fastest whatever the distribution; the others
+   * are there to be compared with it (Su et al. 2016, tables 2 to 6). AS_GIVEN is for points that
+   * follow each other along a curve already: each is looked for from the one before, so points in
+   * random order take very long.
+   */
+  vtkSetClampMacro(InsertionOrder, int, ADAPTIVE_HILBERT, AS_GIVEN);
+  vtkGetMacro(InsertionOrder, int);
+  void SetInsertionOrderToAdaptiveHilbert() { this->SetInsertionOrder(ADAPTIVE_HILBERT); }
+  void SetInsertionOrderToMultiGrid() { this->SetInsertionOrder(MULTI_GRID); }
+  void SetInsertionOrderToRegularGrid() { this->SetInsertionOrder(REGULAR_GRID); }
+  void SetInsertionOrderToAsGiven() { this->SetInsertionOrder(AS_GIVEN); }
+  ///@}
+
+  ///@{
+  /**
+   * A box of the grid that holds more than this many points is divided further; used by
+   * ADAPTIVE_HILBERT and MULTI_GRID. A number of points, from 1 up; default 50, as in the
+   * paper, which finds 50 to 200 more efficient than other values (section 4). Changes the time,
+   * never the triangles. With the defaults of ControlPoints and GeneRotation not even that: the
+   * curve then goes on inside the boxes, down to the single point, and where their borders lie
+   * makes no difference but to the boxes that GenerateBoxes shows.
+   */
+  vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
+  vtkGetMacro(Nmax, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which points are inserted before all others, so that the first triangles are neither long nor
+   * thin: one of ControlPointRounds. SINGLE_LEVEL is the paper's (section 3.3). The default,
+   * EVERY_LEVEL, goes further: several rounds, each some times larger than the one before, in the
+   * manner of a biased randomized insertion order (N. Amenta, S. Choi, G. Rote, 2003). Used by
+   * ADAPTIVE_HILBERT and MULTI_GRID. Changes the time, never the triangles.
+   */
+  vtkSetClampMacro(ControlPoints, int, NO_CONTROL_POINTS, EVERY_LEVEL);
+  vtkGetMacro(ControlPoints, int);
+  void SetControlPointsToNone() { this->SetControlPoints(NO_CONTROL_POINTS); }
+  void SetControlPointsToSingleLevel() { this->SetControlPoints(SINGLE_LEVEL); }
+  void SetControlPointsToEveryLevel() { this->SetControlPoints(EVERY_LEVEL); }
+  ///@}
+
+  ///@{
+  /**
+   * Turn the curve inside each divided box so that it enters and leaves where the neighbouring
+   * boxes are (the paper's "gene", table 1). Used by ADAPTIVE_HILBERT. On by default; off shows
+   * what the jumps of an unturned curve cost. Changes the time, never the triangles.
+   */
+  vtkSetMacro(GeneRotation, bool);
+  vtkGetMacro(GeneRotation, bool);
+  vtkBooleanMacro(GeneRotation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Count the work of the insertion: the measures NP and NR. Off by default, since counting slows
+   * the insertion a little. Never changes the triangles.
+   */
+  vtkSetMacro(CountWork, bool);
+  vtkGetMacro(CountWork, bool);
+  vtkBooleanMacro(CountWork, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Stop after so many points of the order of insertion: the triangles are the Delaunay
+   * triangulation of these points, as it was when the last of them was inserted. A number of
+   * distinct points (duplicates do not count); 0, the default, and all numbers that are large
+   * enough stand for all points. Negative numbers stand for 0. Which points come first depends on
+   * InsertionOrder, Nmax, ControlPoints and GeneRotation; GenerateInsertionRank shows it. The other
+   * points stay in the output, in no triangle, and are counted by NumberOfPointsBeyondLimit. With a
+   * limit the points are inserted by one thread. The time to sort them is as without.
+   */
+  vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(InsertionLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "InsertionRank" (vtkIdTypeArray): the place of each point in the order of
+   * insertion, from 0, those beyond InsertionLimit included; -1 for points that are in no order:
+   * duplicates, rejected and skipped ones. The order is that of one thread; several threads insert
+   * the points of one round of the default order side by side. Off by default; costs 4 bytes per
+   * point, and 16 more while the filter runs.
+   */
+  vtkSetMacro(GenerateInsertionRank, bool);
+  vtkGetMacro(GenerateInsertionRank, bool);
+  vtkBooleanMacro(GenerateInsertionRank, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Put a polyline through the inserted points, in the order of their insertion, into output port 1
+   * (see the description of the class). Off by default.
+   */
+  vtkSetMacro(GenerateInsertionCurve, bool);
+  vtkGetMacro(GenerateInsertionCurve, bool);
+  vtkBooleanMacro(GenerateInsertionCurve, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Put the boxes of the grid that decides the order into output port 1 (see the description of the
+   * class): those that are not divided further, in the order in which they are visited, each with
+   * its level of division and the points in it. They depend on InsertionOrder, Nmax and, as they
+   * follow the curve, on GeneRotation; SINGLE_LEVEL's control points do not count where it is
+   * decided whether a box is divided. AS_GIVEN has no boxes. With the default settings the order
+   * is made without a grid, as the curve goes on inside the boxes down to the single point; the
+   * boxes are then those along which it runs. Off by default; costs about 300 bytes per box. Boxes
+   * of few points and a small Nmax may be many more than points. How many there are shows only when
+   * the points are sorted: if there is no memory for them, the execution is refused then.
+   */
+  vtkSetMacro(GenerateBoxes, bool);
+  vtkGetMacro(GenerateBoxes, bool);
+  vtkBooleanMacro(GenerateBoxes, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The most memory the filter may take, in kibibytes (1024 bytes), its output included, its input
+   * not. An execution whose estimate is higher is refused with an error before anything is
+   * allocated (with GenerateBoxes, before anything is inserted). 0, the default, stands for what
+   * the machine and the limits of the process leave.
+   */
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * How many threads work. Changes the time, never the triangles.
+   *
+   * 0, the default: one for each processor that this process may run on (on Linux, its CPU affinity
+   * is respected), but no more than vtkSMPTools was told to take, by vtkSMPTools::Initialize(n) or,
+   * without it, by the environment variable VTK_SMP_MAX_THREADS. This holds as well where the
+   * backend of vtkSMPTools is Sequential, as it is by default in Debian's ParaView: VTK's own
+   * filters then use one thread, this one uses all. Where this filter runs inside a loop of
+   * vtkSMPTools and vtkSMPTools::SetNestedParallelism(false) was called, 0 stands for 1.
+   *
+   * 1 to 1024: exactly so many. Larger numbers stand for 1024, negative ones for 0.
+   *
+   * One of them is the thread that calls Update(). It alone reports progress, and it alone is asked
+   * for an abort. The others belong to vtkSMPTools' backend, which may have fewer than are wished
+   * for; where that is Sequential, or is at work already, the filter starts threads of its own for
+   * the time of one execution. Threads that the system refuses are done without.
+   *
+   * Points are inserted by one thread if InsertionOrder is not ADAPTIVE_HILBERT, if other settings
+   * of the insertion differ from the default, or if CountWork or InsertionLimit is on: there is
+   * then an order to be kept to. So are few points, as it would not pay. The other steps use all
+   * threads.
+   */
+  vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
+  vtkGetMacro(NumberOfThreads, int);
+  ///@}
+
+  ///@{
+  /**
+   * The most working memory, in kibibytes (1024 bytes), that the filter keeps for its next
+   * execution, which then does not ask the system for it anew (about a tenth of the time of 10^6
+   * points). After an execution that took more, all of it is given back; 0 keeps none, ever. The
+   * default, 262144 (256 MiB), is enough for 3 million points. The working memory of an execution
+   * that failed or was aborted is given back always. The input is never kept.
+   */
+  vtkSetClampMacro(ReuseLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(ReuseLimit, vtkTypeInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points and
+   * those beyond the limit add up to the number of input points. All 0 if the execution was aborted
+   * or ended in an error.
+   */
+  vtkGetMacro(NumberOfPointsInserted, vtkIdType);
+  vtkGetMacro(NumberOfDuplicates, vtkIdType);
+  vtkGetMacro(NumberOfRejectedPoints, vtkIdType);
+  vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
+  vtkGetMacro(NumberOfPointsBeyondLimit, vtkIdType);
+  vtkGetMacro(NumberOfTriangles, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * The paper's measures of the last execution, per inserted point. NP: triangles tested to locate
+   * the point, the one started from included. NR: triangles removed to make room for it. A good
+   * order makes both small: time of locating goes with NP, time of updating with NR. -1 if they
+   * were not counted (see CountWork).
+   */
+  vtkGetMacro(NP, double);
+  vtkGetMacro(NR, double);
+  ///@}
+
+  ///@{
+  /**
+   * Wall-clock seconds of the last execution: reading and sorting the points, inserting them,
+   * putting out the triangles. 0 if the execution was aborted or ended in an error.
+   */
+  vtkGetMacro(SortSeconds, double);
+  vtkGetMacro(InsertSeconds, double);
+  vtkGetMacro(OutputSeconds, double);
+  ///@}
+
+  /**
+   * Threads that shared the work of the last execution, the calling one included: 1 if there was
+   * too little to share, else what NumberOfThreads asked for, as far as threads could be started.
+   */
+  vtkGetMacro(NumberOfThreadsUsed, int);
+
+  /**
+   * Upper estimate, in kibibytes, of the memory that the last execution needed, or was refused,
+   * beyond its input: what MemoryLimit is compared with.
+   */
+  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
+
+protected:
+  vtkAdaptiveHilbertAlgorithm();
+  ~vtkAdaptiveHilbertAlgorithm() override;
+
+  /// Sets all measures to what they are after an execution that came to nothing.
+  virtual void ClearMeasures();
+
+  // Settings.
+  int InsertionOrder = ADAPTIVE_HILBERT;
+  int Nmax = 50;
+  int ControlPoints = EVERY_LEVEL;
+  bool GeneRotation = true;
+  bool CountWork = false;
+  vtkIdType InsertionLimit = 0;
+  bool GenerateInsertionRank = false;
+  bool GenerateInsertionCurve = false;
+  bool GenerateBoxes = false;
+  vtkTypeInt64 MemoryLimit = 0;
+  int NumberOfThreads = 0;
+  vtkTypeInt64 ReuseLimit = 262144;
+
+  // Measures of the last execution.
+  vtkIdType NumberOfPointsInserted = 0;
+  vtkIdType NumberOfDuplicates = 0;
+  vtkIdType NumberOfRejectedPoints = 0;
+  vtkIdType NumberOfSkippedPoints = 0;
+  vtkIdType NumberOfPointsBeyondLimit = 0;
+  vtkIdType NumberOfTriangles = 0;
+  double NP = -1.0;
+  double NR = -1.0;
+  double SortSeconds = 0.0;
+  double InsertSeconds = 0.0;
+  double OutputSeconds = 0.0;
+  int NumberOfThreadsUsed = 0;
+  vtkTypeInt64 MemoryEstimate = 0;
+
+private:
+  vtkAdaptiveHilbertAlgorithm(const vtkAdaptiveHilbertAlgorithm&) = delete;
+  void operator=(const vtkAdaptiveHilbertAlgorithm&) = delete;
+
+  friend class vtkAHDRun;                                // one execution
+  const std::unique_ptr<ahd::Triangulator> Triangulator; // for its memory
+};
+
+#endif
