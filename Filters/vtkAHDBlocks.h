@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDBlocks_h
+#define vtkAHDBlocks_h
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkAHDProgress;
+class vtkCompositeDataSet;
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * The points of all blocks of a composite data set as one point set.
+ *
+ * The points of one block follow those of the one before, in the order of the data set's iterator.
+ * Blocks without points are passed over, and so are those that are no vtkPointSet, which are
+ * counted. Borrows the blocks.
+ */
+class vtkAHDBlocks
+{
+public:
+  explicit vtkAHDBlocks(vtkCompositeDataSet* blocks);
+
+  /// Blocks that have no points of their own.
+  vtkIdType GetNumberOfOthers() const { return this->Others; }
+
+  /// The class of the first of them.
+  const std::string& GetFirstOther() const { return this->FirstOther; }
+
+  /// The number of all points.
+  vtkIdType GetCount() const { return this->Count; }
+
+  /// Upper estimate of the bytes that Merge() allocates.
+  std::size_t EstimateBytes() const;
+
+  /// All points: floats, if all blocks have floats, else doubles. Point data: the arrays that all
+  /// blocks have, by name, type and number of components, with a value for each point. Blocks
+  /// without ghost marks (vtkGhostType) count as unmarked if others have some. Null if the filter
+  /// is to abort; throws std::bad_alloc.
+  vtkSmartPointer<vtkPolyData> Merge(vtkAHDProgress& progress) const;
+
+private:
+  bool MergePointData(vtkPolyData* merged, vtkAHDProgress& progress) const;
+
+  std::vector<vtkPointSet*> Blocks; // those with points
+  vtkIdType Count = 0;
+  vtkIdType Others = 0;
+  std::string FirstOther;
+};
+
+#endif
