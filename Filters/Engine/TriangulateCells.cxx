@@ -29,6 +29,16 @@ std::size_t segmentsOf(const ConstraintView& given, std::size_t chain)
   return static_cast<std::size_t>(end - begin) - (isClosed ? 0 : 1);
 }
 
+std::size_t segmentsOf(const ConstraintView& given)
+{
+  std::size_t segments = 0;
+  for (std::size_t chain = 0; chain < given.chains; ++chain)
+  {
+    segments += segmentsOf(given, chain);
+  }
+  return segments;
+}
+
 } // namespace
 
 /// The vertex of each of the caller's ids; kNoIndex for those that have none.
@@ -65,12 +75,13 @@ bool Triangulator::State::lookUp(Ticker& ticker)
 bool Triangulator::State::insertConstraints(
   const ConstraintView& given, FillRule rule, Ticker& ticker)
 {
+  const std::size_t segments = segmentsOf(given);
   Buffer<Index> rankOf;
   if (!rankIds(rankOf, ticker) || !lookUp(ticker))
   {
     return false;
   }
-  Constrainer constrainer(constrained, rankOf.data(), points.count, ticker);
+  Constrainer constrainer(constrained, rankOf, std::min(segments, report.inserted), ticker);
   if (!constrainer.insertAll(given))
   {
     return false;
@@ -90,11 +101,7 @@ Status Triangulator::State::constrain(
   const ConstraintView& given, FillRule rule, Progress* progress)
 {
   areCellsAtHand = false;
-  std::size_t segments = 0;
-  for (std::size_t chain = 0; chain < given.chains; ++chain)
-  {
-    segments += segmentsOf(given, chain);
-  }
+  const std::size_t segments = segmentsOf(given);
   if (report.triangles == 0)
   {
     constraints.segments = segments;

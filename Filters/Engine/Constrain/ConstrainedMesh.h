@@ -68,6 +68,8 @@ public:
   }
   /// The half-edge from the same vertex that follows counterclockwise.
   Mesh::Halfedge nextAround(Mesh::Halfedge h) const { return twin(Mesh::previous(h)); }
+  /// And the one that follows clockwise.
+  Mesh::Halfedge previousAround(Mesh::Halfedge h) const { return Mesh::next(twin(h)); }
 
   /// The slot now holds other corners than before.
   void setCorners(Mesh::Slot slot)

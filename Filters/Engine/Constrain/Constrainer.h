@@ -18,9 +18,10 @@ namespace ahd
 class Constrainer
 {
 public:
-  /// `rankOf` tells the vertex of each of `points` ids of the caller, kNoIndex if it has none.
+  /// `rankOf` tells the vertex of each of the caller's ids, kNoIndex if it has none.
   /// Throws std::bad_alloc.
-  Constrainer(ConstrainedMesh& mesh, const Index* rankOf, std::size_t points, Ticker& ticker);
+  Constrainer(
+    ConstrainedMesh& mesh, const Buffer<Index>& rankOf, std::size_t expectedEdges, Ticker& ticker);
 
   /// Returns false if the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
   bool insertAll(const ConstraintView& constraints);
@@ -47,7 +48,7 @@ private:
   void markEdge(Mesh::Halfedge h, bool isForward);
   void useLoop();
   std::pair<std::size_t, std::size_t> find(std::uint64_t segment) const;
-  void prefetch(const std::int64_t* ids, std::size_t count) const;
+  void prefetch(const std::int64_t* ids) const;
 
   ConstrainedMesh& mesh_;
   const Index* rankOf_;

@@ -3,6 +3,7 @@
 #define ahd_EdgeTable_h
 
 #include "../Buffer.h"
+#include "../Chunks.h"
 #include "../Points/Points.h"
 
 #include <algorithm>
@@ -41,6 +42,12 @@ public:
       ++count_;
     }
     return edge;
+  }
+
+  /// Fetches what find() or add() will look at.
+  void prefetch(Index u, Index v) const
+  {
+    prefetchForRead(edges_.data() + firstPlace(keyOf(u, v)));
   }
 
   /// Null if there is none.
@@ -96,9 +103,14 @@ private:
     }
   }
 
+  std::size_t firstPlace(std::uint64_t key) const
+  {
+    return static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> shift_);
+  }
+
   Edge* place(std::uint64_t key)
   {
-    std::size_t i = static_cast<std::size_t>(key * 0x9E3779B97F4A7C15u >> shift_);
+    std::size_t i = firstPlace(key);
     while (edges_[i].key != key && edges_[i].key != kFree)
     {
       i = i + 1 == edges_.size() ? 0 : i + 1;

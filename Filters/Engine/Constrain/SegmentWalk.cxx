@@ -6,40 +6,6 @@
 namespace ahd
 {
 
-/// Looks for the edge a-b around both ends in turn, so that a vertex of very many edges costs no
-/// more than the other end has. Leaves edge_ as the half-edge from a to b or kNoIndex, and start_
-/// as the end around which the search ended. Returns false if the caller wants to cancel.
-bool SegmentWalk::findEdge(Index a, Index b)
-{
-  const Mesh::Halfedge firstA = mesh_.outgoing(a);
-  const Mesh::Halfedge firstB = mesh_.outgoing(b);
-  Mesh::Halfedge fromA = firstA, fromB = firstB;
-  edge_ = kNoIndex;
-  do
-  {
-    if (mesh_.destination(fromA) == b)
-    {
-      start_ = a;
-      edge_ = fromA;
-      return true;
-    }
-    if (mesh_.destination(fromB) == a)
-    {
-      start_ = a;
-      edge_ = mesh_.twin(fromB);
-      return true;
-    }
-    fromA = mesh_.nextAround(fromA);
-    fromB = mesh_.nextAround(fromB);
-    if (!ticker_.step())
-    {
-      return false;
-    }
-  } while (fromA != firstA && fromB != firstB);
-  start_ = fromA == firstA ? a : b;
-  return true;
-}
-
 /// Does v, which lies on the line from -> to, lie on the same side of `from` as `to`?
 bool SegmentWalk::isAhead(Index from, Index to, Index v) const
 {
@@ -47,44 +13,92 @@ bool SegmentWalk::isAhead(Index from, Index to, Index v) const
     lexicographicallyLess(mesh_.at(from), mesh_.at(v));
 }
 
-/// The triangle around `from` through which the way to `to` leaves, or the edge along which it
-/// does. Leaves edge_ or wayOut_ (the edge opposite to `from` that is crossed). Returns false if
-/// the caller wants to cancel. REQUIRES: neither is outside the hull.
-bool SegmentWalk::findWayOut(Index from, Index to)
+/// +1 if v is on the left of the way, -1 on the right, 0 on its line.
+int SegmentWalk::sideOf(Index from, Index to, Index v) const
 {
-  const Point& p = mesh_.at(from);
-  const Point& q = mesh_.at(to);
-  const auto side = [&](Index v) {
-    return v == mesh_.ghost() ? -2 : v == to ? 0 : orient2d(p, q, mesh_.at(v));
-  };
-  edge_ = kNoIndex;
-  wayOut_ = kNoIndex;
-  //        left              `out` runs from `from` to `right`; the way lies between right and
-  //       /    \             left where right is on its right and left on its left
-  //    from --- right
+  return v == to ? 0 : orient2d(mesh_.at(from), mesh_.at(to), mesh_.at(v));
+}
+
+/// An edge from `from` that lies along the way (side 0) or truly on one side of it: neither to
+/// infinity nor in the opposite direction. Two neighbouring edges are never both of these, and
+/// three never all.
+Mesh::Halfedge SegmentWalk::firstToOneSide(Index from, Index to, int& side) const
+{
   Mesh::Halfedge out = mesh_.outgoing(from);
-  int right = side(mesh_.destination(out));
-  for (;;)
+  for (;; out = mesh_.nextAround(out))
   {
-    if (right == 0 && isAhead(from, to, mesh_.destination(out)))
+    const Index v = mesh_.destination(out);
+    if (v != mesh_.ghost())
     {
-      edge_ = out;
+      side = sideOf(from, to, v);
+      if (side != 0 || isAhead(from, to, v))
+      {
+        return out;
+      }
+    }
+  }
+}
+
+/// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
+/// other side: less than half a turn, and never across infinity. Leaves `way` as it is if that
+/// takes more steps. Returns false if the caller wants to cancel.
+///
+///          left
+///         /    \          the way leaves by the edge between right and left
+///     from --- right
+bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
+{
+  int side = 0;
+  Mesh::Halfedge out = firstToOneSide(from, to, side);
+  if (side == 0)
+  {
+    way.edge = out;
+    return true;
+  }
+  const int begun = side;
+  for (std::size_t steps = 0; steps != mostSteps; ++steps)
+  {
+    const Mesh::Halfedge following = begun < 0 ? mesh_.nextAround(out) : mesh_.previousAround(out);
+    side = sideOf(from, to, mesh_.destination(following));
+    if (side == 0)
+    {
+      way.edge = following;
       return true;
     }
-    const Mesh::Halfedge following = mesh_.nextAround(out);
-    const int left = side(mesh_.destination(following));
-    if (right == -1 && left == 1)
+    if (side != begun)
     {
-      wayOut_ = Mesh::next(out);
+      way.crossed = Mesh::next(begun < 0 ? out : following);
       return true;
     }
     out = following;
-    right = left;
     if (!ticker_.step())
     {
       return false;
     }
   }
+  return true;
+}
+
+/// The way out of one of the two ends, which becomes start_: of a, unless it has so many neighbours
+/// that b is sooner done. Returns false if the caller wants to cancel.
+bool SegmentWalk::chooseEnd(Index a, Index b, WayOut& way)
+{
+  for (std::size_t most = 16; !way.isFound(); most *= 2)
+  {
+    for (const bool fromA : { true, false })
+    {
+      start_ = fromA ? a : b;
+      if (!findWayOut(start_, fromA ? b : a, most, way))
+      {
+        return false;
+      }
+      if (way.isFound())
+      {
+        break;
+      }
+    }
+  }
+  return true;
 }
 
 /// From triangle to triangle, from the edge `first` opposite to `from` to a vertex on the segment.
@@ -127,33 +141,33 @@ SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
 {
   pieces_.clear();
   crossed_.clear();
-  if (!findEdge(a, b))
+  WayOut way;
+  if (!chooseEnd(a, b, way))
   {
     return Outcome::Cancelled;
   }
-  if (edge_ != kNoIndex)
-  {
-    pieces_.push_back({ a, b, edge_, 0, 0 });
-    return Outcome::Free;
-  }
   const Index end = start_ == a ? b : a;
-  for (Index from = start_; from != end; from = pieces_.back().to)
+  for (Index from = start_;;)
   {
-    if (!findWayOut(from, end))
+    if (way.edge != kNoIndex)
     {
-      return Outcome::Cancelled;
+      pieces_.push_back({ from, mesh_.destination(way.edge), way.edge, 0, 0 });
     }
-    if (edge_ != kNoIndex)
-    {
-      pieces_.push_back({ from, mesh_.destination(edge_), edge_, 0, 0 });
-      continue;
-    }
-    if (const Outcome outcome = cross(from, end, wayOut_); outcome != Outcome::Free)
+    else if (const Outcome outcome = cross(from, end, way.crossed); outcome != Outcome::Free)
     {
       return outcome;
     }
+    from = pieces_.back().to;
+    if (from == end)
+    {
+      return Outcome::Free;
+    }
+    way = WayOut();
+    if (!findWayOut(from, end, std::size_t(-1), way))
+    {
+      return Outcome::Cancelled;
+    }
   }
-  return Outcome::Free;
 }
 
 } // namespace ahd

@@ -35,10 +35,10 @@ public:
   }
 
   /// REQUIRES: two different vertices of the mesh. Throws std::bad_alloc.
-  /// Costs no more than the smaller of the degrees of a and b where a-b is an edge.
+  /// Where one end has very many neighbours, the cost goes with those of the other end.
   Outcome walk(Index a, Index b);
 
-  /// Along the segment, from start(): the end whose neighbours are fewer, mostly.
+  /// Along the segment, from start(), which is one of its ends.
   const std::vector<Piece>& pieces() const { return pieces_; }
   Index start() const { return start_; }
   /// Of each crossed edge the half-edge on the side one comes from; it runs from right to left.
@@ -46,8 +46,18 @@ public:
   Mesh::Halfedge blockedBy() const { return blockedBy_; }
 
 private:
-  bool findEdge(Index a, Index b);
-  bool findWayOut(Index from, Index to);
+  /// How a vertex is left towards another.
+  struct WayOut
+  {
+    Mesh::Halfedge edge = kNoIndex;    ///< along this edge, which begins at the vertex
+    Mesh::Halfedge crossed = kNoIndex; ///< or across this one, opposite to it
+    bool isFound() const { return (edge & crossed) != kNoIndex; }
+  };
+
+  bool chooseEnd(Index a, Index b, WayOut& way);
+  bool findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
+  Mesh::Halfedge firstToOneSide(Index from, Index to, int& side) const;
+  int sideOf(Index from, Index to, Index v) const;
   Outcome cross(Index from, Index to, Mesh::Halfedge first);
   bool isAhead(Index from, Index to, Index v) const;
 
@@ -57,9 +67,6 @@ private:
   std::vector<Mesh::Halfedge> crossed_;
   Mesh::Halfedge blockedBy_ = kNoIndex;
   Index start_ = kNoIndex;
-  // What findEdge() and findWayOut() find.
-  Mesh::Halfedge edge_ = kNoIndex;
-  Mesh::Halfedge wayOut_ = kNoIndex;
 };
 
 } // namespace ahd
