@@ -74,16 +74,6 @@ ahd::Status vtkAHDRun::OpenPoints()
                                                            : ahd::Status::Cancelled;
 }
 
-ahd::Status vtkAHDRun::Project()
-{
-  return ahd::Status::Ok;
-}
-
-ahd::Status vtkAHDRun::AddBounding()
-{
-  return ahd::Status::Ok;
-}
-
 ahd::Status vtkAHDRun::Merge()
 {
   return ahd::Status::Ok;

@@ -65,9 +65,11 @@ private:
   ahd::Status TakeSteps();
   ahd::Options GetOptions() const;
   bool IsOrderWanted() const;
+  bool IsProjected() const; // is the plane of the triangulation another than x, y?
   std::size_t EstimateBytes() const;
   void AddBoxesToEstimate(std::size_t boxes);
   void WarnOfNoTriangle();
+  void WarnOfPlane();
 
   vtkAdaptiveHilbertDelaunay2D* const Filter;
   ahd::Triangulator& Triangulator; // the filter's

@@ -22,7 +22,7 @@ std::size_t vtkAHDRun::EstimateBytes() const
     static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
   std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
     vtkAHDOutput::EstimateBytes(count, idArrays);
-  if (this->Points.MustBeConverted())
+  if (this->Points.MustBeConverted() || this->IsProjected() || this->Filter->BoundingTriangulation)
   {
     bytes += vtkAHDWorkingPoints::EstimateBytes(count);
   }
@@ -124,6 +124,7 @@ void vtkAHDRun::KeepMeasures()
 
 void vtkAHDRun::Warn()
 {
+  this->WarnOfPlane();
   if (this->Points.GetMarksAreUnfit())
   {
     vtkWarningWithObjectMacro(this->Filter,
@@ -135,8 +136,10 @@ void vtkAHDRun::Warn()
   {
     vtkWarningWithObjectMacro(this->Filter,
       "" << this->Report.notFinite << " of " << this->Points.GetCount()
-         << " points were left out, since their x or y is NaN or infinite; the first is point "
-         << this->Odd.FirstRejected << ".");
+         << " points were left out, since "
+         << (this->IsProjected() ? "they have no finite place in the plane of the triangulation"
+                                 : "their x or y is NaN or infinite")
+         << "; the first is point " << this->Odd.FirstRejected << ".");
   }
   if (this->Odd.OddZ > 0)
   {

@@ -1,21 +1,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "vtkAHDExecutor.h"
+#include "vtkAHDPlane.h"
+#include "vtkAHDProgress.h"
 #include "vtkAHDRun.h"
+#include "vtkAHDWorkingPoints.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkTransform.h"
 
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
 #include "vtkMultiProcessController.h"
 #endif
 
 #include <algorithm>
+#include <new>
 
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransform);
@@ -46,6 +53,31 @@ vtkPolyData* vtkAdaptiveHilbertDelaunay2D::GetSource()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
     : nullptr;
+}
+
+vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkPointSet* input)
+{
+  if (!input)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkAlgorithm> nobody; // who could abort
+  vtkAHDProgress progress(nobody);
+  vtkAHDExecutor executor(vtkAHDThreadsToUse(0));
+  vtkAHDWorkingPoints points(input);
+  vtkAHDPlane plane;
+  try
+  {
+    points.Open(executor, progress);
+    plane.Fit(points.View(), executor, progress);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+  const vtkSmartPointer<vtkTransform> transform = plane.MakeTransform();
+  transform->Register(nullptr);
+  return transform;
 }
 
 vtkMTimeType vtkAdaptiveHilbertDelaunay2D::GetMTime()

@@ -99,6 +99,7 @@
 
 class vtkAHDRun;
 class vtkAbstractTransform;
+class vtkPointSet;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
 #ifndef VTK_DELAUNAY_XY_PLANE
@@ -249,11 +250,21 @@ public:
 
   ///@{
   /**
-   * The plane in which the points are triangulated. VTK_DELAUNAY_XY_PLANE (0), the default: x and
-   * y. VTK_SET_TRANSFORM_PLANE (1): x and y of the points after Transform.
-   * VTK_BEST_FITTING_PLANE (2): the plane that fits the points best, by least squares of their
-   * distances from it. The output has the points where they were. Triangles are counterclockwise
-   * in the plane.
+   * The plane in which the points are triangulated, one of these; the output has the points where
+   * they were, and triangles are counterclockwise in the plane.
+   * - VTK_DELAUNAY_XY_PLANE (0), the default: x and y; if a Transform is set, those after it.
+   * - VTK_SET_TRANSFORM_PLANE (1): x and y after Transform. Without one, x and y, with a warning.
+   * - VTK_BEST_FITTING_PLANE (2): the plane with the least sum of squared distances of the points
+   *   from it, vertical ones included. Points that are skipped or have a coordinate that is not
+   *   finite do not count for it; neither does Transform. See ComputeBestFittingPlane.
+   *
+   * In the last two cases, and with a Transform, exactness is for the coordinates in the plane,
+   * which are rounded to double precision: duplicates are points that coincide there, and one that
+   * has no finite place there, or a coordinate that is not finite, is rejected. "z" then means the
+   * height above the plane. Costs 24 bytes per point while the filter runs.
+   *
+   * vtkDelaunay2D fits the plane by distances along z, so none that is vertical or nearly so; its
+   * triangles may face either side; and a Transform takes the place of the fit.
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, VTK_DELAUNAY_XY_PLANE, VTK_BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
@@ -262,13 +273,31 @@ public:
   ///@{
   /**
    * What the points are transformed by before they are triangulated in x and y; the output has them
-   * as they were. Any vtkAbstractTransform, linear or not, invertible or not; none by default. It
-   * is used with each ProjectionPlaneMode, as in vtkDelaunay2D; unlike there, an execution never
-   * changes it.
+   * as they were. Any vtkAbstractTransform, linear or not, invertible or not; none by default. Used
+   * unless ProjectionPlaneMode is VTK_BEST_FITTING_PLANE. Changes of the transform are noticed at
+   * the next Update(). It is brought up to date, never changed, and stays set; vtkDelaunay2D
+   * forgets it with the first execution, and does not notice its changes.
    */
   virtual void SetTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
   ///@}
+
+  /**
+   * The plane that fits the points best, as a transform (a vtkTransform) that makes it the plane
+   * z = 0: no scaling, no mirror, only a turn and a shift. The caller owns what is returned; null
+   * if there is no input or no memory. Total least squares; the points' order has no say.
+   *
+   * What z becomes points to the side on which its component of largest magnitude is positive
+   * (within a millionth of each other: z before y before x), so that triangles are counterclockwise
+   * as seen from there. What x becomes is, of the coordinate axes, the one after that component's
+   * (x after z), laid into the plane; so points near the plane z = 0 keep their x and y but for a
+   * shift. Coincident points get a plane of constant z; points on a line the plane through it whose
+   * normal is closest to z, or to y for a line that is steeper than 45 degrees.
+   *
+   * Far from the origin of the coordinates, the matrix rounds more than the filter itself does with
+   * VTK_BEST_FITTING_PLANE, where the shift comes first and is exact.
+   */
+  static VTK_NEWINSTANCE vtkAbstractTransform* ComputeBestFittingPlane(vtkPointSet* input);
 
   ///@{
   /**
@@ -305,10 +334,13 @@ public:
   /**
    * With BoundingTriangulation on, eight points are added around all others and triangulated with
    * them: on a circle about the centre of the bounding box, its radius Offset times the length of
-   * the box's diagonal in space, at angles of 0, 45, ... 315 degrees, z that of the centre. Off by
-   * default. Offset: from 0.75, default 1; without BoundingTriangulation it has no effect, since
-   * the boundary is the convex hull anyway. Points and triangles as in vtkDelaunay2D, which starts
-   * from these eight always.
+   * the box's diagonal in space, at angles of 0, 45, ... 315 degrees, z that of the centre. Points
+   * that are rejected or skipped do not count for the box. Off by default. Offset: from 0.75,
+   * default 1; without BoundingTriangulation it has no effect, since the boundary is the convex
+   * hull anyway. The points are those of vtkDelaunay2D, which starts from them always. As there,
+   * they have no place where the points are triangulated in another plane than x and y: a warning
+   * says that they are not added (vtkDelaunay2D says so too, and puts out triangles of points that
+   * are not there).
    */
   vtkSetClampMacro(Offset, double, 0.75, VTK_DOUBLE_MAX);
   vtkGetMacro(Offset, double);
