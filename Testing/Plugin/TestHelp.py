@@ -42,12 +42,17 @@ class Page(html.parser.HTMLParser):
 pages = {os.path.basename(path): Page(path) for path in glob.glob(os.path.join(FOLDER, "*.html"))}
 check_equal(
     set(pages),
-    OURS | {"filters.AdaptiveHilbertDelaunay2D.html", "sources.PlanarPointSource.html"},
+    OURS
+    | {
+        "filters.AdaptiveHilbertDelaunay2D.html",
+        "sources.PlanarPointSource.html",
+        "transforms.AdaptiveHilbertTransform.html",
+    },
     "pages of the help",
 )
 
 reference = " ".join(pages["filters.AdaptiveHilbertDelaunay2D.html"].text.split())
-for name in SETTINGS + MEASURES:
+for name in SETTINGS + MEASURES + ["Source", "Transform"]:
     spaced = "".join(" " + c if c.isupper() and i and name[i - 1].islower() else c for i, c in enumerate(name))
     check(spaced in reference, "the page of the filter does not describe " + spaced)
 check("**" not in reference, "markup was left in the page of the filter")

@@ -32,7 +32,7 @@ def test_menu():
 
 
 def test_properties_are_complete():
-    expected = set(SETTINGS + MEASURES + ["Input"])
+    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform"])
     check_equal(set(properties()), expected, "properties of the filter")
     for name in MEASURES:
         check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
@@ -57,33 +57,80 @@ def test_everything_is_documented():
 
 
 def test_everything_is_in_the_panel():
-    """information_only hides a property unless its visibility is set; none is to be hidden."""
+    """information_only hides a property unless its visibility is set; none is to be hidden but those that
+    do nothing."""
     for name, item in properties().items():
+        nothing = name in ("RandomPointInsertion", "UseHilbertSorter")
         check(
-            item.GetPanelVisibility() in ("default", "advanced"),
+            item.GetPanelVisibility() in (("never",) if nothing else ("default", "advanced")),
             "%s has panel_visibility %r" % (name, item.GetPanelVisibility()),
         )
-    for name in ["InsertionOrder", "GenerateFate"] + COUNTS[:4]:
+    shown = ["Source", "SourceMode", "FillRule", "Alpha", "MaximumEdgeLength", "ProjectionPlaneMode", "Tolerance"]
+    for name in shown + ["InsertionOrder", "GenerateFate"] + COUNTS[:4]:
         check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
 
 
-def test_choices():
-    def choices(name):
-        domain = sm.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
-        return {domain.GetEntryValue(i): domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())}
+def choices(proxy, name):
+    domain = proxy.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
+    return {domain.GetEntryValue(i): domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())}
 
-    check_equal(
-        choices("InsertionOrder"),
-        {0: "Adaptive Hilbert", 1: "Multi-grid", 2: "Regular grid", 3: "As given"},
-        "choices of InsertionOrder",
-    )
-    check_equal(choices("ControlPoints"), {0: "Off", 1: "First level", 2: "Every level"}, "choices of ControlPoints")
+
+def test_choices():
+    expected = {
+        "InsertionOrder": ["Adaptive Hilbert", "Multi-grid", "Regular grid", "As given"],
+        "ControlPoints": ["Off", "First level", "Every level"],
+        "SourceMode": ["Point ids", "Coordinates"],
+        "CrossingMode": ["Leave out", "Split"],
+        "FillRule": ["Orientation", "Even-odd"],
+        "ProjectionPlaneMode": ["XY Plane", "Transform Plane", "Best-Fitting Plane"],
+        "DuplicatePolicy": ["First", "Lowest z", "Highest z", "Mean z"],
+        "VoronoiClip": ["Hull", "Bounds"],
+    }
+    for name, texts in expected.items():
+        check_equal(choices(sm, name), dict(enumerate(texts)), "choices of " + name)
+
+
+def test_it_has_what_delaunay_2d_has():
+    """Scripts and state files of ParaView's own filter mean the same here."""
+    own = servermanager.ProxyManager().GetPrototypeProxy("filters", "Delaunay2D")
+    iterator = own.NewPropertyIterator()
+    iterator.Begin()
+    names = set()
+    while not iterator.IsAtEnd():
+        name, theirs, ours = iterator.GetKey(), iterator.GetProperty(), sm.GetProperty(iterator.GetKey())
+        names.add(name)
+        check(ours, "Delaunay 2D has a property that is not there: " + name)
+        check_equal(ours.GetClassName(), theirs.GetClassName(), "kind of property of " + name)
+        check_equal(ours.GetAnimateable(), theirs.GetAnimateable(), "whether %s can be animated" % name)
+        iterator.Next()
+    check({"Alpha", "Tolerance", "Offset", "ProjectionPlaneMode"} <= names, "Delaunay 2D has only %r" % names)
+    modes = choices(own, "ProjectionPlaneMode")
+    check(modes.items() <= choices(sm, "ProjectionPlaneMode").items(), "planes of Delaunay 2D: %r" % modes)
+
+
+def test_the_source_is_optional():
+    source = sm.GetProperty("Source")
+    check(source.GetHints().FindNestedElementByName("Optional"), "creating the filter asks for a source")
+    check_equal(source.GetNumberOfProxies(), 0, "sources at the beginning")
+    domain = source.FindDomain("vtkSMDataTypeDomain")
+    for other, accepted in ((Sphere(), True), (Wavelet(), False), (UnstructuredCellTypes(), False)):
+        other.UpdatePipeline()
+        check_equal(bool(domain.IsInDomain(other.SMProxy, 0)), accepted, "is %s a source" % other.GetXMLName())
+
+
+def test_the_transform_is_none_at_first():
+    check_equal(proxy.Transform.GetXMLLabel(), "None", "Transform at the beginning")
+    check(not proxy.Transform.GetVTKClassName(), "the Transform None is something")
 
 
 def test_ranges():
     ranges = {"Nmax": 1, "InsertionLimit": 0, "MemoryLimit": 0, "NumberOfThreads": 0, "ReuseLimit": 0}
     for name, least in ranges.items():
         domain = sm.GetProperty(name).FindDomain("vtkSMIntRangeDomain")
+        check(domain and domain.GetMinimumExists(0), name + " has no minimum")
+        check_equal(domain.GetMinimum(0), least, "minimum of " + name)
+    for name, least in {"Alpha": 0.0, "MaximumEdgeLength": 0.0, "Tolerance": 0.0, "Offset": 0.75}.items():
+        domain = sm.GetProperty(name).FindDomain("vtkSMDoubleRangeDomain")
         check(domain and domain.GetMinimumExists(0), name + " has no minimum")
         check_equal(domain.GetMinimum(0), least, "minimum of " + name)
 
@@ -105,9 +152,9 @@ def test_the_limit_goes_up_to_the_number_of_points():
 
 
 def test_outputs():
-    check_equal(sm.GetNumberOfOutputPorts(), 2, "number of outputs")
-    names = [sm.GetOutputPortName(i) for i in range(2)]
-    check_equal(names, ["Surface", "Insertion order"], "names of the outputs")
+    check_equal(sm.GetNumberOfOutputPorts(), 3, "number of outputs")
+    names = [sm.GetOutputPortName(i) for i in range(3)]
+    check_equal(names, ["Surface", "Insertion order", "Voronoi"], "names of the outputs")
 
 
 def vtk_class():
@@ -120,9 +167,10 @@ def vtk_class():
 
 
 def own_methods(cls, prefix):
-    """What follows the prefix in the names of the class's own methods, choices (SetXToY) left out."""
-    base = set(dir(cls.__mro__[1]))
-    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and m not in base}
+    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, choices
+    (SetXToY) left out."""
+    base = next(c for c in cls.__mro__ if c.__name__ == "vtkPolyDataAlgorithm")
+    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not hasattr(base, m)}
     return {n for n in names if not re.search(r"(To[A-Z]|MinValue$|MaxValue$)", n)}
 
 
@@ -131,10 +179,13 @@ def test_defaults_and_names_are_those_of_the_class():
     if cls is None:
         check(not EXPECT_PYTHON, "the package adaptivehilbertdelaunay cannot be imported")
         return
-    check_equal(own_methods(cls, "Set"), set(SETTINGS), "settings of the class")
-    check_equal(own_methods(cls, "Get"), set(SETTINGS + MEASURES), "values of the class")
+    setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform"])
+    check_equal(own_methods(cls, "Set"), setters, "settings of the class")
+    check_equal(own_methods(cls, "Get"), set(SETTINGS + MEASURES + ["Source", "Transform"]), "values of the class")
     fresh = cls()
-    for name in SETTINGS + MEASURES:
+    # VTK's default is the ids, for the sake of old programs; what a user picks in the panel has coordinates.
+    check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
+    for name in set(SETTINGS + MEASURES) - {"SourceMode"}:
         shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
         check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
 

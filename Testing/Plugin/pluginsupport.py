@@ -8,6 +8,7 @@ CTest sets the environment (see CMakeLists.txt):
 """
 
 import hashlib
+import math
 import os
 import random
 import subprocess
@@ -18,6 +19,26 @@ PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
 SCRATCH = os.environ["AHD_SCRATCH"]
 
 SETTINGS = [
+    "SourceMode",
+    "CrossingMode",
+    "FillRule",
+    "MaximumEdgeLength",
+    "Alpha",
+    "AlphaTris",
+    "AlphaLines",
+    "AlphaVerts",
+    "ProjectionPlaneMode",
+    "Tolerance",
+    "DuplicatePolicy",
+    "GenerateConstraintEdges",
+    "GenerateRegionIds",
+    "GenerateNeighbors",
+    "GenerateVoronoi",
+    "VoronoiClip",
+    "Offset",
+    "BoundingTriangulation",
+    "RandomPointInsertion",
+    "UseHilbertSorter",
     "InsertionOrder",
     "Nmax",
     "ControlPoints",
@@ -40,11 +61,20 @@ COUNTS = [
     "NumberOfSkippedPoints",
     "NumberOfPointsBeyondLimit",
 ]
-MEASURES = COUNTS + [
+CONSTRAINT_COUNTS = [
+    "NumberOfMergedPoints",
+    "NumberOfAddedPoints",
+    "NumberOfConstraintEdges",
+    "NumberOfCrossings",
+    "NumberOfConstraintsLeftOut",
+    "NumberOfUnfilledLoops",
+]
+MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NP",
     "NR",
     "SortSeconds",
     "InsertSeconds",
+    "ConstrainSeconds",
     "OutputSeconds",
     "NumberOfThreadsUsed",
     "MemoryEstimate",
@@ -75,6 +105,13 @@ def hill_points(count=400, duplicates=7, seed=1):
     return [(x, y, 2.0 / (1.0 + x * x + y * y)) for x, y in points]
 
 
+def ring(radius, corners=8, clockwise=False, centre=(0.0, 0.0)):
+    """The corners of a regular polygon at z = 0, as points; the first is to the right of the centre."""
+    turn = (-2 if clockwise else 2) * math.pi / corners
+    x, y = centre
+    return [(x + radius * math.cos(turn * k), y + radius * math.sin(turn * k), 0.0) for k in range(corners)]
+
+
 def write_csv(name, points):
     """Writes x, y, z with a header line; returns the path."""
     path = scratch(name)
@@ -84,12 +121,13 @@ def write_csv(name, points):
     return path
 
 
-def write_vtp(name, points):
-    """Writes the points as a .vtp in double precision, with a point array "Height"; returns the path.
+def write_vtp(name, points, loops=(), lines=()):
+    """Writes a .vtp in double precision, with a point array "Height", and polygons and polylines, each a
+    list of point ids; returns the path.
 
     Through VTK's writer, which keeps NaN and infinity."""
     from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkPolyData
+    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
     from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
     data, heights = vtkPolyData(), vtkDoubleArray()
@@ -101,6 +139,11 @@ def write_vtp(name, points):
         heights.InsertNextValue(point[2])
     data.SetPoints(coordinates)
     data.GetPointData().AddArray(heights)
+    for cells, set_cells in ((loops, data.SetPolys), (lines, data.SetLines)):
+        array = vtkCellArray()
+        for ids in cells:
+            array.InsertNextCell(len(ids), ids)
+        set_cells(array)
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(scratch(name))
     # VTK 9.2 cannot read appended data, the default, with newer versions of libexpat.
