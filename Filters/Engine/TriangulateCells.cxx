@@ -106,7 +106,10 @@ Status Triangulator::State::constrain(
   {
     constraints.segments = segments;
     constraints.withoutVertex = segments;
-    constraints.unfilledLoops = given.chains - given.lines;
+    for (std::size_t loop = given.lines; loop < given.chains; ++loop)
+    {
+      constraints.unfilledLoops += segmentsOf(given, loop) > 0 ? 1 : 0;
+    }
     return Status::Ok;
   }
   Ticker ticker(progress, Phase::Constrain, segments);

@@ -139,15 +139,28 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
 
 SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
 {
-  pieces_.clear();
-  crossed_.clear();
   WayOut way;
   if (!chooseEnd(a, b, way))
   {
     return Outcome::Cancelled;
   }
-  const Index end = start_ == a ? b : a;
-  for (Index from = start_;;)
+  const Outcome outcome = walkFrom(start_, start_ == a ? b : a, way);
+  if (outcome != Outcome::Blocked || start_ == a)
+  {
+    return outcome;
+  }
+  // What blocks it first from b is not what does from a.
+  start_ = a;
+  way = WayOut();
+  return findWayOut(a, b, std::size_t(-1), way) ? walkFrom(a, b, way) : Outcome::Cancelled;
+}
+
+/// From vertex to vertex on the segment. `way` leads out of the first.
+SegmentWalk::Outcome SegmentWalk::walkFrom(Index from, Index end, WayOut way)
+{
+  pieces_.clear();
+  crossed_.clear();
+  for (;;)
   {
     if (way.edge != kNoIndex)
     {

@@ -24,7 +24,7 @@ public:
   enum class Outcome
   {
     Free,    ///< pieces() and crossed() say where it runs
-    Blocked, ///< it crosses the constraint edge blockedBy()
+    Blocked, ///< it crosses the constraint edge blockedBy(), on its way from a before any other
     Cancelled
   };
 
@@ -54,6 +54,7 @@ private:
     bool isFound() const { return (edge & crossed) != kNoIndex; }
   };
 
+  Outcome walkFrom(Index from, Index end, WayOut way);
   bool chooseEnd(Index a, Index b, WayOut& way);
   bool findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
   Mesh::Halfedge firstToOneSide(Index from, Index to, int& side) const;
