@@ -115,7 +115,9 @@ public:
   /// input and output not counted.
   static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);
 
-  /// What constrain() takes on top of it for so many segments (0 for none), and the cell data.
+  /// Upper estimate of what constrain() takes on top of it for so many segments (0 for none), and
+  /// the cell data. Not counted: up to 300 bytes for each triangle that one segment crosses; a few,
+  /// mostly, but nobody knows before.
   static std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
 
 private:

@@ -181,13 +181,15 @@ Status Triangulator::writeRegions(std::int64_t* regions, Progress* progress)
 
 std::size_t Triangulator::constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount)
 {
-  // Per point: a vertex for each id, a triangle for each vertex, two marks; then edge and place of
-  // two triangles; and a queue of two triangles, which may be twice as large as what is in it. Per
-  // segment: an edge of the table, less than half full and copied when it grows, of which there may
-  // be more than segments, but no more than three per point; a row of the report.
-  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 2 * (4 + 4) + 2 * 8;
-  constexpr std::size_t kPerEdge = 6 * sizeof(EdgeTable::Edge) + 32;
-  constexpr std::size_t kPerSegment = 2 * sizeof(LeftOut);
+  // An array that grows by doubling may hold three times what it needs while it is copied.
+  constexpr std::size_t kGrown = 3;
+  // Per point: a vertex for each id, a triangle for each vertex, two marks; an edge and a place of
+  // two triangles; and a queue of two triangles.
+  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 2 * (4 + 4) + kGrown * 2 * 4;
+  // Per edge: a place in a table that is at least a quarter full, or less while it is copied.
+  constexpr std::size_t kPerEdge = 6 * sizeof(EdgeTable::Edge);
+  // Per segment: a row of the report, an edge of a loop, the beginning of a chain.
+  constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8;
   return pointCount * kPerPoint +
     (segmentCount == 0 ? 0 : 3 * std::min(segmentCount, pointCount) * kPerEdge) +
     segmentCount * kPerSegment;

@@ -220,6 +220,94 @@ TEST(Memory, OutOfMemoryAtAnyAllocationIsReportedAndSurvived)
   }
 }
 
+/// All edges of the triangulation of the points as constraints: its triangles, as loops.
+struct AllEdges
+{
+  explicit AllEdges(const std::vector<Point>& points)
+  {
+    const Outcome outcome = triangulate(points);
+    ids.assign(outcome.triples.begin(), outcome.triples.end());
+    for (std::size_t i = 0; i <= ids.size(); i += 3)
+    {
+      offsets.push_back(static_cast<std::int64_t>(i));
+    }
+  }
+  ConstraintView view() const { return { ids.data(), offsets.data(), offsets.size() - 1, 0 }; }
+
+  std::vector<std::int64_t> ids;
+  std::vector<std::int64_t> offsets;
+};
+
+/// run(), constrain(), and all that is written per cell. Returns the first status that is not Ok.
+Status runConstrained(
+  Triangulator& triangulator, const std::vector<Point>& points, const AllEdges& edges)
+{
+  const std::size_t most = 2 * points.size();
+  static std::vector<std::int64_t> ids;
+  static std::vector<std::uint8_t> marks;
+  ids.reserve(3 * most);
+  marks.reserve(most);
+  const Status done[] = { triangulator.run(viewOf(points), Options(), nullptr),
+    triangulator.constrain(edges.view(), FillRule::Orientation, nullptr),
+    triangulator.writeNeighbors(ids.data(), nullptr),
+    triangulator.writeRegions(ids.data(), nullptr),
+    triangulator.writeConstraintEdges(marks.data(), nullptr) };
+  const auto* bad = std::find_if(
+    std::begin(done), std::end(done), [](Status status) { return status != Status::Ok; });
+  return bad == std::end(done) ? Status::Ok : *bad;
+}
+
+TEST(Memory, NoMoreThanEstimatedWithConstraints)
+{
+  const std::size_t n = reduced(100000);
+  for (const Distribution distribution : { Distribution::Uniform, Distribution::Lattice })
+  {
+    const std::vector<Point> points = makePoints(distribution, n, 1);
+    const AllEdges edges(points);
+    Triangulator warm;
+    ASSERT_EQ(runConstrained(warm, points, edges), Status::Ok);
+    const std::size_t before = account.held;
+    account.peak = before;
+    Triangulator triangulator;
+    ASSERT_EQ(runConstrained(triangulator, points, edges), Status::Ok);
+    EXPECT_LE(account.peak - before,
+      Triangulator::memoryEstimate(n, Options()) +
+        Triangulator::constraintMemoryEstimate(n, edges.ids.size()));
+    EXPECT_GE(triangulator.memoryHeld(), warm.memoryHeld() / 2);
+    EXPECT_LE(triangulator.memoryHeld(), account.held - before);
+  }
+}
+
+TEST(Memory, ConstraintsSurviveOutOfMemoryAtAnyAllocation)
+{
+  std::vector<Point> points = makePoints(Distribution::Uniform, 500, 1);
+  AllEdges edges(points);
+  points.push_back({ -2.0, -2.0 }); // and a segment that crosses many of them, the first
+  points.push_back({ 3.0, 3.1 });
+  edges.ids.insert(edges.ids.begin(), { 500, 501, 500 });
+  edges.offsets.push_back(edges.offsets.back() + 3);
+  Triangulator triangulator;
+  ASSERT_EQ(runConstrained(triangulator, points, edges), Status::Ok);
+  const std::size_t crossing = triangulator.constraints().crossing;
+  EXPECT_GT(crossing, 10u);
+  std::size_t failures = 0;
+  for (std::size_t k = 1; k < 10000; ++k, ++failures)
+  {
+    triangulator.release();
+    account.failAt = account.allocations + k;
+    const Status status = runConstrained(triangulator, points, edges);
+    account.failAt = 0;
+    if (status == Status::Ok)
+    {
+      EXPECT_GT(failures, 20u);
+      EXPECT_EQ(triangulator.constraints().crossing, crossing);
+      return;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
+  }
+  FAIL() << "no run got through";
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd
