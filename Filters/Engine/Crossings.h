@@ -67,14 +67,20 @@ constexpr int kMostSplittingRounds = 16;
 /// Two segments cross if they have one point in common that is an end of neither. Segments that
 /// only touch, share an end or overlap do not cross. This is decided exactly. Segments of no
 /// length, and those with an end that is not finite, is left out (PointView::skip) or is no point
-/// at all, are kept as they are and cross nothing; so are chains that have no segment.
+/// at all, are kept and cross nothing; so are chains that have no segment. Ids that are no point's
+/// become -1, as they might name an added point otherwise.
 ///
-/// The point added is the exact crossing, each coordinate rounded to the nearest double (ties to
-/// even). So it lies within the bounding boxes of both segments, within half a unit in the last
-/// place of both, and is one point however many segments cross there and whichever way they run.
-/// Where it coincides with an end of a segment of the chains, that end is used (the one of smallest
-/// id) and no point is added. The pieces are bent by the rounding and may cross others; so this is
-/// repeated until nothing crosses, or until kMostSplittingRounds rounds are over.
+/// A point rounds to the nearest double in each coordinate, ties to even. Where a point of one of
+/// the two rounds to an end of the other, the one is led through that end, and no point is needed.
+/// Else the point added is the exact crossing, rounded: one point however many segments cross there
+/// and whichever way they run. Where it coincides with a point that is given, that one is used: the
+/// one of smallest id, but before all others those that are ends of segments. So whatever is put
+/// into a segment is a point of it, rounded, and the pieces run within its box, in the same
+/// directions as it does.
+///
+/// The pieces are bent by this and may cross others. So it is repeated until nothing crosses, or
+/// until kMostSplittingRounds rounds are over. Without the rule for ends, segments that differ
+/// in their last bits only would cross ever more often.
 ///
 /// The points of the result and the pieces, as a set of pairs of places, are a function of the set
 /// of the segments: neither their order nor their directions have a say.
