@@ -184,8 +184,8 @@ std::size_t Triangulator::constraintMemoryEstimate(std::size_t pointCount, std::
   // An array that grows by doubling may hold three times what it needs while it is copied.
   constexpr std::size_t kGrown = 3;
   // Per point: a vertex for each id, a triangle for each vertex, two marks; an edge and a place of
-  // two triangles; and a queue of two triangles.
-  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 2 * (4 + 4) + kGrown * 2 * 4;
+  // two triangles; and a queue of two triangles, or the edges of one vertex while they are sorted.
+  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 2 * (4 + 4) + (kGrown + 1) * 8;
   // Per edge: a place in a table that is at least a quarter full, or less while it is copied.
   constexpr std::size_t kPerEdge = 6 * sizeof(EdgeTable::Edge);
   // Per segment: a row of the report, an edge of a loop, the beginning of a chain.

@@ -2,8 +2,10 @@
 #include "CellData.h"
 
 #include "../Chunks.h"
+#include "../SortAsking.h"
 
 #include <algorithm>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -46,7 +48,10 @@ bool CellData::begin(const ConstrainedMesh& mesh, std::size_t triangles, Ticker&
         return false;
       }
     } while (h != start);
-    std::sort(around.begin(), around.end());
+    if (!sortAsking(around, ticker, std::less<>()))
+    {
+      return false;
+    }
     for (const auto& found : around)
     {
       number_[found.second / Mesh::kSlotSize] = count;
