@@ -116,8 +116,55 @@ void CavityFiller::join(Side& side)
   }
 }
 
+/// The same as fill() for a segment that crosses one edge, as most short ones do.
+///
+///       left                    left
+///      /  |  \                 /     \        h: right -> left in (from, right, left) and its twin
+///      in
+///   from  |  to       to    from --- to       (to, left, right) become (from, right, to) and
+///      \  |  /                 \     /        (to, left, from)
+///       right                   right
+void CavityFiller::flip(Mesh::Halfedge h)
+{
+  const Mesh::Halfedge g = mesh_.twin(h);
+  const Mesh::Halfedge old[4] = { Mesh::next(g), Mesh::previous(h), Mesh::next(h),
+    Mesh::previous(g) }; // right -> to, from -> right, left -> from, to -> left
+  Mesh::Halfedge beyond[4];
+  bool isConstrained[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    beyond[i] = mesh_.twin(old[i]);
+    isConstrained[i] = mesh_.isConstrained(old[i]);
+  }
+  const Mesh::Slot first = Mesh::slotOf(h), second = Mesh::slotOf(g);
+  const Index from = mesh_.apex(h), right = mesh_.origin(h);
+  const Index to = mesh_.apex(g), left = mesh_.origin(g);
+  const Index corners[2][3] = { { from, right, to }, { to, left, from } };
+  std::copy(corners[0], corners[0] + 3, mesh_.data() + first);
+  std::copy(corners[1], corners[1] + 3, mesh_.data() + second);
+  mesh_.marks(first) = mesh_.marks(second) = 0;
+  mesh_.setCorners(first);
+  mesh_.setCorners(second);
+  const Mesh::Halfedge placed[4] = { first, first + 2, second, second + 2 };
+  for (int i = 0; i < 4; ++i)
+  {
+    mesh_.link(placed[i], beyond[i]);
+    if (isConstrained[i])
+    {
+      mesh_.constrain(placed[i]);
+    }
+  }
+  made_ = second + 1;
+  mesh_.link(made_, first + 1);
+}
+
 bool CavityFiller::fill(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count)
 {
+  if (count == 1)
+  {
+    flip(crossed[0]);
+    return true;
+  }
   collect(from, to, crossed, count);
   for (const Mesh::Slot slot : slots_)
   {

@@ -48,6 +48,7 @@ private:
     kHanging = 2 ///< both triangles of the edge go: it hangs into the polygon
   };
 
+  void flip(Mesh::Halfedge crossed);
   void collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
   void lookBeyond(Side& side);
   bool fillSide(Side& side, const Mesh::Slot* slots);
