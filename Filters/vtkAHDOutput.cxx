@@ -9,7 +9,6 @@
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 
@@ -22,45 +21,6 @@ namespace
 static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
-
-ahd::Status WriteTriangles(ahd::Triangulator& triangulator, vtkPolyData* output,
-  ahd::Executor& executor, vtkAHDProgress& progress)
-{
-  const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
-  auto corners = vtkAHDNewArray<IdArray>(3 * count);
-  const ahd::Status status = triangulator.writeTriangles(
-    corners->GetPointer(0), &progress, &executor);
-  if (status != ahd::Status::Ok)
-  {
-    return status;
-  }
-  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
-  auto* offset = offsets->GetPointer(0);
-  const bool all = vtkAHDLoop(static_cast<std::size_t>(count + 1), executor, progress,
-    [offset](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        offset[i] = static_cast<vtkTypeInt32>(3 * i);
-      }
-    });
-  if (!all)
-  {
-    return ahd::Status::Cancelled;
-  }
-  vtkNew<vtkCellArray> triangles;
-  triangles->SetData(offsets, corners);
-  output->SetPolys(triangles);
-  return status;
-}
-
-void AddCount(vtkPolyData* output, const char* name, std::size_t count)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->InsertNextValue(static_cast<vtkIdType>(count));
-  output->GetFieldData()->AddArray(array);
-}
 
 /// Adds a point array of what write(ids) writes, one number per point.
 template <typename Write>
@@ -102,30 +62,59 @@ std::size_t vtkAHDOutput::EstimateBytes(std::size_t pointCount, std::size_t idAr
   return pointCount * (2 * perTriangle + ids);
 }
 
-ahd::Status vtkAHDOutput::Write(ahd::Triangulator& triangulator, vtkPointSet* input,
-  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress)
+ahd::Status vtkAHDOutput::WriteTriangles(ahd::Triangulator& triangulator, vtkPolyData* output,
+  ahd::Executor& executor, vtkAHDProgress& progress)
 {
-  const ahd::Status status = WriteTriangles(triangulator, output, executor, progress);
-  if (status == ahd::Status::Ok)
+  const vtkIdType count = static_cast<vtkIdType>(triangulator.report().triangles);
+  auto corners = vtkAHDNewArray<IdArray>(3 * count);
+  const ahd::Status status = triangulator.writeTriangles(
+    corners->GetPointer(0), &progress, &executor);
+  if (status != ahd::Status::Ok)
   {
-    output->SetPoints(input->GetPoints());
-    output->GetPointData()->PassData(input->GetPointData());
-    const ahd::Report& report = triangulator.report();
-    AddCount(output, "NumberOfPointsInserted", report.inserted);
-    AddCount(output, "NumberOfDuplicates", report.duplicates);
-    AddCount(output, "NumberOfRejectedPoints", report.notFinite);
-    AddCount(output, "NumberOfSkippedPoints", report.skipped);
-    AddCount(output, "NumberOfPointsBeyondLimit", report.beyondLimit);
-    AddCount(output, "NumberOfTriangles", report.triangles);
+    return status;
   }
+  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
+  auto* offset = offsets->GetPointer(0);
+  const bool all = vtkAHDLoop(static_cast<std::size_t>(count + 1), executor, progress,
+    [offset](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        offset[i] = static_cast<vtkTypeInt32>(3 * i);
+      }
+    });
+  if (!all)
+  {
+    return ahd::Status::Cancelled;
+  }
+  vtkNew<vtkCellArray> triangles;
+  triangles->SetData(offsets, corners);
+  output->SetPolys(triangles);
   return status;
 }
 
-ahd::Status vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator, vtkPolyData* output,
-  ahd::Executor& executor, vtkAHDProgress& progress)
+void vtkAHDOutput::AddCount(vtkPolyData* output, const char* name, vtkIdType count)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(count);
+  output->GetFieldData()->AddArray(array);
+}
+
+ahd::Status vtkAHDOutput::AddFate(const ahd::Triangulator& triangulator,
+  const std::vector<ahd::MergedPoint>& merged, vtkPolyData* output, ahd::Executor& executor,
+  vtkAHDProgress& progress)
 {
   return AddIds("Fate", output, executor, progress,
-    [&](std::int64_t* ids) { return triangulator.writeFates(ids, &progress, &executor); });
+    [&](std::int64_t* ids)
+    {
+      const ahd::Status status = triangulator.writeFates(ids, &progress, &executor);
+      for (const ahd::MergedPoint& m : merged)
+      {
+        ids[m.id] = ids[m.keptId];
+      }
+      return status;
+    });
 }
 
 ahd::Status vtkAHDOutput::AddInsertionRank(const ahd::Triangulator& triangulator,

@@ -6,8 +6,8 @@
 namespace
 {
 // Which part of the whole a phase takes, roughly as the time goes: from kBegin[phase] to
-// kBegin[phase + 1].
-constexpr double kBegin[] = { 0.0, 0.0, 0.0, 0.05, 0.2, 0.9, 0.9, 0.98, 1.0 };
+// kBegin[phase + 1]. Those that there are not are skipped.
+constexpr double kBegin[] = { 0.0, 0.05, 0.1, 0.14, 0.27, 0.85, 0.93, 0.98, 1.0 };
 static_assert(
   sizeof kBegin / sizeof *kBegin == ahd::kPhases + 1, "a beginning for each phase, and the end");
 

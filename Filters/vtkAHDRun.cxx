@@ -53,10 +53,11 @@ ahd::Status vtkAHDRun::Triangulate()
 ahd::Status vtkAHDRun::TakeSteps()
 {
   using Step = ahd::Status (vtkAHDRun::*)();
-  constexpr Step kSteps[] = { &vtkAHDRun::OpenPoints, &vtkAHDRun::Project, &vtkAHDRun::AddBounding,
-    &vtkAHDRun::Merge, &vtkAHDRun::ReadConstraints, &vtkAHDRun::Split, &vtkAHDRun::Insert,
-    &vtkAHDRun::MakeVoronoi, &vtkAHDRun::Constrain, &vtkAHDRun::WriteSurface,
-    &vtkAHDRun::DropByLength, &vtkAHDRun::AddArrays, &vtkAHDRun::WriteOrder };
+  constexpr Step kSteps[] = { &vtkAHDRun::OpenPoints, &vtkAHDRun::Project, &vtkAHDRun::Merge,
+    &vtkAHDRun::AddBounding, &vtkAHDRun::ReadConstraints, &vtkAHDRun::Split, &vtkAHDRun::Insert,
+    &vtkAHDRun::MakeVoronoi, &vtkAHDRun::Constrain, &vtkAHDRun::WritePoints,
+    &vtkAHDRun::WriteTriangles, &vtkAHDRun::DropByLength, &vtkAHDRun::AddArrays,
+    &vtkAHDRun::WriteOrder };
   ahd::Status status = ahd::Status::Ok;
   for (const Step step : kSteps)
   {
@@ -66,27 +67,6 @@ ahd::Status vtkAHDRun::TakeSteps()
     }
   }
   return status;
-}
-
-ahd::Status vtkAHDRun::OpenPoints()
-{
-  return this->Points.Open(this->Executor, this->Progress) ? ahd::Status::Ok
-                                                           : ahd::Status::Cancelled;
-}
-
-ahd::Status vtkAHDRun::Merge()
-{
-  return ahd::Status::Ok;
-}
-
-ahd::Status vtkAHDRun::ReadConstraints()
-{
-  return ahd::Status::Ok;
-}
-
-ahd::Status vtkAHDRun::Split()
-{
-  return ahd::Status::Ok;
 }
 
 ahd::Status vtkAHDRun::Insert()
@@ -101,6 +81,7 @@ ahd::Status vtkAHDRun::Insert()
   {
     return ahd::Status::Cancelled;
   }
+  this->DelaunayTriangles = this->Triangulator.report().triangles;
   return status;
 }
 
@@ -109,15 +90,10 @@ ahd::Status vtkAHDRun::MakeVoronoi()
   return ahd::Status::Ok;
 }
 
-ahd::Status vtkAHDRun::Constrain()
+ahd::Status vtkAHDRun::WriteTriangles()
 {
-  return ahd::Status::Ok;
-}
-
-ahd::Status vtkAHDRun::WriteSurface()
-{
-  return vtkAHDOutput::Write(
-    this->Triangulator, this->Input, this->Surface, this->Executor, this->Progress);
+  return vtkAHDOutput::WriteTriangles(
+    this->Triangulator, this->Surface, this->Executor, this->Progress);
 }
 
 ahd::Status vtkAHDRun::DropByLength()
@@ -127,11 +103,12 @@ ahd::Status vtkAHDRun::DropByLength()
 
 ahd::Status vtkAHDRun::AddArrays()
 {
+  this->AddCrossings();
   ahd::Status status = ahd::Status::Ok;
   if (this->Filter->GenerateFate)
   {
     status = vtkAHDOutput::AddFate(
-      this->Triangulator, this->Surface, this->Executor, this->Progress);
+      this->Triangulator, this->Merged, this->Surface, this->Executor, this->Progress);
   }
   if (status == ahd::Status::Ok && this->Filter->GenerateInsertionRank)
   {

@@ -2,14 +2,18 @@
 #ifndef vtkAHDRun_h
 #define vtkAHDRun_h
 
+#include "Engine/Merge.h"
 #include "Engine/Options.h"
 #include "Engine/Result.h"
 #include "Engine/Triangulate.h"
+#include "vtkAHDConstraints.h"
 #include "vtkAHDExecutor.h"
+#include "vtkAHDPointOutput.h"
 #include "vtkAHDProgress.h"
 #include "vtkAHDWorkingPoints.h"
 
 #include <cstddef>
+#include <vector>
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkInformationVector;
@@ -50,14 +54,15 @@ private:
   // std::bad_alloc.
   ahd::Status OpenPoints();      // Points: the input's, then the source's own
   ahd::Status Project();         // Points: moved into the plane of the triangulation
-  ahd::Status AddBounding();     // Points: the eight around all
   ahd::Status Merge();           // Points: those near to others are left out
+  ahd::Status AddBounding();     // Points: the eight around all
   ahd::Status ReadConstraints(); // what the source asks for, in the ids of Points
   ahd::Status Split();           // Points and constraints: crossings
   ahd::Status Insert();          // the Delaunay triangulation of Points, unconstrained
   ahd::Status MakeVoronoi();     // Voronoi
   ahd::Status Constrain();       // constraints become edges, loops drop triangles
-  ahd::Status WriteSurface();    // Surface: points, point data, triangles
+  ahd::Status WritePoints();     // Surface: points and their data
+  ahd::Status WriteTriangles();  // Surface: triangles
   ahd::Status DropByLength();    // Surface: triangles dropped by Alpha and MaximumEdgeLength
   ahd::Status AddArrays();       // Surface: arrays of points and cells, field data
   ahd::Status WriteOrder();      // Order
@@ -66,8 +71,16 @@ private:
   ahd::Options GetOptions() const;
   bool IsOrderWanted() const;
   bool IsProjected() const; // is the plane of the triangulation another than x, y?
+  bool HasConstraints() const;
+  vtkPolyData* GetSourceOfPoints() const;
+  std::size_t CountExpectedPoints() const;
   std::size_t EstimateBytes() const;
+  std::size_t EstimateSourceBytes(std::size_t count) const;
   void AddBoxesToEstimate(std::size_t boxes);
+  void KeepTimes();
+  void AddCounts();
+  void AddCrossings();
+  void WarnOfConstraints();
   void WarnOfNoTriangle();
   void WarnOfPlane();
 
@@ -81,8 +94,12 @@ private:
   vtkAHDWorkingPoints Points;
   vtkAHDProgress Progress;
   vtkAHDExecutor Executor;
-  vtkTypeInt64 Limit = 0;    // KiB
-  std::size_t MostBoxes = 0; // for which there is memory
+  std::vector<ahd::MergedPoint> Merged; // points that Tolerance left out
+  vtkAHDConstraints Constraints;
+  std::vector<vtkAHDCrossing> Crossings; // of the points added last
+  std::size_t DelaunayTriangles = 0;     // before constraints drop some
+  vtkTypeInt64 Limit = 0;                // KiB
+  std::size_t MostBoxes = 0;             // for which there is memory
   ahd::Report Report;
   vtkAHDWorkingPoints::Oddities Odd;
 };

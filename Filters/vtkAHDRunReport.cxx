@@ -12,23 +12,54 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <initializer_list>
+#include <utility>
 
-/// How many boxes there are shows only when the points are sorted; the rest is known before.
+namespace
+{
+/// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
+constexpr std::size_t kBytesToMerge = 140;
+}
+
+/// How many boxes there are shows only when the points are sorted, how many crossings when they are
+/// looked for; the rest is known before.
 std::size_t vtkAHDRun::EstimateBytes() const
 {
-  const std::size_t count = static_cast<std::size_t>(this->Points.GetCount());
+  const std::size_t count = this->CountExpectedPoints();
   const std::size_t limit = static_cast<std::size_t>(this->Filter->InsertionLimit);
   const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GenerateFate) +
     static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
   std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
-    vtkAHDOutput::EstimateBytes(count, idArrays);
-  if (this->Points.MustBeConverted() || this->IsProjected() || this->Filter->BoundingTriangulation)
-  {
-    bytes += vtkAHDWorkingPoints::EstimateBytes(count);
-  }
+    vtkAHDOutput::EstimateBytes(count, idArrays) + this->EstimateSourceBytes(count);
   if (this->IsOrderWanted())
   {
     bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count);
+  }
+  return bytes;
+}
+
+/// Of what constraints, tolerance and added points take.
+std::size_t vtkAHDRun::EstimateSourceBytes(std::size_t count) const
+{
+  const bool adds = count > static_cast<std::size_t>(this->Points.GetInputCount());
+  std::size_t bytes = 0;
+  if (adds || this->IsProjected() || this->Points.MustBeConverted())
+  {
+    bytes += vtkAHDWorkingPoints::EstimateBytes(count);
+  }
+  if (adds)
+  {
+    bytes += vtkAHDPointOutput::EstimateBytes(this->Input, count);
+  }
+  if (this->HasConstraints())
+  {
+    bytes += vtkAHDConstraints::EstimateBytes(this->Source) +
+      ahd::Triangulator::constraintMemoryEstimate(
+        count, vtkAHDConstraints::CountSegments(this->Source));
+  }
+  if (this->Filter->Tolerance > 0.0)
+  {
+    bytes += count * kBytesToMerge;
   }
   return bytes;
 }
@@ -53,7 +84,7 @@ bool vtkAHDRun::FitsInMemory()
   {
     vtkErrorWithObjectMacro(this->Filter,
       "Triangulating "
-        << this->Points.GetCount() << " points may take " << needed << " KiB of memory, but "
+        << this->CountExpectedPoints() << " points may take " << needed << " KiB of memory, but "
         << (isLimited ? "MemoryLimit allows " : "there are ") << this->Limit
         << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow "
            "more.");
@@ -103,23 +134,73 @@ void vtkAHDRun::Fail(ahd::Status status)
 void vtkAHDRun::KeepMeasures()
 {
   vtkAdaptiveHilbertDelaunay2D* filter = this->Filter;
+  const ahd::ConstraintReport& constraints = this->Triangulator.constraints();
   filter->NumberOfPointsInserted = static_cast<vtkIdType>(this->Report.inserted);
   filter->NumberOfDuplicates = static_cast<vtkIdType>(this->Report.duplicates);
   filter->NumberOfRejectedPoints = static_cast<vtkIdType>(this->Report.notFinite);
-  filter->NumberOfSkippedPoints = static_cast<vtkIdType>(this->Report.skipped);
+  filter->NumberOfSkippedPoints = static_cast<vtkIdType>(
+    this->Report.skipped - this->Merged.size());
   filter->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(this->Report.beyondLimit);
-  filter->NumberOfTriangles = static_cast<vtkIdType>(this->Report.triangles);
+  filter->NumberOfTriangles = this->Surface->GetNumberOfPolys();
+  filter->NumberOfMergedPoints = static_cast<vtkIdType>(this->Merged.size());
+  filter->NumberOfAddedPoints = this->Points.GetAddedCount();
+  filter->NumberOfConstraintEdges = static_cast<vtkIdType>(constraints.edges);
+  filter->NumberOfCrossings = static_cast<vtkIdType>(
+    filter->CrossingMode == vtkAdaptiveHilbertDelaunay2D::SPLIT ? this->Crossings.size()
+                                                                : constraints.crossing);
+  filter->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
+    constraints.withoutVertex + constraints.crossing);
+  filter->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
   if (filter->CountWork)
   {
     filter->NP = this->Report.np();
     filter->NR = this->Report.nr();
   }
-  filter->SortSeconds = this->Progress.GetSeconds(ahd::Phase::Read) +
-    this->Progress.GetSeconds(ahd::Phase::Sort);
-  filter->InsertSeconds = this->Progress.GetSeconds(ahd::Phase::Insert);
-  filter->OutputSeconds = this->Progress.GetSeconds(ahd::Phase::Extract) +
-    this->Progress.GetSeconds(ahd::Phase::Fates);
-  filter->NumberOfThreadsUsed = static_cast<int>(this->Executor.GetThreadsUsed());
+  this->KeepTimes();
+  this->AddCounts();
+}
+
+void vtkAHDRun::KeepTimes()
+{
+  const auto seconds = [this](std::initializer_list<ahd::Phase> phases)
+  {
+    double sum = 0.0;
+    for (const ahd::Phase phase : phases)
+    {
+      sum += this->Progress.GetSeconds(phase);
+    }
+    return sum;
+  };
+  using Phase = ahd::Phase;
+  this->Filter->SortSeconds = seconds({ Phase::Merge, Phase::Read, Phase::Sort });
+  this->Filter->InsertSeconds = seconds({ Phase::Insert });
+  this->Filter->ConstrainSeconds = seconds({ Phase::Split, Phase::Constrain });
+  this->Filter->OutputSeconds = seconds({ Phase::Extract, Phase::Fates });
+  this->Filter->NumberOfThreadsUsed = static_cast<int>(this->Executor.GetThreadsUsed());
+}
+
+/// Field data, with the names of the Get methods.
+void vtkAHDRun::AddCounts()
+{
+  const vtkAdaptiveHilbertDelaunay2D* f = this->Filter;
+  const std::pair<const char*, vtkIdType> counts[] = {
+    { "NumberOfPointsInserted", f->NumberOfPointsInserted },
+    { "NumberOfDuplicates", f->NumberOfDuplicates },
+    { "NumberOfRejectedPoints", f->NumberOfRejectedPoints },
+    { "NumberOfSkippedPoints", f->NumberOfSkippedPoints },
+    { "NumberOfPointsBeyondLimit", f->NumberOfPointsBeyondLimit },
+    { "NumberOfTriangles", f->NumberOfTriangles },
+    { "NumberOfMergedPoints", f->NumberOfMergedPoints },
+    { "NumberOfAddedPoints", f->NumberOfAddedPoints },
+    { "NumberOfConstraintEdges", f->NumberOfConstraintEdges },
+    { "NumberOfCrossings", f->NumberOfCrossings },
+    { "NumberOfConstraintsLeftOut", f->NumberOfConstraintsLeftOut },
+    { "NumberOfUnfilledLoops", f->NumberOfUnfilledLoops },
+  };
+  for (const auto& count : counts)
+  {
+    vtkAHDOutput::AddCount(this->Surface, count.first, count.second);
+  }
 }
 
 void vtkAHDRun::Warn()
@@ -148,10 +229,17 @@ void vtkAHDRun::Warn()
          << " points have a z that is NaN or infinite. They are part of the triangulation, which "
             "is computed in x and y, but cannot be drawn.");
   }
-  if (this->Report.triangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
+  if (this->DelaunayTriangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
   {
     this->WarnOfNoTriangle();
   }
+  if (this->DelaunayTriangles > 0 && this->Report.triangles == 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "There is no triangle, because the polygons of the source keep none of the "
+        << this->DelaunayTriangles << " triangles (see FillRule).");
+  }
+  this->WarnOfConstraints();
 }
 
 void vtkAHDRun::WarnOfNoTriangle()

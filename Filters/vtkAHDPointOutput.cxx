@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkAHDPointOutput.h"
+
+#include "vtkAHDArray.h"
+#include "vtkAHDLoop.h"
+#include "vtkAHDWorkingPoints.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace
+{
+/// Tuples copied between two looks at whether the filter is to abort.
+constexpr vtkIdType kPiece = vtkIdType(1) << 14;
+
+/// Copies the tuples [0, count) of `from` to `first` and following. Returns false if the filter is
+/// to abort.
+bool CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAbstractArray* from,
+  vtkAHDProgress& progress)
+{
+  for (vtkIdType i = 0; i < count; i += kPiece)
+  {
+    if (progress.MustAbort())
+    {
+      return false;
+    }
+    array->InsertTuples(first + i, std::min(kPiece, count - i), i, from);
+  }
+  return true;
+}
+
+/// Sets the tuples [first, end) to NaN, or to 0 where that cannot be had.
+bool Clear(vtkAbstractArray* array, vtkIdType first, vtkIdType end, vtkAHDProgress& progress)
+{
+  auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+  if (!numbers) // strings and the like: they are empty from the beginning
+  {
+    return true;
+  }
+  const int type = numbers->GetDataType();
+  const double value = type == VTK_FLOAT || type == VTK_DOUBLE
+    ? std::numeric_limits<double>::quiet_NaN()
+    : 0.0;
+  for (vtkIdType i = first; i < end; ++i)
+  {
+    if ((i - first) % kPiece == 0 && progress.MustAbort())
+    {
+      return false;
+    }
+    for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
+    {
+      numbers->SetComponent(i, c, value);
+    }
+  }
+  return true;
+}
+
+/// Can values of `from` be put into `array`?
+bool Fit(vtkAbstractArray* array, vtkAbstractArray* from)
+{
+  const bool numbers = vtkArrayDownCast<vtkDataArray>(array) &&
+    vtkArrayDownCast<vtkDataArray>(from);
+  return from && (numbers || array->GetDataType() == from->GetDataType()) &&
+    array->GetNumberOfComponents() == from->GetNumberOfComponents();
+}
+
+bool IsGhostArray(vtkAbstractArray* array)
+{
+  const char* name = array->GetName();
+  return name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
+}
+}
+
+vtkAHDPointOutput::vtkAHDPointOutput(vtkPointSet* input, vtkPointSet* source,
+  const vtkAHDWorkingPoints& points, bool projected, const std::vector<vtkAHDCrossing>& crossings)
+  : Input(input)
+  , Source(source)
+  , Points(points)
+  , Projected(projected)
+  , Crossings(crossings)
+  , SourceCount(source ? source->GetNumberOfPoints() : 0)
+  , FirstCrossing(points.GetCount() - static_cast<vtkIdType>(crossings.size()))
+{
+}
+
+std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t pointCount)
+{
+  std::size_t perPoint = 3 * sizeof(double);
+  vtkPointData* data = input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const int components = std::max(1, array->GetNumberOfComponents());
+    const int bytes = array->IsNumeric() ? array->GetDataTypeSize() : 32; // an empty string
+    perPoint += static_cast<std::size_t>(components) * static_cast<std::size_t>(std::max(1, bytes));
+  }
+  return pointCount * perPoint;
+}
+
+ahd::Status vtkAHDPointOutput::Write(
+  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const
+{
+  const bool all = this->WritePoints(output, executor, progress) &&
+    this->WriteData(output->GetPointData(), progress);
+  return all ? ahd::Status::Ok : ahd::Status::Cancelled;
+}
+
+bool vtkAHDPointOutput::WritePoints(
+  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const
+{
+  const vtkIdType inputCount = this->Points.GetInputCount();
+  const vtkIdType count = this->Points.GetCount();
+  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * count);
+  coordinates->SetNumberOfComponents(3);
+  double* xyz = coordinates->GetPointer(0);
+  const bool moved = this->Projected;
+  const bool all = vtkAHDLoop(static_cast<std::size_t>(this->FirstCrossing), executor, progress,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t k = begin; k < end; ++k)
+      {
+        const vtkIdType i = static_cast<vtkIdType>(k);
+        if (moved && i < inputCount)
+        {
+          this->Input->GetPoints()->GetPoint(i, xyz + 3 * i);
+        }
+        else if (moved && i - inputCount < this->SourceCount)
+        {
+          this->Source->GetPoints()->GetPoint(i - inputCount, xyz + 3 * i);
+        }
+        else
+        {
+          const std::array<double, 3> p = this->Points.GetPoint(k);
+          std::copy(p.begin(), p.end(), xyz + 3 * i);
+        }
+      }
+    });
+  // Crossings last, as they may need all others.
+  for (std::size_t k = 0; k < this->Crossings.size(); ++k)
+  {
+    const vtkIdType i = this->FirstCrossing + static_cast<vtkIdType>(k);
+    const std::array<double, 3> place = this->Points.GetPoint(static_cast<std::size_t>(i));
+    for (vtkIdType c = 0; c < 3; ++c)
+    {
+      const auto value = [xyz, c](vtkIdType id) { return xyz[3 * id + c]; };
+      xyz[3 * i + c] = moved ? vtkAHDInterpolate(this->Crossings[k], value)
+                             : place[static_cast<std::size_t>(c)];
+    }
+  }
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  output->SetPoints(points);
+  return all;
+}
+
+bool vtkAHDPointOutput::WriteData(vtkPointData* output, vtkAHDProgress& progress) const
+{
+  vtkPointData* input = this->Input->GetPointData();
+  vtkNew<vtkPointData> data;
+  data->CopyAllOn(); // which of them are scalars, ids, normals ...
+  data->CopyAllocate(input, this->Points.GetCount());
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    array->SetNumberOfTuples(this->Points.GetCount());
+    if (!this->WriteArray(array, input->GetAbstractArray(i), progress))
+    {
+      return false;
+    }
+  }
+  output->ShallowCopy(data);
+  return true;
+}
+
+bool vtkAHDPointOutput::WriteArray(
+  vtkAbstractArray* array, vtkAbstractArray* from, vtkAHDProgress& progress) const
+{
+  const vtkIdType count = this->Points.GetCount();
+  const vtkIdType inputCount = this->Points.GetInputCount();
+  const vtkIdType given = std::min(inputCount, from->GetNumberOfTuples());
+  if (!CopyTuples(array, 0, given, from, progress) || !Clear(array, given, count, progress))
+  {
+    return false;
+  }
+  if (IsGhostArray(array))
+  {
+    return true;
+  }
+  vtkAbstractArray* more = this->Source && array->GetName()
+    ? this->Source->GetPointData()->GetAbstractArray(array->GetName())
+    : nullptr;
+  if (Fit(array, more) &&
+    !CopyTuples(
+      array, inputCount, std::min(this->SourceCount, more->GetNumberOfTuples()), more, progress))
+  {
+    return false;
+  }
+  auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+  return !numbers || this->Interpolate(numbers, progress);
+}
+
+bool vtkAHDPointOutput::Interpolate(vtkDataArray* array, vtkAHDProgress& progress) const
+{
+  const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  for (std::size_t k = 0; k < this->Crossings.size(); ++k)
+  {
+    if (k % kPiece == 0 && progress.MustAbort())
+    {
+      return false;
+    }
+    const vtkIdType i = this->FirstCrossing + static_cast<vtkIdType>(k);
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      const double value = vtkAHDInterpolate(
+        this->Crossings[k], [array, c](vtkIdType id) { return array->GetComponent(id, c); });
+      array->SetComponent(i, c, whole ? std::round(value) : value);
+    }
+  }
+  return true;
+}

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The steps of an execution that deal with constraints, and with points near each other.
+#include "vtkAHDRun.h"
+
+#include "Engine/Merge.h"
+#include "vtkAHDLoop.h"
+#include "vtkAHDPointOutput.h"
+#include "vtkAdaptiveHilbertDelaunay2D.h"
+
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+/// The source whose own points are triangulated; null if there is none.
+vtkPolyData* vtkAHDRun::GetSourceOfPoints() const
+{
+  const bool wanted = this->Source && this->Source->GetPoints() &&
+    this->Source->GetNumberOfPoints() > 0 &&
+    this->Filter->SourceMode == vtkAdaptiveHilbertDelaunay2D::SOURCE_COORDINATES;
+  return wanted ? this->Source : nullptr;
+}
+
+bool vtkAHDRun::HasConstraints() const
+{
+  return vtkAHDConstraints::CountSegments(this->Source) > 0;
+}
+
+/// Points known before the work begins.
+std::size_t vtkAHDRun::CountExpectedPoints() const
+{
+  const vtkPolyData* source = this->GetSourceOfPoints();
+  const vtkIdType added = (source ? this->Source->GetNumberOfPoints() : 0) +
+    (this->Filter->BoundingTriangulation ? 8 : 0);
+  return static_cast<std::size_t>(
+    std::max(this->Points.GetCount(), this->Points.GetInputCount() + added));
+}
+
+ahd::Status vtkAHDRun::OpenPoints()
+{
+  bool all = this->Points.Open(this->Executor, this->Progress);
+  vtkPolyData* source = this->GetSourceOfPoints();
+  if (all && source)
+  {
+    all = this->Points.Copy(this->Executor, this->Progress);
+    const std::size_t count = static_cast<std::size_t>(source->GetNumberOfPoints());
+    double* xyz = this->Points.Add(count);
+    vtkPoints* points = source->GetPoints();
+    all = all &&
+      vtkAHDLoop(count, this->Executor, this->Progress,
+        [points, xyz](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            points->GetPoint(static_cast<vtkIdType>(i), xyz + 3 * i);
+          }
+        });
+  }
+  return all ? ahd::Status::Ok : ahd::Status::Cancelled;
+}
+
+ahd::Status vtkAHDRun::Merge()
+{
+  const double tolerance = this->Filter->Tolerance;
+  if (tolerance == 0.0)
+  {
+    return ahd::Status::Ok;
+  }
+  ahd::Bounds box;
+  if (!this->Points.FindBounds(this->Executor, this->Progress, box))
+  {
+    return ahd::Status::Cancelled;
+  }
+  // By halves: the difference of two finite numbers may be none.
+  const double half = std::hypot(0.5 * box.xmax - 0.5 * box.xmin, 0.5 * box.ymax - 0.5 * box.ymin);
+  ahd::MergedPoints merged;
+  const ahd::Status status = ahd::mergeWithin(
+    this->Points.View(), 2.0 * (half * tolerance), &this->Progress, merged);
+  this->Progress.Finish();
+  if (status == ahd::Status::Ok && !merged.pairs.empty())
+  {
+    this->Points.SetSkipped(std::move(merged.skip));
+    this->Merged = std::move(merged.pairs);
+  }
+  return status;
+}
+
+ahd::Status vtkAHDRun::ReadConstraints()
+{
+  if (!this->HasConstraints())
+  {
+    return ahd::Status::Ok;
+  }
+  this->Progress.beginPhase(ahd::Phase::Split); // for the time it takes
+  const bool added = this->GetSourceOfPoints() != nullptr;
+  const bool own = this->Filter->SourceMode == vtkAdaptiveHilbertDelaunay2D::SOURCE_IDS;
+  const vtkIdType firstId = own ? 0 : this->Points.GetInputCount();
+  const vtkIdType idCount = own ? this->Points.GetInputCount()
+    : added                     ? this->Source->GetNumberOfPoints()
+                                : 0;
+  const bool all = this->Constraints.Read(this->Source, firstId, idCount, this->Progress) &&
+    this->Constraints.Follow(this->Merged, this->Progress);
+  this->Progress.Finish();
+  return all ? ahd::Status::Ok : ahd::Status::Cancelled;
+}
+
+ahd::Status vtkAHDRun::Split()
+{
+  return ahd::Status::Ok;
+}
+
+ahd::Status vtkAHDRun::Constrain()
+{
+  if (this->Constraints.IsEmpty())
+  {
+    return ahd::Status::Ok;
+  }
+  const ahd::Status status = this->Triangulator.constrain(
+    this->Constraints.View(), static_cast<ahd::FillRule>(this->Filter->FillRule), &this->Progress);
+  this->Progress.Finish();
+  return status;
+}
+
+ahd::Status vtkAHDRun::WritePoints()
+{
+  if (this->Points.GetAddedCount() > 0)
+  {
+    const vtkAHDPointOutput points(
+      this->Input, this->GetSourceOfPoints(), this->Points, this->IsProjected(), this->Crossings);
+    return points.Write(this->Surface, this->Executor, this->Progress);
+  }
+  this->Surface->SetPoints(this->Input->GetPoints());
+  this->Surface->GetPointData()->PassData(this->Input->GetPointData());
+  return ahd::Status::Ok;
+}
+
+/// Adds the field data array "Crossings", if there are any.
+void vtkAHDRun::AddCrossings()
+{
+  constexpr std::size_t kMostRows = 1000;
+  const std::vector<ahd::LeftOut>& leftOut = this->Triangulator.constraints().leftOut;
+  if (leftOut.empty())
+  {
+    return;
+  }
+  vtkNew<vtkIdTypeArray> rows;
+  rows->SetName("Crossings");
+  rows->SetNumberOfComponents(2);
+  const std::size_t count = std::min(kMostRows, leftOut.size());
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    rows->InsertNextValue(this->Constraints.GetCell(leftOut[i].chain));
+    rows->InsertNextValue(this->Constraints.GetCell(leftOut[i].otherChain));
+  }
+  this->Surface->GetFieldData()->AddArray(rows);
+}
+
+void vtkAHDRun::WarnOfConstraints()
+{
+  const ahd::ConstraintReport& report = this->Triangulator.constraints();
+  const vtkAHDConstraints::UnfitIds& unfit = this->Constraints.GetUnfitIds();
+  std::ostringstream loops;
+  if (report.unfilledLoops > 0)
+  {
+    loops << " " << report.unfilledLoops
+          << (report.unfilledLoops == 1 ? " polygon bounds" : " polygons bound")
+          << " nothing, since a segment is missing.";
+  }
+  if (report.crossing > 0)
+  {
+    const ahd::LeftOut& first = report.leftOut[0];
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << report.crossing << " of " << report.segments
+         << " segments of the source were left out, since they cross others that come before "
+            "them; the first is in cell "
+         << this->Constraints.GetCell(first.chain) << " and crosses cell "
+         << this->Constraints.GetCell(first.otherChain) << "." << loops.str());
+    loops.str("");
+  }
+  if (unfit.Count > 0)
+  {
+    const bool own = this->Filter->SourceMode == vtkAdaptiveHilbertDelaunay2D::SOURCE_IDS;
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << report.withoutVertex << " of " << report.segments
+         << " segments of the source are no constraints: " << unfit.Count
+         << " ids in its cells are not those of points, the first is " << unfit.FirstId
+         << " in cell " << unfit.FirstCell << ". They refer to the points of "
+         << (own ? "the input (see SourceMode)." : "the source.") << loops.str());
+  }
+  else if (report.withoutVertex > 0 && this->DelaunayTriangles > 0)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "" << report.withoutVertex << " of " << report.segments
+         << " segments of the source are no constraints, since an end of theirs is a point that "
+            "was rejected, is skipped or lies beyond InsertionLimit."
+         << loops.str());
+  }
+}
