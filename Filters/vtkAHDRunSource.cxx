@@ -39,7 +39,7 @@ std::size_t vtkAHDRun::CountExpectedPoints() const
 {
   const vtkPolyData* source = this->GetSourceOfPoints();
   const vtkIdType added = (source ? this->Source->GetNumberOfPoints() : 0) +
-    (this->Filter->BoundingTriangulation ? 8 : 0);
+    (this->Filter->BoundingTriangulation && !this->IsProjected() ? 8 : 0);
   return static_cast<std::size_t>(
     std::max(this->Points.GetCount(), this->Points.GetInputCount() + added));
 }
