@@ -1,10 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CavityFiller.h"
 
+#include "../Chunks.h"
+
 #include <algorithm>
 
 namespace ahd
 {
+
+template <typename Visit>
+bool CavityFiller::eachEdge(const Side& side, Visit visit)
+{
+  return inChunks(0, side.old.size(), ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t p = a; p != b; ++p)
+      {
+        visit(p);
+      }
+    });
+}
+
+template <typename Visit>
+bool CavityFiller::eachSlot(Visit visit)
+{
+  return inChunks(0, slots_.size(), ticker_,
+    [&](std::size_t a, std::size_t b)
+    { std::for_each(slots_.data() + a, slots_.data() + b, visit); });
+}
 
 void CavityFiller::Side::clear()
 {
@@ -25,7 +48,7 @@ void CavityFiller::Side::add(Index corner, Mesh::Halfedge edge)
 ///   from      apex
 ///      \    /
 ///       right
-void CavityFiller::collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count)
+bool CavityFiller::collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count)
 {
   right_.clear();
   left_.clear();
@@ -46,21 +69,25 @@ void CavityFiller::collect(Index from, Index to, const Mesh::Halfedge* crossed, 
     {
       left_.add(mesh_.apex(ahead), Mesh::previous(ahead));
     }
+    if (!ticker_.step())
+    {
+      return false;
+    }
   }
   right_.corners.push_back(to);
   // From `to` back to `from`: corner p is where edge p begins.
   std::reverse(left_.corners.begin(), left_.corners.end());
   std::reverse(left_.old.begin(), left_.old.end());
   left_.corners.push_back(from);
+  return true;
 }
 
-void CavityFiller::lookBeyond(Side& side)
+bool CavityFiller::lookBeyond(Side& side)
 {
-  const std::size_t edges = side.old.size();
-  side.beyond.resize(edges);
-  side.flags.resize(edges);
+  side.beyond.resize(side.old.size());
+  side.flags.resize(side.old.size());
   bool anyHanging = false;
-  for (std::size_t p = 0; p < edges; ++p)
+  const auto look = [&](std::size_t p)
   {
     const Mesh::Halfedge h = side.old[p];
     side.beyond[p] = mesh_.twin(h);
@@ -68,52 +95,47 @@ void CavityFiller::lookBeyond(Side& side)
     side.flags[p] = static_cast<std::uint8_t>(
       (mesh_.isConstrained(h) ? kConstrained : 0) | (hangs ? kHanging : 0));
     anyHanging = anyHanging || hangs;
-  }
-  if (!anyHanging)
+  };
+  if (!eachEdge(side, look) || !anyHanging)
   {
-    return;
+    return !ticker_.cancelled();
   }
-  // Twins in place of places: what goes needs its links no more.
-  for (std::size_t p = 0; p < edges; ++p)
+  // Places instead of twins: what goes needs its links no more.
+  const auto writePlace = [&](std::size_t p)
   {
     if ((side.flags[p] & kHanging) != 0)
     {
       mesh_.data()[side.old[p] + Mesh::kTwin] = static_cast<std::uint32_t>(p);
     }
-  }
-  for (std::size_t p = 0; p < edges; ++p)
+  };
+  const auto readPlace = [&](std::size_t p)
   {
     if ((side.flags[p] & kHanging) != 0)
     {
       side.beyond[p] = mesh_.data()[side.beyond[p] + Mesh::kTwin];
     }
-  }
+  };
+  return eachEdge(side, writePlace) && eachEdge(side, readPlace);
 }
 
 bool CavityFiller::fillSide(Side& side, const Mesh::Slot* slots)
 {
-  if (!filler_.fill(side.corners, slots))
-  {
-    return false;
-  }
-  for (std::size_t p = 0; p < side.old.size(); ++p)
-  {
-    side.old[p] = filler_.inner(p);
-  }
-  return true;
+  return filler_.fill(side.corners, slots) &&
+    eachEdge(side, [&](std::size_t p) { side.old[p] = filler_.inner(p); });
 }
 
-void CavityFiller::join(Side& side)
+bool CavityFiller::join(Side& side)
 {
-  for (std::size_t p = 0; p < side.old.size(); ++p)
-  {
-    const bool hangs = (side.flags[p] & kHanging) != 0;
-    mesh_.link(side.old[p], hangs ? side.old[side.beyond[p]] : side.beyond[p]);
-    if ((side.flags[p] & kConstrained) != 0)
+  return eachEdge(side,
+    [&](std::size_t p)
     {
-      mesh_.constrain(side.old[p]);
-    }
-  }
+      const bool hangs = (side.flags[p] & kHanging) != 0;
+      mesh_.link(side.old[p], hangs ? side.old[side.beyond[p]] : side.beyond[p]);
+      if ((side.flags[p] & kConstrained) != 0)
+      {
+        mesh_.constrain(side.old[p]);
+      }
+    });
 }
 
 /// The same as fill() for a segment that crosses one edge, as most short ones do.
@@ -165,31 +187,27 @@ bool CavityFiller::fill(Index from, Index to, const Mesh::Halfedge* crossed, std
     flip(crossed[0]);
     return true;
   }
-  collect(from, to, crossed, count);
-  for (const Mesh::Slot slot : slots_)
-  {
-    mesh_.marks(slot) |= kInCavity;
-  }
-  lookBeyond(right_);
-  lookBeyond(left_);
-  const std::size_t onRight = right_.corners.size() - 2;
-  if (!fillSide(right_, slots_.data()))
+  const auto mark = [this](Mesh::Slot slot) { mesh_.marks(slot) |= kInCavity; };
+  if (!collect(from, to, crossed, count) || !eachSlot(mark) || !lookBeyond(right_) ||
+    !lookBeyond(left_) || !fillSide(right_, slots_.data()))
   {
     return false;
   }
   const Mesh::Halfedge back = filler_.inner(right_.corners.size() - 1);
-  if (!fillSide(left_, slots_.data() + onRight))
+  if (!fillSide(left_, slots_.data() + right_.corners.size() - 2))
   {
     return false;
   }
   made_ = filler_.inner(left_.corners.size() - 1);
-  for (const Mesh::Slot slot : slots_)
+  const auto renew = [this](Mesh::Slot slot)
   {
     mesh_.marks(slot) = 0;
     mesh_.setCorners(slot);
+  };
+  if (!eachSlot(renew) || !join(right_) || !join(left_))
+  {
+    return false;
   }
-  join(right_);
-  join(left_);
   mesh_.link(made_, back);
   return true;
 }

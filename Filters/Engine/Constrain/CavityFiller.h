@@ -18,6 +18,7 @@ class CavityFiller
 public:
   CavityFiller(ConstrainedMesh& mesh, Ticker& ticker)
     : mesh_(mesh)
+    , ticker_(ticker)
     , filler_(mesh.data(), mesh.places(), ticker)
   {
   }
@@ -48,13 +49,18 @@ private:
     kHanging = 2 ///< both triangles of the edge go: it hangs into the polygon
   };
 
+  template <typename Visit>
+  bool eachEdge(const Side& side, Visit visit);
+  template <typename Visit>
+  bool eachSlot(Visit visit);
   void flip(Mesh::Halfedge crossed);
-  void collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
-  void lookBeyond(Side& side);
+  bool collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
+  bool lookBeyond(Side& side);
   bool fillSide(Side& side, const Mesh::Slot* slots);
-  void join(Side& side);
+  bool join(Side& side);
 
   ConstrainedMesh& mesh_;
+  Ticker& ticker_;
   PolygonFiller filler_;
   Side right_, left_;
   std::vector<Mesh::Slot> slots_;

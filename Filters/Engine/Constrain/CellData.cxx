@@ -12,51 +12,65 @@
 namespace ahd
 {
 
+namespace
+{
+
+/// An edge from a vertex, by its other end.
+using Spoke = std::pair<Index, Mesh::Halfedge>;
+
+/// The edges with which the triangles begin that have the vertex as their lowest corner and are not
+/// dropped, by the corner that follows.
+bool findSpokes(
+  const ConstrainedMesh& mesh, Index vertex, Ticker& ticker, std::vector<Spoke>& spokes)
+{
+  spokes.clear();
+  const Mesh::Halfedge start = mesh.outgoing(vertex);
+  Mesh::Halfedge h = start;
+  do
+  {
+    const Index next = mesh.destination(h), third = mesh.apex(h);
+    if (vertex < next && vertex < third && std::max(next, third) != mesh.ghost() &&
+      (mesh.marks(h) & kDropped) == 0)
+    {
+      spokes.emplace_back(next, h);
+    }
+    h = mesh.nextAround(h);
+    if (!ticker.step())
+    {
+      return false;
+    }
+  } while (h != start);
+  return sortAsking(spokes, ticker, std::less<>());
+}
+
+} // namespace
+
 /// The order of the output is that of the lowest corner, then of the next one counterclockwise: so
 /// the triangles are met vertex after vertex, and few have to be sorted at each.
 bool CellData::begin(const ConstrainedMesh& mesh, std::size_t triangles, Ticker& ticker)
 {
   first_.allocate(triangles);
   number_.allocate(mesh.triangles());
-  std::fill(number_.begin(), number_.end(), kNoIndex);
-  std::vector<std::pair<Index, Mesh::Halfedge>> around;
-  std::uint32_t count = 0;
-  for (Index v = 0; v != mesh.ghost(); ++v)
+  const auto clear = [this](std::size_t a, std::size_t b)
+  { std::fill(number_.data() + a, number_.data() + b, kNoIndex); };
+  if (!inChunks(0, number_.size(), ticker, clear))
   {
-    if (!ticker.step())
+    return false;
+  }
+  std::vector<Spoke> spokes;
+  std::uint32_t count = 0;
+  for (Index vertex = 0; vertex != mesh.ghost(); ++vertex)
+  {
+    if (!ticker.step() || (mesh.isInMesh(vertex) && !findSpokes(mesh, vertex, ticker, spokes)))
     {
       return false;
     }
-    if (!mesh.isInMesh(v))
+    for (const Spoke& spoke : spokes)
     {
-      continue;
+      number_[spoke.second / Mesh::kSlotSize] = count;
+      first_[count++] = spoke.second;
     }
-    around.clear();
-    const Mesh::Halfedge start = mesh.outgoing(v);
-    Mesh::Halfedge h = start;
-    do
-    {
-      const Index next = mesh.destination(h), third = mesh.apex(h);
-      if (v < next && v < third && std::max(next, third) != mesh.ghost() &&
-        (mesh.marks(h) & kDropped) == 0)
-      {
-        around.emplace_back(next, h);
-      }
-      h = mesh.nextAround(h);
-      if (!ticker.step())
-      {
-        return false;
-      }
-    } while (h != start);
-    if (!sortAsking(around, ticker, std::less<>()))
-    {
-      return false;
-    }
-    for (const auto& found : around)
-    {
-      number_[found.second / Mesh::kSlotSize] = count;
-      first_[count++] = found.second;
-    }
+    spokes.clear();
   }
   return true;
 }
@@ -102,7 +116,11 @@ bool CellData::writeConstraintEdges(
 bool CellData::writeRegions(const ConstrainedMesh& mesh, std::int64_t* out, Ticker& ticker) const
 {
   constexpr std::int64_t kNone = -1;
-  std::fill(out, out + first_.size(), kNone);
+  const auto clear = [=](std::size_t a, std::size_t b) { std::fill(out + a, out + b, kNone); };
+  if (!inChunks(0, first_.size(), ticker, clear))
+  {
+    return false;
+  }
   std::vector<std::uint32_t> region;
   std::int64_t regions = 0;
   for (std::size_t start = 0; start < first_.size(); ++start)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolygonFiller.h"
 
+#include "../Chunks.h"
 #include "../Predicates/Predicates.h"
 
 #include <utility>
@@ -113,35 +114,18 @@ std::uint32_t PolygonFiller::random(std::uint32_t below)
 /// A random order of the corners, from the last to the first, each taken out of the polygon: but
 /// never one that is nearer to the base than both its neighbours, as the polygon without it might
 /// reach across the base. The distances are rounded; where that misleads, insertAll() says so.
-void PolygonFiller::chooseOrder()
+bool PolygonFiller::chooseOrder()
 {
-  const std::vector<Index>& at = *corners_;
-  const std::uint32_t last = static_cast<std::uint32_t>(at.size() - 1);
-  const Point& from = xy_[at[last]];
-  const Point& to = xy_[at[0]];
-  next_.resize(at.size());
-  previous_.resize(at.size());
-  distance_.assign(at.size(), 0.0);
-  order_.resize(at.size());
-  for (std::uint32_t i = 0; i <= last; ++i)
-  {
-    next_[i] = i + 1;
-    previous_[i] = i - 1;
-    order_[i] = i;
-    const Point& p = xy_[at[i]];
-    if (i != 0 && i != last)
-    {
-      distance_[i] = (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
-    }
-  }
+  const std::uint32_t last = static_cast<std::uint32_t>(corners_->size() - 1);
   random_ = last;
   for (std::uint32_t i = last - 1; i > 1; --i)
   {
     std::swap(order_[i], order_[1 + random(i)]);
+    cancelled_ = cancelled_ || !ticker_.step();
   }
   const auto isNearest = [this](std::uint32_t i)
   { return distance_[i] < distance_[previous_[i]] && distance_[i] < distance_[next_[i]]; };
-  for (std::uint32_t i = last - 1; i > 1; --i)
+  for (std::uint32_t i = last - 1; i > 1 && !cancelled_; --i)
   {
     while (isNearest(order_[i]))
     {
@@ -150,13 +134,46 @@ void PolygonFiller::chooseOrder()
     const std::uint32_t taken = order_[i];
     next_[previous_[taken]] = next_[taken];
     previous_[next_[taken]] = previous_[taken];
+    cancelled_ = !ticker_.step();
   }
+  return !cancelled_;
+}
+
+/// The corners in a ring, and how far each is from the base.
+bool PolygonFiller::makeRing()
+{
+  const std::vector<Index>& at = *corners_;
+  const std::size_t last = at.size() - 1;
+  const Point& from = xy_[at[last]];
+  const Point& to = xy_[at[0]];
+  next_.resize(at.size());
+  previous_.resize(at.size());
+  order_.resize(at.size());
+  distance_.resize(at.size());
+  const auto set = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t i = begin; i != end; ++i)
+    {
+      next_[i] = static_cast<std::uint32_t>(i + 1);
+      previous_[i] = static_cast<std::uint32_t>(i - 1);
+      order_[i] = static_cast<std::uint32_t>(i);
+      const Point& p = xy_[at[i]];
+      const bool isOnBase = i == 0 || i == last;
+      distance_[i] = isOnBase ? 0.0
+                              : (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
+    }
+  };
+  cancelled_ = !inChunks(0, at.size(), ticker_, set);
+  return !cancelled_;
 }
 
 /// Returns false if it did not succeed, or was cancelled.
 bool PolygonFiller::insertAll()
 {
-  chooseOrder();
+  if (!makeRing() || !chooseOrder())
+  {
+    return false;
+  }
   const std::uint32_t last = static_cast<std::uint32_t>(corners_->size() - 1);
   inner_[0] = border(last); // what is behind the edge from the first corner to the last
   for (std::uint32_t i = 1; i < last; ++i)

@@ -61,7 +61,8 @@ private:
   Mesh::Slot place(Index a, Index b, Index c);
   bool cutEars();
   bool insertAll();
-  void chooseOrder();
+  bool makeRing();
+  bool chooseOrder();
   bool insert(std::uint32_t corner);
   bool belongsToHole(const HoleEdge& edge, Index vertex) const;
   bool makeDelaunay();
