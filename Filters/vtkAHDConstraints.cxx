@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
@@ -108,6 +109,23 @@ bool vtkAHDConstraints::Follow(
     }
   }
   return true;
+}
+
+void vtkAHDConstraints::Replace(
+  std::vector<std::int64_t>&& ids, std::vector<std::int64_t>&& offsets)
+{
+  this->Ids = std::move(ids);
+  this->Offsets = std::move(offsets);
+}
+
+std::array<vtkIdType, 2> vtkAHDConstraints::GetEnds(std::size_t chain, std::size_t segment) const
+{
+  const std::size_t begin = static_cast<std::size_t>(this->Offsets[chain]);
+  const std::size_t end = static_cast<std::size_t>(this->Offsets[chain + 1]);
+  const std::size_t first = begin + segment;
+  const std::size_t second = first + 1 < end ? first + 1 : begin; // of a loop
+  return { { static_cast<vtkIdType>(this->Ids[first]),
+    static_cast<vtkIdType>(this->Ids[second]) } };
 }
 
 ahd::ConstraintView vtkAHDConstraints::View() const

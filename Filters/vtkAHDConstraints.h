@@ -6,6 +6,7 @@
 #include "Engine/Merge.h"
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -44,6 +45,15 @@ public:
   /// Puts for each point that was merged the one that was kept. Returns false if the filter is to
   /// abort.
   bool Follow(const std::vector<ahd::MergedPoint>& merged, const vtkAHDProgress& progress);
+
+  /// Puts other chains for these, as many and of the same kinds.
+  void Replace(std::vector<std::int64_t>&& ids, std::vector<std::int64_t>&& offsets);
+
+  /// The ids at the ends of a segment. REQUIRES: there is such a segment.
+  std::array<vtkIdType, 2> GetEnds(std::size_t chain, std::size_t segment) const;
+
+  /// The segments, at most.
+  std::size_t GetSegmentCount() const { return this->Ids.size(); }
 
   /// The chains. Good until this changes.
   ahd::ConstraintView View() const;

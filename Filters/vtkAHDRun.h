@@ -2,6 +2,7 @@
 #ifndef vtkAHDRun_h
 #define vtkAHDRun_h
 
+#include "Engine/Crossings.h"
 #include "Engine/Merge.h"
 #include "Engine/Options.h"
 #include "Engine/Result.h"
@@ -12,6 +13,7 @@
 #include "vtkAHDProgress.h"
 #include "vtkAHDWorkingPoints.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -80,6 +82,7 @@ private:
   void KeepTimes();
   void AddCounts();
   void AddCrossings();
+  void AddSplitPoints(const std::vector<ahd::CrossingPoint>& points);
   void WarnOfConstraints();
   void WarnOfNoTriangle();
   void WarnOfPlane();
@@ -96,10 +99,11 @@ private:
   vtkAHDExecutor Executor;
   std::vector<ahd::MergedPoint> Merged; // points that Tolerance left out
   vtkAHDConstraints Constraints;
-  std::vector<vtkAHDCrossing> Crossings; // of the points added last
-  std::size_t DelaunayTriangles = 0;     // before constraints drop some
-  vtkTypeInt64 Limit = 0;                // KiB
-  std::size_t MostBoxes = 0;             // for which there is memory
+  std::vector<vtkAHDCrossing> Crossings;               // of the points added last
+  std::vector<std::array<vtkIdType, 2>> CrossingCells; // of the source: the later, the earlier
+  std::size_t DelaunayTriangles = 0;                   // before constraints drop some
+  vtkTypeInt64 Limit = 0;                              // KiB
+  std::size_t MostBoxes = 0;                           // for which there is memory
   ahd::Report Report;
   vtkAHDWorkingPoints::Oddities Odd;
 };

@@ -13,12 +13,15 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <string>
 #include <utility>
 
 namespace
 {
 /// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
 constexpr std::size_t kBytesToMerge = 140;
+/// splitAtCrossings's, for each segment.
+constexpr std::size_t kBytesToSplit = 400;
 }
 
 /// How many boxes there are shows only when the points are sorted, how many crossings when they are
@@ -53,9 +56,12 @@ std::size_t vtkAHDRun::EstimateSourceBytes(std::size_t count) const
   }
   if (this->HasConstraints())
   {
+    const std::size_t segments = std::max(
+      this->Constraints.GetSegmentCount(), vtkAHDConstraints::CountSegments(this->Source));
+    const bool splits = this->Filter->CrossingMode == vtkAdaptiveHilbertDelaunay2D::SPLIT;
     bytes += vtkAHDConstraints::EstimateBytes(this->Source) +
-      ahd::Triangulator::constraintMemoryEstimate(
-        count, vtkAHDConstraints::CountSegments(this->Source));
+      this->Crossings.size() * sizeof(vtkAHDCrossing) + (splits ? segments * kBytesToSplit : 0) +
+      ahd::Triangulator::constraintMemoryEstimate(count, segments);
   }
   if (this->Filter->Tolerance > 0.0)
   {
@@ -125,9 +131,14 @@ void vtkAHDRun::Fail(ahd::Status status)
   }
   else if (status == ahd::Status::OutOfMemory)
   {
+    const bool isLimited = this->Filter->MemoryLimit > 0 &&
+      this->Filter->MemoryEstimate > this->Limit;
     vtkErrorWithObjectMacro(this->Filter,
-      "Out of memory while triangulating " << this->Points.GetCount() << " points; about "
-                                           << this->Filter->MemoryEstimate << " KiB are needed.");
+      "Out of memory while triangulating "
+        << this->Points.GetCount() << " points; about " << this->Filter->MemoryEstimate
+        << " KiB are needed"
+        << (isLimited ? ", and MemoryLimit allows " + std::to_string(this->Limit) : std::string())
+        << ".");
   }
 }
 

@@ -3,6 +3,7 @@
 // The steps of an execution that deal with constraints, and with points near each other.
 #include "vtkAHDRun.h"
 
+#include "Engine/Crossings.h"
 #include "Engine/Merge.h"
 #include "vtkAHDLoop.h"
 #include "vtkAHDPointOutput.h"
@@ -17,8 +18,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <utility>
+
+namespace
+{
+/// Of the field data array "Crossings".
+constexpr std::size_t kMostCrossingRows = 1000;
+
+/// The length of the box's diagonal; the largest double if it is longer.
+double Diagonal(const ahd::Bounds& box)
+{
+  const double length = std::hypot(box.xmax - box.xmin, box.ymax - box.ymin);
+  return std::min(length, std::numeric_limits<double>::max());
+}
+}
 
 /// The source whose own points are triangulated; null if there is none.
 vtkPolyData* vtkAHDRun::GetSourceOfPoints() const
@@ -79,11 +94,9 @@ ahd::Status vtkAHDRun::Merge()
   {
     return ahd::Status::Cancelled;
   }
-  // By halves: the difference of two finite numbers may be none.
-  const double half = std::hypot(0.5 * box.xmax - 0.5 * box.xmin, 0.5 * box.ymax - 0.5 * box.ymin);
   ahd::MergedPoints merged;
   const ahd::Status status = ahd::mergeWithin(
-    this->Points.View(), 2.0 * (half * tolerance), &this->Progress, merged);
+    this->Points.View(), tolerance * Diagonal(box), &this->Progress, merged);
   this->Progress.Finish();
   if (status == ahd::Status::Ok && !merged.pairs.empty())
   {
@@ -114,7 +127,51 @@ ahd::Status vtkAHDRun::ReadConstraints()
 
 ahd::Status vtkAHDRun::Split()
 {
-  return ahd::Status::Ok;
+  if (this->Constraints.IsEmpty() ||
+    this->Filter->CrossingMode != vtkAdaptiveHilbertDelaunay2D::SPLIT)
+  {
+    return ahd::Status::Ok;
+  }
+  ahd::SplitConstraints split;
+  const ahd::Status status = ahd::splitAtCrossings(
+    this->Points.View(), this->Constraints.View(), &this->Progress, split);
+  this->Progress.Finish();
+  if (status != ahd::Status::Ok || split.points.empty())
+  {
+    return status;
+  }
+  if (!this->Points.Copy(this->Executor, this->Progress))
+  {
+    return ahd::Status::Cancelled;
+  }
+  this->AddSplitPoints(split.points);
+  this->Constraints.Replace(std::move(split.ids), std::move(split.offsets));
+  const std::size_t bytes = this->EstimateBytes();
+  this->Filter->MemoryEstimate = static_cast<vtkTypeInt64>(bytes / 1024);
+  return this->Filter->MemoryEstimate > this->Limit ? ahd::Status::OutOfMemory : status;
+}
+
+/// Adds the points, and keeps between which others they lie. REQUIRES: Constraints are those that
+/// were split.
+void vtkAHDRun::AddSplitPoints(const std::vector<ahd::CrossingPoint>& points)
+{
+  double* place = this->Points.Add(points.size());
+  this->Crossings.reserve(points.size());
+  for (const ahd::CrossingPoint& p : points)
+  {
+    const auto a = this->Constraints.GetEnds(p.chainA, p.segmentA);
+    const auto b = this->Constraints.GetEnds(p.chainB, p.segmentB);
+    this->Crossings.push_back({ { { a[0], a[1], b[0], b[1] } }, { { p.alongA, p.alongB } } });
+    if (this->CrossingCells.size() < kMostCrossingRows)
+    {
+      this->CrossingCells.push_back(
+        { { this->Constraints.GetCell(p.chainB), this->Constraints.GetCell(p.chainA) } });
+    }
+    *place++ = p.at.x;
+    *place++ = p.at.y;
+    *place++ = vtkAHDInterpolate(this->Crossings.back(),
+      [this](vtkIdType id) { return this->Points.GetPoint(static_cast<std::size_t>(id))[2]; });
+  }
 }
 
 ahd::Status vtkAHDRun::Constrain()
@@ -145,20 +202,26 @@ ahd::Status vtkAHDRun::WritePoints()
 /// Adds the field data array "Crossings", if there are any.
 void vtkAHDRun::AddCrossings()
 {
-  constexpr std::size_t kMostRows = 1000;
-  const std::vector<ahd::LeftOut>& leftOut = this->Triangulator.constraints().leftOut;
-  if (leftOut.empty())
+  for (const ahd::LeftOut& out : this->Triangulator.constraints().leftOut)
+  {
+    if (this->CrossingCells.size() == kMostCrossingRows)
+    {
+      break;
+    }
+    this->CrossingCells.push_back(
+      { { this->Constraints.GetCell(out.chain), this->Constraints.GetCell(out.otherChain) } });
+  }
+  if (this->CrossingCells.empty())
   {
     return;
   }
   vtkNew<vtkIdTypeArray> rows;
   rows->SetName("Crossings");
   rows->SetNumberOfComponents(2);
-  const std::size_t count = std::min(kMostRows, leftOut.size());
-  for (std::size_t i = 0; i < count; ++i)
+  for (const auto& cells : this->CrossingCells)
   {
-    rows->InsertNextValue(this->Constraints.GetCell(leftOut[i].chain));
-    rows->InsertNextValue(this->Constraints.GetCell(leftOut[i].otherChain));
+    rows->InsertNextValue(cells[0]);
+    rows->InsertNextValue(cells[1]);
   }
   this->Surface->GetFieldData()->AddArray(rows);
 }
