@@ -536,7 +536,8 @@ void expectNothingCrosses(const Drawing& drawing, const SplitConstraints& split)
 
 TEST(Split, GridOfCrossingLines)
 {
-  for (const auto& [n, tilt] : { std::pair(100, 0.0), std::pair(int(reduced(300)), 0.1) })
+  for (const auto& [n, tilt] :
+    { std::pair(100, 0.0), std::pair(int(std::sqrt(double(reduced(90000)))), 0.1) })
   {
     Drawing drawing;
     for (int i = 0; i < n; ++i)
