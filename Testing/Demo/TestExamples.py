@@ -63,6 +63,28 @@ class Examples(unittest.TestCase):
         self.assertIn("NumberOfRejectedPoints 0\n", said)
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "survey.png")), 20000)
 
+    def test_coastline(self):
+        """Every point of shore and islands is a vertex, and nothing was left out; of land nothing is left."""
+        bay = os.path.join(ROOT, "Data", "Bay")
+        files = [os.path.join(bay, name) for name in ("soundings.csv", "coastline.vtp")]
+        said = self.run_example("pvpython", os.path.join(EXAMPLES, "coastline.py"), PLUGIN, *files, "bay.png")
+        numbers = {name: int(value) for name, value in re.findall(r"^(NumberOf\w+) (\d+)$", said, re.MULTILINE)}
+        with open(files[1], encoding="ascii") as file:
+            text = file.read()
+        sizes = [int(n) for n in re.search(r'NumberOfPoints="(\d+)".*NumberOfPolys="(\d+)"', text).groups()]
+        ends = [[int(n) for n in body.split()] for body in re.findall(r'Name="offsets"[^>]*>([^<]*)<', text)]
+        (line,), loops = ends
+        with open(files[0], encoding="ascii") as file:
+            soundings = len(file.read().splitlines()) - 1
+        self.assertEqual(numbers["NumberOfAddedPoints"], sizes[0], said)
+        for name in ("NumberOfCrossings", "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops"):
+            self.assertEqual(numbers[name], 0, said)
+        # a polygon has as many segments as points, the channel one less
+        self.assertEqual(numbers["NumberOfConstraintEdges"], loops[-1] + line - 1, said)
+        # Euler: v points of which b on the boundaries, 4 holes and a lagoon of its own
+        self.assertEqual(numbers["NumberOfTriangles"], 2 * (soundings + sizes[0]) - loops[-1] + 2 * 4 - 2 - 2, said)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "bay.png")), 50000)
+
     def test_orders(self):
         said = self.run_example("pvbatch", os.path.join(EXAMPLES, "orders.py"), PLUGIN, "20000")
         rows = re.findall(r"^([a-z].*?) +(\d+\.\d\d) +(\d+\.\d\d) +\d+\.\d{4} +\d+\.\d{4}$", said, re.MULTILINE)

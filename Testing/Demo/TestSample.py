@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sample survey in Data/ is what make_survey.py makes, and has in it what is claimed."""
+"""The samples in Data/ are what make_survey.py and make_bay.py make, and have in them what is claimed."""
 
+import filecmp
 import os
 import subprocess
 import sys
@@ -20,6 +21,14 @@ class Sample(unittest.TestCase):
             subprocess.run([sys.executable, os.path.join(DATA, "make_survey.py"), path], check=True)
             with open(path, "rb") as new, open(SAMPLE, "rb") as committed:
                 self.assertEqual(new.read(), committed.read(), "Data/survey.csv is not what Data/make_survey.py makes")
+
+    def test_the_bay_made_anew_is_the_same(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([sys.executable, os.path.join(DATA, "make_bay.py"), folder], check=True)
+            for name in ("soundings.csv", "coastline.vtp"):
+                new, committed = os.path.join(folder, name), os.path.join(DATA, "Bay", name)
+                same = filecmp.cmp(new, committed, shallow=False)
+                self.assertTrue(same, "Data/Bay/%s is not what Data/make_bay.py makes" % name)
 
     def test_duplicates_relief_and_size(self):
         soundings = numpy.loadtxt(SAMPLE, delimiter=",", skiprows=1)
