@@ -51,4 +51,12 @@ check_equal(found["NumberOfPointsBeyondLimit"], 293, "points beyond the limit on
 order = servermanager.Fetch(surface, idx=1)
 check_equal(order.GetNumberOfLines(), 1, "curves that came from the server")
 check_equal(order.GetNumberOfPoints(), 100 + 4 * order.GetNumberOfPolys(), "points that came from the server")
+# Constraints, read on the server too: a ring around the middle of the hill is all that is kept.
+shore = XMLPolyDataReader(FileName=[write_vtp("shore.vtp", ring(1.0), loops=[range(8)])])
+SetProperties(surface, Source=shore, InsertionLimit=0)
+found = measures(surface)
+check_equal(found["NumberOfConstraintEdges"], 8, "constraint edges on the server")
+check_equal(found["NumberOfPointsInserted"], 393 + 8, "points on the server, with those of the source")
+surface.Source = None
+check_equal(fingerprint(surface), expected, "triangles without the source")
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")

@@ -8,11 +8,14 @@ from pluginsupport import *
 
 LoadPlugin(PLUGIN, remote=False, ns=globals())
 path = write_vtp("trace.vtp", hill_points())
+shore_path = write_vtp("shore.vtp", ring(1.0), loops=[range(8)])
 
 smtrace.start_trace()
 reader = XMLPolyDataReader(registrationName="hill", FileName=[path])
 surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=reader, Nmax=77)
 outline = Outline(registrationName="outline", Input=OutputPort(surface, 1))
+shore = XMLPolyDataReader(registrationName="shore", FileName=[shore_path])
+bounded = AdaptiveHilbertDelaunay2D(registrationName="bounded", Input=reader, Source=shore)
 surface.UpdatePipeline()
 # What the Apply button does: trace what is changed between here ...
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
@@ -22,7 +25,13 @@ surface.NumberOfThreads = 3
 surface.ReuseLimit = 0
 surface.InsertionLimit = 150
 surface.GenerateBoxes = 1
+surface.Source = shore
 # ... and here.
+modified.finalize()
+modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": bounded.SMProxy})
+SetProperties(bounded, FillRule="Even-odd", Alpha=1.5, GenerateVoronoi=1)
+bounded.Transform = "Transform"
+bounded.Transform.Rotate = [0, 0, 30]
 modified.finalize()
 trace = smtrace.stop_trace()
 print(trace)
@@ -37,6 +46,13 @@ for piece in (
     "InsertionLimit = 150",
     "GenerateBoxes = 1",
     "Input=OutputPort(",
+    "Source=shore",
+    "surface.Source = shore",
+    "FillRule = 'Even-odd'",
+    "Alpha = 1.5",
+    "GenerateVoronoi = 1",
+    "Transform = 'Transform'",
+    "Transform.Rotate = [0.0, 0.0, 30.0]",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")

@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The source of constraints, and what Delaunay 2D has besides, at work in a ParaView pipeline."""
+
+import math
+
+from paraview.simple import *
+from paraview import servermanager
+
+from pluginsupport import *
+
+LoadPlugin(PLUGIN, remote=False, ns=globals())
+
+# A lattice of 7 x 7 points, its points numbered row by row from (-0.5, -0.5) in steps of 1/6.
+SIDE = 7
+WHOLE = 2 * (SIDE - 1) ** 2
+
+
+def lattice(**settings):
+    return AdaptiveHilbertDelaunay2D(Input=Plane(XResolution=SIDE - 1, YResolution=SIDE - 1), **settings)
+
+
+def source(name, points, loops=(), lines=()):
+    return XMLPolyDataReader(FileName=[write_vtp(name + ".vtp", points, loops, lines)])
+
+
+def place(column, row):
+    return column / (SIDE - 1.0) - 0.5, row / (SIDE - 1.0) - 0.5, 0.0
+
+
+def test_point_ids():
+    """A clockwise square of the lattice's own points is a hole of four cells. The source has no places."""
+    corner = SIDE + 1
+    square = [corner, corner + 2 * SIDE, corner + 2 * SIDE + 2, corner + 2]
+    hole = source("ids", [(math.nan, math.nan, 0.0)] * SIDE**2, loops=[square])
+    surface = lattice(Source=hole, SourceMode="Point ids")
+    found = measures(surface)
+    check_equal(found["NumberOfTriangles"], WHOLE - 8, "triangles around the hole")
+    check_equal(found["NumberOfAddedPoints"], 0, "points added")
+    check_equal(
+        found["NumberOfConstraintEdges"], 8, "edges of the hole, each side split by a point of the lattice"
+    )
+    check_equal(found["NumberOfConstraintsLeftOut"], 0, "segments left out")
+
+
+def test_coordinates():
+    """An octagon between the points of the lattice: a hole, or all there is, by its direction and the rule."""
+    for clockwise in (True, False):
+        shore = source("ring%d" % clockwise, ring(0.3, clockwise=clockwise), loops=[range(8)])
+        surface = lattice(Source=shore)
+        found = measures(surface)
+        check_equal(found["NumberOfAddedPoints"], 8, "points of the source")
+        check_equal(found["NumberOfConstraintEdges"], 8, "edges of the octagon")
+        inside = 2 * 9 + 6  # 3 x 3 points of the lattice in the octagon
+        outside = WHOLE + 2 * 8 - inside
+        check_equal(
+            found["NumberOfTriangles"],
+            outside if clockwise else inside,
+            "triangles, clockwise %r" % clockwise,
+        )
+        surface.FillRule = "Even-odd"
+        check_equal(measures(surface)["NumberOfTriangles"], inside, "triangles by even-odd")
+        surface.Source = None
+        check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles without the source")
+        surface.Source = shore
+        check_equal(measures(surface)["NumberOfTriangles"], inside, "triangles with the source again")
+
+
+def test_a_loop_that_is_crossed_bounds_nothing():
+    points = ring(0.3, clockwise=True) + [(-0.45, 0.02, 0.0), (-0.02, 0.02, 0.0)]
+    crossed = source("crossed", points, loops=[range(8)], lines=[(8, 9)])
+    found = measures(lattice(Source=crossed))
+    check_equal(found["NumberOfUnfilledLoops"], 1, "loops that bound nothing")
+    check_equal(found["NumberOfTriangles"], WHOLE + 2 * 10, "triangles, all of them")
+
+
+def test_counts_are_in_the_field_data():
+    surface = lattice(Source=source("counted", ring(0.3), loops=[range(8)]))
+    found = measures(surface)
+    for name in CONSTRAINT_COUNTS:
+        array = surface.FieldData[name]
+        check(array, "no array %s in the field data" % name)
+        check_equal(array.GetRange(0), (found[name], found[name]), "field data " + name)
+
+
+def test_planes():
+    """A wall of 7 x 7 points along y and z, all with the same x."""
+    wall = Plane(XResolution=6, YResolution=6, Origin=[3, 0, 0], Point1=[3, 1, 0], Point2=[3, 0, 1])
+    surface = AdaptiveHilbertDelaunay2D(Input=wall)
+    check_equal(measures(surface)["NumberOfTriangles"], 0, "triangles of a wall seen from above")
+    surface.ProjectionPlaneMode = "Best-Fitting Plane"
+    check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles in the best-fitting plane")
+    surface.ProjectionPlaneMode = "Transform Plane"
+    surface.Transform = "Transform"
+    surface.Transform.Rotate = [0, 90, 0]
+    check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles of the turned wall")
+    check_equal(
+        surface.GetDataInformation().GetBounds()[:2], (3.0, 3.0), "x of the wall, which stays where it was"
+    )
+    surface.Transform.Rotate = [0, 0, 0]
+    check_equal(measures(surface)["NumberOfTriangles"], 0, "triangles when it is not turned")
+    surface.Transform.Rotate = [0, 90, 0]
+    surface.UpdatePipeline()
+    surface.Transform = "None"
+    check_equal(measures(surface)["NumberOfTriangles"], 0, "triangles without the transform")
+
+
+def test_coinciding_points():
+    """Two soundings in one place, and one 0.001 beside a third."""
+    points = [(0, 0, 1), (1, 0, 5), (1, 1, 0), (0, 1, 0), (1, 0, 2), (0.001, 0, 9)]
+    surface = AdaptiveHilbertDelaunay2D(Input=source("coinciding", points), GenerateFate=1)
+
+    def fates():
+        array = servermanager.Fetch(surface).GetPointData().GetArray("Fate")
+        return [int(array.GetValue(i)) for i in range(6)]
+
+    found = measures(surface)
+    check_equal(
+        (found["NumberOfDuplicates"], found["NumberOfMergedPoints"]), (1, 0), "duplicates, merged points"
+    )
+    check_equal(fates(), [0, 1, 2, 3, 1, 5], "fates")
+    surface.Tolerance = 0.01
+    found = measures(surface)
+    check_equal((found["NumberOfDuplicates"], found["NumberOfMergedPoints"]), (1, 1), "with a tolerance")
+    check_equal(fates(), [0, 1, 2, 3, 1, 0], "fates with a tolerance")
+
+
+def test_bounding_triangulation():
+    surface = lattice(BoundingTriangulation=1, Offset=2)
+    check_equal(measures(surface)["NumberOfPointsInserted"], SIDE**2 + 8, "points and the eight around them")
+    bounds = surface.GetDataInformation().GetBounds()
+    check(
+        abs(bounds[1] - 2 * math.sqrt(2)) < 1e-12,
+        "the eight points are not twice the diagonal away: %r" % (bounds,),
+    )
+
+
+for name, test in sorted(globals().items()):
+    if name.startswith("test_"):
+        test()
+        print("passed:", name)
