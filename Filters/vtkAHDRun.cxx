@@ -57,7 +57,7 @@ ahd::Status vtkAHDRun::TakeSteps()
     &vtkAHDRun::AddBounding, &vtkAHDRun::ReadConstraints, &vtkAHDRun::Split, &vtkAHDRun::Insert,
     &vtkAHDRun::MakeVoronoi, &vtkAHDRun::Constrain, &vtkAHDRun::WritePoints,
     &vtkAHDRun::WriteTriangles, &vtkAHDRun::DropByLength, &vtkAHDRun::AddArrays,
-    &vtkAHDRun::WriteOrder };
+    &vtkAHDRun::AddCellArrays, &vtkAHDRun::WriteVoronoi, &vtkAHDRun::WriteOrder };
   ahd::Status status = ahd::Status::Ok;
   for (const Step step : kSteps)
   {
@@ -85,20 +85,10 @@ ahd::Status vtkAHDRun::Insert()
   return status;
 }
 
-ahd::Status vtkAHDRun::MakeVoronoi()
-{
-  return ahd::Status::Ok;
-}
-
 ahd::Status vtkAHDRun::WriteTriangles()
 {
   return vtkAHDOutput::WriteTriangles(
     this->Triangulator, this->Surface, this->Executor, this->Progress);
-}
-
-ahd::Status vtkAHDRun::DropByLength()
-{
-  return ahd::Status::Ok;
 }
 
 ahd::Status vtkAHDRun::AddArrays()
@@ -138,6 +128,7 @@ ahd::Options vtkAHDRun::GetOptions() const
   options.countWork = this->Filter->CountWork;
   options.insertionLimit = static_cast<std::size_t>(this->Filter->InsertionLimit);
   options.keepOrder = this->Filter->GenerateInsertionRank || this->IsOrderWanted();
+  options.keepLocations = this->Filter->GenerateVoronoi;
   options.keepBoxes = this->Filter->GenerateBoxes;
   options.mostBoxes = this->MostBoxes;
   return options;

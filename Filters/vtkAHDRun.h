@@ -7,16 +7,20 @@
 #include "Engine/Options.h"
 #include "Engine/Result.h"
 #include "Engine/Triangulate.h"
+#include "vtkAHDCellArrays.h"
 #include "vtkAHDConstraints.h"
 #include "vtkAHDExecutor.h"
 #include "vtkAHDPointOutput.h"
 #include "vtkAHDProgress.h"
+#include "vtkAHDVoronoi.h"
 #include "vtkAHDWorkingPoints.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <cstddef>
 #include <vector>
 
+class vtkAbstractTransform;
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkInformationVector;
 class vtkPointSet;
@@ -61,12 +65,14 @@ private:
   ahd::Status ReadConstraints(); // what the source asks for, in the ids of Points
   ahd::Status Split();           // Points and constraints: crossings
   ahd::Status Insert();          // the Delaunay triangulation of Points, unconstrained
-  ahd::Status MakeVoronoi();     // Voronoi
+  ahd::Status MakeVoronoi();     // Diagram
   ahd::Status Constrain();       // constraints become edges, loops drop triangles
   ahd::Status WritePoints();     // Surface: points and their data
   ahd::Status WriteTriangles();  // Surface: triangles
   ahd::Status DropByLength();    // Surface: triangles dropped by Alpha and MaximumEdgeLength
   ahd::Status AddArrays();       // Surface: arrays of points and cells, field data
+  ahd::Status AddCellArrays();   // Surface: what is known of each triangle
+  ahd::Status WriteVoronoi();    // Voronoi: Diagram, with the point data of Surface
   ahd::Status WriteOrder();      // Order
 
   ahd::Status TakeSteps();
@@ -78,6 +84,7 @@ private:
   std::size_t CountExpectedPoints() const;
   std::size_t EstimateBytes() const;
   std::size_t EstimateSourceBytes(std::size_t count) const;
+  std::size_t EstimateExtraBytes() const; // of what looks at finished triangles
   void AddBoxesToEstimate(std::size_t boxes);
   void KeepTimes();
   void AddCounts();
@@ -86,6 +93,7 @@ private:
   void WarnOfConstraints();
   void WarnOfNoTriangle();
   void WarnOfPlane();
+  void WarnOfDropped();
 
   vtkAdaptiveHilbertDelaunay2D* const Filter;
   ahd::Triangulator& Triangulator; // the filter's
@@ -95,6 +103,7 @@ private:
   vtkPolyData* const Order;
   vtkPolyData* const Voronoi;
   vtkAHDWorkingPoints Points;
+  vtkSmartPointer<vtkAbstractTransform> ToPlane; // null where the plane is x, y
   vtkAHDProgress Progress;
   vtkAHDExecutor Executor;
   std::vector<ahd::MergedPoint> Merged; // points that Tolerance left out
@@ -104,6 +113,9 @@ private:
   std::size_t DelaunayTriangles = 0;                   // before constraints drop some
   vtkTypeInt64 Limit = 0;                              // KiB
   std::size_t MostBoxes = 0;                           // for which there is memory
+  vtkAHDVoronoi Diagram;
+  vtkAHDCellArrays Cells;
+  bool IsDiagramInPlane = false; // although the points are not: there is no way back
   ahd::Report Report;
   vtkAHDWorkingPoints::Oddities Odd;
 };

@@ -10,6 +10,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "vtkPolyData.h"
+#include "vtkTransform.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,11 @@ ahd::Status vtkAHDRun::Project()
     !this->Points.Copy(this->Executor, this->Progress))
   {
     return ahd::Status::Cancelled;
+  }
+  this->ToPlane = this->Filter->Transform;
+  if (isFitted)
+  {
+    this->ToPlane = plane.MakeTransform();
   }
   const ahd::PointView& all = this->Points.View();
   double* places = this->Points.GetPlaces();

@@ -38,7 +38,7 @@ std::size_t vtkAHDRun::EstimateBytes() const
   {
     bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count);
   }
-  return bytes;
+  return bytes + this->EstimateExtraBytes();
 }
 
 /// Of what constraints, tolerance and added points take.
@@ -240,6 +240,7 @@ void vtkAHDRun::Warn()
          << " points have a z that is NaN or infinite. They are part of the triangulation, which "
             "is computed in x and y, but cannot be drawn.");
   }
+  this->WarnOfDropped();
   if (this->DelaunayTriangles == 0 && this->Report.inserted + this->Report.notFinite > 0)
   {
     this->WarnOfNoTriangle();

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDVoronoi_h
+#define vtkAHDVoronoi_h
+
+#include "Engine/Triangulate.h"
+#include "Engine/Voronoi.h"
+
+#include <cstddef>
+
+class vtkAbstractTransform;
+class vtkAHDProgress;
+class vtkPointData;
+class vtkPolyData;
+
+/**
+ * The Voronoi diagram as a vtkPolyData: one polygon per vertex, in ascending order of their ids;
+ * cell data are the point data of the vertices and "OriginalPointIds" (vtkIdTypeArray).
+ *
+ * Everything here throws std::bad_alloc if there is no room.
+ */
+class vtkAHDVoronoi
+{
+public:
+  /// Computes the cells. Returns Ok, Cancelled or OutOfMemory. REQUIRES: `points` were triangulated
+  /// and there are no constraints yet, or Options::keepLocations was set for them.
+  ahd::Status Compute(ahd::Triangulator& triangulator, const ahd::PointView& points,
+    ahd::VoronoiClip clip, vtkAHDProgress& progress, ahd::Executor& executor);
+
+  /// Fills `output`: z is 0. `pointData`: one tuple per point that was triangulated. Gives up the
+  /// cells.
+  void Write(vtkPointData* pointData, vtkPolyData* output);
+
+  /// Moves the polygons from the plane z = 0 to where `toPlane` takes points from. Returns false,
+  /// and moves nothing, if the transform has no inverse.
+  static bool MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output);
+
+  /// Upper estimate of the bytes that all this allocates for so many points, their data not
+  /// counted.
+  static std::size_t EstimateBytes(std::size_t pointCount);
+
+private:
+  void WriteCells(vtkPolyData* output);
+
+  ahd::VoronoiCells Cells;
+};
+
+#endif
