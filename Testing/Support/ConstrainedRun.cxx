@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ConstrainedRun.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// Asks the triangulator for everything, as long as it says Ok.
+void writeAll(Triangulator& triangulator, std::size_t points, const Helpers& helpers,
+  ConstrainedOutcome& outcome)
+{
+  const std::size_t triangles = triangulator.report().triangles;
+  outcome.triples.resize(3 * triangles, -7);
+  outcome.fates.resize(points, -7);
+  outcome.neighbors.resize(3 * triangles, -7);
+  outcome.constraintEdges.resize(triangles, 77);
+  outcome.regions.resize(triangles, -7);
+  Status& status = outcome.status;
+  Progress* const progress = helpers.progress;
+  status = triangulator.writeTriangles(outcome.triples.data(), progress, helpers.executor);
+  status = status != Status::Ok
+    ? status
+    : triangulator.writeFates(outcome.fates.data(), progress, helpers.executor);
+  status = status != Status::Ok ? status
+                                : triangulator.writeNeighbors(outcome.neighbors.data(), progress);
+  status = status != Status::Ok
+    ? status
+    : triangulator.writeConstraintEdges(outcome.constraintEdges.data(), progress);
+  status = status != Status::Ok ? status
+                                : triangulator.writeRegions(outcome.regions.data(), progress);
+}
+
+std::string firstDifference(const char* what, const void* a, const void* b, std::size_t bytes)
+{
+  const auto* const p = static_cast<const unsigned char*>(a);
+  const auto* const q = static_cast<const unsigned char*>(b);
+  const auto at = std::mismatch(p, p + bytes, q).first - p;
+  return std::size_t(at) == bytes ? ""
+                                  : std::string(what) + " differ at byte " + std::to_string(at);
+}
+
+template <typename Value>
+std::string differenceOf(const char* what, const std::vector<Value>& a, const std::vector<Value>& b)
+{
+  return a.size() != b.size()
+    ? std::to_string(a.size()) + " and " + std::to_string(b.size()) + " " + what
+    : firstDifference(what, a.data(), b.data(), a.size() * sizeof(Value));
+}
+
+} // namespace
+
+ConstrainedOutcome constrain(Triangulator& triangulator, const PointView& points,
+  const ConstraintView& constraints, FillRule rule, const Options& options, const Helpers& helpers)
+{
+  ConstrainedOutcome outcome;
+  outcome.status = triangulator.run(points, options, helpers.progress, helpers.executor);
+  if (outcome.status == Status::Ok)
+  {
+    outcome.status = triangulator.constrain(constraints, rule, helpers.progress);
+  }
+  outcome.report = triangulator.report();
+  if (outcome.status != Status::Ok)
+  {
+    return outcome;
+  }
+  outcome.constraints = triangulator.constraints();
+  writeAll(triangulator, points.count, helpers, outcome);
+  return outcome;
+}
+
+ConstrainedOutcome constrain(const ConstraintCase& given, FillRule rule)
+{
+  Triangulator triangulator;
+  return constrain(triangulator, given.view(), given.constraints.view(), rule);
+}
+
+std::string faultsOfConstraining(const ConstraintCase& given, FillRule rule)
+{
+  Triangulator triangulator;
+  const PointView points = given.view();
+  const ConstraintSet open = given.constraints.asLines();
+  const ConstrainedOutcome whole = constrain(triangulator, points, open.view(), rule);
+  const ConstrainedOutcome filled = constrain(triangulator, points, given.constraints.view(), rule);
+  if (whole.status != Status::Ok || filled.status != Status::Ok)
+  {
+    return "status " + std::to_string(int(whole.status)) + ", filled " +
+      std::to_string(int(filled.status)) + " instead of Ok";
+  }
+  return joined(certifyConstrained(points, given.constraints.view(), rule, whole, filled));
+}
+
+std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b)
+{
+  const auto numbers = [](const ConstraintReport& r)
+  {
+    std::vector<std::size_t> result = { r.segments, r.points, r.withoutVertex, r.crossing,
+      r.unfilledLoops, r.edges };
+    for (const LeftOut& left : r.leftOut)
+    {
+      result.insert(result.end(), { left.chain, left.segment, left.otherChain, left.otherSegment });
+    }
+    return result;
+  };
+  const std::string all[] = {
+    a.status == b.status ? "" : "one failed",
+    differenceOf("triples", a.triples, b.triples),
+    differenceOf("fates", a.fates, b.fates),
+    differenceOf("neighbors", a.neighbors, b.neighbors),
+    differenceOf("constraint edges", a.constraintEdges, b.constraintEdges),
+    differenceOf("regions", a.regions, b.regions),
+    differenceOf("counts of constraints", numbers(a.constraints), numbers(b.constraints)),
+  };
+  const auto first = std::find_if(
+    std::begin(all), std::end(all), [](const std::string& s) { return !s.empty(); });
+  return first == std::end(all) ? "" : *first;
+}
+
+const char* nameOf(FillRule rule)
+{
+  return rule == FillRule::Orientation ? "by orientation" : "even-odd";
+}
+
+} // namespace test
+} // namespace ahd

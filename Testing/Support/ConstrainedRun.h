@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_ConstrainedRun_h
+#define ahd_ConstrainedRun_h
+
+#include "ConstraintCertifier.h"
+#include "ConstraintMakers.h"
+#include "EngineRun.h"
+#include "Executors.h"
+#include "Triangulate.h"
+
+#include <string>
+
+namespace ahd
+{
+namespace test
+{
+
+/// Who works and who listens; all of it may be null.
+struct Helpers
+{
+  Progress* progress = nullptr;
+  Executor* executor = nullptr;
+};
+
+/// run(), constrain() and all that can be written then, in one go. `status` is that of the first
+/// call that was not Ok; what had not been written by then stays empty.
+ConstrainedOutcome constrain(Triangulator& triangulator, const PointView& points,
+  const ConstraintView& constraints, FillRule rule, const Options& options = Options(),
+  const Helpers& helpers = Helpers());
+ConstrainedOutcome constrain(const ConstraintCase& given, FillRule rule);
+
+/// Runs twice, filled and not, and certifies both (certifyConstrained). Empty if all is right.
+std::string faultsOfConstraining(const ConstraintCase& given, FillRule rule);
+
+/// The first thing that differs, in words; empty if all is the same to the byte.
+std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b);
+
+const char* nameOf(FillRule rule);
+constexpr FillRule kFillRules[] = { FillRule::Orientation, FillRule::EvenOdd };
+
+} // namespace test
+} // namespace ahd
+
+#endif
