@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The constrained result is a function of the points and of the segments that are accepted:
+// settings, threads, ids and the order of segments that do not cross change nothing.
+#include "ConstrainedRun.h"
+#include "Executors.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+std::vector<ConstraintCase> cases()
+{
+  return { randomSegments(reduced(3000), 400), latticeSegments(30, 600), nestedLoops(6),
+    starPolygon(300), segmentAcrossCombs(400),
+    chainsThrough(Distribution::RepeatedDraws, 1500, 60, 1),
+    chainsThrough(Distribution::OnIntegerCircle, 300, 40, 2) };
+}
+
+TEST(ConstrainInvariance, NoSettingChangesAByte)
+{
+  Triangulator triangulator;
+  for (const ConstraintCase& given : cases())
+  {
+    const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);
+    ASSERT_EQ(expected.status, Status::Ok);
+    for (const Options& options : everyDistinctSetting({ 1, 50 }))
+    {
+      const ConstrainedOutcome found = constrain(
+        triangulator, given.view(), given.constraints.view(), FillRule::EvenOdd, options);
+      ASSERT_EQ(difference(expected, found), "") << describe(options);
+    }
+  }
+}
+
+TEST(ConstrainInvariance, NoThreadChangesAByte)
+{
+  const ConstraintCase given = edgesOfOthers(34000, 3000); // enough points for all phases to share
+  const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
+  ThreadExecutor two(2);
+  ThreadExecutor five(5);
+  BackwardExecutor backward(4);
+  for (Executor* executor : { static_cast<Executor*>(&two), static_cast<Executor*>(&five),
+         static_cast<Executor*>(&backward) })
+  {
+    Helpers helpers;
+    helpers.executor = executor;
+    Triangulator triangulator;
+    EXPECT_EQ(difference(expected,
+                constrain(triangulator, given.view(), given.constraints.view(),
+                  FillRule::Orientation, Options(), helpers)),
+      "");
+  }
+}
+
+/// The same outcome in other ids.
+std::vector<std::int32_t> renamedTriples(
+  const ConstrainedOutcome& outcome, const std::vector<std::int32_t>& newId)
+{
+  std::vector<std::int32_t> result = outcome.triples;
+  for (std::int32_t& id : result)
+  {
+    id = newId[std::size_t(id)];
+  }
+  return result;
+}
+
+/// By vertex of `from`: the vertex of `to` at the same place.
+std::vector<std::int32_t> samePlaces(const ConstraintCase& from, const ConstraintCase& to)
+{
+  std::vector<Point> both = to.points;
+  both.insert(both.end(), from.points.begin(), from.points.end());
+  const std::vector<std::int32_t> vertices = verticesOf(viewOf(both));
+  return std::vector<std::int32_t>(
+    vertices.begin() + std::ptrdiff_t(to.points.size()), vertices.end());
+}
+
+void expectSameInOtherIds(const ConstraintCase& given, std::uint64_t seed, FillRule rule)
+{
+  SCOPED_TRACE(given.points.size() < 20 ? given.text() : "");
+  const ConstraintCase shuffled = shuffledCase(given, seed);
+  const ConstrainedOutcome expected = constrain(given, rule);
+  ConstrainedOutcome found = constrain(shuffled, rule);
+  if (given.skip.empty())
+  {
+    found.triples = renamedTriples(found, samePlaces(shuffled, given));
+  }
+  else
+  {
+    found.triples = expected.triples; // which of coincident points is left out may differ
+  }
+  found.fates = expected.fates;
+  EXPECT_EQ(difference(expected, found), "");
+}
+
+TEST(ConstrainInvariance, OtherIdsChangeNothingElse)
+{
+  std::uint64_t seed = 0;
+  for (const ConstraintCase& given : cases())
+  {
+    expectSameInOtherIds(given, ++seed, FillRule::Orientation);
+  }
+  for (; seed < 800 && !HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    expectSameInOtherIds(smallConstraintCase(seed), seed, kFillRules[seed % 2]);
+  }
+}
+
+/// The chains in another order, and each of them backwards if `backwards`. REQUIRES: lines only.
+ConstraintSet shuffledChains(const ConstraintSet& constraints, std::uint64_t seed, bool backwards)
+{
+  std::vector<std::size_t> order(constraints.chains());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  Random random(seed);
+  for (std::size_t i = order.size(); i > 1; --i)
+  {
+    std::swap(order[i - 1], order[random.below(i)]);
+  }
+  ConstraintSet result;
+  for (const std::size_t k : order)
+  {
+    Chain chain = constraints.chain(k);
+    if (backwards)
+    {
+      std::reverse(chain.begin(), chain.end());
+    }
+    result.addLine(chain);
+  }
+  return result;
+}
+
+TEST(ConstrainInvariance, TheOrderOfSegmentsThatDoNotCrossChangesNothing)
+{
+  for (const ConstraintCase& given : { edgesOfOthers(reduced(3000), 800), nestedLoops(5),
+         starPolygon(200), spiralLine(500, 10), segmentAcrossBulges(300) })
+  {
+    ConstraintCase lines = given;
+    lines.constraints = given.constraints.asLines();
+    const ConstrainedOutcome expected = constrain(lines, FillRule::Orientation);
+    ASSERT_EQ(expected.constraints.crossing, 0u);
+    for (std::uint64_t seed = 1; seed <= 4; ++seed)
+    {
+      ConstraintCase other = lines;
+      other.constraints = shuffledChains(lines.constraints, seed, seed % 2 == 0);
+      EXPECT_EQ(difference(expected, constrain(other, FillRule::Orientation)), "");
+    }
+  }
+}
+
+TEST(ConstrainInvariance, ATriangulatorForgetsTheConstraintsBefore)
+{
+  Triangulator triangulator;
+  for (std::uint64_t seed = 0; seed < 400; ++seed)
+  {
+    const ConstraintCase given = smallConstraintCase(seed);
+    const FillRule rule = kFillRules[seed % 2];
+    const ConstrainedOutcome again = constrain(
+      triangulator, given.view(), given.constraints.view(), rule);
+    ASSERT_EQ(difference(constrain(given, rule), again), "") << given.text();
+    if (seed % 5 == 0)
+    {
+      const Outcome plain = triangulate(triangulator, given.view());
+      ASSERT_EQ(plain.triples, triangulate(given.view()).triples) << given.text();
+      ASSERT_EQ(triangulator.constraints().segments, 0u) << "constraints of the run before";
+    }
+  }
+}
+
+TEST(ConstrainInvariance, TheTrianglesCanBeHadBeforeAndAfter)
+{
+  Options options;
+  options.keepLocations = true;
+  Triangulator triangulator;
+  for (const ConstraintCase& given : cases())
+  {
+    const Outcome plain = triangulate(given.view());
+    const Outcome before = triangulate(triangulator, given.view(), options);
+    EXPECT_EQ(before.triples, plain.triples);
+    ASSERT_EQ(
+      triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
+    std::vector<std::int32_t> triples(3 * triangulator.report().triangles);
+    ASSERT_EQ(triangulator.writeTriangles(triples.data(), nullptr), Status::Ok);
+    EXPECT_EQ(triples, constrain(given, FillRule::EvenOdd).triples);
+  }
+}
+
+TEST(ConstrainInvariance, FloatsAndStridesAreTheSame)
+{
+  const ConstraintCase given = latticeSegments(20, 300);
+  std::vector<float> floats;
+  for (const Point& p : given.points)
+  {
+    floats.insert(floats.end(), { float(p.x), float(p.y), 7.0f });
+  }
+  Triangulator triangulator;
+  EXPECT_EQ(difference(constrain(given, FillRule::EvenOdd),
+              constrain(triangulator, PointView(floats.data(), given.points.size(), 3),
+                given.constraints.view(), FillRule::EvenOdd)),
+    "");
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Constraints under adverse circumstances: cancelled at any asking, out of memory at any
+// allocation. What the engine says of its work meanwhile, and how much it holds.
+#include "ConstrainedRun.h"
+#include "OwnNew.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+
+namespace
+{
+
+std::atomic<std::size_t> allocations{ 0 };
+std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
+std::atomic<std::size_t> held{ 0 };
+std::atomic<std::size_t> peak{ 0 };
+
+/// Every block is preceded by its size and by the pointer to be freed.
+struct Header
+{
+  std::size_t size;
+  void* block;
+};
+
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
+{
+  const std::size_t number = ++allocations;
+  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
+  void* block = failAt != 0 && number >= failAt ? nullptr : std::malloc(size + room);
+  if (!block)
+  {
+    throw std::bad_alloc();
+  }
+  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
+  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
+  *header = { size, block };
+  held += size;
+  peak = std::max<std::size_t>(peak, held);
+  return header + 1;
+}
+
+void ahd::test::ownRelease(void* p)
+{
+  if (p)
+  {
+    Header* header = static_cast<Header*>(p) - 1;
+    held -= header->size;
+    std::free(header->block);
+  }
+}
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// Counts the askings of constrain() and of the cell data, notes fractions that fall, and cancels
+/// at one asking if so told.
+class Listener : public Progress
+{
+public:
+  explicit Listener(std::size_t cancelAt = 0)
+    : cancelAt_(cancelAt)
+  {
+  }
+  void beginPhase(Phase phase) override
+  {
+    phase_ = phase;
+    fraction_ = 0.0;
+    constrained_ = constrained_ || phase == Phase::Constrain;
+  }
+  bool advance(Phase phase, double fraction) override
+  {
+    ++askings_;
+    const bool isRight = phase == phase_ && fraction >= fraction_ && fraction <= 1.0;
+    faults_ += isRight && !cancelled_ ? 0 : 1;
+    fraction_ = fraction;
+    cancelled_ = askings_ == cancelAt_;
+    return !cancelled_;
+  }
+  std::size_t askings() const { return askings_; }
+  int faults() const { return faults_; }
+  bool constrained() const { return constrained_; }
+
+private:
+  std::size_t cancelAt_;
+  std::size_t askings_ = 0;
+  Phase phase_ = Phase::Read;
+  double fraction_ = 0.0;
+  int faults_ = 0;
+  bool cancelled_ = false;
+  bool constrained_ = false;
+};
+
+/// Cases that keep each part of the work busy for more than one asking.
+std::vector<ConstraintCase> longCases()
+{
+  return { segmentAcrossParabolas(10000), nestedLoops(30), starPolygon(5000),
+    edgesOfOthers(30000, 15000), randomSegments(10000, 300) };
+}
+
+TEST(ConstrainTrouble, CancelledAtAnyAsking)
+{
+  Triangulator triangulator;
+  for (const ConstraintCase& given : longCases())
+  {
+    const PointView points = given.view();
+    const ConstraintView constraints = given.constraints.view();
+    ASSERT_EQ(triangulator.run(points, Options(), nullptr), Status::Ok);
+    Listener whole;
+    ASSERT_EQ(triangulator.constrain(constraints, FillRule::EvenOdd, &whole), Status::Ok);
+    EXPECT_TRUE(whole.constrained());
+    EXPECT_EQ(whole.faults(), 0);
+    EXPECT_GE(whole.askings(), triangulator.report().inserted / kStepsPerAsking);
+    const std::size_t step = 1 + whole.askings() / 20;
+    for (std::size_t k = 1; k <= whole.askings(); k += step)
+    {
+      ASSERT_EQ(triangulator.run(points, Options(), nullptr), Status::Ok);
+      Listener listener(k);
+      ASSERT_EQ(
+        triangulator.constrain(constraints, FillRule::EvenOdd, &listener), Status::Cancelled);
+      ASSERT_EQ(listener.askings(), k);
+      ASSERT_EQ(listener.faults(), 0);
+      ASSERT_EQ(triangulator.report().triangles, 0u);
+    }
+    Helpers none;
+    EXPECT_EQ(difference(constrain(given, FillRule::EvenOdd),
+                constrain(triangulator, points, constraints, FillRule::EvenOdd, Options(), none)),
+      "")
+      << "after being cancelled";
+  }
+}
+
+TEST(ConstrainTrouble, CellDataAreCancelledAtAnyAsking)
+{
+  const ConstraintCase given = edgesOfOthers(40000, 20000);
+  const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
+  Triangulator triangulator;
+  ConstrainedOutcome found = constrain(
+    triangulator, given.view(), given.constraints.view(), FillRule::Orientation);
+  const std::function<Status(Progress*)> writers[] = {
+    [&](Progress* p) { return triangulator.writeNeighbors(found.neighbors.data(), p); },
+    [&](Progress* p) { return triangulator.writeConstraintEdges(found.constraintEdges.data(), p); },
+    [&](Progress* p) { return triangulator.writeRegions(found.regions.data(), p); },
+  };
+  for (const auto& write : writers)
+  {
+    Listener whole;
+    ASSERT_EQ(write(&whole), Status::Ok);
+    EXPECT_GE(whole.askings(), triangulator.report().triangles / kStepsPerAsking);
+    EXPECT_EQ(whole.faults(), 0);
+    for (std::size_t k = 1; k <= whole.askings(); ++k)
+    {
+      Listener listener(k);
+      ASSERT_EQ(write(&listener), Status::Cancelled);
+      ASSERT_EQ(listener.askings(), k);
+    }
+    ASSERT_EQ(write(nullptr), Status::Ok);
+  }
+  EXPECT_EQ(difference(expected, found), "");
+}
+
+/// Fails the k-th allocation after run() and all that follow, for every k, until all gets through.
+void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
+{
+  const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);
+  ConstrainedOutcome found = expected;
+  Triangulator triangulator;
+  for (std::size_t k = 1; k < 2000; ++k)
+  {
+    ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
+    failAt = allocations + k;
+    Status status = triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr);
+    const bool constrained = status == Status::Ok;
+    status = constrained ? triangulator.writeTriangles(found.triples.data(), nullptr) : status;
+    status = status != Status::Ok ? status
+                                  : triangulator.writeNeighbors(found.neighbors.data(), nullptr);
+    status = status != Status::Ok ? status
+                                  : triangulator.writeRegions(found.regions.data(), nullptr);
+    failAt = 0;
+    if (status == Status::Ok)
+    {
+      EXPECT_GT(k, 1u) << "the engine no longer allocates through operator new";
+      EXPECT_EQ(difference(expected, found), "");
+      return;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
+    if (!constrained)
+    {
+      ASSERT_EQ(triangulator.report().triangles, 0u) << "at allocation " << k;
+    }
+    triangulator.release();
+  }
+  FAIL() << "nothing got through";
+}
+
+TEST(ConstrainTrouble, OutOfMemoryAtAnyAllocationIsReportedAndSurvived)
+{
+  for (const ConstraintCase& given : { segmentAcrossBulges(3000), nestedLoops(6),
+         randomSegments(1000, 200), edgesOfOthers(2000, 500) })
+  {
+    expectOutOfMemoryIsSurvived(given);
+  }
+}
+
+TEST(ConstrainTrouble, NothingIsHeldByADestroyedTriangulator)
+{
+  const ConstraintCase given = nestedLoops(10);
+  const std::size_t before = held;
+  constrain(given, FillRule::EvenOdd);
+  EXPECT_EQ(held, before);
+}
+
+/// The most bytes held at once from run() to the last write, output and leftOut not counted.
+std::size_t peakOf(const ConstraintCase& given)
+{
+  const std::size_t count = given.points.size();
+  std::vector<std::int64_t> room(6 * count);
+  std::vector<std::uint8_t> bits(2 * count);
+  const std::size_t before = held;
+  peak = before;
+  Triangulator t;
+  EXPECT_EQ(t.run(given.view(), Options(), nullptr), Status::Ok);
+  EXPECT_EQ(t.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
+  EXPECT_EQ(t.writeTriangles(room.data(), nullptr), Status::Ok);
+  EXPECT_EQ(t.writeNeighbors(room.data(), nullptr), Status::Ok);
+  EXPECT_EQ(t.writeConstraintEdges(bits.data(), nullptr), Status::Ok);
+  EXPECT_EQ(t.writeRegions(room.data(), nullptr), Status::Ok);
+  return peak - before;
+}
+
+TEST(ConstrainTrouble, NoMoreMemoryThanEstimated)
+{
+  for (const ConstraintCase& given : longCases())
+  {
+    const std::size_t points = given.points.size();
+    const std::size_t segments = segmentsOf(given.constraints.view()).size();
+    EXPECT_LE(peakOf(given),
+      Triangulator::memoryEstimate(points, Options()) +
+        Triangulator::constraintMemoryEstimate(points, segments))
+      << points << " points, " << segments << " segments";
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
