@@ -449,6 +449,12 @@ class OriginalTest(unittest.TestCase):
         wall = cloud([turn.TransformPoint(point) for point in wide(9, height=10)])
         self.compare(wall, ProjectionPlaneMode=2)
 
+    def test_alpha(self):
+        for seed in range(3):
+            for alpha in (10.0, 30.0, 60.0, 200.0):
+                data = cloud(wide(seed, height=40))
+                self.compare(data, ("Verts", "Lines", "Polys"), Alpha=alpha)
+
     def test_bounding_triangulation(self):
         for seed in range(3):
             ours, theirs = self.compare(cloud(wide(seed)), BoundingTriangulation=1, Offset=3.0)
@@ -456,6 +462,9 @@ class OriginalTest(unittest.TestCase):
             for i in range(307 + 8):
                 for a, b in zip(ours.GetPoint(i), theirs.GetPoint(i)):
                     self.assertAlmostEqual(a, b, delta=1e-9)
+
+    def test_bounding_triangulation_with_alpha(self):
+        self.compare(cloud(wide(4)), ("Verts", "Lines", "Polys"), BoundingTriangulation=1, Alpha=50.0)
 
     def test_constraints(self):
         """The same part of the plane, with as many triangles: vtkDelaunay2D's need not be Delaunay there."""
@@ -502,7 +511,7 @@ class OldScriptsTest(unittest.TestCase):
 
     def scripts(self):
         found = sorted(glob.glob(os.path.join(HERE, "OldScripts", "*.py")))
-        self.assertGreater(len(found), 3)
+        self.assertGreater(len(found), 4)
         return found
 
     def test_they_are_right_about_the_original(self):

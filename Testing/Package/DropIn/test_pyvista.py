@@ -76,6 +76,12 @@ class ParameterTest(unittest.TestCase):
         ours, theirs = self.both(scattered(100), offset=4.0)
         self.assertEqual(triangles(ours), triangles(theirs))
 
+    def test_alpha(self):
+        for alpha in (40.0, 80.0):
+            ours, theirs = self.both(scattered(300), alpha=alpha)
+            self.assertEqual(triangles(ours), triangles(theirs))
+            self.assertGreater(ours.n_cells, 10)
+
     def test_tol(self):
         corners = box(0, 0, 100, 100) + [(50, 40), (50, 41)]
         points = numpy.array([(x, y, 0) for x, y in corners], float)
