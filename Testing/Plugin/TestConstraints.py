@@ -23,15 +23,18 @@ def source(name, points, loops=(), lines=()):
     return XMLPolyDataReader(FileName=[write_vtp(name + ".vtp", points, loops, lines)])
 
 
-def place(column, row):
-    return column / (SIDE - 1.0) - 0.5, row / (SIDE - 1.0) - 0.5, 0.0
+def cell_array(surface, name):
+    surface.UpdatePipeline()
+    array = servermanager.Fetch(surface).GetCellData().GetArray(name)
+    check(array, "no cell array " + name)
+    return [array.GetTuple(i) for i in range(array.GetNumberOfTuples())]
 
 
 def test_point_ids():
-    """A clockwise square of the lattice's own points is a hole of four cells. The source has no places."""
+    """A clockwise square of the lattice's own points is a hole of four cells. The source's points are elsewhere."""
     corner = SIDE + 1
     square = [corner, corner + 2 * SIDE, corner + 2 * SIDE + 2, corner + 2]
-    hole = source("ids", [(math.nan, math.nan, 0.0)] * SIDE**2, loops=[square])
+    hole = source("ids", [(9.0, 9.0, 9.0)] * SIDE**2, loops=[square])
     surface = lattice(Source=hole, SourceMode="Point ids")
     found = measures(surface)
     check_equal(found["NumberOfTriangles"], WHOLE - 8, "triangles around the hole")
@@ -43,7 +46,7 @@ def test_point_ids():
 
 
 def test_coordinates():
-    """An octagon between the points of the lattice: a hole, or all there is, by its direction and the rule."""
+    """An octagon between the points of the lattice: a hole or all there is, by direction and rule."""
     for clockwise in (True, False):
         shore = source("ring%d" % clockwise, ring(0.3, clockwise=clockwise), loops=[range(8)])
         surface = lattice(Source=shore)
@@ -65,6 +68,27 @@ def test_coordinates():
         check_equal(measures(surface)["NumberOfTriangles"], inside, "triangles with the source again")
 
 
+def test_crossings():
+    """Two lines that cross: the later one is left out and named, or both are split."""
+    ends = [(-0.4, 0.03, 1.0), (0.4, 0.03, 1.0), (0.04, -0.4, 5.0), (0.04, 0.4, 5.0)]
+    cross = source("cross", ends, lines=[(0, 1), (2, 3)])
+    surface = lattice(Source=cross)
+    found = measures(surface)
+    left = ["NumberOfCrossings", "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops"]
+    check_equal([found[name] for name in left], [1, 1, 0], "crossings, left out, unfilled")
+    table = servermanager.Fetch(surface).GetFieldData().GetArray("Crossings")
+    check(table, "no field data array Crossings")
+    check_equal([table.GetTuple(i) for i in range(table.GetNumberOfTuples())], [(1.0, 0.0)], "Crossings")
+    surface.CrossingMode = "Split"
+    found = measures(surface)
+    check_equal([found[name] for name in left], [1, 0, 0], "crossings, left out, unfilled, when split")
+    check_equal(found["NumberOfAddedPoints"], 5, "points added, when split")
+    data = servermanager.Fetch(surface)
+    check_equal(
+        data.GetPoint(data.GetNumberOfPoints() - 1)[2], 3.0, "height where a line at 1 crosses one at 5"
+    )
+
+
 def test_a_loop_that_is_crossed_bounds_nothing():
     points = ring(0.3, clockwise=True) + [(-0.45, 0.02, 0.0), (-0.02, 0.02, 0.0)]
     crossed = source("crossed", points, loops=[range(8)], lines=[(8, 9)])
@@ -80,6 +104,52 @@ def test_counts_are_in_the_field_data():
         array = surface.FieldData[name]
         check(array, "no array %s in the field data" % name)
         check_equal(array.GetRange(0), (found[name], found[name]), "field data " + name)
+
+
+def test_extras():
+    shore = source("extras", ring(0.3), loops=[range(8)])
+    surface = lattice(Source=shore, GenerateConstraintEdges=1, GenerateRegionIds=1, GenerateNeighbors=1)
+    marks = [int(mark) for (mark,) in cell_array(surface, "ConstraintEdges")]
+    check_equal(sum(bin(mark).count("1") for mark in marks), 8, "sides of triangles that are constraints")
+    check_equal(set(cell_array(surface, "RegionId")), {(0.0,)}, "regions")
+    neighbours = cell_array(surface, "Neighbors")
+    check_equal(sum(row.count(-1.0) for row in neighbours), 8, "sides without a neighbour")
+    for triangle, row in enumerate(neighbours):
+        for other in row:
+            check(
+                other < 0 or triangle in neighbours[int(other)],
+                "triangle %d is no neighbour's neighbour" % triangle,
+            )
+
+
+def test_voronoi():
+    surface = lattice(GenerateVoronoi=1)
+    surface.UpdatePipeline()
+    cells = servermanager.Fetch(surface, idx=2)
+    check_equal(cells.GetNumberOfPolys(), SIDE**2, "Voronoi cells")
+    area = IntegrateVariables(Input=OutputPort(surface, 2))
+    area.UpdatePipeline()
+    check(abs(area.CellData["Area"].GetRange(0)[0] - 1.0) < 1e-12, "the Voronoi cells do not fill the square")
+    surface.GenerateVoronoi = 0
+    surface.UpdatePipeline()
+    check_equal(surface[2].GetDataInformation().GetNumberOfCells(), 0, "Voronoi cells, unasked")
+
+
+def test_outline():
+    """Without long edges: two lattices far apart do not grow together."""
+    far = Plane(XResolution=2, YResolution=2, Origin=[9, -0.5, 0], Point1=[10, -0.5, 0], Point2=[9, 0.5, 0])
+    both = AppendDatasets(Input=[Plane(XResolution=2, YResolution=2), far])
+    surface = AdaptiveHilbertDelaunay2D(Input=both)
+    check(
+        measures(surface)["NumberOfTriangles"] > 16,
+        "nothing joins the lattices, so this test would prove nothing",
+    )
+    surface.MaximumEdgeLength = 0.75
+    check_equal(measures(surface)["NumberOfTriangles"], 16, "triangles without long edges")
+    SetProperties(surface, MaximumEdgeLength=0, Alpha=0.36)  # the cells' circles have a radius of 0.354
+    check_equal(measures(surface)["NumberOfTriangles"], 16, "triangles of the alpha shape")
+    surface.AlphaTris = 0
+    check_equal(measures(surface)["NumberOfTriangles"], 0, "triangles of the alpha shape, not asked for")
 
 
 def test_planes():
