@@ -556,7 +556,7 @@ TEST(Split, StarOfLinesThroughAlmostOnePoint)
 {
   const int n = 200;
   Random random(4);
-  for (const double blur : { 0.0, 1e-17, 1e-16, 1e-15, 1e-12 })
+  for (const double blur : { 0.0, 1e-16, 1e-13 })
   {
     Drawing drawing;
     for (int i = 0; i < n; ++i)
@@ -621,18 +621,18 @@ TEST(Split, LongSegmentAmongManyShortOnes)
   drawing.addSegment({ -1.0, -0.875 }, { 301.0, -0.75 });
   EXPECT_LE(stepsFor(drawing, 0), 1000 * n);
   // Straight up through a column of horizontal ones.
-  for (std::size_t i = 0; i < n; ++i)
+  Drawing column;
+  for (std::size_t i = 0; i < n / 2; ++i)
   {
-    drawing.addSegment({ 400.0, double(i) }, { 401.0, double(i) });
+    column.addSegment({ 400.0, double(i) }, { 401.0, double(i) });
   }
-  drawing.addSegment({ 400.5, -1.0 }, { 400.5, double(n) });
-  EXPECT_LE(stepsFor(drawing, n), 3000 * n);
+  column.addSegment({ 400.5, -1.0 }, { 400.5, double(n) });
+  EXPECT_LE(stepsFor(column, n / 2), 1000 * n);
 }
 
 TEST(Split, ManyLongParallelSegments)
 {
-  const std::size_t n = reduced(100000);
-  for (const double slope : { 0.0, 0.7 })
+  for (const auto& [n, slope] : { std::pair(reduced(20000), 0.0), std::pair(reduced(100000), 0.7) })
   {
     Drawing drawing;
     for (std::size_t i = 0; i < n; ++i)
@@ -647,7 +647,7 @@ TEST(Split, ManyLongParallelSegments)
 
 TEST(Split, ManySegmentsWithOneCommonEnd)
 {
-  const std::size_t n = reduced(100000);
+  const std::size_t n = reduced(50000);
   Random random(6);
   Drawing drawing;
   drawing.points.push_back({ 0, 0 });

@@ -6,7 +6,7 @@
 #include "SplitFind.h"
 
 #include <algorithm>
-#include <cmath>
+#include <iterator>
 
 namespace ahd
 {
@@ -358,9 +358,15 @@ bool Splitter::useOtherPoints(std::vector<std::size_t>& firsts)
       }
     }
   };
-  const auto isNamed = [&](std::size_t first) { return meetings_[first].id != kUnnamed; };
-  const bool done = firsts.empty() || inChunks(0, points_.count, ticker_, use);
-  firsts.erase(std::remove_if(firsts.begin(), firsts.end(), isNamed), firsts.end());
+  std::vector<std::size_t> unnamed;
+  const auto keep = [&](std::size_t a, std::size_t b)
+  {
+    std::copy_if(firsts.data() + a, firsts.data() + b, std::back_inserter(unnamed),
+      [&](std::size_t first) { return meetings_[first].id == kUnnamed; });
+  };
+  const bool done = firsts.empty() ||
+    (inChunks(0, points_.count, ticker_, use) && inChunks(0, firsts.size(), ticker_, keep));
+  firsts.swap(unnamed);
   return done;
 }
 
@@ -469,19 +475,12 @@ std::size_t Splitter::chainOf(Index piece) const
   return std::size_t(after - out_.offsets.begin()) - 1;
 }
 
-/// Which fraction of the input's segment ends at p, in the coordinate in which it is longer.
+/// Which fraction of the input's segment ends at p.
 double Splitter::along(std::size_t chain, std::size_t segment, const Point& p) const
 {
   const std::size_t begin = std::size_t(chains_.offsets[chain]), k = begin + segment;
   const bool closes = k + 1 == std::size_t(chains_.offsets[chain + 1]);
-  const Point from = at(chains_.ids[k]), to = at(chains_.ids[closes ? begin : k + 1]);
-  // Where a difference overflows, that of the halves does not.
-  const bool overflows = !std::isfinite(to.x - from.x) || !std::isfinite(to.y - from.y);
-  const auto way = [&](double a, double b) { return overflows ? 0.5 * b - 0.5 * a : b - a; };
-  const double x = way(from.x, to.x), y = way(from.y, to.y);
-  const double fraction = std::fabs(x) >= std::fabs(y) ? way(from.x, p.x) / x
-                                                       : way(from.y, p.y) / y;
-  return std::min(1.0, std::max(0.0, fraction));
+  return fractionOfWay(at(chains_.ids[k]), at(chains_.ids[closes ? begin : k + 1]), p);
 }
 
 } // namespace

@@ -39,6 +39,8 @@ public:
 
 private:
   bool searchHalves(const Segments& inside, const Strip& strip);
+  template <typename Wanted>
+  bool choose(const Segments& from, Wanted wanted, Segments& chosen);
   bool climb(const Segments& ladder, Index s, const Strip& strip);
   bool makeLadder(Segments& spanning, Segments& others, const Strip& strip);
   bool report(Index s, Index t);
@@ -95,27 +97,42 @@ int Finder::orderLeaving(Index s, Index t, Index end) const
   return endsAfter(s, end) && endsAfter(t, end) ? orderAfter(s, t, end) : orderAtEnd(s, t, end);
 }
 
+/// Copies those for which `wanted` holds. Returns false if the work is to be cancelled.
+template <typename Wanted>
+bool Finder::choose(const Segments& from, Wanted wanted, Segments& chosen)
+{
+  chosen.clear();
+  return inChunks(0, from.size(), ticker_,
+    [&](std::size_t a, std::size_t b)
+    { std::copy_if(from.data() + a, from.data() + b, std::back_inserter(chosen), wanted); });
+}
+
 /// All crossings within the strip. REQUIRES: each segment has a part of some length in it.
 bool Finder::search(Segments inside, const Strip& strip)
 {
   while (inside.size() > 1)
   {
-    const auto firstOther = std::partition(
-      inside.begin(), inside.end(), [&](Index s) { return spans(s, strip); });
-    Segments ladder(inside.begin(), firstOther);
-    inside.erase(inside.begin(), firstOther);
-    const bool allSpan = inside.empty();
-    if (!makeLadder(ladder, inside, strip))
+    Segments ladder, others;
+    if (!choose(
+          inside, [&](Index s) { return spans(s, strip); }, ladder) ||
+      !choose(
+        inside, [&](Index s) { return !spans(s, strip); }, others))
     {
       return false;
     }
-    for (const Index s : inside)
+    const bool allSpan = others.empty();
+    if (!makeLadder(ladder, others, strip))
+    {
+      return false;
+    }
+    for (const Index s : others)
     {
       if (!climb(ladder, s, strip))
       {
         return false;
       }
     }
+    inside.swap(others);
     if (!allSpan)
     {
       return searchHalves(inside, strip);
@@ -131,14 +148,8 @@ bool Finder::searchHalves(const Segments& inside, const Strip& strip)
   Segments half;
   const auto inLeft = [&](Index s) { return segments_.ends[s].left < middle; };
   const auto inRight = [&](Index s) { return segments_.ends[s].right > middle; };
-  std::copy_if(inside.begin(), inside.end(), std::back_inserter(half), inLeft);
-  if (!search(std::move(half), { strip.begin, middle }))
-  {
-    return false;
-  }
-  half.clear();
-  std::copy_if(inside.begin(), inside.end(), std::back_inserter(half), inRight);
-  return search(std::move(half), { middle, strip.end });
+  return choose(inside, inLeft, half) && search(std::move(half), { strip.begin, middle }) &&
+    choose(inside, inRight, half) && search(std::move(half), { middle, strip.end });
 }
 
 /// Of `spanning`, leaves those that follow one another upwards without crossing; adds the others to

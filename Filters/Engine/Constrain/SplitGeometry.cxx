@@ -4,6 +4,7 @@
 #include "../Predicates/Predicates.h"
 #include "../Predicates/WideVectors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -278,6 +279,17 @@ Point crossingOf(const Segment& s, const Segment& t)
   const auto coordinate = [&](double from, const Difference& way)
   { return roundedQuotient(whole * unit.integer(from) + along * way, whole, unit.exponent()); };
   return { coordinate(s.left.x, u.x), coordinate(s.left.y, u.y) };
+}
+
+double fractionOfWay(const Point& from, const Point& to, const Point& p)
+{
+  // Where a difference overflows, that of the halves does not.
+  const bool overflows = !std::isfinite(to.x - from.x) || !std::isfinite(to.y - from.y);
+  const auto way = [&](double a, double b) { return overflows ? 0.5 * b - 0.5 * a : b - a; };
+  const double x = way(from.x, to.x), y = way(from.y, to.y);
+  const bool byX = std::fabs(x) >= std::fabs(y);
+  const double fraction = byX ? way(from.x, p.x) / x : way(from.y, p.y) / y;
+  return std::min(1.0, std::max(0.0, fraction));
 }
 
 } // namespace ahd

@@ -40,6 +40,10 @@ Point crossingOf(const Segment& s, const Segment& t);
 /// only a tie between p and another point does, it counts as no.
 bool roundsTo(const Segment& s, const Point& p);
 
+/// Which fraction of the way from `from` to `to` ends at p, 0 to 1, in the coordinate in which the
+/// way is longer. REQUIRES: from is not to.
+double fractionOfWay(const Point& from, const Point& to, const Point& p);
+
 } // namespace ahd
 
 #endif
