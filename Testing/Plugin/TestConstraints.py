@@ -97,6 +97,20 @@ def test_a_loop_that_is_crossed_bounds_nothing():
     check_equal(found["NumberOfTriangles"], WHOLE + 2 * 10, "triangles, all of them")
 
 
+def test_a_source_made_from_the_surface_itself():
+    """A circle in the pipeline would never end: the source is taken away again."""
+    shore = source("own", ring(0.3), loops=[range(8)])
+    surface = lattice(Source=shore)
+    rim = FeatureEdges(Input=surface)
+    for own in (rim, surface):
+        surface.Source = own
+        check(surface.Source is None, "the surface is its own source")
+        check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles without the source")
+    # The source may have what the surface has not been made of, of course.
+    surface.Source = FeatureEdges(Input=Sphere())
+    check(surface.Source is not None, "a source that is no part of a circle was refused")
+
+
 def test_counts_are_in_the_field_data():
     surface = lattice(Source=source("counted", ring(0.3), loops=[range(8)]))
     found = measures(surface)

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "MeasuresAfterUpdate.h"
+#include "FilterObservers.h"
 
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProcessModule.h"
 #include "vtkSMProxyManager.h"
+#include "vtkSMProxyProperty.h"
 #include "vtkSMSourceProxy.h"
 
 #include <cstring>
+#include <set>
 
 namespace
 {
@@ -20,6 +22,53 @@ public:
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
     vtkSMProxy::SafeDownCast(caller)->UpdatePropertyInformation();
+  }
+};
+
+/// Is `wanted` among the proxies that make the data of `proxy`, itself included? `seen` are those
+/// that were looked at.
+bool DependsOn(vtkSMProxy* proxy, vtkSMProxy* wanted, std::set<vtkSMProxy*>& seen)
+{
+  if (proxy == wanted)
+  {
+    return true;
+  }
+  if (!proxy || !seen.insert(proxy).second)
+  {
+    return false;
+  }
+  for (unsigned int i = 0; i < proxy->GetNumberOfProducers(); ++i)
+  {
+    if (DependsOn(proxy->GetProducerProxy(i), wanted, seen))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Observes one proxy: a property was changed.
+class RefuseCircle : public vtkCommand
+{
+public:
+  static RefuseCircle* New() { VTK_STANDARD_NEW_BODY(RefuseCircle); }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const auto* name = static_cast<const char*>(data);
+    if (!name || std::strcmp(name, "Source") != 0)
+    {
+      return;
+    }
+    auto* proxy = vtkSMProxy::SafeDownCast(caller);
+    auto* source = vtkSMProxyProperty::SafeDownCast(proxy->GetProperty("Source"));
+    std::set<vtkSMProxy*> seen;
+    if (source && source->GetNumberOfProxies() > 0 && DependsOn(source->GetProxy(0), proxy, seen))
+    {
+      vtkGenericWarningMacro(
+        "The source was made from the surface that it is to constrain. It was taken "
+        "away again.");
+      source->RemoveAllProxies();
+    }
   }
 };
 
@@ -39,14 +88,16 @@ public:
       return; // another proxy, or the same under one more name
     }
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Fetch);
+    proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Refuse);
   }
 
 private:
   vtkNew<FetchMeasures> Fetch;
+  vtkNew<RefuseCircle> Refuse;
 };
 }
 
-void FetchMeasuresAfterUpdate()
+void ObserveTheFilters()
 {
   const auto type = vtkProcessModule::GetProcessType();
   if (type == vtkProcessModule::PROCESS_SERVER || type == vtkProcessModule::PROCESS_DATA_SERVER ||
