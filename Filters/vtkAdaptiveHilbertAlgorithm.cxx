@@ -33,6 +33,8 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Nmax: " << this->Nmax << "\n";
   os << indent << "ControlPoints: " << this->ControlPoints << "\n";
   os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
+  os << indent << "RandomPointInsertion: " << (this->RandomPointInsertion ? "On\n" : "Off\n");
+  os << indent << "UseHilbertSorter: " << (this->UseHilbertSorter ? "On\n" : "Off\n");
   os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
   os << indent << "GenerateInsertionRank: " << (this->GenerateInsertionRank ? "On\n" : "Off\n");

@@ -8,6 +8,40 @@
  * of it but InsertionLimit changes the triangles. What is triangulated, and what comes out, is said
  * there.
  *
+ * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
+ * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
+ * points (by default it goes on inside them, down to the single point), the method of T. Su, W.
+ * Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for randomly distributed point cloud
+ * data using adaptive Hilbert curve</em>, Computers & Graphics 54 (2016) 65-74,
+ * doi:10.1016/j.cag.2015.07.019. The time then grows about linearly with the number of points,
+ * however unevenly they are distributed. Memory is linear too and estimated beforehand: what cannot
+ * be had is refused with an error before it is allocated (see MemoryLimit). At most 2^28 - 2 points
+ * are taken. Float and double points are read where they are, and widening float to double is
+ * exact; points of another type are converted to double first. Projecting and adding points takes a
+ * copy of the places in the plane, 25 bytes per point.
+ *
+ * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
+ * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank
+ * adds the place of each point in the order of insertion to the surface. The order itself is output
+ * port 1, a vtkPolyData, which is empty unless GenerateInsertionCurve or GenerateBoxes is on:
+ * - its points are the inserted points, in the order of their insertion, then four corners for each
+ *   box. They are of double precision; a corner's z is the lowest finite z of all points that are
+ *   neither rejected, skipped nor merged (0 if there is none), so that the boxes lie below the
+ *   surface. In another plane than x, y, all are where they are in that plane;
+ * - its cells are, with GenerateInsertionCurve, a polyline through the inserted points (if there
+ *   are two or more), then, with GenerateBoxes, a counterclockwise quadrangle for each box of the
+ *   grid that is not divided further, empty boxes included, in the order in which they are visited;
+ * - its point data are "InsertionRank", the place in the order from 0, and "OriginalPointIds", the
+ *   id in output port 0 (both vtkIdTypeArray and -1 at corners);
+ * - its cell data are "Level" (vtkIntArray), the number of divisions that made the box, 0 for the
+ *   box of all points, and "Count" (vtkIdTypeArray), the distinct points in the box, control points
+ *   and those beyond the limit included; for the curve -1 and the points it passes. A point on the
+ *   border of two boxes belongs to the one of larger x or y.
+ *
+ * So the Counts of all boxes add up to the points inserted and those beyond the limit. The sides of
+ * the boxes are rounded, as they are there to be drawn. No box is more than twice as long as wide,
+ * so the boxes of points in a narrow band reach beyond the band.
+ *
  * @sa
  * vtkAdaptiveHilbertDelaunay2D
  */
@@ -103,6 +137,19 @@ public:
   vtkSetMacro(GeneRotation, bool);
   vtkGetMacro(GeneRotation, bool);
   vtkBooleanMacro(GeneRotation, bool);
+  ///@}
+
+  ///@{
+  /**
+   * No effect: they are here so that programs written for vtkDelaunay2D run as they are. The result
+   * does not depend on the order of insertion, which InsertionOrder sets. Off by default.
+   */
+  vtkSetMacro(RandomPointInsertion, vtkTypeBool);
+  vtkGetMacro(RandomPointInsertion, vtkTypeBool);
+  vtkBooleanMacro(RandomPointInsertion, vtkTypeBool);
+  vtkSetMacro(UseHilbertSorter, vtkTypeBool);
+  vtkGetMacro(UseHilbertSorter, vtkTypeBool);
+  vtkBooleanMacro(UseHilbertSorter, vtkTypeBool);
   ///@}
 
   ///@{
@@ -221,9 +268,10 @@ public:
 
   ///@{
   /**
-   * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points and
-   * those beyond the limit add up to the number of input points. All 0 if the execution was aborted
-   * or ended in an error.
+   * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points,
+   * those beyond the limit and merged ones (NumberOfMergedPoints) add up to the number of all
+   * points, the added ones (NumberOfAddedPoints) included. Triangles: those that are put out. All 0
+   * if the execution was aborted or ended in an error.
    */
   vtkGetMacro(NumberOfPointsInserted, vtkIdType);
   vtkGetMacro(NumberOfDuplicates, vtkIdType);
@@ -278,6 +326,8 @@ protected:
   int Nmax = 50;
   int ControlPoints = EVERY_LEVEL;
   bool GeneRotation = true;
+  vtkTypeBool RandomPointInsertion = 0;
+  vtkTypeBool UseHilbertSorter = 0;
   bool CountWork = false;
   vtkIdType InsertionLimit = 0;
   bool GenerateInsertionRank = false;

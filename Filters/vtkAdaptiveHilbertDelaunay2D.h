@@ -4,29 +4,51 @@
  * @brief   exact 2D Delaunay triangulation of large point sets
  *
  * Makes a surface of triangles out of scattered points: soundings, lidar returns, samples of a
- * height field, points of a plane. The triangulation is computed in x and y; z is carried along
- * unseen, so heights make a terrain (a triangulated irregular network).
+ * height field, points of a plane. The triangulation is computed in x and y (or another plane: see
+ * ProjectionPlaneMode); z is carried along unseen, so heights make a terrain (a triangulated
+ * irregular network). Breaklines, outlines and holes are given as constraints.
  *
  * <b>What comes out.</b> The vtkPolyData has the very points of the input (the same vtkPoints
  * object, the same ids, all point data) and one triangle per cell. Input cells and cell data are
- * not passed on. The triangles
+ * not passed on. With default settings and no constraints, the triangles
  * - are the Delaunay triangulation of the points: no point lies inside the circumcircle of a
  *   triangle. This holds exactly, not up to a tolerance, for every finite coordinate;
  * - are all counterclockwise in the x, y plane;
  * - cover the convex hull of the points; points on its straight edges are corners of triangles;
  * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull.
  *
- * This is output port 0. Output port 1 is empty unless asked for (see below).
+ * This is output port 0. Output ports 1 and 2 are empty unless asked for (see below, and
+ * GenerateVoronoi).
+ *
+ * <b>Constraints.</b> Input port 1, the source, is an optional vtkPolyData; its cells refer to the
+ * points of the input by their ids, or to its own points (see SourceMode). Each segment of its
+ * lines and polylines becomes an edge, or a row of edges where points lie on it. So does each of
+ * its polygons, as loops, the last point joined to the first; what they enclose is kept, the rest
+ * dropped (see FillRule). The result is the constrained Delaunay triangulation: no point that can
+ * be seen from inside a triangle lies in its circumcircle, where constraints block the view.
+ * Segments may overlap, repeat each other or have no length; ends that are duplicates stand for the
+ * vertex at their place. A segment that crosses one before it is left out, or both are split (see
+ * CrossingMode); one whose end is no vertex is left out. A loop with a segment left out bounds
+ * nothing, its other segments are edges. All of this is counted, and the field data array
+ * "Crossings" (vtkIdTypeArray, two components) names the cells of the source that cross, the later
+ * one first, one row for each segment left out or point added, at most 1000.
+ *
+ * <b>Points that are added</b> by SOURCE_COORDINATES, BoundingTriangulation and SPLIT follow those
+ * of the input, in this order. The output's points are then a copy in double precision, and its
+ * point data copies of the input's arrays, with a value for each added point.
  *
  * <b>The result is canonical.</b> Where four or more points lie on one circle, there is more than
  * one Delaunay triangulation; here the coordinates alone decide which is taken, and the triangles
- * and their corners come in an order that the coordinates decide as well. None of the settings
- * but InsertionLimit changes the triangles or their order, and shuffling the input changes nothing
- * but the ids.
+ * and their corners come in an order that the coordinates decide as well. None of the settings of
+ * vtkAdaptiveHilbertAlgorithm but InsertionLimit changes the triangles or their order, and
+ * shuffling the input changes nothing but the ids. The order of constraints has a say where they
+ * cross.
  *
  * <b>What becomes of each point.</b> Every point is one of these, and the filter counts them:
  * - a vertex of the triangulation;
- * - a duplicate: same x and y as a point of smaller id, which stands for it in the triangles;
+ * - a duplicate: same x and y as a point of smaller id, which stands for it in the triangles (but
+ *   see DuplicatePolicy);
+ * - merged: within Tolerance of another, which stands for it;
  * - rejected: its x or y is NaN or infinite;
  * - skipped: marked as a duplicate of another piece's point or as hidden in the point data array
  *   vtkGhostType;
@@ -36,56 +58,31 @@
  * array. The counts are available from the Get methods below and, as integer arrays of one value
  * with the names of these methods (NumberOfDuplicates, ...), in the field data of the output.
  *
- * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
- * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
- * points (by default it goes on inside them, down to the single point), the method of T. Su, W.
- * Wang, Z. Lv, W. Wu, X. Li, <em>Rapid Delaunay triangulation for randomly distributed point cloud
- * data using adaptive Hilbert curve</em>, Computers & Graphics 54 (2016) 65-74,
- * doi:10.1016/j.cag.2015.07.019. The time then grows about linearly with the number of points,
- * however unevenly they are distributed. Memory is linear too and estimated beforehand: what cannot
- * be had is refused with an error before it is allocated (see MemoryLimit). At most 2^28 - 2 points
- * are taken. Float and double points are read where they are, and widening float to double is
- * exact; points of another type are converted to double first.
- *
- * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
- * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank
- * adds the place of each point in the order of insertion to the surface. The order itself is output
- * port 1, a vtkPolyData, which is empty unless GenerateInsertionCurve or GenerateBoxes is on:
- * - its points are the inserted points, in the order of their insertion, then four corners for each
- *   box. They are of double precision; a corner's z is the lowest finite z of all points that are
- *   neither rejected nor skipped (0 if there is none), so that the boxes lie below the surface;
- * - its cells are, with GenerateInsertionCurve, a polyline through the inserted points (if there
- *   are two or more), then, with GenerateBoxes, a counterclockwise quadrangle for each box of the
- *   grid that is not divided further, empty boxes included, in the order in which they are visited;
- * - its point data are "InsertionRank", the place in the order from 0, and "OriginalPointIds", the
- *   id in the input (both vtkIdTypeArray and -1 at corners);
- * - its cell data are "Level" (vtkIntArray), the number of divisions that made the box, 0 for the
- *   box of all points, and "Count" (vtkIdTypeArray), the distinct points in the box, control points
- *   and those beyond the limit included; for the curve -1 and the points it passes. A point on the
- *   border of two boxes belongs to the one of larger x or y.
- *
- * So the Counts of all boxes add up to the points inserted and those beyond the limit. The sides of
- * the boxes are rounded, as they are there to be drawn. No box is more than twice as long as wide,
- * so the boxes of points in a narrow band reach beyond the band.
+ * How the points are inserted, what shows it, and what is said of speed and memory is in
+ * vtkAdaptiveHilbertAlgorithm.
  *
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
  * because there are fewer than three distinct points or all are collinear (or InsertionLimit lets
- * no others be inserted: then this is said); an array vtkGhostType that has not one value per
- * point, and is ignored; several MPI ranks (once in the filter's life, from rank 0), since each
- * rank then triangulates its own points only. The blocks of a composite data set are triangulated
- * one by one; one that is no vtkPointSet, such as an image, gets a warning and an empty output.
- * Duplicates are no reason for a warning: ship tracks cross. No points in, no triangles out, and
- * nothing is said. Errors, with both outputs empty: too many points, or not enough memory. The
- * error is said once, the request counts as done (as in vtkDelaunay2D), and the filters behind this
- * one get the empty outputs. An aborted execution (SetAbortExecute from a progress observer) leaves
- * empty outputs and no error; to run again, call SetAbortExecute(0) and Modified().
+ * no others be inserted: then this is said), or because loops keep none; segments left out as they
+ * cross others, with the cells of the first two, or as an end is no vertex, and loops that bound
+ * nothing for that reason; ids of the source that are no point's; an array vtkGhostType that has
+ * not one value per point, and is ignored; several MPI ranks (once in the filter's life, from rank
+ * 0), since each rank then triangulates its own points only. The blocks of a composite data set are
+ * triangulated one by one; one that is no vtkPointSet, such as an image, gets a warning and an
+ * empty output. Duplicates are no reason for a warning: ship tracks cross. No points in, no
+ * triangles out, and nothing is said. Errors, with all outputs empty: too many points, or not
+ * enough memory. The error is said once, the request counts as done (as in vtkDelaunay2D), and the
+ * filters behind this one get the empty outputs. An aborted execution (SetAbortExecute from a
+ * progress observer) leaves empty outputs and no error; to run again, call SetAbortExecute(0) and
+ * Modified().
  *
- * <b>Compared with vtkDelaunay2D.</b> vtkDelaunay2D drops points closer to others than a Tolerance
- * and decides with rounded arithmetic, so its result may depend on the order of the points and may
- * miss some; it starts from a big bounding triangulation, which can leave the boundary
- * short of the convex hull. It has what this class has not: constraints (a Source of edges and
- * polygons), Alpha shapes, Transform and a projection to the best-fitting plane.
+ * <b>Compared with vtkDelaunay2D.</b> All settings of vtkDelaunay2D are here, by the same names;
+ * what differs is said with each. vtkDelaunay2D drops points closer to others than a Tolerance and
+ * decides with rounded arithmetic, so its result may depend on the order of the points, miss some,
+ * and lack constraints ("Edge not recovered"); it starts from a big bounding triangulation, which
+ * can leave the boundary short of the convex hull. This class misses none of what vtkDelaunay2D
+ * has.
  *
  * @sa
  * vtkDelaunay2D
@@ -193,8 +190,9 @@ public:
    * polygons, then the order of the cells decides), and if it is part of a loop, the loop bounds
    * nothing. SPLIT: a point is added where they cross, rounded to double precision, and both bend
    * to pass through it. Its z and point data are the means of what linear interpolation along
-   * either gives (arrays that are no numbers: their default); the ghost mark is 0. A warning says
-   * how often either happened. vtkDelaunay2D leaves such edges to chance.
+   * either gives, rounded in arrays of whole numbers, empty in arrays of strings. If they still
+   * cross after 16 rounds of this, it is as with LEAVE_OUT. A warning says how many were left out.
+   * vtkDelaunay2D leaves such edges to chance.
    */
   vtkSetClampMacro(CrossingMode, int, LEAVE_OUT, SPLIT);
   vtkGetMacro(CrossingMode, int);
@@ -351,24 +349,11 @@ public:
 
   ///@{
   /**
-   * No effect: they are here so that programs written for vtkDelaunay2D run as they are. The result
-   * does not depend on the order of insertion, and InsertionOrder sets it. Off by default.
-   */
-  vtkSetMacro(RandomPointInsertion, vtkTypeBool);
-  vtkGetMacro(RandomPointInsertion, vtkTypeBool);
-  vtkBooleanMacro(RandomPointInsertion, vtkTypeBool);
-  vtkSetMacro(UseHilbertSorter, vtkTypeBool);
-  vtkGetMacro(UseHilbertSorter, vtkTypeBool);
-  vtkBooleanMacro(UseHilbertSorter, vtkTypeBool);
-  ///@}
-
-  ///@{
-  /**
    * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
-   * if it is a vertex, the id of the point it coincides with if it is a duplicate, -1 if it was
-   * rejected because its x or y is not finite, -2 if it was not inserted, because it is marked as a
-   * ghost or hidden point or lies beyond InsertionLimit.
-   * Off by default; costs 16 bytes per point while the filter runs.
+   * if it is a vertex, the id of the point that stands for it if it is a duplicate or merged
+   * into that, -1 if it was rejected because its x or y is not finite, -2 if it was not inserted,
+   * because it is marked as a ghost or hidden point or lies beyond InsertionLimit. Off by default;
+   * costs 16 bytes per point while the filter runs.
    */
   vtkSetMacro(GenerateFate, bool);
   vtkGetMacro(GenerateFate, bool);
@@ -473,8 +458,6 @@ protected:
   int DuplicatePolicy = FIRST;
   double Offset = 1.0;
   vtkTypeBool BoundingTriangulation = 0;
-  vtkTypeBool RandomPointInsertion = 0;
-  vtkTypeBool UseHilbertSorter = 0;
   bool GenerateFate = false;
   bool GenerateConstraintEdges = false;
   bool GenerateRegionIds = false;

@@ -3,6 +3,8 @@
 // Properties: their ranges, and that none of them changes the result or is changed by a run.
 #include "FilterTestSupport.h"
 
+#include "vtkTransform.h"
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -45,6 +47,75 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_EQ(filter->GetReuseLimit(), 0);
 }
 
+TEST(Settings, OfVtkDelaunay2DAreThere)
+{
+  vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetAlpha(), 0.0);
+  EXPECT_TRUE(filter->GetAlphaTris() && filter->GetAlphaLines() && filter->GetAlphaVerts());
+  EXPECT_EQ(filter->GetTolerance(), 0.0);
+  EXPECT_EQ(filter->GetOffset(), 1.0);
+  EXPECT_EQ(filter->GetProjectionPlaneMode(), VTK_DELAUNAY_XY_PLANE);
+  EXPECT_EQ(filter->GetTransform(), nullptr);
+  EXPECT_EQ(filter->GetSource(), nullptr);
+  EXPECT_FALSE(filter->GetBoundingTriangulation());
+  EXPECT_FALSE(filter->GetRandomPointInsertion());
+  EXPECT_FALSE(filter->GetUseHilbertSorter());
+
+  filter->SetAlpha(-1.0);
+  EXPECT_EQ(filter->GetAlpha(), 0.0);
+  filter->SetTolerance(-1.0);
+  EXPECT_EQ(filter->GetTolerance(), 0.0);
+  filter->SetTolerance(2.0);
+  EXPECT_EQ(filter->GetTolerance(), 1.0);
+  filter->SetOffset(0.1);
+  EXPECT_EQ(filter->GetOffset(), 0.75);
+  filter->SetProjectionPlaneMode(17);
+  EXPECT_EQ(filter->GetProjectionPlaneMode(), VTK_BEST_FITTING_PLANE);
+  filter->SetProjectionPlaneMode(-1);
+  EXPECT_EQ(filter->GetProjectionPlaneMode(), VTK_DELAUNAY_XY_PLANE);
+}
+
+TEST(Settings, BeyondVtkDelaunay2DAreOff)
+{
+  vtkNew<Filter> filter;
+  EXPECT_EQ(filter->GetSourceMode(), Filter::SOURCE_IDS);
+  EXPECT_EQ(filter->GetCrossingMode(), Filter::LEAVE_OUT);
+  EXPECT_EQ(filter->GetFillRule(), Filter::ORIENTATION);
+  EXPECT_EQ(filter->GetDuplicatePolicy(), Filter::FIRST);
+  EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_HULL);
+  EXPECT_EQ(filter->GetMaximumEdgeLength(), 0.0);
+  EXPECT_FALSE(filter->GetGenerateConstraintEdges());
+  EXPECT_FALSE(filter->GetGenerateRegionIds());
+  EXPECT_FALSE(filter->GetGenerateNeighbors());
+  EXPECT_FALSE(filter->GetGenerateVoronoi());
+
+  filter->SetSourceMode(9);
+  EXPECT_EQ(filter->GetSourceMode(), Filter::SOURCE_COORDINATES);
+  filter->SetCrossingMode(9);
+  EXPECT_EQ(filter->GetCrossingMode(), Filter::SPLIT);
+  filter->SetFillRule(9);
+  EXPECT_EQ(filter->GetFillRule(), Filter::EVEN_ODD);
+  filter->SetDuplicatePolicy(9);
+  EXPECT_EQ(filter->GetDuplicatePolicy(), Filter::MEAN_Z);
+  filter->SetVoronoiClip(9);
+  EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_BOUNDS);
+  filter->SetMaximumEdgeLength(-2.0);
+  EXPECT_EQ(filter->GetMaximumEdgeLength(), 0.0);
+}
+
+TEST(Settings, TheTransformsChangesAreTheFilters)
+{
+  vtkNew<Filter> filter;
+  vtkNew<vtkTransform> transform;
+  filter->SetTransform(transform);
+  EXPECT_EQ(filter->GetTransform(), transform.Get());
+  const vtkMTimeType before = filter->GetMTime();
+  transform->RotateX(90);
+  EXPECT_GT(filter->GetMTime(), before);
+  filter->SetTransform(nullptr);
+  EXPECT_EQ(filter->GetTransform(), nullptr);
+}
+
 TEST(Settings, NamedSettersSetWhatTheySay)
 {
   vtkNew<Filter> filter;
@@ -62,6 +133,30 @@ TEST(Settings, NamedSettersSetWhatTheySay)
   EXPECT_EQ(filter->GetControlPoints(), 1);
   filter->SetControlPointsToEveryLevel();
   EXPECT_EQ(filter->GetControlPoints(), 2);
+  filter->SetSourceModeToCoordinates();
+  EXPECT_EQ(filter->GetSourceMode(), 1);
+  filter->SetSourceModeToIds();
+  EXPECT_EQ(filter->GetSourceMode(), 0);
+  filter->SetCrossingModeToSplit();
+  EXPECT_EQ(filter->GetCrossingMode(), 1);
+  filter->SetCrossingModeToLeaveOut();
+  EXPECT_EQ(filter->GetCrossingMode(), 0);
+  filter->SetFillRuleToEvenOdd();
+  EXPECT_EQ(filter->GetFillRule(), 1);
+  filter->SetFillRuleToOrientation();
+  EXPECT_EQ(filter->GetFillRule(), 0);
+  filter->SetDuplicatePolicyToMeanZ();
+  EXPECT_EQ(filter->GetDuplicatePolicy(), 3);
+  filter->SetDuplicatePolicyToHighestZ();
+  EXPECT_EQ(filter->GetDuplicatePolicy(), 2);
+  filter->SetDuplicatePolicyToLowestZ();
+  EXPECT_EQ(filter->GetDuplicatePolicy(), 1);
+  filter->SetDuplicatePolicyToFirst();
+  EXPECT_EQ(filter->GetDuplicatePolicy(), 0);
+  filter->SetVoronoiClipToBounds();
+  EXPECT_EQ(filter->GetVoronoiClip(), 1);
+  filter->SetVoronoiClipToHull();
+  EXPECT_EQ(filter->GetVoronoiClip(), 0);
 }
 
 TEST(Settings, NoneChangesTheResult)
@@ -83,6 +178,9 @@ TEST(Settings, NoneChangesTheResult)
         filter->SetNmax(nmax);
         filter->SetGeneRotation(nmax != 50);
         filter->SetCountWork(nmax == 1);
+        filter->SetRandomPointInsertion(nmax == 1);
+        filter->SetUseHilbertSorter(control == Filter::EVERY_LEVEL);
+        filter->SetOffset(nmax);
         filter->Update();
         ASSERT_EQ(trianglesOf(filter->GetOutput()), expected)
           << "InsertionOrder " << order << ", ControlPoints " << control << ", Nmax " << nmax;
@@ -155,12 +253,19 @@ TEST(Settings, AreAllPrinted)
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
-         "GenerateFate", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
-         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
-         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
-         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate" })
+  for (const char* name :
+    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate",
+      "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve", "GenerateBoxes",
+      "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
+      "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
+      "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed", "SortSeconds", "InsertSeconds",
+      "OutputSeconds", "MemoryEstimate", "SourceMode", "CrossingMode", "FillRule", "Alpha",
+      "AlphaTris", "AlphaLines", "AlphaVerts", "MaximumEdgeLength", "ProjectionPlaneMode",
+      "Transform", "Tolerance", "DuplicatePolicy", "Offset", "BoundingTriangulation",
+      "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
+      "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
+      "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
+      "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }

@@ -14,7 +14,7 @@ from vtkmodules.vtkCommonCore import (
     vtkIdList,
     vtkPoints,
 )
-from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
 from algorithmtests import check_abort_and_run_again, run_tests
@@ -149,6 +149,57 @@ class FilterTest(unittest.TestCase):
             self.assertEqual(ranks[ids.GetValue(i)], i)
         held = order.GetCellData().GetArray("Count")
         self.assertEqual(sum(held.GetValue(i) for i in range(1, 1 + boxes)), 300)
+
+    def test_constraints(self):
+        points = [(x, y, 0.0) for x in range(10) for y in range(10)]
+        hole = vtkCellArray()
+        hole.InsertNextCell(4)
+        for point in (22, 25, 45, 42):  # clockwise
+            hole.InsertCellPoint(point)
+        line = vtkCellArray()
+        line.InsertNextCell(2)
+        line.InsertCellPoint(0)
+        line.InsertCellPoint(97)
+        source = vtkPolyData()
+        source.SetPolys(hole)
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        self.assertIsNone(algorithm.GetSource())
+        algorithm.SetInputData(cloud(points))
+        algorithm.SetSourceData(source)
+        algorithm.Update()
+        self.assertIs(algorithm.GetSource(), source)
+        self.assertEqual(algorithm.GetNumberOfTriangles(), 162 - 12)
+        self.assertEqual(algorithm.GetNumberOfConstraintEdges(), 10)
+
+        said = watch(algorithm)
+        source.SetLines(line)  # crosses the hole
+        source.Modified()
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfUnfilledLoops(), 1)
+        self.assertEqual(len(said["WarningEvent"]), 1, said)
+        crossings = algorithm.GetOutput().GetFieldData().GetArray("Crossings")
+        self.assertEqual(crossings.GetTuple(0), (1.0, 0.0))
+
+        algorithm.SetCrossingModeToSplit()
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfUnfilledLoops(), 0)
+        self.assertEqual(algorithm.GetNumberOfAddedPoints(), algorithm.GetNumberOfCrossings())
+        self.assertGreater(algorithm.GetNumberOfAddedPoints(), 0)
+        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 100 + algorithm.GetNumberOfAddedPoints())
+        self.assertEqual(len(said["WarningEvent"]), 1, said)
+
+    def test_source_coordinates_and_tolerance(self):
+        source = cloud([(0.5, 0.25, 0), (3.5, 3.75, 0), (4.001, 4, 0)])
+        algorithm = vtkAdaptiveHilbertDelaunay2D()
+        algorithm.SetInputData(cloud([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0)]))
+        algorithm.SetSourceData(source)
+        algorithm.SetSourceMode(algorithm.SOURCE_COORDINATES)
+        algorithm.SetTolerance(0.001)
+        algorithm.Update()
+        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 7)
+        self.assertEqual(algorithm.GetNumberOfAddedPoints(), 3)
+        self.assertEqual(algorithm.GetNumberOfMergedPoints(), 1)
+        self.assertEqual(algorithm.GetNumberOfPointsInserted(), 6)
 
     def test_warning_with_counts(self):
         algorithm = vtkAdaptiveHilbertDelaunay2D()
