@@ -219,9 +219,20 @@ public:
    * A length, in the unit of the points: only what fits is put out. Triangles whose circumscribed
    * circle has no larger radius than this, measured in the space of the points; edges of none of
    * these that are not longer than twice this, as lines; and points in none of both, as vertices.
-   * 0, the default, puts out all triangles and nothing else. As in vtkDelaunay2D; the three kinds
-   * can be switched off one by one, by AlphaTris, AlphaLines and AlphaVerts, all on by default and
-   * without effect where Alpha is 0.
+   * 0, the default, puts out all triangles and nothing else. The three kinds can be hidden one by
+   * one, by AlphaTris, AlphaLines and AlphaVerts, all on by default and without effect where Alpha
+   * is 0; to hide one changes nothing of the others.
+   *
+   * As in vtkDelaunay2D: from the same triangles both select the same cells. This includes that
+   * - duplicates and merged points are corners of nothing, so they are put out as vertices, too.
+   *   Points that are rejected, skipped or beyond InsertionLimit are not;
+   * - a triangle that cannot be measured, because the z of a corner is NaN, is kept;
+   * - where all points are collinear, there are lines from one to the next though no triangle. (Of
+   *   fewer than three points vtkDelaunay2D puts out nothing, this filter a line or a vertex.)
+   *
+   * One thing differs: where loops of the source leave something out, vtkDelaunay2D fills it with
+   * lines of its short edges; here nothing is put out there but the points that are used by nothing
+   * else, as vertices.
    */
   vtkSetClampMacro(Alpha, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Alpha, double);
@@ -240,7 +251,7 @@ public:
   /**
    * Triangles with an edge longer than this are not put out: gives a survey its concave outline. A
    * length in the plane of the triangulation, in the unit of its coordinates, up from 0; 0, the
-   * default, keeps all. vtkDelaunay2D has no such setting.
+   * default, keeps all. With Alpha, lines are not longer either. vtkDelaunay2D has no such setting.
    */
   vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumEdgeLength, double);
@@ -398,9 +409,24 @@ public:
   /**
    * Put the Voronoi diagram of the vertices into output port 2: for each vertex a convex polygon of
    * what is nearer to it than to any other vertex, in the plane of the triangulation, with the
-   * point data of the vertex as cell data. Constraints and what is dropped make no difference to
-   * it. Cut off at the convex hull of the points (CLIP_TO_HULL, the default) or at their bounding
-   * box (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips. Off by default.
+   * point data of the vertex as cell data, but for vtkGhostType. The cell array "OriginalPointIds"
+   * (vtkIdTypeArray) has the vertex's id in the points of port 0; the polygons are in the order of
+   * these. Constraints and what is dropped make no difference to it; points that are added are
+   * vertices, too. Cut off at the convex hull of the vertices (CLIP_TO_HULL, the default) or at
+   * their bounding box in the plane (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips.
+   *
+   * The polygons are counterclockwise and share their corners, which are of double precision and
+   * rounded: circumcentres that cannot be told apart, as those of a lattice's squares, are one
+   * corner. Where points are so close that this is true of a whole cell, its polygon has corners in
+   * the same place. On the hull, vertices are corners of their own polygons. Collinear points have
+   * no polygons in their hull, which has no area, but strips in their box if that has one; a single
+   * point has none.
+   *
+   * z is 0 in the plane x, y. Elsewhere the polygons lie where Transform, or the best fitting
+   * plane, takes them from: the inverse of the transform moves them back. If there is no inverse a
+   * warning says so, and they stay in the plane z = 0.
+   * Off by default; costs up to 620 bytes per point while the filter runs, and the point data once
+   * more.
    */
   vtkSetMacro(GenerateVoronoi, bool);
   vtkGetMacro(GenerateVoronoi, bool);

@@ -58,8 +58,7 @@ struct VoronoiCells
 Status voronoiCells(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells,
   Progress* progress, Executor* executor = nullptr);
 
-/// Upper estimate of the bytes that voronoiCells() and its result take for so many points, but for
-/// points of which nearly all lie on the hull, which take up to twice as much.
+/// Upper estimate of the bytes that voronoiCells() and its result take for so many points.
 std::size_t voronoiMemoryEstimate(std::size_t pointCount);
 
 } // namespace ahd

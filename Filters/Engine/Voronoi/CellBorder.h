@@ -58,7 +58,11 @@ public:
       return { centre(twin / 3), centre(h / 3) };
     }
     const auto found = cut_.find(own);
-    const Piece result = found != cut_.end() ? found->second : cut_[own] = cut(own);
+    const Piece result = found != cut_.end() ? found->second : cut(own);
+    if (found == cut_.end() && !result.isEmpty()) // most edges outside are quickly found to be
+    {
+      cut_.emplace(own, result);
+    }
     return isOwn ? result : turned(result);
   }
 

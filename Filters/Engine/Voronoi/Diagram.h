@@ -6,6 +6,8 @@
 #include "../Voronoi.h"
 #include "Circumcentre.h"
 
+#include <algorithm>
+
 namespace ahd
 {
 
@@ -63,6 +65,13 @@ public:
   /// turning counterclockwise from it passes all triangles. kNoHalfEdge for a point that is no
   /// vertex.
   HalfEdge start(std::size_t id) const { return starts_[id]; }
+
+  /// Vertices that have triangles.
+  std::size_t countVertices() const
+  {
+    return starts_.size() -
+      static_cast<std::size_t>(std::count(starts_.begin(), starts_.end(), kNoHalfEdge));
+  }
 
   Point centre(std::size_t triangle) const { return centres_[triangle]; }
 

@@ -96,10 +96,11 @@ bool makeStrips(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& ce
 
 bool makeCells(const Diagram& diagram, CellBorder& border, VoronoiCells& cells, Ticker& ticker)
 {
-  const std::size_t triangles = diagram.triangles();
-  cells.offsets.reserve(triangles / 2 + 2);
-  cells.sites.reserve(triangles / 2 + 2);
-  cells.corners.reserve(3 * triangles);
+  // Vertices that have triangles; each has six corners on average at most.
+  const std::size_t vertices = diagram.countVertices();
+  cells.offsets.reserve(vertices + 1);
+  cells.sites.reserve(vertices);
+  cells.corners.reserve(6 * vertices);
   CellWalk walk(diagram, border, cells);
   return border.build(ticker) && walk.walk(ticker) && walk.number(ticker) && ticker.ask();
 }
@@ -152,10 +153,16 @@ Status voronoiCells(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells
 
 std::size_t voronoiMemoryEstimate(std::size_t pointCount)
 {
-  // Per triangle, of which there are up to two per point: the centre (16), stand-in (4), hull edge
-  // (4), number (8), as a corner (16, twice while the array grows), three corners of cells (24);
-  // per point: start (4), offset and site (16).
-  return pointCount * (2 * (16 + 4 + 4 + 8 + 32 + 24) + 20 + 60);
+  // Per triangle: the centre (16), what stands for it (4), the edge of the hull it is beyond (4),
+  // its number as a corner (8) and as a corner its place (16, in an array that is copied when it
+  // grows: three times). Per point: where to start (4), offset and site (16), six corners of cells
+  // (48). Per edge of the hull, two corners on the border, with numbers, and two edges that are
+  // cut: the table's nodes and buckets. There are two triangles per point, or two edges of the hull
+  // for each triangle less.
+  constexpr std::size_t kPerTriangle = 16 + 4 + 4 + 8 + 3 * 16;
+  constexpr std::size_t kPerPoint = 4 + 16 + 48;
+  constexpr std::size_t kPerHullEdge = 2 * (3 * 16 + 8 + 3 * 16) + 2 * (48 + 3 * 8);
+  return pointCount * (2 * kPerTriangle + kPerPoint + kPerHullEdge / 2) + 4096;
 }
 
 } // namespace ahd

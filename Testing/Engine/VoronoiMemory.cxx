@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the Voronoi diagram allocates: no more than it says beforehand, and where there is no memory
+// it says so and leaves nothing. This program's operator new counts, and fails when told to.
+#include "Distributions.h"
+#include "EngineRun.h"
+#include "OwnNew.h"
+
+#include "Voronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace
+{
+
+std::size_t held = 0;
+std::size_t peak = 0;
+std::size_t allocations = 0;
+std::size_t failAt = 0; ///< this allocation and all later ones fail; 0: none
+
+/// Every block is preceded by its size and by the pointer to be freed.
+struct Header
+{
+  std::size_t size;
+  void* block;
+};
+
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
+{
+  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
+  void* block = failAt != 0 && ++allocations >= failAt ? nullptr : std::malloc(size + room);
+  if (!block)
+  {
+    throw std::bad_alloc();
+  }
+  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
+  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
+  *header = { size, block };
+  held += size;
+  peak = std::max(peak, held);
+  return header + 1;
+}
+
+void ahd::test::ownRelease(void* p)
+{
+  if (p)
+  {
+    Header* header = static_cast<Header*>(p) - 1;
+    held -= header->size;
+    std::free(header->block);
+  }
+}
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// A triangulation as the diagram wants it.
+struct Given
+{
+  explicit Given(const std::vector<Point>& where)
+    : points(where)
+    , fates(points.size())
+  {
+    Triangulator triangulator;
+    EXPECT_EQ(triangulator.run(viewOf(points), Options(), nullptr), Status::Ok);
+    corners.resize(3 * triangulator.report().triangles);
+    neighbors.resize(corners.size());
+    EXPECT_EQ(triangulator.writeTriangles(corners.data(), nullptr), Status::Ok);
+    EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
+    EXPECT_EQ(triangulator.writeFates(fates.data(), nullptr), Status::Ok);
+    view.points = viewOf(points);
+    view.fates = fates.data();
+    view.corners = corners.data();
+    view.neighbors = neighbors.data();
+    view.triangles = corners.size() / 3;
+  }
+
+  std::vector<Point> points;
+  std::vector<std::int64_t> fates, neighbors;
+  std::vector<std::int32_t> corners;
+  DelaunayView view;
+};
+
+const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds };
+
+TEST(VoronoiMemory, NoMoreThanEstimated)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::Lattice,
+         Distribution::OnCircle, Distribution::OnParabola, Distribution::NearlyCollinear,
+         Distribution::Spiral, Distribution::Collinear })
+  {
+    for (const std::size_t n : { std::size_t(3), std::size_t(100), reduced(50000) })
+    {
+      const Given given(makePoints(d, n, 1));
+      for (const VoronoiClip clip : kClips)
+      {
+        const std::size_t before = held;
+        peak = held;
+        VoronoiCells cells;
+        ASSERT_EQ(voronoiCells(given.view, clip, cells, nullptr), Status::Ok);
+        EXPECT_LE(peak - before, voronoiMemoryEstimate(n))
+          << nameOf(d) << ", " << n << ", clip " << int(clip);
+      }
+    }
+  }
+}
+
+TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::OnCircle })
+  {
+    const Given given(makePoints(d, 200, 1));
+    for (const VoronoiClip clip : kClips)
+    {
+      VoronoiCells cells;
+      Status status = Status::OutOfMemory;
+      std::size_t failures = 0;
+      const std::size_t before = held;
+      for (std::size_t at = 1; status != Status::Ok; ++at)
+      {
+        allocations = 0;
+        failAt = at;
+        status = voronoiCells(given.view, clip, cells, nullptr);
+        failAt = 0;
+        if (status != Status::Ok)
+        {
+          ASSERT_EQ(status, Status::OutOfMemory);
+          ASSERT_TRUE(cells.corners.empty() && cells.points.empty() && cells.sites.empty());
+          ASSERT_EQ(held, before) << "something leaked";
+          ++failures;
+        }
+      }
+      EXPECT_GT(failures, 10u);
+    }
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
