@@ -59,4 +59,11 @@ check_equal(found["NumberOfConstraintEdges"], 8, "constraint edges on the server
 check_equal(found["NumberOfPointsInserted"], 393 + 8, "points on the server, with those of the source")
 surface.Source = None
 check_equal(fingerprint(surface), expected, "triangles without the source")
+
+# A transform, which is an object of its own on the server: the hill seen from the side.
+surface.Transform = "Transform"
+surface.Transform.Rotate = [-90, 0, 0]
+check(fingerprint(surface) != expected, "the transform did not reach the server")
+surface.Transform = "None"
+check_equal(fingerprint(surface), expected, "triangles without the transform")
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")
