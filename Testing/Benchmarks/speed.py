@@ -9,7 +9,8 @@ call of a process, page faults included, the median of several processes. Nothin
 depends on the machine and on what else it does. speed.sh builds the programs and calls this.
 
   speed.py --engine <build>/EngineBenchmark --counts <build>/EngineCounts
-           [--filter <build>/FilterBenchmark] [--quick] [--scaling] [--check]
+           [--constraints <build>/ConstraintBenchmark] [--filter <build>/FilterBenchmark]
+           [--quick] [--scaling] [--check]
 """
 
 import argparse
@@ -47,6 +48,7 @@ def parse_arguments():
     )
     parser.add_argument("--engine", required=True, help="the EngineBenchmark to run")
     parser.add_argument("--counts", required=True, help="the EngineCounts to run")
+    parser.add_argument("--constraints", help="the ConstraintBenchmark to run")
     parser.add_argument("--filter", help="the FilterBenchmark to run")
     parser.add_argument("--quick", action="store_true", help="few points: seconds, rough numbers")
     parser.add_argument("--scaling", action="store_true", help="count for 2 to 64 threads, no more")
@@ -338,6 +340,62 @@ def measure_counts(program, plan, targets):
         targets.add_worst(f"2 threads, critical path/work, {powered(size)}", shared, "<=", 0.56)
 
 
+def constraints_of(program, size, repeat):
+    """Of each engine and shape: the measurement that took least time."""
+    text = output_of(
+        [
+            program, f"--points={size}", f"--repeat={repeat}", "--benchmark_format=json",
+            "--benchmark_enable_random_interleaving=true",
+        ], pinned=True,
+    )
+    best = {}
+    for benchmark in json.loads(text)["benchmarks"]:
+        if benchmark["run_type"] == "iteration" and "constrain" in benchmark:
+            key = tuple(benchmark["name"].split("/")[:2])
+            if key not in best or benchmark["real_time"] < best[key]["real_time"]:
+                best[key] = benchmark
+    return best
+
+
+def measure_constraints(program, plan, targets):
+    """Constraints alone, and the whole beside the same points without any."""
+    size = plan.middle
+    best = {}
+    if program:
+        say(f"constraints, {powered(size)} points, beside CGAL")
+        best = constraints_of(program, size, plan.repeat[size])
+    shapes = sorted({shape for _, shape in best})
+    print("\nConstraints, warm: CPU ms of all, and of the constraints alone")
+    print(
+        f"{'':16}{'points':>9}{'segments':>10}{'plain':>9}{'here':>9}{'alone':>9}{'CGAL':>9}"
+        f"{'alone':>9}{'CGAL/here':>11}"
+    )
+    for shape in shapes:
+        plain, ours, cgal = (best.get((e, shape)) for e in ("plain", "constrained", "cgal"))
+        whole = [run and run["real_time"] for run in (plain, ours, cgal)]
+        alone = [run and 1e3 * run["constrain"] for run in (ours, cgal)]
+        print(
+            f"{shape:16}{ours['points']:9.0f}{ours['segments']:10.0f}{shown(whole[0], '9.1')}"
+            f"{shown(whole[1], '9.1')}{shown(alone[0], '9.2')}{shown(whole[2], '9.1')}"
+            f"{shown(alone[1], '9.2')}{shown(ratio(whole[2], whole[1]), '11.2')}"
+        )
+    sys.stdout.flush()
+
+    def of(shape, what, engine="constrained"):
+        return best[engine, shape][what] if (engine, shape) in best else None
+
+    note = "" if program else "no ConstraintBenchmark"
+    for shape in ("EdgesThere", "LatticeRows"):
+        value = ratio(of(shape, "constrain"), of(shape, "segments"))
+        value = 1e6 * value if value else None
+        targets.add(f"{shape}, us per edge that is there", value, "<=", 1.0, note)
+    for shape in ("ShortSegments", "OtherEdges"):
+        value = ratio(of(shape, "real_time"), of(shape, "real_time", "plain"))
+        targets.add(f"{shape}/no constraints, {powered(size)}", value, "<=", 1.5, note)
+    for shape in ("Across", "AcrossParabolas", "AcrossBulges", "AcrossCombs"):
+        targets.add(f"{shape}, seconds for one segment", of(shape, "constrain"), "<=", 1.0, note)
+
+
 def measure_filter(program, plan, targets):
     name = f"filter's Update()/engine, {powered(plan.middle)}"
     if not program:
@@ -393,6 +451,7 @@ def main():
     measure_degenerate(arguments.engine, plan, targets)
     measure_threads(arguments.engine, plan, targets)
     measure_counts(arguments.counts, plan, targets)
+    measure_constraints(arguments.constraints, plan, targets)
     measure_filter(arguments.filter, plan, targets)
     print_scaling(arguments.counts, plan)
     print()

@@ -81,4 +81,5 @@ where_is() {
 }
 filter=$(where_is FilterBenchmark)
 exec python3 "$root/Testing/Benchmarks/speed.py" --engine "$(where_is EngineBenchmark)" \
-  --counts "$(where_is EngineCounts)" ${filter:+--filter "$filter"} ${options[@]+"${options[@]}"}
+  --counts "$(where_is EngineCounts)" --constraints "$(where_is ConstraintBenchmark)" \
+  ${filter:+--filter "$filter"} ${options[@]+"${options[@]}"}
