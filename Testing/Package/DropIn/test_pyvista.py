@@ -47,6 +47,13 @@ def scattered(count, seed=3):
     return numpy.c_[both, 20 * numbers.random(len(both))]
 
 
+def spiky(numbers, corners, radius, center=(0.0, 0.0)):
+    """A counterclockwise polygon that sees all of itself from its center, its corners at 0.2 to 1 radius."""
+    turn = 2 * numpy.pi * (numpy.arange(corners) + 0.9 * numbers.random(corners)) / corners
+    out = radius * (0.2 + 0.8 * numbers.random(corners))
+    return numpy.c_[center[0] + out * numpy.cos(turn), center[1] + out * numpy.sin(turn)]
+
+
 class ParameterTest(unittest.TestCase):
     def both(self, points, **parameters):
         """The mesh by the adapter and the one by the original."""
@@ -139,6 +146,19 @@ class IssueTest(unittest.TestCase):
     def test_4097_more_holes_than_any(self):
         holes = [box(3 * i + 1, 3 * j + 1, 1, 2)[::-1] for i in range(8) for j in range(8)]
         self.check(flat(box(0, 0, 25, 25), *holes), 4 * 65 - 2 + 2 * 64, 625 - 2 * 64)
+
+    def test_random_polygons_with_holes_on_slopes(self):
+        numbers = numpy.random.default_rng(4097)
+        for _ in range(60):
+            loops = [spiky(numbers, int(numbers.integers(8, 50)), 100)]
+            for hole in range(numbers.integers(0, 4)):
+                center = (numpy.cos(2.1 * hole), numpy.sin(2.1 * hole))  # all within 2 of (0, 0): inside
+                loops.append(spiky(numbers, int(numbers.integers(4, 9)), 0.8, center)[::-1])
+            slope = numbers.uniform(-0.6, 0.6, 2)
+            mesh = flat(*loops)
+            mesh.points[:, 2] = mesh.points[:, :2] @ slope
+            area = sum(map(signed_area, loops)) * numpy.sqrt(1 + slope @ slope)
+            self.check(mesh, mesh.n_points - 2 + 2 * (len(loops) - 1), area)
 
     def test_4623_star(self):
         """As reported, clockwise: by the right-hand rule all but the star is kept. VTK 9.1 with the first
