@@ -64,7 +64,9 @@
  * <b>Warnings and errors.</b> Each at most once per execution, with counts. Warnings: rejected
  * points, and points whose z is NaN or infinite (these are triangulated all the same); no triangle,
  * because there are fewer than three distinct points or all are collinear (or InsertionLimit lets
- * no others be inserted: then this is said), or because loops keep none; segments left out as they
+ * no others be inserted: then this is said), or because loops keep none, or nothing at all, because
+ * Alpha and MaximumEdgeLength leave nothing; a Voronoi diagram that cannot be moved back from the
+ * plane, as Transform has no inverse; segments left out as they
  * cross others, with the cells of the first two, or as an end is no vertex, and loops that bound
  * nothing for that reason; ids of the source that are no point's; an array vtkGhostType that has
  * not one value per point, and is ignored; several MPI ranks (once in the filter's life, from rank
