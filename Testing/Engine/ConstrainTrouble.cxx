@@ -140,6 +140,25 @@ TEST(ConstrainTrouble, CancelledAtAnyAsking)
   }
 }
 
+TEST(ConstrainTrouble, AskedWithinOneSegment)
+{
+  // All else is the same with and without the segment, so the difference was asked within it.
+  const ConstraintCase given = segmentAcrossParabolas(reduced(200000));
+  const ConstraintSet none;
+  std::size_t askings[2];
+  for (const bool with : { false, true })
+  {
+    Triangulator triangulator;
+    ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
+    Listener listener;
+    ASSERT_EQ(triangulator.constrain(
+                (with ? given.constraints : none).view(), FillRule::Orientation, &listener),
+      Status::Ok);
+    askings[with ? 1 : 0] = listener.askings();
+  }
+  EXPECT_GE(askings[1] - askings[0], given.points.size() / kStepsPerAsking); // edges it crosses
+}
+
 TEST(ConstrainTrouble, CellDataAreCancelledAtAnyAsking)
 {
   const ConstraintCase given = edgesOfOthers(40000, 20000);
