@@ -254,7 +254,7 @@ void vtkAHDRun::WarnOfConstraints()
     vtkWarningWithObjectMacro(this->Filter,
       "" << report.withoutVertex << " of " << report.segments
          << " segments of the source are no constraints: " << unfit.Count
-         << " ids in its cells are not those of points, the first is " << unfit.FirstId
+         << " of the ids in its cells are not those of points, the first is " << unfit.FirstId
          << " in cell " << unfit.FirstCell << ". They refer to the points of "
          << (own ? "the input (see SourceMode)." : "the source.") << loops.str());
   }

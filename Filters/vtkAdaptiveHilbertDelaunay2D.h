@@ -177,7 +177,8 @@ public:
    * and triangulated with them (a shapefile's lines over a lidar file), all of them, in no cell
    * too. One that coincides with a point of the input is a duplicate of it. Its point data are
    * those of the source's arrays that have the name and the number of components of one of the
-   * input; where there is none, NaN in arrays of floating point numbers and 0 in others.
+   * input; where there is none, NaN in arrays of floating point numbers and 0 in others. Ghost
+   * marks of the source mean nothing.
    */
   vtkSetClampMacro(SourceMode, int, SOURCE_IDS, SOURCE_COORDINATES);
   vtkGetMacro(SourceMode, int);

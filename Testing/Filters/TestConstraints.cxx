@@ -211,7 +211,8 @@ TEST(Constraints, IdsThatAreNoPointsAreSaid)
   EXPECT_EQ(filter->GetNumberOfUnfilledLoops(), 1);
   EXPECT_EQ(filter->GetNumberOfTriangles(), 2);
   ASSERT_EQ(filter.Said->Warnings.size(), 1u);
-  for (const char* part : { "3 of 5 segments", "2 ids", "first is 4 in cell 1", "1 polygon" })
+  for (const char* part :
+    { "3 of 5 segments", "2 of the ids", "first is 4 in cell 1", "1 polygon" })
   {
     EXPECT_NE(filter.Said->Warnings[0].find(part), std::string::npos)
       << part << " in " << filter.Said->Warnings[0];
@@ -313,10 +314,13 @@ TEST(Constraints, TheSourceIsAnInputLikeOthers)
   EXPECT_EQ(filter->GetSource(), source);
   filter->Update();
   EXPECT_TRUE(hasEdge(filter->GetOutput(), 0, 97));
+  EXPECT_EQ(filter->GetNumberOfConstraintEdges(), 1);
   filter->SetSourceConnection(nullptr);
   EXPECT_EQ(filter->GetSource(), nullptr);
   filter->Update();
   EXPECT_FALSE(hasEdge(filter->GetOutput(), 0, 97));
+  EXPECT_EQ(filter->GetNumberOfConstraintEdges(), 0) << "left over from the run before";
+  EXPECT_EQ(idsOf(filter->GetOutput()->GetFieldData(), "NumberOfConstraintEdges"), Chain{ 0 });
 }
 
 TEST(Constraints, AnAbortAtAnyMomentLeavesNothing)
