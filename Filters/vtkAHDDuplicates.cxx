@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDDuplicates.h"
 
-#include "vtkAHDLoop.h"
-
 #include "vtkCellArray.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkTypeInt64Array.h"
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace
@@ -128,48 +125,16 @@ bool vtkAHDDuplicates::Choose(
 }
 
 bool vtkAHDDuplicates::Apply(
-  std::int64_t* ids, std::size_t count, ahd::Executor& executor, vtkAHDProgress& progress) const
-{
-  return this->Shown.empty() ||
-    vtkAHDLoop(count, executor, progress,
-      [this, ids](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          ids[i] = this->Get(ids[i]);
-        }
-      });
-}
-
-bool vtkAHDDuplicates::Apply(
   vtkCellArray* cells, ahd::Executor& executor, vtkAHDProgress& progress) const
 {
   if (this->Shown.empty() || !cells || cells->GetNumberOfConnectivityIds() == 0)
   {
     return true;
   }
-  const auto replace = [&](auto* ids)
-  {
-    return vtkAHDLoop(static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()), executor,
-      progress,
-      [this, ids](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          ids[i] = static_cast<std::remove_pointer_t<decltype(ids)>>(this->Get(ids[i]));
-        }
-      });
-  };
-  return cells->IsStorage64Bit() ? replace(cells->GetConnectivityArray64()->GetPointer(0))
-                                 : replace(cells->GetConnectivityArray32()->GetPointer(0));
-}
-
-void vtkAHDDuplicates::Swap(std::int64_t* values) const
-{
-  for (std::size_t i = 0; i < this->Shown.size(); ++i)
-  {
-    std::swap(values[i], values[this->Shown[i]]);
-  }
+  const std::size_t count = static_cast<std::size_t>(cells->GetNumberOfConnectivityIds());
+  return cells->IsStorage64Bit()
+    ? this->Apply(cells->GetConnectivityArray64()->GetPointer(0), count, executor, progress)
+    : this->Apply(cells->GetConnectivityArray32()->GetPointer(0), count, executor, progress);
 }
 
 bool vtkAHDFindMeans(const std::int64_t* fates, const ahd::PointView& places,

@@ -4,12 +4,14 @@
 
 #include "Engine/Executor.h"
 #include "Engine/Points/Points.h"
+#include "vtkAHDLoop.h"
 #include "vtkAHDVectors.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
-class vtkAHDProgress;
 class vtkCellArray;
 
 /**
@@ -41,15 +43,33 @@ public:
   }
 
   /// Replaces each of the ids, those below 0 excepted. Returns false if the filter is to abort.
-  bool Apply(
-    std::int64_t* ids, std::size_t count, ahd::Executor& executor, vtkAHDProgress& progress) const;
+  template <typename Id>
+  bool Apply(Id* ids, std::size_t count, ahd::Executor& executor, vtkAHDProgress& progress) const
+  {
+    return this->Shown.empty() ||
+      vtkAHDLoop(count, executor, progress,
+        [this, ids](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            ids[i] = static_cast<Id>(this->Get(ids[i]));
+          }
+        });
+  }
 
   /// The same for the ids of the cells, which may be null.
   bool Apply(vtkCellArray* cells, ahd::Executor& executor, vtkAHDProgress& progress) const;
 
   /// Numbers of all points: each vertex that is not shown swaps its own for that of the point
   /// shown. What Apply() makes of fates is to be swapped as well.
-  void Swap(std::int64_t* values) const;
+  template <typename Number>
+  void Swap(Number* numbers) const
+  {
+    for (std::size_t i = 0; i < this->Shown.size(); ++i)
+    {
+      std::swap(numbers[i], numbers[this->Shown[i]]);
+    }
+  }
 
 private:
   std::vector<std::int32_t> Shown; // for each point; empty if each shows itself

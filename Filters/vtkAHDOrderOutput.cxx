@@ -2,6 +2,7 @@
 #include "vtkAHDOrderOutput.h"
 
 #include "vtkAHDArray.h"
+#include "vtkAHDDuplicates.h"
 #include "vtkAHDLoop.h"
 #include "vtkAHDWorkingPoints.h"
 
@@ -41,9 +42,11 @@ vtkIdType* AddIds(vtkDataSetAttributes* data, const char* name, std::size_t tupl
 }
 
 vtkAHDOrderOutput::vtkAHDOrderOutput(const ahd::Triangulator& triangulator,
-  const vtkAHDWorkingPoints& input, ahd::Executor& executor, vtkAHDProgress& progress)
+  const vtkAHDWorkingPoints& input, const vtkAHDDuplicates& shown, ahd::Executor& executor,
+  vtkAHDProgress& progress)
   : Triangulator(triangulator)
   , Input(input)
+  , Shown(shown)
   , Executor(executor)
   , Progress(progress)
   , Inserted(triangulator.report().inserted)
@@ -115,10 +118,11 @@ bool vtkAHDOrderOutput::WriteInserted(
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const std::array<double, 3> p = this->Input.GetPoint(static_cast<std::size_t>(order[i]));
+        const std::int64_t id = this->Shown.Get(order[i]);
+        const std::array<double, 3> p = this->Input.GetPoint(static_cast<std::size_t>(id));
         std::copy(p.begin(), p.end(), xyz + 3 * i);
         ranks[i] = static_cast<vtkIdType>(i);
-        ids[i] = static_cast<vtkIdType>(order[i]);
+        ids[i] = static_cast<vtkIdType>(id);
       }
     });
 }

@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "vtkType.h"
 
+class vtkAHDDuplicates;
 class vtkAHDWorkingPoints;
 class vtkAHDProgress;
 class vtkPolyData;
@@ -23,7 +24,7 @@ class vtkAHDOrderOutput
 public:
   /// Borrows all of them. REQUIRES: `input` is open and was triangulated with Options::keepOrder.
   vtkAHDOrderOutput(const ahd::Triangulator& triangulator, const vtkAHDWorkingPoints& input,
-    ahd::Executor& executor, vtkAHDProgress& progress);
+    const vtkAHDDuplicates& shown, ahd::Executor& executor, vtkAHDProgress& progress);
 
   /// Fills `output`; with boxes if the engine kept them. Returns Cancelled if the filter is to
   /// abort, else Ok; unless Ok, `output` is to be emptied. Throws std::bad_alloc if there is no
@@ -47,6 +48,7 @@ private:
 
   const ahd::Triangulator& Triangulator;
   const vtkAHDWorkingPoints& Input;
+  const vtkAHDDuplicates& Shown;
   ahd::Executor& Executor;
   vtkAHDProgress& Progress;
   const std::size_t Inserted;

@@ -55,9 +55,11 @@ ahd::Status vtkAHDRun::TakeSteps()
   using Step = ahd::Status (vtkAHDRun::*)();
   constexpr Step kSteps[] = { &vtkAHDRun::OpenPoints, &vtkAHDRun::Project, &vtkAHDRun::Merge,
     &vtkAHDRun::AddBounding, &vtkAHDRun::ReadConstraints, &vtkAHDRun::Split, &vtkAHDRun::Insert,
-    &vtkAHDRun::MakeVoronoi, &vtkAHDRun::Constrain, &vtkAHDRun::WritePoints,
-    &vtkAHDRun::WriteTriangles, &vtkAHDRun::DropByLength, &vtkAHDRun::AddArrays,
-    &vtkAHDRun::AddCellArrays, &vtkAHDRun::WriteVoronoi, &vtkAHDRun::WriteOrder };
+    &vtkAHDRun::ChooseShown, &vtkAHDRun::MakeVoronoi, &vtkAHDRun::Constrain,
+    &vtkAHDRun::WritePoints, &vtkAHDRun::ShowMeans, &vtkAHDRun::WriteTriangles,
+    &vtkAHDRun::ShowInTriangles, &vtkAHDRun::DropByLength, &vtkAHDRun::AddArrays,
+    &vtkAHDRun::ShowInArrays, &vtkAHDRun::AddCellArrays, &vtkAHDRun::WriteVoronoi,
+    &vtkAHDRun::WriteOrder };
   ahd::Status status = ahd::Status::Ok;
   for (const Step step : kSteps)
   {
@@ -114,7 +116,8 @@ ahd::Status vtkAHDRun::WriteOrder()
   {
     return ahd::Status::Ok;
   }
-  vtkAHDOrderOutput order(this->Triangulator, this->Points, this->Executor, this->Progress);
+  vtkAHDOrderOutput order(
+    this->Triangulator, this->Points, this->Shown, this->Executor, this->Progress);
   return order.Write(this->Filter->GenerateInsertionCurve, this->Order);
 }
 

@@ -9,6 +9,7 @@
 #include "Engine/Triangulate.h"
 #include "vtkAHDCellArrays.h"
 #include "vtkAHDConstraints.h"
+#include "vtkAHDDuplicates.h"
 #include "vtkAHDExecutor.h"
 #include "vtkAHDPointOutput.h"
 #include "vtkAHDProgress.h"
@@ -18,6 +19,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 class vtkAbstractTransform;
@@ -65,17 +68,22 @@ private:
   ahd::Status ReadConstraints(); // what the source asks for, in the ids of Points
   ahd::Status Split();           // Points and constraints: crossings
   ahd::Status Insert();          // the Delaunay triangulation of Points, unconstrained
+  ahd::Status ChooseShown();     // Shown
   ahd::Status MakeVoronoi();     // Diagram
   ahd::Status Constrain();       // constraints become edges, loops drop triangles
   ahd::Status WritePoints();     // Surface: points and their data
+  ahd::Status ShowMeans();       // Surface: points that are the mean of several
   ahd::Status WriteTriangles();  // Surface: triangles
+  ahd::Status ShowInTriangles(); // Surface: the points that are shown
   ahd::Status DropByLength();    // Surface: triangles dropped by Alpha and MaximumEdgeLength
   ahd::Status AddArrays();       // Surface: arrays of points and cells, field data
+  ahd::Status ShowInArrays();    // Surface: the points that are shown
   ahd::Status AddCellArrays();   // Surface: what is known of each triangle
   ahd::Status WriteVoronoi();    // Voronoi: Diagram, with the point data of Surface
   ahd::Status WriteOrder();      // Order
 
   ahd::Status TakeSteps();
+  ahd::Status WriteFates(std::unique_ptr<std::int64_t[]>& fates);
   ahd::Options GetOptions() const;
   bool IsOrderWanted() const;
   bool IsProjected() const; // is the plane of the triangulation another than x, y?
@@ -85,6 +93,7 @@ private:
   std::size_t EstimateBytes() const;
   std::size_t EstimateSourceBytes(std::size_t count) const;
   std::size_t EstimateExtraBytes() const; // of what looks at finished triangles
+  std::size_t EstimateDuplicateBytes(std::size_t count) const;
   void AddBoxesToEstimate(std::size_t boxes);
   void KeepTimes();
   void AddCounts();
@@ -108,6 +117,7 @@ private:
   vtkAHDExecutor Executor;
   std::vector<ahd::MergedPoint> Merged; // points that Tolerance left out
   vtkAHDConstraints Constraints;
+  vtkAHDDuplicates Shown;                              // which of several points at one place
   std::vector<vtkAHDCrossing> Crossings;               // of the points added last
   std::vector<std::array<vtkIdType, 2>> CrossingCells; // of the source: the later, the earlier
   std::size_t DelaunayTriangles = 0;                   // before constraints drop some

@@ -51,7 +51,7 @@ ahd::Status vtkAHDRun::WriteVoronoi()
 {
   if (this->Filter->GenerateVoronoi)
   {
-    this->Diagram.Write(this->Surface->GetPointData(), this->Voronoi);
+    this->Diagram.Write(this->Surface->GetPointData(), this->Shown, this->Voronoi);
     this->IsDiagramInPlane = this->ToPlane &&
       !vtkAHDVoronoi::MoveBack(this->ToPlane, this->Voronoi);
   }
@@ -93,6 +93,11 @@ ahd::Status vtkAHDRun::DropByLength()
     {
       fates[merged.id] = merged.keptId;
     }
+    if (!this->Shown.Apply(fates.get(), this->Points.View().count, this->Executor, this->Progress))
+    {
+      return ahd::Status::Cancelled;
+    }
+    this->Shown.Swap(fates.get());
   }
   mesh.Corners = this->Surface->GetPolys()->GetConnectivityArray32()->GetPointer(0);
   mesh.Neighbors = neighbors.get();

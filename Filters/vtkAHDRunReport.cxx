@@ -33,7 +33,8 @@ std::size_t vtkAHDRun::EstimateBytes() const
   const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GenerateFate) +
     static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
   std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
-    vtkAHDOutput::EstimateBytes(count, idArrays) + this->EstimateSourceBytes(count);
+    vtkAHDOutput::EstimateBytes(count, idArrays) + this->EstimateSourceBytes(count) +
+    this->EstimateDuplicateBytes(count) + this->Filter->BytesOfBlocks;
   if (this->IsOrderWanted())
   {
     bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count);
@@ -82,7 +83,8 @@ bool vtkAHDRun::FitsInMemory()
   }
   constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(bytes / 1024);
-  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(this->Triangulator.memoryHeld() / 1024);
+  const vtkTypeInt64 held = static_cast<vtkTypeInt64>(
+    (this->Triangulator.memoryHeld() + this->Filter->BytesOfBlocks) / 1024);
   this->Limit = std::min(
     kPlenty, isLimited ? this->Filter->MemoryLimit : vtkAHDAvailableMemory() + held);
   this->Filter->MemoryEstimate = needed;

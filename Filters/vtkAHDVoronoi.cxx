@@ -2,6 +2,7 @@
 #include "vtkAHDVoronoi.h"
 
 #include "vtkAHDArray.h"
+#include "vtkAHDDuplicates.h"
 #include "vtkAHDProgress.h"
 
 #include "vtkAbstractTransform.h"
@@ -22,9 +23,13 @@
 #include <cmath>
 #include <memory>
 
-ahd::Status vtkAHDVoronoi::Compute(ahd::Triangulator& triangulator,
-  const ahd::PointView& points, ahd::VoronoiClip clip, vtkAHDProgress& progress,
-  ahd::Executor& executor)
+namespace
+{
+constexpr const char* kIdsName = "OriginalPointIds";
+}
+
+ahd::Status vtkAHDVoronoi::Compute(ahd::Triangulator& triangulator, const ahd::PointView& points,
+  ahd::VoronoiClip clip, vtkAHDProgress& progress, ahd::Executor& executor)
 {
   const std::size_t count = triangulator.report().triangles;
   const std::unique_ptr<vtkTypeInt32[]> corners(new vtkTypeInt32[3 * count]);
@@ -33,8 +38,7 @@ ahd::Status vtkAHDVoronoi::Compute(ahd::Triangulator& triangulator,
   ahd::Status status = triangulator.writeTriangles(corners.get(), &progress, &executor);
   if (status == ahd::Status::Ok)
   {
-    status =
-      triangulator.writeNeighbors(neighbors.get(), &progress);
+    status = triangulator.writeNeighbors(neighbors.get(), &progress);
   }
   if (status == ahd::Status::Ok)
   {
@@ -79,34 +83,47 @@ void vtkAHDVoronoi::WriteCells(vtkPolyData* output)
   output->SetPolys(polygons);
 }
 
-void vtkAHDVoronoi::Write(vtkPointData* pointData, vtkPolyData* output)
+void vtkAHDVoronoi::Write(
+  vtkPointData* pointData, const vtkAHDDuplicates& shown, vtkPolyData* output)
 {
   this->WriteCells(output);
   const vtkIdType count = static_cast<vtkIdType>(this->Cells.sites.size());
+  auto original = vtkAHDNewArray<vtkIdTypeArray>(count);
+  for (vtkIdType k = 0; k < count; ++k)
+  {
+    const auto site = shown.Get(this->Cells.sites[static_cast<std::size_t>(k)]);
+    original->SetValue(k, static_cast<vtkIdType>(site));
+  }
+  this->Cells = ahd::VoronoiCells();
+  original->SetName(kIdsName);
+  output->GetCellData()->AddArray(original);
+  WriteData(pointData, output);
+}
+
+void vtkAHDVoronoi::WriteData(vtkPointData* pointData, vtkPolyData* output)
+{
+  vtkCellData* data = output->GetCellData();
+  const vtkSmartPointer<vtkAbstractArray> original = data->GetAbstractArray(kIdsName);
+  auto* ids = vtkIdTypeArray::SafeDownCast(original);
+  const vtkIdType count = ids->GetNumberOfValues();
   vtkNew<vtkIdList> from;
   vtkNew<vtkIdList> to;
   from->SetNumberOfIds(count);
   to->SetNumberOfIds(count);
-  auto original = vtkAHDNewArray<vtkIdTypeArray>(count);
   for (vtkIdType k = 0; k < count; ++k)
   {
-    const vtkIdType site = static_cast<vtkIdType>(this->Cells.sites[static_cast<std::size_t>(k)]);
-    from->SetId(k, site);
+    from->SetId(k, ids->GetValue(k));
     to->SetId(k, k);
-    original->SetValue(k, site);
   }
-  this->Cells = ahd::VoronoiCells();
-  vtkCellData* data = output->GetCellData();
+  data->Initialize();
   data->CopyFieldOff(vtkDataSetAttributes::GhostArrayName()); // its bits mean others for cells
   data->CopyAllocate(pointData, count);
   data->CopyData(pointData, from, to);
-  original->SetName("OriginalPointIds");
   data->AddArray(original);
 }
 
 namespace
 {
-
 /// Whatever it is, a transform that cannot be undone does not bring a point back.
 bool BringsBack(vtkAbstractTransform* toPlane, vtkAbstractTransform* back, vtkPoints* inPlane)
 {

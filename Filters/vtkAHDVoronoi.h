@@ -7,13 +7,15 @@
 
 #include <cstddef>
 
+class vtkAHDDuplicates;
 class vtkAbstractTransform;
 class vtkAHDProgress;
 class vtkPointData;
 class vtkPolyData;
 
 /**
- * The Voronoi diagram as a vtkPolyData: one polygon per vertex, in ascending order of their ids;
+ * The Voronoi diagram as a vtkPolyData: one polygon per vertex, in ascending order of the smallest
+ * id at its place;
  * cell data are the point data of the vertices and "OriginalPointIds" (vtkIdTypeArray).
  *
  * Everything here throws std::bad_alloc if there is no room.
@@ -26,9 +28,12 @@ public:
   ahd::Status Compute(ahd::Triangulator& triangulator, const ahd::PointView& points,
     ahd::VoronoiClip clip, vtkAHDProgress& progress, ahd::Executor& executor);
 
-  /// Fills `output`: z is 0. `pointData`: one tuple per point that was triangulated. Gives up the
-  /// cells.
-  void Write(vtkPointData* pointData, vtkPolyData* output);
+  /// Fills `output`: z is 0. `pointData`: one tuple per point that was triangulated. `shown`: which
+  /// of several points at one place the vertex is. Gives up the cells.
+  void Write(vtkPointData* pointData, const vtkAHDDuplicates& shown, vtkPolyData* output);
+
+  /// Replaces the cell data of what Write() wrote by those of other point data of the same points.
+  static void WriteData(vtkPointData* pointData, vtkPolyData* output);
 
   /// Moves the polygons from the plane z = 0 to where `toPlane` takes points from. Returns false,
   /// and moves nothing, if the transform has no inverse.

@@ -43,6 +43,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
   os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
+  os << indent << "KeepTriangulation: " << (this->KeepTriangulation ? "On\n" : "Off\n");
   os << indent << "NumberOfPointsInserted: " << this->NumberOfPointsInserted << "\n";
   os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
   os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
@@ -55,5 +56,6 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InsertSeconds: " << this->InsertSeconds << "\n";
   os << indent << "OutputSeconds: " << this->OutputSeconds << "\n";
   os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
+  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
   os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
 }

@@ -268,6 +268,25 @@ public:
 
   ///@{
   /**
+   * Triangulate again only what is new: where the coordinates of the points and their ghost marks
+   * (vtkGhostType), the source and all settings are those of the last execution, as in a series of
+   * time steps of which only the data change, its triangles and everything made with them are
+   * passed on, with the point data of now. The same is what has the same numbers, in whichever
+   * object. Warnings are not said again. On by default; off triangulates at each execution.
+   *
+   * For this the filter holds on to the arrays of its last output, but not to its input, and each
+   * execution reads the coordinates once more, to take their fingerprint of 128 bits. There is
+   * nothing to pass on after an execution that was aborted or ended in an error or that added
+   * points, and where coordinates do not lie in memory point by point. Of the blocks of a composite
+   * data set that are triangulated one by one, only the last one is remembered.
+   */
+  vtkSetMacro(KeepTriangulation, bool);
+  vtkGetMacro(KeepTriangulation, bool);
+  vtkBooleanMacro(KeepTriangulation, bool);
+  ///@}
+
+  ///@{
+  /**
    * Counts of the last execution. Inserted points, duplicates, rejected points, skipped points,
    * those beyond the limit and merged ones (NumberOfMergedPoints) add up to the number of all
    * points, the added ones (NumberOfAddedPoints) included. Triangles: those that are put out. All 0
@@ -295,7 +314,8 @@ public:
   ///@{
   /**
    * Wall-clock seconds of the last execution: reading and sorting the points, inserting them,
-   * putting out the triangles. 0 if the execution was aborted or ended in an error.
+   * putting out the triangles. 0 if the execution was aborted or ended in an error, or passed on
+   * the triangles of the one before.
    */
   vtkGetMacro(SortSeconds, double);
   vtkGetMacro(InsertSeconds, double);
@@ -307,6 +327,12 @@ public:
    * too little to share, else what NumberOfThreads asked for, as far as threads could be started.
    */
   vtkGetMacro(NumberOfThreadsUsed, int);
+
+  /**
+   * How often this filter has begun to triangulate since it was made: executions that passed on the
+   * triangles of the one before (see KeepTriangulation) do not count.
+   */
+  vtkGetMacro(NumberOfTriangulations, int);
 
   /**
    * Upper estimate, in kibibytes, of the memory that the last execution needed, or was refused,
@@ -336,6 +362,7 @@ protected:
   vtkTypeInt64 MemoryLimit = 0;
   int NumberOfThreads = 0;
   vtkTypeInt64 ReuseLimit = 262144;
+  bool KeepTriangulation = true;
 
   // Measures of the last execution.
   vtkIdType NumberOfPointsInserted = 0;
@@ -351,6 +378,8 @@ protected:
   double OutputSeconds = 0.0;
   int NumberOfThreadsUsed = 0;
   vtkTypeInt64 MemoryEstimate = 0;
+
+  int NumberOfTriangulations = 0; // of all executions
 
 private:
   vtkAdaptiveHilbertAlgorithm(const vtkAdaptiveHilbertAlgorithm&) = delete;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "vtkAHDBlocks.h"
 #include "vtkAHDExecutor.h"
+#include "vtkAHDKept.h"
+#include "vtkAHDMemory.h"
 #include "vtkAHDPlane.h"
 #include "vtkAHDProgress.h"
 #include "vtkAHDRun.h"
 #include "vtkAHDWorkingPoints.h"
 
 #include "vtkAbstractTransform.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -24,10 +28,20 @@
 #include <algorithm>
 #include <new>
 
+namespace
+{
+vtkAHDKept::Outputs OutputsOf(vtkInformationVector* outputs)
+{
+  return { { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1),
+    vtkPolyData::GetData(outputs, 2) } };
+}
+}
+
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransform);
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
+  : Kept(new vtkAHDKept)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -86,37 +100,141 @@ vtkMTimeType vtkAdaptiveHilbertDelaunay2D::GetMTime()
   return this->Transform ? std::max(own, this->Transform->GetMTime()) : own;
 }
 
+void vtkAdaptiveHilbertDelaunay2D::SetMergeBlocks(bool merge)
+{
+  if (this->MergeBlocks != merge)
+  {
+    this->MergeBlocks = merge;
+    // the input port is described anew when it is asked for next
+    this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+    this->Modified();
+  }
+}
+
 int vtkAdaptiveHilbertDelaunay2D::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
+  // this filter again with every Update(), and keep the filters behind it at their last output.
+  this->BytesOfBlocks = 0;
+  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
+  vtkPolyData* source = vtkPolyData::GetData(inputVector[1]);
+  vtkSmartPointer<vtkPointSet> input = vtkPointSet::SafeDownCast(data);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    input = this->MergeInput(blocks);
+  }
+  if (input && this->PassOnKept(input, source, outputVector))
+  {
+    return 1;
+  }
   this->ClearMeasures();
   this->WarnAboutRanks();
+  this->WarnAboutBlocks(data);
+  if (input)
+  {
+    this->Triangulate(input, source, outputVector);
+  }
+  else
+  {
+    this->Kept->Forget();
+  }
+  return 1;
+}
 
-  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
-  vtkPointSet* input = vtkPointSet::SafeDownCast(data);
-  if (!input)
+/// One point set of all blocks; null if that was aborted or there is no memory, which it says.
+vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(vtkCompositeDataSet* blocks)
+{
+  const vtkAHDBlocks all(blocks);
+  this->BytesOfBlocks = all.EstimateBytes();
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->BytesOfBlocks / 1024);
+  const vtkTypeInt64 limit = this->MemoryLimit > 0 ? this->MemoryLimit : vtkAHDAvailableMemory();
+  vtkAHDProgress progress(this);
+  try
+  {
+    if (needed <= limit)
+    {
+      return all.Merge(progress);
+    }
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  vtkErrorMacro("Merging blocks of "
+    << all.GetCount() << " points may take " << needed << " KiB of memory, but "
+    << (this->MemoryLimit > 0 ? "MemoryLimit allows " : "there are ") << limit
+    << " KiB. Nothing was computed.");
+  return nullptr;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::WarnAboutBlocks(vtkDataObject* data)
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  {
+    const vtkAHDBlocks all(blocks);
+    if (all.GetNumberOfOthers() > 0)
+    {
+      vtkWarningMacro("" << all.GetNumberOfOthers()
+                         << " blocks have no points of their own (the first is a "
+                         << all.GetFirstOther() << "): they were left out.");
+    }
+  }
+  else if (!vtkPointSet::SafeDownCast(data))
   {
     // A block of a composite data set: their types are not looked at by the pipeline.
     vtkWarningMacro("A " << (data ? data->GetClassName() : "missing block")
                          << " has no points of its own: nothing was triangulated for it.");
-    return 1;
   }
-  // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
-  // this filter again with every Update(), and keep the filters behind it at their last output.
-  vtkAHDRun run(this, input, vtkPolyData::GetData(inputVector[1]), outputVector);
-  if (!run.FitsInMemory())
+}
+
+/// Passes on what the last execution made, if that was of the same. Returns false if it was not.
+bool vtkAdaptiveHilbertDelaunay2D::PassOnKept(
+  vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs)
+{
+  vtkAHDProgress progress(this);
+  if (!this->KeepTriangulation || progress.MustAbort())
   {
-    return 1;
+    this->Kept->Forget();
+    return false;
   }
-  const ahd::Status status = run.Triangulate();
+  vtkAHDExecutor executor(vtkAHDThreadsToUse(this->NumberOfThreads));
+  if (!this->Kept->Fits({ input, source, this->GetMTime() }, executor, progress))
+  {
+    return false;
+  }
+  this->Kept->PassOn(input, OutputsOf(outputs));
+  this->SortSeconds = 0.0;
+  this->InsertSeconds = 0.0;
+  this->OutputSeconds = 0.0;
+  this->ConstrainSeconds = 0.0;
+  return true;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Triangulate(
+  vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs)
+{
+  ++this->NumberOfTriangulations;
+  vtkAHDRun run(this, input, source, outputs);
+  ahd::Status status = ahd::Status::OutOfMemory;
+  if (run.FitsInMemory())
+  {
+    status = run.Triangulate();
+    if (status != ahd::Status::Ok)
+    {
+      run.Fail(status);
+    }
+  }
   if (status != ahd::Status::Ok)
   {
-    run.Fail(status);
-    return 1;
+    this->Kept->Forget();
+    return;
   }
   run.KeepMeasures();
   run.Warn();
-  return 1;
+  if (this->KeepTriangulation)
+  {
+    this->Kept->Keep({ input, source, this->GetMTime() }, OutputsOf(outputs));
+  }
 }
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)
@@ -127,7 +245,13 @@ int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformat
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  // The first type decides: a filter that takes composite data sets is not run for each block.
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+    this->MergeBlocks ? "vtkCompositeDataSet" : "vtkPointSet");
+  if (this->MergeBlocks)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPointSet");
+  }
   return 1;
 }
 
@@ -175,6 +299,7 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << "\n";
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "BoundingTriangulation: " << (this->BoundingTriangulation ? "On\n" : "Off\n");
+  os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
   os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
   os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
   os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");

@@ -95,9 +95,15 @@
 
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
 #include "vtkAdaptiveHilbertAlgorithm.h"
+#include "vtkSmartPointer.h" // for return values
 
+#include <cstddef> // for std::size_t
+#include <memory>  // for std::unique_ptr
+
+class vtkAHDKept;
 class vtkAHDRun;
 class vtkAbstractTransform;
+class vtkCompositeDataSet;
 class vtkPointSet;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
@@ -363,6 +369,21 @@ public:
 
   ///@{
   /**
+   * Triangulate the points of all blocks of a composite data set together, such as lidar tiles,
+   * without seams between them; the output is one vtkPolyData. Off by default: each block is
+   * triangulated by itself, as with any other filter. The points of a block follow those of the one
+   * before, in the order of the data set's iterator; the source's ids and all others refer to that
+   * numbering. Point data: the arrays that all blocks have, by name, type and number of components.
+   * Ghost marks count. Blocks without points are passed over; so are those that are no vtkPointSet,
+   * with a warning. Costs a copy of the points and their data. No effect on other data sets.
+   */
+  virtual void SetMergeBlocks(bool merge);
+  vtkGetMacro(MergeBlocks, bool);
+  vtkBooleanMacro(MergeBlocks, bool);
+  ///@}
+
+  ///@{
+  /**
    * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
    * if it is a vertex, the id of the point that stands for it if it is a duplicate or merged
    * into that, -1 if it was rejected because its x or y is not finite, -2 if it was not inserted,
@@ -487,6 +508,7 @@ protected:
   int DuplicatePolicy = FIRST;
   double Offset = 1.0;
   vtkTypeBool BoundingTriangulation = 0;
+  bool MergeBlocks = false;
   bool GenerateFate = false;
   bool GenerateConstraintEdges = false;
   bool GenerateRegionIds = false;
@@ -509,6 +531,12 @@ private:
 
   friend class vtkAHDRun; // one execution
   void WarnAboutRanks();
+  vtkSmartPointer<vtkPointSet> MergeInput(vtkCompositeDataSet* blocks);
+  void WarnAboutBlocks(vtkDataObject* data);
+  bool PassOnKept(vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs);
+  void Triangulate(vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs);
+  const std::unique_ptr<vtkAHDKept> Kept; // the last execution's outputs
+  std::size_t BytesOfBlocks = 0;          // that merging them has taken
   bool WarnedAboutRanks = false;
 };
 

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDKept_h
+#define vtkAHDKept_h
+
+#include "Engine/Executor.h"
+#include "vtkAHDFingerprint.h"
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <array>
+#include <vector>
+
+class vtkAHDProgress;
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * The outputs of an execution, for another one with the same points.
+ *
+ * The same: by what they are, not by which object they are in, so that a reader may make new ones
+ * for each time step, and a program may change them where they lie. The outputs' arrays are held,
+ * the input is not.
+ */
+class vtkAHDKept
+{
+public:
+  vtkAHDKept();
+  ~vtkAHDKept();
+  vtkAHDKept(const vtkAHDKept&) = delete;
+  vtkAHDKept& operator=(const vtkAHDKept&) = delete;
+
+  /// What the triangulation is made of. `settings`: when they were changed last.
+  struct Origin
+  {
+    vtkPointSet* Input;
+    vtkPolyData* Source; ///< may be null
+    vtkMTimeType Settings;
+  };
+  /// Surface, order, Voronoi diagram.
+  using Outputs = std::array<vtkPolyData*, 3>;
+
+  /// Can the outputs be passed on for this? Takes the fingerprints, which Keep() then has. False if
+  /// the filter is to abort.
+  bool Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress);
+
+  /// Keeps the outputs, unless points were added, whose data are not the input's. REQUIRES:
+  /// Fits(origin) was called, and nothing of it has changed.
+  void Keep(const Origin& origin, const Outputs& outputs);
+
+  /// Fills the outputs anew, with the point data of this input. REQUIRES: Fits() said so.
+  void PassOn(vtkPointSet* input, const Outputs& outputs) const;
+
+  /// Lets go of everything.
+  void Forget();
+
+private:
+  bool TakeFingerprints(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress);
+
+  bool IsKept = false;
+  bool HasOwnPoints = false; // is the surface's vtkPoints another than the input's?
+  vtkMTimeType Settings = 0;
+  std::vector<vtkAHDFingerprint> Now; // of the origin that Fits() saw last; empty if it has none
+  std::vector<vtkAHDFingerprint> AtTheTime; // of what is kept
+  std::array<vtkNew<vtkPolyData>, 3> Data; // the first without the point data of the input
+};
+
+#endif
