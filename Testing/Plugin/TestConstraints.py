@@ -206,6 +206,43 @@ def test_coinciding_points():
     found = measures(surface)
     check_equal((found["NumberOfDuplicates"], found["NumberOfMergedPoints"]), (1, 1), "with a tolerance")
     check_equal(fates(), [0, 1, 2, 3, 1, 0], "fates with a tolerance")
+    SetProperties(surface, Tolerance=0, DuplicatePolicy="Lowest z")
+    surface.UpdatePipeline()
+    check_equal(fates()[1], 4, "the fate of a point with a lower one in its place")
+    surface.DuplicatePolicy = "Mean z"
+    surface.UpdatePipeline()
+    check_equal(servermanager.Fetch(surface).GetPoint(1)[2], 3.5, "the mean height")
+
+def test_blocks_merged():
+    """Two tiles side by side: with a seam between them or, merged, without."""
+    tiles = [Plane(XResolution=2, YResolution=2), Plane(XResolution=2, YResolution=2)]
+    for tile, west in zip(tiles, (0, 1.5)):
+        SetProperties(tile, Origin=[west, 0, 0], Point1=[west + 1, 0, 0], Point2=[west, 1, 0])
+    surface = AdaptiveHilbertDelaunay2D(Input=GroupDatasets(Input=tiles))
+    surface.UpdatePipeline()
+    check(surface.GetDataInformation().IsCompositeDataSet(), "the blocks do not stay by themselves")
+    check_equal(surface.GetDataInformation().GetNumberOfCells(), 16, "triangles of both tiles")
+    surface.MergeBlocks = 1
+    found = measures(surface)
+    check(not surface.GetDataInformation().IsCompositeDataSet(), "merged blocks are still blocks")
+    check_equal(found["NumberOfTriangles"], 16 + 4, "triangles of the merged tiles")
+    check_equal(len(triangles(surface)), 16 + 4, "triangles that came from the filter")
+    surface.MergeBlocks = 0
+    surface.UpdatePipeline()
+    check_equal(surface.GetDataInformation().GetNumberOfCells(), 16, "triangles of both tiles again")
+
+
+def test_points_that_stay():
+    """An array that changes and points that do not: triangulated once."""
+    points = Calculator(Input=Plane(XResolution=6, YResolution=6), Function="1", ResultArrayName="level")
+    surface = AdaptiveHilbertDelaunay2D(Input=points)
+    for level in (1, 2, 3):
+        points.Function = str(level)
+        check_equal(measures(surface)["NumberOfTriangulations"], 1, "triangulations at level %d" % level)
+        check_equal(surface.PointData["level"].GetRange(0), (level, level), "the array that changes")
+    SetProperties(surface, KeepTriangulation=0)
+    points.Function = "4"
+    check_equal(measures(surface)["NumberOfTriangulations"], 2, "triangulations, if none is kept")
 
 
 def test_bounding_triangulation():

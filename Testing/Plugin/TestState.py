@@ -35,6 +35,8 @@ OTHERS = {
     "ProjectionPlaneMode": "Transform Plane",
     "Tolerance": 0.001,
     "DuplicatePolicy": "Mean z",
+    "MergeBlocks": 1,
+    "KeepTriangulation": 0,
     "GenerateConstraintEdges": 1,
     "GenerateRegionIds": 1,
     "GenerateNeighbors": 1,

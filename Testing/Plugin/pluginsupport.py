@@ -30,6 +30,7 @@ SETTINGS = [
     "ProjectionPlaneMode",
     "Tolerance",
     "DuplicatePolicy",
+    "MergeBlocks",
     "GenerateConstraintEdges",
     "GenerateRegionIds",
     "GenerateNeighbors",
@@ -52,6 +53,7 @@ SETTINGS = [
     "MemoryLimit",
     "NumberOfThreads",
     "ReuseLimit",
+    "KeepTriangulation",
 ]
 COUNTS = [
     "NumberOfTriangles",
@@ -77,6 +79,7 @@ MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "ConstrainSeconds",
     "OutputSeconds",
     "NumberOfThreadsUsed",
+    "NumberOfTriangulations",
     "MemoryEstimate",
 ]
 
