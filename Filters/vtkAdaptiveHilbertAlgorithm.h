@@ -4,9 +4,9 @@
  * @brief   a filter that inserts points into a Delaunay triangulation: how it goes about it
  *
  * The part of vtkAdaptiveHilbertDelaunay2D that says how the points are inserted and how the work
- * is measured: the order of insertion, its limit and what is shown of it, threads and memory. None
- * of it but InsertionLimit changes the triangles. What is triangulated, and what comes out, is said
- * there.
+ * is measured: the order of insertion, its limit and what is shown of it, arrays that tell of points
+ * and triangles, threads and memory. None of it but InsertionLimit changes the triangles. What is
+ * triangulated, and what comes out, is said there.
  *
  * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
  * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
@@ -174,6 +174,54 @@ public:
    */
   vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(InsertionLimit, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
+   * if it is a vertex, the id of the point that stands for it if it is a duplicate or merged
+   * into that, -1 if it was rejected because its x or y is not finite, -2 if it was not inserted,
+   * because it is marked as a ghost or hidden point or lies beyond InsertionLimit. Off by default;
+   * costs 16 bytes per point while the filter runs.
+   */
+  vtkSetMacro(GenerateFate, bool);
+  vtkGetMacro(GenerateFate, bool);
+  vtkBooleanMacro(GenerateFate, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the cell array "ConstraintEdges" (vtkUnsignedCharArray), which says which edges of a
+   * triangle are constraints: 1 for the edge from its first corner to its second, 2 from the second
+   * to the third, 4 from the third to the first, added up. 0 for lines and vertices. Off by
+   * default; costs 1 byte per triangle.
+   */
+  vtkSetMacro(GenerateConstraintEdges, bool);
+  vtkGetMacro(GenerateConstraintEdges, bool);
+  vtkBooleanMacro(GenerateConstraintEdges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the cell array "RegionId" (vtkIdTypeArray): triangles have the same number if a way from
+   * one to the other crosses no constraint, lines included. From 0, in the order in which the
+   * regions appear among the triangles; -1 for lines and vertices. Off by default; costs 24 bytes
+   * per triangle while the filter runs.
+   */
+  vtkSetMacro(GenerateRegionIds, bool);
+  vtkGetMacro(GenerateRegionIds, bool);
+  vtkBooleanMacro(GenerateRegionIds, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Add the cell array "Neighbors" (vtkIdTypeArray, three components): the ids of the cells beyond
+   * the edges of a triangle, in the order of the bits of "ConstraintEdges"; -1 where there is none,
+   * and for lines and vertices. Off by default; costs 48 bytes per triangle while the filter runs.
+   */
+  vtkSetMacro(GenerateNeighbors, bool);
+  vtkGetMacro(GenerateNeighbors, bool);
+  vtkBooleanMacro(GenerateNeighbors, bool);
   ///@}
 
   ///@{
@@ -356,6 +404,10 @@ protected:
   vtkTypeBool UseHilbertSorter = 0;
   bool CountWork = false;
   vtkIdType InsertionLimit = 0;
+  bool GenerateFate = false;
+  bool GenerateConstraintEdges = false;
+  bool GenerateRegionIds = false;
+  bool GenerateNeighbors = false;
   bool GenerateInsertionRank = false;
   bool GenerateInsertionCurve = false;
   bool GenerateBoxes = false;

@@ -300,10 +300,6 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Offset: " << this->Offset << "\n";
   os << indent << "BoundingTriangulation: " << (this->BoundingTriangulation ? "On\n" : "Off\n");
   os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
-  os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
-  os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
-  os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");
-  os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");
   os << indent << "GenerateVoronoi: " << (this->GenerateVoronoi ? "On\n" : "Off\n");
   os << indent << "VoronoiClip: " << this->VoronoiClip << "\n";
   os << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n";

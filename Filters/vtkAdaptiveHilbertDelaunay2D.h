@@ -384,53 +384,6 @@ public:
 
   ///@{
   /**
-   * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
-   * if it is a vertex, the id of the point that stands for it if it is a duplicate or merged
-   * into that, -1 if it was rejected because its x or y is not finite, -2 if it was not inserted,
-   * because it is marked as a ghost or hidden point or lies beyond InsertionLimit. Off by default;
-   * costs 16 bytes per point while the filter runs.
-   */
-  vtkSetMacro(GenerateFate, bool);
-  vtkGetMacro(GenerateFate, bool);
-  vtkBooleanMacro(GenerateFate, bool);
-  ///@}
-  ///@{
-  /**
-   * Add the cell array "ConstraintEdges" (vtkUnsignedCharArray), which says which edges of a
-   * triangle are constraints: 1 for the edge from its first corner to its second, 2 from the second
-   * to the third, 4 from the third to the first, added up. 0 for lines and vertices. Off by
-   * default; costs 1 byte per triangle.
-   */
-  vtkSetMacro(GenerateConstraintEdges, bool);
-  vtkGetMacro(GenerateConstraintEdges, bool);
-  vtkBooleanMacro(GenerateConstraintEdges, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Add the cell array "RegionId" (vtkIdTypeArray): triangles have the same number if a way from
-   * one to the other crosses no constraint, lines included. From 0, in the order in which the
-   * regions appear among the triangles; -1 for lines and vertices. Off by default; costs 24 bytes
-   * per triangle while the filter runs.
-   */
-  vtkSetMacro(GenerateRegionIds, bool);
-  vtkGetMacro(GenerateRegionIds, bool);
-  vtkBooleanMacro(GenerateRegionIds, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Add the cell array "Neighbors" (vtkIdTypeArray, three components): the ids of the cells beyond
-   * the edges of a triangle, in the order of the bits of "ConstraintEdges"; -1 where there is none,
-   * and for lines and vertices. Off by default; costs 48 bytes per triangle while the filter runs.
-   */
-  vtkSetMacro(GenerateNeighbors, bool);
-  vtkGetMacro(GenerateNeighbors, bool);
-  vtkBooleanMacro(GenerateNeighbors, bool);
-  ///@}
-
-  ///@{
-  /**
    * Put the Voronoi diagram of the vertices into output port 2: for each vertex a convex polygon of
    * what is nearer to it than to any other vertex, in the plane of the triangulation, with the
    * point data of the vertex as cell data, but for vtkGhostType. The cell array "OriginalPointIds"
@@ -509,10 +462,6 @@ protected:
   double Offset = 1.0;
   vtkTypeBool BoundingTriangulation = 0;
   bool MergeBlocks = false;
-  bool GenerateFate = false;
-  bool GenerateConstraintEdges = false;
-  bool GenerateRegionIds = false;
-  bool GenerateNeighbors = false;
   bool GenerateVoronoi = false;
   int VoronoiClip = CLIP_TO_HULL;
 
