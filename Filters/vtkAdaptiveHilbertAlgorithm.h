@@ -4,9 +4,9 @@
  * @brief   a filter that inserts points into a Delaunay triangulation: how it goes about it
  *
  * The part of vtkAdaptiveHilbertDelaunay2D that says how the points are inserted and how the work
- * is measured: the order of insertion, its limit and what is shown of it, arrays that tell of points
- * and triangles, threads and memory. None of it but InsertionLimit changes the triangles. What is
- * triangulated, and what comes out, is said there.
+ * is measured: the order of insertion, its limit and what is shown of it, arrays that tell of
+ * points and triangles, threads and memory. None of it but InsertionLimit changes the triangles.
+ * What is triangulated, and what comes out, is said there.
  *
  * <b>Speed and memory.</b> Points are inserted one after the other, in an order in which neighbours
  * follow each other: along a Hilbert curve whose boxes are divided until each holds at most Nmax
