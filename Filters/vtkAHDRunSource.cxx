@@ -136,15 +136,18 @@ ahd::Status vtkAHDRun::Split()
   const ahd::Status status = ahd::splitAtCrossings(
     this->Points.View(), this->Constraints.View(), &this->Progress, split);
   this->Progress.Finish();
-  if (status != ahd::Status::Ok || split.points.empty())
+  if (status != ahd::Status::Ok || split.rounds == 0)
   {
     return status;
   }
-  if (!this->Points.Copy(this->Executor, this->Progress))
+  if (!split.points.empty())
   {
-    return ahd::Status::Cancelled;
+    if (!this->Points.Copy(this->Executor, this->Progress))
+    {
+      return ahd::Status::Cancelled;
+    }
+    this->AddSplitPoints(split.points);
   }
-  this->AddSplitPoints(split.points);
   this->Constraints.Replace(std::move(split.ids), std::move(split.offsets));
   const std::size_t bytes = this->EstimateBytes();
   this->Filter->MemoryEstimate = static_cast<vtkTypeInt64>(bytes / 1024);

@@ -30,6 +30,14 @@ bool inChunks(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
   return true;
 }
 
+/// Writes the value all over a Buffer. Returns false if the work is to be cancelled.
+template <typename Array, typename Value>
+bool fillAll(Array& array, const Value& value, Ticker& ticker)
+{
+  return inChunks(0, array.size(), ticker,
+    [&](std::size_t a, std::size_t b) { std::fill(array.data() + a, array.data() + b, value); });
+}
+
 /// Tells the processor that a cache line is about to be written. Changes no result.
 inline void prefetchForWrite(const void* address)
 {

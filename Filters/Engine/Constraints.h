@@ -35,6 +35,19 @@ struct ConstraintView
   std::size_t lines = 0;
 };
 
+/// The segments of a chain: one less than ids; as many in a loop, unless its last id is its first.
+inline std::size_t segmentsOf(const ConstraintView& constraints, std::size_t chain)
+{
+  const std::int64_t begin = constraints.offsets[chain], end = constraints.offsets[chain + 1];
+  if (end - begin < 2)
+  {
+    return 0;
+  }
+  const bool isClosed = chain >= constraints.lines &&
+    constraints.ids[begin] != constraints.ids[end - 1];
+  return static_cast<std::size_t>(end - begin) - (isClosed ? 0 : 1);
+}
+
 /// A segment that was left out, since it crosses another one that comes before it.
 struct LeftOut
 {

@@ -80,7 +80,8 @@ constexpr int kMostSplittingRounds = 16;
 ///
 /// The pieces are bent by this and may cross others. So it is repeated until nothing crosses, or
 /// until kMostSplittingRounds rounds are over. Without the rule for ends, segments that differ
-/// in their last bits only would cross ever more often.
+/// in their last bits only would cross ever more often; with it they still may, tens of copies of
+/// one line cross some thousand times.
 ///
 /// The points of the result and the pieces, as a set of pairs of places, are a function of the set
 /// of the segments: neither their order nor their directions have a say.

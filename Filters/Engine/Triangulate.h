@@ -116,8 +116,8 @@ public:
   static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);
 
   /// Upper estimate of what constrain() takes on top of it for so many segments (0 for none), and
-  /// the cell data. Not counted: up to 300 bytes for each triangle that one segment crosses; a few,
-  /// mostly, but nobody knows before.
+  /// the cell data. Not counted, as nobody knows before: up to 300 bytes for each triangle that one
+  /// segment crosses, and up to 350 for each vertex that one passes; a few, mostly.
   static std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
 
 private:

@@ -14,40 +14,11 @@
 namespace ahd
 {
 
-namespace
-{
-
-/// Segments of a chain, as Constrainer counts them.
-std::size_t segmentsOf(const ConstraintView& given, std::size_t chain)
-{
-  const std::int64_t begin = given.offsets[chain], end = given.offsets[chain + 1];
-  if (end - begin < 2)
-  {
-    return 0;
-  }
-  const bool isClosed = chain >= given.lines && given.ids[begin] != given.ids[end - 1];
-  return static_cast<std::size_t>(end - begin) - (isClosed ? 0 : 1);
-}
-
-std::size_t segmentsOf(const ConstraintView& given)
-{
-  std::size_t segments = 0;
-  for (std::size_t chain = 0; chain < given.chains; ++chain)
-  {
-    segments += segmentsOf(given, chain);
-  }
-  return segments;
-}
-
-} // namespace
-
 /// The vertex of each of the caller's ids; kNoIndex for those that have none.
 bool Triangulator::State::rankIds(Buffer<Index>& rankOf, Ticker& ticker) const
 {
   rankOf.allocate(points.count);
-  return inChunks(0, points.count, ticker,
-           [&](std::size_t a, std::size_t b)
-           { std::fill(rankOf.data() + a, rankOf.data() + b, kNoIndex); }) &&
+  return fillAll(rankOf, kNoIndex, ticker) &&
     inChunks(0, ranked.count, ticker,
       [&](std::size_t a, std::size_t b)
       {
@@ -75,14 +46,13 @@ bool Triangulator::State::lookUp(Ticker& ticker)
 bool Triangulator::State::insertConstraints(
   const ConstraintView& given, FillRule rule, Ticker& ticker)
 {
-  const std::size_t segments = segmentsOf(given);
   Buffer<Index> rankOf;
   if (!rankIds(rankOf, ticker) || !lookUp(ticker))
   {
     return false;
   }
-  Constrainer constrainer(constrained, rankOf, std::min(segments, report.inserted), ticker);
-  if (!constrainer.insertAll(given))
+  Constrainer constrainer(constrained, rankOf, ticker);
+  if (!constrainer.insertAll(given, report.inserted))
   {
     return false;
   }
@@ -97,22 +67,35 @@ bool Triangulator::State::insertConstraints(
   return ticker.ask();
 }
 
+/// Without triangles no segment can be had.
+bool Triangulator::State::countMissing(const ConstraintView& given, Ticker& ticker)
+{
+  for (std::size_t chain = 0; chain < given.chains; ++chain)
+  {
+    const std::size_t segments = segmentsOf(given, chain);
+    constraints.segments += segments;
+    constraints.withoutVertex += segments;
+    constraints.unfilledLoops += chain >= given.lines && segments > 0 ? 1 : 0;
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 Status Triangulator::State::constrain(
   const ConstraintView& given, FillRule rule, Progress* progress)
 {
   areCellsAtHand = false;
-  const std::size_t segments = segmentsOf(given);
+  const std::size_t ids = given.chains == 0
+    ? 0
+    : static_cast<std::size_t>(given.offsets[given.chains] - given.offsets[0]);
+  Ticker ticker(progress, Phase::Constrain, ids);
   if (report.triangles == 0)
   {
-    constraints.segments = segments;
-    constraints.withoutVertex = segments;
-    for (std::size_t loop = given.lines; loop < given.chains; ++loop)
-    {
-      constraints.unfilledLoops += segmentsOf(given, loop) > 0 ? 1 : 0;
-    }
-    return Status::Ok;
+    return countMissing(given, ticker) ? Status::Ok : Status::Cancelled;
   }
-  Ticker ticker(progress, Phase::Constrain, segments);
   return insertConstraints(given, rule, ticker) ? Status::Ok : Status::Cancelled;
 }
 

@@ -56,6 +56,7 @@ struct Triangulator::State
 
   Status constrain(const ConstraintView& given, FillRule rule, Progress* progress);
   bool insertConstraints(const ConstraintView& given, FillRule rule, Ticker& ticker);
+  bool countMissing(const ConstraintView& given, Ticker& ticker);
   bool rankIds(Buffer<Index>& rankOf, Ticker& ticker) const;
   bool lookUp(Ticker& ticker);
   bool findCells(Ticker& ticker);

@@ -17,8 +17,8 @@ namespace
 
 const char* nameOfPhase(Phase phase)
 {
-  static const char* const kNames[] = { "Merge", "Split", "Read", "Sort", "Insert", "Extract",
-    "Fates" };
+  static const char* const kNames[] = { "Merge", "Split", "Read", "Sort", "Insert", "Constrain",
+    "Extract", "Fates" };
   static_assert(sizeof kNames / sizeof *kNames == kPhases, "a name for each phase");
   return kNames[int(phase)];
 }

@@ -51,9 +51,7 @@ bool CellData::begin(const ConstrainedMesh& mesh, std::size_t triangles, Ticker&
 {
   first_.allocate(triangles);
   number_.allocate(mesh.triangles());
-  const auto clear = [this](std::size_t a, std::size_t b)
-  { std::fill(number_.data() + a, number_.data() + b, kNoIndex); };
-  if (!inChunks(0, number_.size(), ticker, clear))
+  if (!fillAll(number_, kNoIndex, ticker))
   {
     return false;
   }

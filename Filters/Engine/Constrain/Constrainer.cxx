@@ -8,27 +8,32 @@
 namespace ahd
 {
 
-Constrainer::Constrainer(
-  ConstrainedMesh& mesh, const Buffer<Index>& rankOf, std::size_t expectedEdges, Ticker& ticker)
+Constrainer::Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Ticker& ticker)
   : mesh_(mesh)
   , rankOf_(rankOf.data())
   , points_(rankOf.size())
   , ticker_(ticker)
   , walk_(mesh, ticker)
   , cavity_(mesh, ticker)
-  , edges_(expectedEdges)
+  , edges_(ticker)
 {
 }
 
-bool Constrainer::insertAll(const ConstraintView& constraints)
+bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t vertices)
 {
   constraints_ = constraints;
-  firstSegment_.clear();
   firstSegment_.reserve(constraints.chains);
+  const std::size_t ids = constraints.chains == 0
+    ? 0
+    : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
+  if (!edges_.begin(std::min(ids, vertices)))
+  {
+    return false;
+  }
   for (std::size_t chain = 0; chain < constraints.chains; ++chain)
   {
     firstSegment_.push_back(segment_);
-    if (!insertChain(chain))
+    if (!ticker_.step() || !insertChain(chain))
     {
       return false;
     }
@@ -47,8 +52,7 @@ bool Constrainer::insertChain(std::size_t chain)
   isLoop_ = chain >= constraints_.lines;
   loop_.clear();
   bool isWhole = true;
-  const bool isClosed = isLoop_ && count > 1 && ids[0] != ids[count - 1];
-  const std::size_t segments = count < 2 ? 0 : count - 1 + (isClosed ? 1 : 0);
+  const std::size_t segments = segmentsOf(constraints_, chain);
   prefetch(ids);
   for (std::size_t i = 0; i < segments; ++i, ++segment_)
   {
@@ -61,9 +65,9 @@ bool Constrainer::insertChain(std::size_t chain)
     isWhole = isWhole && fate != Fate::Missing;
     ticker_.finished(1);
   }
-  if (isLoop_ && isWhole)
+  if (isLoop_ && isWhole && !useLoop())
   {
-    useLoop();
+    return false;
   }
   report_.unfilledLoops += isLoop_ && !isWhole ? 1 : 0;
   return true;
@@ -181,27 +185,34 @@ bool Constrainer::makeEdges(bool isForward)
       }
       edge = cavity_.made();
     }
-    markEdge(edge, isForward);
+    if (!markEdge(edge, isForward))
+    {
+      return false;
+    }
   }
   return true;
 }
 
-void Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
+bool Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
 {
   const Index from = mesh_.origin(h), to = mesh_.destination(h);
   if (!mesh_.isConstrained(h))
   {
     mesh_.constrain(h);
     mesh_.constrain(mesh_.twin(h));
-    edges_.add(from, to, segment_);
+    if (!edges_.add(from, to, segment_))
+    {
+      return false;
+    }
   }
   if (isLoop_)
   {
     loop_.push_back(isForward ? std::make_pair(from, to) : std::make_pair(to, from));
   }
+  return ticker_.step();
 }
 
-void Constrainer::useLoop()
+bool Constrainer::useLoop()
 {
   for (const auto& step : loop_)
   {
@@ -209,7 +220,12 @@ void Constrainer::useLoop()
     edge.balance += step.first < step.second ? 1 : -1;
     ++edge.uses;
     anyLoop_ = true;
+    if (!ticker_.step())
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 } // namespace ahd

@@ -20,11 +20,11 @@ class Constrainer
 public:
   /// `rankOf` tells the vertex of each of the caller's ids, kNoIndex if it has none.
   /// Throws std::bad_alloc.
-  Constrainer(
-    ConstrainedMesh& mesh, const Buffer<Index>& rankOf, std::size_t expectedEdges, Ticker& ticker);
+  Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Ticker& ticker);
 
-  /// Returns false if the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
-  bool insertAll(const ConstraintView& constraints);
+  /// `vertices` of the mesh are expected to have edges, at most. Returns false if the caller wants
+  /// to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  bool insertAll(const ConstraintView& constraints, std::size_t vertices);
 
   /// The constraint edges, with the loops that use them; of loops that are whole only.
   const EdgeTable& edges() const { return edges_; }
@@ -45,8 +45,8 @@ private:
   Fate leaveOut(Mesh::Halfedge crossed);
   Index vertexOf(std::int64_t id) const;
   bool makeEdges(bool isForward);
-  void markEdge(Mesh::Halfedge h, bool isForward);
-  void useLoop();
+  bool markEdge(Mesh::Halfedge h, bool isForward);
+  bool useLoop();
   std::pair<std::size_t, std::size_t> find(std::uint64_t segment) const;
   void prefetch(const std::int64_t* ids) const;
 

@@ -25,15 +25,22 @@ public:
     std::uint64_t uses;   ///< by loops
   };
 
-  /// Throws std::bad_alloc.
-  explicit EdgeTable(std::size_t expected) { allocate(roomFor(expected)); }
-
-  /// The edge between two vertices, which is new if it has not been there. Throws std::bad_alloc.
-  Edge& add(Index u, Index v, std::uint64_t segment)
+  explicit EdgeTable(Ticker& ticker)
+    : ticker_(ticker)
   {
-    if (2 * (count_ + 1) > edges_.size())
+  }
+
+  /// Makes room for so many edges; to be called before all else. Returns false if the caller wants
+  /// to cancel. Throws std::bad_alloc.
+  bool begin(std::size_t expected) { return allocate(roomFor(expected)); }
+
+  /// Adds the edge between two vertices, unless it is there. Returns false if the caller wants to
+  /// cancel: then the table is unusable. Throws std::bad_alloc.
+  bool add(Index u, Index v, std::uint64_t segment)
+  {
+    if (2 * (count_ + 1) > edges_.size() && !grow())
     {
-      grow();
+      return false;
     }
     Edge& edge = *place(keyOf(u, v));
     if (edge.key == kFree)
@@ -41,7 +48,7 @@ public:
       edge = Edge{ keyOf(u, v), segment, 0, 0 };
       ++count_;
     }
-    return edge;
+    return true;
   }
 
   /// Fetches what find() or add() will look at.
@@ -78,29 +85,32 @@ private:
     return room;
   }
 
-  void allocate(std::size_t room)
+  bool allocate(std::size_t room)
   {
     edges_.allocate(room);
-    std::fill(edges_.begin(), edges_.end(), Edge{ kFree, 0, 0, 0 });
     shift_ = 64;
-    for (; room > 1; room /= 2)
+    for (std::size_t size = room; size > 1; size /= 2)
     {
       --shift_;
     }
+    return fillAll(edges_, Edge{ kFree, 0, 0, 0 }, ticker_);
   }
 
-  void grow()
+  bool grow()
   {
     Buffer<Edge> old;
     std::swap(old, edges_);
-    allocate(2 * old.size());
-    for (const Edge& edge : old)
+    const auto move = [&](std::size_t a, std::size_t b)
     {
-      if (edge.key != kFree)
+      for (const Edge* edge = old.data() + a; edge != old.data() + b; ++edge)
       {
-        *place(edge.key) = edge;
+        if (edge->key != kFree)
+        {
+          *place(edge->key) = *edge;
+        }
       }
-    }
+    };
+    return allocate(2 * old.size()) && inChunks(0, old.size(), ticker_, move);
   }
 
   std::size_t firstPlace(std::uint64_t key) const
@@ -118,6 +128,7 @@ private:
     return &edges_[i];
   }
 
+  Ticker& ticker_;
   Buffer<Edge> edges_;
   std::size_t count_ = 0;
   unsigned shift_ = 64;

@@ -117,7 +117,10 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
     if (mesh_.isConstrained(h))
     {
       blockedBy_ = h;
-      return Outcome::Blocked;
+      if (!goesOn_)
+      {
+        return Outcome::Blocked;
+      }
     }
     crossed_.push_back(h);
     //       left             the twin runs from left to right; ahead of it is the apex
@@ -144,15 +147,17 @@ SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
   {
     return Outcome::Cancelled;
   }
-  const Outcome outcome = walkFrom(start_, start_ == a ? b : a, way);
-  if (outcome != Outcome::Blocked || start_ == a)
+  const Index end = start_ == a ? b : a;
+  goesOn_ = false;
+  Outcome outcome = walkFrom(start_, end, way);
+  if (outcome == Outcome::Blocked && start_ == b)
   {
-    return outcome;
+    // What blocks it last on the way from b is the first from a.
+    goesOn_ = true;
+    outcome = walkFrom(b, a, way);
+    return outcome == Outcome::Free ? Outcome::Blocked : outcome;
   }
-  // What blocks it first from b is not what does from a.
-  start_ = a;
-  way = WayOut();
-  return findWayOut(a, b, std::size_t(-1), way) ? walkFrom(a, b, way) : Outcome::Cancelled;
+  return outcome;
 }
 
 /// From vertex to vertex on the segment. `way` leads out of the first.
@@ -176,7 +181,7 @@ SegmentWalk::Outcome SegmentWalk::walkFrom(Index from, Index end, WayOut way)
       return Outcome::Free;
     }
     way = WayOut();
-    if (!findWayOut(from, end, std::size_t(-1), way))
+    if (!ticker_.step() || !findWayOut(from, end, std::size_t(-1), way))
     {
       return Outcome::Cancelled;
     }

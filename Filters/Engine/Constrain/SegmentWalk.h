@@ -35,7 +35,8 @@ public:
   }
 
   /// REQUIRES: two different vertices of the mesh. Throws std::bad_alloc.
-  /// Where one end has very many neighbours, the cost goes with those of the other end.
+  /// Where one end has very many neighbours, the cost goes with those of the other end. A vertex
+  /// within the segment costs as many steps as it has neighbours.
   Outcome walk(Index a, Index b);
 
   /// Along the segment, from start(), which is one of its ends.
@@ -67,6 +68,7 @@ private:
   std::vector<Piece> pieces_;
   std::vector<Mesh::Halfedge> crossed_;
   Mesh::Halfedge blockedBy_ = kNoIndex;
+  bool goesOn_ = false; ///< across what blocks it
   Index start_ = kNoIndex;
 };
 

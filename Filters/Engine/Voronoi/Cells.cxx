@@ -15,19 +15,7 @@ bool CellWalk::walk(Ticker& ticker)
   const DelaunayView& delaunay = diagram_.delaunay();
   for (std::size_t site = 0; site < delaunay.points.count; ++site)
   {
-    std::size_t steps = 1;
-    if (diagram_.start(site) != kNoHalfEdge)
-    {
-      steps += addCell(site);
-    }
-    for (; steps > kChunk; steps -= kChunk)
-    {
-      if (!ticker.step(kChunk))
-      {
-        return false;
-      }
-    }
-    if (!ticker.step(steps))
+    if (!ticker.step() || (diagram_.start(site) != kNoHalfEdge && !addCell(site, ticker)))
     {
       return false;
     }
@@ -36,13 +24,11 @@ bool CellWalk::walk(Ticker& ticker)
   return true;
 }
 
-/// Returns the number of triangles it has passed.
-std::size_t CellWalk::addCell(std::size_t site)
+bool CellWalk::addCell(std::size_t site, Ticker& ticker)
 {
   cell_.clear();
   const HalfEdge start = diagram_.start(site);
   const bool isOpen = diagram_.twin(start) == kNoHalfEdge;
-  std::size_t steps = 0;
   HalfEdge h = start;
   do
   {
@@ -53,11 +39,14 @@ std::size_t CellWalk::addCell(std::size_t site)
     {
       append(site, turned(border_.piece(back)));
     }
-    ++steps;
+    if (!ticker.step())
+    {
+      return false;
+    }
   } while (h != start && h != kNoHalfEdge);
   close(site, isOpen);
   end(site);
-  return steps;
+  return true;
 }
 
 bool CellWalk::walkStrips(const std::vector<std::int64_t>& line, BoxBorder& border, Ticker& ticker)

@@ -31,7 +31,7 @@ public:
   bool number(Ticker& ticker);
 
 private:
-  std::size_t addCell(std::size_t site);
+  bool addCell(std::size_t site, Ticker& ticker);
   void addStrip(std::size_t site, const Piece& first, const Piece& second);
   void append(std::size_t site, const Piece& piece);
   void close(std::size_t site, bool isOpen);

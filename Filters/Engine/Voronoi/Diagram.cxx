@@ -44,18 +44,29 @@ bool Diagram::computeCentres(Ticker& ticker)
 bool Diagram::findStarts(Ticker& ticker)
 {
   starts_.allocate(delaunay_.points.count);
-  std::fill(starts_.begin(), starts_.end(), kNoHalfEdge);
-  return inChunks(0, delaunay_.triangles, ticker,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = 3 * begin; i < 3 * end; ++i)
+  return fillAll(starts_, kNoHalfEdge, ticker) &&
+    inChunks(0, delaunay_.triangles, ticker,
+      [&](std::size_t begin, std::size_t end)
       {
-        HalfEdge& start = starts_[origin(static_cast<HalfEdge>(i))];
-        if (start == kNoHalfEdge || delaunay_.neighbors[i] < 0)
+        for (std::size_t i = 3 * begin; i < 3 * end; ++i)
         {
-          start = static_cast<HalfEdge>(i);
+          HalfEdge& start = starts_[origin(static_cast<HalfEdge>(i))];
+          if (start == kNoHalfEdge || delaunay_.neighbors[i] < 0)
+          {
+            start = static_cast<HalfEdge>(i);
+          }
         }
-      }
+      });
+}
+
+bool Diagram::countVertices(Ticker& ticker, std::size_t& count) const
+{
+  count = starts_.size();
+  return inChunks(0, starts_.size(), ticker,
+    [&](std::size_t a, std::size_t b)
+    {
+      count -= static_cast<std::size_t>(
+        std::count(starts_.data() + a, starts_.data() + b, kNoHalfEdge));
     });
 }
 
@@ -64,7 +75,10 @@ bool Diagram::findStarts(Ticker& ticker)
 bool Diagram::joinCentres(Ticker& ticker)
 {
   standIns_.allocate(delaunay_.triangles);
-  std::fill(standIns_.begin(), standIns_.end(), kNobody);
+  if (!fillAll(standIns_, kNobody, ticker))
+  {
+    return false;
+  }
   for (std::size_t t = 0; t < delaunay_.triangles; ++t)
   {
     if (standIns_[t] == kNobody && !joinTo(t, ticker))

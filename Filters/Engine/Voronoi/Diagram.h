@@ -66,12 +66,8 @@ public:
   /// vertex.
   HalfEdge start(std::size_t id) const { return starts_[id]; }
 
-  /// Vertices that have triangles.
-  std::size_t countVertices() const
-  {
-    return starts_.size() -
-      static_cast<std::size_t>(std::count(starts_.begin(), starts_.end(), kNoHalfEdge));
-  }
+  /// Counts the vertices that have triangles. Returns false if the caller wants to cancel.
+  bool countVertices(Ticker& ticker, std::size_t& count) const;
 
   Point centre(std::size_t triangle) const { return centres_[triangle]; }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullBorder.h"
 
+#include "../Chunks.h"
+
 #include <algorithm>
 
 namespace ahd
@@ -14,7 +16,10 @@ constexpr std::size_t kNoTriangle = std::size_t(-1);
 bool HullBorder::build(Ticker& ticker)
 {
   beyond_.allocate(diagram_.triangles());
-  std::fill(beyond_.begin(), beyond_.end(), kNoHalfEdge);
+  if (!fillAll(beyond_, kNoHalfEdge, ticker))
+  {
+    return false;
+  }
   const std::size_t halfEdges = 3 * diagram_.triangles();
   for (std::size_t h = 0; h < halfEdges; ++h)
   {

@@ -97,7 +97,11 @@ bool makeStrips(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& ce
 bool makeCells(const Diagram& diagram, CellBorder& border, VoronoiCells& cells, Ticker& ticker)
 {
   // Vertices that have triangles; each has six corners on average at most.
-  const std::size_t vertices = diagram.countVertices();
+  std::size_t vertices = 0;
+  if (!diagram.countVertices(ticker, vertices))
+  {
+    return false;
+  }
   cells.offsets.reserve(vertices + 1);
   cells.sites.reserve(vertices);
   cells.corners.reserve(6 * vertices);
