@@ -329,6 +329,24 @@ TEST(SplitCrossings, InAnotherPlaneTheyAreInterpolatedInSpace)
   EXPECT_EQ(filter->GetNumberOfTriangles(), 4);
 }
 
+TEST(SplitCrossings, AnEndThatLiesOnALineButForRoundingNeedsNoPoint)
+{
+  // the second line begins on the first, as far as doubles can say, but on its other side
+  const std::vector<Xyz> roads = { { 650918.04581886868, 5000487.6271896446, 0 },
+    { 651544.78632731084, 5001249.2579914005, 0 }, { 650923.72225737572, 5000494.5253402395, 0 },
+    { 650827.84740761865, 5000770.9921042062, 0 } };
+  ConstrainedFilter filter(roads, makeSource({ { 0, 1 }, { 2, 3 } }, {}));
+  filter.Run();
+  EXPECT_EQ(filter->GetNumberOfConstraintsLeftOut(), 1);
+  filter.Said->Warnings.clear();
+  filter->SetCrossingModeToSplit();
+  filter.Run();
+  EXPECT_EQ(filter->GetNumberOfConstraintsLeftOut(), 0);
+  EXPECT_EQ(filter->GetNumberOfConstraintEdges(), 3);
+  EXPECT_EQ(filter->GetNumberOfAddedPoints(), 0);
+  EXPECT_TRUE(filter.Said->Warnings.empty());
+}
+
 TEST(SplitCrossings, WithoutAnyNothingIsAdded)
 {
   ConstrainedFilter filter(kSquare, makeSource({ { 0, 2 } }, { { 0, 1, 2, 3 } }));
