@@ -123,8 +123,8 @@ bool vtkAHDAlpha::Select(ahd::Executor& executor, vtkAHDProgress& progress)
     {
       this->Used[static_cast<std::size_t>(this->Mesh.Corners[i])] |= this->Kept[i / 3];
     }
-    const bool isDone = this->Mesh.Count > 0 ? this->FindLines(progress)
-                                             : this->FindLinesBetweenCollinear(progress);
+    const bool isDone = this->Mesh.AreCollinear ? this->FindLinesBetweenCollinear(progress)
+                                                : this->FindLines(progress);
     if (!isDone)
     {
       return false;

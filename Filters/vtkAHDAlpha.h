@@ -44,6 +44,7 @@ public:
     const vtkTypeInt32* Corners = nullptr;
     const std::int64_t* Neighbors = nullptr; ///< as writeNeighbors; not needed without Alpha
     std::size_t Count = 0;                   ///< of triangles
+    bool AreCollinear = false;               ///< are there none because all vertices are?
     const std::int64_t* Fates = nullptr;     ///< as writeFates; not needed without Alpha
   };
 

@@ -74,6 +74,7 @@ ahd::Status vtkAHDRun::DropByLength()
   }
   vtkAHDAlpha::Triangulation mesh;
   mesh.Count = this->Triangulator.report().triangles;
+  mesh.AreCollinear = this->DelaunayTriangles == 0;
   std::unique_ptr<std::int64_t[]> neighbors;
   std::unique_ptr<std::int64_t[]> fates;
   if (settings.Alpha > 0.0)
@@ -91,7 +92,7 @@ ahd::Status vtkAHDRun::DropByLength()
     }
     for (const ahd::MergedPoint& merged : this->Merged)
     {
-      fates[merged.id] = merged.keptId;
+      fates[merged.id] = fates[merged.keptId];
     }
     if (!this->Shown.Apply(fates.get(), this->Points.View().count, this->Executor, this->Progress))
     {

@@ -224,7 +224,8 @@ void vtkAHDRun::Warn()
     vtkWarningWithObjectMacro(this->Filter,
       "The point data array " << vtkDataSetAttributes::GhostArrayName()
                               << " does not have one value for each of the "
-                              << this->Points.GetCount() << " points, so no point was skipped.");
+                              << this->Points.GetInputCount()
+                              << " points, so no point was skipped.");
   }
   if (this->Report.notFinite > 0)
   {
@@ -268,9 +269,12 @@ void vtkAHDRun::WarnOfNoTriangle()
         << (areFew ? "fewer than three." : "and these are collinear."));
     return;
   }
+  const std::string merged = this->Merged.empty()
+    ? std::string()
+    : ", of which Tolerance merged " + std::to_string(this->Merged.size()) + " into others";
   vtkWarningWithObjectMacro(this->Filter,
     "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
                                                 : "all distinct points are collinear: ")
                                      << this->Report.inserted << " distinct points among "
-                                     << this->Points.GetCount() << ".");
+                                     << this->Points.GetCount() << merged << ".");
 }

@@ -181,8 +181,9 @@ public:
    * Add the point array "Fate" (vtkIdTypeArray), which says what became of each point: its own id
    * if it is a vertex, the id of the point that stands for it if it is a duplicate or merged
    * into that, -1 if it was rejected because its x or y is not finite, -2 if it was not inserted,
-   * because it is marked as a ghost or hidden point or lies beyond InsertionLimit. Off by default;
-   * costs 16 bytes per point while the filter runs.
+   * because it is marked as a ghost or hidden point, lies beyond InsertionLimit, or is a duplicate
+   * of a point beyond it or merged into one. Off by default; costs 16 bytes per point while the
+   * filter runs.
    */
   vtkSetMacro(GenerateFate, bool);
   vtkGetMacro(GenerateFate, bool);
@@ -205,8 +206,8 @@ public:
   /**
    * Add the cell array "RegionId" (vtkIdTypeArray): triangles have the same number if a way from
    * one to the other crosses no constraint, lines included. From 0, in the order in which the
-   * regions appear among the triangles; -1 for lines and vertices. Off by default; costs 24 bytes
-   * per triangle while the filter runs.
+   * regions appear among the triangles put out; -1 for lines and vertices. Off by default; costs 24
+   * bytes per triangle while the filter runs.
    */
   vtkSetMacro(GenerateRegionIds, bool);
   vtkGetMacro(GenerateRegionIds, bool);

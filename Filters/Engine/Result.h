@@ -19,11 +19,13 @@ enum class Status
 };
 
 /// What became of a point, as Triangulator::writeFates writes it: its own id if it is a vertex,
-/// the smallest id of a point at its place if that is another one, or one of these.
+/// that of the vertex at its place, which is the smallest there, if it is a duplicate, or one of
+/// these.
 enum : std::int64_t
 {
   kFateNotFinite = -1,  ///< x or y is NaN or infinite
-  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip) or beyond the limit
+  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip), beyond the limit, or a
+                        ///< duplicate of a point beyond it
 };
 
 /// What Triangulator::writeInsertionRanks writes for a point that is in no order.

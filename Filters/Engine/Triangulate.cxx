@@ -189,7 +189,7 @@ bool Triangulator::State::writeFates(
   {
     for (std::size_t i = a; i != b; ++i)
     {
-      fates[ranked.duplicates[i].id] = ranked.duplicates[i].keptId;
+      fates[ranked.duplicates[i].id] = fates[ranked.duplicates[i].keptId];
     }
   };
   const auto writeBeyond = [&](std::size_t a, std::size_t b)
@@ -199,10 +199,10 @@ bool Triangulator::State::writeFates(
       fates[ranked.id[sequence[i]]] = kFateNotInserted;
     }
   };
-  // What the others overwrite has to be written before.
+  // What the others overwrite or read has to be written before.
   return writeInShares(points.count, ticker, writeOwn) &&
-    writeInShares(ranked.duplicates.size(), ticker, writeMerged) &&
-    writeInShares(report.beyondLimit, ticker, writeBeyond) && ticker.ask();
+    writeInShares(report.beyondLimit, ticker, writeBeyond) &&
+    writeInShares(ranked.duplicates.size(), ticker, writeMerged) && ticker.ask();
 }
 
 bool Triangulator::State::writeOrder(

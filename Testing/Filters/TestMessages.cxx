@@ -6,6 +6,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkFloatArray.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -307,3 +308,20 @@ TEST(Messages, RunningOutOfMemoryInTheSecondOutputIsAnErrorAndNoMore)
   EXPECT_GT(filter->GetOutput(1)->GetNumberOfCells(), 100000);
 }
 #endif
+
+TEST(Messages, UnfitMarksAreHeldAgainstThePointsOfTheInput)
+{
+  auto cloud = makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } });
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName("vtkGhostType");
+  marks->SetNumberOfValues(2);
+  marks->Fill(0);
+  cloud->GetPointData()->AddArray(marks);
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->BoundingTriangulationOn();
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("each of the 4 points"), std::string::npos)
+    << filter.Said->Warnings[0];
+}

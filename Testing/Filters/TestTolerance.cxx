@@ -182,3 +182,36 @@ TEST(Tolerance, WithALimitMergedPointsFollowTheOnesKept)
     idsOf(filter->GetOutput()->GetPointData(), "Fate"), (Chain{ 0, 1, 2, -2, 0, -2, 0, 1 }));
   EXPECT_EQ(filter->GetNumberOfPointsBeyondLimit(), 2);
 }
+
+TEST(Tolerance, WhatIsMergedIntoAPointBeyondTheLimitIsBeyondItToo)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(kPoints));
+  filter->SetTolerance(0.03); // 2 into 5
+  filter->SetInsertionOrderToAsGiven();
+  filter->SetInsertionLimit(3);
+  filter->SetAlpha(0.001); // nothing but vertices
+  filter->GenerateFateOn();
+  filter->Update();
+  EXPECT_EQ(
+    idsOf(filter->GetOutput()->GetPointData(), "Fate"), (Chain{ 0, 1, -2, 3, 0, -2, 0, 1 }));
+  Chain verts;
+  for (vtkIdType i = 0; i < filter->GetOutput()->GetVerts()->GetNumberOfConnectivityIds(); ++i)
+  {
+    verts.push_back(
+      vtkIdType(filter->GetOutput()->GetVerts()->GetConnectivityArray()->GetComponent(i, 0)));
+  }
+  EXPECT_EQ(verts, (Chain{ 0, 1, 3, 4, 6, 7 }));
+}
+
+TEST(Tolerance, IsNamedWhereItLeavesNoTriangle)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 } }));
+  filter->SetTolerance(1.0);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("among 4, of which Tolerance merged 3 into others."),
+    std::string::npos)
+    << filter.Said->Warnings[0];
+}
