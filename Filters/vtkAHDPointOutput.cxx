@@ -42,18 +42,27 @@ bool CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAb
   return true;
 }
 
-/// Sets the tuples [first, end) to NaN, or to 0 where that cannot be had.
-bool Clear(vtkAbstractArray* array, vtkIdType first, vtkIdType end, vtkAHDProgress& progress)
+/// What points have that were added, and for which there is no other value.
+double ValueOfAdded(vtkDataArray* array, bool areIds)
+{
+  const int type = array->GetDataType();
+  if (areIds)
+  {
+    return array->GetDataTypeMin() < 0.0 ? -1.0 : 0.0;
+  }
+  return type == VTK_FLOAT || type == VTK_DOUBLE ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+}
+
+/// Sets the tuples [first, end) to that.
+bool Clear(
+  vtkAbstractArray* array, vtkIdType first, vtkIdType end, bool areIds, vtkAHDProgress& progress)
 {
   auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
   if (!numbers) // strings and the like: they are empty from the beginning
   {
     return true;
   }
-  const int type = numbers->GetDataType();
-  const double value = type == VTK_FLOAT || type == VTK_DOUBLE
-    ? std::numeric_limits<double>::quiet_NaN()
-    : 0.0;
+  const double value = ValueOfAdded(numbers, areIds);
   for (vtkIdType i = first; i < end; ++i)
   {
     if ((i - first) % kPiece == 0 && progress.MustAbort())
@@ -75,6 +84,12 @@ bool Fit(vtkAbstractArray* array, vtkAbstractArray* from)
     vtkArrayDownCast<vtkDataArray>(from);
   return from && (numbers || array->GetDataType() == from->GetDataType()) &&
     array->GetNumberOfComponents() == from->GetNumberOfComponents();
+}
+
+/// Are they names of the points, global or pedigree ids?
+bool AreIds(vtkPointData* data, vtkAbstractArray* array)
+{
+  return array == data->GetGlobalIds() || array == data->GetPedigreeIds();
 }
 
 bool IsGhostArray(vtkAbstractArray* array)
@@ -181,6 +196,9 @@ bool vtkAHDPointOutput::WriteData(vtkPointData* output, vtkAHDProgress& progress
       return false;
     }
   }
+  // As such they would have to name each point.
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  data->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
   output->ShallowCopy(data);
   return true;
 }
@@ -191,11 +209,12 @@ bool vtkAHDPointOutput::WriteArray(
   const vtkIdType count = this->Points.GetCount();
   const vtkIdType inputCount = this->Points.GetInputCount();
   const vtkIdType given = std::min(inputCount, from->GetNumberOfTuples());
-  if (!CopyTuples(array, 0, given, from, progress) || !Clear(array, given, count, progress))
+  const bool areIds = AreIds(this->Input->GetPointData(), from);
+  if (!CopyTuples(array, 0, given, from, progress) || !Clear(array, given, count, areIds, progress))
   {
     return false;
   }
-  if (IsGhostArray(array))
+  if (areIds || IsGhostArray(array))
   {
     return true;
   }

@@ -32,7 +32,8 @@ struct vtkAHDCrossing
  * Added points have the values of the source's array of the same name and number of components if
  * they are points of the source, and what linear interpolation gives, as a mean over both segments,
  * if they are crossings; where there is no such value, NaN in arrays of floating point numbers, and
- * 0 or nothing in others. Ghost marks (vtkGhostType) are 0.
+ * 0 or nothing in others. Ghost marks (vtkGhostType) are 0. Global and pedigree ids are -1, or 0 or
+ * nothing where that cannot be had; they become arrays like others.
  */
 class vtkAHDPointOutput
 {

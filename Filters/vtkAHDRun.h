@@ -99,6 +99,11 @@ private:
   void AddCounts();
   void AddCrossings();
   void AddSplitPoints(const std::vector<ahd::CrossingPoint>& points);
+  vtkIdType GetFirstCrossing() const; // the id of the first of them
+  void FindCrossingHeights();         // z in Points, from those of the ends
+  ahd::PointView GetAllButCrossings() const;
+  void EndCrossingsAtShown(const std::int64_t* fates);
+  ahd::Status ShowMeansAtCrossings(const std::int64_t* fates);
   void WarnOfConstraints();
   void WarnOfNoTriangle();
   void WarnOfPlane();

@@ -59,7 +59,7 @@ std::size_t vtkAHDRun::EstimateDuplicateBytes(std::size_t count) const
   switch (this->Filter->DuplicatePolicy)
   {
     case vtkAdaptiveHilbertDelaunay2D::FIRST:
-      return 0;
+      return this->Crossings.empty() ? 0 : count * kFate;
     case vtkAdaptiveHilbertDelaunay2D::MEAN_Z:
       // a pair of ids for each duplicate, as a vector grows, a mean, and the copy of the points
       return count *
@@ -69,11 +69,11 @@ std::size_t vtkAHDRun::EstimateDuplicateBytes(std::size_t count) const
   }
 }
 
-/// Null if no point is a duplicate, or if the policy has no use for them.
+/// Null if no point is a duplicate, or if there is no use for them.
 ahd::Status vtkAHDRun::WriteFates(std::unique_ptr<std::int64_t[]>& fates)
 {
-  if (this->Filter->DuplicatePolicy == vtkAdaptiveHilbertDelaunay2D::FIRST ||
-    this->Triangulator.report().duplicates == 0)
+  const bool areFirst = this->Filter->DuplicatePolicy == vtkAdaptiveHilbertDelaunay2D::FIRST;
+  if ((areFirst && this->Crossings.empty()) || this->Triangulator.report().duplicates == 0)
   {
     return ahd::Status::Ok;
   }
@@ -86,19 +86,89 @@ ahd::Status vtkAHDRun::WriteFates(std::unique_ptr<std::int64_t[]>& fates)
 
 ahd::Status vtkAHDRun::ChooseShown()
 {
-  if (this->Filter->DuplicatePolicy == vtkAdaptiveHilbertDelaunay2D::MEAN_Z)
+  const int policy = this->Filter->DuplicatePolicy;
+  const bool highest = policy == vtkAdaptiveHilbertDelaunay2D::HIGHEST_Z;
+  const bool chooses = highest || policy == vtkAdaptiveHilbertDelaunay2D::LOWEST_Z;
+  if (!chooses && this->Crossings.empty())
   {
     return ahd::Status::Ok;
   }
   std::unique_ptr<std::int64_t[]> fates;
-  ahd::Status status = this->WriteFates(fates);
-  const bool highest = this->Filter->DuplicatePolicy == vtkAdaptiveHilbertDelaunay2D::HIGHEST_Z;
-  if (status == ahd::Status::Ok && fates &&
-    !this->Shown.Choose(fates.get(), this->Points.View(), highest, this->Progress))
+  const ahd::Status status = this->WriteFates(fates);
+  if (status != ahd::Status::Ok || !fates)
   {
-    status = ahd::Status::Cancelled;
+    return status;
   }
-  return status;
+  const auto choose = [&](const ahd::PointView& points)
+  { return !chooses || this->Shown.Choose(fates.get(), points, highest, this->Progress); };
+  if (!this->Crossings.empty())
+  {
+    // The heights of crossings depend on which of the others are shown.
+    if (!choose(this->GetAllButCrossings()))
+    {
+      return ahd::Status::Cancelled;
+    }
+    this->EndCrossingsAtShown(fates.get());
+  }
+  return choose(this->Points.View()) ? ahd::Status::Ok : ahd::Status::Cancelled;
+}
+
+/// The places of the points before the first crossing.
+ahd::PointView vtkAHDRun::GetAllButCrossings() const
+{
+  ahd::PointView points = this->Points.View();
+  points.count = static_cast<std::size_t>(this->GetFirstCrossing());
+  return points;
+}
+
+/// Crossings lie between the points that are shown where their segments end.
+void vtkAHDRun::EndCrossingsAtShown(const std::int64_t* fates)
+{
+  for (vtkAHDCrossing& crossing : this->Crossings)
+  {
+    for (vtkIdType& end : crossing.Ends)
+    {
+      const std::int64_t vertex = fates[end];
+      end = vertex < 0 ? end : static_cast<vtkIdType>(this->Shown.Get(vertex));
+    }
+  }
+  this->FindCrossingHeights();
+}
+
+/// Puts the crossings between the means at the ends of their segments. REQUIRES: the points of
+/// Surface are doubles of its own, as they are where points were added.
+ahd::Status vtkAHDRun::ShowMeansAtCrossings(const std::int64_t* fates)
+{
+  if (this->Crossings.empty())
+  {
+    return ahd::Status::Ok;
+  }
+  vtkAHDWorkingPoints positions(this->Surface);
+  std::vector<vtkAHDMean> means;
+  if (!positions.Open(this->Executor, this->Progress) ||
+    !vtkAHDFindMeans(fates, this->GetAllButCrossings(), positions.View(), this->Progress, means))
+  {
+    return ahd::Status::Cancelled;
+  }
+  const auto meanOrPosition = [&](vtkIdType id, std::size_t k)
+  {
+    const auto mean = std::lower_bound(means.begin(), means.end(), id,
+      [](const vtkAHDMean& m, vtkIdType wanted) { return m.Id < wanted; });
+    return mean != means.end() && mean->Id == id
+      ? mean->Position[k]
+      : positions.GetPoint(static_cast<std::size_t>(id))[k];
+  };
+  auto* array = vtkDoubleArray::SafeDownCast(this->Surface->GetPoints()->GetData());
+  double* xyz = array->GetPointer(3 * this->GetFirstCrossing());
+  for (const vtkAHDCrossing& crossing : this->Crossings)
+  {
+    for (std::size_t k = this->IsProjected() ? 0 : 2; k < 3; ++k)
+    {
+      xyz[k] = vtkAHDInterpolate(crossing, [&](vtkIdType id) { return meanOrPosition(id, k); });
+    }
+    xyz += 3;
+  }
+  return ahd::Status::Ok;
 }
 
 ahd::Status vtkAHDRun::ShowMeans()
@@ -108,7 +178,11 @@ ahd::Status vtkAHDRun::ShowMeans()
     return ahd::Status::Ok;
   }
   std::unique_ptr<std::int64_t[]> fates;
-  const ahd::Status status = this->WriteFates(fates);
+  ahd::Status status = this->WriteFates(fates);
+  if (status == ahd::Status::Ok && fates)
+  {
+    status = this->ShowMeansAtCrossings(fates.get());
+  }
   if (status != ahd::Status::Ok || !fates)
   {
     return status;

@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace
@@ -172,7 +173,22 @@ void vtkAHDRun::AddSplitPoints(const std::vector<ahd::CrossingPoint>& points)
     }
     *place++ = p.at.x;
     *place++ = p.at.y;
-    *place++ = vtkAHDInterpolate(this->Crossings.back(),
+    *place++ = 0.0;
+  }
+  this->FindCrossingHeights();
+}
+
+vtkIdType vtkAHDRun::GetFirstCrossing() const
+{
+  return this->Points.GetCount() - static_cast<vtkIdType>(this->Crossings.size());
+}
+
+void vtkAHDRun::FindCrossingHeights()
+{
+  double* places = this->Points.GetPlaces() + 3 * this->GetFirstCrossing();
+  for (std::size_t k = 0; k < this->Crossings.size(); ++k)
+  {
+    places[3 * k + 2] = vtkAHDInterpolate(this->Crossings[k],
       [this](vtkIdType id) { return this->Points.GetPoint(static_cast<std::size_t>(id))[2]; });
   }
 }
@@ -233,6 +249,10 @@ void vtkAHDRun::WarnOfConstraints()
 {
   const ahd::ConstraintReport& report = this->Triangulator.constraints();
   const vtkAHDConstraints::UnfitIds& unfit = this->Constraints.GetUnfitIds();
+  // The engine counts pieces where segments were split.
+  const std::string ofAll = this->Filter->CrossingMode == vtkAdaptiveHilbertDelaunay2D::SPLIT
+    ? " segments or pieces of segments"
+    : " of " + std::to_string(report.segments) + " segments";
   std::ostringstream loops;
   if (report.unfilledLoops > 0)
   {
@@ -244,8 +264,8 @@ void vtkAHDRun::WarnOfConstraints()
   {
     const ahd::LeftOut& first = report.leftOut[0];
     vtkWarningWithObjectMacro(this->Filter,
-      "" << report.crossing << " of " << report.segments
-         << " segments of the source were left out, since they cross others that come before "
+      "" << report.crossing << ofAll
+         << " of the source were left out, since they cross others that come before "
             "them; the first is in cell "
          << this->Constraints.GetCell(first.chain) << " and crosses cell "
          << this->Constraints.GetCell(first.otherChain) << "." << loops.str());
@@ -255,8 +275,7 @@ void vtkAHDRun::WarnOfConstraints()
   {
     const bool own = this->Filter->SourceMode == vtkAdaptiveHilbertDelaunay2D::SOURCE_IDS;
     vtkWarningWithObjectMacro(this->Filter,
-      "" << report.withoutVertex << " of " << report.segments
-         << " segments of the source are no constraints: " << unfit.Count
+      "" << report.withoutVertex << ofAll << " of the source are no constraints: " << unfit.Count
          << " of the ids in its cells are not those of points, the first is " << unfit.FirstId
          << " in cell " << unfit.FirstCell << ". They refer to the points of "
          << (own ? "the input (see SourceMode)." : "the source.") << loops.str());
@@ -264,8 +283,8 @@ void vtkAHDRun::WarnOfConstraints()
   else if (report.withoutVertex > 0 && this->DelaunayTriangles > 0)
   {
     vtkWarningWithObjectMacro(this->Filter,
-      "" << report.withoutVertex << " of " << report.segments
-         << " segments of the source are no constraints, since an end of theirs is a point that "
+      "" << report.withoutVertex << ofAll
+         << " of the source are no constraints, since an end of theirs is a point that "
             "was rejected, is skipped or lies beyond InsertionLimit."
          << loops.str());
   }

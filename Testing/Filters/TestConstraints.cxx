@@ -361,3 +361,29 @@ TEST(Constraints, CountForTheMemoryThatIsNeeded)
   EXPECT_EQ(filter.Run()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter.Said->Errors.size(), 1u);
 }
+
+TEST(Constraints, WhereLoopsKeepNothingAlphaDrawsNoLines)
+{
+  ConstrainedFilter filter({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0.5, 0.5, 0 } },
+    makeSource({}, { { 0, 3, 2, 1 } }));
+  filter->SetAlpha(10.0);
+  vtkPolyData* surface = filter.Run();
+  EXPECT_EQ(surface->GetNumberOfPolys(), 0);
+  EXPECT_EQ(surface->GetNumberOfLines(), 0);
+  EXPECT_EQ(surface->GetNumberOfVerts(), 5);
+}
+
+TEST(Constraints, PiecesOfSplitSegmentsAreNotCountedAsTheSources)
+{
+  ConstrainedFilter filter({ { 0, 0, 0 }, { 4, 0, 0 }, { 4, 4, 0 }, { 0, 4, 0 } },
+    makeSource({ { 0, 2 }, { 1, 3 }, { 0, 99 } }, {}));
+  filter.Run();
+  ASSERT_EQ(filter.Said->Warnings.size(), 2u);
+  EXPECT_NE(filter.Said->Warnings[1].find("1 of 3 segments"), std::string::npos);
+  filter->SetCrossingModeToSplit();
+  filter.Run();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("1 segments or pieces of segments of the source are no"),
+    std::string::npos)
+    << filter.Said->Warnings[0];
+}

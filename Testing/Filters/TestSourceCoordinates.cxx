@@ -6,6 +6,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkStringArray.h"
 #include "vtkTransform.h"
@@ -378,4 +379,96 @@ TEST(SplitCrossings, WhatTheyNeedBeyondTheLimitIsRefused)
   filter->SetMemoryLimit(filter->GetMemoryEstimate());
   EXPECT_EQ(filter.Run()->GetNumberOfPoints(), 240 + 3600);
   EXPECT_EQ(areaOf(filter->GetOutput()), 3600.0 - 0.5);
+}
+
+namespace
+{
+/// A square whose diagonals cross, each corner twice, at z = 0 and at z = 10; "depth" is z.
+vtkSmartPointer<vtkPolyData> squareOfPairs(bool upright)
+{
+  const double corners[4][2] = { { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } };
+  std::vector<Xyz> points;
+  std::vector<double> depths;
+  for (double z : { 0.0, 10.0 })
+  {
+    for (const auto& p : corners)
+    {
+      points.push_back(upright ? Xyz{ p[0], z, p[1] } : Xyz{ p[0], p[1], z });
+      depths.push_back(z);
+    }
+  }
+  auto cloud = makeCloud(points);
+  cloud->GetPointData()->AddArray(makeArray<vtkDoubleArray>("depth", depths));
+  return cloud;
+}
+}
+
+TEST(SplitCrossings, LieBetweenThePointsThatAreShown)
+{
+  const std::pair<int, double> heights[] = { { Filter::FIRST, 0 }, { Filter::LOWEST_Z, 0 },
+    { Filter::HIGHEST_Z, 10 }, { Filter::MEAN_Z, 5 } };
+  for (const vtkIdType first : { 0, 4 })
+  {
+    for (const auto& height : heights)
+    {
+      SCOPED_TRACE("first " + std::to_string(first) + ", policy " + std::to_string(height.first));
+      WatchedFilter filter;
+      filter->SetInputData(squareOfPairs(false));
+      filter->SetSourceData(makeSource({ { first, first + 2 }, { first + 1, first + 3 } }, {}));
+      filter->SetCrossingModeToSplit();
+      filter->SetDuplicatePolicy(height.first);
+      filter->Update();
+      ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), 9);
+      EXPECT_EQ(pointOf(filter->GetOutput(), 8), (Xyz{ 2, 2, height.second }));
+      EXPECT_EQ(valueOf(filter->GetOutput(), "depth", 8),
+        height.first == Filter::HIGHEST_Z ? 10.0 : 0.0); // MEAN_Z has no mean of other data
+    }
+  }
+}
+
+TEST(SplitCrossings, InAnotherPlaneTheyLieBetweenTheMeans)
+{
+  vtkNew<vtkTransform> swap; // y and z
+  const double rows[16] = { 1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1 };
+  swap->SetMatrix(rows);
+  WatchedFilter filter;
+  filter->SetInputData(squareOfPairs(true));
+  filter->SetTransform(swap);
+  filter->SetSourceData(makeSource({ { 0, 2 }, { 5, 7 } }, {}));
+  filter->SetCrossingModeToSplit();
+  filter->SetDuplicatePolicyToMeanZ();
+  filter->Update();
+  ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), 9);
+  EXPECT_EQ(pointOf(filter->GetOutput(), 8), (Xyz{ 2, 5, 2 }));
+}
+
+TEST(SourceCoordinates, AddedPointsHaveNoGlobalAndPedigreeIds)
+{
+  auto cloud = makeCloud(kSquare);
+  cloud->GetPointData()->SetGlobalIds(makeArray<vtkIdTypeArray>("global", { 10, 20, 30, 40 }));
+  cloud->GetPointData()->SetPedigreeIds(
+    makeArray<vtkUnsignedCharArray>("pedigree", { 5, 6, 7, 8 }));
+  auto source = makeSource(
+    { { 0, 1 }, { 2, 3 } }, {}, { { 1, 1, 0 }, { 3, 3, 0 }, { 3, 1, 0 }, { 1, 3, 0 } });
+  source->GetPointData()->AddArray(makeArray<vtkIdTypeArray>("global", { 10, 11, 12, 13 }));
+  source->GetPointData()->AddArray(makeArray<vtkUnsignedCharArray>("pedigree", { 1, 1, 1, 1 }));
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->SetSourceData(source);
+  filter->Update();
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetGlobalIds(), nullptr); // nothing is added
+  filter->SetSourceModeToCoordinates();
+  filter->SetCrossingModeToSplit();
+  filter->Update();
+  vtkPolyData* surface = filter->GetOutput();
+  ASSERT_EQ(surface->GetNumberOfPoints(), 9);
+  EXPECT_EQ(surface->GetPointData()->GetGlobalIds(), nullptr);
+  EXPECT_EQ(surface->GetPointData()->GetPedigreeIds(), nullptr);
+  EXPECT_EQ(
+    idsOf(surface->GetPointData(), "global"), (Chain{ 10, 20, 30, 40, -1, -1, -1, -1, -1 }));
+  EXPECT_EQ(valueOf(surface, "pedigree", 3), 8.0);
+  for (vtkIdType i = 4; i < 9; ++i)
+  {
+    EXPECT_EQ(valueOf(surface, "pedigree", i), 0.0);
+  }
 }
