@@ -133,6 +133,18 @@ ahd::Status vtkAHDCellArrays::AddRegionIds(
   const ahd::Status status = triangulator.writeRegions(regions.data(), &progress);
   if (status == ahd::Status::Ok)
   {
+    // Regions that were dropped whole have no number.
+    std::vector<std::int64_t> numbers(this->Triangles, -1);
+    std::int64_t next = 0;
+    for (std::size_t t = 0; t < this->Triangles; ++t)
+    {
+      std::int64_t& number = numbers[static_cast<std::size_t>(regions[t])];
+      if (number < 0 && this->IsKept(t))
+      {
+        number = next++;
+      }
+      regions[t] = number;
+    }
     this->Add<1, vtkIdTypeArray, std::int64_t>("RegionId", regions, -1, surface);
   }
   return status;

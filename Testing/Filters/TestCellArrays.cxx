@@ -146,6 +146,35 @@ TEST(CellArrays, OfAConstraint)
   EXPECT_NE(regions[0], regions[1]);
 }
 
+TEST(CellArrays, RegionsAreNumberedAmongWhatIsPutOut)
+{
+  // A square cut in two, beside a region that is dropped whole.
+  for (const double far : { -9.0, 9.0 })
+  {
+    SCOPED_TRACE(far);
+    WatchedFilter filter;
+    filter->GenerateRegionIdsOn();
+    filter->SetInputData(
+      ahdtest::makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { far, 0.5, 0 } }));
+    vtkNew<vtkPolyData> source;
+    vtkNew<vtkCellArray> lines;
+    const vtkIdType ids[3][2] = { { 1, 3 }, { 0, 3 }, { 1, 2 } };
+    for (const auto& line : ids)
+    {
+      lines->InsertNextCell(2, line);
+    }
+    source->SetLines(lines);
+    filter->SetSourceData(source);
+    filter->Update();
+    EXPECT_EQ(
+      idsOf(filter->GetOutput()->GetCellData(), "RegionId"), (std::vector<vtkIdType>{ 0, 1, 2 }));
+    filter->SetMaximumEdgeLength(2.0);
+    filter->Update();
+    EXPECT_EQ(
+      idsOf(filter->GetOutput()->GetCellData(), "RegionId"), (std::vector<vtkIdType>{ 0, 1 }));
+  }
+}
+
 TEST(CellArrays, WithoutCells)
 {
   WatchedFilter filter;
