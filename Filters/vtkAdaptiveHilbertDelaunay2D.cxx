@@ -26,6 +26,7 @@
 #endif
 
 #include <algorithm>
+#include <cmath>
 #include <new>
 
 namespace
@@ -34,6 +35,15 @@ vtkAHDKept::Outputs OutputsOf(vtkInformationVector* outputs)
 {
   return { { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1),
     vtkPolyData::GetData(outputs, 2) } };
+}
+
+/// Sets it to the nearest of these values; NaN has none and changes nothing. Returns whether it is
+/// another now.
+bool SetClamped(double& setting, double value, double least, double most)
+{
+  const double before = setting;
+  setting = std::isnan(value) ? before : std::min(std::max(value, least), most);
+  return setting != before;
 }
 }
 
@@ -67,6 +77,39 @@ vtkPolyData* vtkAdaptiveHilbertDelaunay2D::GetSource()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
     : nullptr;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::SetAlpha(double alpha)
+{
+  if (SetClamped(this->Alpha, alpha, this->GetAlphaMinValue(), this->GetAlphaMaxValue()))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::SetMaximumEdgeLength(double length)
+{
+  if (SetClamped(this->MaximumEdgeLength, length, 0.0, VTK_DOUBLE_MAX))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::SetTolerance(double tolerance)
+{
+  if (SetClamped(
+        this->Tolerance, tolerance, this->GetToleranceMinValue(), this->GetToleranceMaxValue()))
+  {
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::SetOffset(double offset)
+{
+  if (SetClamped(this->Offset, offset, this->GetOffsetMinValue(), this->GetOffsetMaxValue()))
+  {
+    this->Modified();
+  }
 }
 
 vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkPointSet* input)

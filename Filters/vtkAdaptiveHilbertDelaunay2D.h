@@ -35,7 +35,8 @@
  *
  * <b>Points that are added</b> by SOURCE_COORDINATES, BoundingTriangulation and SPLIT follow those
  * of the input, in this order. The output's points are then a copy in double precision, and its
- * point data copies of the input's arrays, with a value for each added point.
+ * point data copies of the input's arrays, with a value for each added point. Global and pedigree
+ * ids become arrays like others, -1 for added points (0 if unsigned, empty if strings).
  *
  * <b>The result is canonical.</b> Where four or more points lie on one circle, there is more than
  * one Delaunay triangulation; here the coordinates alone decide which is taken, and the triangles
@@ -80,11 +81,10 @@
  * Modified().
  *
  * <b>Compared with vtkDelaunay2D.</b> All settings of vtkDelaunay2D are here, by the same names;
- * what differs is said with each. vtkDelaunay2D drops points closer to others than a Tolerance and
- * decides with rounded arithmetic, so its result may depend on the order of the points, miss some,
- * and lack constraints ("Edge not recovered"); it starts from a big bounding triangulation, which
- * can leave the boundary short of the convex hull. This class misses none of what vtkDelaunay2D
- * has.
+ * what differs is said with each. (Numbers that are NaN are not taken as settings.) vtkDelaunay2D
+ * drops points closer to others than a Tolerance and decides with rounded arithmetic, so its result
+ * may depend on the order of the points, miss some, and lack constraints ("Edge not recovered"); it
+ * starts from a big bounding triangulation, which can leave the boundary short of the convex hull.
  *
  * @sa
  * vtkDelaunay2D
@@ -200,8 +200,8 @@ public:
    * nothing. SPLIT: a point is added where they cross, rounded to double precision, and both bend
    * to pass through it. Its z and point data are the means of what linear interpolation along
    * either gives, rounded in arrays of whole numbers, empty in arrays of strings. If they still
-   * cross after 16 rounds of this, it is as with LEAVE_OUT. A warning says how many were left out.
-   * vtkDelaunay2D leaves such edges to chance.
+   * cross after 16 rounds of this, it is as with LEAVE_OUT. A warning says how many were left out;
+   * NumberOfCrossings counts the points added. vtkDelaunay2D leaves such edges to chance.
    */
   vtkSetClampMacro(CrossingMode, int, LEAVE_OUT, SPLIT);
   vtkGetMacro(CrossingMode, int);
@@ -243,7 +243,9 @@ public:
    * lines of its short edges; here nothing is put out there but the points that are used by nothing
    * else, as vertices.
    */
-  vtkSetClampMacro(Alpha, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetAlpha(double alpha);
+  virtual double GetAlphaMinValue() { return 0.0; }
+  virtual double GetAlphaMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(Alpha, double);
   vtkSetMacro(AlphaTris, vtkTypeBool);
   vtkGetMacro(AlphaTris, vtkTypeBool);
@@ -262,7 +264,7 @@ public:
    * length in the plane of the triangulation, in the unit of its coordinates, up from 0; 0, the
    * default, keeps all. With Alpha, lines are not longer either. vtkDelaunay2D has no such setting.
    */
-  vtkSetClampMacro(MaximumEdgeLength, double, 0.0, VTK_DOUBLE_MAX);
+  virtual void SetMaximumEdgeLength(double length);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
@@ -327,7 +329,9 @@ public:
    * counts, GenerateFate says into which. vtkDelaunay2D's default is 1e-5, of the diagonal in
    * space, and what it drops depends on the order of the points.
    */
-  vtkSetClampMacro(Tolerance, double, 0.0, 1.0);
+  virtual void SetTolerance(double tolerance);
+  virtual double GetToleranceMinValue() { return 0.0; }
+  virtual double GetToleranceMaxValue() { return 1.0; }
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -335,10 +339,12 @@ public:
   /**
    * Which of several points with the same place in the plane is the vertex: one of
    * DuplicatePolicies. FIRST, the default: the one of smallest id. LOWEST_Z, HIGHEST_Z: the one of
-   * the lowest or highest z, of several of these the one of smallest id; a z that is NaN is taken
-   * only where all are. MEAN_Z: the one of smallest id, and the output's points are a copy in which
-   * its z is the mean of all. Changes ids and z, never the shape in the plane. In vtkDelaunay2D the
-   * first one inserted stays.
+   * the lowest or highest z, of several of these the one of smallest id; a z that is not finite is
+   * taken only where all are. MEAN_Z: the one of smallest id, and the output's points are a copy in
+   * which its z is the mean of all finite ones, but not in the insertion curve. (In a plane other
+   * than x, y: by height above it; the mean is of all coordinates.) Points merged by Tolerance have
+   * no say. Crossings lie between the points shown. Changes ids and z, never the shape in the
+   * plane. In vtkDelaunay2D the first one inserted stays.
    */
   vtkSetClampMacro(DuplicatePolicy, int, FIRST, MEAN_Z);
   vtkGetMacro(DuplicatePolicy, int);
@@ -360,7 +366,9 @@ public:
    * says that they are not added (vtkDelaunay2D says so too, and puts out triangles of points that
    * are not there).
    */
-  vtkSetClampMacro(Offset, double, 0.75, VTK_DOUBLE_MAX);
+  virtual void SetOffset(double offset);
+  virtual double GetOffsetMinValue() { return 0.75; }
+  virtual double GetOffsetMaxValue() { return VTK_DOUBLE_MAX; }
   vtkGetMacro(Offset, double);
   vtkSetMacro(BoundingTriangulation, vtkTypeBool);
   vtkGetMacro(BoundingTriangulation, vtkTypeBool);

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <sstream>
 
 using namespace ahdtest;
@@ -269,4 +270,27 @@ TEST(Settings, AreAllPrinted)
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }
+}
+
+TEST(Settings, IgnoreNaN)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  filter->SetTolerance(0.5);
+  filter->SetOffset(2.0);
+  filter->SetAlpha(3.0);
+  filter->SetMaximumEdgeLength(4.0);
+  const vtkMTimeType before = filter->GetMTime();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  filter->SetTolerance(nan);
+  filter->SetOffset(nan);
+  filter->SetAlpha(nan);
+  filter->SetMaximumEdgeLength(nan);
+  filter->SetAlpha(3.0); // no change either
+  EXPECT_EQ(filter->GetTolerance(), 0.5);
+  EXPECT_EQ(filter->GetOffset(), 2.0);
+  EXPECT_EQ(filter->GetAlpha(), 3.0);
+  EXPECT_EQ(filter->GetMaximumEdgeLength(), 4.0);
+  EXPECT_EQ(filter->GetMTime(), before);
+  filter->SetMaximumEdgeLength(5.0);
+  EXPECT_GT(filter->GetMTime(), before);
 }
