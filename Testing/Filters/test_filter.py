@@ -16,6 +16,11 @@ from vtkmodules.vtkCommonCore import (
 )
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
+try:
+    from vtkmodules.vtkFiltersCore import vtkDelaunay2D
+except ImportError:
+    vtkDelaunay2D = None
+
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
 from algorithmtests import check_abort_and_run_again, run_tests
 
@@ -232,6 +237,24 @@ class FilterTest(unittest.TestCase):
             algorithm.Modified()
             algorithm.Update()
             self.assertTrue(triangles(algorithm.GetOutput()) == expected, limit)
+
+    @unittest.skipIf(vtkDelaunay2D is None, "VTK has no vtkDelaunay2D here")
+    def test_bounding_points_are_those_of_vtk(self):
+        numbers = random.Random(3)
+        points = [tuple(numbers.uniform(-k, 9 * k) for k in (1, 2, 3)) for _ in range(50)]
+        for offset in (0.75, 1.0, 12.5):
+            theirs = vtkDelaunay2D()
+            theirs.SetInputData(cloud(points))
+            theirs.SetOffset(offset)
+            theirs.BoundingTriangulationOn()
+            theirs.Update()
+            algorithm = self.run_filter(cloud(points), Offset=offset, BoundingTriangulation=True)
+            self.assertEqual(algorithm.GetNumberOfAddedPoints(), 8)
+            self.assertEqual(theirs.GetOutput().GetNumberOfPoints(), 58)
+            for i in range(50, 58):
+                for ours, expected in zip(
+                        algorithm.GetOutput().GetPoint(i), theirs.GetOutput().GetPoint(i)):
+                    self.assertAlmostEqual(ours, expected, delta=1e-11, msg=(offset, i))
 
     def test_abort_and_run_again(self):
         algorithm = vtkAdaptiveHilbertDelaunay2D()
