@@ -69,6 +69,7 @@ vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks)
     {
       this->Blocks.push_back(points);
       this->Count += points->GetNumberOfPoints();
+      this->UnfitMarks += points->GetPointGhostArray() && !HasMarks(points) ? 1 : 0;
     }
     else if (!points && block)
     {

@@ -32,6 +32,9 @@ public:
   /// The class of the first of them.
   const std::string& GetFirstOther() const { return this->FirstOther; }
 
+  /// Blocks whose ghost marks (vtkGhostType) are not one for each point.
+  vtkIdType GetNumberOfUnfitMarks() const { return this->UnfitMarks; }
+
   /// The number of all points.
   vtkIdType GetCount() const { return this->Count; }
 
@@ -40,7 +43,7 @@ public:
 
   /// All points: floats, if all blocks have floats, else doubles. Point data: the arrays that all
   /// blocks have, by name, type and number of components, with a value for each point. Blocks
-  /// without ghost marks (vtkGhostType) count as unmarked if others have some. Null if the filter
+  /// without ghost marks that fit count as unmarked if others have some. Null if the filter
   /// is to abort; throws std::bad_alloc.
   vtkSmartPointer<vtkPolyData> Merge(vtkAHDProgress& progress) const;
 
@@ -50,6 +53,7 @@ private:
   std::vector<vtkPointSet*> Blocks; // those with points
   vtkIdType Count = 0;
   vtkIdType Others = 0;
+  vtkIdType UnfitMarks = 0;
   std::string FirstOther;
 };
 

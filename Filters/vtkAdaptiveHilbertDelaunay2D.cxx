@@ -13,6 +13,7 @@
 #include "vtkAbstractTransform.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -220,6 +221,13 @@ void vtkAdaptiveHilbertDelaunay2D::WarnAboutBlocks(vtkDataObject* data)
       vtkWarningMacro("" << all.GetNumberOfOthers()
                          << " blocks have no points of their own (the first is a "
                          << all.GetFirstOther() << "): they were left out.");
+    }
+    if (all.GetNumberOfUnfitMarks() > 0)
+    {
+      vtkWarningMacro("In " << all.GetNumberOfUnfitMarks() << " blocks the point data array "
+                            << vtkDataSetAttributes::GhostArrayName()
+                            << " does not have one value for each of the points, so none of "
+                               "these points was skipped.");
     }
   }
   else if (!vtkPointSet::SafeDownCast(data))

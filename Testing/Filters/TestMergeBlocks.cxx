@@ -145,6 +145,27 @@ TEST(MergeBlocks, GhostsOfABlockAreLeftOut)
   EXPECT_TRUE(filter.Said->Warnings.empty());
 }
 
+TEST(MergeBlocks, MarksThatDoNotFitAreWarnedOf)
+{
+  Tiles tiles;
+  for (unsigned tile : { 1u, 3u })
+  {
+    vtkNew<vtkUnsignedCharArray> marks;
+    marks->SetName(vtkDataSetAttributes::GhostArrayName());
+    marks->SetNumberOfValues(4);
+    marks->FillValue(vtkDataSetAttributes::HIDDENPOINT);
+    vtkPolyData::SafeDownCast(tiles.Blocks->GetBlock(tile))->GetPointData()->AddArray(marks);
+  }
+  WatchedFilter filter;
+  filter->MergeBlocksOn();
+  filter->SetInputDataObject(tiles.Blocks);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfSkippedPoints(), 0);
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("In 2 blocks"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find("vtkGhostType"), std::string::npos);
+}
+
 TEST(MergeBlocks, OneWarningForAllBlocksWithoutPoints)
 {
   Tiles tiles;
