@@ -152,7 +152,7 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
   }
   if (outputs[2]->GetNumberOfCells() > 0)
   {
-    vtkAHDVoronoi::WriteData(data, outputs[2]);
+    vtkAHDVoronoi::WriteData(outputs[0], outputs[2]);
   }
 }
 

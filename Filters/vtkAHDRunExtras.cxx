@@ -51,7 +51,7 @@ ahd::Status vtkAHDRun::WriteVoronoi()
 {
   if (this->Filter->GenerateVoronoi)
   {
-    this->Diagram.Write(this->Surface->GetPointData(), this->Shown, this->Voronoi);
+    this->Diagram.Write(this->Surface, this->Shown, this->Voronoi);
     this->IsDiagramInPlane = this->ToPlane &&
       !vtkAHDVoronoi::MoveBack(this->ToPlane, this->Voronoi);
   }

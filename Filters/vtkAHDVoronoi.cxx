@@ -83,8 +83,7 @@ void vtkAHDVoronoi::WriteCells(vtkPolyData* output)
   output->SetPolys(polygons);
 }
 
-void vtkAHDVoronoi::Write(
-  vtkPointData* pointData, const vtkAHDDuplicates& shown, vtkPolyData* output)
+void vtkAHDVoronoi::Write(vtkPolyData* surface, const vtkAHDDuplicates& shown, vtkPolyData* output)
 {
   this->WriteCells(output);
   const vtkIdType count = static_cast<vtkIdType>(this->Cells.sites.size());
@@ -97,11 +96,25 @@ void vtkAHDVoronoi::Write(
   this->Cells = ahd::VoronoiCells();
   original->SetName(kIdsName);
   output->GetCellData()->AddArray(original);
-  WriteData(pointData, output);
+  WriteData(surface, output);
 }
 
-void vtkAHDVoronoi::WriteData(vtkPointData* pointData, vtkPolyData* output)
+bool vtkAHDVoronoi::IsWritten(vtkPolyData* output)
 {
+  return output->GetCellData()->HasArray(kIdsName) != 0;
+}
+
+void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
+{
+  vtkNew<vtkPointData> pointData; // what there is of every point
+  pointData->ShallowCopy(surface->GetPointData());
+  for (int i = pointData->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (pointData->GetAbstractArray(i)->GetNumberOfTuples() < surface->GetNumberOfPoints())
+    {
+      pointData->RemoveArray(i);
+    }
+  }
   vtkCellData* data = output->GetCellData();
   const vtkSmartPointer<vtkAbstractArray> original = data->GetAbstractArray(kIdsName);
   auto* ids = vtkIdTypeArray::SafeDownCast(original);

@@ -10,7 +10,6 @@
 class vtkAHDDuplicates;
 class vtkAbstractTransform;
 class vtkAHDProgress;
-class vtkPointData;
 class vtkPolyData;
 
 /**
@@ -28,12 +27,16 @@ public:
   ahd::Status Compute(ahd::Triangulator& triangulator, const ahd::PointView& points,
     ahd::VoronoiClip clip, vtkAHDProgress& progress, ahd::Executor& executor);
 
-  /// Fills `output`: z is 0. `pointData`: one tuple per point that was triangulated. `shown`: which
-  /// of several points at one place the vertex is. Gives up the cells.
-  void Write(vtkPointData* pointData, const vtkAHDDuplicates& shown, vtkPolyData* output);
+  /// Fills `output`: z is 0. `surface`: has the points that were triangulated and their data, of
+  /// which arrays with fewer tuples than points are left out. `shown`: which of several points at
+  /// one place the vertex is. Gives up the cells.
+  void Write(vtkPolyData* surface, const vtkAHDDuplicates& shown, vtkPolyData* output);
+
+  /// Is this what Write() wrote?
+  static bool IsWritten(vtkPolyData* output);
 
   /// Replaces the cell data of what Write() wrote by those of other point data of the same points.
-  static void WriteData(vtkPointData* pointData, vtkPolyData* output);
+  static void WriteData(vtkPolyData* surface, vtkPolyData* output);
 
   /// Moves the polygons from the plane z = 0 to where `toPlane` takes points from. Returns false,
   /// and moves nothing, if the transform has no inverse.

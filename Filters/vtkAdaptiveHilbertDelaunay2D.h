@@ -394,11 +394,13 @@ public:
   /**
    * Put the Voronoi diagram of the vertices into output port 2: for each vertex a convex polygon of
    * what is nearer to it than to any other vertex, in the plane of the triangulation, with the
-   * point data of the vertex as cell data, but for vtkGhostType. The cell array "OriginalPointIds"
+   * point data of the vertex as cell data, but for vtkGhostType, the array that is the active
+   * GlobalIds, and arrays with fewer tuples than there are points. The cell array "OriginalPointIds"
    * (vtkIdTypeArray) has the vertex's id in the points of port 0; the polygons are in the order of
-   * these. Constraints and what is dropped make no difference to it; points that are added are
-   * vertices, too. Cut off at the convex hull of the vertices (CLIP_TO_HULL, the default) or at
-   * their bounding box in the plane (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips.
+   * the smallest id at each place, which is this one unless DuplicatePolicy takes another.
+   * Constraints and what is dropped make no difference to it; points that are added are vertices,
+   * too. Cut off at the convex hull of the vertices (CLIP_TO_HULL, the default) or at their bounding
+   * box in the plane (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips.
    *
    * The polygons are counterclockwise and share their corners, which are of double precision and
    * rounded: circumcentres that cannot be told apart, as those of a lattice's squares, are one

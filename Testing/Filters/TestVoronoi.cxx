@@ -209,6 +209,53 @@ TEST(VoronoiOutput, DoesNotCarryMarks)
   EXPECT_EQ(filter->GetOutput(2)->GetCellData()->GetNumberOfArrays(), 1);
 }
 
+TEST(VoronoiOutput, DoesNotCarryArraysWithTooFewValues)
+{
+  const std::vector<Xyz> xyz = ahdtest::scatteredPoints(2000);
+  const auto cloud = cloudWithData(xyz);
+  vtkNew<vtkStringArray> words;
+  words->SetName("Words");
+  words->InsertNextValue("one");
+  words->InsertNextValue("two");
+  vtkNew<vtkDoubleArray> few;
+  few->SetName("Few");
+  few->SetNumberOfValues(1999);
+  few->FillValue(1.0);
+  cloud->GetPointData()->AddArray(words);
+  cloud->GetPointData()->AddArray(few);
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->GenerateVoronoiOn();
+  filter->Update();
+  vtkPolyData* cells = filter->GetOutput(2);
+  ASSERT_EQ(cells->GetNumberOfPolys(), 2000);
+  vtkCellData* data = cells->GetCellData();
+  EXPECT_EQ(data->GetNumberOfArrays(), 3);
+  for (const char* name : { "OriginalPointIds", "Height", "Name" })
+  {
+    ASSERT_TRUE(data->HasArray(name)) << name;
+    EXPECT_EQ(data->GetAbstractArray(name)->GetNumberOfTuples(), 2000) << name;
+  }
+  EXPECT_EQ(data->GetScalars(), data->GetArray("Height"));
+  EXPECT_TRUE(filter->GetOutput(0)->GetPointData()->HasArray("Words"));
+}
+
+TEST(VoronoiOutput, DoesNotCarryGlobalIds)
+{
+  const auto cloud = cloudWithData(ahdtest::scatteredPoints(20));
+  vtkNew<vtkIdTypeArray> ids;
+  ids->SetName("Ids");
+  ids->SetNumberOfValues(20);
+  ids->FillValue(7);
+  cloud->GetPointData()->SetGlobalIds(ids);
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->GenerateVoronoiOn();
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput(2)->GetCellData()->GetNumberOfArrays(), 3);
+  EXPECT_FALSE(filter->GetOutput(2)->GetCellData()->HasArray("Ids"));
+}
+
 TEST(VoronoiOutput, OfFewOrCollinearPoints)
 {
   WatchedFilter filter;
