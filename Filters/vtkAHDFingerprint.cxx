@@ -5,7 +5,6 @@
 
 #include "vtkDataArray.h"
 
-#include <algorithm>
 #include <cstddef>
 #include <cstring>
 #include <mutex>
@@ -22,14 +21,24 @@ std::uint64_t Spread(std::uint64_t word)
   return word ^ (word >> 32);
 }
 
-/// Adds up what becomes of each word at its place, in two ways. As the words do not wait for each
-/// other, several threads may share them.
+/// Adds up what becomes of each word at its place, in two ways: as it is, and an odd number of
+/// times, which is smaller by two for the next word. As the words do not wait for each other,
+/// several threads may share them.
 bool HashBytes(const unsigned char* bytes, std::size_t count, ahd::Executor& executor,
   vtkAHDProgress& progress, vtkAHDFingerprint& sums)
 {
   constexpr std::size_t kWord = sizeof(std::uint64_t);
+  const std::size_t words = count / kWord;
   std::mutex mutex;
-  return vtkAHDLoop((count + kWord - 1) / kWord, executor, progress,
+  const auto at = [](std::uint64_t word, std::size_t i)
+  { return Spread(word + i * 0x9E3779B97F4A7C15u); };
+  std::uint64_t rest = 0; // what fills no word
+  for (std::size_t i = words * kWord; i < count; ++i)
+  {
+    rest = rest << 8 | bytes[i];
+  }
+  sums = { { at(rest, words), at(rest, words) } };
+  return vtkAHDLoop(words, executor, progress,
     [&](std::size_t begin, std::size_t end)
     {
       std::uint64_t plain = 0;
@@ -37,11 +46,11 @@ bool HashBytes(const unsigned char* bytes, std::size_t count, ahd::Executor& exe
       for (std::size_t i = begin; i < end; ++i)
       {
         std::uint64_t word = 0;
-        std::memcpy(&word, bytes + i * kWord, std::min(kWord, count - i * kWord));
-        word = Spread(word + i * 0x9E3779B97F4A7C15u);
-        plain += word;
-        weighted += word * (2 * i + 1);
+        std::memcpy(&word, bytes + i * kWord, kWord);
+        plain += at(word, i);
+        weighted += plain;
       }
+      weighted = 2 * weighted + plain * (2 * (words - end) + 1);
       const std::lock_guard<std::mutex> lock(mutex);
       sums[0] += plain;
       sums[1] += weighted;

@@ -21,7 +21,7 @@
 
 namespace
 {
-/// Gives `to` all that `from` has. REQUIRES: `to` is empty.
+/// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
 void Share(vtkPolyData* from, vtkPolyData* to)
 {
   to->SetPoints(from->GetPoints());
@@ -40,10 +40,9 @@ void Share(vtkPolyData* from, vtkPolyData* to)
   }
   to->GetPointData()->ShallowCopy(from->GetPointData());
   to->GetCellData()->ShallowCopy(from->GetCellData());
-  to->GetFieldData()->ShallowCopy(from->GetFieldData());
 }
 
-bool IsAmong(vtkAbstractArray* array, vtkPointData* data)
+bool IsAmong(vtkAbstractArray* array, vtkFieldData* data)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -67,7 +66,6 @@ bool vtkAHDKept::TakeFingerprints(
   { arrays.push_back(set->GetPoints() ? set->GetPoints()->GetData() : nullptr); };
   addPoints(origin.Input);
   arrays.push_back(origin.Input->GetPointGhostArray());
-  this->Now.clear();
   if (std::size_t(origin.Input->GetNumberOfPoints()) > ahd::kMaximumPoints)
   {
     return false; // there will be no triangles
@@ -98,15 +96,23 @@ bool vtkAHDKept::TakeFingerprints(
 
 bool vtkAHDKept::Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress)
 {
-  return this->TakeFingerprints(origin, executor, progress) && this->IsKept &&
-    this->Settings == origin.Settings && this->Now == this->AtTheTime;
+  const vtkIdType count = origin.Input->GetNumberOfPoints();
+  const bool mayFit = this->Settings == origin.Settings && this->Count == count;
+  this->Settings = origin.Settings;
+  this->Count = count;
+  this->Now.clear();
+  const bool fits = mayFit && this->TakeFingerprints(origin, executor, progress) && this->IsKept &&
+    this->Now == this->AtTheTime;
+  if (!fits)
+  {
+    this->LetGo(); // before anything else takes memory
+  }
+  return fits;
 }
 
-void vtkAHDKept::Keep(const Origin& origin, const Outputs& outputs)
+void vtkAHDKept::Keep(vtkPointSet* input, const Outputs& outputs)
 {
-  const std::vector<vtkAHDFingerprint> now = this->Now;
-  this->Forget();
-  if (now.empty() || outputs[0]->GetNumberOfPoints() != origin.Input->GetNumberOfPoints())
+  if (this->Now.empty() || outputs[0]->GetNumberOfPoints() != input->GetNumberOfPoints())
   {
     return;
   }
@@ -114,21 +120,30 @@ void vtkAHDKept::Keep(const Origin& origin, const Outputs& outputs)
   {
     Share(outputs[k], this->Data[k]);
   }
+  vtkFieldData* fieldData = outputs[0]->GetFieldData();
+  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  {
+    // what all outputs have was passed by the pipeline
+    vtkAbstractArray* array = fieldData->GetAbstractArray(i);
+    if (!IsAmong(array, outputs[1]->GetFieldData()))
+    {
+      this->Data[0]->GetFieldData()->AddArray(array);
+    }
+  }
   vtkPointData* own = this->Data[0]->GetPointData();
   for (int i = own->GetNumberOfArrays() - 1; i >= 0; --i)
   {
-    if (IsAmong(own->GetAbstractArray(i), origin.Input->GetPointData()))
+    if (IsAmong(own->GetAbstractArray(i), input->GetPointData()))
     {
       own->RemoveArray(i);
     }
   }
-  this->HasOwnPoints = outputs[0]->GetPoints() != origin.Input->GetPoints();
+  this->HasOwnPoints = outputs[0]->GetPoints() != input->GetPoints();
   if (!this->HasOwnPoints)
   {
     this->Data[0]->SetPoints(nullptr);
   }
-  this->Settings = origin.Settings;
-  this->AtTheTime = now;
+  this->AtTheTime = this->Now;
   this->IsKept = true;
 }
 
@@ -150,7 +165,12 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
   {
     data->AddArray(own->GetAbstractArray(i));
   }
-  if (outputs[2]->GetNumberOfCells() > 0)
+  vtkFieldData* ownFieldData = this->Data[0]->GetFieldData();
+  for (int i = 0; i < ownFieldData->GetNumberOfArrays(); ++i)
+  {
+    outputs[0]->GetFieldData()->AddArray(ownFieldData->GetAbstractArray(i));
+  }
+  if (vtkAHDVoronoi::IsWritten(outputs[2]))
   {
     vtkAHDVoronoi::WriteData(outputs[0], outputs[2]);
   }
@@ -158,8 +178,13 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
 
 void vtkAHDKept::Forget()
 {
-  this->IsKept = false;
   this->Now.clear();
+  this->LetGo();
+}
+
+void vtkAHDKept::LetGo()
+{
+  this->IsKept = false;
   this->AtTheTime.clear();
   for (auto& data : this->Data)
   {

@@ -320,14 +320,20 @@ public:
    * Triangulate again only what is new: where the coordinates of the points and their ghost marks
    * (vtkGhostType), the source and all settings are those of the last execution, as in a series of
    * time steps of which only the data change, its triangles and everything made with them are
-   * passed on, with the point data of now. The same is what has the same numbers, in whichever
-   * object. Warnings are not said again. On by default; off triangulates at each execution.
+   * passed on, with the point data and field data of now. The same is what has the same numbers, in
+   * whichever object, if it comes through a connection: setting a data object (SetInputData,
+   * SetSourceData) counts as a change of settings. Warnings are not said again. On by default; off
+   * triangulates at each execution.
    *
-   * For this the filter holds on to the arrays of its last output, but not to its input, and each
-   * execution reads the coordinates once more, to take their fingerprint of 128 bits. There is
-   * nothing to pass on after an execution that was aborted or ended in an error or that added
-   * points, and where coordinates do not lie in memory point by point. Of the blocks of a composite
-   * data set that are triangulated one by one, only the last one is remembered.
+   * An execution is known again by a fingerprint of 128 bits, which takes one more look at all
+   * coordinates. So as not to burden a single execution with it, it is taken only where settings
+   * and number of points are those of the execution before: a series is triangulated twice, then
+   * passed on. From the second on the filter holds on to the arrays of its last output, until it
+   * triangulates again, but not to its input. Who changes the cells of an output in place changes
+   * what is passed on: copy them before. There is nothing to pass on after an execution that was
+   * aborted or ended in an error or that added points, and where coordinates do not lie in memory
+   * point by point. Of the blocks of a composite data set that are triangulated one by one, only the
+   * last one is remembered.
    */
   vtkSetMacro(KeepTriangulation, bool);
   vtkGetMacro(KeepTriangulation, bool);

@@ -284,7 +284,7 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   run.Warn();
   if (this->KeepTriangulation)
   {
-    this->Kept->Keep({ input, source, this->GetMTime() }, OutputsOf(outputs));
+    this->Kept->Keep(input, OutputsOf(outputs));
   }
 }
 

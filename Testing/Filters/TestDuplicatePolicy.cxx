@@ -304,9 +304,12 @@ TEST(DuplicatePolicy, WhatIsKeptForOtherDataShowsTheSame)
     vtkNew<vtkPolyData> before;
     before->DeepCopy(filter->GetOutput());
     // the same numbers, through the same connection
-    vtkPolyData::SafeDownCast(filter->GetInput())->SetPoints(makePoints(tracks(6)));
-    filter->Update();
-    EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+    for (int step = 1; step < 3; ++step)
+    {
+      vtkPolyData::SafeDownCast(filter->GetInput())->SetPoints(makePoints(tracks(6)));
+      filter->Update();
+    }
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
     EXPECT_EQ(trianglesOf(filter->GetOutput()), trianglesOf(before));
     EXPECT_EQ(
       idsOf(filter->GetOutput()->GetPointData(), "Fate"), idsOf(before->GetPointData(), "Fate"));
