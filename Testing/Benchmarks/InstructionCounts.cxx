@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 
 namespace
 {
@@ -31,7 +32,9 @@ public:
   /// What was executed since the phase began.
   void dump()
   {
-    static const char* const kNames[] = { "read", "sort", "insert", "extract", "fates" };
+    static const char* const kNames[] = { "merge", "split", "read", "sort", "insert", "constrain",
+      "extract", "fates" };
+    static_assert(std::size(kNames) == kPhases, "a name for each phase");
     if (phase_ >= 0)
     {
       CALLGRIND_DUMP_STATS_AT(kNames[phase_]);
