@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# How a fuzz target is compiled. Sets
+#   ahd_fuzz_watched   compile options of what is fuzzed: sanitizers, and libFuzzer's eyes
+#   ahd_fuzz_quiet     compile options of what judges it: none of these, so that it is fast
+# and the libraries
+#   ahd_fuzz_engine    the engine, watched
+#   ahd_fuzz_support   Testing/Support as far as the targets need it, the cases and their mutator
+find_package(GTest REQUIRED)
+include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
+
+if (AHD_FUZZ_COVERAGE)
+  set(ahd_fuzz_watched -O1 -fprofile-instr-generate -fcoverage-mapping)
+  set(ahd_fuzz_link -fsanitize=fuzzer -fprofile-instr-generate)
+else ()
+  set(ahd_fuzz_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all)
+  set(ahd_fuzz_watched
+    -O1 -gline-tables-only -fno-omit-frame-pointer -fsanitize=fuzzer-no-link ${ahd_fuzz_sanitizers})
+  set(ahd_fuzz_link -fsanitize=fuzzer ${ahd_fuzz_sanitizers})
+endif ()
+set(ahd_fuzz_quiet -O1)
+
+add_library(ahd_fuzz_engine STATIC ${ahd_engine_sources})
+target_compile_features(ahd_fuzz_engine PUBLIC cxx_std_17)
+target_compile_options(ahd_fuzz_engine PRIVATE
+  ${ahd_fuzz_watched} ${ahd_engine_options} -Wno-ignored-optimization-argument)
+target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_root_dir}/Filters/Engine")
+
+set(ahd_fuzz_support_sources)
+foreach (name IN ITEMS CertifiedMesh Certifier ConstrainedRun ConstraintCertifier ConstraintFill
+    ConstraintMakers ConstraintOracle ConstraintSets Corpus EngineRun ExactSigns Executors MeshWalk
+    Oracle)
+  list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
+endforeach ()
+add_library(ahd_fuzz_support STATIC
+  ${ahd_fuzz_support_sources} ${ahd_point_maker_sources} FuzzCase.cxx)
+target_compile_options(ahd_fuzz_support PRIVATE
+  ${ahd_fuzz_quiet} ${ahd_engine_options} ${ahd_warnings} -Wno-ignored-optimization-argument)
+target_include_directories(ahd_fuzz_support PUBLIC
+  "${CMAKE_CURRENT_LIST_DIR}" ${ahd_point_maker_includes})
+target_link_libraries(ahd_fuzz_support
+  PUBLIC ahd_fuzz_engine Threads::Threads ${AHD_GMPXX_LIBRARY} ${AHD_GMP_LIBRARY})
+
+# ahd_add_fuzz_target(<name> <sources>...)
+# A libFuzzer program: the sources have LLVMFuzzerTestOneInput, and are compiled quietly; what they
+# fuzz beyond the engine is to be compiled with ahd_fuzz_watched.
+function (ahd_add_fuzz_target name)
+  add_executable(${name} ${ARGN})
+  target_compile_options(${name} PRIVATE
+    ${ahd_fuzz_quiet} ${ahd_engine_options} ${ahd_warnings} -Wno-ignored-optimization-argument)
+  target_link_options(${name} PRIVATE ${ahd_fuzz_link})
+  # the engine first: of functions that both have the linker takes those that are watched
+  target_link_libraries(${name} PRIVATE ahd_fuzz_engine ahd_fuzz_support GTest::gtest)
+endfunction ()

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The tests that fuzz: Fuzz.Build makes all targets, then each runs its corpus and goes on for some
+# seconds. With AHD_LONG_TESTS each goes on for minutes.
+find_program(AHD_CLANGXX NAMES clang++-14 clang++)
+mark_as_advanced(AHD_CLANGXX)
+if (NOT AHD_CLANGXX)
+  message(STATUS "No clang++: no fuzzing")
+  return ()
+endif ()
+
+set(ahd_fuzz_folder "${CMAKE_CURRENT_BINARY_DIR}/targets")
+set(ahd_fuzz_command
+  ${CMAKE_COMMAND} -E env
+  CXX=${AHD_CLANGXX}
+  CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
+  "${CMAKE_CURRENT_SOURCE_DIR}/fuzz.sh" --folder "${ahd_fuzz_folder}")
+
+add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build)
+set_tests_properties(Fuzz.Build PROPERTIES
+  LABELS fuzz TIMEOUT 900 PROCESSORS 2 FIXTURES_SETUP ahd_fuzz_targets)
+
+# ahd_add_fuzz_test(<test> <target's name for fuzz.sh> <seconds> <minutes of the long test>)
+function (ahd_add_fuzz_test test target seconds minutes)
+  add_test(NAME Fuzz.${test}
+    COMMAND ${ahd_fuzz_command} --target ${target} --seconds ${seconds} --seed 1)
+  set_tests_properties(Fuzz.${test} PROPERTIES
+    LABELS fuzz TIMEOUT 600 FIXTURES_REQUIRED ahd_fuzz_targets)
+  if (AHD_LONG_TESTS)
+    add_test(NAME FuzzLong.${test} COMMAND ${ahd_fuzz_command} --target ${target} --minutes ${minutes})
+    math(EXPR limit "${minutes} * 60 + 600")
+    set_tests_properties(FuzzLong.${test} PROPERTIES
+      LABELS long TIMEOUT ${limit} FIXTURES_REQUIRED ahd_fuzz_targets)
+  endif ()
+endfunction ()
+
+ahd_add_fuzz_test(Engine engine 25 20)

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Judge_h
+#define ahd_Judge_h
+
+// What the fuzz targets of the engine share: complaints, and runs in which something goes wrong.
+#include "EngineRun.h"
+#include "FuzzCase.h"
+#include "Progress.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace ahd
+{
+namespace fuzz
+{
+
+/// Ends the program with the case and what is wrong with it, unless `fault` is empty.
+void expectNone(const std::string& fault, const FuzzCase& given);
+/// Likewise, unless it is true.
+void expect(bool isTrue, const char* what, const FuzzCase& given);
+
+/// While one lives, no memory is to be had from the given allocation on (1 is the next one; 0:
+/// all is well). In all threads. What libFuzzer does meanwhile fails too: it does nothing.
+class NoMemory
+{
+public:
+  explicit NoMemory(std::size_t from);
+  ~NoMemory();
+  NoMemory(const NoMemory&) = delete;
+  NoMemory& operator=(const NoMemory&) = delete;
+};
+
+/// Holds the engine to Progress.h, and cancels at one asking (0: at none).
+class Watch : public Progress
+{
+public:
+  explicit Watch(std::size_t cancelAt = 0)
+    : cancelAt_(cancelAt)
+  {
+  }
+  void beginPhase(Phase phase) override;
+  bool advance(Phase phase, double fraction) override;
+
+  bool cancelled() const { return cancelAt_ != 0 && askings_ >= cancelAt_; }
+  /// What went against the rules; empty if nothing did.
+  const std::string& fault() const { return fault_; }
+
+private:
+  std::size_t cancelAt_;
+  std::size_t askings_ = 0;
+  Phase phase_ = Phase::Merge;
+  double fraction_ = 0.0;
+  std::string fault_;
+};
+
+/// Coordinates laid out as the case wants them, and the marks of those to skip.
+class Layout
+{
+public:
+  Layout(const FuzzCase& given, const std::vector<Point>& points);
+  PointView view() const;
+
+private:
+  std::vector<double> doubles_;
+  std::vector<float> floats_;
+  std::vector<unsigned char> skip_;
+  std::size_t count_, stride_;
+  unsigned char mask_;
+};
+
+/// The numbers 0 to n - 1 in an order that depends on the seed; 0 leaves them as they are.
+std::vector<std::size_t> shuffledIds(std::size_t n, unsigned seed);
+
+/// Who runs what, and how.
+struct Run
+{
+  Options options;
+  Executor* executor = nullptr;
+  Progress* progress = nullptr;
+};
+Run runOf(const FuzzCase& given, std::size_t run);
+
+/// run(), writeTriangles() and writeFates() with all that a Run has.
+test::Outcome triangulate(Triangulator& triangulator, const PointView& points, const Run& run);
+
+} // namespace fuzz
+} // namespace ahd
+
+#endif

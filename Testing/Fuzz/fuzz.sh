@@ -1,0 +1,107 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Builds the fuzz targets and runs them. See help below, or ./Testing/Fuzz/fuzz.sh --help.
+set -euo pipefail
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+root=$(cd "$here/../.." && pwd)
+
+help() {
+  cat <<'EOT'
+Testing/Fuzz/fuzz.sh [options] [-- CMake's own options for the first build]
+
+Builds the fuzz targets with clang and the address and undefined-behaviour sanitizers, runs what is in
+Data/Corpus, then goes on with mutations of it.
+
+--minutes N     for how long, all targets together (default: 60); --seconds N likewise
+--target NAME   engine, constraints or filter; can be repeated (default: all that were built)
+--folder DIR    where to build and keep what is found (default: build/fuzz)
+--seed N        begin with this random number (default: another one each time)
+--build         build only
+--minimise      no fuzzing: write the fewest inputs that reach all that the found ones reach to
+                Data/Corpus/Fuzz
+
+What is new stays in DIR/corpus/NAME for the next time; an input on which a target fails, in
+DIR/found/NAME. To run one input:  DIR/build/EngineFuzz FILE
+exit code  0: nothing found, 1: something was, 2: wrong use
+EOT
+}
+
+folder=$root/build/fuzz
+seconds=3600
+seed=0
+targets=()
+mode=run
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help) help && exit 0 ;;
+    --minutes) seconds=$(($2 * 60)) && shift ;;
+    --seconds) seconds=$2 && shift ;;
+    --target) targets+=("$2") && shift ;;
+    --folder) folder=$2 && shift ;;
+    --seed) seed=$2 && shift ;;
+    --build) mode=build ;;
+    --minimise) mode=minimise ;;
+    --) shift && break ;;
+    *) printf 'fuzz.sh: what is %s? See --help\n' "$1" >&2 && exit 2 ;;
+  esac
+  shift
+done
+
+# program <target's name>
+program() {
+  local name=${1^}
+  printf '%s/build/%sFuzz' "$folder" "${name/%Constraints/Constraint}"
+}
+
+build() {
+  local generator=()
+  if [ ! -f "$folder/build/CMakeCache.txt" ]; then
+    command -v ninja >/dev/null && generator=(-G Ninja)
+    CXX=${CXX:-$(command -v clang++-14 || command -v clang++)} \
+      cmake -S "$here" -B "$folder/build" ${generator[@]+"${generator[@]}"} "$@"
+  fi
+  cmake --build "$folder/build" --parallel
+}
+
+# fuzz <target's name> <seconds>
+fuzz() {
+  local name=$1 corpus=() seeds=$folder/seeds/$1
+  mkdir -p "$folder/corpus/$name" "$folder/found/$name" "$seeds"
+  if [ "$name" != filter ]; then
+    "$folder/build/FuzzSeeds" "$root/Data/Corpus" "$seeds"
+  fi
+  for kept in "$seeds" "$root/Data/Corpus/Fuzz/$name"; do
+    [ ! -d "$kept" ] || corpus+=("$kept")
+  done
+  UBSAN_OPTIONS=print_stacktrace=1 "$(program "$name")" "$folder/corpus/$name" "${corpus[@]}" \
+    -max_total_time="$2" -seed="$seed" -max_len=4096 -timeout=60 -rss_limit_mb=3000 \
+    -artifact_prefix="$folder/found/$name/" -print_final_stats=1 -verbosity=1 -reload=0
+}
+
+# minimise <target's name>
+minimise() {
+  local name=$1 kept=$root/Data/Corpus/Fuzz/$1 fresh=$folder/minimised/$1
+  rm -rf "$fresh"
+  mkdir -p "$fresh" "$folder/corpus/$name" "$kept"
+  "$(program "$name")" -merge=1 -max_len=4096 -timeout=60 "$fresh" "$kept" "$folder/corpus/$name"
+  rm -rf "$kept"
+  cp -r "$fresh" "$kept"
+}
+
+[ -f "$folder/build/build.ninja" ] && [ "$mode" = run ] || build "$@"
+[ "$mode" != build ] || exit 0
+if [ ${#targets[@]} -eq 0 ]; then
+  for name in engine constraints filter; do
+    [ ! -x "$(program "$name")" ] || targets+=("$name")
+  done
+fi
+status=0
+for name in "${targets[@]}"; do
+  if [ "$mode" = minimise ]; then
+    minimise "$name"
+  else
+    fuzz "$name" $((seconds / ${#targets[@]})) || status=1
+  fi
+done
+exit $status
