@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_HashFile_h
+#define ahd_HashFile_h
+
+#include <string>
+#include <vector>
+
+namespace ahd
+{
+namespace test
+{
+
+/// The hash of one result.
+struct NamedHash
+{
+  std::string name; ///< without spaces
+  std::string hash;
+};
+using Hashes = std::vector<NamedHash>;
+
+/// Reads lines "hash name"; those that begin with # are comments. Empty if there is no such file.
+Hashes readHashes(const std::string& path);
+
+/// What differs, a line for each: its name, the hash before and the one now. Empty if nothing does.
+std::string differences(const Hashes& before, const Hashes& now);
+
+/// As differences(), of the file and what was found now, and how to write the file anew. But where
+/// the environment variable AHD_WRITE_HASHES is set, the file is written, its comments kept, and
+/// the answer is empty, or says why it could not be.
+std::string differencesFromFile(const std::string& path, const Hashes& now);
+
+} // namespace test
+} // namespace ahd
+
+#endif
