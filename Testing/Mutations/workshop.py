@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A copy of the sources, where they may be broken, and its builds."""
+
+import dataclasses
+import os
+import pathlib
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import time
+
+from mutants import ROOT
+
+# What the engine's tests are made of.
+FOLDERS = ("Filters/Engine", "Filters/Distributions", "Testing/Engine", "Testing/Support", "Data")
+FLAVOURS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
+GIBIBYTE = 1 << 30
+
+
+class BuildError(Exception):
+    """The copy could not be built."""
+
+
+@dataclasses.dataclass
+class Run:
+    """How a test program ended: `failure` is empty if it passed, else which test failed and how."""
+
+    failure: str
+    seconds: float
+    cpu: float
+
+
+class Workshop:
+    """Sources and builds below `folder`. Only changed files are copied, so builds stay incremental."""
+
+    def __init__(self, folder, jobs):
+        self.folder = pathlib.Path(folder).resolve()
+        self.source = self.folder / "source"
+        self.jobs = jobs
+        self.configured = set()
+        self.copy()
+
+    def copy(self):
+        """Brings the copy up to date with the sources."""
+        for name in FOLDERS:
+            here, there = ROOT / name, self.source / name
+            wanted = {path.relative_to(here) for path in here.rglob("*") if path.is_file()}
+            for path in list(there.rglob("*")):
+                if path.is_file() and path.relative_to(there) not in wanted:
+                    path.unlink()
+            for path in wanted:
+                self.write(there / path, (here / path).read_bytes())
+
+    def write(self, path, content):
+        """Writes a file unless it holds that already."""
+        if not path.exists() or path.read_bytes() != content:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_bytes(content)
+
+    def tests(self):
+        return sorted(path.stem for path in (self.source / "Testing/Engine").glob("*.cxx"))
+
+    def binary(self, flavour):
+        """The build folder of plain code or of a sanitizer, configured."""
+        build = self.folder / ("build-" + (flavour or "plain"))
+        if flavour not in self.configured:
+            command = ["cmake", "-S", self.source / "Testing/Engine", "-B", build, "-G", "Ninja"]
+            if flavour:
+                command += ["-DAHD_SANITIZE=" + FLAVOURS[flavour]]
+            else:
+                command += ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG"]
+            if shutil.which("ccache"):
+                command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
+            run_quietly(command)
+            self.configured.add(flavour)
+        return build
+
+    def build(self, test):
+        """Builds the program of a test, and returns its path. Raises BuildError."""
+        flavour, _, name = test.rpartition(":")
+        build = self.binary(flavour)
+        run_quietly(["ninja", "-C", build, f"-j{self.jobs}", "Engine" + name])
+        return build / ("Engine" + name)
+
+    def run(self, test, program, cpu_limit):
+        """Runs the quick tests of a program until the first that fails.
+
+        Each is stopped after so many seconds of processor time, or ten times as many on the clock."""
+        sanitized = ":" in test
+
+        def limit():
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+            resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_limit), int(cpu_limit) + 5))
+            if not sanitized:  # these reserve terabytes
+                resource.setrlimit(resource.RLIMIT_AS, (12 * GIBIBYTE, 12 * GIBIBYTE))
+
+        command = [program, "--gtest_filter=-Long*", "--gtest_fail_fast", "--gtest_color=no"]
+        before, used = time.monotonic(), children_cpu()
+        with open(self.folder / "output.txt", "w+b") as output:
+            process = subprocess.Popen(
+                command,
+                stdout=output,
+                stderr=subprocess.STDOUT,
+                preexec_fn=limit,
+                cwd=self.folder,
+                env={**os.environ, "TSAN_OPTIONS": "halt_on_error=1"},
+            )
+            try:
+                code = process.wait(timeout=10 * cpu_limit)
+            except subprocess.TimeoutExpired:
+                process.kill()
+                process.wait()
+                code = -signal.SIGXCPU
+            output.seek(0)
+            text = output.read().decode(errors="replace")
+        return Run(failure_in(text, code), time.monotonic() - before, children_cpu() - used)
+
+
+def children_cpu():
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
+
+
+def failure_in(text, code):
+    """Which test failed, and how, from what the program printed and how it ended; empty if none did."""
+    if code == 0:
+        return ""
+    failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)", text, re.MULTILINE)
+    if code > 0 and failed:
+        return failed[0]
+    begun = re.findall(r"^\[ RUN      \] (\S+)", text, re.MULTILINE)
+    where = begun[-1] if begun else "before the first test"
+    if code > 0:
+        return where + " (sanitizer)" if "anitizer" in text or "runtime error" in text else where + " (exit)"
+    if -code in (signal.SIGXCPU, signal.SIGKILL):
+        return where + " (time limit)"
+    return f"{where} ({signal.Signals(-code).name})"
+
+
+def run_quietly(command):
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+    if done.returncode != 0:
+        raise BuildError(done.stdout.decode(errors="replace")[-4000:])
