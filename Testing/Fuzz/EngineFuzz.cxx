@@ -90,6 +90,130 @@ void expectSameWhenShuffled(const First& first, Triangulator& triangulator)
     outcome.triples == first.outcome.triples, "the shuffled triangles are the same", first.given);
 }
 
+/// The order that a run kept is one of all vertices, and the ranks are its inverse.
+void expectOrder(const First& first, Triangulator& triangulator, Executor* executor)
+{
+  std::vector<std::int64_t> order(triangulator.report().inserted, -7);
+  std::vector<std::int64_t> ranks(first.points.size(), -7);
+  expect(triangulator.writeOrder(order.data(), nullptr, executor) == Status::Ok, "order written",
+    first.given);
+  expect(triangulator.writeInsertionRanks(ranks.data(), nullptr, executor) == Status::Ok,
+    "ranks written", first.given);
+  std::vector<std::int64_t> expected(first.points.size(), kRankNone);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    const auto id = std::size_t(order[i]);
+    expect(
+      id < expected.size() && expected[id] == kRankNone, "each in the order once", first.given);
+    expect(first.outcome.fates[id] == order[i], "those in the order are vertices", first.given);
+    expected[id] = std::int64_t(i);
+  }
+  expect(ranks == expected, "ranks are places in the order", first.given);
+}
+
+/// The boxes hold all vertices, and have an inside.
+void expectBoxes(const First& first, const Triangulator& triangulator, InsertionOrder order)
+{
+  std::size_t count = 0;
+  for (const GridBox& box : triangulator.boxes())
+  {
+    count += box.count;
+    expect(box.xmin <= box.xmax && box.ymin <= box.ymax && box.level >= 0, "boxes are boxes",
+      first.given);
+  }
+  const std::size_t vertices = order == InsertionOrder::AsGiven ? 0 : first.outcome.report.inserted;
+  expect(count == vertices, "each vertex is in one box", first.given);
+}
+
+/// What else the first run can be asked for.
+void expectExtras(const First& first, Triangulator& triangulator)
+{
+  const Run run = runOf(first.given, 0);
+  std::vector<std::int64_t> wide(first.outcome.triples.size(), -7);
+  if (run.options.keepLocations)
+  {
+    expect(triangulator.writeTriangles(wide.data(), nullptr, run.executor) == Status::Ok,
+      "triangles written again", first.given);
+    expect(std::equal(wide.begin(), wide.end(), first.outcome.triples.begin()),
+      "64-bit ids are those of 32 bits", first.given);
+  }
+  if (run.options.keepOrder)
+  {
+    expectOrder(first, triangulator, run.executor);
+  }
+  if (run.options.keepBoxes)
+  {
+    expectBoxes(first, triangulator, run.options.order);
+  }
+}
+
+/// A run with a limit gives the triangulation of the first points of the order.
+void expectMeshOfTheFirst(const First& first, Triangulator& triangulator)
+{
+  Run run = runOf(first.given, 0);
+  run.options.keepOrder = true;
+  run.options.insertionLimit = first.given.head[kLimit];
+  const test::Outcome limited = triangulate(triangulator, first.layout.view(), run);
+  expect(limited.status == Status::Ok, "the run with a limit is Ok", first.given);
+  std::vector<std::int64_t> order(limited.report.inserted);
+  expect(triangulator.writeOrder(order.data(), nullptr) == Status::Ok, "order", first.given);
+  std::vector<Point> points;
+  for (const std::int64_t id : order)
+  {
+    points.push_back(first.points[std::size_t(id)]);
+  }
+  test::Outcome expected = test::triangulate(points, first.given.options(1));
+  expectNone(faultsOf(points, expected), first.given);
+  for (std::int32_t& id : expected.triples)
+  {
+    id = std::int32_t(order[std::size_t(id)]);
+  }
+  expect(test::asSet(expected.triples) == test::asSet(limited.triples) &&
+      expected.triples.size() == limited.triples.size(),
+    "a limit gives the triangles of the first", first.given);
+  const Report &report = limited.report, &whole = first.outcome.report;
+  expect(report.inserted == std::min(whole.inserted, run.options.insertionLimit) &&
+      report.inserted + report.beyondLimit == whole.inserted,
+    "as many as the limit says", first.given);
+}
+
+void expectTooManyBoxes(const First& first, Triangulator& triangulator)
+{
+  Run run = runOf(first.given, 0);
+  run.options.keepBoxes = true;
+  const Status all = triangulator.run(first.layout.view(), run.options, nullptr, run.executor);
+  expect(all == Status::Ok, "the run with boxes is Ok", first.given);
+  const std::size_t boxes = triangulator.boxes().size();
+  run.options.mostBoxes = first.given.head[kMostBoxes];
+  const Status some = triangulator.run(first.layout.view(), run.options, nullptr, run.executor);
+  expect(
+    some == (boxes > run.options.mostBoxes ? Status::TooManyBoxes : Status::Ok), "", first.given);
+}
+
+/// A run that is cancelled or has no memory says so, and the next one is what it would have been.
+void expectSurvived(const First& first, Triangulator& triangulator)
+{
+  Run run = runOf(first.given, 0);
+  Watch watch(first.given.head[kCancelAt]);
+  run.progress = &watch;
+  const test::Outcome stopped = triangulate(triangulator, first.layout.view(), run);
+  expectNone(watch.fault(), first.given);
+  expect(stopped.status == (watch.cancelled() ? Status::Cancelled : Status::Ok),
+    "cancelled if told to", first.given);
+  expect(watch.cancelled() || differenceOf(first.outcome, stopped).empty(), "the same, watched",
+    first.given);
+  if (first.given.head[kFailAt] != 0)
+  {
+    run.progress = nullptr;
+    triangulator.release();
+    const NoMemory none(first.given.head[kFailAt]);
+    const test::Outcome failed = triangulate(triangulator, first.layout.view(), run);
+    const NoMemory again(0);
+    expect(failed.status == Status::OutOfMemory || differenceOf(first.outcome, failed).empty(),
+      "out of memory or right", first.given);
+  }
+}
+
 } // namespace
 
 void fuzzEngine(const FuzzCase& given)
@@ -99,7 +223,17 @@ void fuzzEngine(const FuzzCase& given)
   first.outcome = triangulate(triangulator, first.layout.view(), runOf(given, 0));
   expectNone(faultsOf(first.layout.view(), first.outcome), given);
   expectAsDefined(first);
+  expectExtras(first, triangulator);
   expectSameWhenShuffled(first, triangulator);
+  if (given.head[kLimit] != 0)
+  {
+    expectMeshOfTheFirst(first, triangulator);
+  }
+  if (given.head[kMostBoxes] != 0)
+  {
+    expectTooManyBoxes(first, triangulator);
+  }
+  expectSurvived(first, triangulator);
   const test::Outcome again = triangulate(triangulator, first.layout.view(), runOf(given, 0));
   expectNone(differenceOf(first.outcome, again), given);
 }

@@ -29,7 +29,7 @@ enum HeadByte : std::size_t
   kNmax,           ///< 4 bits for each run: the default, 1, 2, 3, ..., 15
   kExecutors,      ///< 4 bits for each run: see executor()
   kLayout,    ///< bit 0 float; 1-2 numbers per point - 2; 3 keepLocations; 4 even-odd fill rule; 5
-              ///< split the constraints where they cross; 6 merge points; 7 nothing
+              ///< split the constraints where they cross; 6 merge points; 7 the Voronoi diagram too
   kSkipMarks, ///< mark of point i: these bits, turned left by i
   kSkipMask,  ///< PointView::skipMask
   kLimit,     ///< insertionLimit of a further run, 0 for none

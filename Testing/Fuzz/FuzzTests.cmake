@@ -35,3 +35,4 @@ function (ahd_add_fuzz_test test target seconds minutes)
 endfunction ()
 
 ahd_add_fuzz_test(Engine engine 25 20)
+ahd_add_fuzz_test(Constraints constraints 20 20)

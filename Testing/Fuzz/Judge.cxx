@@ -12,15 +12,23 @@
 namespace
 {
 
-std::atomic<std::size_t> allocations{ 0 };
-std::atomic<std::size_t> failFrom{ 0 }; ///< this allocation and all later ones fail; 0: none
+/// 0: there is memory. n: the n-th allocation from here and all after it fail; stays at 1.
+std::atomic<std::size_t> untilFailure{ 0 };
+
+bool fails()
+{
+  std::size_t left = untilFailure;
+  while (left > 1 && !untilFailure.compare_exchange_weak(left, left - 1))
+  {
+  }
+  return left == 1;
+}
 
 } // namespace
 
 void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
 {
-  const std::size_t from = failFrom;
-  if (from != 0 && ++allocations >= from)
+  if (fails())
   {
     throw std::bad_alloc();
   }
@@ -70,14 +78,14 @@ void expect(bool isTrue, const char* what, const FuzzCase& given)
 }
 
 NoMemory::NoMemory(std::size_t from)
+  : outer_(untilFailure)
 {
-  allocations = 0;
-  failFrom = from;
+  untilFailure = from;
 }
 
 NoMemory::~NoMemory()
 {
-  failFrom = 0;
+  untilFailure = outer_;
 }
 
 void Watch::beginPhase(Phase phase)

@@ -21,8 +21,8 @@ void expectNone(const std::string& fault, const FuzzCase& given);
 /// Likewise, unless it is true.
 void expect(bool isTrue, const char* what, const FuzzCase& given);
 
-/// While one lives, no memory is to be had from the given allocation on (1 is the next one; 0:
-/// all is well). In all threads. What libFuzzer does meanwhile fails too: it does nothing.
+/// While one lives, no memory is to be had from the given allocation on (1 is the next one; 0: all
+/// is well), in all threads. An inner one takes the place of the outer one meanwhile.
 class NoMemory
 {
 public:
@@ -30,6 +30,9 @@ public:
   ~NoMemory();
   NoMemory(const NoMemory&) = delete;
   NoMemory& operator=(const NoMemory&) = delete;
+
+private:
+  std::size_t outer_;
 };
 
 /// Holds the engine to Progress.h, and cancels at one asking (0: at none).

@@ -2,10 +2,12 @@
 //
 // Writes the text files of a corpus as cases for the fuzz targets, to begin with:
 //   FuzzSeeds <folder of the corpus> <folder to write to>
-// Each file is written once per order of insertion; of longer files points are taken evenly.
+// Each file is written once per order of insertion; of longer files some points are taken evenly,
+// as small inputs are tried more often.
 #include "Corpus.h"
 #include "FuzzCase.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 
@@ -14,12 +16,11 @@ namespace
 
 using ahd::fuzz::FuzzCase;
 
-FuzzCase caseOf(const ahd::test::CorpusFile& file)
+FuzzCase caseOf(const ahd::test::CorpusFile& file, std::size_t most)
 {
   FuzzCase result;
   const std::size_t count = file.points.size();
-  const std::size_t kept = count < ahd::fuzz::kMostGivenPoints ? count
-                                                               : ahd::fuzz::kMostGivenPoints;
+  const std::size_t kept = std::min(count, most);
   for (std::size_t i = 0; i < kept; ++i)
   {
     result.points.push_back(file.points[i * count / kept]);
@@ -57,9 +58,9 @@ int main(int argc, char** argv)
   bool good = !files.empty();
   for (const ahd::test::CorpusFile& file : files)
   {
-    FuzzCase seed = caseOf(file);
     for (std::uint8_t order = 0; order < 4; ++order)
     {
+      FuzzCase seed = caseOf(file, order == 0 ? ahd::fuzz::kMostGivenPoints : 24);
       seed.head[ahd::fuzz::kFirstSettings] = std::uint8_t(order | 0xC0);
       seed.head[ahd::fuzz::kSecondSettings] = std::uint8_t(order ^ 1);
       seed.head[ahd::fuzz::kShuffle] = order;

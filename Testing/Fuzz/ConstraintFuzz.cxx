@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Bytes become points, chains and settings (FuzzCase.h). The points may be merged within a distance
+// and the chains split where they cross, both held against their definitions; the engine
+// constrains, and the certifier of constraints has the last word; small sets go through the oracle
+// too. Then the same with other settings and threads, cancelled or without memory before, to the
+// byte; and the Voronoi diagram of the points.
+#include "ConstrainedRun.h"
+#include "ConstraintOracle.h"
+#include "Judge.h"
+#include "PartJudges.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ahd
+{
+namespace fuzz
+{
+namespace
+{
+
+constexpr std::size_t kFewPointsForOracle = 7;
+constexpr std::size_t kFewSegmentsForOracle = 8;
+
+/// What the engine is given, once merged and split.
+struct Prepared
+{
+  explicit Prepared(const FuzzCase& fuzzed)
+    : given(fuzzed)
+    , points(fuzzed.allPoints())
+    , rule(fuzzed.layoutBit(4) ? FillRule::EvenOdd : FillRule::Orientation)
+    , own(fuzzed.constraints())
+    , chains(own.view())
+  {
+    const std::vector<unsigned char> marks = fuzzed.skipMarks(points.size());
+    for (const unsigned char mark : marks)
+    {
+      skip.push_back((mark & fuzzed.head[kSkipMask]) != 0 ? 1 : 0);
+    }
+  }
+
+  PointView view() const
+  {
+    PointView result = test::viewOf(points);
+    result.skip = skip.empty() ? nullptr : skip.data();
+    return result;
+  }
+
+  const FuzzCase& given;
+  std::vector<Point> points;
+  std::vector<unsigned char> skip; ///< empty: none
+  FillRule rule;
+  test::ConstraintSet own;
+  SplitConstraints split;
+  ConstraintView chains;
+};
+
+void mergeAndSplit(Prepared& prepared)
+{
+  const FuzzCase& given = prepared.given;
+  if (given.layoutBit(6))
+  {
+    MergedPoints merged;
+    const double exponent = 0.5 * given.head[kMergeDistance] - 64.0;
+    expectNone(mergeAndJudge(prepared.view(), std::exp2(exponent), merged), given);
+    prepared.skip = merged.skip;
+  }
+  if (given.layoutBit(5))
+  {
+    expectNone(
+      splitAndJudge({ prepared.points, prepared.skip, prepared.own }, prepared.split), given);
+    for (const CrossingPoint& p : prepared.split.points)
+    {
+      prepared.points.push_back(p.at);
+    }
+    prepared.skip.resize(prepared.skip.empty() ? 0 : prepared.points.size(), 0);
+    prepared.chains = prepared.split.view();
+  }
+}
+
+test::ConstrainedOutcome constrainWith(
+  const Prepared& prepared, Triangulator& triangulator, const Run& run, const PointView& points)
+{
+  return test::constrain(triangulator, points, prepared.chains, prepared.rule, run.options,
+    { run.progress, run.executor });
+}
+
+/// The same chains, none of them a loop.
+test::ConstraintSet openChains(const ConstraintView& chains)
+{
+  test::ConstraintSet result;
+  for (std::size_t k = 0; k < chains.chains; ++k)
+  {
+    const test::Chain chain(chains.ids + chains.offsets[k], chains.ids + chains.offsets[k + 1]);
+    k < chains.lines ? result.addLine(chain) : result.addLoop(chain);
+  }
+  return result.asLines();
+}
+
+void expectAsDefined(const Prepared& prepared, const test::ConstrainedOutcome& found)
+{
+  if (found.report.inserted > kFewPointsForOracle ||
+    found.constraints.segments > kFewSegmentsForOracle ||
+    prepared.points.size() > 2 * kFewPointsForOracle)
+  {
+    return;
+  }
+  const test::ConstrainedByDefinition expected = test::constrainedByDefinition(
+    prepared.view(), prepared.chains, prepared.rule);
+  const ConstraintReport &a = found.constraints, &b = expected.report;
+  expect(
+    test::asSet(found.triples) == expected.kept && found.triples.size() == 3 * expected.kept.size(),
+    "the triangles are those of the definition", prepared.given);
+  expect(a.segments == b.segments && a.points == b.points && a.withoutVertex == b.withoutVertex &&
+      a.crossing == b.crossing && a.unfilledLoops == b.unfilledLoops && a.edges == b.edges,
+    "the counts are those of the definition", prepared.given);
+}
+
+/// A run that is cancelled or has no memory says so.
+void expectStopped(const Prepared& prepared, Triangulator& triangulator)
+{
+  const FuzzCase& given = prepared.given;
+  Run run = runOf(given, 0);
+  Watch watch(given.head[kCancelAt]);
+  run.progress = &watch;
+  const Status status = constrainWith(prepared, triangulator, run, prepared.view()).status;
+  expectNone(watch.fault(), given);
+  expect(
+    status == (watch.cancelled() ? Status::Cancelled : Status::Ok), "cancelled if told to", given);
+  if (given.head[kFailAt] == 0)
+  {
+    return;
+  }
+  run.progress = nullptr;
+  Status failed = triangulator.run(prepared.view(), run.options, nullptr, run.executor);
+  const NoMemory none(given.head[kFailAt]);
+  failed = failed == Status::Ok ? triangulator.constrain(prepared.chains, prepared.rule, nullptr)
+                                : failed;
+  expect(failed == Status::Ok || failed == Status::OutOfMemory, "out of memory or well", given);
+}
+
+/// Other settings, threads, layout of the points, and what the triangulator did before.
+void expectTheSame(const Prepared& prepared, const test::ConstrainedOutcome& expected)
+{
+  Triangulator triangulator;
+  expectStopped(prepared, triangulator);
+  FuzzCase laidOut = prepared.given;
+  laidOut.head[kSkipMarks] = 0;
+  const Layout layout(laidOut, prepared.points);
+  PointView points = prepared.given.layoutBit(0) && !prepared.split.points.empty()
+    ? prepared.view() // added points are no floats
+    : layout.view();
+  points.skip = prepared.skip.empty() ? nullptr : prepared.skip.data();
+  points.skipMask = 1;
+  const Run run = runOf(prepared.given, 1);
+  expectNone(
+    test::difference(expected, constrainWith(prepared, triangulator, run, points)), prepared.given);
+}
+
+void expectDiagram(const Prepared& prepared)
+{
+  const Run run = runOf(prepared.given, 0);
+  Triangulator triangulator;
+  const test::ConstrainedOutcome plain = test::constrain(triangulator, prepared.view(),
+    ConstraintView(), prepared.rule, run.options, { nullptr, run.executor });
+  expectNone(faultsOfDiagram(prepared.view(), plain, run.executor), prepared.given);
+}
+
+} // namespace
+
+void fuzzConstraints(const FuzzCase& given)
+{
+  Prepared prepared(given);
+  mergeAndSplit(prepared);
+  const Run run = runOf(given, 0);
+  Triangulator triangulator;
+  const test::ConstraintSet open = openChains(prepared.chains);
+  const test::ConstrainedOutcome whole = test::constrain(triangulator, prepared.view(), open.view(),
+    prepared.rule, run.options, { nullptr, run.executor });
+  const test::ConstrainedOutcome filled = constrainWith(
+    prepared, triangulator, run, prepared.view());
+  expect(whole.status == Status::Ok && filled.status == Status::Ok, "both runs are Ok", given);
+  expectNone(test::joined(test::certifyConstrained(
+               prepared.view(), prepared.chains, prepared.rule, whole, filled)),
+    given);
+  const bool hasCrossing = filled.constraints.crossing != 0;
+  expect(!given.layoutBit(5) || prepared.split.unresolved != 0 || !hasCrossing,
+    "nothing crosses once split", given);
+  expectAsDefined(prepared, filled);
+  expectTheSame(prepared, filled);
+  if (given.layoutBit(7))
+  {
+    expectDiagram(prepared);
+  }
+}
+
+} // namespace fuzz
+} // namespace ahd
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
+{
+  ahd::fuzz::fuzzConstraints(ahd::fuzz::FuzzCase::fromBytes(data, size));
+  return 0;
+}

@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PartJudges.h"
+
+#include "Voronoi.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+namespace fuzz
+{
+namespace
+{
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::size_t kMostToCompare = 300;
+
+Bounds boundsOf(const PointView& points)
+{
+  Bounds b{ kInfinity, -kInfinity, kInfinity, -kInfinity };
+  for (std::size_t i = 0; i < points.count; ++i)
+  {
+    const Point p = points[i];
+    if (isFinite(p) && !points.skipped(i))
+    {
+      b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
+        std::max(b.ymax, p.y) };
+    }
+  }
+  return b;
+}
+
+/// As Merge.h says it is computed.
+bool isWithin(const Point& a, const Point& b, double distance)
+{
+  const double s = distance == kInfinity ? 1.0
+                                         : std::ldexp(1.0, std::min(1023, -std::ilogb(distance)));
+  const double dx = (a.x - b.x) * s, dy = (a.y - b.y) * s;
+  return dx * dx + dy * dy <= (distance * s) * (distance * s);
+}
+
+double cross(const Point& a, const Point& b, const Point& c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+using Cell = std::vector<Point>;
+
+Cell cellOf(const VoronoiCells& cells, std::size_t k)
+{
+  Cell result;
+  for (std::int64_t i = cells.offsets[k]; i < cells.offsets[k + 1]; ++i)
+  {
+    result.push_back(cells.points.at(std::size_t(cells.corners.at(std::size_t(i)))));
+  }
+  return result;
+}
+
+double areaOf(const Cell& cell)
+{
+  double twice = 0.0;
+  for (std::size_t i = 2; i < cell.size(); ++i)
+  {
+    twice += cross(cell[0], cell[i - 1], cell[i]);
+  }
+  return 0.5 * twice;
+}
+
+bool isConvexAround(const Cell& cell, const Point& site, double slack)
+{
+  for (std::size_t i = 0; i < cell.size(); ++i)
+  {
+    const Point &a = cell[i], &b = cell[(i + 1) % cell.size()], &c = cell[(i + 2) % cell.size()];
+    if (cross(a, b, c) < -slack || cross(a, b, site) < -slack)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Points, their triangulation and their diagram.
+struct Diagram
+{
+  const PointView& points;
+  const test::ConstrainedOutcome& plain;
+  VoronoiClip clip;
+  VoronoiCells cells;
+  Bounds bounds;
+};
+
+/// A size within which the rounding of double precision is easily told from a fault; 0 if the
+/// coordinates are no small integers.
+double smallSize(const Diagram& diagram)
+{
+  double size = 1.0;
+  for (std::size_t i = 0; i < diagram.points.count; ++i)
+  {
+    if (diagram.plain.fates[i] == std::int64_t(i))
+    {
+      const Point p = diagram.points[i];
+      const double larger = std::max(std::fabs(p.x), std::fabs(p.y));
+      if (larger > 1024.0 || p.x != std::floor(p.x) || p.y != std::floor(p.y))
+      {
+        return 0.0;
+      }
+      size = std::max(size, larger);
+    }
+  }
+  return size;
+}
+
+double areaToFill(const Diagram& diagram)
+{
+  const Bounds& b = diagram.bounds;
+  double area = 0.0;
+  const std::vector<std::int32_t>& triples = diagram.plain.triples;
+  for (std::size_t t = 0; t + 2 < triples.size(); t += 3)
+  {
+    const auto at = [&](std::size_t k) { return diagram.points[std::size_t(triples[t + k])]; };
+    area += areaOf({ at(0), at(1), at(2) });
+  }
+  return diagram.clip == VoronoiClip::Hull ? area : (b.xmax - b.xmin) * (b.ymax - b.ymin);
+}
+
+std::string faultsOfShapes(const Diagram& diagram)
+{
+  const double size = smallSize(diagram);
+  if (size == 0.0)
+  {
+    return "";
+  }
+  // A corner is within a few units of its place, and areas change by that times the size.
+  const double slack = 1e-13 * size * size;
+  double area = 0.0;
+  for (std::size_t k = 0; k < diagram.cells.sites.size(); ++k)
+  {
+    const Cell cell = cellOf(diagram.cells, k);
+    const Point site = diagram.points[std::size_t(diagram.cells.sites[k])];
+    if (!isConvexAround(cell, site, slack))
+    {
+      return "the cell of point " + std::to_string(diagram.cells.sites[k]) +
+        " is not convex, counterclockwise and around it";
+    }
+    area += areaOf(cell);
+  }
+  const double missing = areaToFill(diagram) - area;
+  const double allowed = slack * double(diagram.cells.corners.size() + 1);
+  return diagram.cells.sites.empty() || std::fabs(missing) <= allowed
+    ? ""
+    : "the cells leave out an area of " + std::to_string(missing);
+}
+
+std::string faultsOfCells(const Diagram& diagram)
+{
+  const VoronoiCells& cells = diagram.cells;
+  const Bounds& b = diagram.bounds;
+  const bool hasArea = diagram.clip == VoronoiClip::Hull
+    ? !diagram.plain.triples.empty()
+    : diagram.plain.report.inserted > 1 && b.xmax > b.xmin && b.ymax > b.ymin;
+  if (cells.sites.size() != (hasArea ? diagram.plain.report.inserted : 0) ||
+    cells.offsets.size() != cells.sites.size() + 1)
+  {
+    return std::to_string(cells.sites.size()) + " cells";
+  }
+  for (std::size_t k = 0; k < cells.sites.size(); ++k)
+  {
+    const std::int64_t site = cells.sites[k];
+    if (diagram.plain.fates.at(std::size_t(site)) != site || (k > 0 && cells.sites[k - 1] >= site))
+    {
+      return "sites are not the vertices in their order";
+    }
+    const Cell cell = cellOf(cells, k);
+    const double slack = 1e-15 *
+      std::max({ std::fabs(b.xmin), std::fabs(b.xmax), std::fabs(b.ymin), std::fabs(b.ymax) });
+    const bool isInside = std::all_of(cell.begin(), cell.end(),
+      [&](const Point& p)
+      {
+        return p.x >= b.xmin - slack && p.x <= b.xmax + slack && p.y >= b.ymin - slack &&
+          p.y <= b.ymax + slack;
+      });
+    if (cell.size() < 3 || !isInside)
+    {
+      return "the cell of point " + std::to_string(site) + " has " + std::to_string(cell.size()) +
+        " corners, or one outside the bounds";
+    }
+  }
+  return faultsOfShapes(diagram);
+}
+
+} // namespace
+
+std::string mergeAndJudge(const PointView& points, double fraction, MergedPoints& merged)
+{
+  const Bounds b = boundsOf(points);
+  const double side = b.xmin <= b.xmax ? std::max(b.xmax - b.xmin, b.ymax - b.ymin) : 1.0;
+  const double distance = fraction * side;
+  const Status status = mergeWithin(points, distance, nullptr, merged);
+  if (status != Status::Ok)
+  {
+    return "merging: status " + std::to_string(int(status));
+  }
+  if (points.count > kMostToCompare || !(distance > 0.0))
+  {
+    return merged.pairs.empty() || distance > 0.0 ? "" : "merged within no distance";
+  }
+  for (const MergedPoint& pair : merged.pairs)
+  {
+    if (merged.skip[pair.id] != 1 || merged.skip[pair.keptId] != 0 ||
+      !isWithin(points[pair.id], points[pair.keptId], distance))
+    {
+      return "point " + std::to_string(pair.id) + " should not be merged";
+    }
+  }
+  for (std::size_t i = 0; i < points.count; ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const bool areKept = merged.skip[i] == 0 && merged.skip[j] == 0 && isFinite(points[i]) &&
+        isFinite(points[j]) && !(points[i] == points[j]);
+      if (areKept && isWithin(points[i], points[j], distance))
+      {
+        return "points " + std::to_string(j) + " and " + std::to_string(i) + " should be merged";
+      }
+    }
+  }
+  return "";
+}
+
+std::string faultsOfDiagram(
+  const PointView& points, const test::ConstrainedOutcome& plain, Executor* executor)
+{
+  DelaunayView delaunay;
+  delaunay.points = points;
+  delaunay.fates = plain.fates.data();
+  delaunay.corners = plain.triples.data();
+  delaunay.neighbors = plain.neighbors.data();
+  delaunay.triangles = plain.triples.size() / 3;
+  for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
+  {
+    Diagram diagram{ points, plain, clip, {}, boundsOf(points) };
+    const Status status = voronoiCells(delaunay, clip, diagram.cells, nullptr, executor);
+    const std::string fault = status == Status::Ok
+      ? faultsOfCells(diagram)
+      : "diagram: status " + std::to_string(int(status));
+    if (!fault.empty())
+    {
+      return (clip == VoronoiClip::Hull ? "clipped at the hull: " : "clipped at the box: ") + fault;
+    }
+  }
+  return "";
+}
+
+} // namespace fuzz
+} // namespace ahd
