@@ -89,7 +89,9 @@ minimise() {
   cp -r "$fresh" "$kept"
 }
 
-[ -f "$folder/build/build.ninja" ] && [ "$mode" = run ] || build "$@"
+if [ "$mode" != run ] || [ ! -x "$(program engine)" ]; then
+  build "$@"
+fi
 [ "$mode" != build ] || exit 0
 if [ ${#targets[@]} -eq 0 ]; then
   for name in engine constraints filter; do
