@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDBlocks.h"
 
+#include "vtkAHDNamesakes.h"
 #include "vtkAHDProgress.h"
 
 #include "vtkCompositeDataIterator.h"
@@ -35,6 +36,7 @@ vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
 {
   auto usable = vtkSmartPointer<vtkPointData>::New();
   usable->ShallowCopy(block->GetPointData());
+  vtkAHDRemoveNamesakes(usable);
   for (int i = usable->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     if (usable->GetAbstractArray(i)->GetNumberOfTuples() != block->GetNumberOfPoints())
@@ -69,7 +71,8 @@ vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks)
     {
       this->Blocks.push_back(points);
       this->Count += points->GetNumberOfPoints();
-      this->UnfitMarks += points->GetPointGhostArray() && !HasMarks(points) ? 1 : 0;
+      const bool marked = points->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName());
+      this->UnfitMarks += marked && !HasMarks(points) ? 1 : 0;
     }
     else if (!points && block)
     {

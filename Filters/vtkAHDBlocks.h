@@ -32,7 +32,7 @@ public:
   /// The class of the first of them.
   const std::string& GetFirstOther() const { return this->FirstOther; }
 
-  /// Blocks whose ghost marks (vtkGhostType) are not one for each point.
+  /// Blocks whose ghost marks (vtkGhostType) are not one unsigned char for each point.
   vtkIdType GetNumberOfUnfitMarks() const { return this->UnfitMarks; }
 
   /// The number of all points.

@@ -66,7 +66,7 @@ bool vtkAHDTakeFingerprint(vtkDataArray* array, ahd::Executor& executor, vtkAHDP
   {
     return true;
   }
-  if (!array->HasStandardMemoryLayout())
+  if (!array->HasStandardMemoryLayout() || array->GetDataTypeSize() == 0) // bits have no size
   {
     return false;
   }

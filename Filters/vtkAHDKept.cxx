@@ -3,6 +3,7 @@
 
 #include "Engine/Points/Points.h"
 #include "vtkAHDFingerprint.h"
+#include "vtkAHDNamesakes.h"
 #include "vtkAHDVoronoi.h"
 
 #include "vtkAbstractArray.h"
@@ -163,9 +164,10 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
   vtkPointData* own = this->Data[0]->GetPointData();
   for (int i = 0; i < own->GetNumberOfArrays(); ++i)
   {
-    data->AddArray(own->GetAbstractArray(i));
+    vtkAHDReplaceArray(data, own->GetAbstractArray(i));
   }
   vtkFieldData* ownFieldData = this->Data[0]->GetFieldData();
+  outputs[0]->GetFieldData()->RemoveArray("Crossings"); // the input's
   for (int i = 0; i < ownFieldData->GetNumberOfArrays(); ++i)
   {
     outputs[0]->GetFieldData()->AddArray(ownFieldData->GetAbstractArray(i));

@@ -3,6 +3,7 @@
 
 #include "vtkAHDArray.h"
 #include "vtkAHDLoop.h"
+#include "vtkAHDNamesakes.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
@@ -50,7 +51,7 @@ ahd::Status AddIds(const char* name, vtkPolyData* output, ahd::Executor& executo
   {
     return ahd::Status::Cancelled;
   }
-  output->GetPointData()->AddArray(array);
+  vtkAHDReplaceArray(output->GetPointData(), array);
   return status;
 }
 }

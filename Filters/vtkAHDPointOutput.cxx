@@ -3,6 +3,7 @@
 
 #include "vtkAHDArray.h"
 #include "vtkAHDLoop.h"
+#include "vtkAHDNamesakes.h"
 #include "vtkAHDWorkingPoints.h"
 
 #include "vtkAbstractArray.h"
@@ -42,15 +43,20 @@ bool CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAb
   return true;
 }
 
+/// Is it one of whole numbers?
+bool IsWhole(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+}
+
 /// What points have that were added, and for which there is no other value.
 double ValueOfAdded(vtkDataArray* array, bool areIds)
 {
-  const int type = array->GetDataType();
   if (areIds)
   {
     return array->GetDataTypeMin() < 0.0 ? -1.0 : 0.0;
   }
-  return type == VTK_FLOAT || type == VTK_DOUBLE ? std::numeric_limits<double>::quiet_NaN() : 0.0;
+  return IsWhole(array) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
 }
 
 /// Sets the tuples [first, end) to that.
@@ -75,6 +81,41 @@ bool Clear(
     }
   }
   return true;
+}
+
+/// The closest value that an array of whole numbers can have; 0 for NaN.
+double ToWhole(double value, vtkDataArray* array)
+{
+  const double least = array->GetDataTypeMin();
+  const double most = array->GetDataTypeMax();
+  // as a double, the largest number of 64 bits is one too large
+  const double largest = most > 0x1p60 ? std::nextafter(most, 0.0) : most;
+  return std::isnan(value) ? 0.0 : std::min(std::max(std::round(value), least), largest);
+}
+
+/// Like CopyTuples, into an array of whole numbers.
+bool CopyRounded(vtkDataArray* array, vtkIdType first, vtkIdType count, vtkDataArray* from,
+  vtkAHDProgress& progress)
+{
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (i % kPiece == 0 && progress.MustAbort())
+    {
+      return false;
+    }
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      array->SetComponent(first + i, c, ToWhole(from->GetComponent(i, c), array));
+    }
+  }
+  return true;
+}
+
+/// Could a value of `from` be none that `array` can have?
+bool MustBeRounded(vtkDataArray* array, vtkDataArray* from)
+{
+  const bool areLong = array->GetDataTypeSize() == 8 && IsWhole(from); // as doubles they are not
+  return IsWhole(array) && array->GetDataType() != from->GetDataType() && !areLong;
 }
 
 /// Can values of `from` be put into `array`?
@@ -183,7 +224,9 @@ bool vtkAHDPointOutput::WritePoints(
 
 bool vtkAHDPointOutput::WriteData(vtkPointData* output, vtkAHDProgress& progress) const
 {
-  vtkPointData* input = this->Input->GetPointData();
+  vtkNew<vtkPointData> input;
+  input->ShallowCopy(this->Input->GetPointData());
+  vtkAHDRemoveNamesakes(input);
   vtkNew<vtkPointData> data;
   data->CopyAllOn(); // which of them are scalars, ids, normals ...
   data->CopyAllocate(input, this->Points.GetCount());
@@ -221,19 +264,25 @@ bool vtkAHDPointOutput::WriteArray(
   vtkAbstractArray* more = this->Source && array->GetName()
     ? this->Source->GetPointData()->GetAbstractArray(array->GetName())
     : nullptr;
-  if (Fit(array, more) &&
-    !CopyTuples(
-      array, inputCount, std::min(this->SourceCount, more->GetNumberOfTuples()), more, progress))
-  {
-    return false;
-  }
   auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+  if (Fit(array, more))
+  {
+    const vtkIdType many = std::min(this->SourceCount, more->GetNumberOfTuples());
+    auto* others = vtkArrayDownCast<vtkDataArray>(more);
+    const bool all = numbers && MustBeRounded(numbers, others)
+      ? CopyRounded(numbers, inputCount, many, others, progress)
+      : CopyTuples(array, inputCount, many, more, progress);
+    if (!all)
+    {
+      return false;
+    }
+  }
   return !numbers || this->Interpolate(numbers, progress);
 }
 
 bool vtkAHDPointOutput::Interpolate(vtkDataArray* array, vtkAHDProgress& progress) const
 {
-  const bool whole = array->GetDataType() != VTK_FLOAT && array->GetDataType() != VTK_DOUBLE;
+  const bool whole = IsWhole(array);
   for (std::size_t k = 0; k < this->Crossings.size(); ++k)
   {
     if (k % kPiece == 0 && progress.MustAbort())
@@ -245,7 +294,7 @@ bool vtkAHDPointOutput::Interpolate(vtkDataArray* array, vtkAHDProgress& progres
     {
       const double value = vtkAHDInterpolate(
         this->Crossings[k], [array, c](vtkIdType id) { return array->GetComponent(id, c); });
-      array->SetComponent(i, c, whole ? std::round(value) : value);
+      array->SetComponent(i, c, whole ? ToWhole(value, array) : value);
     }
   }
   return true;

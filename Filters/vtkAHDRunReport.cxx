@@ -225,7 +225,7 @@ void vtkAHDRun::Warn()
       "The point data array " << vtkDataSetAttributes::GhostArrayName()
                               << " does not have one value for each of the "
                               << this->Points.GetInputCount()
-                              << " points, so no point was skipped.");
+                              << " points, or not of type unsigned char, so no point was skipped.");
   }
   if (this->Report.notFinite > 0)
   {

@@ -218,7 +218,7 @@ ahd::Status vtkAHDRun::WritePoints()
   return ahd::Status::Ok;
 }
 
-/// Adds the field data array "Crossings", if there are any.
+/// Adds the field data array "Crossings" if there are any; else there is none.
 void vtkAHDRun::AddCrossings()
 {
   for (const ahd::LeftOut& out : this->Triangulator.constraints().leftOut)
@@ -232,6 +232,7 @@ void vtkAHDRun::AddCrossings()
   }
   if (this->CrossingCells.empty())
   {
+    this->Surface->GetFieldData()->RemoveArray("Crossings"); // the input's
     return;
   }
   vtkNew<vtkIdTypeArray> rows;

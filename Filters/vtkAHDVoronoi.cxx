@@ -3,6 +3,7 @@
 
 #include "vtkAHDArray.h"
 #include "vtkAHDDuplicates.h"
+#include "vtkAHDNamesakes.h"
 #include "vtkAHDProgress.h"
 
 #include "vtkAbstractTransform.h"
@@ -108,6 +109,8 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
 {
   vtkNew<vtkPointData> pointData; // what there is of every point
   pointData->ShallowCopy(surface->GetPointData());
+  pointData->RemoveArray(kIdsName);
+  vtkAHDRemoveNamesakes(pointData);
   for (int i = pointData->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     if (pointData->GetAbstractArray(i)->GetNumberOfTuples() < surface->GetNumberOfPoints())

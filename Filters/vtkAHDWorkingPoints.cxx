@@ -6,6 +6,7 @@
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
@@ -83,9 +84,11 @@ vtkAHDWorkingPoints::vtkAHDWorkingPoints(vtkPointSet* input)
     this->Coordinates = input->GetPoints()->GetData();
     this->InputCount = input->GetNumberOfPoints();
     vtkUnsignedCharArray* marks = input->GetPointGhostArray();
-    this->MarksAreUnfit = marks &&
-      (marks->GetNumberOfComponents() != 1 || marks->GetNumberOfTuples() != this->InputCount);
-    if (marks && !this->MarksAreUnfit)
+    const bool fit = marks && marks->GetNumberOfComponents() == 1 &&
+      marks->GetNumberOfTuples() == this->InputCount;
+    this->MarksAreUnfit = !fit &&
+      input->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()) != 0;
+    if (fit)
     {
       this->Points.skip = marks->GetPointer(0);
       this->Points.skipMask = vtkDataSetAttributes::DUPLICATEPOINT |

@@ -17,8 +17,8 @@
  * however unevenly they are distributed. Memory is linear too and estimated beforehand: what cannot
  * be had is refused with an error before it is allocated (see MemoryLimit). At most 2^28 - 2 points
  * are taken. Float and double points are read where they are, and widening float to double is
- * exact; points of another type are converted to double first. Projecting and adding points takes a
- * copy of the places in the plane, 25 bytes per point.
+ * exact; points of another type are converted to double first, which rounds whole numbers beyond
+ * 2^53. Projecting and adding points takes a copy of the places in the plane, 25 bytes per point.
  *
  * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
  * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank

@@ -226,8 +226,8 @@ void vtkAdaptiveHilbertDelaunay2D::WarnAboutBlocks(vtkDataObject* data)
     {
       vtkWarningMacro("In " << all.GetNumberOfUnfitMarks() << " blocks the point data array "
                             << vtkDataSetAttributes::GhostArrayName()
-                            << " does not have one value for each of the points, so none of "
-                               "these points was skipped.");
+                            << " does not have one value for each of the points, or not of type "
+                               "unsigned char, so none of these points was skipped.");
     }
   }
   else if (!vtkPointSet::SafeDownCast(data))

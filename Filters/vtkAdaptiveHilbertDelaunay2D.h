@@ -38,6 +38,12 @@
  * point data copies of the input's arrays, with a value for each added point. Global and pedigree
  * ids become arrays like others, -1 for added points (0 if unsigned, empty if strings).
  *
+ * <b>Point arrays</b> of any kind and number of tuples are passed on as they are. In a copy (points
+ * added) those with too few tuples have NaN, 0 or nothing for the rest, and what is too much is
+ * left out. An array that the filter makes takes the place of one of the input with its name, which
+ * then is no active attribute, and "Crossings" of the input is not passed on. Of several with one
+ * name the last counts.
+ *
  * <b>The result is canonical.</b> Where four or more points lie on one circle, there is more than
  * one Delaunay triangulation; here the coordinates alone decide which is taken, and the triangles
  * and their corners come in an order that the coordinates decide as well. None of the settings of
@@ -70,15 +76,15 @@
  * plane, as Transform has no inverse; segments left out as they
  * cross others, with the cells of the first two, or as an end is no vertex, and loops that bound
  * nothing for that reason; ids of the source that are no point's; an array vtkGhostType that has
- * not one value per point, and is ignored; several MPI ranks (once in the filter's life, from rank
- * 0), since each rank then triangulates its own points only. The blocks of a composite data set are
- * triangulated one by one; one that is no vtkPointSet, such as an image, gets a warning and an
- * empty output. Duplicates are no reason for a warning: ship tracks cross. No points in, no
- * triangles out, and nothing is said. Errors, with all outputs empty: too many points, or not
- * enough memory. The error is said once, the request counts as done (as in vtkDelaunay2D), and the
- * filters behind this one get the empty outputs. An aborted execution (SetAbortExecute from a
- * progress observer) leaves empty outputs and no error; to run again, call SetAbortExecute(0) and
- * Modified().
+ * not one unsigned char per point, and is ignored; several MPI ranks (once in the filter's life,
+ * from rank 0), since each rank then triangulates its own points only. The blocks of a composite
+ * data set are triangulated one by one; one that is no vtkPointSet, such as an image, gets a
+ * warning and an empty output. Duplicates are no reason for a warning: ship tracks cross. No points
+ * in, or all skipped: no triangles out, and nothing is said. Errors, with all outputs empty: too
+ * many points, or not enough memory. The error is said once, the request counts as done (as in
+ * vtkDelaunay2D), and the filters behind this one get the empty outputs. An aborted execution
+ * (SetAbortExecute from a progress observer) leaves empty outputs and no error; to run again, call
+ * SetAbortExecute(0) and Modified().
  *
  * <b>Compared with vtkDelaunay2D.</b> All settings of vtkDelaunay2D are here, by the same names;
  * what differs is said with each. (Numbers that are NaN are not taken as settings.) vtkDelaunay2D
@@ -166,9 +172,12 @@ public:
   /**
    * The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become edges
    * of the triangulation, polygons loops that bound what is kept (see the description of the class,
-   * SourceMode, CrossingMode and FillRule). Vertices and strips of the source mean nothing here.
-   * SetSourceData takes the data as they are, SetSourceConnection the output of a filter; GetSource
-   * returns them, null if there are none. As in vtkDelaunay2D.
+   * SourceMode, CrossingMode and FillRule). Vertices and strips of the source mean nothing here,
+   * nor do cells of fewer than two points; a polygon of two is an edge and has no inside. Of a
+   * composite data set VTK's pipeline takes block by block, with the whole input each; where the
+   * input is one, too, the pipeline refuses that with an error. SetSourceData takes the data as
+   * they are, SetSourceConnection the output of a filter; GetSource returns them, null if there are
+   * none. As in vtkDelaunay2D.
    */
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
@@ -183,8 +192,8 @@ public:
    * and triangulated with them (a shapefile's lines over a lidar file), all of them, in no cell
    * too. One that coincides with a point of the input is a duplicate of it. Its point data are
    * those of the source's arrays that have the name and the number of components of one of the
-   * input; where there is none, NaN in arrays of floating point numbers and 0 in others. Ghost
-   * marks of the source mean nothing.
+   * input, rounded where that one's type has no such value (NaN to 0); where there is none, NaN in
+   * arrays of floating point numbers and 0 in others. Ghost marks of the source mean nothing.
    */
   vtkSetClampMacro(SourceMode, int, SOURCE_IDS, SOURCE_COORDINATES);
   vtkGetMacro(SourceMode, int);
@@ -280,7 +289,8 @@ public:
    *
    * In the last two cases, and with a Transform, exactness is for the coordinates in the plane,
    * which are rounded to double precision: duplicates are points that coincide there, and one that
-   * has no finite place there, or a coordinate that is not finite, is rejected. "z" then means the
+   * has no finite place there, or a coordinate that is not finite, is rejected (a Transform may lay
+   * all in one place or on a line: then there is no triangle, and a warning). "z" then means the
    * height above the plane. Costs 24 bytes per point while the filter runs.
    *
    * vtkDelaunay2D fits the plane by distances along z, so none that is vertical or nearly so; its
@@ -381,7 +391,8 @@ public:
    * without seams between them; the output is one vtkPolyData. Off by default: each block is
    * triangulated by itself, as with any other filter. The points of a block follow those of the one
    * before, in the order of the data set's iterator; the source's ids and all others refer to that
-   * numbering. Point data: the arrays that all blocks have, by name, type and number of components.
+   * numbering. Point data: the arrays that all blocks have, by name, type and number of components,
+   * with one tuple per point.
    * Ghost marks count. Blocks without points are passed over; so are those that are no vtkPointSet,
    * with a warning. Costs a copy of the points and their data. No effect on other data sets.
    */
@@ -395,12 +406,12 @@ public:
    * Put the Voronoi diagram of the vertices into output port 2: for each vertex a convex polygon of
    * what is nearer to it than to any other vertex, in the plane of the triangulation, with the
    * point data of the vertex as cell data, but for vtkGhostType, the array that is the active
-   * GlobalIds, and arrays with fewer tuples than there are points. The cell array "OriginalPointIds"
-   * (vtkIdTypeArray) has the vertex's id in the points of port 0; the polygons are in the order of
-   * the smallest id at each place, which is this one unless DuplicatePolicy takes another.
-   * Constraints and what is dropped make no difference to it; points that are added are vertices,
-   * too. Cut off at the convex hull of the vertices (CLIP_TO_HULL, the default) or at their bounding
-   * box in the plane (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips.
+   * GlobalIds, and arrays with fewer tuples than there are points. The cell array
+   * "OriginalPointIds" (vtkIdTypeArray) has the vertex's id in the points of port 0; the polygons
+   * are in the order of the smallest id at each place, which is this one unless DuplicatePolicy
+   * takes another. Constraints and what is dropped make no difference to it; points that are added
+   * are vertices, too. Cut off at the convex hull of the vertices (CLIP_TO_HULL, the default) or at
+   * their bounding box in the plane (CLIP_TO_BOUNDS): VoronoiClip, one of VoronoiClips.
    *
    * The polygons are counterclockwise and share their corners, which are of double precision and
    * rounded: circumcentres that cannot be told apart, as those of a lattice's squares, are one
@@ -410,10 +421,10 @@ public:
    * point has none.
    *
    * z is 0 in the plane x, y. Elsewhere the polygons lie where Transform, or the best fitting
-   * plane, takes them from: the inverse of the transform moves them back. If there is no inverse a
-   * warning says so, and they stay in the plane z = 0.
-   * Off by default; costs up to 620 bytes per point while the filter runs, and the point data once
-   * more.
+   * plane, takes them from: the inverse of the transform moves them back (corners beyond the
+   * largest double become infinite). If there is no inverse a warning says so, and they stay in the
+   * plane z = 0. Off by default; costs up to 620 bytes per point while the filter runs, and the
+   * point data once more.
    */
   vtkSetMacro(GenerateVoronoi, bool);
   vtkGetMacro(GenerateVoronoi, bool);

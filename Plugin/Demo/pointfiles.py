@@ -176,12 +176,14 @@ Header = collections.namedtuple("Header", "names in_data")
 
 
 def find_header(rows, comment, layout):
-    """The first row is a header if it has text where the second has a number. Else the comment
-    above the data is one if it has as many words as the data has columns, none a number."""
+    """The first row is a header if it has text where the second, or half of the next (below a row
+    of units), has a number. Else the comment above the data is one if it has as many words as the
+    data has columns, none a number."""
     first = layout.split(rows[0][1])
-    second = layout.split(rows[1][1]) if len(rows) > 1 else []
-    for here, below in zip(first, second):
-        if here and not layout.is_number(here) and layout.is_number(below):
+    below = [layout.split(line) for _, line in rows[1:20]]
+    for column, here in enumerate(first):
+        numbers = [column < len(fields) and layout.is_number(fields[column]) for fields in below]
+        if here and not layout.is_number(here) and below and (numbers[0] or 2 * sum(numbers) >= len(numbers)):
             return Header(first, True)
     if len(rows) == 1 and not any(layout.is_number(field) for field in first):
         return Header(first, True)

@@ -74,6 +74,10 @@ class Command(unittest.TestCase):
             with open(path, "w", encoding="utf-8") as file:
                 file.write("x,y,z\n")
             self.assert_refused("holds a header and no data", path, "--output", folder)
+            path = os.path.join(folder, "prose.csv")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("who, what, where\nsomebody, something, somewhere\nnobody, nothing, nowhere\n")
+            self.assert_refused("fewer than two columns of numbers: x and y are needed", path, "--output", folder)
             path = os.path.join(folder, "noise.vtp")
             with open(path, "w", encoding="utf-8") as file:
                 file.write("noise\n")

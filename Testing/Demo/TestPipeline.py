@@ -162,6 +162,25 @@ class WholeRuns(InFolder):
         self.assertRegex(said, r"seconds +\d+\.\d{3} = \d+\.\d{3} sort \+ \d+\.\d{3} insert \+ \d+\.\d{3} output")
         self.assert_picture("square.png")
 
+    def test_a_table_with_text_in_it(self):
+        """As a spreadsheet saves it: names, a row of units, remarks, gaps said in words, a foot."""
+        rows = ["station;lat;lon;depth;remark", "-;deg;deg;m;-"]
+        rows += ["S%02d;%d;%d;%d;ok" % (i, i // 6, i % 6, i % 5) for i in range(36)]
+        rows[7] = "S05;0;5;n/a;\"lost; see log\""
+        rows[8] = "S06;1;0;;no echo"
+        rows[9] = "S07;1;1;1 m;"
+        rows[10] = "S08;one;2;3;ok"
+        rows[11] = "S09;1;3;nan;a gap that is said as a number"
+        rows.append("36 stations")
+        said = self.run_demo(self.write_text("log.csv", "\n".join(rows) + "\n"), "--edges")
+        self.assert_lines(
+            said, "columns: x = lon, y = lat, z = depth, semicolons between",
+            "6 of 38 rows cannot be read and are left out:", "line 2: -;deg;deg;m;-", "...",
+            "points 32", "unreadable 6 (not among the points)", "duplicates 0 (same x and y as another point)",
+            "rejected 0 (x or y not finite)")  # fmt: skip
+        self.assertIn("1 points without a finite z drawn at the bottom", said)
+        self.assertEqual(self.surface("log.vtp").GetNumberOfPoints(), 32)
+
     def test_the_sample(self):
         said = self.run_demo()
         surface = self.surface("survey.vtp")

@@ -78,6 +78,15 @@ class Delimiters(FileTest):
     def test_number_signs_in_names_are_no_comments(self):
         self.assert_points(self.read("name,x,y,z\nBuoy#1,1,2,3\nBuoy#2,4,5,6 # good\n"), [[1, 2, 3], [4, 5, 6]])
 
+    def test_a_row_of_units_below_the_names(self):
+        found = self.read("lat,lon,depth\ndeg,deg,m\n1,2,3\n4,5,6\n")
+        self.assert_points(found, [[2, 1, 3], [5, 4, 6]])
+        self.assertEqual(found.bad_rows, 1)
+        self.assertEqual(found.names, ("lon", "lat", "depth"))
+
+    def test_a_first_row_of_text_among_others_is_no_header(self):
+        self.assert_points(self.read("a,1,2,3\nb,4,5,6\n7,7,8,9\nc,0,0,0\n"), [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 0, 0]])
+
     def test_comments(self):
         text = "# made by hand\n% and\n// by\n> foot\n\n1 2 3 # the first\n! more\n4 5 6\n"
         self.assert_points(self.read(text, name="points.xyz"), [[1, 2, 3], [4, 5, 6]])
