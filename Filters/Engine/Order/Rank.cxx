@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace ahd
@@ -63,23 +64,25 @@ std::vector<Group> makeGroups(const Scatter& scatter, std::size_t n, std::size_t
   return groups;
 }
 
+/// The sorter takes 50 KiB: on the heap, as the stack may be small.
 bool sortGroup(
   Group& group, const Scatter& scatter, const Layout& layout, RankedPoints& out, Ticker& ticker)
 {
-  BucketSorter sorter(
-    { layout.records, layout.duplicates + group.begin, group.begin }, out, ticker);
+  const auto sorter = std::make_unique<BucketSorter>(
+    BucketSorter::Place{ layout.records, layout.duplicates + group.begin, group.begin }, out,
+    ticker);
   for (std::size_t b = group.firstBucket; b < group.endBucket; ++b)
   {
     const std::size_t begin = scatter.begin(b);
     const std::size_t end = scatter.begin(b + 1);
-    if (begin < end && !sorter.take(begin, end, scatter.bitsLeft()))
+    if (begin < end && !sorter->take(begin, end, scatter.bitsLeft()))
     {
       return false;
     }
     ticker.finished((end - begin) / 4);
   }
-  group.count = sorter.end() - group.begin;
-  group.duplicates = sorter.duplicates();
+  group.count = sorter->end() - group.begin;
+  group.duplicates = sorter->duplicates();
   return true;
 }
 
