@@ -4,15 +4,18 @@
 # into the VTK module, Testing/ into a library of its own that needs no VTK. Sets
 #   ahd_engine_sources   absolute paths: every .cxx file below this directory
 #   ahd_engine_options   compile options without which the predicates are not exact
+#   ahd_engine_warnings  what the compiler is asked to warn of
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
 # The error bounds of the predicates are derived for products and sums that are each rounded. A
 # compiler that contracts a * b + c into one fused operation gives results of neither kind.
 set(ahd_engine_options)
+set(ahd_engine_warnings)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   # Without SLP vectorization, which packs the kernel's scalars into vectors and unpacks them again:
   # 2 to 4 % of the time of the insertion.
   set(ahd_engine_options -ffp-contract=off -fno-tree-slp-vectorize)
+  set(ahd_engine_warnings -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow)
 elseif (MSVC)
   set(ahd_engine_options /fp:precise)
 endif ()

@@ -8,6 +8,7 @@
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
 # ahd_distribution_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and what
 # ahd_point_makers is made of, to make it otherwise: ahd_point_maker_sources, ahd_point_maker_includes.
+# The engine's own warnings are errors here, with the compilers that are known to give none.
 find_package(Threads REQUIRED)
 find_library(AHD_GMP_LIBRARY gmp REQUIRED)
 find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
@@ -23,6 +24,12 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   set(ahd_warnings -Wall -Wextra -Wconversion -Wshadow)
 endif ()
 
+set(ahd_engine_errors)
+if ((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.") OR
+    (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^14\\."))
+  set(ahd_engine_errors -Werror)
+endif ()
+
 set(ahd_point_maker_sources
   "${ahd_testing_dir}/Support/Distributions.cxx" ${ahd_distribution_sources})
 set(ahd_point_maker_includes "${ahd_testing_dir}/Support"
@@ -35,7 +42,8 @@ endif ()
 function (ahd_add_engine name)
   add_library(${name} STATIC EXCLUDE_FROM_ALL ${ahd_engine_sources})
   target_compile_features(${name} PUBLIC cxx_std_17)
-  target_compile_options(${name} PRIVATE ${ahd_engine_options} ${ahd_warnings})
+  target_compile_options(${name} PRIVATE
+    ${ahd_engine_options} ${ahd_engine_warnings} ${ahd_engine_errors})
   target_include_directories(${name} PUBLIC "${ahd_root_dir}/Filters/Engine")
 endfunction ()
 ahd_add_engine(ahd_engine_static)

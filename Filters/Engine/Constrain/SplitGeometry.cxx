@@ -133,7 +133,7 @@ void subtract(Wide& a, const Wide& b)
   {
     const std::uint64_t subtrahend = i < b.size ? b.word[i] : 0;
     const std::uint64_t partial = a.word[i] - subtrahend;
-    const std::uint64_t next = (a.word[i] < subtrahend) + (partial < borrow);
+    const auto next = static_cast<std::uint64_t>((a.word[i] < subtrahend) + (partial < borrow));
     a.word[i] = partial - borrow;
     borrow = next;
   }

@@ -96,7 +96,7 @@ bool Scatter::countFinite(const From& from, Ticker& ticker)
           {
             for (std::size_t i = a; i < b; ++i)
             {
-              count += wanted<kPlain>(from, i) ? 1 : 0;
+              count += wanted<kPlain>(from, i) ? 1u : 0u;
             }
           });
         firstKey_[task + 1] = count;
@@ -184,7 +184,7 @@ bool Scatter::makePlaces(Ticker& ticker)
   const bool counted = forLines(
     [&](std::size_t first, std::size_t end)
     {
-      std::fill(begin_.begin() + first + 1, begin_.begin() + end + 1, 0u);
+      std::fill(begin_.data() + first + 1, begin_.data() + end + 1, 0u);
       for (std::size_t task = 0; task < tasks_; ++task)
       {
         for (std::size_t b = first; b < end; ++b)
@@ -202,7 +202,7 @@ bool Scatter::makePlaces(Ticker& ticker)
       [&](std::size_t first, std::size_t end)
       {
         Index next[kLine];
-        std::copy(begin_.begin() + first, begin_.begin() + end, next);
+        std::copy(begin_.data() + first, begin_.data() + end, next);
         for (std::size_t task = 0; task < tasks_; ++task)
         {
           for (std::size_t b = first; b < end; ++b)

@@ -85,7 +85,7 @@ struct ExactDifference
 };
 
 /// The vectors from an origin to `Count` points, in units of one power of two.
-template <int Count>
+template <std::size_t Count>
 class Grid
 {
 public:
@@ -97,12 +97,12 @@ private:
   GridVector vectors_[Count];
 };
 
-template <int Count>
+template <std::size_t Count>
 bool Grid<Count>::fit(const Point& origin, const Point* const (&points)[Count])
 {
   double x[Count], y[Count], lowX[Count], lowY[Count];
   double largest = 0.0, rounded = 0.0;
-  for (int i = 0; i < Count; ++i)
+  for (std::size_t i = 0; i < Count; ++i)
   {
     const ExactDifference dx(points[i]->x, origin.x), dy(points[i]->y, origin.y);
     x[i] = dx.high;
@@ -118,14 +118,14 @@ bool Grid<Count>::fit(const Point& origin, const Point* const (&points)[Count])
   }
   const GridScale scale(largest);
   double residue = 0.0;
-  for (int i = 0; i < Count; ++i)
+  for (std::size_t i = 0; i < Count; ++i)
   {
     vectors_[i].x = scale.integer(x[i], residue);
     vectors_[i].y = scale.integer(y[i], residue);
   }
   if (rounded != 0.0)
   {
-    for (int i = 0; i < Count; ++i)
+    for (std::size_t i = 0; i < Count; ++i)
     {
       vectors_[i].x += scale.integer(lowX[i], residue);
       vectors_[i].y += scale.integer(lowY[i], residue);

@@ -41,7 +41,7 @@ inline std::uint64_t multiplyAddCarry(
 template <int Capacity>
 struct WideInteger
 {
-  std::uint64_t word[Capacity];
+  std::uint64_t word[static_cast<std::size_t>(Capacity)];
   int size = 0;
   bool negative = false;
 
@@ -132,7 +132,7 @@ void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideIn
   {
     const std::uint64_t subtrahend = i < b.size ? b.word[i] : 0;
     const std::uint64_t partial = a.word[i] - subtrahend;
-    const std::uint64_t next = (a.word[i] < subtrahend) + (partial < borrow);
+    const auto next = static_cast<std::uint64_t>((a.word[i] < subtrahend) + (partial < borrow));
     result.push(partial - borrow);
     borrow = next;
   }
