@@ -2,6 +2,8 @@
 #ifndef ahd_Progress_h
 #define ahd_Progress_h
 
+#include "FloatingPoint.h"
+
 #include <atomic>
 #include <cstddef>
 
@@ -28,7 +30,8 @@ enum class Phase
 constexpr std::size_t kPhases = std::size_t(Phase::Fates) + 1;
 
 /// How the engine talks to its caller while it works. The engine reads no clock: who wants the time
-/// of a phase takes it in beginPhase().
+/// of a phase takes it in beginPhase(). A rounding mode that its functions leave behind is put
+/// back.
 class Progress
 {
 public:
@@ -65,6 +68,7 @@ public:
   {
     if (progress_)
     {
+      const ScopedFloatingPoint whateverItSets;
       progress_->beginPhase(phase_);
     }
   }
@@ -117,6 +121,7 @@ public:
 private:
   bool askCaller()
   {
+    const ScopedFloatingPoint whateverItSets;
     if (!progress_->advance(phase_, fraction()))
     {
       cancel();

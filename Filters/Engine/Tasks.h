@@ -66,7 +66,10 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
       ticker.cancel();
     }
   };
-  ticker.executor()->run(count, run, [&] { ticker.ask(); });
+  {
+    const ScopedFloatingPoint whateverItSets;
+    ticker.executor()->run(count, run, [&] { ticker.ask(); });
+  }
   if (outOfMemory)
   {
     throw std::bad_alloc();

@@ -2,7 +2,6 @@
 //
 // Every result of the engine as a hash that stands in Data/Hashes/Engine.txt: so a change of any
 // result is seen in review, and compilers, builds, threads and settings are held to the same bytes.
-#include "Executors.h"
 #include "HashedResults.h"
 
 #include <gtest/gtest.h>

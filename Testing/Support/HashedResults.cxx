@@ -55,17 +55,19 @@ public:
   template <typename Work>
   void call(Work work)
   {
-    hash.add(called(way_, work));
+    const Status status = called(way_, work);
+    isOk = isOk && status == Status::Ok;
+    hash.add(status);
   }
 
   void run(const Options& options)
   {
-    call([&] { return triangulator_.run(points_, options, nullptr, way_.executor); });
+    call([&] { return triangulator_.run(points_, options, way_.progress, way_.executor); });
   }
 
   void constrain(const ConstraintView& constraints, FillRule rule)
   {
-    call([&] { return triangulator_.constrain(constraints, rule, nullptr); });
+    call([&] { return triangulator_.constrain(constraints, rule, way_.progress); });
     addConstraintReport();
   }
 
@@ -74,9 +76,10 @@ public:
     triples.assign(3 * report().triangles, -7);
     neighbors.assign(3 * report().triangles, -7);
     fates.assign(points_.count, -7);
-    call([&] { return triangulator_.writeTriangles(triples.data(), nullptr, way_.executor); });
-    call([&] { return triangulator_.writeFates(fates.data(), nullptr, way_.executor); });
-    call([&] { return triangulator_.writeNeighbors(neighbors.data(), nullptr); });
+    call(
+      [&] { return triangulator_.writeTriangles(triples.data(), way_.progress, way_.executor); });
+    call([&] { return triangulator_.writeFates(fates.data(), way_.progress, way_.executor); });
+    call([&] { return triangulator_.writeNeighbors(neighbors.data(), way_.progress); });
   }
 
   void addReport()
@@ -111,8 +114,8 @@ public:
   {
     std::vector<std::uint8_t> edges(report().triangles, 77);
     std::vector<std::int64_t> regions(report().triangles, -7);
-    call([&] { return triangulator_.writeConstraintEdges(edges.data(), nullptr); });
-    call([&] { return triangulator_.writeRegions(regions.data(), nullptr); });
+    call([&] { return triangulator_.writeConstraintEdges(edges.data(), way_.progress); });
+    call([&] { return triangulator_.writeRegions(regions.data(), way_.progress); });
     hash.add(edges);
     hash.add(regions);
   }
@@ -121,8 +124,9 @@ public:
   {
     std::vector<std::int64_t> order(report().inserted, -7);
     std::vector<std::int64_t> ranks(points_.count, -7);
-    call([&] { return triangulator_.writeOrder(order.data(), nullptr, way_.executor); });
-    call([&] { return triangulator_.writeInsertionRanks(ranks.data(), nullptr, way_.executor); });
+    call([&] { return triangulator_.writeOrder(order.data(), way_.progress, way_.executor); });
+    call([&]
+      { return triangulator_.writeInsertionRanks(ranks.data(), way_.progress, way_.executor); });
     hash.add(order);
     hash.add(ranks);
     for (const GridBox& box : triangulator_.boxes())
@@ -137,6 +141,7 @@ public:
   const Report& report() const { return triangulator_.report(); }
 
   Hash hash;
+  bool isOk = true; ///< were all calls?
   std::vector<std::int32_t> triples;
   std::vector<std::int64_t> fates, neighbors;
 
@@ -218,7 +223,8 @@ std::vector<NamedPoints> pointsOfDistributions(std::size_t most)
   std::vector<NamedPoints> result;
   for (const Distribution d : allDistributions())
   {
-    result.push_back({ nameOf(d), makePoints(d, isWide(d) ? kWidePoints : most, 7) });
+    result.push_back(
+      { nameOf(d), makePoints(d, isWide(d) ? std::min(most, kWidePoints) : most, 7) });
   }
   return result;
 }
@@ -311,7 +317,7 @@ std::string hashOfMerged(const PointView& points, const Way& way)
   Hash hash;
   MergedPoints merged;
   const double distance = widthOf(points) / 50.0;
-  hash.add(called(way, [&] { return mergeWithin(points, distance, nullptr, merged); }));
+  hash.add(called(way, [&] { return mergeWithin(points, distance, way.progress, merged); }));
   hash.add(merged.pairs.size());
   for (const MergedPoint& pair : merged.pairs)
   {
@@ -327,6 +333,10 @@ std::string hashOfVoronoi(const PointView& points, const Way& way)
   Run run(points, way);
   run.run(Options());
   run.write();
+  if (!run.isOk)
+  {
+    return run.hash.text(); // cancelled: there are no triangles to take
+  }
   DelaunayView view;
   view.points = points;
   view.fates = run.fates.data();
@@ -336,7 +346,7 @@ std::string hashOfVoronoi(const PointView& points, const Way& way)
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     VoronoiCells cells;
-    run.call([&] { return voronoiCells(view, clip, cells, nullptr, way.executor); });
+    run.call([&] { return voronoiCells(view, clip, cells, way.progress, way.executor); });
     run.hash.add(cells.points);
     run.hash.add(cells.offsets);
     run.hash.add(cells.corners);
@@ -350,7 +360,7 @@ std::string hashOfSplit(const ConstraintCase& given, const Way& way)
   Hash hash;
   SplitConstraints split;
   const auto work = [&]
-  { return splitAtCrossings(given.view(), given.constraints.view(), nullptr, split); };
+  { return splitAtCrossings(given.view(), given.constraints.view(), way.progress, split); };
   hash.add(called(way, work));
   for (const CrossingPoint& point : split.points)
   {

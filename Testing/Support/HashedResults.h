@@ -3,7 +3,7 @@
 #define ahd_HashedResults_h
 
 #include "ConstraintMakers.h"
-#include "Executor.h"
+#include "Executors.h"
 #include "HashFile.h"
 #include "Triangulate.h"
 
@@ -21,7 +21,8 @@ namespace test
 struct Way
 {
   Options options;
-  Executor* executor = nullptr;         ///< threads; null: none
+  Executor* executor = nullptr; ///< threads; null: none
+  Progress* progress = nullptr;
   Triangulator* triangulator = nullptr; ///< one for all runs; null: a new one for each
   std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls what it is given
 };
