@@ -23,8 +23,8 @@ import mutants
 import report
 import workshop
 
-LEAST_LIMIT = 10  # seconds of processor time
-TIMES_USUAL = 4
+LEAST_LIMIT = 6  # seconds of processor time
+TIMES_USUAL = 3
 SANITIZED_LIMIT = 300
 
 
