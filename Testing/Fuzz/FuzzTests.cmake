@@ -16,7 +16,7 @@ set(ahd_fuzz_command
   CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
   "${CMAKE_CURRENT_SOURCE_DIR}/fuzz.sh" --folder "${ahd_fuzz_folder}")
 
-add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build)
+add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build -- -DVTK_DIR=${VTK_DIR})
 set_tests_properties(Fuzz.Build PROPERTIES
   LABELS fuzz TIMEOUT 900 PROCESSORS 2 FIXTURES_SETUP ahd_fuzz_targets)
 
@@ -36,3 +36,4 @@ endfunction ()
 
 ahd_add_fuzz_test(Engine engine 25 20)
 ahd_add_fuzz_test(Constraints constraints 20 20)
+ahd_add_fuzz_test(Filter filter 15 20)

@@ -66,16 +66,18 @@ build() {
 
 # fuzz <target's name> <seconds>
 fuzz() {
-  local name=$1 corpus=() seeds=$folder/seeds/$1
+  local name=$1 corpus=() seeds=$folder/seeds/$1 longest=4096
   mkdir -p "$folder/corpus/$name" "$folder/found/$name" "$seeds"
-  if [ "$name" != filter ]; then
+  if [ "$name" = filter ]; then
+    longest=1024
+  else
     "$folder/build/FuzzSeeds" "$root/Data/Corpus" "$seeds"
   fi
   for kept in "$seeds" "$root/Data/Corpus/Fuzz/$name"; do
     [ ! -d "$kept" ] || corpus+=("$kept")
   done
   UBSAN_OPTIONS=print_stacktrace=1 "$(program "$name")" "$folder/corpus/$name" "${corpus[@]}" \
-    -max_total_time="$2" -seed="$seed" -max_len=4096 -timeout=60 -rss_limit_mb=3000 \
+    -max_total_time="$2" -seed="$seed" -max_len="$longest" -timeout=60 -rss_limit_mb=3000 \
     -artifact_prefix="$folder/found/$name/" -print_final_stats=1 -verbosity=1 -reload=0
 }
 

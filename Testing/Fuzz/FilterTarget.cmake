@@ -1,0 +1,33 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# FilterFuzz, where there is VTK (that of ParaView first): the filter's sources watched, with VTK's
+# own libraries as they are.
+enable_language(C) # VTK's packages look for MPI's
+find_package(VTK 9.1 QUIET
+  COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
+  PATHS "/usr/lib/${CMAKE_CXX_LIBRARY_ARCHITECTURE}/cmake/paraview-5.11/vtk")
+if (NOT VTK_FOUND)
+  message(STATUS "No VTK: the filter is not fuzzed")
+  return ()
+endif ()
+message(STATUS "FilterFuzz with VTK ${VTK_VERSION} in ${VTK_DIR}")
+
+# what vtk_module_build() would make
+set(ahd_fuzz_export "${CMAKE_CURRENT_BINARY_DIR}/export")
+file(WRITE "${ahd_fuzz_export}/AdaptiveHilbertDelaunayFiltersModule.h"
+  "#define ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT\n")
+
+file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtkA*.cxx")
+add_library(ahd_fuzz_filter STATIC ${ahd_fuzz_filter_sources})
+target_compile_features(ahd_fuzz_filter PUBLIC cxx_std_17)
+# of VTK's classes, which are not watched, the type is not to be had in all of the program
+target_compile_options(ahd_fuzz_filter PRIVATE
+  ${ahd_fuzz_watched} -fno-sanitize=vptr ${ahd_distribution_options}
+  -Wno-ignored-optimization-argument)
+target_include_directories(ahd_fuzz_filter PUBLIC "${ahd_root_dir}/Filters" "${ahd_fuzz_export}")
+target_link_libraries(ahd_fuzz_filter PUBLIC
+  ahd_fuzz_engine VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::CommonMath
+  VTK::CommonTransforms)
+
+ahd_add_fuzz_target(FilterFuzz FilterFuzz.cxx FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
+target_link_libraries(FilterFuzz PRIVATE ahd_fuzz_filter)
