@@ -11,8 +11,7 @@ namespace ahd
 namespace
 {
 
-/// Half of how far it is from p to the side that is ahead, in units of the direction's length;
-/// infinite where that overflows.
+/// How far it is from p to the side that is ahead, in units of the direction's length.
 double distanceAhead(double p, double direction, double low, double high)
 {
   if (direction == 0.0)
@@ -24,46 +23,22 @@ double distanceAhead(double p, double direction, double low, double high)
   return far / direction;
 }
 
-/// p and twice `half`, where the way may be longer than the largest double.
-double moved(double p, double half)
-{
-  const double result = p + 2.0 * half;
-  return std::isfinite(result) ? result : (p + half) + half;
-}
-
 } // namespace
-
-Point directionOf(const Point& from, const Point& to)
-{
-  Point result{ to.x - from.x, to.y - from.y };
-  if (!isFinite(result))
-  {
-    result = { 0.5 * to.x - 0.5 * from.x, 0.5 * to.y - 0.5 * from.y };
-  }
-  const double larger = std::max(std::fabs(result.x), std::fabs(result.y));
-  if (larger == 0.0)
-  {
-    return result;
-  }
-  const int exponent = std::ilogb(larger);
-  return { std::ldexp(result.x, -exponent), std::ldexp(result.y, -exponent) };
-}
 
 Point Box::leave(const Point& p, const Point& a, const Point& b) const
 {
-  const Point along = directionOf(a, b);
-  const Point direction{ -along.y, along.x };
+  const Point direction{ 0.5 * a.y - 0.5 * b.y, 0.5 * b.x - 0.5 * a.x };
   const double inX = distanceAhead(p.x, direction.x, bounds_.xmin, bounds_.xmax);
   const double inY = distanceAhead(p.y, direction.y, bounds_.ymin, bounds_.ymax);
   Point result;
   if (inX <= inY)
   {
     result.x = direction.x > 0.0 ? bounds_.xmax : bounds_.xmin;
-    result.y = moved(p.y, inX * direction.y);
+    result.y = p.y + inX * direction.y * 2.0;
   }
   else
   {
-    result.x = moved(p.x, inY * direction.x);
+    result.x = p.x + inY * direction.x * 2.0;
     result.y = direction.y > 0.0 ? bounds_.ymax : bounds_.ymin;
   }
   result.x = std::min(std::max(result.x, bounds_.xmin), bounds_.xmax);
