@@ -282,6 +282,22 @@ TEST(SplitFind, CrossingOfSegmentsThatAreNearlyParallel)
   EXPECT_GT(crossings, reduced(3000) / 10);
 }
 
+/// Powers of two: the long integers have words without a bit, and words with all of them, through
+/// which carries and borrows run on.
+TEST(SplitFind, CrossingOfNumbersWithOneBit)
+{
+  Random random(6);
+  std::size_t crossings = 0;
+  const auto power = [&](double sign) { return std::ldexp(sign, int(random.below(400)) - 200); };
+  for (std::size_t round = 0; round < 2000; ++round)
+  {
+    const Point a{ power(-1.0), power(-1.0) }, b{ power(1.0), power(1.0) };
+    const Point c{ power(-1.0), power(1.0) }, d{ power(1.0), power(-1.0) };
+    crossings += expectRounded({ a, b, c, d });
+  }
+  EXPECT_GT(crossings, 500u);
+}
+
 TEST(SplitFind, CrossingAmongSubnormalNumbers)
 {
   Random random(5);

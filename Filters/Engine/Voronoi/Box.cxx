@@ -11,7 +11,8 @@ namespace ahd
 namespace
 {
 
-/// How far it is from p to the side that is ahead, in units of the direction's length.
+/// Half of how far it is from p to the side that is ahead, in units of the direction's length;
+/// infinite where that overflows.
 double distanceAhead(double p, double direction, double low, double high)
 {
   if (direction == 0.0)
@@ -23,22 +24,46 @@ double distanceAhead(double p, double direction, double low, double high)
   return far / direction;
 }
 
+/// p and twice `half`, where the way may be longer than the largest double.
+double moved(double p, double half)
+{
+  const double result = p + 2.0 * half;
+  return std::isfinite(result) ? result : (p + half) + half;
+}
+
 } // namespace
+
+Point directionOf(const Point& from, const Point& to)
+{
+  Point result{ to.x - from.x, to.y - from.y };
+  if (!isFinite(result))
+  {
+    result = { 0.5 * to.x - 0.5 * from.x, 0.5 * to.y - 0.5 * from.y };
+  }
+  const double larger = std::max(std::fabs(result.x), std::fabs(result.y));
+  if (larger == 0.0)
+  {
+    return result;
+  }
+  const int exponent = std::ilogb(larger);
+  return { std::ldexp(result.x, -exponent), std::ldexp(result.y, -exponent) };
+}
 
 Point Box::leave(const Point& p, const Point& a, const Point& b) const
 {
-  const Point direction{ 0.5 * a.y - 0.5 * b.y, 0.5 * b.x - 0.5 * a.x };
+  const Point along = directionOf(a, b);
+  const Point direction{ -along.y, along.x };
   const double inX = distanceAhead(p.x, direction.x, bounds_.xmin, bounds_.xmax);
   const double inY = distanceAhead(p.y, direction.y, bounds_.ymin, bounds_.ymax);
   Point result;
   if (inX <= inY)
   {
     result.x = direction.x > 0.0 ? bounds_.xmax : bounds_.xmin;
-    result.y = p.y + inX * direction.y * 2.0;
+    result.y = moved(p.y, inX * direction.y);
   }
   else
   {
-    result.x = p.x + inY * direction.x * 2.0;
+    result.x = moved(p.x, inY * direction.x);
     result.y = direction.y > 0.0 ? bounds_.ymax : bounds_.ymin;
   }
   result.x = std::min(std::max(result.x, bounds_.xmin), bounds_.xmax);

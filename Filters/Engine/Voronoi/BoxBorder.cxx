@@ -14,14 +14,11 @@ Point middle(const Point& p, const Point& q)
   return { 0.5 * p.x + 0.5 * q.x, 0.5 * p.y + 0.5 * q.y };
 }
 
-/// Of the sides of the angle at r, half so long that nothing overflows.
+/// Is the angle at r less than a right one?
 bool isAcute(const Point& p, const Point& r, const Point& q)
 {
-  const double px = 0.5 * p.x - 0.5 * r.x;
-  const double py = 0.5 * p.y - 0.5 * r.y;
-  const double qx = 0.5 * q.x - 0.5 * r.x;
-  const double qy = 0.5 * q.y - 0.5 * r.y;
-  return px * qx + py * qy > 0.0;
+  const Point toP = directionOf(r, p), toQ = directionOf(r, q);
+  return toP.x * toQ.x + toP.y * toQ.y > 0.0;
 }
 
 } // namespace
@@ -32,7 +29,8 @@ bool BoxBorder::isAhead(HalfEdge h, const Point& p, const Point& q) const
 {
   const Point m = middle(p, q);
   const Point c = diagram_.centre(diagram_.standIn(h / 3));
-  const double left = (c.x - m.x) * (p.y - q.y) + (c.y - m.y) * (q.x - p.x);
+  const Point way = directionOf(m, c), edge = directionOf(p, q);
+  const double left = edge.x * way.y - edge.y * way.x;
   if (isFinite(c) && (left > 0.0 || left < 0.0))
   {
     return left > 0.0;
