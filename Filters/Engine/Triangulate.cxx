@@ -336,6 +336,10 @@ void Triangulator::release()
 
 std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& options)
 {
+  if (pointCount > kMaximumPoints)
+  {
+    return std::size_t(-1);
+  }
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
   // where threads insert while an order is kept, what it takes to make an order that has no
   // formula, and a piece of memory that is first for sorting and then holds two triangles.

@@ -112,7 +112,7 @@ public:
   void release();
 
   /// Upper estimate of the bytes that run() and writeTriangles() allocate for this many points,
-  /// input and output not counted.
+  /// input and output not counted. The largest number for more than kMaximumPoints.
   static std::size_t memoryEstimate(std::size_t pointCount, const Options& options);
 
   /// Upper estimate of what constrain() takes on top of it for so many segments (0 for none), and

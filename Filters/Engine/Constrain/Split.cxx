@@ -16,8 +16,11 @@ namespace
 /// What ids that are those of no point become.
 constexpr std::int64_t kNoPoint = -1;
 
-/// Most ids in the chains.
-constexpr std::size_t kMostIds = std::size_t(1) << 31;
+/// Most ids in the chains. Tests of what is refused are compiled with fewer.
+#ifndef AHD_MOST_CHAIN_IDS
+#define AHD_MOST_CHAIN_IDS (std::size_t(1) << 31)
+#endif
+constexpr std::size_t kMostIds = AHD_MOST_CHAIN_IDS;
 
 /// A segment of the chains as they are now. Those that cross nothing by definition are not listed.
 struct Piece

@@ -14,8 +14,12 @@ using Index = std::uint32_t;
 constexpr Index kNoIndex = 0xFFFFFFFFu;
 
 /// Most points the engine takes in one run: a half-edge is named by 8 * triangle + edge in 32 bits,
-/// and n points have 2n - 2 triangles, those at infinity included.
-constexpr std::size_t kMaximumPoints = (std::size_t(1) << 28) - 2;
+/// and n points have 2n - 2 triangles, those at infinity included. Tests of what is refused are
+/// compiled with fewer.
+#ifndef AHD_MAXIMUM_POINTS
+#define AHD_MAXIMUM_POINTS ((std::size_t(1) << 28) - 2)
+#endif
+constexpr std::size_t kMaximumPoints = AHD_MAXIMUM_POINTS;
 
 /// A location in the plane.
 struct Point

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Memory runs out at any allocation of any entry point, once or for good: the status says so,
+// nothing is thrown or leaked, and the object goes on as a new one would. This program's operator
+// new fails when told to.
+#include "FaultsSession.h"
+#include "OwnNew.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+
+namespace
+{
+
+std::atomic<std::size_t> allocations{ 0 };
+std::atomic<std::size_t> failAt{ 0 };    ///< the allocation that fails; 0: none
+std::atomic<bool> andAllLater{ false };  ///< ... and those after it
+std::atomic<bool> watching{ false };     ///< is it the engine that allocates?
+std::atomic<std::ptrdiff_t> blocks{ 0 }; ///< in use
+
+/// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
+void (*volatile freeBlock)(void*) = std::free;
+
+} // namespace
+
+void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
+{
+  const std::size_t number = watching ? ++allocations : 0;
+  const bool fails = failAt != 0 && (number == failAt || (andAllLater && number > failAt));
+  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment *
+    alignment;
+  void* block = fails ? nullptr : std::aligned_alloc(alignment, rounded);
+  if (!block)
+  {
+    throw std::bad_alloc();
+  }
+  ++blocks;
+  return block;
+}
+
+void ahd::test::ownRelease(void* block)
+{
+  blocks -= block != nullptr;
+  freeBlock(block);
+}
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// Lets a call of the engine fail, and nothing else.
+Status callFailing(const Session::Call& call)
+{
+  watching = true;
+  const Status status = call();
+  watching = false;
+  return status;
+}
+
+/// A session whose allocation number `k` fails, from 1; 0: none.
+Status runFailing(Session& session, Triangulator& t, std::size_t k, Executor* executor)
+{
+  t.forgetPoints();
+  allocations = 0;
+  failAt = k;
+  Helpers helpers;
+  helpers.executor = executor;
+  const Status status = session.run(t, callFailing, helpers);
+  failAt = 0;
+  return status;
+}
+
+/// Fails at so many allocations at most, evenly spread, on one object.
+void expectSurvived(
+  const ConstraintCase& given, const Options& options, std::size_t most, Executor* executor)
+{
+  const std::ptrdiff_t before = blocks;
+  {
+    Triangulator fresh;
+    Session expected(given, options);
+    ASSERT_EQ(runFailing(expected, fresh, 0, executor), Status::Ok);
+    const std::size_t all = allocations;
+    ASSERT_GT(all, 50u) << "the engine no longer allocates through operator new";
+    const std::size_t step = 1 + all / most;
+    Triangulator reused;
+    for (std::size_t k = 1; k <= all; k += step)
+    {
+      andAllLater = k / step % 2 == 1;
+      reused.release();
+      Session session(given, options);
+      const Status status = runFailing(session, reused, k, executor);
+      // With threads there may be fewer allocations once; alone there are not.
+      ASSERT_TRUE(status == Status::OutOfMemory || executor) << "allocation " << k << " of " << all;
+      Session again(given, options);
+      ASSERT_EQ(runFailing(again, reused, 0, executor), Status::Ok) << "after allocation " << k;
+      ASSERT_TRUE(again.bytes() == expected.bytes()) << "after allocation " << k;
+    }
+  }
+  EXPECT_EQ(blocks, before) << "something leaked";
+}
+
+void expectSurvivedUnderEverySetting(std::size_t most)
+{
+  ThreadExecutor threads(3);
+  std::uint64_t seed = 0;
+  for (const Options& options : everyDistinctSetting({ 50 }))
+  {
+    SCOPED_TRACE(describe(options));
+    expectSurvived(
+      chainsThrough(Distribution::RepeatedDraws, 100, 6, ++seed), options, most, nullptr);
+    expectSurvived(
+      chainsThrough(Distribution::Uniform, reduced(5000), 12, ++seed), options, 4, &threads);
+  }
+}
+
+TEST(FaultsMemory, AnyAllocationOfAnyEntryPoint)
+{
+  expectSurvived(
+    chainsThrough(Distribution::RepeatedDraws, 100, 6, 1), Options(), std::size_t(-1), nullptr);
+}
+
+TEST(FaultsMemory, SomeAllocationsUnderEverySetting)
+{
+  expectSurvivedUnderEverySetting(10);
+}
+
+TEST(FaultsMemory, AnyAllocationWhereAllPointsAreCollinear)
+{
+  expectSurvived(
+    chainsThrough(Distribution::Collinear, 100, 3, 1), Options(), std::size_t(-1), nullptr);
+}
+
+TEST(LongFaultsMemory, AnyAllocationUnderEverySetting)
+{
+  expectSurvivedUnderEverySetting(std::size_t(-1));
+}
+
+TEST(LongFaultsMemory, AThousandAllocationsOfLargeInputs)
+{
+  ThreadExecutor threads(3);
+  for (const Distribution distribution : { Distribution::Uniform, Distribution::Lattice,
+         Distribution::NestedClusters, Distribution::OnCircle, Distribution::RepeatedDraws })
+  {
+    SCOPED_TRACE(nameOf(distribution));
+    const ConstraintCase given = chainsThrough(distribution, 100000, 60, 1);
+    expectSurvived(given, Options(), 100, nullptr);
+    expectSurvived(given, Options(), 100, &threads);
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
