@@ -2,6 +2,7 @@
 //
 // Every result of the engine as a hash that stands in Data/Hashes/Engine.txt: so a change of any
 // result is seen in review, and compilers, builds, threads and settings are held to the same bytes.
+#include "EngineRun.h"
 #include "HashedResults.h"
 
 #include <gtest/gtest.h>
@@ -17,19 +18,25 @@ namespace
 
 const std::string kFile = AHD_HASHES_DIRECTORY "/Engine.txt";
 
-Hashes allHashes(const Way& way)
+/// Points of every kind: the corpus, and so many of each distribution.
+std::vector<NamedPoints> allKinds(std::size_t most)
 {
-  Hashes all = hashesOfTriangles(AHD_CORPUS_DIRECTORY, way);
-  for (const Hashes& more : { hashesOfConstrained(way), hashesOfTheRest(way) })
+  std::vector<NamedPoints> result = pointsOfCorpus(AHD_CORPUS_DIRECTORY);
+  for (NamedPoints& more : pointsOfDistributions(most))
   {
-    all.insert(all.end(), more.begin(), more.end());
+    result.push_back(std::move(more));
   }
-  return all;
+  return result;
 }
 
 TEST(Hashes, AreThoseOfTheRepository)
 {
-  const Hashes all = allHashes(Way());
+  const Way way;
+  Hashes all = hashesOfTriangles(AHD_CORPUS_DIRECTORY, way);
+  for (const Hashes& more : { hashesOfConstrained(way), hashesOfTheRest(way), hashesOfMany(way) })
+  {
+    all.insert(all.end(), more.begin(), more.end());
+  }
   std::set<std::string> names;
   for (const NamedHash& hash : all)
   {
@@ -37,6 +44,78 @@ TEST(Hashes, AreThoseOfTheRepository)
   }
   const std::string changed = differencesFromFile(kFile, all);
   EXPECT_TRUE(changed.empty()) << changed;
+}
+
+TEST(Hashes, NoNumberOfThreadsChangesOne)
+{
+  const Hashes expected = hashesOfMany(Way());
+  Triangulator triangulator;
+#ifdef AHD_REDUCED_TESTS
+  const std::vector<unsigned> counts = { 3 };
+#else
+  const std::vector<unsigned> counts = { 2, 3, 8 }; // Way() has one
+#endif
+  for (const unsigned threads : counts)
+  {
+    ThreadExecutor executor(threads);
+    Way way;
+    way.executor = &executor;
+    way.triangulator = &triangulator;
+    EXPECT_EQ(differences(expected, hashesOfMany(way)), "") << threads << " threads";
+  }
+}
+
+TEST(Hashes, NoSettingChangesOne)
+{
+  Triangulator triangulator;
+  for (const NamedPoints& given : allKinds(100))
+  {
+    const PointView points = viewOf(given.points);
+    const std::string expected = hashOfTriangles(points, Way());
+    for (const Options& options : everyDistinctSetting({ 1, 50 }))
+    {
+      Way way;
+      way.options = options;
+      way.triangulator = &triangulator;
+      ASSERT_EQ(hashOfTriangles(points, way), expected) << given.name << ", " << describe(options);
+    }
+  }
+}
+
+TEST(Hashes, NoSettingChangesOneOfConstraints)
+{
+  Triangulator triangulator;
+  for (std::uint64_t seed = 0; seed < 100; ++seed)
+  {
+    const ConstraintCase given = smallConstraintCase(seed);
+    const std::string expected = hashOfConstrained(given, FillRule::EvenOdd, Way());
+    for (const Options& options : everyDistinctSetting({ 1, 50 }))
+    {
+      Way way;
+      way.options = options;
+      way.triangulator = &triangulator;
+      ASSERT_EQ(hashOfConstrained(given, FillRule::EvenOdd, way), expected)
+        << describe(options) << given.text();
+    }
+  }
+}
+
+TEST(Hashes, NoShuffleChangesOneOfPlaces)
+{
+  for (const NamedPoints& given : allKinds(1000))
+  {
+    std::vector<Point> points = given.points;
+    const std::string expected = hashOfPlaces(viewOf(points), Way());
+    for (std::uint64_t seed = 1; seed <= 3; ++seed)
+    {
+      Random random(seed);
+      for (std::size_t i = points.size(); i > 1; --i)
+      {
+        std::swap(points[i - 1], points[random.below(i)]);
+      }
+      EXPECT_EQ(hashOfPlaces(viewOf(points), Way()), expected) << given.name;
+    }
+  }
 }
 
 } // namespace

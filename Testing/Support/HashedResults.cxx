@@ -394,7 +394,6 @@ Hashes hashesOfTriangles(const std::string& corpus, const Way& way)
   };
   add("corpus", pointsOfCorpus(corpus));
   add("points", pointsOfDistributions(kPoints));
-  add("many", manyPoints());
   return result;
 }
 
@@ -432,9 +431,16 @@ Hashes hashesOfTheRest(const Way& way)
         named("order/" + order.first, given.name, hashOfOrder(points, order.second, way)));
     }
   }
+  return result;
+}
+
+Hashes hashesOfMany(const Way& way)
+{
+  Hashes result;
   for (const NamedPoints& given : manyPoints())
   {
     const PointView points = viewOf(given.points);
+    result.push_back(named("many", given.name, hashOfTriangles(points, way)));
     result.push_back(named("order/many", given.name, hashOfOrder(points, Options(), way)));
     result.push_back(named("voronoi/many", given.name, hashOfVoronoi(points, way)));
   }

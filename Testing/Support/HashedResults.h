@@ -71,13 +71,15 @@ std::string hashOfVoronoi(const PointView& points, const Way& way);
 /// The constraints split where they cross, added points with all bits.
 std::string hashOfSplit(const ConstraintCase& given, const Way& way);
 
-/// All of them, in the order in which they stand in Data/Hashes/Engine.txt: triangles of corpus,
-/// distributions and many points, ...
+/// All of them, in the order in which they stand in Data/Hashes/Engine.txt: triangles of corpus
+/// and distributions, ...
 Hashes hashesOfTriangles(const std::string& corpus, const Way& way);
 /// ... constrained results of each case by each rule, and of many small cases together, ...
 Hashes hashesOfConstrained(const Way& way);
-/// ... and the rest, in which Way::options has no say.
+/// ... the rest, in which Way::options has no say; few points ...
 Hashes hashesOfTheRest(const Way& way);
+/// ... and all that threads can share.
+Hashes hashesOfMany(const Way& way);
 
 } // namespace test
 } // namespace ahd

@@ -5,7 +5,18 @@
 #include "../Instructions.h"
 #include "../Points/Points.h"
 
+#include <cfloat>
 #include <cmath>
+
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||     \
+  (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error                                                                                             \
+  "Compile the engine without -ffast-math, -Ofast and their parts: its results are exact only where each operation is rounded as written, and it looks for infinities and NaN."
+#endif
+#if FLT_EVAL_METHOD < 0 || FLT_EVAL_METHOD == 2
+#error                                                                                             \
+  "Compile the engine for arithmetic in double precision (-mfpmath=sse, not 387): its error bounds do not hold where operations are rounded twice."
+#endif
 
 /// The floating-point filters: a determinant in plain double arithmetic and a bound on its error.
 /// Where the determinant exceeds the bound its sign is the exact one ("certain"); everywhere else,
