@@ -37,6 +37,15 @@ enum class Extreme
   Count
 };
 
+constexpr std::size_t kExtremes = static_cast<std::size_t>(Extreme::Count);
+
+// Other ways to compile the engine (CMakeLists.txt) have seeds of their own.
+#ifdef AHD_PREDICATES_FLAVOUR
+constexpr std::uint64_t kFirstSeed = 1 + 1000 * AHD_PREDICATES_FLAVOUR;
+#else
+constexpr std::uint64_t kFirstSeed = 1;
+#endif
+
 inline const char* nameOf(Extreme extreme)
 {
   static const char* const names[] = { "Exponents", "Specials", "Collinear", "Circle", "Symmetric",
@@ -377,20 +386,18 @@ private:
   std::mt19937_64 random_;
 };
 
-/// Moves one coordinate of q, at which `isCertain(q)` is false, as far as it takes for that to be
-/// true, and a unit in the last place farther or nearer at random: what is on both sides of the
-/// border of a filter. Returns false if it is nowhere true or q is not as required.
+/// Moves `coordinate`, with which `isCertain()` is false, as far as it takes for that to be true,
+/// and a unit in the last place farther or nearer at random: what is on both sides of the border of
+/// a filter. Returns false, and moves nothing, if it is nowhere true or not as required.
 template <class IsCertain>
-bool moveToBorder(Quadruple& q, Extremes& source, IsCertain isCertain)
+bool moveToBorder(double& coordinate, Extremes& source, IsCertain isCertain)
 {
-  Point& p = q[source.below(4)];
-  double& coordinate = source.below(2) == 0 ? p.x : p.y;
   const double from = coordinate;
   const std::int64_t way = source.below(2) == 0 ? 1 : -1;
   const auto isCertainAt = [&](std::int64_t steps)
   {
     coordinate = ulpsFrom(from, steps);
-    return isCertain(q);
+    return isCertain();
   };
   constexpr std::int64_t kFarthest = std::int64_t(1) << 61;
   std::int64_t uncertain = 0, certain = way;

@@ -3,6 +3,7 @@
 
 #include "../Predicates/Predicates.h"
 #include "../Predicates/WideVectors.h"
+#include "SplitStages.h"
 
 #include <algorithm>
 #include <cmath>
@@ -40,14 +41,14 @@ struct Drop
   double size() const { return std::fabs(product1) + std::fabs(product2); }
 };
 
-/// The sign of O_t D_s - O_s D_t, if double arithmetic finds it.
-///
+} // namespace
+
 /// Proof. Let u = 2^-53. A product in O has three roundings, O itself one more, D one, the product
 /// O D one: each of the two terms is wrong by less than 6.01 u size() width. Their difference has
 /// one more, as has the bound 4 of its own; 16 u pays for all. Underflow adds at most 2^-1074 to a
 /// product, which is less than u / 2^10 of a size of 2^-1000; and where something overflows `bound`
 /// does, or is NaN, and the comparison fails.
-std::optional<int> heightsByFilter(const Segment& s, const Segment& t, const Point& p)
+std::optional<int> stages::heightsByFilter(const Segment& s, const Segment& t, const Point& p)
 {
   const Drop S(s, p), T(t, p);
   const double difference = T.orient() * S.width - S.orient() * T.width;
@@ -62,7 +63,7 @@ std::optional<int> heightsByFilter(const Segment& s, const Segment& t, const Poi
   return std::nullopt;
 }
 
-int heightsUnbounded(const Segment& s, const Segment& t, const Point& p)
+int stages::heightsUnbounded(const Segment& s, const Segment& t, const Point& p)
 {
   const Unit unit{ &s.left, &s.right, &t.left, &t.right, &p };
   const auto orient = [&](const Segment& segment)
@@ -71,6 +72,9 @@ int heightsUnbounded(const Segment& s, const Segment& t, const Point& p)
   { return unit.difference(segment.right.x, segment.left.x); };
   return (orient(t) * width(s) - orient(s) * width(t)).sign();
 }
+
+namespace
+{
 
 // ------------------------------------------------------------------------- quotients, rounded once
 
@@ -188,8 +192,7 @@ double roundedQuotient(const WideInteger<N>& a, const WideInteger<M>& b, int exp
   return magnitude != 0.0 && a.negative != b.negative ? -magnitude : magnitude;
 }
 
-// --------------------------------------------------------------------------------- what rounds to
-// p
+// ------------------------------------------------------------------------------- what rounds to p
 
 /// Twice how far the numbers that round to `value` reach, down and up.
 struct Reach
@@ -207,34 +210,25 @@ struct Reach
   double larger() const { return std::max(down, up); }
 };
 
-/// Does s certainly pass what rounds to p by? With u = 2^-53, the computed determinant is wrong by
-/// less than 4.01 u times its size, the threshold by less than 4 u of itself.
-bool passesByFilter(const Segment& s, const Point& p, const Reach& x, const Reach& y)
+} // namespace
+
+/// With u = 2^-53, the computed determinant is wrong by less than 4.01 u times its size, the
+/// threshold by less than 4 u of itself.
+bool stages::passesByFilter(const Segment& s, const Point& p)
 {
+  const Reach x(p.x), y(p.y);
   const Drop drop(s, p);
   const double threshold = x.larger() * std::fabs(s.right.y - s.left.y) + y.larger() * drop.width;
   const double bound = threshold + 8 * 0x1p-53 * drop.size();
   return drop.size() > 0x1p-1000 && threshold > 0x1p-1000 && std::fabs(drop.orient()) > bound;
 }
 
-} // namespace
-
 // What rounds to p, but for its border, is a rectangle. Of its corners, those to the upper left and
 // to the lower right are farthest from a line that rises; cross(corner - s.left, s.right - s.left)
 // is negative above the line and positive below.
-bool roundsTo(const Segment& s, const Point& p)
+bool stages::meetsUnbounded(const Segment& s, const Point& p)
 {
-  const double low = std::min(s.left.y, s.right.y), high = std::max(s.left.y, s.right.y);
-  const bool isInBox = s.left.x <= p.x && p.x <= s.right.x && low <= p.y && p.y <= high;
-  if (!isInBox || p == s.left || p == s.right)
-  {
-    return false;
-  }
   const Reach x(p.x), y(p.y);
-  if (passesByFilter(s, p, x, y))
-  {
-    return false;
-  }
   const Point downs{ x.down, y.down }, ups{ x.up, y.up };
   const Unit unit{ &s.left, &s.right, &p, &downs, &ups };
   const WideVector way(unit, s.left, s.right);
@@ -243,6 +237,17 @@ bool roundsTo(const Segment& s, const Point& p)
   const auto below = way.y * unit.integer(rises ? x.up : -x.down) + way.x * unit.integer(y.down);
   const auto above = way.y * unit.integer(rises ? x.down : -x.up) + way.x * unit.integer(y.up);
   return (atP + atP + below).sign() > 0 && (atP + atP - above).sign() < 0;
+}
+
+bool roundsTo(const Segment& s, const Point& p)
+{
+  const double low = std::min(s.left.y, s.right.y), high = std::max(s.left.y, s.right.y);
+  const bool isInBox = s.left.x <= p.x && p.x <= s.right.x && low <= p.y && p.y <= high;
+  if (!isInBox || p == s.left || p == s.right)
+  {
+    return false;
+  }
+  return !passesByFilter(s, p) && meetsUnbounded(s, p);
 }
 
 int orderAt(const Segment& s, int sideOfS, const Segment& t, int sideOfT, const Point& p)

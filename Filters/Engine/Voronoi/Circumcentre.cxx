@@ -67,8 +67,21 @@ private:
   {
     const double a = std::ldexp(v.high, back_);
     const double b = std::ldexp(v.low, back_);
+    if (!std::isfinite(a))
+    {
+      return backByHalves(origin, std::ldexp(v.high, back_ - 1), b);
+    }
     const Twofold sum = exactSum(origin, a);
     return std::isfinite(sum.low) ? sum.high + (sum.low + b) : origin + a;
+  }
+
+  /// origin + 2 half + rest: the way from one end of the range of double to the other is no double.
+  static double backByHalves(double origin, double half, double rest)
+  {
+    const Twofold sum = exactSum(origin, half);
+    const Twofold whole = exactSum(sum.high, half);
+    const double low = sum.low + whole.low + rest;
+    return std::isfinite(low) ? whole.high + low : whole.high;
   }
 
   Point origin_;
@@ -95,6 +108,12 @@ Centre centreOf(const Differences& differences, const Corners& triangle)
   result.offset = { uu * v.y - vv * u.y, vv * u.x - uu * v.x };
   result.divisor = scaled(cross(u, v), 2.0);
   return result;
+}
+
+/// The nearest number to `value` from a to b.
+double between(double value, double a, double b)
+{
+  return std::min(std::max(value, std::min(a, b)), std::max(a, b));
 }
 
 } // namespace
@@ -145,11 +164,12 @@ Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const
   {
     return from;
   }
-  if (!(part.high < 1.0))
+  if (!(signOf(part - Twofold{ 1.0, 0.0 }) < 0)) // its high part alone may be 1
   {
     return to;
   }
-  return differences.apply({ along.x * part, along.y * part });
+  const Point meets = differences.apply({ along.x * part, along.y * part });
+  return { between(meets.x, from.x, to.x), between(meets.y, from.y, to.y) };
 }
 
 } // namespace ahd
