@@ -226,6 +226,17 @@ TEST(VoronoiGeometry, SumsOfTwoDoublesHaveAHundredBits)
   }
 }
 
+TEST(VoronoiGeometry, TowardsACentreThatIsNowhereThereIsNoDirection)
+{
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInf = std::numeric_limits<double>::infinity();
+  for (const Point to : { Point{ kNan, kNan }, Point{ kNan, 1.0 }, Point{ kInf, 1.0 } })
+  {
+    EXPECT_FALSE(isFinite(directionOf({ 0.0, 0.0 }, to))); // sanitizers look on
+  }
+  EXPECT_EQ(directionOf({ 3.0, 2.0 }, { 3.0, 2.0 }).x, 0.0);
+}
+
 TEST(VoronoiGeometry, OneLeavesTheBoxOnItsBorder)
 {
   Numbers numbers;

@@ -41,7 +41,7 @@ Point directionOf(const Point& from, const Point& to)
     result = { 0.5 * to.x - 0.5 * from.x, 0.5 * to.y - 0.5 * from.y };
   }
   const double larger = std::max(std::fabs(result.x), std::fabs(result.y));
-  if (larger == 0.0)
+  if (!(larger > 0.0)) // NaN has no exponent either
   {
     return result;
   }

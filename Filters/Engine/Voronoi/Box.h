@@ -11,7 +11,7 @@ namespace ahd
 
 /// The direction from one point to another: their difference times a power of two, so that its
 /// larger coordinate is between 1 and 2 and no product of such directions overflows, or underflows
-/// and matters. Zero if they are one place.
+/// and matters. Zero if they are one place, not finite if one of them is not.
 Point directionOf(const Point& from, const Point& to);
 
 /// An axis-parallel box with an area, whose border is followed counterclockwise. Side 0 is below,
