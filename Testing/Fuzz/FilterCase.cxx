@@ -247,6 +247,7 @@ FilterCase::FilterCase(const std::uint8_t* data, std::size_t size)
     auto points = readPoints(bytes, type, count / (k + 1), head_[kMultiply]);
     sets.push_back(readSet(bytes, isComposite ? int(k) * 2 % 3 : kind, points));
   }
+  transform_ = transform(head_[kPlaneOf]);
   this->readSource(bytes);
   std::vector<vtkDataObject*> all;
   for (const auto& set : sets)
@@ -300,7 +301,7 @@ void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) c
   filter->SetAlphaTris(!bit(kMoreExtras, 3));
   filter->SetAlphaLines(!bit(kMoreExtras, 4));
   filter->SetAlphaVerts(!bit(kMoreExtras, 5));
-  filter->SetTransform(transform(head_[kPlaneOf]));
+  filter->SetTransform(transform_); // the same object unless it changes, or nothing is kept
   filter->SetAlpha(number(head_[kAlpha]));
   filter->SetMaximumEdgeLength(number(head_[kEdge]));
   filter->SetTolerance(number(head_[kTolerance]) / 64);
@@ -329,6 +330,7 @@ void FilterCase::change(unsigned step)
   if (what % 8 == 0)
   {
     ++head_[kModes + what / 8 % 9];
+    transform_ = transform(head_[kPlaneOf]);
     return;
   }
   for (vtkDataObject* leaf : leavesOf(input_))
@@ -340,7 +342,7 @@ void FilterCase::change(unsigned step)
     }
     else if (set && what % 8 < 7 && set->GetPoints() && set->GetNumberOfPoints() > 0)
     {
-      const vtkIdType id = what % set->GetNumberOfPoints();
+      const vtkIdType id = what * 5 % set->GetNumberOfPoints();
       set->GetPoints()->SetPoint(id, double(what % 5), double(step), 1.0);
       set->GetPoints()->Modified();
     }

@@ -2,6 +2,7 @@
 #ifndef ahd_FilterCase_h
 #define ahd_FilterCase_h
 
+#include "vtkAbstractTransform.h"
 #include "vtkDataObject.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -90,6 +91,7 @@ private:
   std::array<std::uint8_t, kFilterHeadBytes> head_{};
   vtkSmartPointer<vtkDataObject> input_;
   vtkSmartPointer<vtkPolyData> source_;
+  vtkSmartPointer<vtkAbstractTransform> transform_;
 };
 
 /// All data sets in an input or output, blocks of blocks too; those that are missing are left out.

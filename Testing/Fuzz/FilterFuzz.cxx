@@ -97,8 +97,6 @@ public:
   {
     said_ = false;
     abortAt_ = abortAt;
-    filter_->SetAbortExecute(0);
-    filter_->Modified();
     ear().Heard.clear();
     ear().Listens = true;
     filter_->Update();
@@ -112,7 +110,11 @@ public:
     {
       complain(fault, outputsOf(filter_));
     }
-    filter_->SetAbortExecute(0);
+    if (abortAt > 0)
+    {
+      filter_->SetAbortExecute(0);
+      filter_->Modified();
+    }
     abortAt_ = 0;
   }
 

@@ -76,7 +76,7 @@ std::string faultOfCells(vtkCellArray* cells, vtkIdType points, vtkIdType least,
   return "";
 }
 
-/// Arrays that are not of `count` tuples, and attributes of numbers of components they cannot have.
+/// Arrays that are not of `count` tuples.
 std::string faultOfArrays(vtkDataSetAttributes* data, vtkIdType count)
 {
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
@@ -87,12 +87,20 @@ std::string faultOfArrays(vtkDataSetAttributes* data, vtkIdType count)
       return "an array of " + std::to_string(tuples) + " tuples for " + std::to_string(count);
     }
   }
-  for (const int attribute : { vtkDataSetAttributes::NORMALS, vtkDataSetAttributes::VECTORS })
+  return "";
+}
+
+/// Arrays of the filter's that are taken for what one of the input was.
+std::string faultOfAttributes(vtkPointData* data, vtkAdaptiveHilbertDelaunay2D* filter)
+{
+  for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
   {
-    vtkAbstractArray* active = data->GetAbstractAttribute(attribute);
-    if (active && active->GetNumberOfComponents() != 3)
+    vtkAbstractArray* active = data->GetAbstractAttribute(k);
+    const std::string name = active && active->GetName() ? active->GetName() : "";
+    if ((name == "Fate" && filter->GetGenerateFate()) ||
+      (name == "InsertionRank" && filter->GetGenerateInsertionRank()))
     {
-      return "normals or vectors that are none";
+      return name + " as another attribute";
     }
   }
   return "";
@@ -118,9 +126,11 @@ std::string faultOfFates(vtkPolyData* surface)
   const bool fit = vertices == countOf(surface, "PointsInserted") &&
     rejected == countOf(surface, "RejectedPoints");
   // what is a duplicate of or merged into a point beyond the limit is out, too
-  const vtkIdType all = countOf(surface, "Duplicates") + countOf(surface, "MergedPoints") +
-    countOf(surface, "SkippedPoints") + countOf(surface, "PointsBeyondLimit");
-  return fit && others + out == all ? "" : "fates that are not as many as the counts";
+  const vtkIdType doubles = countOf(surface, "Duplicates") + countOf(surface, "MergedPoints");
+  const vtkIdType beyond = countOf(surface, "PointsBeyondLimit");
+  const bool doubleFit = beyond > 0 ? others <= doubles : others == doubles;
+  const bool sumFits = others + out == doubles + beyond + countOf(surface, "SkippedPoints");
+  return fit && doubleFit && sumFits ? "" : "fates that are not as many as the counts";
 }
 
 std::string faultOfTriangles(vtkPolyData* surface, bool inPlane)
@@ -175,6 +185,7 @@ std::string faultOfSurface(vtkPolyData* surface, vtkAdaptiveHilbertDelaunay2D* f
   const bool inPlane = filter->GetProjectionPlaneMode() != VTK_BEST_FITTING_PLANE &&
     !filter->GetTransform();
   add(faultOfTriangles(surface, inPlane));
+  add(faultOfAttributes(surface->GetPointData(), filter));
   if (filter->GetGenerateFate())
   {
     add(faultOfFates(surface));
