@@ -332,8 +332,8 @@ public:
    * triangulates again, but not to its input. Who changes the cells of an output in place changes
    * what is passed on: copy them before. There is nothing to pass on after an execution that was
    * aborted or ended in an error or that added points, and where coordinates do not lie in memory
-   * point by point. Of the blocks of a composite data set that are triangulated one by one, only the
-   * last one is remembered.
+   * point by point. Of the blocks of a composite data set that are triangulated one by one, only
+   * the last one is remembered.
    */
   vtkSetMacro(KeepTriangulation, bool);
   vtkGetMacro(KeepTriangulation, bool);
