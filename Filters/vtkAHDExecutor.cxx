@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAHDExecutor.h"
 
+#include "Engine/FloatingPoint.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -190,6 +192,7 @@ void vtkAHDExecutor::Crew::Serve()
 void vtkAHDExecutor::Crew::TakeTasks(
   std::size_t count, const std::function<void(std::size_t)>& task)
 {
+  const ahd::ScopedFloatingPoint asTheEngine; // whatever threads that are lent were left with
   for (std::size_t i = this->Next++; i < count; i = this->Next++)
   {
     task(i);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "Engine/FloatingPoint.h"
 #include "vtkAHDBlocks.h"
 #include "vtkAHDExecutor.h"
 #include "vtkAHDKept.h"
@@ -119,6 +120,7 @@ vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkP
   {
     return nullptr;
   }
+  const ahd::ScopedFloatingPoint asTheEngine;
   vtkNew<vtkAlgorithm> nobody; // who could abort
   vtkAHDProgress progress(nobody);
   vtkAHDExecutor executor(vtkAHDThreadsToUse(0));
@@ -158,6 +160,7 @@ void vtkAdaptiveHilbertDelaunay2D::SetMergeBlocks(bool merge)
 int vtkAdaptiveHilbertDelaunay2D::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  const ahd::ScopedFloatingPoint asTheEngine;
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   this->BytesOfBlocks = 0;

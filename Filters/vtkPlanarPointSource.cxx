@@ -2,6 +2,7 @@
 #include "vtkPlanarPointSource.h"
 
 #include "Distributions/PlanarPoints.h"
+#include "Engine/FloatingPoint.h"
 #include "vtkAHDArray.h"
 #include "vtkAHDMemory.h"
 #include "vtkAHDProgress.h"
@@ -55,6 +56,7 @@ bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* sou
   {
     if (begin >= told + step)
     {
+      const ahd::ScopedFloatingPoint whateverItSets;
       told = begin;
       source->UpdateProgress(double(begin) / double(to.Count));
     }
@@ -95,6 +97,7 @@ vtkPlanarPointSource::vtkPlanarPointSource()
 int vtkPlanarPointSource::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
+  const ahd::ScopedFloatingPoint asTheEngine;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more.
   if (!this->FitsInMemory())
