@@ -5,6 +5,7 @@
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Voronoi.h"
+#include "Voronoi/Diagram.h"
 
 #include <gtest/gtest.h>
 
@@ -16,20 +17,34 @@ namespace ahd::test
 namespace
 {
 
+/// The triangulation of points, as the diagram wants it.
+struct Delaunay
+{
+  explicit Delaunay(const std::vector<Point>& points)
+  {
+    Triangulator triangulator;
+    outcome = triangulate(triangulator, viewOf(points));
+    neighbors.resize(outcome.triples.size());
+    EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
+    view.points = viewOf(points);
+    view.fates = outcome.fates.data();
+    view.corners = outcome.triples.data();
+    view.neighbors = neighbors.data();
+    view.triangles = outcome.triples.size() / 3;
+  }
+  Delaunay(const Delaunay&) = delete;
+  Delaunay& operator=(const Delaunay&) = delete;
+
+  Outcome outcome;
+  std::vector<std::int64_t> neighbors;
+  DelaunayView view; ///< borrows the points
+};
+
 VoronoiCells cellsOf(const std::vector<Point>& points, VoronoiClip clip)
 {
-  Triangulator triangulator;
-  const Outcome outcome = triangulate(triangulator, viewOf(points));
-  std::vector<std::int64_t> neighbors(outcome.triples.size());
-  EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
-  DelaunayView view;
-  view.points = viewOf(points);
-  view.fates = outcome.fates.data();
-  view.corners = outcome.triples.data();
-  view.neighbors = neighbors.data();
-  view.triangles = outcome.triples.size() / 3;
+  const Delaunay delaunay(points);
   VoronoiCells cells;
-  EXPECT_EQ(voronoiCells(view, clip, cells, nullptr), Status::Ok);
+  EXPECT_EQ(voronoiCells(delaunay.view, clip, cells, nullptr), Status::Ok);
   return cells;
 }
 
@@ -116,22 +131,65 @@ TEST(VoronoiScales, NearVerticesInAHugeBox)
 /// inside.
 TEST(VoronoiScales, CentresBeyondAllDoubles)
 {
-  constexpr double kFar = 0x1p500;
+  constexpr int kExponent = 1000;
   for (const double sign : { 1.0, -1.0 })
   {
-    const std::vector<Point> points = { { -kFar, 0 }, { kFar, 0 }, { 0, sign * -0x1p-520 },
-      { 0, sign * -kFar } };
+    const std::vector<Point> points = { { -1, 0 }, { 1, 0 }, { 0, sign * -0x1p-35 },
+      { 0, sign * -1 } };
     for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
     {
-      const VoronoiCells cells = cellsOf(points, clip);
+      const VoronoiCells cells = cellsOf(scaled(points, kExponent), clip);
       ASSERT_EQ(cells.sites.size(), 4u);
-      // In units of kFar: squares of 1 x 1/2 around the middle one, triangles and more at the
-      // others.
-      EXPECT_NEAR(areaOf(cell(cells, 2)) / kFar / kFar, 0.5, 1e-12) << int(clip) << sign;
-      EXPECT_NEAR(
-        areaOf(cell(cells, 0)) / kFar / kFar, clip == VoronoiClip::Hull ? 0.125 : 0.375, 1e-12);
+      const auto area = [&](std::size_t k) { return areaOf(scaled(cell(cells, k), -kExponent)); };
+      EXPECT_NEAR(area(2), 0.5, 1e-9) << "a rectangle of 1 x 1/2, clip " << int(clip);
+      EXPECT_NEAR(area(0), clip == VoronoiClip::Hull ? 0.125 : 0.375, 1e-9) << int(clip);
     }
   }
+}
+
+/// The centres of the two halves of a turned square differ in their last bits: they are one corner.
+TEST(VoronoiScales, CellsOfATurnedLatticeHaveFourCorners)
+{
+  constexpr int kSide = 12;
+  std::vector<Point> points;
+  for (int i = 0; i < kSide; ++i)
+  {
+    for (int j = 0; j < kSide; ++j)
+    {
+      points.push_back({ 1000.0 + 0.06 * i - 0.08 * j, 2000.0 + 0.08 * i + 0.06 * j });
+    }
+  }
+  const VoronoiCells cells = cellsOf(points, VoronoiClip::Hull);
+  ASSERT_EQ(cells.sites.size(), points.size());
+  for (int i = 1; i + 1 < kSide; ++i)
+  {
+    for (int j = 1; j + 1 < kSide; ++j)
+    {
+      EXPECT_EQ(cell(cells, static_cast<std::size_t>(kSide * i + j)).size(), 4u) << i << ", " << j;
+    }
+  }
+}
+
+/// Centres that are joined do not drift away in steps: each is near to the one that stands for it.
+TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
+{
+  std::size_t joined = 0;
+  for (std::uint64_t seed = 1; seed <= 300; ++seed)
+  {
+    const std::vector<Point> points = makePoints(Distribution::OnCircle, 20 + seed % 60, seed);
+    const Delaunay delaunay(points);
+    Diagram diagram(delaunay.view);
+    Ticker ticker(nullptr, Phase::Fates, 0);
+    ASSERT_TRUE(diagram.build(ticker));
+    for (std::size_t t = 0; t < diagram.triangles(); ++t)
+    {
+      const Point own = diagram.centre(t), other = diagram.centre(diagram.standIn(t));
+      constexpr double kMost = 0x1p-51; // two units of coordinates below 1
+      EXPECT_TRUE(std::fabs(own.x - other.x) <= kMost && std::fabs(own.y - other.y) <= kMost) << t;
+      joined += diagram.standIn(t) != t ? 1 : 0;
+    }
+  }
+  EXPECT_GT(joined, 1000u);
 }
 
 /// Nearly on one line: crossings with two edges of the hull that round to one place are one corner.
