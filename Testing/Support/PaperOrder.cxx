@@ -293,22 +293,31 @@ private:
     result_.sequence.insert(result_.sequence.end(), uncontrolled_.begin(), uncontrolled_.end());
     if (hasControlPoints(ControlPoints::EveryLevel))
     {
-      everyTwelfthFirst(result_.sequence);
+      oneOfTwelveFirst(result_.sequence, 1);
     }
   }
 
-  /// Not the paper's: every 12th before the others, recursively.
-  static void everyTwelfthFirst(std::vector<Index>& sequence)
+  /// Not the paper's: one of every 12 before the others, recursively as long as there are more.
+  static void oneOfTwelveFirst(std::vector<Index>& sequence, std::uint64_t stride)
   {
+    if (sequence.size() <= 12)
+    {
+      return;
+    }
     std::vector<Index> first, others;
-    for (std::size_t i = 0; i < sequence.size(); ++i)
+    for (std::size_t begin = 0; begin < sequence.size(); begin += 12)
     {
-      (i % 12 == 0 ? first : others).push_back(sequence[i]);
+      const std::size_t count = std::min<std::size_t>(12, sequence.size() - begin);
+      std::uint64_t hash = (begin / 12 + stride) * 0x9E3779B97F4A7C15u;
+      hash = (hash ^ (hash >> 32)) * 0x9E3779B97F4A7C15u;
+      const std::uint64_t drawn = (hash >> 32) * 12 >> 32;
+      const std::uint64_t chosen = drawn < count ? drawn : 0;
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        (i == chosen ? first : others).push_back(sequence[begin + i]);
+      }
     }
-    if (first.size() > 1)
-    {
-      everyTwelfthFirst(first);
-    }
+    oneOfTwelveFirst(first, 12 * stride);
     first.insert(first.end(), others.begin(), others.end());
     sequence = first;
   }

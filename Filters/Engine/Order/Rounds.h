@@ -6,18 +6,24 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 
 namespace ahd
 {
 
-/// Of an order and of each subset of it, every so many-th point belongs to the next subset.
-/// Measured: 8 to 16 are alike (CPU time per point), 4 and less or 32 and more are slower.
+/// Of an order and of each subset of it, one of every so many successive points belongs to the next
+/// subset. Measured: 8 to 16 are alike (CPU time per point), 4 and less or 32 and more are slower.
 constexpr std::size_t kControlStride = 12;
 
-/// Control points at every level: the places 0 to n - 1 of an order in rounds. The first round is
-/// the multiples of the highest power of kControlStride below n, each later one the multiples of
-/// the next lower power that are not in a round before, the last what remains; ascending in each.
-/// A round is known by its stride, that power.
+/// Control points at every level: the places 0 to n - 1 of an order in rounds. The order is cut
+/// into blocks of kControlStride places, as many blocks into a larger one, and so on, as long as
+/// there are two blocks; the last of each size may have fewer. One of the blocks in a larger one
+/// lends it its control point, chosen by a hash of the number of the larger one: chosen by its
+/// place, the first say, all would be alike where the order repeats itself (teeth of two lengths,
+/// two rows of points), and tell nothing of the points between them. The first round are the
+/// control points of the largest blocks, each later one those of the next smaller blocks that are
+/// not in a round before, ascending in each. A round is known by its stride, the size of its
+/// blocks.
 class Rounds
 {
 public:
@@ -35,28 +41,63 @@ public:
   /// The number of places in the rounds before this one.
   std::size_t before(std::size_t stride) const
   {
-    return stride == first_ ? 0 : multiples(stride * kControlStride, n_);
+    return stride == first_ ? 0 : blocks(stride * kControlStride);
   }
   /// The number of places in this round.
-  std::size_t size(std::size_t stride) const { return multiples(stride, n_) - before(stride); }
+  std::size_t size(std::size_t stride) const { return blocks(stride) - before(stride); }
 
   /// The k-th place of this round.
   std::size_t place(std::size_t stride, std::size_t k) const
   {
-    return stride * (stride == first_ ? k : k + k / (kControlStride - 1) + 1);
+    if (stride == first_)
+    {
+      return controlPoint(stride, k);
+    }
+    const std::size_t parent = k / (kControlStride - 1);
+    const std::size_t nth = k % (kControlStride - 1);
+    const std::size_t skipped = nth >= lender(stride, parent) ? 1 : 0;
+    return controlPoint(stride, parent * kControlStride + nth + skipped);
   }
-  /// The inverse: which place of this round it is, or the next one not below it.
+
+  /// How many places of this round are in the blocks before the one that `place` is in: the inverse
+  /// of place(), if it is of this round. For n, how many there are.
   std::size_t index(std::size_t stride, std::size_t place) const
   {
-    const std::size_t multiple = multiples(stride, place);
-    return stride == first_ ? multiple : multiple - multiples(kControlStride, multiple);
+    if (place == n_)
+    {
+      return size(stride);
+    }
+    const std::size_t block = place / stride;
+    if (stride == first_)
+    {
+      return block;
+    }
+    const std::size_t parent = block / kControlStride;
+    return block - parent - (block % kControlStride > lender(stride, parent) ? 1 : 0);
   }
 
 private:
-  /// How many of the numbers 0 to end - 1 are multiples of `stride`.
-  static std::size_t multiples(std::size_t stride, std::size_t end)
+  /// How many blocks of this size there are.
+  std::size_t blocks(std::size_t stride) const { return (n_ + stride - 1) / stride; }
+
+  /// Which of the blocks of this size in the larger block `parent` lends that its control point.
+  std::size_t lender(std::size_t stride, std::size_t parent) const
   {
-    return (end + stride - 1) / stride;
+    constexpr std::uint64_t kMix = 0x9E3779B97F4A7C15u;
+    std::uint64_t hash = (parent + stride) * kMix;
+    hash = (hash ^ hash >> 32) * kMix >> 32;
+    const std::size_t chosen = std::size_t(hash * kControlStride >> 32);
+    return (parent * kControlStride + chosen) * stride < n_ ? chosen : 0;
+  }
+
+  std::size_t controlPoint(std::size_t stride, std::size_t block) const
+  {
+    while (stride > 1)
+    {
+      stride /= kControlStride;
+      block = block * kControlStride + lender(stride, block);
+    }
+    return block;
   }
 
   std::size_t n_;

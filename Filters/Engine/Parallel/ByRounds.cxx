@@ -93,10 +93,11 @@ private:
   {
     shared_.attempts += end - begin;
     shared_.criticalPath += end - begin;
+    Index next = begin < end ? vertexAt(begin) : 0;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Index p = vertexAt(i);
-      const Index next = i + 1 < end ? vertexAt(i + 1) : p;
+      const Index p = next;
+      next = i + 1 < end ? vertexAt(i + 1) : p;
       if (kernel_.insert(p, next, Mesh::freshSlots(i), hint_) != Insertion::Done)
       {
         return false;

@@ -72,8 +72,7 @@ bool Parts::findStarts()
 void Parts::noteStarts(Mesh::Slot begin, Mesh::Slot end)
 {
   const std::uint32_t* const data = mesh_.data();
-  const double toPlace = 1.0 /
-    double(known_); // exact enough: vertices here are multiples of known_
+  const double toBlock = 1.0 / double(known_); // v + 0.5 is not nearer to a border than it rounds
   for (Mesh::Slot slot = begin; slot != end; slot += Mesh::kSlotSize)
   {
     for (unsigned corner = 0; corner < 3; ++corner)
@@ -81,7 +80,7 @@ void Parts::noteStarts(Mesh::Slot begin, Mesh::Slot end)
       const Index v = data[slot + corner];
       if (v != mesh_.ghost())
       {
-        storeLarger(starts_[static_cast<std::size_t>(v * toPlace + 0.5)], slot);
+        storeLarger(starts_[static_cast<std::size_t>((v + 0.5) * toBlock)], slot);
       }
     }
   }

@@ -75,7 +75,7 @@ private:
   void account(SharedWork& work);
 
   /// A triangle to start from when locating vertex v: it had, when the round began, the vertex of
-  /// the rounds before that is the last one not above v. Since then, whatever fills its slot has a
+  /// the rounds before that is in the same block as v. Since then, whatever fills its slot has a
   /// vertex of the territory that vertex belongs to.
   Mesh::Slot startFor(std::size_t v) const
   {
@@ -112,7 +112,7 @@ private:
   Ticker& ticker_;
   const Rounds& rounds_;
   std::size_t stride_;
-  std::size_t known_; ///< the vertices of the rounds before are the multiples of this
+  std::size_t known_; ///< the vertices of the rounds before: one in each block of this size
   std::vector<Part> parts_;
   Buffer<Index> waiting_; ///< a part's points that wait stand where its own would, if listed
   std::unique_ptr<std::atomic<Mesh::Slot>[]> starts_;
