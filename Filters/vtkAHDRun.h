@@ -43,7 +43,8 @@ public:
   vtkAHDRun(const vtkAHDRun&) = delete;
   vtkAHDRun& operator=(const vtkAHDRun&) = delete;
 
-  /// Is there memory for it all, as far as that is known before? Says so if not.
+  /// Are there not too many points, and is there memory for it all, as far as that is known before?
+  /// Says so if not.
   bool FitsInMemory();
 
   /// Triangulates and fills the outputs; throws nothing.

@@ -73,6 +73,11 @@ std::size_t vtkAHDRun::EstimateSourceBytes(std::size_t count) const
 
 bool vtkAHDRun::FitsInMemory()
 {
+  if (this->CountExpectedPoints() > ahd::kMaximumPoints)
+  {
+    this->Fail(ahd::Status::TooManyPoints);
+    return false;
+  }
   // What was kept for this execution is part of the estimate. With a limit, all of it is given back
   // where it might be too much.
   const std::size_t bytes = this->EstimateBytes();
@@ -118,7 +123,7 @@ void vtkAHDRun::Fail(ahd::Status status)
   if (status == ahd::Status::TooManyPoints)
   {
     vtkErrorWithObjectMacro(this->Filter,
-      "" << this->Points.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
+      "" << this->CountExpectedPoints() << " points are too many: at most " << ahd::kMaximumPoints
          << " can be triangulated.");
   }
   else if (status == ahd::Status::TooManyBoxes)

@@ -20,6 +20,13 @@
  * exact; points of another type are converted to double first, which rounds whole numbers beyond
  * 2^53. Projecting and adding points takes a copy of the places in the plane, 25 bytes per point.
  *
+ * <b>Threads.</b> Several filters may execute at once, each in a pipeline and a thread of its own:
+ * give each a shallow copy of the input and of the source, since VTK's data objects are not for two
+ * threads; the arrays may be shared. Nobody may change them meanwhile; changes between executions
+ * are seen after Modified() of what was changed. To abort from another thread, set a flag of your
+ * own (std::atomic) and let an observer of ProgressEvent call SetAbortExecute when it sees it: VTK
+ * keeps that in a plain number, which only the thread that executes may write.
+ *
  * <b>To see how it works.</b> With InsertionLimit the filter stops after so many points and puts
  * out the triangulation as it was then; animated, it shows the surface grow. GenerateInsertionRank
  * adds the place of each point in the order of insertion to the surface. The order itself is output

@@ -2,6 +2,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Engine/FloatingPoint.h"
+#include "Engine/Points/Points.h"
 #include "vtkAHDBlocks.h"
 #include "vtkAHDExecutor.h"
 #include "vtkAHDKept.h"
@@ -29,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <new>
 
 namespace
@@ -121,23 +123,23 @@ vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkP
     return nullptr;
   }
   const ahd::ScopedFloatingPoint asTheEngine;
-  vtkNew<vtkAlgorithm> nobody; // who could abort
-  vtkAHDProgress progress(nobody);
-  vtkAHDExecutor executor(vtkAHDThreadsToUse(0));
-  vtkAHDWorkingPoints points(input);
-  vtkAHDPlane plane;
   try
   {
+    vtkNew<vtkAlgorithm> nobody; // who could abort
+    vtkAHDProgress progress(nobody);
+    vtkAHDExecutor executor(vtkAHDThreadsToUse(0));
+    vtkAHDWorkingPoints points(input);
+    vtkAHDPlane plane;
     points.Open(executor, progress);
     plane.Fit(points.View(), executor, progress);
+    const vtkSmartPointer<vtkTransform> transform = plane.MakeTransform();
+    transform->Register(nullptr);
+    return transform;
   }
   catch (const std::bad_alloc&)
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkTransform> transform = plane.MakeTransform();
-  transform->Register(nullptr);
-  return transform;
 }
 
 vtkMTimeType vtkAdaptiveHilbertDelaunay2D::GetMTime()
@@ -163,6 +165,20 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   const ahd::ScopedFloatingPoint asTheEngine;
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
+  try
+  {
+    this->Execute(inputVector, outputVector);
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->EndWithoutMemory(outputVector);
+  }
+  return 1;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::Execute(
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
   this->BytesOfBlocks = 0;
   vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
   vtkPolyData* source = vtkPolyData::GetData(inputVector[1]);
@@ -173,7 +189,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   }
   if (input && this->PassOnKept(input, source, outputVector))
   {
-    return 1;
+    return;
   }
   this->ClearMeasures();
   this->WarnAboutRanks();
@@ -186,13 +202,38 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   {
     this->Kept->Forget();
   }
-  return 1;
 }
 
-/// One point set of all blocks; null if that was aborted or there is no memory, which it says.
+/// Where memory ran out elsewhere than in an execution's steps, which say more of it.
+void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(vtkInformationVector* outputVector)
+{
+  for (vtkPolyData* output : OutputsOf(outputVector))
+  {
+    output->Initialize();
+  }
+  this->Kept->Forget();
+  this->ClearMeasures();
+  try
+  {
+    vtkErrorMacro("Out of memory. Nothing is put out.");
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fputs("vtkAdaptiveHilbertDelaunay2D: out of memory, nothing is put out.\n", stderr);
+  }
+}
+
+/// One point set of all blocks; null if that was aborted, or if there are too many points or there
+/// is no memory, which it says.
 vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(vtkCompositeDataSet* blocks)
 {
   const vtkAHDBlocks all(blocks);
+  if (static_cast<std::size_t>(all.GetCount()) > ahd::kMaximumPoints)
+  {
+    vtkErrorMacro("" << all.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
+                     << " can be triangulated.");
+    return nullptr;
+  }
   this->BytesOfBlocks = all.EstimateBytes();
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->BytesOfBlocks / 1024);
   const vtkTypeInt64 limit = this->MemoryLimit > 0 ? this->MemoryLimit : vtkAHDAvailableMemory();

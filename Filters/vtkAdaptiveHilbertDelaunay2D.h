@@ -500,6 +500,8 @@ private:
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
   friend class vtkAHDRun; // one execution
+  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
+  void EndWithoutMemory(vtkInformationVector* outputs);
   void WarnAboutRanks();
   vtkSmartPointer<vtkPointSet> MergeInput(vtkCompositeDataSet* blocks);
   void WarnAboutBlocks(vtkDataObject* data);

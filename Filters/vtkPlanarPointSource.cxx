@@ -100,12 +100,12 @@ int vtkPlanarPointSource::RequestData(
   const ahd::ScopedFloatingPoint asTheEngine;
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more.
-  if (!this->FitsInMemory())
-  {
-    return 1;
-  }
   try
   {
+    if (!this->FitsInMemory())
+    {
+      return 1;
+    }
     const bool all = this->OutputPointsPrecision == SINGLE_PRECISION
       ? this->MakePoints<vtkFloatArray>(output)
       : this->MakePoints<vtkDoubleArray>(output);

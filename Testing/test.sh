@@ -112,7 +112,7 @@ if [ -n "$vtk91" ]; then
   (
     export LD_LIBRARY_PATH=$libraries # the programs' own search path does not reach their libraries'
     configure_and_build "$build/with-vtk91" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=OFF \
-      "VTK_DIR=$libraries/cmake/vtk-9.1" -- FilterTests AdaptiveHilbertDelaunayFiltersPython
+      "VTK_DIR=$libraries/cmake/vtk-9.1" -- FilterTests FaultsMemory FaultsCancel AdaptiveHilbertDelaunayFiltersPython
   ) || exit
 fi
 configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON

@@ -24,6 +24,9 @@ namespace ahd
 /// so the result is a function of the point set: the same for every Options, any number of threads
 /// and, up to the ids, for every order of the input. Nothing is thrown across this border, printed,
 /// or read from the environment.
+///
+/// One object is for one thread at a time; several may look at the same points. Nobody may change
+/// the points from the beginning of run() until the last write.
 class Triangulator
 {
 public:

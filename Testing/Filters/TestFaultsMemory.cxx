@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Memory runs out anywhere in the filter: one error, empty outputs, nothing thrown, nothing leaked,
+// and the next execution is as if nothing had been. A program of its own, whose operator new and
+// malloc fail when told to.
+#include "FailingMemory.h"
+#include "FeatureTestSupport.h"
+
+#include "vtkObjectFactory.h"
+#include "vtkPlanarPointSource.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <new>
+#include <random>
+
+using namespace ahdtest;
+
+namespace
+{
+
+/// A filter or source whose memory runs out while it executes.
+template <typename Algorithm>
+class Faulty : public Algorithm
+{
+public:
+  static Faulty* New() { VTK_STANDARD_NEW_BODY(Faulty); }
+
+  std::size_t FailAt = 0; ///< the number of the allocation that fails; 0: none
+  bool AndAllLater = false;
+  std::size_t Asked = 0; ///< allocations of the last execution
+  bool Threw = false;
+
+protected:
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** in, vtkInformationVector* out) override
+  {
+    int result = 1;
+    this->Threw = false;
+    memory::begin(this->FailAt, this->AndAllLater);
+    try
+    {
+      result = this->Algorithm::RequestData(request, in, out);
+    }
+    catch (const std::bad_alloc&)
+    {
+      this->Threw = true;
+    }
+    this->Asked = memory::end();
+    return result;
+  }
+};
+using FaultyFilter = Faulty<vtkAdaptiveHilbertDelaunay2D>;
+using FaultySource = Faulty<vtkPlanarPointSource>;
+
+/// What is done to a filter, and what comes of it.
+struct Case
+{
+  Case(const Feature& feature, std::size_t count, int threads)
+  {
+    this->Said->Watch(this->Filter);
+    feature.SetUp(this->Filter, count);
+    this->Filter->SetNumberOfThreads(threads);
+    // Twice: what the standard library and VTK keep for good is there then.
+    this->Execute(0);
+    this->Execute(0);
+    this->Whole = outputOf(this->Filter);
+  }
+
+  void Execute(std::size_t failAt, bool andAllLater = false)
+  {
+    this->Said->Errors.clear();
+    this->Filter->FailAt = failAt;
+    this->Filter->AndAllLater = andAllLater;
+    this->Filter->GetInputDataObject(0, 0)->Modified();
+    this->Filter->Update();
+  }
+
+  /// Fails at `failAt` of an execution, and executes once more without.
+  void ExpectSurvived(std::size_t failAt, bool andAllLater)
+  {
+    this->Execute(failAt, andAllLater);
+    EXPECT_FALSE(this->Filter->Threw);
+    if (this->Said->Errors.empty() && sizeOfOutput(this->Filter) > 0)
+    {
+      // It was done without, or it was the words of a warning that there was no room for.
+      EXPECT_TRUE(outputOf(this->Filter) == this->Whole);
+      return;
+    }
+    ++this->Failures;
+    EXPECT_EQ(sizeOfOutput(this->Filter), 0);
+    EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 0);
+    // Where no memory comes back there may be none to say so, but on the standard error.
+    EXPECT_LE(this->Said->Errors.size(), 1u);
+    EXPECT_TRUE(andAllLater || this->Said->Errors.size() == 1);
+    for (const std::string& error : this->Said->Errors)
+    {
+      EXPECT_NE(error.find("emory"), std::string::npos) << error;
+    }
+    this->Execute(0);
+    EXPECT_TRUE(this->Said->Errors.empty());
+    EXPECT_TRUE(outputOf(this->Filter) == this->Whole);
+  }
+
+  vtkNew<FaultyFilter> Filter;
+  vtkNew<Messages> Said;
+  std::string Whole; ///< the output of an execution without a failure
+  std::size_t Failures = 0;
+};
+
+/// Fails at every allocation, or at so many of them, evenly spread, of an execution that is the
+/// first of its kind, the second (which takes fingerprints) or the third (which passes on).
+void expectSurvivedAnywhere(const Feature& feature, std::size_t count, std::size_t most)
+{
+  Case given(feature, count, 1);
+  for (int past = 0; past < 3; ++past)
+  {
+    const auto execute = [&](std::size_t failAt)
+    {
+      given.Filter->Modified();
+      for (int i = 0; i < past; ++i)
+      {
+        given.Execute(0);
+      }
+      given.ExpectSurvived(failAt, past == 1);
+    };
+    execute(0);
+    const std::size_t all = given.Filter->Asked;
+    EXPECT_GT(all, 0u) << "the filter no longer allocates through operator new";
+    const std::size_t step = std::max<std::size_t>(1, all / most);
+    for (std::size_t k = 1 + std::size_t(past) % step; k <= all + step; k += step)
+    {
+      SCOPED_TRACE("allocation " + std::to_string(k) + " after " + std::to_string(past));
+      execute(k);
+    }
+  }
+  EXPECT_GT(given.Failures, 20u);
+}
+
+void expectNoLeakAnywhere(const Feature& feature, std::size_t count, std::size_t most)
+{
+  SCOPED_TRACE(feature.Name);
+  std::ptrdiff_t before = memory::blocks();
+  expectSurvivedAnywhere(feature, count, most);
+  if (memory::blocks() != before) // what stays in use for good was new the first time
+  {
+    before = memory::blocks();
+    expectSurvivedAnywhere(feature, count, most);
+    EXPECT_EQ(memory::blocks(), before) << "something leaked";
+  }
+}
+
+}
+
+TEST(FaultsMemory, RunningOutAtAnyAllocationIsOneErrorAndNoMore)
+{
+  for (const Feature& feature : allFeatures())
+  {
+    expectNoLeakAnywhere(feature, 90, 12);
+  }
+}
+
+TEST(LongFaultsMemory, RunningOutAtEveryAllocation)
+{
+  for (const Feature& feature : allFeatures())
+  {
+    expectNoLeakAnywhere(feature, 150, std::size_t(-1));
+  }
+}
+
+TEST(LongFaultsMemory, RunningOutAtAThousandOfALargeInputWithThreads)
+{
+  std::mt19937 random(1);
+  const std::vector<Feature> features = allFeatures();
+  for (std::size_t i = 0; i < features.size(); ++i)
+  {
+    SCOPED_TRACE(features[i].Name);
+    Case given(features[i], 20000, 3);
+    const std::size_t all = given.Filter->Asked;
+    for (int k = 0; k < 1000 / int(features.size()) + 1; ++k)
+    {
+      const std::size_t failAt = 1 + random() % all;
+      SCOPED_TRACE(failAt);
+      given.ExpectSurvived(failAt, k % 2 == 1);
+    }
+    EXPECT_GT(given.Failures, 50u);
+  }
+}
+
+TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
+{
+  vtkNew<FaultySource> source;
+  vtkNew<Messages> said;
+  said->Watch(source);
+  source->SetNumberOfPoints(100);
+  source->Update();
+  const std::size_t all = source->Asked;
+  EXPECT_GT(all, 2u);
+  for (std::size_t k = 1; k <= all; ++k)
+  {
+    SCOPED_TRACE(k);
+    said->Errors.clear();
+    source->FailAt = k;
+    source->Modified();
+    source->Update();
+    EXPECT_FALSE(source->Threw);
+    if (source->GetOutput()->GetNumberOfPoints() > 0)
+    {
+      continue; // a stream did without
+    }
+    EXPECT_EQ(said->Errors.size(), 1u);
+    EXPECT_EQ(source->GetOutput()->GetNumberOfCells(), 0);
+  }
+  source->FailAt = 0;
+  source->Modified();
+  source->Update();
+  EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 100);
+}
+
+TEST(FaultsMemory, NoPlaneWhereThereIsNoMemory)
+{
+  auto cloud = cloudWithAll(100, VTK_INT); // to be converted
+  std::size_t asked = 1;
+  std::size_t refusals = 0;
+  for (std::size_t k = 0; k <= asked; ++k)
+  {
+    memory::begin(k, false);
+    vtkAbstractTransform* plane = vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(cloud);
+    asked = std::max(memory::end(), asked);
+    EXPECT_TRUE(plane || k > 0);
+    refusals += plane == nullptr;
+    if (plane)
+    {
+      plane->Delete();
+    }
+  }
+  EXPECT_GT(refusals, 0u);
+}
