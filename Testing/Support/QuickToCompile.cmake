@@ -1,0 +1,26 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# Half of the time of a test run was the compiler's, and most of that went into test programs.
+#
+# ahd_quick_to_compile(<target> <level> <header>...)
+# Compiles a program of tests with the optimisation -O<level>, whatever the build type: it is what
+# is tested that is to be compiled as users have it. The headers, all of them other projects', are
+# compiled beforehand, once for all targets of one folder: these name the same headers and level, and
+# have the same definitions and options. A compiler cache could not keep what uses such headers:
+# with one they are left out.
+function (ahd_quick_to_compile target level)
+  if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+    return ()
+  endif ()
+  target_compile_options(${target} PRIVATE -O${level})
+  if (CMAKE_CXX_COMPILER_LAUNCHER)
+    return ()
+  endif ()
+  get_property(first DIRECTORY PROPERTY ahd_first_quick_target)
+  if (first)
+    target_precompile_headers(${target} REUSE_FROM ${first})
+  else ()
+    target_precompile_headers(${target} PRIVATE ${ARGN})
+    set_property(DIRECTORY PROPERTY ahd_first_quick_target ${target})
+  endif ()
+endfunction ()
