@@ -28,13 +28,13 @@ EOF
 }
 
 # To build; for the plugin's help; to run it on several ranks and without a screen; for the tests,
-# their sanitizers and benchmarks; for the unpacked VTK 9.1, whose development files want TBB; and for
+# their sanitizers, benchmarks and lint; for the unpacked VTK 9.1, whose development files want TBB; and for
 # the peers of PyPI that the benchmarks compare with.
 packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev
   qttools5-dev qtxmlpatterns5-dev-tools
   openmpi-bin libglew-dev xvfb xauth
   git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
-  clang clang-format libclang-rt-14-dev valgrind
+  clang clang-format libclang-rt-14-dev valgrind shellcheck pyflakes3
   libtbb-dev python3-venv)
 
 # Debian's VTK 9.1 cannot be installed beside ParaView: their Python packages exclude each other.
@@ -47,7 +47,7 @@ ctest_options=()
 for argument in "$@"; do
   case $argument in
     -h | --help) help && exit 0 ;;
-    --long) long=ON ;;
+    --long) long=ON && packages+=(clang-tidy) ;;
     --paraview) vtk91= ;;
     *) ctest_options+=("$argument") ;;
   esac
@@ -120,7 +120,7 @@ configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_P
 if [ -n "$vtk91" ]; then
   export LD_LIBRARY_PATH=$libraries
   # the engine does not know VTK: its tests run once, with the rest
-  run_ctest "VTK 9.1" "$build/with-vtk91" -E '^(Engine|Determinism|Fuzz|Benchmark|Demo)' ${ctest_options[@]+"${ctest_options[@]}"}
+  run_ctest "VTK 9.1" "$build/with-vtk91" -E '^(Engine|Determinism|Fuzz|Benchmark|Demo|Lint)' ${ctest_options[@]+"${ctest_options[@]}"}
   unset LD_LIBRARY_PATH
 fi
 run_ctest "ParaView and its VTK" "$build" ${ctest_options[@]+"${ctest_options[@]}"}

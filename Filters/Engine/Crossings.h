@@ -88,8 +88,9 @@ constexpr int kMostSplittingRounds = 16;
 ///
 /// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory, or
 /// TooManyPoints if there are more than kMaximumPoints, the added ones included, or more than
-/// 2^31 ids in the chains; unless Ok, `out` is not to be used. Cost: for n segments with k crossings
-/// n log^2 n + k log n steps a round at most; mostly one round splits and a second finds nothing.
+/// 2^31 ids in the chains; unless Ok, `out` is not to be used. Cost: for n segments with k
+/// crossings n log^2 n + k log n steps a round at most; mostly one round splits and a second finds
+/// nothing.
 Status splitAtCrossings(
   const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out);
 

@@ -14,7 +14,6 @@ from paper_data import (
     gain,
     gains,
     span,
-    title,
     tolerance,
 )
 

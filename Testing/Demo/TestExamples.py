@@ -92,7 +92,8 @@ class Examples(unittest.TestCase):
         removed = {label: float(nr) for label, _, nr in rows}
         # any triangulation of a point's surroundings loses at least one triangle to it
         self.assertTrue(all(nr > 1.0 for nr in removed.values()), said)
-        self.assertLess(removed["adaptive Hilbert, control points: every level"], removed["adaptive Hilbert, control points: off"])
+        control = "adaptive Hilbert, control points: "
+        self.assertLess(removed[control + "every level"], removed[control + "off"])
 
     def test_insertion(self):
         said = self.run_example("pvpython", os.path.join(EXAMPLES, "insertion.py"), PLUGIN, self.folder)

@@ -17,7 +17,7 @@ import numpy
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(ROOT, "Plugin", "Demo"))
 
-import adaptivehilbertdelaunay  # before the filter exists, so that Python knows its class
+import adaptivehilbertdelaunay  # noqa: F401 (before the filter exists, so that Python knows its class)
 import demo
 import picture
 from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy

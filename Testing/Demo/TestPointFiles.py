@@ -85,7 +85,8 @@ class Delimiters(FileTest):
         self.assertEqual(found.names, ("lon", "lat", "depth"))
 
     def test_a_first_row_of_text_among_others_is_no_header(self):
-        self.assert_points(self.read("a,1,2,3\nb,4,5,6\n7,7,8,9\nc,0,0,0\n"), [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 0, 0]])
+        rows = "a,1,2,3\nb,4,5,6\n7,7,8,9\nc,0,0,0\n"
+        self.assert_points(self.read(rows), [[1, 2, 3], [4, 5, 6], [7, 8, 9], [0, 0, 0]])
 
     def test_comments(self):
         text = "# made by hand\n% and\n// by\n> foot\n\n1 2 3 # the first\n! more\n4 5 6\n"
@@ -224,7 +225,8 @@ class Las(FileTest):
         self.assert_refused("does not begin with LASF", b"", name="points.las")
         self.assert_refused("LAS 2.0 with point format 0", good[:24] + b"\2\0" + good[26:], name="points.las")
         self.assert_refused("with point format 11", good[:104] + b"\x0b" + good[105:], name="points.las")
-        self.assert_refused("records have 5 bytes, point format 0 needs 20", good[:105] + b"\5\0" + good[107:], name="points.las")
+        short = good[:105] + b"\5\0" + good[107:]
+        self.assert_refused("records have 5 bytes, point format 0 needs 20", short, name="points.las")
         self.assert_refused("holds no points", las(points=[]), name="points.las")
         for start in (0, 226):
             lying = good[:96] + struct.pack("<I", start) + good[100:]

@@ -2,8 +2,7 @@
 //
 // Every predicate, every stage of it and the filters that the insertion inlines, against GMP over
 // the whole range of double (PredicatesExtremes.h): 10^6 cases, in the long run 10^8. A case is
-// one question to one predicate. Counted is which stage answered what: each answer of each stage
-// has to occur.
+// one question to one predicate. Counted is which stage answered what: all answers must occur.
 #include "PredicatesExtremes.h"
 #include "PredicatesCounts.h"
 #include "PredicatesFastOracle.h"

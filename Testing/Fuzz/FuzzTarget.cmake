@@ -31,8 +31,8 @@ target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_root_dir}/Filters/Engin
 
 set(ahd_fuzz_support_sources)
 foreach (name IN ITEMS CertifiedMesh Certifier ConstrainedRun ConstraintCertifier ConstraintFill
-    ConstraintMakers ConstraintOracle ConstraintSets Corpus EngineRun ExactSigns Executors MeshWalk
-    Oracle SmallConstraintCases)
+    ConstraintMakers ConstraintOracle ConstraintOracleKept ConstraintSets Corpus EngineRun
+    ExactSigns Executors MeshWalk Oracle SmallConstraintCases)
   list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
 endforeach ()
 add_library(ahd_fuzz_support STATIC

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import time
 
-from pluginsupport import check, check_equal, run, scratch
+from pluginsupport import check_equal, run, scratch
 
 RANKS, COMMAND = int(sys.argv[1]), sys.argv[2:]
 

@@ -86,7 +86,8 @@ def test_settings_do_not_change_the_triangles():
     for order in ("Adaptive Hilbert", "Multi-grid", "Regular grid", "As given"):
         for control in ("Off", "First level", "Every level"):
             for nmax, gene in ((1, 0), (50, 1)):
-                SetProperties(surface, InsertionOrder=order, ControlPoints=control, Nmax=nmax, GeneRotation=gene, CountWork=1)
+                SetProperties(surface, InsertionOrder=order, ControlPoints=control)
+                SetProperties(surface, Nmax=nmax, GeneRotation=gene, CountWork=1)
                 setting = "%s, control points %s, Nmax %d, gene rotation %d" % (order, control, nmax, gene)
                 walked.add(measures(surface)["NP"])
                 check_equal(fingerprint(surface), expected, "triangles with " + setting)

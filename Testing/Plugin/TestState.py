@@ -2,7 +2,7 @@
 """A state file, XML or Python, brings the pipeline and its settings back."""
 
 from paraview.simple import *
-from paraview import servermanager, smstate
+from paraview import smstate
 
 from pluginsupport import *
 
@@ -117,7 +117,7 @@ def test_a_state_with_delaunay_2d():
     old = Delaunay2D(registrationName="old", Input=hill)
     values = {"ProjectionPlaneMode": "Best-Fitting Plane", "Alpha": 5.0, "Tolerance": 0.02, "Offset": 1.25}
     SetProperties(old, BoundingTriangulation=1, **values)
-    untouched = Delaunay2D(registrationName="untouched", Input=hill)
+    Delaunay2D(registrationName="untouched", Input=hill)
     SaveState(scratch("old.pvsm"))
     python_state = smstate.get_state(filter=smstate.supported_proxies())
     with open(scratch("old.pvsm")) as file:

@@ -53,7 +53,7 @@ private:
   bool eachEdge(const Side& side, Visit visit);
   template <typename Visit>
   bool eachSlot(Visit visit);
-  void flip(Mesh::Halfedge crossed);
+  void flip(Mesh::Halfedge h);
   bool collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
   bool lookBeyond(Side& side);
   bool fillSide(Side& side, const Mesh::Slot* slots);

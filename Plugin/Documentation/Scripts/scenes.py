@@ -350,7 +350,8 @@ def rank(path):
         panels.append(panel.image())
     stage.figure(
         path, panels,
-        ["Regular grid", "Hilbert curve, no control points", "Control points: first level", "Control points: every level"], 2,
+        ["Regular grid", "Hilbert curve, no control points",
+         "Control points: first level", "Control points: every level"], 2,
         key=[(RAMP[0], "dot", "first"), (RAMP[2], "dot", "half-way"), (RAMP[4], "dot", "last")])  # fmt: skip
     return {}
 

@@ -78,7 +78,8 @@ def summary(data):
     limit = f"over {results.settings['limit']:g} s"
     told = (f"Other libraries, each on up to {len(results.inputs)} inputs of {min(results.counts):,} to "
             f"{max(results.counts):,} points, one core; certified: exactly the Delaunay triangulation, whole:")
-    return told + "\n\n" + table(["", "runs certified", limit, "most points lost", "time over ours, median of all that ended"], rows)
+    columns = ["", "runs certified", limit, "most points lost", "time over ours, median of all that ended"]
+    return told + "\n\n" + table(columns, rows)
 
 
 def most_lost(results, peer):

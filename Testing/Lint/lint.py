@@ -1,0 +1,252 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Checks of the sources as text, one a run:
+
+    lint.py format [--clang-format PROGRAM]   C++ is as clang-format would have it
+    lint.py sizes                             files and functions are short
+    lint.py python                            lines of Python are short, pyflakes is content
+    lint.py shell                             shellcheck is content
+    lint.py tidy --build FOLDER [--only REGEX] [--jobs N]
+                                              clang-tidy is content; FOLDER has compile_commands.json
+
+Exit code 0: nothing to complain of; 1: complaints, one a line; 77: the tool is not installed.
+"""
+
+import argparse
+import ast
+import concurrent.futures
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+FOLDERS = ("Filters", "Plugin", "Testing", "Data", ".ci")
+CXX = {".cxx", ".h"}
+
+# A file has at most so many lines.
+FILE_LINES = 500
+# Three of four lines of this one are the contract of the class, which belongs in one place.
+LONG_FILES = {"Filters/vtkAdaptiveHilbertDelaunay2D.h": 540}
+# Nine functions of ten have fewer lines than the first, none has more than the second.
+USUAL_LINES = 40
+MOST_LINES = 80
+# The loop that the insertion spends its time in: in pieces, its state would not stay in registers.
+LONG = {("Filters/Engine/Insert/Kernel.cxx", "carve")}
+# A line of Python has at most so many characters.
+PYTHON_COLUMNS = 120
+
+# What pyflakes says of `from x import *`, which ParaView's scripts begin with.
+STARRED = re.compile(r"import \* ?' used|may be undefined, or defined from star imports|\.\*' imported but unused")
+
+
+def files(root, *suffixes):
+    """The files of the project that end so, in order."""
+    found = []
+    for folder in FOLDERS:
+        for directory, below, names in os.walk(root / folder):
+            below[:] = sorted(name for name in below if name != "__pycache__")
+            found += [pathlib.Path(directory) / name for name in sorted(names)]
+    return [path for path in found if path.suffix in suffixes]
+
+
+def shell_files(root):
+    """Scripts by their suffix, and those without one by their first line."""
+    scripts = files(root, ".sh")
+    for path in files(root, ""):
+        with open(path, "rb") as file:
+            if re.match(rb"#!.*\bbash\b", file.readline()):
+                scripts.append(path)
+    return scripts
+
+
+def run(command, **more):
+    """What a command printed, and its exit code."""
+    done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
+    return done.stdout, done.returncode
+
+
+def tool(name):
+    """The tool's path; where it is not installed the test is skipped."""
+    path = shutil.which(name)
+    if path is None:
+        print(f"{name} is not installed")
+        sys.exit(77)
+    return path
+
+
+# --- format -------------------------------------------------------------------------------------
+
+
+def check_format(root, program):
+    """Each C++ file that clang-format would change."""
+    sources = [path.relative_to(root) for path in files(root, *CXX)]
+    output, code = run([tool(program), "--dry-run", "-Werror", *sources], cwd=root)
+    complaints = re.findall(r"^(.*?:\d+):\d+: error:", output, re.M)
+    if code != 0 and not complaints:
+        complaints = [output]
+    return [f"{place}: clang-format would change this" for place in complaints]
+
+
+# --- sizes --------------------------------------------------------------------------------------
+
+OPENS = re.compile(r"^( *)\{$")
+NOT_A_FUNCTION = re.compile(r"\b(namespace|class|struct|union|enum)\b[^()]*$|^extern\b|=\s*$|^\s*#")
+
+
+def cxx_functions(lines):
+    """(first line, number of lines, name) of the functions with a body, as clang-format lays them out.
+
+    A body begins and ends with a brace on a line of its own, in the same column; what is above it up to
+    the end of the statement before is its head. Functions within functions (lambdas) are part of these.
+    """
+    number = 0
+    while number < len(lines):
+        brace = OPENS.match(lines[number])
+        if not brace:
+            number += 1
+            continue
+        top = number
+        while top > 0 and lines[top - 1].strip() and not re.search(r"[;{}]\s*$|^\s*(//|#|\w+:$)", lines[top - 1]):
+            top -= 1
+        head = " ".join(line.strip() for line in lines[top:number])
+        if "(" not in head or NOT_A_FUNCTION.search(head):
+            number += 1
+            continue
+        end = number
+        while not re.match(re.escape(brace.group(1)) + r"\}", lines[end]):
+            end += 1
+        name = re.search(r"(~?\w+|operator.{1,3})\(", head)
+        yield top + 1, end - top + 1, name.group(1) if name else head
+        number = end + 1
+
+
+def python_functions(text):
+    """(first line, number of lines, name) of the functions."""
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            yield node.lineno, node.end_lineno - node.lineno + 1, node.name
+
+
+def check_sizes(root):
+    """Files and functions that are too long."""
+    complaints = []
+    functions = []
+    for path in files(root, ".cxx", ".h", ".py", ".sh", ".cmake"):
+        text = path.read_text(encoding="utf-8")
+        lines = text.splitlines()
+        place = path.relative_to(root)
+        limit = LONG_FILES.get(str(place), FILE_LINES)
+        if len(lines) > limit:
+            complaints.append(f"{place}: {len(lines)} lines, more than {limit}")
+        found = []
+        if path.suffix in CXX:
+            found = cxx_functions(lines)
+        elif path.suffix == ".py":
+            found = python_functions(text)
+        functions += [(place, *function) for function in found]
+    for place, first, length, name in functions:
+        if length > MOST_LINES and (str(place), name) not in LONG:
+            complaints.append(f"{place}:{first}: {name} has {length} lines, more than {MOST_LINES}")
+    long = sum(1 for function in functions if function[2] >= USUAL_LINES)
+    print(f"{len(functions)} functions, {long} of them have {USUAL_LINES} lines or more")
+    if long * 10 > len(functions):
+        complaints.append(f"more than one function of ten has {USUAL_LINES} lines or more")
+    return complaints
+
+
+# --- Python and shell -----------------------------------------------------------------------------
+
+
+def meant(root, complaint):
+    """Is this what `from x import *` brings, or does the line itself say that it is meant?"""
+    place = re.match(r"(.*?):(\d+):", complaint)
+    if STARRED.search(complaint):
+        return True
+    lines = (root / place.group(1)).read_text(encoding="utf-8").splitlines()
+    return "# noqa" in lines[int(place.group(2)) - 1]
+
+
+def check_python(root):
+    """What is too wide, or by pyflakes' account does not compile, is unused or unknown."""
+    complaints = []
+    sources = files(root, ".py")
+    for path in sources:
+        place = path.relative_to(root)
+        text = path.read_text(encoding="utf-8")
+        for number, line in enumerate(text.splitlines(), 1):
+            if len(line) > PYTHON_COLUMNS:
+                complaints.append(f"{place}:{number}: {len(line)} characters, more than {PYTHON_COLUMNS}")
+    output, _ = run([tool("pyflakes3"), *[path.relative_to(root) for path in sources]], cwd=root)
+    found = [line for line in output.splitlines() if re.match(r".*\.py:\d+:", line)]
+    return complaints + [line for line in found if not meant(root, line)]
+
+
+def check_shell(root):
+    """What shellcheck warns of; the scripts' own files are followed."""
+    scripts = [path.relative_to(root) for path in shell_files(root)]
+    command = [tool("shellcheck"), "--severity=warning", "--external-sources", "--source-path=SCRIPTDIR"]
+    output, _ = run([*command, "--format=gcc", *scripts], cwd=root)
+    return output.splitlines()
+
+
+# --- clang-tidy -----------------------------------------------------------------------------------
+
+
+def tidy_sources(root, build, only):
+    """What the build compiles of the filter, the engine and the tests' tools, each file once."""
+    with open(build / "compile_commands.json", encoding="utf-8") as file:
+        compiled = {pathlib.Path(entry["file"]).resolve() for entry in json.load(file)}
+    wanted = re.compile(only)
+    inside = [path for path in files(root, ".cxx") if path.resolve() in compiled]
+    return [path for path in inside if wanted.match(str(path.relative_to(root)))]
+
+
+def check_tidy(root, build, only, jobs):
+    """What clang-tidy warns of. Its own errors count too: then something was not looked at."""
+    program = tool("clang-tidy")
+    sources = tidy_sources(root, build, only)
+
+    def look(path):
+        # gcc's options that clang does not know are no fault
+        quiet = ["--extra-arg=-Wno-unknown-warning-option", "--extra-arg=-Wno-ignored-optimization-argument"]
+        return run([program, "--quiet", "--warnings-as-errors=*", *quiet, "-p", build, path], cwd=root)
+
+    complaints = set()
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for path, (output, code) in zip(sources, pool.map(look, sources)):
+            found = re.findall(r"^(/.*?: (?:warning|error): .*)$", output, re.M)
+            complaints.update(line.replace(f"{root}/", "") for line in found)
+            if code != 0 and not found:
+                complaints.add(f"{path.relative_to(root)}: clang-tidy stopped with {code}: {output[-500:]}")
+    print(f"{len(sources)} files were looked at")
+    return sorted(complaints) if sources else ["no file was looked at"]
+
+
+def main():
+    """Runs the check that the command line names."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("check", choices=("format", "sizes", "python", "shell", "tidy"))
+    parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the project (default: this one)")
+    parser.add_argument("--clang-format", default="clang-format")
+    parser.add_argument("--build", type=pathlib.Path, help="a folder with compile_commands.json")
+    parser.add_argument("--only", default="Filters/|Testing/Support/", help="a regex of paths (tidy)")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count())
+    options = parser.parse_args()
+    if options.check == "format":
+        complaints = check_format(options.root, options.clang_format)
+    elif options.check == "tidy":
+        complaints = check_tidy(options.root, options.build, options.only, options.jobs)
+    else:
+        complaints = {"sizes": check_sizes, "python": check_python, "shell": check_shell}[options.check](options.root)
+    for complaint in complaints:
+        print(complaint)
+    print(f"{len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""lint.py complains of what it is there for: each fault is planted in a project of one file."""
+
+import json
+import pathlib
+import shutil
+import tempfile
+import unittest
+
+import lint
+
+CLEAN = """// SPDX-License-Identifier: BSD-3-Clause
+namespace n
+{
+struct Held
+{
+  int value;
+};
+
+int twice(const Held& held)
+{
+  return 2 * held.value;
+}
+
+} // namespace n
+"""
+
+
+def function(lines, name="f"):
+    """A C++ function of so many lines."""
+    return f"int {name}()\n{{\n" + "  work();\n" * (lines - 4) + "  return 0;\n}\n"
+
+
+class ComplaintsTest(unittest.TestCase):
+    """One project in a folder of its own, with the layout of this one's sources."""
+
+    def setUp(self):
+        self.root = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.root)
+        shutil.copy(lint.ROOT / ".clang-format", self.root)
+        shutil.copy(lint.ROOT / ".clang-tidy", self.root)
+
+    def write(self, name, text):
+        """Puts a file there and gives its path."""
+        path = self.root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        return path
+
+    def need(self, tool):
+        """Skips the test where the tool is not installed."""
+        if shutil.which(tool) is None:
+            self.skipTest(f"{tool} is not installed")
+
+    def test_format(self):
+        self.need("clang-format")
+        self.write("Filters/a.cxx", CLEAN)
+        self.assertEqual(lint.check_format(self.root, "clang-format"), [])
+        self.write("Testing/b.h", CLEAN.replace("  return", " return"))
+        self.assertEqual(
+            lint.check_format(self.root, "clang-format"), ["Testing/b.h:10: clang-format would change this"]
+        )
+
+    def test_long_files(self):
+        self.write("Testing/short.cxx", "int a;\n" * 500)
+        self.assertEqual(lint.check_sizes(self.root), [])
+        for name in ("Filters/long.cxx", "Plugin/long.py", "Testing/long.cmake"):
+            path = self.write(name, "a = 0\n" * 501)
+            self.assertEqual(lint.check_sizes(self.root), [f"{name}: 501 lines, more than 500"])
+            path.unlink()
+
+    def test_long_functions(self):
+        self.write("Filters/many.cxx", "\n".join(function(5, f"f{i}") for i in range(9)))
+        self.write("Filters/one.cxx", function(80))
+        self.assertEqual(lint.check_sizes(self.root), [])
+        self.write("Filters/one.cxx", function(81))
+        self.assertEqual(lint.check_sizes(self.root), ["Filters/one.cxx:1: f has 81 lines, more than 80"])
+        self.write("Filters/one.cxx", function(40))
+        self.write("Filters/two.py", "def f():\n" + "    pass\n" * 39)
+        self.assertEqual(lint.check_sizes(self.root), ["more than one function of ten has 40 lines or more"])
+
+    def test_functions_are_found_where_they_are(self):
+        inside = "struct S\n{\n  int f()\n  {\n    return 1;\n  }\n  S(int a)\n    : a_(a)\n  {\n  }\n};\n"
+        below = "/// A word.\ntemplate <int N>\nint g(\n  int a, int b)\n{\n  return a;\n}\n"
+        lines = (CLEAN + inside + below).splitlines()
+        found = [(name, length) for _, length, name in lint.cxx_functions(lines)]
+        self.assertEqual(found, [("twice", 4), ("f", 4), ("S", 4), ("g", 6)])
+
+    def test_python(self):
+        self.need("pyflakes3")
+        self.write("Plugin/good.py", "from math import *\n\nprint(sqrt(2))\nimport os  # noqa: F401\n")
+        self.assertEqual(lint.check_python(self.root), [])
+        for text, complaint in (
+            ("import os\n", "'os' imported but unused"),
+            ("print(unknown)\n", "undefined name 'unknown'"),
+            ("print('" + 120 * "x" + "')\n", "129 characters"),
+            ("def f(:\n", "invalid syntax"),
+        ):
+            self.write("Plugin/bad.py", text)
+            said = lint.check_python(self.root)
+            self.assertTrue(said and all(line.startswith("Plugin/bad.py:1:") for line in said), said)
+            self.assertIn(complaint, said[0])
+
+    def test_shell(self):
+        self.need("shellcheck")
+        self.write("Testing/good.sh", "#!/usr/bin/env bash\nset -u\n")
+        self.assertEqual(lint.check_shell(self.root), [])
+        for name in ("Testing/bad.sh", ".ci/run"):
+            path = self.write(name, "#!/usr/bin/env bash\ncd /nowhere\n")
+            said = lint.check_shell(self.root)
+            self.assertEqual(len(said), 1)
+            self.assertIn("SC2164", said[0])
+            self.assertTrue(said[0].startswith(name))
+            path.unlink()
+
+    def test_tidy(self):
+        self.need("clang-tidy")
+        source = self.write("Filters/a.cxx", CLEAN)
+        entry = {"directory": str(self.root), "file": str(source), "command": f"c++ -c {source}"}
+        self.write("compile_commands.json", json.dumps([entry]))
+        self.assertEqual(lint.check_tidy(self.root, self.root, "Filters/", 1), [])
+        self.assertEqual(lint.check_tidy(self.root, self.root, "Testing/", 1), ["no file was looked at"])
+        self.write("Filters/a.cxx", CLEAN.replace("return 2", "int* p = 0;\n  return *p"))
+        self.assertTrue(any("clang-analyzer-core.NullDereference" in line for line in self.tidied()))
+        self.write("Filters/a.cxx", CLEAN.replace("int value", "int valve"))
+        self.assertTrue(any("no member named 'value'" in line for line in self.tidied()))
+
+    def tidied(self):
+        """What clang-tidy says of the project's file."""
+        return lint.check_tidy(self.root, self.root, "Filters/", 1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
