@@ -3,6 +3,7 @@
 // Where segments cross: all pairs are found, against brute force in the tests' own arithmetic, and
 // the points are the exact ones, rounded.
 #include "Constrain/SplitFind.h"
+#include "Predicates/Predicates.h"
 
 #include "Distributions.h"
 #include "EngineRun.h"
@@ -280,6 +281,27 @@ TEST(SplitFind, CrossingOfSegmentsThatAreNearlyParallel)
     crossings += expectRounded({ a, b, { a.x, a.y + tiny }, { b.x, b.y - tiny * random.unit() } });
   }
   EXPECT_GT(crossings, reduced(3000) / 10);
+}
+
+/// Where two segments cross, rounded, is what both of them round to: also where that is far from
+/// them as roundings go, in a corner of what rounds there.
+TEST(SplitFind, SegmentsRoundToTheirCrossings)
+{
+  Random random(7);
+  std::size_t crossings = 0;
+  for (std::size_t round = 0; round < reduced(20000); ++round)
+  {
+    const Segment s{ { random.unit(), random.unit() }, { 1 + random.unit(), random.unit() } };
+    const Segment t{ { random.unit(), random.unit() }, { 1 + random.unit(), random.unit() } };
+    if (orient2d(s.left, s.right, t.left) * orient2d(s.left, s.right, t.right) < 0 &&
+      orient2d(t.left, t.right, s.left) * orient2d(t.left, t.right, s.right) < 0)
+    {
+      ++crossings;
+      const Point p = crossingOf(s, t);
+      EXPECT_TRUE(roundsTo(s, p) && roundsTo(t, p)) << hexText(p) << " in round " << round;
+    }
+  }
+  EXPECT_GT(crossings, reduced(20000) / 10);
 }
 
 /// Powers of two: the long integers have words without a bit, and words with all of them, through
