@@ -192,6 +192,21 @@ TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
   EXPECT_GT(joined, 1000u);
 }
 
+/// Vertices one unit in the last place apart: two corners on the border of the box come the wrong
+/// way round, and no cell passes the whole border for that.
+TEST(VoronoiScales, NoCellPassesTheWholeBorderByRounding)
+{
+  const std::vector<Point> points = { { -2, 4 }, { 3, 9 }, { -2, 0x1.0000000000001p+2 }, { -4, 16 },
+    { -2, 0x1.ffffffffffffep+1 }, { -3, 9 } };
+  const VoronoiCells cells = cellsOf(points, VoronoiClip::Bounds);
+  double area = 0.0;
+  for (std::size_t k = 0; k < cells.sites.size(); ++k)
+  {
+    area += areaOf(cell(cells, k));
+  }
+  EXPECT_NEAR(area, 7.0 * 12.0, 1e-9);
+}
+
 /// Nearly on one line: crossings with two edges of the hull that round to one place are one corner.
 TEST(VoronoiScales, CrossingsAtOnePlaceAreOneCorner)
 {

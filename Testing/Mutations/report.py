@@ -2,8 +2,10 @@
 """The report of a run, in Markdown."""
 
 import collections
+import pathlib
 import subprocess
 
+UNDECIDED = pathlib.Path(__file__).resolve().parent / "mutants" / "Undecided.md"
 KINDS = ("caught", "equivalent", "survived", "not built", "caught though listed as equivalent")
 
 
@@ -63,4 +65,5 @@ def markdown(mutants, results, usual, listed):
         f"- {number} mutants: **{counts}**.",
         f"- Noticed by a hash of the results only: {hashes}.",
     ]
-    return "\n".join(lines + list(rows(mutants, results))) + "\n"
+    undecided = UNDECIDED.read_text() if UNDECIDED.exists() else ""
+    return "\n".join(lines + list(rows(mutants, results))) + "\n" + undecided
