@@ -115,8 +115,7 @@ inline void shrink(vtkAdaptiveHilbertDelaunay2D* filter)
   filter->AlphaVertsOn();
 }
 
-/// Every feature of the filter occurs in one of them at least.
-inline std::vector<Feature> allFeatures()
+inline std::vector<Feature> featuresInTheGivenPlane()
 {
   using Filter = vtkAdaptiveHilbertDelaunay2D;
   return {
@@ -153,6 +152,13 @@ inline std::vector<Feature> allFeatures()
         f->SetMaximumEdgeLength(300.0);
         shrink(f);
       } },
+  };
+}
+
+inline std::vector<Feature> featuresElsewhere()
+{
+  using Filter = vtkAdaptiveHilbertDelaunay2D;
+  return {
     { "best fit",
       [](Filter* f, std::size_t n)
       {
@@ -207,6 +213,17 @@ inline std::vector<Feature> allFeatures()
         shrink(f);
       } },
   };
+}
+
+/// Every feature of the filter occurs in one of them at least.
+inline std::vector<Feature> allFeatures()
+{
+  std::vector<Feature> all = featuresInTheGivenPlane();
+  for (const Feature& feature : featuresElsewhere())
+  {
+    all.push_back(feature);
+  }
+  return all;
 }
 
 inline void addBytes(vtkAbstractArray* array, std::string& bytes)
