@@ -9,6 +9,16 @@
 find_package(GTest REQUIRED)
 include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
 
+if (AHD_FUZZ_SMALL)
+  include("${CMAKE_CURRENT_LIST_DIR}/SmallThresholds.cmake")
+  set(ahd_fuzz_engine_dir "${CMAKE_CURRENT_BINARY_DIR}/engine")
+  ahd_copy_with_small_thresholds("${ahd_fuzz_engine_dir}")
+  list(TRANSFORM ahd_engine_sources REPLACE "^.*/Filters/Engine/" "${ahd_fuzz_engine_dir}/")
+  list(TRANSFORM ahd_point_maker_includes REPLACE "^.*/Filters/Engine$" "${ahd_fuzz_engine_dir}")
+else ()
+  set(ahd_fuzz_engine_dir "${ahd_root_dir}/Filters/Engine")
+endif ()
+
 if (AHD_FUZZ_COVERAGE)
   set(ahd_fuzz_watched -O1 -fprofile-instr-generate -fcoverage-mapping)
   set(ahd_fuzz_link -fsanitize=fuzzer -fprofile-instr-generate)
@@ -27,7 +37,7 @@ add_library(ahd_fuzz_engine STATIC ${ahd_engine_sources})
 target_compile_features(ahd_fuzz_engine PUBLIC cxx_std_17)
 target_compile_options(ahd_fuzz_engine PRIVATE
   ${ahd_fuzz_watched} ${ahd_engine_options} -Wno-ignored-optimization-argument)
-target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_root_dir}/Filters/Engine")
+target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_fuzz_engine_dir}")
 
 set(ahd_fuzz_support_sources)
 foreach (name IN ITEMS CertifiedMesh Certifier ConstrainedRun ConstraintCertifier ConstraintFill

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The tests that fuzz: Fuzz.Build makes all targets, then each runs its corpus and goes on for some
-# seconds. With AHD_LONG_TESTS each goes on for minutes.
+# seconds. With AHD_LONG_TESTS each goes on for minutes; the engine with small thresholds.
 find_program(AHD_CLANGXX NAMES clang++-14 clang++)
 mark_as_advanced(AHD_CLANGXX)
 if (NOT AHD_CLANGXX)
@@ -23,14 +23,19 @@ set_tests_properties(Fuzz.Build PROPERTIES
 # ahd_add_fuzz_test(<test> <target's name for fuzz.sh> <seconds> <minutes of the long test>)
 function (ahd_add_fuzz_test test target seconds minutes)
   add_test(NAME Fuzz.${test}
-    COMMAND ${ahd_fuzz_command} --target ${target} --seconds ${seconds} --seed 1)
+    COMMAND ${ahd_fuzz_command} --built --target ${target} --seconds ${seconds} --seed 1)
   set_tests_properties(Fuzz.${test} PROPERTIES
     LABELS fuzz TIMEOUT 600 FIXTURES_REQUIRED ahd_fuzz_targets)
   if (AHD_LONG_TESTS)
-    add_test(NAME FuzzLong.${test} COMMAND ${ahd_fuzz_command} --target ${target} --minutes ${minutes})
-    math(EXPR limit "${minutes} * 60 + 600")
-    set_tests_properties(FuzzLong.${test} PROPERTIES
-      LABELS long TIMEOUT ${limit} FIXTURES_REQUIRED ahd_fuzz_targets)
+    set(how --small)
+    if (target STREQUAL "filter") # with the engine as it is
+      set(how --built)
+    endif ()
+    add_test(NAME FuzzLong.${test}
+      COMMAND ${ahd_fuzz_command} ${how} --target ${target} --minutes ${minutes})
+    math(EXPR limit "${minutes} * 60 + 1200")
+    set_tests_properties(FuzzLong.${test} PROPERTIES LABELS long TIMEOUT ${limit}
+      RESOURCE_LOCK ahd_fuzz_small FIXTURES_REQUIRED ahd_fuzz_targets)
   endif ()
 endfunction ()
 

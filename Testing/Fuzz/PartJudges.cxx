@@ -91,28 +91,40 @@ struct Diagram
   Bounds bounds;
 };
 
-/// A size within which the rounding of double precision is easily told from a fault; 0 if the
-/// coordinates are no small integers.
-double smallSize(const Diagram& diagram)
+/// If all coordinates of vertices are small integers times one power of two: that. Else 0. With
+/// them the rounding of double precision is easily told from a fault.
+double unitOf(const Diagram& diagram)
 {
-  double size = 1.0;
+  const Bounds& b = diagram.bounds;
+  const double largest = std::max(
+    { std::fabs(b.xmin), std::fabs(b.xmax), std::fabs(b.ymin), std::fabs(b.ymax) });
+  if (!(largest > 0.0))
+  {
+    return 0.0;
+  }
+  const double unit = std::ldexp(1.0, std::max(-1074, std::ilogb(largest) - 9));
+  const auto isWhole = [unit](double value) { return value / unit == std::floor(value / unit); };
   for (std::size_t i = 0; i < diagram.points.count; ++i)
   {
-    if (diagram.plain.fates[i] == std::int64_t(i))
+    const Point p = diagram.points[i];
+    if (diagram.plain.fates[i] == std::int64_t(i) && !(isWhole(p.x) && isWhole(p.y)))
     {
-      const Point p = diagram.points[i];
-      const double larger = std::max(std::fabs(p.x), std::fabs(p.y));
-      if (larger > 1024.0 || p.x != std::floor(p.x) || p.y != std::floor(p.y))
-      {
-        return 0.0;
-      }
-      size = std::max(size, larger);
+      return 0.0;
     }
   }
-  return size;
+  return unit;
 }
 
-double areaToFill(const Diagram& diagram)
+Cell inUnits(Cell cell, double unit)
+{
+  for (Point& p : cell)
+  {
+    p = { p.x / unit, p.y / unit };
+  }
+  return cell;
+}
+
+double areaToFill(const Diagram& diagram, double unit)
 {
   const Bounds& b = diagram.bounds;
   double area = 0.0;
@@ -120,25 +132,28 @@ double areaToFill(const Diagram& diagram)
   for (std::size_t t = 0; t + 2 < triples.size(); t += 3)
   {
     const auto at = [&](std::size_t k) { return diagram.points[std::size_t(triples[t + k])]; };
-    area += areaOf({ at(0), at(1), at(2) });
+    area += areaOf(inUnits({ at(0), at(1), at(2) }, unit));
   }
-  return diagram.clip == VoronoiClip::Hull ? area : (b.xmax - b.xmin) * (b.ymax - b.ymin);
+  const double box = (b.xmax / unit - b.xmin / unit) * (b.ymax / unit - b.ymin / unit);
+  return diagram.clip == VoronoiClip::Hull ? area : box;
 }
 
 std::string faultsOfShapes(const Diagram& diagram)
 {
-  const double size = smallSize(diagram);
-  if (size == 0.0)
+  const double unit = unitOf(diagram);
+  // Near the smallest double, corners between its multiples are rounded.
+  if (unit < 0x1p-1000)
   {
     return "";
   }
-  // A corner is within a few units of its place, and areas change by that times the size.
-  const double slack = 1e-13 * size * size;
+  // A corner is within a few last places of its own, and areas change by that times the size.
+  const double slack = 1e-13 * 1024.0 * 1024.0;
   double area = 0.0;
   for (std::size_t k = 0; k < diagram.cells.sites.size(); ++k)
   {
-    const Cell cell = cellOf(diagram.cells, k);
-    const Point site = diagram.points[std::size_t(diagram.cells.sites[k])];
+    const Cell cell = inUnits(cellOf(diagram.cells, k), unit);
+    const Point at = diagram.points[std::size_t(diagram.cells.sites[k])];
+    const Point site{ at.x / unit, at.y / unit };
     if (!isConvexAround(cell, site, slack))
     {
       return "the cell of point " + std::to_string(diagram.cells.sites[k]) +
@@ -146,7 +161,7 @@ std::string faultsOfShapes(const Diagram& diagram)
     }
     area += areaOf(cell);
   }
-  const double missing = areaToFill(diagram) - area;
+  const double missing = areaToFill(diagram, unit) - area;
   const double allowed = slack * double(diagram.cells.corners.size() + 1);
   return diagram.cells.sites.empty() || std::fabs(missing) <= allowed
     ? ""

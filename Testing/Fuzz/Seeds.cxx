@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Writes the text files of a corpus as cases for the fuzz targets, to begin with:
+// Writes cases for the fuzz targets to begin with, made of the text files of a corpus:
 //   FuzzSeeds <folder of the corpus> <folder to write to>
-// Each file is written once per order of insertion; of longer files some points are taken evenly,
-// as small inputs are tried more often.
+// Each file is written whole, and several times cut down, as small inputs are tried more often,
+// with settings and chains of which each is met in some.
 #include "Corpus.h"
 #include "FuzzCase.h"
+#include "Moves.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,8 +15,10 @@
 namespace
 {
 
+using ahd::fuzz::Dice;
 using ahd::fuzz::FuzzCase;
 
+/// At most so many of the points, taken evenly.
 FuzzCase caseOf(const ahd::test::CorpusFile& file, std::size_t most)
 {
   FuzzCase result;
@@ -25,17 +28,28 @@ FuzzCase caseOf(const ahd::test::CorpusFile& file, std::size_t most)
   {
     result.points.push_back(file.points[i * count / kept]);
   }
-  // a loop around some, a line through some
-  for (std::size_t i = 0; i < 6; ++i)
-  {
-    result.chains.push_back(std::uint8_t(i * kept / 6));
-  }
-  result.chains.push_back(ahd::fuzz::kNewLine);
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    result.chains.push_back(std::uint8_t((i * 37 + 5) % (kept + 1)));
-  }
   return result;
+}
+
+/// Head and chains by chance; bytes that make a run go wrong, or copies, are zero mostly.
+void decorate(FuzzCase& seed, Dice& dice)
+{
+  using namespace ahd::fuzz;
+  for (const HeadByte byte :
+    { kFirstSettings, kSecondSettings, kNmax, kExecutors, kLayout, kMergeDistance, kShuffle })
+  {
+    seed.head[byte] = std::uint8_t(dice.below(256));
+  }
+  seed.head[kLayout] &= dice.below(4) == 0 ? 0xFF : 0xFE; // floats lose what is hard
+  for (const HeadByte byte : { kSkipMarks, kLimit, kCancelAt, kFailAt, kMostBoxes })
+  {
+    seed.head[byte] = std::uint8_t(dice.below(4) == 0 ? 1 + dice.below(24) : 0);
+  }
+  seed.head[kSkipMask] = 3;
+  for (int moves = 0; moves < 6; ++moves)
+  {
+    moveChains(seed, dice);
+  }
 }
 
 bool write(const std::string& path, const ahd::fuzz::Bytes& bytes)
@@ -56,17 +70,18 @@ int main(int argc, char** argv)
   }
   const auto files = ahd::test::readCorpus(argv[1]);
   bool good = !files.empty();
+  unsigned number = 0;
   for (const ahd::test::CorpusFile& file : files)
   {
-    for (std::uint8_t order = 0; order < 4; ++order)
+    for (const std::size_t most : { ahd::fuzz::kMostGivenPoints, std::size_t(36), std::size_t(16),
+           std::size_t(16), std::size_t(8) })
     {
-      FuzzCase seed = caseOf(file, order == 0 ? ahd::fuzz::kMostGivenPoints : 24);
-      seed.head[ahd::fuzz::kFirstSettings] = std::uint8_t(order | 0xC0);
-      seed.head[ahd::fuzz::kSecondSettings] = std::uint8_t(order ^ 1);
-      seed.head[ahd::fuzz::kShuffle] = order;
-      good = write(std::string(argv[2]) + "/" + file.name + "." + std::to_string(order),
-               seed.bytes()) &&
-        good;
+      FuzzCase seed = caseOf(file, most);
+      Dice dice(++number);
+      decorate(seed, dice);
+      const std::string path = std::string(argv[2]) + "/" + file.name + "." +
+        std::to_string(number);
+      good = write(path, seed.bytes()) && good;
     }
   }
   return good ? 0 : 1;

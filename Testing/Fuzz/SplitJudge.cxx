@@ -35,7 +35,9 @@ std::string splitAndJudge(const ToSplit& given, SplitConstraints& split)
   {
     return "splitting: status " + std::to_string(int(status));
   }
-  const bool isSmall = split.ids.size() <= kMostPieces && given.points.size() <= kMostPieces;
+  // the largest double has no next one, by which nearness is measured
+  const bool isSmall = split.ids.size() <= kMostPieces && given.points.size() <= kMostPieces &&
+    test::largestCoordinate(given.points) < std::numeric_limits<double>::max();
   return isSmall && split.unresolved == 0 ? faultsOf(drawing, split) : "";
 }
 

@@ -17,12 +17,14 @@ Data/Corpus, then goes on with mutations of it.
 --target NAME   engine, constraints or filter; can be repeated (default: all that were built)
 --folder DIR    where to build and keep what is found (default: build/fuzz)
 --seed N        begin with this random number (default: another one each time)
---build         build only
+--small         fuzz an engine that does for a few points what it else does for tens of thousands: shares
+                them among threads, sorts in several passes, asks whether to stop (SmallThresholds.cmake)
+--build         build only; --built: do not build
 --minimise      no fuzzing: write the fewest inputs that reach all that the found ones reach to
                 Data/Corpus/Fuzz
 
 What is new stays in DIR/corpus/NAME for the next time; an input on which a target fails, in
-DIR/found/NAME. To run one input:  DIR/build/EngineFuzz FILE
+DIR/found/NAME. To run one input:  DIR/build/EngineFuzz FILE  (build-small, if --small was given).
 exit code  0: nothing found, 1: something was, 2: wrong use
 EOT
 }
@@ -32,6 +34,8 @@ seconds=3600
 seed=0
 targets=()
 mode=run
+variant=build
+built=
 while [ $# -gt 0 ]; do
   case $1 in
     -h | --help) help && exit 0 ;;
@@ -40,7 +44,9 @@ while [ $# -gt 0 ]; do
     --target) targets+=("$2") && shift ;;
     --folder) folder=$2 && shift ;;
     --seed) seed=$2 && shift ;;
+    --small) variant=build-small ;;
     --build) mode=build ;;
+    --built) built=yes ;;
     --minimise) mode=minimise ;;
     --) shift && break ;;
     *) printf 'fuzz.sh: what is %s? See --help\n' "$1" >&2 && exit 2 ;;
@@ -51,17 +57,19 @@ done
 # program <target's name>
 program() {
   local name=${1^}
-  printf '%s/build/%sFuzz' "$folder" "${name/%Constraints/Constraint}"
+  printf '%s/%sFuzz' "$folder/$variant" "${name/%Constraints/Constraint}"
 }
 
 build() {
-  local generator=()
-  if [ ! -f "$folder/build/CMakeCache.txt" ]; then
+  local generator=() small=OFF
+  [ "$variant" = build ] || small=ON
+  if [ ! -f "$folder/$variant/CMakeCache.txt" ]; then
     command -v ninja >/dev/null && generator=(-G Ninja)
     CXX=${CXX:-$(command -v clang++-14 || command -v clang++)} \
-      cmake -S "$here" -B "$folder/build" ${generator[@]+"${generator[@]}"} "$@"
+      cmake -S "$here" -B "$folder/$variant" -DAHD_FUZZ_SMALL=$small \
+      ${generator[@]+"${generator[@]}"} "$@"
   fi
-  cmake --build "$folder/build" --parallel
+  cmake --build "$folder/$variant" --parallel
 }
 
 # fuzz <target's name> <seconds>
@@ -71,29 +79,31 @@ fuzz() {
   if [ "$name" = filter ]; then
     longest=1024
   else
-    "$folder/build/FuzzSeeds" "$root/Data/Corpus" "$seeds"
+    "$folder/$variant/FuzzSeeds" "$root/Data/Corpus" "$seeds"
   fi
   for kept in "$seeds" "$root/Data/Corpus/Fuzz/$name"; do
     [ ! -d "$kept" ] || corpus+=("$kept")
   done
-  UBSAN_OPTIONS=print_stacktrace=1 "$(program "$name")" "$folder/corpus/$name" "${corpus[@]}" \
+  ASAN_OPTIONS=malloc_context_size=6:quarantine_size_mb=32 UBSAN_OPTIONS=print_stacktrace=1 \
+    "$(program "$name")" "$folder/corpus/$name" "${corpus[@]}" \
     -max_total_time="$2" -seed="$seed" -max_len="$longest" -timeout=60 -rss_limit_mb=3000 \
     -artifact_prefix="$folder/found/$name/" -print_final_stats=1 -verbosity=1 -reload=0
 }
 
 # minimise <target's name>
 minimise() {
-  local name=$1 kept=$root/Data/Corpus/Fuzz/$1 fresh=$folder/minimised/$1
+  local name=$1 kept=$root/Data/Corpus/Fuzz/$1 fresh=$folder/minimised/$1 seeds=
+  [ ! -d "$folder/seeds/$1" ] || seeds=$folder/seeds/$1
   rm -rf "$fresh"
   mkdir -p "$fresh" "$folder/corpus/$name" "$kept"
-  "$(program "$name")" -merge=1 -max_len=4096 -timeout=60 "$fresh" "$kept" "$folder/corpus/$name"
+  # by the lines reached, not by how often: a tenth as many
+  "$(program "$name")" -set_cover_merge=1 -use_counters=0 -max_len=4096 -timeout=60 \
+    "$fresh" "$kept" "$folder/corpus/$name" ${seeds:+"$seeds"}
   rm -rf "$kept"
   cp -r "$fresh" "$kept"
 }
 
-if [ "$mode" != run ] || [ ! -x "$(program engine)" ]; then
-  build "$@"
-fi
+[ -n "$built" ] || build "$@"
 [ "$mode" != build ] || exit 0
 if [ ${#targets[@]} -eq 0 ]; then
   for name in engine constraints filter; do
