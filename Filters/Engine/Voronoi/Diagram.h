@@ -81,14 +81,18 @@ public:
     return { point(origin(h)), point(origin(h + 1)), point(origin(h + 2)) };
   }
 
-  /// The centre of a triangle that has none (it is not finite) but is known to lie inside the hull
-  /// becomes a corner of the triangle.
-  void settle(std::size_t triangle)
+  /// The centre of a triangle that is known to lie inside the hull, with these bounds: one that is
+  /// not finite becomes a corner of the triangle, one that rounding has put outside the bounds goes
+  /// back to them.
+  void settle(std::size_t triangle, const Bounds& bounds)
   {
-    if (!isFinite(centres_[triangle]))
+    Point& centre = centres_[triangle];
+    if (!isFinite(centre))
     {
-      centres_[triangle] = corners(triangle).a;
+      centre = corners(triangle).a;
     }
+    centre.x = std::min(std::max(centre.x, bounds.xmin), bounds.xmax);
+    centre.y = std::min(std::max(centre.y, bounds.ymin), bounds.ymax);
   }
 
 private:

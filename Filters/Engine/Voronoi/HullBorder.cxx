@@ -36,7 +36,7 @@ bool HullBorder::build(Ticker& ticker)
   {
     if (isInside(t))
     {
-      diagram_.settle(diagram_.standIn(t));
+      diagram_.settle(diagram_.standIn(t), bounds_);
     }
   }
   return true;

@@ -18,7 +18,12 @@ namespace ahd
 class HullBorder : public CellBorder
 {
 public:
-  using CellBorder::CellBorder;
+  /// `bounds`: of the vertices.
+  HullBorder(Diagram& diagram, const Bounds& bounds)
+    : CellBorder(diagram)
+    , bounds_(bounds)
+  {
+  }
 
   bool build(Ticker& ticker) override;
   void follow(std::size_t site, CornerId last, CornerId next, bool isOpen,
@@ -33,6 +38,7 @@ private:
   int side(std::size_t triangle, HalfEdge hullEdge) const;
   CornerId crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle);
 
+  const Bounds bounds_;
   Buffer<HalfEdge> beyond_; ///< of each triangle: the edge of the hull its centre lies beyond
   std::vector<std::uint32_t> stack_;
 };

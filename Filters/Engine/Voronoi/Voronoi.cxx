@@ -121,15 +121,15 @@ bool make(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells, T
   {
     return false;
   }
-  if (clip == VoronoiClip::Hull)
-  {
-    HullBorder border(diagram);
-    return makeCells(diagram, border, cells, ticker);
-  }
   Bounds bounds;
   if (!findBounds(delaunay, bounds, ticker))
   {
     return false;
+  }
+  if (clip == VoronoiClip::Hull)
+  {
+    HullBorder border(diagram, bounds);
+    return makeCells(diagram, border, cells, ticker);
   }
   BoxBorder border(diagram, Box(bounds));
   return makeCells(diagram, border, cells, ticker);
