@@ -64,12 +64,24 @@ void mergeAndSplit(Prepared& prepared)
     MergedPoints merged;
     const double exponent = 0.5 * given.head[kMergeDistance] - 64.0;
     expectNone(mergeAndJudge(prepared.view(), std::exp2(exponent), merged), given);
+    expectStops(given,
+      [&](Progress* progress)
+      {
+        MergedPoints again;
+        return mergeWithin(prepared.view(), std::exp2(exponent), progress, again);
+      });
     prepared.skip = merged.skip;
   }
   if (given.layoutBit(5))
   {
     expectNone(
       splitAndJudge({ prepared.points, prepared.skip, prepared.own }, prepared.split), given);
+    expectStops(given,
+      [&](Progress* progress)
+      {
+        SplitConstraints again;
+        return splitAtCrossings(prepared.view(), prepared.own.view(), progress, again);
+      });
     for (const CrossingPoint& p : prepared.split.points)
     {
       prepared.points.push_back(p.at);
@@ -117,54 +129,55 @@ void expectAsDefined(const Prepared& prepared, const test::ConstrainedOutcome& f
     "the counts are those of the definition", prepared.given);
 }
 
-void expectCancelled(const Prepared& prepared, Triangulator& triangulator)
+/// Constrains and asks for all cell data, as long as it is Ok.
+Status everythingOnce(const Prepared& prepared, Triangulator& triangulator, Progress* progress)
 {
-  const FuzzCase& given = prepared.given;
-  Run run = runOf(given, 0);
-  Watch watch(given.head[kCancelAt]);
-  run.progress = &watch;
-  const Status status = constrainWith(prepared, triangulator, run, prepared.view()).status;
-  expectNone(watch.fault(), given);
-  expect(
-    status == (watch.cancelled() ? Status::Cancelled : Status::Ok), "cancelled if told to", given);
+  Status status = triangulator.constrain(prepared.chains, prepared.rule, progress);
+  const std::size_t triangles = status == Status::Ok ? triangulator.report().triangles : 0;
+  std::vector<std::int64_t> numbers;
+  std::vector<std::uint8_t> edges;
+  {
+    const NoMemory pause(0); // of what is the test's own
+    numbers.resize(3 * triangles);
+    edges.resize(triangles);
+  }
+  const auto next = [&](auto write) { status = status == Status::Ok ? write() : status; };
+  next([&] { return triangulator.writeNeighbors(numbers.data(), progress); });
+  next([&] { return triangulator.writeRegions(numbers.data(), progress); });
+  next([&] { return triangulator.writeConstraintEdges(edges.data(), progress); });
+  return status;
 }
 
-/// All that can be asked for, as long as there is memory.
-void expectOutOfMemory(const Prepared& prepared, Triangulator& triangulator)
+/// A run that is cancelled or has no memory says so, in whatever it is stopped.
+void expectAllStops(const Prepared& prepared, Triangulator& triangulator)
 {
-  const FuzzCase& given = prepared.given;
-  const Run run = runOf(given, 0);
-  const Status before = triangulator.run(prepared.view(), run.options, nullptr, run.executor);
-  expect(before == Status::Ok, "the run is Ok", given);
-  const NoMemory none(given.head[kFailAt]);
-  Status status = triangulator.constrain(prepared.chains, prepared.rule, nullptr);
-  const std::size_t triangles = status == Status::Ok ? triangulator.report().triangles : 0;
-  const NoMemory pause(0); // of what is the test's own
-  std::vector<std::int64_t> numbers(3 * triangles);
-  std::vector<std::uint8_t> edges(triangles);
-  if (status == Status::Ok)
+  Run run = runOf(prepared.given, 0);
+  expectStops(prepared.given,
+    [&](Progress* progress)
+    {
+      return progress ? constrainWith(prepared, triangulator,
+                          { run.options, run.executor, progress }, prepared.view())
+                          .status
+                      : Status::Ok; // it allocates itself
+    });
+  const auto runFirst = [&]
   {
-    const NoMemory asBefore(given.head[kFailAt]);
-    status = triangulator.writeNeighbors(numbers.data(), nullptr);
-    status = status == Status::Ok ? triangulator.writeRegions(numbers.data(), nullptr) : status;
-    status = status == Status::Ok ? triangulator.writeConstraintEdges(edges.data(), nullptr)
-                                  : status;
-  }
-  expect(status == Status::Ok || status == Status::OutOfMemory, "out of memory or well", given);
+    const NoMemory pause(0);
+    return triangulator.run(prepared.view(), run.options, nullptr, run.executor);
+  };
+  expectStops(prepared.given,
+    [&](Progress* progress)
+    {
+      const Status status = runFirst();
+      return status == Status::Ok ? everythingOnce(prepared, triangulator, progress) : status;
+    });
 }
 
 /// Other settings, threads, layout of the points, and what the triangulator did before.
 void expectTheSame(const Prepared& prepared, const test::ConstrainedOutcome& expected)
 {
   Triangulator triangulator;
-  if (prepared.given.head[kCancelAt] != 0)
-  {
-    expectCancelled(prepared, triangulator);
-  }
-  if (prepared.given.head[kFailAt] != 0)
-  {
-    expectOutOfMemory(prepared, triangulator);
-  }
+  expectAllStops(prepared, triangulator);
   FuzzCase laidOut = prepared.given;
   laidOut.head[kSkipMarks] = 0;
   const Layout layout(laidOut, prepared.points);
@@ -185,6 +198,16 @@ void expectDiagram(const Prepared& prepared)
   const test::ConstrainedOutcome plain = test::constrain(triangulator, prepared.view(),
     ConstraintView(), prepared.rule, run.options, { nullptr, run.executor });
   expectNone(faultsOfDiagram(prepared.view(), plain, run.executor), prepared.given);
+  for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
+  {
+    expectStops(prepared.given,
+      [&](Progress* progress)
+      {
+        VoronoiCells cells;
+        const DelaunayView delaunay = delaunayOf(prepared.view(), plain);
+        return voronoiCells(delaunay, clip, cells, progress, run.executor);
+      });
+  }
 }
 
 } // namespace

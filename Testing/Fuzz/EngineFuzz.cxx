@@ -220,13 +220,31 @@ void expectOutOfMemory(const First& first, Triangulator& triangulator)
     "out of memory or right", first.given);
 }
 
+/// More points than the engine takes are refused unread; what is forgotten is not there any more;
+/// the estimate is no less than what is kept.
+void expectRefusals(const First& first, Triangulator& triangulator)
+{
+  const Run run = runOf(first.given, 0);
+  expect(
+    triangulator.memoryHeld() <= Triangulator::memoryEstimate(first.points.size(), run.options) +
+        Triangulator::memoryEstimate(first.points.size(), first.given.options(1)),
+    "no more memory is kept than was estimated", first.given);
+  PointView view = first.layout.view();
+  view.count = kMaximumPoints + 1;
+  expect(triangulator.run(view, run.options, nullptr) == Status::TooManyPoints,
+    "too many points are refused", first.given);
+  expect(triangulator.report().triangles == 0, "nothing is left", first.given);
+  triangulator.forgetPoints();
+  triangulator.release();
+}
+
 /// What goes wrong leaves nothing behind: the next run is what it would have been.
 void expectTrouble(const First& first, Triangulator& triangulator)
 {
   using Trouble = void (*)(const First&, Triangulator&);
   constexpr std::pair<HeadByte, Trouble> kAll[] = { { kLimit, expectMeshOfTheFirst },
     { kMostBoxes, expectTooManyBoxes }, { kCancelAt, expectCancelled },
-    { kFailAt, expectOutOfMemory } };
+    { kFailAt, expectOutOfMemory }, { kRefusals, expectRefusals } };
   bool isAny = false;
   for (const auto& [byte, trouble] : kAll)
   {

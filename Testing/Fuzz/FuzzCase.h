@@ -40,8 +40,8 @@ enum HeadByte : std::size_t
   kMergeDistance, ///< 2^(value / 2 - 64) of the larger side of the bounds
   kMostBoxes,     ///< mostBoxes of a further run, 0 for none
   kShuffle,       ///< how the ids of the second run are shuffled
-  kSpare,
-  kPoints, ///< how many points follow, if there are bytes for so many
+  kRefusals,      ///< 0, or ask for what is refused too
+  kPoints,        ///< how many points follow, if there are bytes for so many
   kHeadBytes
 };
 

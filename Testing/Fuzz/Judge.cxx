@@ -105,6 +105,27 @@ bool Watch::advance(Phase phase, double fraction)
   return !cancelled();
 }
 
+void expectStops(const FuzzCase& given, const std::function<Status(Progress*)>& work)
+{
+  if (given.head[kCancelAt] != 0)
+  {
+    Watch watch(given.head[kCancelAt]);
+    const Status status = work(&watch);
+    expectNone(watch.fault(), given);
+    expect(status == (watch.cancelled() ? Status::Cancelled : Status::Ok), "cancelled if told to",
+      given);
+  }
+  if (given.head[kFailAt] != 0)
+  {
+    Status status = Status::Ok;
+    {
+      const NoMemory none(given.head[kFailAt]);
+      status = work(nullptr);
+    }
+    expect(status == Status::Ok || status == Status::OutOfMemory, "out of memory or Ok", given);
+  }
+}
+
 Layout::Layout(const FuzzCase& given, const std::vector<Point>& points)
   : skip_(given.skipMarks(points.size()))
   , count_(points.size())

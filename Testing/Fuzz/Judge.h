@@ -8,6 +8,7 @@
 #include "Progress.h"
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,9 @@ private:
   double fraction_ = 0.0;
   std::string fault_;
 };
+
+/// Does the work cancelled and without memory, if the case says so: it has to say so too, or be Ok.
+void expectStops(const FuzzCase& given, const std::function<Status(Progress*)>& work);
 
 /// Coordinates laid out as the case wants them, and the marks of those to skip.
 class Layout

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartJudges.h"
 
-#include "Voronoi.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -244,8 +242,7 @@ std::string mergeAndJudge(const PointView& points, double fraction, MergedPoints
   return "";
 }
 
-std::string faultsOfDiagram(
-  const PointView& points, const test::ConstrainedOutcome& plain, Executor* executor)
+DelaunayView delaunayOf(const PointView& points, const test::ConstrainedOutcome& plain)
 {
   DelaunayView delaunay;
   delaunay.points = points;
@@ -253,6 +250,13 @@ std::string faultsOfDiagram(
   delaunay.corners = plain.triples.data();
   delaunay.neighbors = plain.neighbors.data();
   delaunay.triangles = plain.triples.size() / 3;
+  return delaunay;
+}
+
+std::string faultsOfDiagram(
+  const PointView& points, const test::ConstrainedOutcome& plain, Executor* executor)
+{
+  const DelaunayView delaunay = delaunayOf(points, plain);
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     Diagram diagram{ points, plain, clip, {}, boundsOf(points) };

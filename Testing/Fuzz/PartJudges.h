@@ -7,6 +7,7 @@
 #include "ConstrainedRun.h"
 #include "Crossings.h"
 #include "Merge.h"
+#include "Voronoi.h"
 
 #include <string>
 #include <vector>
@@ -31,6 +32,9 @@ struct ToSplit
 /// Splits, and holds the result against brute force, unless it is large or something was left
 /// unresolved.
 std::string splitAndJudge(const ToSplit& given, SplitConstraints& split);
+
+/// A run without constraints as the Voronoi diagram takes it.
+DelaunayView delaunayOf(const PointView& points, const test::ConstrainedOutcome& plain);
 
 /// The cells of the Voronoi diagram, clipped either way: one for each vertex, of three corners at
 /// least, within the bounds. Where coordinates are small integers, also convex, around their

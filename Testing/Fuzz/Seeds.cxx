@@ -41,7 +41,7 @@ void decorate(FuzzCase& seed, Dice& dice)
     seed.head[byte] = std::uint8_t(dice.below(256));
   }
   seed.head[kLayout] &= dice.below(4) == 0 ? 0xFF : 0xFE; // floats lose what is hard
-  for (const HeadByte byte : { kSkipMarks, kLimit, kCancelAt, kFailAt, kMostBoxes })
+  for (const HeadByte byte : { kSkipMarks, kLimit, kCancelAt, kFailAt, kMostBoxes, kRefusals })
   {
     seed.head[byte] = std::uint8_t(dice.below(4) == 0 ? 1 + dice.below(24) : 0);
   }
