@@ -13,6 +13,7 @@ set(ahd_small_thresholds
   "Constrain/PolygonFiller.cxx|kManyCorners = 48|kManyCorners = 6"
   "Order/Scatter.cxx|kBucket = 256|kBucket = 8"
   "Order/BucketSorter.h|kSmall = 1024|kSmall = 16"
+  "Order/BucketSorter.cxx|kMostSplitBits = 11|kMostSplitBits = 5"
   "Order/BucketSorter.h|kCrowdedBin =\n    24|kCrowdedBin =\n    3"
   "Order/BoxWalk.h|kFew = 64|kFew = 4"
   "Order/Rank.h|kTiedByCoordinates = 16|kTiedByCoordinates = 3"
