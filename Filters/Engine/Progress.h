@@ -2,8 +2,6 @@
 #ifndef ahd_Progress_h
 #define ahd_Progress_h
 
-#include "FloatingPoint.h"
-
 #include <atomic>
 #include <cstddef>
 
@@ -60,18 +58,7 @@ public:
   /// `progress` may be null (nobody to ask), and so may `executor` (this thread does it all).
   /// `total` is the number of units of work the fraction refers to; 0 means unknown (the fraction
   /// stays 0).
-  Ticker(Progress* progress, Phase phase, std::size_t total, Executor* executor = nullptr)
-    : progress_(progress)
-    , phase_(phase)
-    , total_(total)
-    , executor_(executor)
-  {
-    if (progress_)
-    {
-      const ScopedFloatingPoint whateverItSets;
-      progress_->beginPhase(phase_);
-    }
-  }
+  Ticker(Progress* progress, Phase phase, std::size_t total, Executor* executor = nullptr);
 
   /// The ticker of a task of this phase; it hands out no threads.
   explicit Ticker(Ticker* phase)
@@ -97,17 +84,8 @@ public:
   void finished(std::size_t units) { done_ += units; }
 
   /// Asks now. Returns false if the work is to be cancelled.
-  bool ask()
-  {
-    pending_ = 0;
-    if (!parent_)
-    {
-      return !cancelled_.load(std::memory_order_relaxed) && (!progress_ || askCaller());
-    }
-    flush();
-    return parent_->onThisThread() ? parent_->ask()
-                                   : !parent_->cancelled_.load(std::memory_order_relaxed);
-  }
+  /// Not inline: in the loops that call step() it is rare, and would take their registers.
+  bool ask();
 
   /// Tasks of this phase, and only they, stop at their next asking.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -119,16 +97,7 @@ public:
   Executor* executor() const { return executor_; }
 
 private:
-  bool askCaller()
-  {
-    const ScopedFloatingPoint whateverItSets;
-    if (!progress_->advance(phase_, fraction()))
-    {
-      cancel();
-      return false;
-    }
-    return true;
-  }
+  bool askCaller();
 
   double fraction() const
   {

@@ -83,7 +83,7 @@ public:
   std::uint8_t marks(Mesh::Halfedge h) const { return marks_[h / Mesh::kSlotSize]; }
   const std::uint8_t* allMarks() const { return marks_.data(); }
 
-  bool isConstrained(Mesh::Halfedge h) const { return (marks(h) >> (h & 3u) & 1u) != 0; }
+  bool isConstrained(Mesh::Halfedge h) const { return (marks(h) & 1u << (h & 3u)) != 0; }
   void constrain(Mesh::Halfedge h)
   {
     marks(h) = static_cast<std::uint8_t>(marks(h) | 1u << (h & 3u));
