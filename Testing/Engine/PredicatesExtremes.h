@@ -58,9 +58,10 @@ inline double ulpsFrom(double value, std::int64_t k)
 {
   std::int64_t bits;
   std::memcpy(&bits, &value, sizeof bits);
-  const std::int64_t place = (bits < 0 ? -(bits & INT64_MAX) : bits) + k;
+  const std::int64_t place = bits < 0 ? -(bits & INT64_MAX) : bits;
   constexpr std::int64_t kLargest = 0x7FEFFFFFFFFFFFFF;
-  const std::int64_t kept = std::min(std::max(place, -kLargest), kLargest);
+  const std::int64_t kept = k > 0 ? (place < kLargest - k ? place + k : kLargest)
+                                  : (place > -kLargest - k ? place + k : -kLargest);
   bits = kept < 0 ? -kept : kept;
   std::memcpy(&value, &bits, sizeof value);
   return kept < 0 ? -value : value;
