@@ -285,43 +285,6 @@ TEST(Voronoi, EndsOfTheExponentRange)
   }
 }
 
-/// Are all corners within the bounds of the points, and each cell one?
-void expectWithinBounds(const Made& made)
-{
-  Bounds b = { made.points[0].x, made.points[0].x, made.points[0].y, made.points[0].y };
-  for (const Point& p : made.points)
-  {
-    b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
-      std::max(b.ymax, p.y) };
-  }
-  ASSERT_EQ(made.cells.sites.size(), made.outcome.report.inserted);
-  for (const Point& p : made.cells.points)
-  {
-    EXPECT_TRUE(p.x >= b.xmin && p.x <= b.xmax && p.y >= b.ymin && p.y <= b.ymax)
-      << p.x << " " << p.y;
-  }
-}
-
-/// Bisectors of points that are nearer to each other than the box is large by more than doubles can
-/// say, or than a half of the smallest double.
-TEST(Voronoi, NearPointsInAHugeBox)
-{
-  const std::vector<Point> drawings[] = { { { 0x1p-995, 0 }, { 0x1p-995, 0x1p-995 }, { 0, 0 },
-                                            { 0x1p996, 0x1p996 }, { -0x1p996, -0x1p996 },
-                                            { 0x1p996, -0x1p996 } },
-    { { 0x1p496, 5e-324 }, { 0x1p496, -5e-324 }, { 0x1p549, 9.0 } },
-    { { 0x1p556, -5e-324 }, { 0x1p556, 0x1.8p558 }, { 5e-324, -0x1p194 }, { 0, -0x1p194 },
-      { 0x1.dp557, -0x1p557 }, { 0x1p-1050, 0x1p-1050 } } };
-  for (const std::vector<Point>& points : drawings)
-  {
-    for (const VoronoiClip clip : kClips)
-    {
-      SCOPED_TRACE(testing::Message() << points[0].x << ", clip " << int(clip));
-      expectWithinBounds(Made(points, clip));
-    }
-  }
-}
-
 std::vector<Point> lattice(int n, double step, double origin)
 {
   std::vector<Point> points;
