@@ -96,7 +96,7 @@ TEST(Memory, NoMoreThanEstimated)
 
 TEST(Memory, NoMoreThanEstimatedUnderAnySetting)
 {
-  const std::size_t n = reduced(300000); // more than the megabyte that is estimated on top can hide
+  const std::size_t n = reduced(150000); // more than the megabyte that is estimated on top can hide
   const std::vector<Point> points = makePoints(Distribution::Mixed, n, 1);
   for (Options options : everyDistinctSetting({ 1, 50 }))
   {

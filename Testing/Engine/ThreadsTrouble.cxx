@@ -119,6 +119,12 @@ Status attempt(Triangulator& triangulator, const std::vector<Point>& points, Out
                               : triangulator.writeFates(outcome.fates.data(), progress, executor);
 }
 
+/// Moments at which a run is cancelled: fewer under sanitizers.
+std::size_t someOf(std::size_t moments)
+{
+  return reduced(2000) == 2000 ? moments : moments / 5;
+}
+
 void expectCancelledAnywhere(Distribution distribution, Executor& executor, std::size_t moments)
 {
   const std::vector<Point> points = somePoints(distribution);
@@ -148,9 +154,9 @@ TEST(ThreadsTrouble, CancelledAtManyMoments)
   ThreadExecutor together(3);
   BackwardExecutor backward(4);
   ElsewhereExecutor elsewhere(2);
-  expectCancelledAnywhere(Distribution::Uniform, together, 100);
-  expectCancelledAnywhere(Distribution::Uniform, backward, 100);
-  expectCancelledAnywhere(Distribution::Uniform, elsewhere, 40);
+  expectCancelledAnywhere(Distribution::Uniform, together, someOf(100));
+  expectCancelledAnywhere(Distribution::Uniform, backward, someOf(100));
+  expectCancelledAnywhere(Distribution::Uniform, elsewhere, someOf(40));
 }
 
 TEST(ThreadsTrouble, CancelledAtManyMomentsOfAwkwardInput)
@@ -161,7 +167,7 @@ TEST(ThreadsTrouble, CancelledAtManyMomentsOfAwkwardInput)
          Distribution::RepeatedDraws, Distribution::AllEqual })
   {
     SCOPED_TRACE(nameOf(distribution));
-    expectCancelledAnywhere(distribution, executor, 20);
+    expectCancelledAnywhere(distribution, executor, someOf(20));
   }
 }
 
@@ -194,9 +200,12 @@ TEST(ThreadsTrouble, OutOfMemoryAtAnyAllocation)
   BackwardExecutor backward(3);
   ThreadExecutor together(3);
   expectOutOfMemoryIsSurvived(Distribution::Uniform, backward);
-  expectOutOfMemoryIsSurvived(Distribution::Uniform, together);
-  expectOutOfMemoryIsSurvived(Distribution::NestedClusters, backward);
   expectOutOfMemoryIsSurvived(Distribution::RepeatedDraws, together);
+  if (someOf(2) == 2)
+  {
+    expectOutOfMemoryIsSurvived(Distribution::Uniform, together);
+    expectOutOfMemoryIsSurvived(Distribution::NestedClusters, backward);
+  }
 }
 
 } // namespace

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Configures, builds and runs the engine's tests under sanitizers:
-#   cmake -DSOURCE=Testing/Engine -DBINARY=<build> -DSANITIZE=address,undefined|thread
+#   cmake -DSOURCE=Testing/Engine -DBINARY=<build> -DSETTINGS=-DAHD_SANITIZE=<sanitizers>[;...]
 #         [-DGENERATOR=..] [-DCOMPILER=..] [-DLAUNCHER=..] -P sanitize.cmake
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 
-set(settings "-DAHD_SANITIZE=${SANITIZE}")
+set(settings ${SETTINGS})
 if (COMPILER)
   list(APPEND settings "-DCMAKE_CXX_COMPILER=${COMPILER}")
 endif ()
@@ -19,7 +19,7 @@ endif ()
 function (run what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if (NOT result EQUAL 0)
-    message(FATAL_ERROR "Engine tests under sanitizers (${SANITIZE}): ${what} failed (${result}).")
+    message(FATAL_ERROR "Engine tests under sanitizers (${SETTINGS}): ${what} failed (${result}).")
   endif ()
 endfunction ()
 
