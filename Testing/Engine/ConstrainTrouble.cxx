@@ -3,58 +3,12 @@
 // Constraints under adverse circumstances: cancelled at any asking, out of memory at any
 // allocation. What the engine says of its work meanwhile, and how much it holds.
 #include "ConstrainedRun.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <functional>
-
-namespace
-{
-
-std::atomic<std::size_t> allocations{ 0 };
-std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
-std::atomic<std::size_t> held{ 0 };
-std::atomic<std::size_t> peak{ 0 };
-
-/// Every block is preceded by its size and by the pointer to be freed.
-struct Header
-{
-  std::size_t size;
-  void* block;
-};
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t number = ++allocations;
-  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
-  void* block = failAt != 0 && number >= failAt ? nullptr : std::malloc(size + room);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
-  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
-  *header = { size, block };
-  held += size;
-  peak = std::max<std::size_t>(peak, held);
-  return header + 1;
-}
-
-void ahd::test::ownRelease(void* p)
-{
-  if (p)
-  {
-    Header* header = static_cast<Header*>(p) - 1;
-    held -= header->size;
-    std::free(header->block);
-  }
-}
 
 namespace ahd
 {
@@ -197,7 +151,7 @@ void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
   for (std::size_t k = 1; k < 2000; ++k)
   {
     ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
-    failAt = allocations + k;
+    account.failAt = account.allocations + k;
     Status status = triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr);
     const bool constrained = status == Status::Ok;
     status = constrained ? triangulator.writeTriangles(found.triples.data(), nullptr) : status;
@@ -205,7 +159,7 @@ void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
                                   : triangulator.writeNeighbors(found.neighbors.data(), nullptr);
     status = status != Status::Ok ? status
                                   : triangulator.writeRegions(found.regions.data(), nullptr);
-    failAt = 0;
+    account.failAt = 0;
     if (status == Status::Ok)
     {
       EXPECT_GT(k, 1u) << "the engine no longer allocates through operator new";
@@ -234,9 +188,9 @@ TEST(ConstrainTrouble, OutOfMemoryAtAnyAllocationIsReportedAndSurvived)
 TEST(ConstrainTrouble, NothingIsHeldByADestroyedTriangulator)
 {
   const ConstraintCase given = nestedLoops(10);
-  const std::size_t before = held;
+  const std::size_t before = account.held;
   constrain(given, FillRule::EvenOdd);
-  EXPECT_EQ(held, before);
+  EXPECT_EQ(account.held, before);
 }
 
 /// The most bytes held at once from run() to the last write, output and leftOut not counted.
@@ -245,8 +199,8 @@ std::size_t peakOf(const ConstraintCase& given)
   const std::size_t count = given.points.size();
   std::vector<std::int64_t> room(6 * count);
   std::vector<std::uint8_t> bits(2 * count);
-  const std::size_t before = held;
-  peak = before;
+  const std::size_t before = account.held;
+  account.peak = before;
   Triangulator t;
   EXPECT_EQ(t.run(given.view(), Options(), nullptr), Status::Ok);
   EXPECT_EQ(t.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
@@ -254,7 +208,7 @@ std::size_t peakOf(const ConstraintCase& given)
   EXPECT_EQ(t.writeNeighbors(room.data(), nullptr), Status::Ok);
   EXPECT_EQ(t.writeConstraintEdges(bits.data(), nullptr), Status::Ok);
   EXPECT_EQ(t.writeRegions(room.data(), nullptr), Status::Ok);
-  return peak - before;
+  return account.peak - before;
 }
 
 TEST(ConstrainTrouble, NoMoreMemoryThanEstimated)

@@ -4,63 +4,11 @@
 // so and lives on. This program's operator new counts, and fails when told to.
 #include "Distributions.h"
 #include "EngineRun.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
-
-namespace
-{
-
-struct Account
-{
-  std::atomic<std::size_t> held{ 0 };
-  std::atomic<std::size_t> peak{ 0 };
-  std::atomic<std::size_t> allocations{ 0 };
-  std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
-};
-
-Account account;
-
-/// Every block is preceded by its size and by the pointer to be freed.
-struct Header
-{
-  std::size_t size;
-  void* block;
-};
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t number = ++account.allocations;
-  const std::size_t failAt = account.failAt;
-  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
-  void* block = failAt != 0 && number >= failAt ? nullptr : std::malloc(size + room);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
-  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
-  *header = { size, block };
-  account.held += size;
-  account.peak = std::max<std::size_t>(account.peak, account.held);
-  return header + 1;
-}
-
-void ahd::test::ownRelease(void* p)
-{
-  if (p)
-  {
-    Header* header = static_cast<Header*>(p) - 1;
-    account.held -= header->size;
-    std::free(header->block);
-  }
-}
 
 namespace ahd
 {

@@ -7,40 +7,9 @@
 
 #include "Distributions.h"
 #include "EngineRun.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-
-namespace
-{
-
-std::atomic<std::size_t> allocations{ 0 };
-std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
-std::atomic<std::ptrdiff_t> blocks{ 0 };
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t number = ++allocations;
-  const std::size_t rounded = (size + alignment - 1) / alignment * alignment;
-  void* block = failAt != 0 && number >= failAt ? nullptr : std::aligned_alloc(alignment, rounded);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  ++blocks;
-  return block;
-}
-
-void ahd::test::ownRelease(void* block)
-{
-  blocks -= block != nullptr;
-  std::free(block);
-}
 
 namespace ahd
 {
@@ -55,11 +24,11 @@ void expectOutOfMemoryIsSaid(Work work)
 {
   for (std::size_t k = 1; k < 100000; ++k)
   {
-    const std::ptrdiff_t before = blocks;
-    failAt = allocations + k;
+    const std::size_t before = account.held;
+    account.failAt = account.allocations + k;
     const Status status = work();
-    failAt = 0;
-    EXPECT_EQ(blocks, before) << "at allocation " << k;
+    account.failAt = 0;
+    EXPECT_EQ(account.held, before) << "at allocation " << k;
     if (status == Status::Ok)
     {
       EXPECT_GT(k, 3u) << "it no longer allocates through operator new";

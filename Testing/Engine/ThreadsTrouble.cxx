@@ -4,45 +4,13 @@
 // program's operator new fails when told to.
 #include "EngineRun.h"
 #include "Executors.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cstdlib>
 #include <string>
 #include <thread>
-
-namespace
-{
-
-std::atomic<std::size_t> allocations{ 0 };
-std::atomic<std::size_t> failAt{ 0 }; ///< this allocation and all later ones fail; 0: none
-
-/// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
-void (*volatile freeBlock)(void*) = std::free;
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t number = ++allocations;
-  const std::size_t last = failAt;
-  const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment *
-    alignment;
-  void* block = last != 0 && number >= last ? nullptr : std::aligned_alloc(alignment, whole);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  return block;
-}
-
-void ahd::test::ownRelease(void* p)
-{
-  freeBlock(p);
-}
 
 namespace ahd
 {
@@ -180,9 +148,9 @@ void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
   Triangulator triangulator;
   for (std::size_t k = 1; k < 10000; ++k)
   {
-    failAt = allocations + k;
+    account.failAt = account.allocations + k;
     const Status status = attempt(triangulator, points, outcome, nullptr, &executor);
-    failAt = 0;
+    account.failAt = 0;
     if (status == Status::Ok)
     {
       EXPECT_GT(k, 5u) << "the engine no longer allocates through operator new";

@@ -4,57 +4,13 @@
 // it says so and leaves nothing. This program's operator new counts, and fails when told to.
 #include "Distributions.h"
 #include "EngineRun.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include "Voronoi.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-
-namespace
-{
-
-std::size_t held = 0;
-std::size_t peak = 0;
-std::size_t allocations = 0;
-std::size_t failAt = 0; ///< this allocation and all later ones fail; 0: none
-
-/// Every block is preceded by its size and by the pointer to be freed.
-struct Header
-{
-  std::size_t size;
-  void* block;
-};
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t room = std::max(alignment, alignof(Header)) + sizeof(Header);
-  void* block = failAt != 0 && ++allocations >= failAt ? nullptr : std::malloc(size + room);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t start = reinterpret_cast<std::size_t>(block) + room;
-  Header* header = reinterpret_cast<Header*>(start / alignment * alignment) - 1;
-  *header = { size, block };
-  held += size;
-  peak = std::max(peak, held);
-  return header + 1;
-}
-
-void ahd::test::ownRelease(void* p)
-{
-  if (p)
-  {
-    Header* header = static_cast<Header*>(p) - 1;
-    held -= header->size;
-    std::free(header->block);
-  }
-}
 
 namespace ahd
 {
@@ -103,11 +59,11 @@ TEST(VoronoiMemory, NoMoreThanEstimated)
       const Given given(makePoints(d, n, 1));
       for (const VoronoiClip clip : kClips)
       {
-        const std::size_t before = held;
-        peak = held;
+        const std::size_t before = account.held;
+        account.peak = before;
         VoronoiCells cells;
         ASSERT_EQ(voronoiCells(given.view, clip, cells, nullptr), Status::Ok);
-        EXPECT_LE(peak - before, voronoiMemoryEstimate(n))
+        EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n))
           << nameOf(d) << ", " << n << ", clip " << int(clip);
       }
     }
@@ -124,18 +80,18 @@ TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
       VoronoiCells cells;
       Status status = Status::OutOfMemory;
       std::size_t failures = 0;
-      const std::size_t before = held;
+      const std::size_t before = account.held;
       for (std::size_t at = 1; status != Status::Ok; ++at)
       {
-        allocations = 0;
-        failAt = at;
+        account.allocations = 0;
+        account.failAt = at;
         status = voronoiCells(given.view, clip, cells, nullptr);
-        failAt = 0;
+        account.failAt = 0;
         if (status != Status::Ok)
         {
           ASSERT_EQ(status, Status::OutOfMemory);
           ASSERT_TRUE(cells.corners.empty() && cells.points.empty() && cells.sites.empty());
-          ASSERT_EQ(held, before) << "something leaked";
+          ASSERT_EQ(account.held, before) << "something leaked";
           ++failures;
         }
       }

@@ -12,6 +12,7 @@ set(ahd_small_thresholds
   "Progress.h|kStepsPerAsking = std::size_t(1) << 14|kStepsPerAsking = std::size_t(1) << 6"
   "Constrain/PolygonFiller.cxx|kManyCorners = 48|kManyCorners = 6"
   "Order/Scatter.cxx|kBucket = 256|kBucket = 8"
+  "Order/Scatter.cxx|kMostTasks = 128|kMostTasks = 8"
   "Order/BucketSorter.h|kSmall = 1024|kSmall = 16"
   "Order/BucketSorter.cxx|kMostSplitBits = 11|kMostSplitBits = 5"
   "Order/BucketSorter.h|kCrowdedBin =\n    24|kCrowdedBin =\n    3"

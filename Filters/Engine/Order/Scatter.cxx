@@ -48,7 +48,10 @@ Scatter::Scatter(const PointView& points, const RankedPoints& ranked, std::size_
   , begin_(buckets() + 1)
   , firstKey_(tasks_ + 1)
 {
-  // row_ <= n / 128 or one line, so the counters take at most tasks * n / 32 <= 4 n bytes.
+  // row_ <= 2 n / kBucket, or one line: there is room for the counters of all tasks.
+  constexpr std::size_t kPerPoint = counterBytes(2) - counterBytes(1);
+  static_assert(2 * kMostTasks * sizeof(Index) <= kBucket * kPerPoint, "counterBytes() is too low");
+  static_assert(kLine * sizeof(Index) <= kFewPoints * kPerPoint, "counterBytes() is too low");
 }
 
 std::size_t Scatter::firstFrom(std::size_t place) const
