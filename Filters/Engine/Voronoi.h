@@ -45,7 +45,8 @@ struct VoronoiCells
 ///
 /// Contract. One cell per vertex. Which cells meet where follows from the triangles, so it is as
 /// exact as they are; the coordinates of the corners are computed with about 100 bits and rounded
-/// once. Circumcentres that differ by no more than a few units in the last place of their own
+/// once (so where numbers of 1e-300 meet numbers of 1e300 a corner may be anywhere within the
+/// bounds). Circumcentres that differ by no more than a few units in the last place of their own
 /// coordinates or those of their triangle are one corner: so the cells of a lattice have no edges
 /// of length zero. Each cell has three corners at least; where vertices are so close that the
 /// corners of a cell cannot be told apart in double precision, some coincide.

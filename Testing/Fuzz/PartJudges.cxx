@@ -101,7 +101,11 @@ double unitOf(const Diagram& diagram)
     return 0.0;
   }
   const double unit = std::ldexp(1.0, std::max(-1074, std::ilogb(largest) - 9));
-  const auto isWhole = [unit](double value) { return value / unit == std::floor(value / unit); };
+  const auto isWhole = [unit](double value)
+  {
+    const double times = value / unit; // may underflow
+    return times == std::floor(times) && times * unit == value;
+  };
   for (std::size_t i = 0; i < diagram.points.count; ++i)
   {
     const Point p = diagram.points[i];
