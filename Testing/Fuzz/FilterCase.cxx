@@ -57,6 +57,17 @@ double number(std::uint8_t byte)
   return byte == 0 ? 0.0 : byte >= 248 ? odd[byte - 248] : std::ldexp(1.0, (int(byte) - 160) / 8);
 }
 
+/// NaN is not taken: what stays is the value before, which is to be a new filter's.
+void setNumber(vtkAdaptiveHilbertDelaunay2D* filter,
+  void (vtkAdaptiveHilbertDelaunay2D::*setter)(double), double value, double usual)
+{
+  if (std::isnan(value))
+  {
+    (filter->*setter)(usual);
+  }
+  (filter->*setter)(value);
+}
+
 /// Odd where the caller has a choice. VTK makes no others.
 vtkSmartPointer<vtkPoints> makePoints(std::uint8_t type)
 {
@@ -302,10 +313,11 @@ void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) c
   filter->SetAlphaLines(!bit(kMoreExtras, 4));
   filter->SetAlphaVerts(!bit(kMoreExtras, 5));
   filter->SetTransform(transform_); // the same object unless it changes, or nothing is kept
-  filter->SetAlpha(number(head_[kAlpha]));
-  filter->SetMaximumEdgeLength(number(head_[kEdge]));
-  filter->SetTolerance(number(head_[kTolerance]) / 64);
-  filter->SetOffset(number(head_[kOffset]));
+  using Filter = vtkAdaptiveHilbertDelaunay2D;
+  setNumber(filter, &Filter::SetAlpha, number(head_[kAlpha]), 0.0);
+  setNumber(filter, &Filter::SetMaximumEdgeLength, number(head_[kEdge]), 0.0);
+  setNumber(filter, &Filter::SetTolerance, number(head_[kTolerance]) / 64, 0.0);
+  setNumber(filter, &Filter::SetOffset, number(head_[kOffset]), 1.0);
   filter->SetInsertionLimit(head_[kLimit]);
   filter->SetMemoryLimit(
     head_[kMemory] == 0 ? 0 : static_cast<vtkTypeInt64>(number(head_[kMemory] % 248u) * 1024) + 1);
