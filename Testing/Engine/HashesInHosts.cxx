@@ -5,40 +5,11 @@
 // it left them, also where it cancelled or where memory ran out.
 #include "HashedResults.h"
 #include "HostModes.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <cfenv>
-#include <cstdlib>
-
-namespace
-{
-
-std::atomic<long> allocationsLeft{ -1 }; ///< before they fail; negative: they do not
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const long left = allocationsLeft.load();
-  if (left >= 0 && (left == 0 || allocationsLeft.fetch_sub(1) <= 0))
-  {
-    throw std::bad_alloc();
-  }
-  void* block = std::aligned_alloc(alignment, (size + alignment) / alignment * alignment);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  return block;
-}
-
-void ahd::test::ownRelease(void* p)
-{
-  std::free(p);
-}
 
 namespace ahd
 {
@@ -257,15 +228,15 @@ TEST(HashesInHosts, ModesArePutBackWhereMemoryRunsOut)
     Way way = wayIn(mode);
     way.executor = &executor;
     const auto call = way.call;
-    long allocations = 0;
+    std::size_t allocations = 0; // before they fail
     std::size_t failed = 0;
     way.call = [&](const std::function<Status()>& work)
     {
       const auto failing = [&]
       {
-        allocationsLeft = allocations;
+        account.failAt = account.allocations + allocations + 1;
         const Status result = work();
-        allocationsLeft = -1;
+        account.failAt = 0;
         return result;
       };
       const Status status = call(failing);

@@ -101,7 +101,7 @@ bool isCertain(Border border, const Quadruple& q)
 }
 
 /// Asks all predicates about one quadruple after the other, until one answers wrongly.
-class Examiner
+class Examiner : public Verdict
 {
 public:
   /// Returns false if an answer was wrong: then what() tells it.
@@ -128,15 +128,8 @@ public:
   }
 
   const Counts& counts() const { return counts_; }
-  const std::string& what() const { return what_; }
 
 private:
-  bool expect(bool isRight, const char* what)
-  {
-    what_ = isRight ? what_ : what;
-    return isRight;
-  }
-
   static bool agrees(const std::optional<int>& answer, int expected)
   {
     return !answer || *answer == expected;
@@ -229,7 +222,6 @@ private:
   std::size_t extreme_ = 0;
   int turn_ = 0;
   int circle_ = 0;
-  std::string what_;
 };
 
 std::string textOf(const Quadruple& q)

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <limits>
 #include <random>
+#include <string>
 
 /// Quadruples over the whole range of double that are degenerate exactly, and then moved by one
 /// unit in the last place of one coordinate, or by a few, or not at all; and those on which the
@@ -52,6 +53,27 @@ inline const char* nameOf(Extreme extreme)
     "Lattice", "Shared", "Subnormals", "GridLimit", "RoundedAway", "Huge" };
   return names[static_cast<std::size_t>(extreme)];
 }
+
+/// What of an answer was wrong, if anything was.
+class Verdict
+{
+public:
+  const std::string& what() const { return what_; }
+
+protected:
+  template <typename Text>
+  bool expect(bool isRight, const Text& what)
+  {
+    if (!isRight)
+    {
+      what_ = what;
+    }
+    return isRight;
+  }
+
+private:
+  std::string what_;
+};
 
 /// The k-th double from `value`, upwards if k is positive; kept finite. -0 is the same place as 0.
 inline double ulpsFrom(double value, std::int64_t k)

@@ -54,7 +54,7 @@ std::string textOf(const SegmentsAndPoint& c)
 }
 
 /// Asks about one case after the other. Each answer is true if all was right.
-class SplitExaminer
+class SplitExaminer : public Verdict
 {
 public:
   bool examine(const SegmentsAndPoint& c)
@@ -77,15 +77,8 @@ public:
     return examine(c);
   }
   const Counts& counts() const { return counts_; }
-  const std::string& what() const { return what_; }
 
 private:
-  bool expect(bool isRight, const char* what)
-  {
-    what_ = isRight ? what_ : what;
-    return isRight;
-  }
-
   static bool reaches(const Segment& s, const Point& p)
   {
     return !FastOracle::less(p, s.left) && !FastOracle::less(s.right, p);
@@ -223,7 +216,6 @@ private:
 
   FastOracle oracle_;
   Counts counts_;
-  std::string what_;
 };
 
 Counts examineAll(std::uint64_t seeds, std::uint64_t casesPerSeed)

@@ -116,7 +116,7 @@ struct ExactCentre
   bool isTold() const { return !isNeedle() && abs(divisor) > divisorSize * powerOfTwo(-90); }
 };
 
-class VoronoiExaminer
+class VoronoiExaminer : public Verdict
 {
 public:
   bool examine(Quadruple q, Extremes& source)
@@ -135,15 +135,8 @@ public:
       merge(q[0], q[1], source);
   }
   std::uint64_t count(std::size_t event) const { return counts_[event]; }
-  const std::string& what() const { return what_; }
 
 private:
-  bool expect(bool isRight, const std::string& what)
-  {
-    what_ = isRight ? what_ : what;
-    return isRight;
-  }
-
   bool isWithin(
     const Point& found, const Vector& exact, const mpq_class& slackX, const mpq_class& slackY) const
   {
@@ -371,7 +364,6 @@ private:
 
   FastOracle oracle_;
   std::uint64_t counts_[Events] = {};
-  std::string what_;
 };
 
 void examineAll(std::uint64_t seeds, std::uint64_t casesPerSeed, VoronoiExaminer& examiner)

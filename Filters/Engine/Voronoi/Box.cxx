@@ -66,9 +66,7 @@ Point Box::leave(const Point& p, const Point& a, const Point& b) const
     result.x = moved(p.x, inY * direction.x);
     result.y = direction.y > 0.0 ? bounds_.ymax : bounds_.ymin;
   }
-  result.x = std::min(std::max(result.x, bounds_.xmin), bounds_.xmax);
-  result.y = std::min(std::max(result.y, bounds_.ymin), bounds_.ymax);
-  return result;
+  return within(bounds_, result);
 }
 
 unsigned Box::sideOf(const Point& p) const

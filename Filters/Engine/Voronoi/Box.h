@@ -4,10 +4,18 @@
 
 #include "../Points/Points.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace ahd
 {
+
+/// The place within the bounds that is nearest to p.
+inline Point within(const Bounds& bounds, const Point& p)
+{
+  return { std::min(std::max(p.x, bounds.xmin), bounds.xmax),
+    std::min(std::max(p.y, bounds.ymin), bounds.ymax) };
+}
 
 /// The direction from one point to another: their difference times a power of two, so that its
 /// larger coordinate is between 1 and 2 and no product of such directions overflows, or underflows

@@ -4,6 +4,7 @@
 
 #include "../Buffer.h"
 #include "../Voronoi.h"
+#include "Box.h"
 #include "Circumcentre.h"
 
 #include <algorithm>
@@ -87,12 +88,7 @@ public:
   void settle(std::size_t triangle, const Bounds& bounds)
   {
     Point& centre = centres_[triangle];
-    if (!isFinite(centre))
-    {
-      centre = corners(triangle).a;
-    }
-    centre.x = std::min(std::max(centre.x, bounds.xmin), bounds.xmax);
-    centre.y = std::min(std::max(centre.y, bounds.ymin), bounds.ymax);
+    centre = within(bounds, isFinite(centre) ? centre : corners(triangle).a);
   }
 
 private:
