@@ -2,10 +2,10 @@
 #include "vtkPlanarPointSource.h"
 
 #include "Distributions/PlanarPoints.h"
-#include "Engine/FloatingPoint.h"
-#include "vtkAHDArray.h"
-#include "vtkAHDMemory.h"
-#include "vtkAHDProgress.h"
+#include "Engine/Core/FloatingPoint.h"
+#include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDMemory.h"
+#include "Pipeline/vtkAHDProgress.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -3,13 +3,13 @@
 
 #include "TriangulatorState.h"
 
-#include "Border.h"
-#include "Chunks.h"
+#include "Core/Border.h"
+#include "Core/Chunks.h"
+#include "Core/Tasks.h"
 #include "Extract/Extractor.h"
 #include "Order/GridBoxes.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
-#include "Tasks.h"
 
 #include <algorithm>
 

@@ -3,10 +3,10 @@
 #define ahd_Triangulate_h
 
 #include "Constraints.h"
-#include "Executor.h"
+#include "Core/Executor.h"
+#include "Core/Progress.h"
 #include "Options.h"
 #include "Points/Points.h"
-#include "Progress.h"
 #include "Result.h"
 
 #include <cstdint>

@@ -4,10 +4,10 @@
 // cell.
 #include "TriangulatorState.h"
 
-#include "Border.h"
-#include "Chunks.h"
 #include "Constrain/Constrainer.h"
 #include "Constrain/Regions.h"
+#include "Core/Border.h"
+#include "Core/Chunks.h"
 
 #include <algorithm>
 

@@ -6,10 +6,9 @@
 
 #include "Constrain/CellData.h"
 #include "Constrain/ConstrainedMesh.h"
-#include "Insert/Inserter.h"
+#include "Insert/Insert.h"
 #include "Mesh/Mesh.h"
 #include "Order/RankedPoints.h"
-#include "Parallel/ByRounds.h"
 
 #include <vector>
 

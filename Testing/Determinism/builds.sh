@@ -9,7 +9,7 @@ help() {
   cat <<'HELP'
 builds.sh <folder> [build]...
 
-Builds Testing/Engine/Hashes.cxx with the engine once for each build named (default: all) in a folder
+Builds Testing/Engine/Triangulation/Hashes.cxx with the engine once for each build named (default: all) in a folder
 of its own, and runs it: each has to give the hashes of Data/Hashes/Engine.txt. Says at last which did
 not, and exits with 1 if any did not.
 

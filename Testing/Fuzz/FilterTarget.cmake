@@ -17,7 +17,9 @@ set(ahd_fuzz_export "${CMAKE_CURRENT_BINARY_DIR}/export")
 file(WRITE "${ahd_fuzz_export}/AdaptiveHilbertDelaunayFiltersModule.h"
   "#define ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT\n")
 
-file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtkA*.cxx")
+file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtkA*.cxx"
+  "${ahd_root_dir}/Filters/Input/*.cxx" "${ahd_root_dir}/Filters/Output/*.cxx"
+  "${ahd_root_dir}/Filters/Pipeline/*.cxx" "${ahd_root_dir}/Filters/Execution/*.cxx")
 add_library(ahd_fuzz_filter STATIC ${ahd_fuzz_filter_sources})
 target_compile_features(ahd_fuzz_filter PUBLIC cxx_std_17)
 # of VTK's classes, which are not watched, the type is not to be had in all of the program

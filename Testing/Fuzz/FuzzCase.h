@@ -3,7 +3,7 @@
 #define ahd_FuzzCase_h
 
 #include "ConstraintSets.h"
-#include "Executor.h"
+#include "Core/Executor.h"
 #include "Options.h"
 #include "Points/Points.h"
 

@@ -3,9 +3,9 @@
 #define ahd_Judge_h
 
 // What the fuzz targets of the engine share: complaints, and runs in which something goes wrong.
+#include "Core/Progress.h"
 #include "EngineRun.h"
 #include "FuzzCase.h"
-#include "Progress.h"
 
 #include <cstddef>
 #include <functional>

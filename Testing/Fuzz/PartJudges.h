@@ -5,9 +5,9 @@
 // What is done before and after the triangulation, and what is wrong with it, in words; empty if
 // nothing is.
 #include "ConstrainedRun.h"
-#include "Crossings.h"
-#include "Merge.h"
-#include "Voronoi.h"
+#include "Crossings/Crossings.h"
+#include "Merge/Merge.h"
+#include "Voronoi/Voronoi.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartJudges.h"
 
-#include "../Engine/SplitDrawings.h"
+#include "SplitDrawings.h"
 
 namespace ahd
 {

@@ -15,7 +15,7 @@ from mutants import ROOT
 
 # What the engine's tests are made of.
 FOLDERS = ("Filters/Engine", "Filters/Distributions", "Testing/Engine", "Testing/Support", "Data")
-FLAVOURS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
+SANITIZERS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
 GIBIBYTE = 1 << 30
 
 
@@ -62,26 +62,26 @@ class Workshop:
     def tests(self):
         return sorted(path.stem for path in (self.source / "Testing/Engine").glob("*.cxx"))
 
-    def binary(self, flavour):
+    def binary(self, sanitizer):
         """The build folder of plain code or of a sanitizer, configured."""
-        build = self.folder / ("build-" + (flavour or "plain"))
-        if flavour not in self.configured:
+        build = self.folder / ("build-" + (sanitizer or "plain"))
+        if sanitizer not in self.configured:
             command = ["cmake", "-S", self.source / "Testing/Engine", "-B", build, "-G", "Ninja"]
             # Without warnings (-w): what a mutant leaves unused is no error.
-            if flavour:
-                command += ["-DAHD_SANITIZE=" + FLAVOURS[flavour], "-DCMAKE_CXX_FLAGS=-w"]
+            if sanitizer:
+                command += ["-DAHD_SANITIZE=" + SANITIZERS[sanitizer], "-DCMAKE_CXX_FLAGS=-w"]
             else:
                 command += ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w"]
             if shutil.which("ccache"):
                 command += ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"]
             run_quietly(command)
-            self.configured.add(flavour)
+            self.configured.add(sanitizer)
         return build
 
     def build(self, test):
         """Builds the program of a test, and returns its path. Raises BuildError."""
-        flavour, _, name = test.rpartition(":")
-        build = self.binary(flavour)
+        sanitizer, _, name = test.rpartition(":")
+        build = self.binary(sanitizer)
         run_quietly(["ninja", "-C", build, f"-j{self.jobs}", "Engine" + name])
         return build / ("Engine" + name)
 

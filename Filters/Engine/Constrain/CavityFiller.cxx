@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CavityFiller.h"
 
-#include "../Chunks.h"
+#include "../Core/Chunks.h"
 
 #include <algorithm>
 

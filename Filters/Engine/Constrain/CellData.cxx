@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellData.h"
 
-#include "../Chunks.h"
-#include "../SortAsking.h"
+#include "../Core/Chunks.h"
+#include "../Core/SortAsking.h"
 
 #include <algorithm>
 #include <functional>

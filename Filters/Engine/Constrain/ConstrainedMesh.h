@@ -2,10 +2,10 @@
 #ifndef ahd_ConstrainedMesh_h
 #define ahd_ConstrainedMesh_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 #include "../Mesh/Mesh.h"
 #include "../Points/Points.h"
-#include "../Progress.h"
 
 #include <cstdint>
 

@@ -2,8 +2,8 @@
 #ifndef ahd_EdgeTable_h
 #define ahd_EdgeTable_h
 
-#include "../Buffer.h"
-#include "../Chunks.h"
+#include "../Core/Buffer.h"
+#include "../Core/Chunks.h"
 #include "../Points/Points.h"
 
 #include <algorithm>

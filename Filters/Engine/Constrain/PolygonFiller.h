@@ -2,9 +2,9 @@
 #ifndef ahd_PolygonFiller_h
 #define ahd_PolygonFiller_h
 
+#include "../Core/Progress.h"
 #include "../Mesh/Mesh.h"
 #include "../Points/Points.h"
-#include "../Progress.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extractor.h"
 
-#include "../Tasks.h"
+#include "../Core/Tasks.h"
 #include "SortKeys.h"
 #include "TriangleKeys.h"
 

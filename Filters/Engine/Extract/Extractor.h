@@ -2,9 +2,9 @@
 #ifndef ahd_Extractor_h
 #define ahd_Extractor_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 #include "../Mesh/Mesh.h"
-#include "../Progress.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,8 +2,8 @@
 #ifndef ahd_SortKeys_h
 #define ahd_SortKeys_h
 
-#include "../Buffer.h"
-#include "../Chunks.h"
+#include "../Core/Buffer.h"
+#include "../Core/Chunks.h"
 #include "TriangleKeys.h"
 
 #include <algorithm>

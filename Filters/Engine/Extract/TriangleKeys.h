@@ -2,9 +2,9 @@
 #ifndef ahd_TriangleKeys_h
 #define ahd_TriangleKeys_h
 
-#include "../Chunks.h"
+#include "../Core/Chunks.h"
+#include "../Core/Progress.h"
 #include "../Mesh/Mesh.h"
-#include "../Progress.h"
 
 #include <algorithm>
 #include <cstddef>

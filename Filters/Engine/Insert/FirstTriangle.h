@@ -2,7 +2,7 @@
 #ifndef ahd_FirstTriangle_h
 #define ahd_FirstTriangle_h
 
-#include "Inserter.h"
+#include "Insert.h"
 
 #include "../Predicates/Predicates.h"
 

@@ -3,7 +3,7 @@
 
 namespace ahd
 {
-inline namespace AHD_INSTRUCTIONS
+inline namespace AHD_TARGET
 {
 
 /// Depth first through the triangles in conflict with p, counterclockwise, so that the edges of the
@@ -251,5 +251,5 @@ template class Kernel<false, Access::Alone>;
 template class Kernel<true, Access::Alone>;
 template class Kernel<false, Access::Shared>;
 
-} // namespace AHD_INSTRUCTIONS
+} // namespace AHD_TARGET
 } // namespace ahd

@@ -2,7 +2,7 @@
 #ifndef ahd_Kernel_h
 #define ahd_Kernel_h
 
-#include "Inserter.h"
+#include "Insert.h"
 
 #include "../Predicates/Filters.h"
 #include "../Predicates/Predicates.h"
@@ -11,7 +11,7 @@
 
 namespace ahd
 {
-inline namespace AHD_INSTRUCTIONS
+inline namespace AHD_TARGET
 {
 
 /// A vertex as the new point sees it. For the ghost all its numbers are NaN, which no
@@ -46,7 +46,7 @@ enum class Insertion
 };
 
 /// Alone: the mesh belongs to this kernel. Shared: others insert at the same time, each in a
-/// territory of its own (Parallel/Parts.h says why that is safe). Then a cavity is carved only if
+/// territory of its own (Insert/Parts.h says why that is safe). Then a cavity is carved only if
 /// all its finite vertices are owned, and nothing is written before that is known.
 enum class Access
 {
@@ -300,7 +300,7 @@ private:
   InsertionWork work_;
 };
 
-} // namespace AHD_INSTRUCTIONS
+} // namespace AHD_TARGET
 } // namespace ahd
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxWalk.h"
 
-#include "../Chunks.h"
+#include "../Core/Chunks.h"
 #include "HilbertCurve.h"
 #include "RadixSort.h"
 #include "Sequence.h"

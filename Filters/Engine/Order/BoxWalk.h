@@ -2,9 +2,9 @@
 #ifndef ahd_BoxWalk_h
 #define ahd_BoxWalk_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 #include "../Options.h"
-#include "../Progress.h"
 #include "RankedPoints.h"
 
 #include <cstddef>

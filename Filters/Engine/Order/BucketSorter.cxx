@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BucketSorter.h"
 
-#include "../Chunks.h"
+#include "../Core/Chunks.h"
 #include "HilbertCurve.h"
 #include "Quantise.h"
 #include "Rank.h"

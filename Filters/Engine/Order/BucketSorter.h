@@ -2,8 +2,8 @@
 #ifndef ahd_BucketSorter_h
 #define ahd_BucketSorter_h
 
+#include "../Core/Progress.h"
 #include "../Points/Points.h"
-#include "../Progress.h"
 #include "RankedPoints.h"
 #include "Record.h"
 

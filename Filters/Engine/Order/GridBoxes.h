@@ -2,8 +2,8 @@
 #ifndef ahd_GridBoxes_h
 #define ahd_GridBoxes_h
 
+#include "../Core/Progress.h"
 #include "../Options.h"
-#include "../Progress.h"
 #include "../Result.h"
 #include "RankedPoints.h"
 

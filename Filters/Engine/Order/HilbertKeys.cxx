@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HilbertKeys.h"
 
-#include "../Instructions.h"
+#include "../Core/Dispatch.h"
 
 #if defined(__GNUC__) || defined(__clang__)
 #define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
@@ -89,7 +89,7 @@ void keysBaseline(const Word* columns, const Word* rows, std::uint64_t* keys, st
   keysOf(columns, rows, keys, count);
 }
 
-#if AHD_HAS_FMA_FLAVOUR
+#if AHD_HAS_X86_TARGETS
 #if defined(__clang__) // does not know the preference as an attribute
 #define AHD_AVX512 "avx512f,avx512vl"
 #else
@@ -107,29 +107,24 @@ __attribute__((target(AHD_AVX512))) void keysAvx512(
 {
   keysOf(columns, rows, keys, count);
 }
-
-const bool kHasAvx2 = __builtin_cpu_supports("avx2");
-const bool kHasAvx512 = __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl");
 #else
 const auto keysAvx2 = keysBaseline;
 const auto keysAvx512 = keysBaseline;
-const bool kHasAvx2 = false;
-const bool kHasAvx512 = false;
 #endif
 
 } // namespace
 
-namespace flavours
-{
-const KeyFlavour kKeyFlavours[3] = { { "baseline", true, keysBaseline },
-  { "AVX2", kHasAvx2, keysAvx2 }, { "AVX-512", kHasAvx512, keysAvx512 } };
-}
+const DispatchTarget<HilbertKeys> kHilbertKeysTargets[3] = {
+  { InstructionSet::Baseline, keysBaseline },
+  { InstructionSet::Avx2, keysAvx2 },
+  { InstructionSet::Avx512, keysAvx512 },
+};
 
 void hilbertKeys(
   const std::uint32_t* columns, const std::uint32_t* rows, std::uint64_t* keys, std::size_t count)
 {
-  const auto best = kHasAvx512 ? keysAvx512 : kHasAvx2 ? keysAvx2 : keysBaseline;
-  best(columns, rows, keys, count);
+  static HilbertKeys* const kBest = best(kHilbertKeysTargets);
+  kBest(columns, rows, keys, count);
 }
 
 } // namespace ahd

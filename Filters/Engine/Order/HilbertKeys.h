@@ -2,6 +2,8 @@
 #ifndef ahd_HilbertKeys_h
 #define ahd_HilbertKeys_h
 
+#include "../Core/Dispatch.h"
+
 #include <cstddef>
 #include <cstdint>
 
@@ -16,18 +18,11 @@ constexpr std::size_t kKeyBlock = 256;
 void hilbertKeys(
   const std::uint32_t* columns, const std::uint32_t* rows, std::uint64_t* keys, std::size_t count);
 
-/// The flavours, for tests; only those that the processor has may be called.
-namespace flavours
-{
-struct KeyFlavour
-{
-  const char* name;
-  bool available;
-  void (*keys)(const std::uint32_t*, const std::uint32_t*, std::uint64_t*, std::size_t);
-};
-/// The best one that is available is the last such.
-extern const KeyFlavour kKeyFlavours[3];
-}
+/// As it is compiled for each instruction set; for tests. Only those that the processor has may be
+/// called.
+using HilbertKeys = void(
+  const std::uint32_t* columns, const std::uint32_t* rows, std::uint64_t* keys, std::size_t count);
+extern const DispatchTarget<HilbertKeys> kHilbertKeysTargets[3];
 
 } // namespace ahd
 

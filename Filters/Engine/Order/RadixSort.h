@@ -2,8 +2,8 @@
 #ifndef ahd_RadixSort_h
 #define ahd_RadixSort_h
 
-#include "../Buffer.h"
-#include "../Progress.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rank.h"
 
-#include "../Chunks.h"
-#include "../Tasks.h"
+#include "../Core/Chunks.h"
+#include "../Core/Tasks.h"
 #include "BucketSorter.h"
 #include "Scatter.h"
 

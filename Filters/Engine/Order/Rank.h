@@ -2,8 +2,8 @@
 #ifndef ahd_Rank_h
 #define ahd_Rank_h
 
+#include "../Core/Progress.h"
 #include "../Points/Points.h"
-#include "../Progress.h"
 #include "../Result.h"
 #include "RankedPoints.h"
 

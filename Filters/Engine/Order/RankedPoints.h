@@ -2,7 +2,7 @@
 #ifndef ahd_RankedPoints_h
 #define ahd_RankedPoints_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
 #include "../Points/Points.h"
 
 #include <cstddef>

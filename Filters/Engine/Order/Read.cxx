@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../Chunks.h"
-#include "../Tasks.h"
+#include "../Core/Chunks.h"
+#include "../Core/Tasks.h"
 #include "Rank.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scatter.h"
 
-#include "../Chunks.h"
-#include "../Tasks.h"
+#include "../Core/Chunks.h"
+#include "../Core/Tasks.h"
 #include "HilbertKeys.h"
 
 #include <algorithm>

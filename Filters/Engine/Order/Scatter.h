@@ -2,9 +2,9 @@
 #ifndef ahd_Scatter_h
 #define ahd_Scatter_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 #include "../Points/Points.h"
-#include "../Progress.h"
 #include "Quantise.h"
 #include "RankedPoints.h"
 #include "Record.h"

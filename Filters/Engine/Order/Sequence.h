@@ -2,9 +2,9 @@
 #ifndef ahd_Sequence_h
 #define ahd_Sequence_h
 
-#include "../Buffer.h"
+#include "../Core/Buffer.h"
+#include "../Core/Progress.h"
 #include "../Options.h"
-#include "../Progress.h"
 #include "../Result.h"
 #include "RankedPoints.h"
 

@@ -2,7 +2,7 @@
 #ifndef ahd_Filters_h
 #define ahd_Filters_h
 
-#include "../Instructions.h"
+#include "../Core/Dispatch.h"
 #include "../Points/Points.h"
 
 #include <cfloat>
@@ -34,7 +34,7 @@
 /// the true ones, each coordinate known to a factor 1 + u; |A| is a length, x the cross product.
 namespace ahd
 {
-inline namespace AHD_INSTRUCTIONS
+inline namespace AHD_TARGET
 {
 
 /// A point seen from P, lifted to the paraboloid: z = |A|^2.
@@ -146,7 +146,7 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
   return std::fabs(det) > inCircleErrorBound(la, lb, lc, guard);
 }
 
-} // namespace AHD_INSTRUCTIONS
+} // namespace AHD_TARGET
 } // namespace ahd
 
 #endif

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Predicates.h"
 
+#include "../Arithmetic/WideVectors.h"
 #include "Filters.h"
 #include "Stages.h"
-#include "WideVectors.h"
 
 #include <algorithm>
 #include <cmath>

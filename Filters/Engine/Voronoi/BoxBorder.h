@@ -2,8 +2,8 @@
 #ifndef ahd_BoxBorder_h
 #define ahd_BoxBorder_h
 
-#include "Box.h"
 #include "CellBorder.h"
+#include "ClipBox.h"
 
 #include <algorithm>
 
@@ -14,7 +14,7 @@ namespace ahd
 class BoxBorder : public CellBorder
 {
 public:
-  BoxBorder(Diagram& diagram, const Box& box)
+  BoxBorder(Diagram& diagram, const ClipBox& box)
     : CellBorder(diagram)
     , box_(box)
   {
@@ -41,7 +41,7 @@ private:
   CornerId crossing(const Point& p, const Point& q, CornerId end);
   CornerId cornerOfBox(unsigned k);
 
-  const Box box_;
+  const ClipBox box_;
   CornerId corners_[4];
 };
 

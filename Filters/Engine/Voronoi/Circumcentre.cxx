@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Circumcentre.h"
 
-#include "Twofold.h"
+#include "../Arithmetic/DoubleDouble.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,13 +43,13 @@ public:
     back_ = shift + (exponent > 1000 ? 2 : 0);
   }
 
-  TwofoldVector between(const Point& from, const Point& to) const
+  DoubleDoubleVector between(const Point& from, const Point& to) const
   {
     return { one(to.x, from.x), one(to.y, from.y) };
   }
 
   /// origin + v, unscaled and rounded.
-  Point apply(const TwofoldVector& v) const
+  Point apply(const DoubleDoubleVector& v) const
   {
     return { back(origin_.x, v.x), back(origin_.y, v.y) };
   }
@@ -57,13 +57,13 @@ public:
 private:
   static double half(double a, double b) { return std::fabs(0.5 * a - 0.5 * b); }
 
-  Twofold one(double a, double b) const
+  DoubleDouble one(double a, double b) const
   {
-    const Twofold d = exactDifference(before_ * a, before_ * b);
+    const DoubleDouble d = exactDifference(before_ * a, before_ * b);
     return scaled(scaled(d, first_), second_);
   }
 
-  double back(double origin, const Twofold& v) const
+  double back(double origin, const DoubleDouble& v) const
   {
     const double a = std::ldexp(v.high, back_);
     const double b = std::ldexp(v.low, back_);
@@ -71,15 +71,15 @@ private:
     {
       return backByHalves(origin, std::ldexp(v.high, back_ - 1), b);
     }
-    const Twofold sum = exactSum(origin, a);
+    const DoubleDouble sum = exactSum(origin, a);
     return std::isfinite(sum.low) ? sum.high + (sum.low + b) : origin + a;
   }
 
   /// origin + 2 half + rest: the way from one end of the range of double to the other is no double.
   static double backByHalves(double origin, double half, double rest)
   {
-    const Twofold sum = exactSum(origin, half);
-    const Twofold whole = exactSum(sum.high, half);
+    const DoubleDouble sum = exactSum(origin, half);
+    const DoubleDouble whole = exactSum(sum.high, half);
     const double low = sum.low + whole.low + rest;
     return std::isfinite(low) ? whole.high + low : whole.high;
   }
@@ -94,16 +94,16 @@ private:
 /// The circumcentre is corner a + offset / divisor.
 struct Centre
 {
-  TwofoldVector offset;
-  Twofold divisor; ///< four times the area of the triangle
+  DoubleDoubleVector offset;
+  DoubleDouble divisor; ///< four times the area of the triangle
 };
 
 Centre centreOf(const Differences& differences, const Corners& triangle)
 {
-  const TwofoldVector u = differences.between(triangle.a, triangle.b);
-  const TwofoldVector v = differences.between(triangle.a, triangle.c);
-  const Twofold uu = dot(u, u);
-  const Twofold vv = dot(v, v);
+  const DoubleDoubleVector u = differences.between(triangle.a, triangle.b);
+  const DoubleDoubleVector v = differences.between(triangle.a, triangle.c);
+  const DoubleDouble uu = dot(u, u);
+  const DoubleDouble vv = dot(v, v);
   Centre result;
   result.offset = { uu * v.y - vv * u.y, vv * u.x - uu * v.x };
   result.divisor = scaled(cross(u, v), 2.0);
@@ -137,8 +137,8 @@ int sideOfCircumcentre(const Corners& triangle, const Point& from, const Point& 
   differences.add(to);
   differences.scale();
   const Centre centre = centreOf(differences, triangle);
-  const TwofoldVector along = differences.between(from, to);
-  const TwofoldVector corner = differences.between(from, triangle.a);
+  const DoubleDoubleVector along = differences.between(from, to);
+  const DoubleDoubleVector corner = differences.between(from, triangle.a);
   return signOf(cross(along, corner) * centre.divisor + cross(along, centre.offset));
 }
 
@@ -149,13 +149,13 @@ Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const
   differences.add(q);
   differences.add(to);
   differences.scale();
-  const TwofoldVector along = differences.between(from, to);
-  const TwofoldVector apart = differences.between(p, q);
-  const TwofoldVector toP = differences.between(from, p);
-  const TwofoldVector toQ = differences.between(from, q);
-  const TwofoldVector twiceMiddle = { toP.x + toQ.x, toP.y + toQ.y };
-  const Twofold steep = scaled(dot(along, apart), 2.0);
-  Twofold part{ 0.5, 0.0 };
+  const DoubleDoubleVector along = differences.between(from, to);
+  const DoubleDoubleVector apart = differences.between(p, q);
+  const DoubleDoubleVector toP = differences.between(from, p);
+  const DoubleDoubleVector toQ = differences.between(from, q);
+  const DoubleDoubleVector twiceMiddle = { toP.x + toQ.x, toP.y + toQ.y };
+  const DoubleDouble steep = scaled(dot(along, apart), 2.0);
+  DoubleDouble part{ 0.5, 0.0 };
   if (signOf(steep) != 0)
   {
     part = dot(twiceMiddle, apart) / steep;
@@ -164,7 +164,7 @@ Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const
   {
     return from;
   }
-  if (!(signOf(part - Twofold{ 1.0, 0.0 }) < 0)) // its high part alone may be 1
+  if (!(signOf(part - DoubleDouble{ 1.0, 0.0 }) < 0)) // its high part alone may be 1
   {
     return to;
   }

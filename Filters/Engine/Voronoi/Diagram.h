@@ -2,10 +2,10 @@
 #ifndef ahd_Diagram_h
 #define ahd_Diagram_h
 
-#include "../Buffer.h"
-#include "../Voronoi.h"
-#include "Box.h"
+#include "../Core/Buffer.h"
 #include "Circumcentre.h"
+#include "ClipBox.h"
+#include "Voronoi.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullBorder.h"
 
-#include "../Chunks.h"
+#include "../Core/Chunks.h"
 
 #include <algorithm>
 

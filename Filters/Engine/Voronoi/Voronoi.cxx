@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "../Voronoi.h"
+#include "Voronoi.h"
 
-#include "../Border.h"
-#include "../Chunks.h"
-#include "../SortAsking.h"
-#include "Box.h"
+#include "../Core/Border.h"
+#include "../Core/Chunks.h"
+#include "../Core/SortAsking.h"
 #include "BoxBorder.h"
 #include "Cells.h"
+#include "ClipBox.h"
 #include "Diagram.h"
 #include "HullBorder.h"
 
@@ -83,7 +83,7 @@ bool makeStrips(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& ce
   {
     return false;
   }
-  const Box box(bounds);
+  const ClipBox box(bounds);
   if (clip == VoronoiClip::Hull || line.size() < 2 || !box.hasArea())
   {
     return ticker.ask();
@@ -131,7 +131,7 @@ bool make(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells, T
     HullBorder border(diagram, bounds);
     return makeCells(diagram, border, cells, ticker);
   }
-  BoxBorder border(diagram, Box(bounds));
+  BoxBorder border(diagram, ClipBox(bounds));
   return makeCells(diagram, border, cells, ticker);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// PeerInputs NAME COUNT FILE: writes points of a distribution (Support/Distributions.h) for peers.
+// PeerInputs NAME COUNT FILE: writes points of a distribution (Support/Points/Distributions.h) for
+// peers.
 #include "Distributions.h"
 #include "PeerFiles.h"
 

@@ -63,7 +63,7 @@ PEERS = [
 ]
 BY_NAME = {peer.name: peer for peer in PEERS}
 
-# The inputs by their names in Support/Distributions.h: the six of the paper and harder ones.
+# The inputs by their names in Support/Points/Distributions.h: the six of the paper and harder ones.
 INPUTS = ["Uniform", "Line", "Cross", "Circle", "Spiral", "Mixed", "Lattice", "DecimalLattice", "OnCircle",
           "NearlyCollinear", "Utm"]
 QUICK_INPUTS = ["Uniform", "DecimalLattice", "Utm"]

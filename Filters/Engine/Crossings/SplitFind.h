@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_SplitFind_h
+#define ahd_SplitFind_h
+
+#include "../Core/Progress.h"
+#include "../Points/Points.h"
+#include "../Predicates/Segments.h"
+
+#include <vector>
+
+namespace ahd
+{
+
+/// Segments whose ends are named by their rank among all ends in lexicographic order.
+struct RankedSegments
+{
+  struct Ends
+  {
+    Index left;
+    Index right;
+  };
+
+  std::vector<Point> places; ///< distinct, ascending
+  std::vector<Ends> ends;    ///< of each segment: left < right
+
+  Segment operator[](Index s) const { return { places[ends[s].left], places[ends[s].right] }; }
+};
+
+/// Two segments that cross.
+struct Crossing
+{
+  Index a;
+  Index b; ///< larger than a
+};
+
+/// Finds all pairs of segments that have one point in common which is an end of neither, each pair
+/// once, in no particular order. Returns false if the work is to be cancelled. Throws
+/// std::bad_alloc.
+///
+/// After Balaban, "An optimal algorithm for finding segments intersections" (SCG 1995), his
+/// "intermediate" algorithm: strips between two ends are halved again and again. Of the segments
+/// that span a strip, a ladder is taken: as many as follow without crossing one another. All others
+/// find the rungs they cross by going up and down from where they enter, and go on into the two
+/// halves of the strip, as far as they reach into them.
+/// Cost: n log^2 n + k log n steps for n segments with k crossings, whatever they are like.
+bool findCrossings(
+  const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings);
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InsertTargets.h"
+
+#include "Parts.h"
+
+#include "../Core/Tasks.h"
+#include "../Order/Rounds.h"
+#include "FirstTriangle.h"
+#include "Kernel.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+inline namespace AHD_TARGET
+{
+
+namespace
+{
+
+template <bool kCount>
+class ByRounds
+{
+public:
+  ByRounds(const RankedPoints& points, Mesh& mesh, Ticker& ticker, SharedWork& shared)
+    : points_(points)
+    , mesh_(mesh)
+    , ticker_(ticker)
+    , rounds_(points.count)
+    , kernel_(points, mesh, ticker)
+    , shared_(shared)
+  {
+  }
+
+  InsertionEnd insertAll()
+  {
+    const std::size_t n = points_.count;
+    const FirstTriangle first = makeFirstTriangle(
+      points_, n, [this](std::size_t i) { return at(i); }, mesh_, ticker_);
+    if (first.end != InsertionEnd::Done)
+    {
+      return first.end;
+    }
+    shared_ = { 3, 0, 3 };
+    const std::size_t moved = std::max<std::size_t>(3, first.third + 1);
+    if (!insertPlaces(3, moved, [&](std::size_t i) { return at(first.place(i)); }))
+    {
+      return InsertionEnd::Cancelled;
+    }
+    for (std::size_t stride = rounds_.firstStride(); stride > 0; stride /= kControlStride)
+    {
+      if (!insertRound(stride, moved))
+      {
+        return InsertionEnd::Cancelled;
+      }
+    }
+    return InsertionEnd::Done;
+  }
+
+  const InsertionWork& work() const { return kernel_.work(); }
+
+private:
+  /// The i-th vertex of the order.
+  Index at(std::size_t i) const
+  {
+    std::size_t stride = rounds_.firstStride();
+    while (i >= rounds_.before(stride) + rounds_.size(stride))
+    {
+      stride /= kControlStride;
+    }
+    return static_cast<Index>(rounds_.place(stride, i - rounds_.before(stride)));
+  }
+
+  /// The points of this round that stand at place `from` of the order or after it.
+  bool insertRound(std::size_t stride, std::size_t from)
+  {
+    const std::size_t before = rounds_.before(stride);
+    const std::size_t size = rounds_.size(stride);
+    if (before + size <= from)
+    {
+      return true;
+    }
+    if (before >= from && partsFor(size) > 1)
+    {
+      return insertInParts(stride, partsFor(size));
+    }
+    return insertPlaces(std::max(before, from), before + size,
+      [=](std::size_t i) { return static_cast<Index>(rounds_.place(stride, i - before)); });
+  }
+
+  template <typename VertexAt>
+  bool insertPlaces(std::size_t begin, std::size_t end, VertexAt vertexAt)
+  {
+    shared_.attempts += end - begin;
+    shared_.criticalPath += end - begin;
+    Index next = begin < end ? vertexAt(begin) : 0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      const Index p = next;
+      next = i + 1 < end ? vertexAt(i + 1) : p;
+      if (kernel_.insert(p, next, Mesh::freshSlots(i), hint_) != Insertion::Done)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /// In how many parts to insert a round of so many points.
+  std::size_t partsFor(std::size_t size) const
+  {
+    const bool alone = kCount || points_.count < kLeastShared || tooManyWaited_;
+    return alone ? 1 : std::min(threadsOf(ticker_), size / kLeastPart);
+  }
+
+  bool insertInParts(std::size_t stride, std::size_t count)
+  {
+    Parts parts(points_, mesh_, ticker_, rounds_, stride, count);
+    return parts.insert(kernel_, shared_, tooManyWaited_);
+  }
+
+  static constexpr std::size_t kLeastPart = 512; ///< points of the round
+
+  const RankedPoints& points_;
+  Mesh& mesh_;
+  Ticker& ticker_;
+  Rounds rounds_;
+  Kernel<kCount, Access::Alone> kernel_;
+  Mesh::Slot hint_ = 0;
+  bool tooManyWaited_ = false; ///< in the round before
+  SharedWork& shared_;
+};
+
+template <bool kCount>
+InsertionEnd insertAll(
+  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork& work, SharedWork& shared)
+{
+  ByRounds<kCount> inserter(points, mesh, ticker, shared);
+  const InsertionEnd end = inserter.insertAll();
+  work = inserter.work();
+  return end;
+}
+
+} // namespace
+
+InsertionEnd insertByRoundsHere(
+  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
+{
+  InsertionWork ignored;
+  return work ? insertAll<true>(points, mesh, ticker, *work, shared)
+              : insertAll<false>(points, mesh, ticker, ignored, shared);
+}
+
+} // namespace AHD_TARGET
+} // namespace ahd

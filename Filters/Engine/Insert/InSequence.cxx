@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InsertTargets.h"
+
+#include "FirstTriangle.h"
+#include "Kernel.h"
+
+namespace ahd
+{
+inline namespace AHD_TARGET
+{
+
+namespace
+{
+
+template <bool kCount>
+InsertionEnd insertAll(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
+  Ticker& ticker, InsertionWork& work)
+{
+  const std::size_t n = sequence.size();
+  const FirstTriangle first = makeFirstTriangle(
+    points, n, [&sequence](std::size_t i) { return sequence[i]; }, mesh, ticker);
+  if (first.end != InsertionEnd::Done)
+  {
+    return first.end;
+  }
+  Kernel<kCount, Access::Alone> kernel(points, mesh, ticker);
+  Mesh::Slot hint = 0;
+  for (std::size_t i = 3; i < n; ++i)
+  {
+    const Index p = sequence[first.place(i)];
+    const Index next = i + 1 < n ? sequence[first.place(i + 1)] : p;
+    if (kernel.insert(p, next, Mesh::freshSlots(i), hint) != Insertion::Done)
+    {
+      return InsertionEnd::Cancelled;
+    }
+  }
+  work = kernel.work();
+  return InsertionEnd::Done;
+}
+
+} // namespace
+
+InsertionEnd insertSequenceHere(const RankedPoints& points, const Buffer<Index>& sequence,
+  Mesh& mesh, Ticker& ticker, InsertionWork* work)
+{
+  InsertionWork ignored;
+  return work ? insertAll<true>(points, sequence, mesh, ticker, *work)
+              : insertAll<false>(points, sequence, mesh, ticker, ignored);
+}
+
+} // namespace AHD_TARGET
+} // namespace ahd

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Parts.h"
+
+#include "../Core/Chunks.h"
+#include "../Core/Tasks.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+inline namespace AHD_TARGET
+{
+
+namespace
+{
+
+/// Stores the larger one, so that what is stored in the end does not depend on who was first.
+void storeLarger(std::atomic<Mesh::Slot>& place, Mesh::Slot slot)
+{
+  Mesh::Slot known = place.load(std::memory_order_relaxed);
+  while (known < slot && !place.compare_exchange_weak(known, slot, std::memory_order_relaxed))
+  {
+  }
+}
+
+} // namespace
+
+Parts::Parts(const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Rounds& rounds,
+  std::size_t stride, std::size_t count)
+  : points_(points)
+  , mesh_(mesh)
+  , ticker_(ticker)
+  , rounds_(rounds)
+  , stride_(stride)
+  , known_(stride * kControlStride)
+  , parts_(count)
+  , starts_(new std::atomic<Mesh::Slot>[points.count / known_ + 1])
+{
+  waiting_.allocate(rounds.size(stride));
+  const std::size_t blocks = points.count / known_;
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const Share share(blocks, k, count);
+    const std::size_t begin = share.begin * known_;
+    const std::size_t end = k + 1 < count ? share.end * known_ : points.count;
+    parts_[k].territory = { static_cast<Index>(begin), static_cast<Index>(end - begin) };
+    parts_[k].begin = rounds.index(stride, begin);
+  }
+}
+
+bool Parts::findStarts()
+{
+  const std::size_t vertices = points_.count / known_ + 1;
+  const std::size_t triangles = 2 * rounds_.before(stride_) - 2;
+  const std::size_t tasks = threadsOf(ticker_);
+  const auto clear = [&](std::size_t task, Ticker& ticker)
+  {
+    const Share share(vertices, task, tasks);
+    std::fill(starts_.get() + share.begin, starts_.get() + share.end, Mesh::Slot(0));
+    return ticker.ask();
+  };
+  const auto note = [&](std::size_t task, Ticker& ticker)
+  {
+    const Share share(triangles, task, tasks);
+    return inChunks(share.begin, share.end, ticker,
+      [&](std::size_t a, std::size_t b)
+      { noteStarts(Mesh::slotOfTriangle(a), Mesh::slotOfTriangle(b)); });
+  };
+  return inParallel(ticker_, tasks, clear) && inParallel(ticker_, tasks, note);
+}
+
+void Parts::noteStarts(Mesh::Slot begin, Mesh::Slot end)
+{
+  const std::uint32_t* const data = mesh_.data();
+  const double toBlock = 1.0 / double(known_); // v + 0.5 is not nearer to a border than it rounds
+  for (Mesh::Slot slot = begin; slot != end; slot += Mesh::kSlotSize)
+  {
+    for (unsigned corner = 0; corner < 3; ++corner)
+    {
+      const Index v = data[slot + corner];
+      if (v != mesh_.ghost())
+      {
+        storeLarger(starts_[static_cast<std::size_t>((v + 0.5) * toBlock)], slot);
+      }
+    }
+  }
+}
+
+bool Parts::insertOwn(SharedWork& work)
+{
+  const bool done = inParallel(ticker_, parts_.size(),
+    [&](std::size_t k, Ticker& ticker) { return insertOwnOf(parts_[k], ticker); });
+  account(work);
+  return done;
+}
+
+bool Parts::insertOwnOf(Part& part, Ticker& ticker)
+{
+  SharedKernel kernel(points_, mesh_, ticker, part.territory);
+  const std::size_t end = rounds_.index(
+    stride_, std::size_t(part.territory.begin) + part.territory.size);
+  Mesh::Slot hint = startFor(part.territory.begin);
+  Mesh::Slot fresh = Mesh::freshSlots(rounds_.before(stride_) + part.begin);
+  Index next = static_cast<Index>(rounds_.place(stride_, part.begin));
+  std::size_t waiting = part.begin;
+  std::uint64_t strayed = 0;
+  for (std::size_t k = part.begin; k < end; ++k, fresh += 2 * Mesh::kSlotSize)
+  {
+    const Index p = next;
+    next = k + 1 < end ? static_cast<Index>(rounds_.place(stride_, k + 1)) : p;
+    Insertion result = kernel.insert(p, next, fresh, hint);
+    if (result == Insertion::Strayed)
+    {
+      hint = startFor(p);
+      result = kernel.insert(p, next, fresh, hint);
+      ++strayed;
+    }
+    if (result == Insertion::Cancelled)
+    {
+      return false;
+    }
+    if (result != Insertion::Done)
+    {
+      waiting_[waiting++] = p;
+    }
+  }
+  part.waiting = waiting - part.begin;
+  part.attempts = end - part.begin + strayed;
+  return true;
+}
+
+bool Parts::insertWaiting(SharedWork& work)
+{
+  const bool done = inParallel(ticker_, parts_.size(),
+    [&](std::size_t k, Ticker& ticker) { return insertWaitingOf(parts_[k], ticker); });
+  account(work);
+  return done;
+}
+
+bool Parts::insertWaitingOf(Part& part, Ticker& ticker)
+{
+  SharedKernel kernel(points_, mesh_, ticker, part.territory);
+  const std::size_t end = part.begin + part.waiting;
+  std::size_t waiting = part.begin;
+  for (std::size_t i = part.begin; i < end; ++i)
+  {
+    const Index p = waiting_[i];
+    Mesh::Slot hint = startFor(p);
+    const Insertion result = kernel.insert(p, p, freshSlots(p), hint);
+    if (result == Insertion::Cancelled)
+    {
+      return false;
+    }
+    if (result != Insertion::Done)
+    {
+      waiting_[waiting++] = p;
+    }
+  }
+  part.attempts = part.waiting;
+  part.waiting = waiting - part.begin;
+  return true;
+}
+
+/// Each part takes in the three after it, and the points that wait there.
+void Parts::join()
+{
+  std::size_t joined = 0;
+  for (std::size_t k = 0; k < parts_.size(); ++k)
+  {
+    const Part part = parts_[k];
+    if (k % kJoined == 0)
+    {
+      parts_[joined++] = part;
+      continue;
+    }
+    Part& into = parts_[joined - 1];
+    into.territory.size += part.territory.size;
+    std::copy_n(
+      waiting_.data() + part.begin, part.waiting, waiting_.data() + into.begin + into.waiting);
+    into.waiting += part.waiting;
+  }
+  parts_.resize(joined);
+}
+
+std::size_t Parts::waiting() const
+{
+  std::size_t sum = 0;
+  for (const Part& part : parts_)
+  {
+    sum += part.waiting;
+  }
+  return sum;
+}
+
+/// Adds what the parts did in this pass, as if each task went to the first free thread.
+void Parts::account(SharedWork& work)
+{
+  std::vector<std::uint64_t> busy(threadsOf(ticker_), 0);
+  for (Part& part : parts_)
+  {
+    *std::min_element(busy.begin(), busy.end()) += part.attempts;
+    work.attempts += part.attempts;
+    part.attempts = 0;
+  }
+  work.criticalPath += *std::max_element(busy.begin(), busy.end());
+  work.deferred += waiting();
+}
+
+} // namespace AHD_TARGET
+} // namespace ahd

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Parts_h
+#define ahd_Parts_h
+
+#include "Insert.h"
+
+#include "../Order/Rounds.h"
+#include "Kernel.h"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ahd
+{
+inline namespace AHD_TARGET
+{
+
+/// One round of an insertion, in parts (Insert.h). What a part could not insert waits, and is
+/// tried again by the part that joins it with its neighbours, until one part owns everything.
+class Parts
+{
+public:
+  /// REQUIRES: all points of the rounds before are in the mesh; 2 <= count, and each part gets at
+  /// least kControlStride points of the round. Throws std::bad_alloc.
+  Parts(const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Rounds& rounds,
+    std::size_t stride, std::size_t count);
+
+  /// Inserts the round; the last that wait by `alone`. Returns false if the work is to be
+  /// cancelled. `tooManyWaited`: cavities here are so large (points on a parabola, or hundreds of
+  /// orders of magnitude apart) that one thread alone is faster.
+  template <bool kCount>
+  bool insert(Kernel<kCount, Access::Alone>& alone, SharedWork& work, bool& tooManyWaited)
+  {
+    if (!findStarts() || !insertOwn(work))
+    {
+      return false;
+    }
+    tooManyWaited = waiting() > rounds_.size(stride_) / 2;
+    while (!tooManyWaited && parts_.size() > 1 && waiting() > kFew)
+    {
+      join();
+      if (parts_.size() > 1 && !insertWaiting(work))
+      {
+        return false;
+      }
+    }
+    return insertLast(alone, work);
+  }
+
+private:
+  using SharedKernel = Kernel<false, Access::Shared>;
+
+  struct Part
+  {
+    Territory territory;
+    std::size_t begin = 0;   ///< the points that wait: this place in waiting_
+    std::size_t waiting = 0; ///< and so many
+    std::uint64_t attempts = 0;
+  };
+
+  static constexpr std::size_t kFew = 256; ///< points that are not worth another pass
+  static constexpr std::size_t kJoined = 4;
+
+  bool findStarts();
+  void noteStarts(Mesh::Slot begin, Mesh::Slot end);
+  bool insertOwn(SharedWork& work);
+  bool insertOwnOf(Part& part, Ticker& ticker);
+  bool insertWaiting(SharedWork& work);
+  bool insertWaitingOf(Part& part, Ticker& ticker);
+  void join();
+  std::size_t waiting() const;
+  void account(SharedWork& work);
+
+  /// A triangle to start from when locating vertex v: it had, when the round began, the vertex of
+  /// the rounds before that is in the same block as v. Since then, whatever fills its slot has a
+  /// vertex of the territory that vertex belongs to.
+  Mesh::Slot startFor(std::size_t v) const
+  {
+    return starts_[v / known_].load(std::memory_order_relaxed);
+  }
+
+  Mesh::Slot freshSlots(std::size_t v) const
+  {
+    return Mesh::freshSlots(rounds_.before(stride_) + rounds_.index(stride_, v));
+  }
+
+  template <bool kCount>
+  bool insertLast(Kernel<kCount, Access::Alone>& alone, SharedWork& work)
+  {
+    for (const Part& part : parts_)
+    {
+      for (std::size_t i = part.begin; i < part.begin + part.waiting; ++i)
+      {
+        const Index p = waiting_[i];
+        Mesh::Slot hint = startFor(p);
+        if (alone.insert(p, p, freshSlots(p), hint) != Insertion::Done)
+        {
+          return false;
+        }
+      }
+      work.attempts += part.waiting;
+      work.criticalPath += part.waiting;
+    }
+    return true;
+  }
+
+  const RankedPoints& points_;
+  Mesh& mesh_;
+  Ticker& ticker_;
+  const Rounds& rounds_;
+  std::size_t stride_;
+  std::size_t known_; ///< the vertices of the rounds before: one in each block of this size
+  std::vector<Part> parts_;
+  Buffer<Index> waiting_; ///< a part's points that wait stand where its own would, if listed
+  std::unique_ptr<std::atomic<Mesh::Slot>[]> starts_;
+};
+
+} // namespace AHD_TARGET
+} // namespace ahd
+
+#endif

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_SegmentStages_h
+#define ahd_SegmentStages_h
+
+#include "Segments.h"
+
+#include <optional>
+
+/// The stages of orderAt and roundsTo (Segments.h). Those by filter, in double arithmetic,
+/// answer only where they are certain; the others always, and exactly. For Segments.cxx and
+/// its tests only.
+namespace ahd::stages
+{
+
+/// The sign of the height of s above t where the vertical through p meets their lines.
+/// REQUIRES: neither is vertical.
+std::optional<int> heightsByFilter(const Segment& s, const Segment& t, const Point& p);
+int heightsUnbounded(const Segment& s, const Segment& t, const Point& p);
+
+/// Does s certainly pass what rounds to p by?
+bool passesByFilter(const Segment& s, const Point& p);
+
+/// Does the line of s meet what rounds to p, the border of that not included?
+bool meetsUnbounded(const Segment& s, const Point& p);
+
+} // namespace ahd::stages
+
+#endif

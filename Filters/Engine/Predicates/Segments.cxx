@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Segments.h"
+
+#include "../Arithmetic/WideVectors.h"
+#include "Predicates.h"
+#include "SegmentStages.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+namespace ahd
+{
+
+using namespace stages;
+
+namespace
+{
+
+// ------------------------------------------------------------------------------ heights at a line
+
+// With O = orient2d(left, right, p) and D = right.x - left.x, a segment lies O / D below p. So s is
+// above t by O_t / D_t - O_s / D_s, which has the sign of O_t D_s - O_s D_t.
+
+/// The two products of O, and D, rounded.
+struct Drop
+{
+  double product1;
+  double product2;
+  double width;
+
+  Drop(const Segment& s, const Point& p)
+    : product1((s.left.x - p.x) * (s.right.y - p.y))
+    , product2((s.left.y - p.y) * (s.right.x - p.x))
+    , width(s.right.x - s.left.x)
+  {
+  }
+  double orient() const { return product1 - product2; }
+  double size() const { return std::fabs(product1) + std::fabs(product2); }
+};
+
+} // namespace
+
+/// Proof. Let u = 2^-53. A product in O has three roundings, O itself one more, D one, the product
+/// O D one: each of the two terms is wrong by less than 6.01 u size() width. Their difference has
+/// one more, as has the bound 4 of its own; 16 u pays for all. Underflow adds at most 2^-1074 to a
+/// product, which is less than u / 2^10 of a size of 2^-1000; and where something overflows `bound`
+/// does, or is NaN, and the comparison fails.
+std::optional<int> stages::heightsByFilter(const Segment& s, const Segment& t, const Point& p)
+{
+  const Drop S(s, p), T(t, p);
+  const double difference = T.orient() * S.width - S.orient() * T.width;
+  const double sizeS = S.size(), sizeT = T.size();
+  const double bound = sizeT * S.width + sizeS * T.width;
+  constexpr double kSmall = 0x1p-1000;
+  const bool underflows = sizeS < kSmall || sizeT < kSmall || bound < kSmall;
+  if (!underflows && std::fabs(difference) > 16 * 0x1p-53 * bound)
+  {
+    return difference > 0.0 ? 1 : -1;
+  }
+  return std::nullopt;
+}
+
+int stages::heightsUnbounded(const Segment& s, const Segment& t, const Point& p)
+{
+  const Unit unit{ &s.left, &s.right, &t.left, &t.right, &p };
+  const auto orient = [&](const Segment& segment)
+  { return crossUnbounded(WideVector(unit, p, segment.left), WideVector(unit, p, segment.right)); };
+  const auto width = [&](const Segment& segment)
+  { return unit.difference(segment.right.x, segment.left.x); };
+  return (orient(t) * width(s) - orient(s) * width(t)).sign();
+}
+
+namespace
+{
+
+// ------------------------------------------------------------------------- quotients, rounded once
+
+/// Room for what crossingOf divides, and for a bit more.
+using Wide = WideInteger<109>;
+
+int bitsOf(const Wide& a)
+{
+  int bits = 64 * a.size;
+  for (std::uint64_t top = a.word[a.size - 1]; top >> 63 == 0; top <<= 1)
+  {
+    --bits;
+  }
+  return bits;
+}
+
+/// |a| << shift. REQUIRES: a is not 0.
+template <int Capacity>
+Wide shifted(const WideInteger<Capacity>& a, int shift)
+{
+  Wide result;
+  for (int i = 0; i < shift / 64; ++i)
+  {
+    result.push(0);
+  }
+  const int bits = shift % 64;
+  std::uint64_t carry = 0;
+  for (int i = 0; i < a.size; ++i)
+  {
+    result.push(a.word[i] << bits | carry);
+    carry = bits == 0 ? 0 : a.word[i] >> (64 - bits);
+  }
+  if (carry != 0)
+  {
+    result.push(carry);
+  }
+  return result;
+}
+
+void doubleIt(Wide& a)
+{
+  std::uint64_t carry = 0;
+  for (int i = 0; i < a.size; ++i)
+  {
+    const std::uint64_t top = a.word[i] >> 63;
+    a.word[i] = a.word[i] << 1 | carry;
+    carry = top;
+  }
+  if (carry != 0)
+  {
+    a.push(carry);
+  }
+}
+
+/// a -= b. REQUIRES: |a| >= |b|.
+void subtract(Wide& a, const Wide& b)
+{
+  std::uint64_t borrow = 0;
+  for (int i = 0; i < a.size; ++i)
+  {
+    const std::uint64_t subtrahend = i < b.size ? b.word[i] : 0;
+    const std::uint64_t partial = a.word[i] - subtrahend;
+    const auto next = static_cast<std::uint64_t>((a.word[i] < subtrahend) + (partial < borrow));
+    a.word[i] = partial - borrow;
+    borrow = next;
+  }
+  a.dropLeadingZeros();
+}
+
+/// (bits + something less than 1, more than 0 if `more`) * 2^exponent, rounded to the nearest
+/// double, ties to even. REQUIRES: the top bit of `bits` or the one after it is set; no overflow.
+double rounded(std::uint64_t bits, bool more, int exponent)
+{
+  constexpr int kPrecision = 53, kLowest = -1074;
+  const int length = (bits >> 63) != 0 ? 64 : 63;
+  const int drop = std::max(length - kPrecision, kLowest - exponent);
+  if (drop > 64)
+  {
+    return 0.0;
+  }
+  const std::uint64_t half = std::uint64_t(1) << (drop - 1);
+  const std::uint64_t rest = bits & (half - 1 + half);
+  const std::uint64_t kept = drop == 64 ? 0 : bits >> drop;
+  const bool up = rest > half || (rest == half && (more || (kept & 1) != 0));
+  return std::ldexp(static_cast<double>(kept + up), exponent + drop);
+}
+
+/// a / b * 2^exponent, rounded to the nearest double, ties to even. REQUIRES: b is not 0, and
+/// nothing overflows.
+template <int N, int M>
+double roundedQuotient(const WideInteger<N>& a, const WideInteger<M>& b, int exponent)
+{
+  if (a.size == 0)
+  {
+    return 0.0;
+  }
+  Wide rest = shifted(a, 0), divisor = shifted(b, 0);
+  const int scale = bitsOf(rest) - bitsOf(divisor);
+  rest = shifted(a, std::max(0, -scale));
+  divisor = shifted(b, std::max(0, scale));
+  // Now they have as many bits, and the quotient is between 1/2 and 2: bit by bit, 63 of them after
+  // the point.
+  std::uint64_t bits = 0;
+  for (int i = 0; i < 64; ++i)
+  {
+    bits <<= 1;
+    if (compareMagnitudes(rest, divisor) >= 0)
+    {
+      subtract(rest, divisor);
+      bits |= 1;
+    }
+    doubleIt(rest);
+  }
+  const double magnitude = rounded(bits, rest.size != 0, scale + exponent - 63);
+  return magnitude != 0.0 && a.negative != b.negative ? -magnitude : magnitude;
+}
+
+// ------------------------------------------------------------------------------- what rounds to p
+
+/// Twice how far the numbers that round to `value` reach, down and up.
+struct Reach
+{
+  double down;
+  double up;
+
+  explicit Reach(double value)
+    : down(value - std::nextafter(value, -std::numeric_limits<double>::infinity()))
+    , up(std::nextafter(value, std::numeric_limits<double>::infinity()) - value)
+  {
+    down = std::isfinite(down) ? down : up;
+    up = std::isfinite(up) ? up : down;
+  }
+  double larger() const { return std::max(down, up); }
+};
+
+} // namespace
+
+/// With u = 2^-53, the computed determinant is wrong by less than 4.01 u times its size, the
+/// threshold by less than 4 u of itself.
+bool stages::passesByFilter(const Segment& s, const Point& p)
+{
+  const Reach x(p.x), y(p.y);
+  const Drop drop(s, p);
+  const double threshold = x.larger() * std::fabs(s.right.y - s.left.y) + y.larger() * drop.width;
+  const double bound = threshold + 8 * 0x1p-53 * drop.size();
+  return drop.size() > 0x1p-1000 && threshold > 0x1p-1000 && std::fabs(drop.orient()) > bound;
+}
+
+// What rounds to p, but for its border, is a rectangle. Of its corners, those to the upper left and
+// to the lower right are farthest from a line that rises; cross(corner - s.left, s.right - s.left)
+// is negative above the line and positive below.
+bool stages::meetsUnbounded(const Segment& s, const Point& p)
+{
+  const Reach x(p.x), y(p.y);
+  const Point downs{ x.down, y.down }, ups{ x.up, y.up };
+  const Unit unit{ &s.left, &s.right, &p, &downs, &ups };
+  const WideVector way(unit, s.left, s.right);
+  const bool rises = !way.y.negative;
+  const auto atP = crossUnbounded(WideVector(unit, s.left, p), way);
+  const auto below = way.y * unit.integer(rises ? x.up : -x.down) + way.x * unit.integer(y.down);
+  const auto above = way.y * unit.integer(rises ? x.down : -x.up) + way.x * unit.integer(y.up);
+  return (atP + atP + below).sign() > 0 && (atP + atP - above).sign() < 0;
+}
+
+bool roundsTo(const Segment& s, const Point& p)
+{
+  const double low = std::min(s.left.y, s.right.y), high = std::max(s.left.y, s.right.y);
+  const bool isInBox = s.left.x <= p.x && p.x <= s.right.x && low <= p.y && p.y <= high;
+  if (!isInBox || p == s.left || p == s.right)
+  {
+    return false;
+  }
+  return !passesByFilter(s, p) && meetsUnbounded(s, p);
+}
+
+int orderAt(const Segment& s, int sideOfS, const Segment& t, int sideOfT, const Point& p)
+{
+  if (sideOfS != sideOfT)
+  {
+    return sideOfS < sideOfT ? 1 : -1;
+  }
+  if (sideOfS == 0)
+  {
+    return 0;
+  }
+  // Neither is vertical.
+  const std::optional<int> filtered = heightsByFilter(s, t, p);
+  const int heights = filtered ? *filtered : heightsUnbounded(s, t, p);
+  if (heights != 0)
+  {
+    return heights;
+  }
+  // They meet above p or below it, which the line of p passes to the left of or to the right of.
+  const int steeper = steepness(
+    orient2d(t.left, t.right, s.left), orient2d(t.left, t.right, s.right));
+  return sideOfS < 0 ? -steeper : steeper;
+}
+
+// With u, v the vectors along s and t, and w that from s.left to t.left, they meet at
+// s.left + u (w x v) / (u x v).
+Point crossingOf(const Segment& s, const Segment& t)
+{
+  const Unit unit{ &s.left, &s.right, &t.left, &t.right };
+  const WideVector u(unit, s.left, s.right), v(unit, t.left, t.right), w(unit, s.left, t.left);
+  const auto along = crossUnbounded(w, v);
+  const auto whole = crossUnbounded(u, v);
+  const auto coordinate = [&](double from, const Difference& way)
+  { return roundedQuotient(whole * unit.integer(from) + along * way, whole, unit.exponent()); };
+  return { coordinate(s.left.x, u.x), coordinate(s.left.y, u.y) };
+}
+
+double fractionOfWay(const Point& from, const Point& to, const Point& p)
+{
+  // Where a difference overflows, that of the halves does not.
+  const bool overflows = !std::isfinite(to.x - from.x) || !std::isfinite(to.y - from.y);
+  const auto way = [&](double a, double b) { return overflows ? 0.5 * b - 0.5 * a : b - a; };
+  const double x = way(from.x, to.x), y = way(from.y, to.y);
+  const bool byX = std::fabs(x) >= std::fabs(y);
+  const double fraction = byX ? way(from.x, p.x) / x : way(from.y, p.y) / y;
+  return std::min(1.0, std::max(0.0, fraction));
+}
+
+} // namespace ahd

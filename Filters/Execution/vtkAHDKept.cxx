@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution/vtkAHDKept.h"
+
+#include "Engine/Points/Points.h"
+#include "Execution/vtkAHDFingerprint.h"
+#include "Output/vtkAHDVoronoi.h"
+#include "Pipeline/vtkAHDNamesakes.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstddef>
+
+namespace
+{
+/// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
+void Share(vtkPolyData* from, vtkPolyData* to)
+{
+  to->SetPoints(from->GetPoints());
+  // those there are: where there are none, VTK hands out an empty array that all share
+  if (from->GetNumberOfVerts() > 0)
+  {
+    to->SetVerts(from->GetVerts());
+  }
+  if (from->GetNumberOfLines() > 0)
+  {
+    to->SetLines(from->GetLines());
+  }
+  if (from->GetNumberOfPolys() > 0)
+  {
+    to->SetPolys(from->GetPolys());
+  }
+  to->GetPointData()->ShallowCopy(from->GetPointData());
+  to->GetCellData()->ShallowCopy(from->GetCellData());
+}
+
+bool IsAmong(vtkAbstractArray* array, vtkFieldData* data)
+{
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    if (data->GetAbstractArray(i) == array)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+}
+
+vtkAHDKept::vtkAHDKept() = default;
+vtkAHDKept::~vtkAHDKept() = default;
+
+bool vtkAHDKept::TakeFingerprints(
+  const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress)
+{
+  std::vector<vtkDataArray*> arrays;
+  const auto addPoints = [&arrays](vtkPointSet* set)
+  { arrays.push_back(set->GetPoints() ? set->GetPoints()->GetData() : nullptr); };
+  addPoints(origin.Input);
+  arrays.push_back(origin.Input->GetPointGhostArray());
+  if (std::size_t(origin.Input->GetNumberOfPoints()) > ahd::kMaximumPoints)
+  {
+    return false; // there will be no triangles
+  }
+  if (vtkPolyData* source = origin.Source)
+  {
+    addPoints(source);
+    for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
+    {
+      arrays.push_back(cells ? cells->GetConnectivityArray() : nullptr);
+      arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
+    }
+    // cells are numbered behind the vertices
+    this->Now.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    vtkAHDFingerprint fingerprint;
+    if (!vtkAHDTakeFingerprint(array, executor, progress, fingerprint))
+    {
+      this->Now.clear();
+      return false;
+    }
+    this->Now.push_back(fingerprint);
+  }
+  return true;
+}
+
+bool vtkAHDKept::Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress)
+{
+  const vtkIdType count = origin.Input->GetNumberOfPoints();
+  const bool mayFit = this->Settings == origin.Settings && this->Count == count;
+  this->Settings = origin.Settings;
+  this->Count = count;
+  this->Now.clear();
+  const bool fits = mayFit && this->TakeFingerprints(origin, executor, progress) && this->IsKept &&
+    this->Now == this->AtTheTime;
+  if (!fits)
+  {
+    this->LetGo(); // before anything else takes memory
+  }
+  return fits;
+}
+
+void vtkAHDKept::Keep(vtkPointSet* input, const Outputs& outputs)
+{
+  if (this->Now.empty() || outputs[0]->GetNumberOfPoints() != input->GetNumberOfPoints())
+  {
+    return;
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+  {
+    Share(outputs[k], this->Data[k]);
+  }
+  vtkFieldData* fieldData = outputs[0]->GetFieldData();
+  for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
+  {
+    // what all outputs have was passed by the pipeline
+    vtkAbstractArray* array = fieldData->GetAbstractArray(i);
+    if (!IsAmong(array, outputs[1]->GetFieldData()))
+    {
+      this->Data[0]->GetFieldData()->AddArray(array);
+    }
+  }
+  vtkPointData* own = this->Data[0]->GetPointData();
+  for (int i = own->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (IsAmong(own->GetAbstractArray(i), input->GetPointData()))
+    {
+      own->RemoveArray(i);
+    }
+  }
+  this->HasOwnPoints = outputs[0]->GetPoints() != input->GetPoints();
+  if (!this->HasOwnPoints)
+  {
+    this->Data[0]->SetPoints(nullptr);
+  }
+  this->AtTheTime = this->Now;
+  this->IsKept = true;
+}
+
+void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
+{
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+  {
+    Share(this->Data[k], outputs[k]);
+  }
+  if (!this->HasOwnPoints)
+  {
+    outputs[0]->SetPoints(input->GetPoints());
+  }
+  vtkPointData* data = outputs[0]->GetPointData();
+  data->Initialize();
+  data->PassData(input->GetPointData());
+  vtkPointData* own = this->Data[0]->GetPointData();
+  for (int i = 0; i < own->GetNumberOfArrays(); ++i)
+  {
+    vtkAHDReplaceArray(data, own->GetAbstractArray(i));
+  }
+  vtkFieldData* ownFieldData = this->Data[0]->GetFieldData();
+  outputs[0]->GetFieldData()->RemoveArray("Crossings"); // the input's
+  for (int i = 0; i < ownFieldData->GetNumberOfArrays(); ++i)
+  {
+    outputs[0]->GetFieldData()->AddArray(ownFieldData->GetAbstractArray(i));
+  }
+  if (vtkAHDVoronoi::IsWritten(outputs[2]))
+  {
+    vtkAHDVoronoi::WriteData(outputs[0], outputs[2]);
+  }
+}
+
+void vtkAHDKept::Forget()
+{
+  this->Now.clear();
+  this->LetGo();
+}
+
+void vtkAHDKept::LetGo()
+{
+  this->IsKept = false;
+  this->AtTheTime.clear();
+  for (auto& data : this->Data)
+  {
+    data->Initialize();
+  }
+}

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/vtkAHDBlocks.h"
+
+#include "Pipeline/vtkAHDNamesakes.h"
+#include "Pipeline/vtkAHDProgress.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <new>
+
+namespace
+{
+/// Marks that can be used: one for each point.
+bool HasMarks(vtkPointSet* block)
+{
+  auto* marks = vtkArrayDownCast<vtkUnsignedCharArray>(
+    block->GetPointData()->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+  return marks && marks->GetNumberOfComponents() == 1 &&
+    marks->GetNumberOfTuples() == block->GetNumberOfPoints();
+}
+
+/// The block's arrays that have a value for each point; ghost marks of its own or, if `marked`,
+/// those of no ghost.
+vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
+{
+  auto usable = vtkSmartPointer<vtkPointData>::New();
+  usable->ShallowCopy(block->GetPointData());
+  vtkAHDRemoveNamesakes(usable);
+  for (int i = usable->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (usable->GetAbstractArray(i)->GetNumberOfTuples() != block->GetNumberOfPoints())
+    {
+      usable->RemoveArray(i);
+    }
+  }
+  if (!HasMarks(block))
+  {
+    usable->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  }
+  if (marked && !HasMarks(block))
+  {
+    vtkNew<vtkUnsignedCharArray> none;
+    none->SetName(vtkDataSetAttributes::GhostArrayName());
+    none->SetNumberOfValues(block->GetNumberOfPoints());
+    none->FillValue(0);
+    usable->AddArray(none);
+  }
+  return usable;
+}
+}
+
+vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks)
+{
+  auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+  {
+    vtkDataObject* block = iterator->GetCurrentDataObject();
+    auto* points = vtkPointSet::SafeDownCast(block);
+    if (points && points->GetNumberOfPoints() > 0)
+    {
+      this->Blocks.push_back(points);
+      this->Count += points->GetNumberOfPoints();
+      const bool marked = points->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName());
+      this->UnfitMarks += marked && !HasMarks(points) ? 1 : 0;
+    }
+    else if (!points && block)
+    {
+      this->FirstOther = this->Others == 0 ? block->GetClassName() : this->FirstOther;
+      ++this->Others;
+    }
+  }
+}
+
+std::size_t vtkAHDBlocks::EstimateBytes() const
+{
+  std::size_t kibibytes = 1;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    kibibytes += block->GetPointData()->GetActualMemorySize() + 1;
+  }
+  const std::size_t perPoint = 3 * sizeof(double) + 1; // a place and a mark
+  return kibibytes * 1024 + static_cast<std::size_t>(this->Count) * perPoint;
+}
+
+vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(vtkAHDProgress& progress) const
+{
+  bool areFloats = true;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    areFloats = areFloats && block->GetPoints()->GetDataType() == VTK_FLOAT;
+  }
+  auto merged = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(areFloats ? VTK_FLOAT : VTK_DOUBLE);
+  if (!points->GetData()->Allocate(3 * this->Count))
+  {
+    throw std::bad_alloc();
+  }
+  points->SetNumberOfPoints(this->Count);
+  vtkIdType begin = 0;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    if (progress.MustAbort())
+    {
+      return nullptr;
+    }
+    const vtkIdType count = block->GetNumberOfPoints();
+    points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
+    begin += count;
+  }
+  merged->SetPoints(points);
+  return this->MergePointData(merged, progress) ? merged : nullptr;
+}
+
+bool vtkAHDBlocks::MergePointData(vtkPolyData* merged, vtkAHDProgress& progress) const
+{
+  bool marked = false;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    marked = marked || HasMarks(block);
+  }
+  std::vector<vtkSmartPointer<vtkPointData>> data;
+  vtkDataSetAttributes::FieldList common;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    data.push_back(UsableData(block, marked));
+    common.IntersectFieldList(data.back());
+  }
+  vtkPointData* all = merged->GetPointData();
+  all->CopyAllOn();
+  all->CopyAllocate(common, this->Count);
+  vtkIdType begin = 0;
+  for (std::size_t i = 0; i < data.size(); ++i)
+  {
+    if (progress.MustAbort())
+    {
+      return false;
+    }
+    const vtkIdType count = this->Blocks[i]->GetNumberOfPoints();
+    all->CopyData(common, data[i], static_cast<int>(i), begin, count, 0);
+    begin += count;
+  }
+  return true;
+}

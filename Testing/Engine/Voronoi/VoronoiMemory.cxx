@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What the Voronoi diagram allocates: no more than it says beforehand, and where there is no memory
+// it says so and leaves nothing. This program's operator new counts, and fails when told to.
+#include "Distributions.h"
+#include "EngineRun.h"
+#include "OwnMemory.h"
+
+#include "Voronoi/Voronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// A triangulation as the diagram wants it.
+struct Given
+{
+  explicit Given(const std::vector<Point>& where)
+    : points(where)
+    , fates(points.size())
+  {
+    Triangulator triangulator;
+    EXPECT_EQ(triangulator.run(viewOf(points), Options(), nullptr), Status::Ok);
+    corners.resize(3 * triangulator.report().triangles);
+    neighbors.resize(corners.size());
+    EXPECT_EQ(triangulator.writeTriangles(corners.data(), nullptr), Status::Ok);
+    EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
+    EXPECT_EQ(triangulator.writeFates(fates.data(), nullptr), Status::Ok);
+    view.points = viewOf(points);
+    view.fates = fates.data();
+    view.corners = corners.data();
+    view.neighbors = neighbors.data();
+    view.triangles = corners.size() / 3;
+  }
+
+  std::vector<Point> points;
+  std::vector<std::int64_t> fates, neighbors;
+  std::vector<std::int32_t> corners;
+  DelaunayView view;
+};
+
+const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds };
+
+TEST(VoronoiMemory, NoMoreThanEstimated)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::Lattice,
+         Distribution::OnCircle, Distribution::OnParabola, Distribution::NearlyCollinear,
+         Distribution::Spiral, Distribution::Collinear })
+  {
+    for (const std::size_t n : { std::size_t(3), std::size_t(100), reduced(50000) })
+    {
+      const Given given(makePoints(d, n, 1));
+      for (const VoronoiClip clip : kClips)
+      {
+        const std::size_t before = account.held;
+        account.peak = before;
+        VoronoiCells cells;
+        ASSERT_EQ(voronoiCells(given.view, clip, cells, nullptr), Status::Ok);
+        EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n))
+          << nameOf(d) << ", " << n << ", clip " << int(clip);
+      }
+    }
+  }
+}
+
+TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::OnCircle })
+  {
+    const Given given(makePoints(d, 200, 1));
+    for (const VoronoiClip clip : kClips)
+    {
+      VoronoiCells cells;
+      Status status = Status::OutOfMemory;
+      std::size_t failures = 0;
+      const std::size_t before = account.held;
+      for (std::size_t at = 1; status != Status::Ok; ++at)
+      {
+        account.allocations = 0;
+        account.failAt = at;
+        status = voronoiCells(given.view, clip, cells, nullptr);
+        account.failAt = 0;
+        if (status != Status::Ok)
+        {
+          ASSERT_EQ(status, Status::OutOfMemory);
+          ASSERT_TRUE(cells.corners.empty() && cells.points.empty() && cells.sites.empty());
+          ASSERT_EQ(account.held, before) << "something leaked";
+          ++failures;
+        }
+      }
+      EXPECT_GT(failures, 10u);
+    }
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd

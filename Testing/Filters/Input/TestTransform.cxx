@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Points laid into a plane by any transform.
+#include "Input/vtkAHDPlane.h"
+#include "Input/vtkAHDTransform.h"
+#include "Pipeline/vtkAHDExecutor.h"
+#include "Pipeline/vtkAHDProgress.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCylindricalTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPerspectiveTransform.h"
+#include "vtkTransform.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace
+{
+/// More than two of the pieces in which points are worked on, and the last one not full.
+constexpr std::size_t kCount = 40000;
+
+std::vector<double> randomNumbers(std::size_t count)
+{
+  std::mt19937 random(1); // its sequence is fixed by the standard
+  std::vector<double> numbers(count);
+  for (double& x : numbers)
+  {
+    x = double(random()) * 0x1p-32 * 100 + 6000000.0;
+  }
+  return numbers;
+}
+
+struct Work
+{
+  vtkNew<vtkAlgorithm> Filter;
+  vtkAHDProgress Progress{ this->Filter };
+  vtkAHDExecutor Executor{ 2 };
+};
+
+void expectTransformed(vtkAbstractTransform* transform)
+{
+  const std::vector<double> from = randomNumbers(3 * kCount);
+  const vtkMTimeType before = transform->GetMTime();
+  Work work;
+  std::vector<double> to(3 * kCount);
+  ASSERT_TRUE(vtkAHDProject(
+    ahd::PointView(from.data(), kCount, 3), transform, to.data(), work.Executor, work.Progress));
+  EXPECT_EQ(transform->GetMTime(), before);
+  for (std::size_t i = 0; i < kCount; ++i)
+  {
+    double expected[3];
+    transform->TransformPoint(from.data() + 3 * i, expected);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      ASSERT_EQ(to[3 * i + k], expected[k]) << "point " << i;
+    }
+  }
+  std::vector<double> same = from; // written where they are read
+  ASSERT_TRUE(vtkAHDProject(
+    ahd::PointView(same.data(), kCount, 3), transform, same.data(), work.Executor, work.Progress));
+  EXPECT_EQ(same, to);
+}
+}
+
+TEST(Transform, LinearOnes)
+{
+  vtkNew<vtkTransform> transform;
+  transform->RotateWXYZ(33, 1, 2, 3);
+  transform->Translate(1, 2, 3);
+  expectTransformed(transform);
+}
+
+TEST(Transform, PerspectiveOnes)
+{
+  vtkNew<vtkPerspectiveTransform> transform;
+  transform->Perspective(30, 1.5, 1, 100);
+  expectTransformed(transform);
+}
+
+TEST(Transform, AnyOthers)
+{
+  vtkNew<vtkCylindricalTransform> transform;
+  expectTransformed(transform);
+}
+
+TEST(Transform, ChangesOfItsInputAreSeen)
+{
+  vtkNew<vtkTransform> inner;
+  vtkNew<vtkTransform> outer;
+  outer->SetInput(inner);
+  inner->Translate(1, 0, 0);
+  const double from[3] = { 5, 6, 7 };
+  double to[3];
+  Work work;
+  ASSERT_TRUE(vtkAHDProject(ahd::PointView(from, 1, 3), outer, to, work.Executor, work.Progress));
+  EXPECT_EQ(to[0], 6);
+  inner->Translate(1, 0, 0);
+  ASSERT_TRUE(vtkAHDProject(ahd::PointView(from, 1, 3), outer, to, work.Executor, work.Progress));
+  EXPECT_EQ(to[0], 7);
+}
+
+TEST(Transform, FloatsAreWidened)
+{
+  vtkNew<vtkTransform> transform;
+  transform->RotateWXYZ(33, 1, 2, 3);
+  const float from[3] = { 0.1f, 0.2f, 0.3f };
+  const double wide[3] = { from[0], from[1], from[2] };
+  double to[3], expected[3];
+  Work work;
+  ASSERT_TRUE(
+    vtkAHDProject(ahd::PointView(from, 1, 3), transform, to, work.Executor, work.Progress));
+  transform->TransformPoint(wide, expected);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(to[k], expected[k]);
+  }
+}
+
+TEST(Transform, PointsThatAreNotFiniteStaySo)
+{
+  // everything to the origin: 0 times infinity is NaN, but nothing says that a transform multiplies
+  vtkNew<vtkCylindricalTransform> transform;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double from[9] = { nan, 1, 2, 1, 2, std::numeric_limits<double>::infinity(), 1, 2, 3 };
+  double to[9];
+  Work work;
+  ASSERT_TRUE(
+    vtkAHDProject(ahd::PointView(from, 3, 3), transform, to, work.Executor, work.Progress));
+  for (int k = 0; k < 6; ++k)
+  {
+    EXPECT_TRUE(std::isnan(to[k])) << "number " << k;
+  }
+  EXPECT_TRUE(std::isfinite(to[6] + to[7] + to[8]));
+}
+
+TEST(Transform, WhatHasNoPlaceIsNotFinite)
+{
+  vtkNew<vtkPerspectiveTransform> transform;
+  vtkNew<vtkMatrix4x4> matrix; // divides by z
+  matrix->SetElement(3, 2, 1.0);
+  matrix->SetElement(3, 3, 0.0);
+  transform->SetMatrix(matrix);
+  const double from[6] = { 1, 1, 0, 1, 1, 2 };
+  double to[6];
+  Work work;
+  ASSERT_TRUE(
+    vtkAHDProject(ahd::PointView(from, 2, 3), transform, to, work.Executor, work.Progress));
+  EXPECT_FALSE(std::isfinite(to[0]));
+  EXPECT_EQ(to[3], 0.5);
+}
+
+TEST(Transform, PlanesLayPointsAsTheySay)
+{
+  const std::vector<double> from = randomNumbers(3 * kCount);
+  Work work;
+  const ahd::PointView points(from.data(), kCount, 3);
+  vtkAHDPlane plane;
+  ASSERT_TRUE(plane.Fit(points, work.Executor, work.Progress));
+  std::vector<double> to(3 * kCount);
+  ASSERT_TRUE(vtkAHDProject(points, plane, to.data(), work.Executor, work.Progress));
+  for (std::size_t i = 0; i < kCount; ++i)
+  {
+    const vtkAHDVector p = plane.Project({ { from[3 * i], from[3 * i + 1], from[3 * i + 2] } });
+    ASSERT_EQ(p, (vtkAHDVector{ { to[3 * i], to[3 * i + 1], to[3 * i + 2] } })) << "point " << i;
+  }
+}
+
+TEST(Transform, AnAbortIsHeard)
+{
+  vtkNew<vtkCylindricalTransform> any;
+  vtkNew<vtkTransform> linear;
+  const double from[3] = { 1, 2, 3 };
+  double to[3];
+  Work work;
+  work.Filter->SetAbortExecute(1);
+  const ahd::PointView points(from, 1, 3);
+  EXPECT_FALSE(vtkAHDProject(points, any, to, work.Executor, work.Progress));
+  EXPECT_FALSE(vtkAHDProject(points, linear, to, work.Executor, work.Progress));
+}
