@@ -26,6 +26,15 @@ enum class ControlPoints
   EveryLevel = 2   ///< a sparse subset of the order, of that subset another, and so on
 };
 
+/// Which of several points at one place stands for the vertex there: in the triples that are written
+/// and wherever else a vertex has a point's id. It changes ids, nothing else.
+enum class Representative
+{
+  FirstId = 0, ///< the one of smallest id
+  LowestZ = 1, ///< the one of lowest finite z, of several the one of smallest id
+  HighestZ = 2 ///< the one of highest finite z, of several the one of smallest id
+};
+
 /// Settings of a triangulation. Every combination is legal and, without insertionLimit, gives the
 /// same triangles.
 struct Options
@@ -57,6 +66,9 @@ struct Options
   /// Allow the triangles to be written before Triangulator::constrain as well as after. 16 bytes
   /// per point more while they are written.
   bool keepLocations = false;
+
+  /// z is the third number of a point. REQUIRES, but for FirstId: PointView::stride is 3.
+  Representative representative = Representative::FirstId;
 
   /// A run that would have to keep more boxes ends with Status::TooManyBoxes, before it inserts.
   std::size_t mostBoxes = std::size_t(-1);

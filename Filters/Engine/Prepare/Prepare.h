@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Prepare_h
+#define ahd_Prepare_h
+
+#include "../Constraints.h"
+#include "../Core/Context.h"
+#include "../Merge/Merge.h"
+#include "../Points/Points.h"
+#include "../Result.h"
+#include "../Surface/Plane.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ahd
+{
+
+class Triangulation;
+
+/// Cells of a source, looked at where the caller has them: cell k has the ids offsets[k] to
+/// offsets[k + 1] - 1. Either both arrays have 32 bits or both have 64.
+struct CellsView
+{
+  const std::int32_t* offsets32 = nullptr;
+  const std::int32_t* ids32 = nullptr;
+  const std::int64_t* offsets64 = nullptr;
+  const std::int64_t* ids64 = nullptr;
+  std::size_t cells = 0;
+  std::size_t ids = 0; ///< of all cells
+};
+
+/// Where points lie from a plane that the caller chose.
+class Projection
+{
+public:
+  virtual ~Projection() = default;
+
+  /// Writes three numbers for each point: its place in the plane, and its height above it; three
+  /// NaN for a point with a coordinate that is not finite. `to` may be where the points are.
+  /// Returns false if cancelled; throws std::bad_alloc at most. REQUIRES: points.stride is 3.
+  virtual bool project(const PointView& points, double* to, const Context& context) const = 0;
+};
+
+/// What is to be triangulated, and what is to be done to it before. All views have a stride of 3:
+/// x, y, z.
+struct InputRequest
+{
+  PointView points;       ///< of the input, those to be left out marked
+  PointView sourcePoints; ///< become points as well, behind the input's; none if its count is 0
+
+  CellsView lines;            ///< of the source: open chains
+  CellsView polygons;         ///< of the source: loops
+  std::int64_t firstCell = 0; ///< the number of the first line in reports; polygons follow lines
+  bool idsAreOfInput = false; ///< the ids in cells name points of the input, not of the source
+
+  bool fitPlane = false;                  ///< triangulate in the plane that fits the input best
+  const Projection* projection = nullptr; ///< or in this one; null: in x, y
+  double tolerance = 0.0;                 ///< merge within this part of the diagonal of the points
+  bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
+  double offset = 1.0;   ///< how far out they lie
+  bool split = false;    ///< split constraints where they cross
+};
+
+/// A point that was added at the crossing of two segments: between which others it lies.
+struct CrossingOrigin
+{
+  std::array<Index, 4> ends;   ///< the first and the second end of either segment
+  std::array<double, 2> along; ///< the fraction of the way from the first end to the second
+};
+
+/// What linear interpolation gives at a crossing, as a mean over both segments; `value(id)` is the
+/// value at a point.
+template <typename Value>
+double interpolate(const CrossingOrigin& crossing, const Value& value)
+{
+  const auto along = [&](std::size_t k)
+  {
+    const double t = crossing.along[k];
+    return (1.0 - t) * value(crossing.ends[2 * k]) + t * value(crossing.ends[2 * k + 1]);
+  };
+  return 0.5 * along(0) + 0.5 * along(1);
+}
+
+/// Ids in cells of the source that are no point's.
+struct UnfitIds
+{
+  std::size_t count = 0;
+  std::int64_t firstId = 0;
+  std::int64_t firstCell = 0;
+};
+
+/// Points and constraints, ready to be triangulated, each with the id that it has in the output:
+/// the input's, then the source's, the eight bounding points, the crossings.
+///
+/// The places are the input's own where these lie, as long as they are triangulated in x, y and
+/// nothing is added: then it borrows them. Else they are a copy in double precision.
+class PreparedInput
+{
+public:
+  /// All points: x and y in the plane of the triangulation, and what is above it; stride 3.
+  const PointView& points() const { return points_; }
+  std::size_t inputCount() const { return inputCount_; }
+  std::size_t sourceCount() const { return sourceCount_; }
+  std::size_t addedCount() const { return points_.count - inputCount_; }
+  std::size_t firstCrossing() const { return points_.count - crossings_.size(); }
+  std::array<double, 3> place(std::size_t id) const;
+
+  /// Is the plane another than x, y?
+  bool isProjected() const { return isProjected_; }
+  /// The plane that was fitted, with InputRequest::fitPlane.
+  const Plane& plane() const { return plane_; }
+
+  /// Points that tolerance merged into others, by ascending id. They are left out of points().
+  const std::vector<MergedPoint>& merged() const { return merged_; }
+
+  /// The constraints, lines before polygons; merged points replaced by those they were merged into.
+  ConstraintView constraints() const;
+  bool hasConstraints() const { return !ids_.empty(); }
+  /// The cell of the source that a chain is made of.
+  std::int64_t cellOf(std::size_t chain) const;
+  const UnfitIds& unfitIds() const { return unfit_; }
+
+  /// One for each crossing that was added.
+  const std::vector<CrossingOrigin>& crossings() const { return crossings_; }
+  /// The cells of the first thousand of them: the later one, the earlier one.
+  const std::vector<std::array<std::int64_t, 2>>& crossingCells() const { return crossingCells_; }
+
+  /// Lets the crossings lie between the points that stand for the vertices at the ends of their
+  /// segments: their heights follow. REQUIRES: a triangulation of these points.
+  Status endCrossingsAtVertices(Triangulation& triangulation, const Context& context);
+
+private:
+  friend class Preparation; // one call of prepare()
+  void findCrossingHeights();
+
+  PointView points_;
+  std::vector<double> places_;      ///< the copy; empty without
+  std::vector<unsigned char> skip_; ///< a byte per point, if they are not the input's own marks
+  std::size_t inputCount_ = 0;
+  std::size_t sourceCount_ = 0;
+  bool isProjected_ = false;
+  Plane plane_;
+  std::vector<MergedPoint> merged_;
+  std::vector<std::int64_t> ids_; ///< of the chains
+  std::vector<std::int64_t> offsets_ = { 0 };
+  std::size_t lines_ = 0;
+  std::int64_t firstCell_ = 0;
+  UnfitIds unfit_;
+  std::vector<CrossingOrigin> crossings_;
+  std::vector<std::array<std::int64_t, 2>> crossingCells_;
+};
+
+/// Prepares the input: reads it, moves it into the plane, merges near points, adds bounding points,
+/// reads the constraints and splits them, in this order. `out` is to be new. Returns Ok, Cancelled,
+/// OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
+Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
+
+/// The points that prepare() has to deal with, crossings excepted.
+std::size_t expectedPoints(const InputRequest& request);
+
+/// Segments that the source asks for, at most.
+std::size_t segmentsOf(const InputRequest& request);
+
+/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before.
+std::size_t preparationMemoryEstimate(const InputRequest& request);
+
+/// What is worth a warning.
+struct OddPoints
+{
+  std::size_t firstNotFinite = 0; ///< smallest id of a point with an x or y that is not finite
+  std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
+};
+
+/// One pass over points of stride 3, those left out excepted. Returns Ok or Cancelled.
+Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd);
+
+} // namespace ahd
+
+#endif
