@@ -1,13 +1,50 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
-#include "Engine/Triangulate.h"
+#include "Execution/vtkAHDReport.h"
+#include "Pipeline/vtkAHDSettings.h"
 
-vtkAdaptiveHilbertAlgorithm::vtkAdaptiveHilbertAlgorithm()
-  : Triangulator(new ahd::Triangulator)
-{
-}
+vtkAdaptiveHilbertAlgorithm::vtkAdaptiveHilbertAlgorithm() = default;
 vtkAdaptiveHilbertAlgorithm::~vtkAdaptiveHilbertAlgorithm() = default;
+
+void vtkAdaptiveHilbertAlgorithm::ReadSettings(vtkAHDSettings& settings) const
+{
+  ahd::Options& options = settings.Insertion;
+  options.order = static_cast<ahd::InsertionOrder>(this->InsertionOrder);
+  options.controlPoints = static_cast<ahd::ControlPoints>(this->ControlPoints);
+  options.geneRotation = this->GeneRotation;
+  options.nmax = this->Nmax;
+  options.countWork = this->CountWork;
+  options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
+  options.keepBoxes = this->GenerateBoxes;
+  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve ||
+    this->GenerateBoxes;
+  settings.GeneratePointStatus = this->GenerateFate;
+  settings.GenerateInsertionRank = this->GenerateInsertionRank;
+  settings.GenerateInsertionCurve = this->GenerateInsertionCurve;
+  settings.GenerateConstraintEdges = this->GenerateConstraintEdges;
+  settings.GenerateRegionIds = this->GenerateRegionIds;
+  settings.GenerateNeighbors = this->GenerateNeighbors;
+  settings.MemoryLimit = this->MemoryLimit;
+  settings.ReuseLimit = this->ReuseLimit;
+}
+
+void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const vtkAHDReport& report)
+{
+  using Phase = ahd::Phase;
+  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.Counts.inserted);
+  this->NumberOfDuplicates = static_cast<vtkIdType>(report.Counts.duplicates);
+  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.Counts.notFinite);
+  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.Counts.skipped - report.MergedPoints);
+  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.Counts.beyondLimit);
+  this->NumberOfTriangles = static_cast<vtkIdType>(report.Triangles);
+  this->NP = this->CountWork ? report.Counts.np() : -1.0;
+  this->NR = this->CountWork ? report.Counts.nr() : -1.0;
+  this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
+  this->InsertSeconds = report.SecondsOf(Phase::Insert);
+  this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
+  this->NumberOfThreadsUsed = report.ThreadsUsed;
+}
 
 void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
 {

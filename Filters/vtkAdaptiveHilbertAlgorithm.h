@@ -59,13 +59,8 @@
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
-#include <memory> // for std::unique_ptr
-
-namespace ahd
-{
-class Triangulator;
-}
-class vtkAHDRun;
+struct vtkAHDReport;
+struct vtkAHDSettings;
 
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertAlgorithm
   : public vtkPolyDataAlgorithm
@@ -409,6 +404,12 @@ protected:
   /// Sets all measures to what they are after an execution that came to nothing.
   virtual void ClearMeasures();
 
+  /// Sets all measures to those of the last execution.
+  virtual void TakeMeasures(const vtkAHDReport& report);
+
+  /// What this class is set to, as an execution reads it.
+  virtual void ReadSettings(vtkAHDSettings& settings) const;
+
   // Settings.
   int InsertionOrder = ADAPTIVE_HILBERT;
   int Nmax = 50;
@@ -450,9 +451,6 @@ protected:
 private:
   vtkAdaptiveHilbertAlgorithm(const vtkAdaptiveHilbertAlgorithm&) = delete;
   void operator=(const vtkAdaptiveHilbertAlgorithm&) = delete;
-
-  friend class vtkAHDRun;                                // one execution
-  const std::unique_ptr<ahd::Triangulator> Triangulator; // for its memory
 };
 
 #endif

@@ -2,20 +2,25 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Engine/Core/FloatingPoint.h"
-#include "Engine/Points/Points.h"
-#include "Execution/vtkAHDKept.h"
-#include "Execution/vtkAHDRun.h"
+#include "Engine/Core/Threads.h"
+#include "Engine/Triangulate.h"
+#include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDMessages.h"
+#include "Execution/vtkAHDOutputCache.h"
 #include "Input/vtkAHDBlocks.h"
-#include "Input/vtkAHDPlane.h"
-#include "Input/vtkAHDWorkingPoints.h"
-#include "Pipeline/vtkAHDExecutor.h"
+#include "Input/vtkAHDInput.h"
+#include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDMemory.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "Pipeline/vtkAHDThreads.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -30,17 +35,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <new>
+#include <utility>
 
 namespace
 {
-vtkAHDKept::Outputs OutputsOf(vtkInformationVector* outputs)
-{
-  return { { vtkPolyData::GetData(outputs, 0), vtkPolyData::GetData(outputs, 1),
-    vtkPolyData::GetData(outputs, 2) } };
-}
-
 /// Sets it to the nearest of these values; NaN has none and changes nothing. Returns whether it is
 /// another now.
 bool SetClamped(double& setting, double value, double least, double most)
@@ -55,7 +56,8 @@ vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransform);
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
-  : Kept(new vtkAHDKept)
+  : Workspace(new ahd::Workspace)
+  , Cache(new vtkAHDOutputCache)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -127,14 +129,19 @@ vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkP
   {
     vtkNew<vtkAlgorithm> nobody; // who could abort
     vtkAHDProgress progress(nobody);
-    vtkAHDExecutor executor(vtkAHDThreadsToUse(0));
-    vtkAHDWorkingPoints points(input);
-    vtkAHDPlane plane;
-    points.Open(executor, progress);
-    plane.Fit(points.View(), executor, progress);
-    const vtkSmartPointer<vtkTransform> transform = plane.MakeTransform();
+    ahd::Threads threads(vtkAHDThreadsToUse(0));
+    const vtkAHDContext context(progress, threads);
+    vtkAHDInput points(vtkAHDSettings(), input, nullptr);
+    points.Open(context);
+    ahd::Plane plane;
+    context.Check(plane.fit(points.GetRequest().points, context));
+    const vtkSmartPointer<vtkTransform> transform = vtkAHDMakeTransform(plane);
     transform->Register(nullptr);
     return transform;
+  }
+  catch (const vtkAHDStop&)
+  {
+    return nullptr;
   }
   catch (const std::bad_alloc&)
   {
@@ -163,55 +170,62 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   const ahd::ScopedFloatingPoint asTheEngine;
+  vtkAHDDataSets data;
+  data.Source = vtkPolyData::GetData(inputVector[1]);
+  for (int port = 0; port < 3; ++port)
+  {
+    data.Outputs[static_cast<std::size_t>(port)] = vtkPolyData::GetData(outputVector, port);
+  }
+  vtkAHDProgress progress(this);
+  ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
+  const vtkAHDContext context(progress, threads);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
   {
-    this->Execute(inputVector, outputVector);
+    this->Execute(vtkDataObject::GetData(inputVector[0]), data, context);
   }
   catch (const std::bad_alloc&)
   {
-    this->EndWithoutMemory(outputVector);
+    this->EndWithoutMemory(data);
   }
   return 1;
 }
 
 void vtkAdaptiveHilbertDelaunay2D::Execute(
-  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkDataObject* input, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  this->BytesOfBlocks = 0;
-  vtkDataObject* data = vtkDataObject::GetData(inputVector[0]);
-  vtkPolyData* source = vtkPolyData::GetData(inputVector[1]);
-  vtkSmartPointer<vtkPointSet> input = vtkPointSet::SafeDownCast(data);
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
+  vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(input);
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
   {
-    input = this->MergeInput(blocks);
+    points = this->MergeInput(blocks, data, context);
   }
-  if (input && this->PassOnKept(input, source, outputVector))
+  data.Input = points;
+  if (points && this->PassOnCached(data, context))
   {
     return;
   }
   this->ClearMeasures();
   this->WarnAboutRanks();
-  this->WarnAboutBlocks(data);
-  if (input)
+  this->WarnAboutBlocks(input);
+  if (points)
   {
-    this->Triangulate(input, source, outputVector);
+    this->Triangulate(data, context);
   }
   else
   {
-    this->Kept->Forget();
+    this->Cache->Forget();
   }
 }
 
 /// Where memory ran out elsewhere than in an execution's steps, which say more of it.
-void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(vtkInformationVector* outputVector)
+void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
 {
-  for (vtkPolyData* output : OutputsOf(outputVector))
+  for (vtkPolyData* output : data.Outputs)
   {
     output->Initialize();
   }
-  this->Kept->Forget();
+  this->Cache->Forget();
   this->ClearMeasures();
   try
   {
@@ -225,7 +239,8 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(vtkInformationVector* output
 
 /// One point set of all blocks; null if that was aborted, or if there are too many points or there
 /// is no memory, which it says.
-vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(vtkCompositeDataSet* blocks)
+vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(
+  vtkCompositeDataSet* blocks, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
   const vtkAHDBlocks all(blocks);
   if (static_cast<std::size_t>(all.GetCount()) > ahd::kMaximumPoints)
@@ -234,16 +249,19 @@ vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(vtkComposi
                      << " can be triangulated.");
     return nullptr;
   }
-  this->BytesOfBlocks = all.EstimateBytes();
-  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->BytesOfBlocks / 1024);
+  data.InputBytes = all.EstimateBytes();
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(data.InputBytes / 1024);
   const vtkTypeInt64 limit = this->MemoryLimit > 0 ? this->MemoryLimit : vtkAHDAvailableMemory();
-  vtkAHDProgress progress(this);
   try
   {
     if (needed <= limit)
     {
-      return all.Merge(progress);
+      return all.Merge(context);
     }
+  }
+  catch (const vtkAHDStop&)
+  {
+    return nullptr;
   }
   catch (const std::bad_alloc&)
   {
@@ -283,21 +301,19 @@ void vtkAdaptiveHilbertDelaunay2D::WarnAboutBlocks(vtkDataObject* data)
 }
 
 /// Passes on what the last execution made, if that was of the same. Returns false if it was not.
-bool vtkAdaptiveHilbertDelaunay2D::PassOnKept(
-  vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs)
+bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
+  const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  vtkAHDProgress progress(this);
-  if (!this->KeepTriangulation || progress.MustAbort())
+  if (!this->KeepTriangulation || !context.TryRange(1, [](std::size_t, std::size_t) {}))
   {
-    this->Kept->Forget();
+    this->Cache->Forget();
     return false;
   }
-  vtkAHDExecutor executor(vtkAHDThreadsToUse(this->NumberOfThreads));
-  if (!this->Kept->Fits({ input, source, this->GetMTime() }, executor, progress))
+  if (!this->Cache->Fits(data, this->GetMTime(), context))
   {
     return false;
   }
-  this->Kept->PassOn(input, OutputsOf(outputs));
+  this->Cache->PassOn(data);
   this->SortSeconds = 0.0;
   this->InsertSeconds = 0.0;
   this->OutputSeconds = 0.0;
@@ -306,30 +322,94 @@ bool vtkAdaptiveHilbertDelaunay2D::PassOnKept(
 }
 
 void vtkAdaptiveHilbertDelaunay2D::Triangulate(
-  vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs)
+  const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
   ++this->NumberOfTriangulations;
-  vtkAHDRun run(this, input, source, outputs);
-  ahd::Status status = ahd::Status::OutOfMemory;
-  if (run.FitsInMemory())
+  vtkAHDSettings settings;
+  this->ReadSettings(settings);
+  vtkAHDInput input(settings, data.Input, data.Source);
+  vtkAHDExecution execution(settings, input, *this->Workspace, context, data.InputBytes);
+  const vtkAHDReport report = execution.Run(data.Outputs);
+  this->MemoryEstimate = report.Estimate;
+  if (report.Status != ahd::Status::Ok)
   {
-    status = run.Triangulate();
-    if (status != ahd::Status::Ok)
-    {
-      run.Fail(status);
-    }
-  }
-  if (status != ahd::Status::Ok)
-  {
-    this->Kept->Forget();
+    vtkAHDSayError(this, settings, report);
+    this->Cache->Forget();
     return;
   }
-  run.KeepMeasures();
-  run.Warn();
+  this->TakeMeasures(report);
+  this->AddCounts(data.Outputs[0]);
+  vtkAHDSayWarnings(this, settings, report);
   if (this->KeepTriangulation)
   {
-    this->Kept->Keep(input, OutputsOf(outputs));
+    this->Cache->Keep(data);
   }
+}
+
+/// Field data, with the names of the Get methods.
+void vtkAdaptiveHilbertDelaunay2D::AddCounts(vtkPolyData* surface) const
+{
+  const std::pair<const char*, vtkIdType> counts[] = {
+    { "NumberOfPointsInserted", this->NumberOfPointsInserted },
+    { "NumberOfDuplicates", this->NumberOfDuplicates },
+    { "NumberOfRejectedPoints", this->NumberOfRejectedPoints },
+    { "NumberOfSkippedPoints", this->NumberOfSkippedPoints },
+    { "NumberOfPointsBeyondLimit", this->NumberOfPointsBeyondLimit },
+    { "NumberOfTriangles", this->NumberOfTriangles },
+    { "NumberOfMergedPoints", this->NumberOfMergedPoints },
+    { "NumberOfAddedPoints", this->NumberOfAddedPoints },
+    { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
+    { "NumberOfCrossings", this->NumberOfCrossings },
+    { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
+    { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
+  };
+  for (const auto& count : counts)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(count.first);
+    array->InsertNextValue(count.second);
+    surface->GetFieldData()->AddArray(array);
+  }
+}
+
+void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
+{
+  this->Superclass::ReadSettings(settings);
+  settings.Insertion.representative = this->DuplicatePolicy == LOWEST_Z
+    ? ahd::Representative::LowestZ
+    : this->DuplicatePolicy == HIGHEST_Z ? ahd::Representative::HighestZ
+                                         : ahd::Representative::FirstId;
+  settings.ShowMeans = this->DuplicatePolicy == MEAN_Z;
+  settings.FillRule = static_cast<ahd::FillRule>(this->FillRule);
+  settings.Limits = { this->Alpha, this->MaximumEdgeLength, this->AlphaTris != 0,
+    this->AlphaLines != 0, this->AlphaVerts != 0 };
+  settings.VoronoiClip = static_cast<ahd::VoronoiClip>(this->VoronoiClip);
+  settings.GenerateVoronoi = this->GenerateVoronoi;
+  settings.SourceIdsAreOfInput = this->SourceMode == SOURCE_IDS;
+  settings.AddSourcePoints = this->SourceMode == SOURCE_COORDINATES;
+  settings.Split = this->CrossingMode == SPLIT;
+  settings.FitPlane = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
+  settings.Transform = settings.FitPlane ? nullptr : this->Transform;
+  settings.TransformIsMissing = this->ProjectionPlaneMode == VTK_SET_TRANSFORM_PLANE &&
+    !this->Transform;
+  settings.Tolerance = this->Tolerance;
+  settings.Bounding = this->BoundingTriangulation != 0;
+  settings.Offset = this->Offset;
+}
+
+void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
+{
+  this->Superclass::TakeMeasures(report);
+  const ahd::ConstraintReport& constraints = report.Constraints;
+  this->NumberOfMergedPoints = static_cast<vtkIdType>(report.MergedPoints);
+  this->NumberOfAddedPoints = static_cast<vtkIdType>(report.AddedPoints);
+  this->NumberOfConstraintEdges = static_cast<vtkIdType>(constraints.edges);
+  this->NumberOfCrossings = static_cast<vtkIdType>(
+    this->CrossingMode == SPLIT ? report.Crossings : constraints.crossing);
+  this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
+    constraints.withoutVertex + constraints.crossing);
+  this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
+  this->ConstrainSeconds = report.SecondsOf(ahd::Phase::Split, ahd::Phase::Constrain);
 }
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)

@@ -103,11 +103,15 @@
 #include "vtkAdaptiveHilbertAlgorithm.h"
 #include "vtkSmartPointer.h" // for return values
 
-#include <cstddef> // for std::size_t
-#include <memory>  // for std::unique_ptr
+#include <memory> // for std::unique_ptr
 
-class vtkAHDKept;
-class vtkAHDRun;
+namespace ahd
+{
+class Workspace;
+}
+class vtkAHDContext;
+class vtkAHDOutputCache;
+struct vtkAHDDataSets;
 class vtkAbstractTransform;
 class vtkCompositeDataSet;
 class vtkPointSet;
@@ -466,6 +470,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void ClearMeasures() override;
+  void TakeMeasures(const vtkAHDReport& report) override;
+  void ReadSettings(vtkAHDSettings& settings) const override;
 
   // Settings.
   int SourceMode = SOURCE_IDS;
@@ -499,16 +505,18 @@ private:
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
-  friend class vtkAHDRun; // one execution
-  void Execute(vtkInformationVector** inputs, vtkInformationVector* outputs);
-  void EndWithoutMemory(vtkInformationVector* outputs);
+  void Execute(vtkDataObject* input, vtkAHDDataSets& data, const vtkAHDContext& context);
+  void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
+  bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
+  void EndWithoutMemory(const vtkAHDDataSets& data);
+  void AddCounts(vtkPolyData* surface) const;
+  vtkSmartPointer<vtkPointSet> MergeInput(
+    vtkCompositeDataSet* blocks, vtkAHDDataSets& data, const vtkAHDContext& context);
+  void WarnAboutBlocks(vtkDataObject* input);
   void WarnAboutRanks();
-  vtkSmartPointer<vtkPointSet> MergeInput(vtkCompositeDataSet* blocks);
-  void WarnAboutBlocks(vtkDataObject* data);
-  bool PassOnKept(vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs);
-  void Triangulate(vtkPointSet* input, vtkPolyData* source, vtkInformationVector* outputs);
-  const std::unique_ptr<vtkAHDKept> Kept; // the last execution's outputs
-  std::size_t BytesOfBlocks = 0;          // that merging them has taken
+
+  const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution
+  const std::unique_ptr<vtkAHDOutputCache> Cache;  // the last execution's outputs
   bool WarnedAboutRanks = false;
 };
 

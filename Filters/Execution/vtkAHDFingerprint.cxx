@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDFingerprint.h"
 
-#include "Pipeline/vtkAHDLoop.h"
+#include "Pipeline/vtkAHDContext.h"
 
 #include "vtkDataArray.h"
 
@@ -24,8 +24,8 @@ std::uint64_t Spread(std::uint64_t word)
 /// Adds up what becomes of each word at its place, in two ways: as it is, and an odd number of
 /// times, which is smaller by two for the next word. As the words do not wait for each other,
 /// several threads may share them.
-bool HashBytes(const unsigned char* bytes, std::size_t count, ahd::Executor& executor,
-  vtkAHDProgress& progress, vtkAHDFingerprint& sums)
+bool HashBytes(const unsigned char* bytes, std::size_t count, const vtkAHDContext& context,
+  vtkAHDFingerprint& sums)
 {
   constexpr std::size_t kWord = sizeof(std::uint64_t);
   const std::size_t words = count / kWord;
@@ -38,7 +38,7 @@ bool HashBytes(const unsigned char* bytes, std::size_t count, ahd::Executor& exe
     rest = rest << 8 | bytes[i];
   }
   sums = { { at(rest, words), at(rest, words) } };
-  return vtkAHDLoop(words, executor, progress,
+  return context.TryRange(words,
     [&](std::size_t begin, std::size_t end)
     {
       std::uint64_t plain = 0;
@@ -58,8 +58,8 @@ bool HashBytes(const unsigned char* bytes, std::size_t count, ahd::Executor& exe
 }
 }
 
-bool vtkAHDTakeFingerprint(vtkDataArray* array, ahd::Executor& executor, vtkAHDProgress& progress,
-  vtkAHDFingerprint& fingerprint)
+bool vtkAHDTakeFingerprint(
+  vtkDataArray* array, const vtkAHDContext& context, vtkAHDFingerprint& fingerprint)
 {
   fingerprint = { { 0, 0 } };
   if (!array)
@@ -73,7 +73,7 @@ bool vtkAHDTakeFingerprint(vtkDataArray* array, ahd::Executor& executor, vtkAHDP
   const auto* bytes = static_cast<const unsigned char*>(array->GetVoidPointer(0));
   const std::size_t count = static_cast<std::size_t>(
     array->GetNumberOfValues() * array->GetDataTypeSize());
-  if (!HashBytes(bytes, count, executor, progress, fingerprint))
+  if (!HashBytes(bytes, count, context, fingerprint))
   {
     return false;
   }

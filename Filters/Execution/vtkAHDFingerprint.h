@@ -2,12 +2,10 @@
 #ifndef vtkAHDFingerprint_h
 #define vtkAHDFingerprint_h
 
-#include "Engine/Core/Executor.h"
-
 #include <array>
 #include <cstdint>
 
-class vtkAHDProgress;
+class vtkAHDContext;
 class vtkDataArray;
 
 /// 128 bits that differ for different bytes, with a probability that need not be counted with.
@@ -15,7 +13,7 @@ using vtkAHDFingerprint = std::array<std::uint64_t, 2>;
 
 /// That of an array's numbers, type and shape; of no array, if null. Returns false if the numbers
 /// do not lie in memory one after the other, or if the filter is to abort.
-bool vtkAHDTakeFingerprint(vtkDataArray* array, ahd::Executor& executor, vtkAHDProgress& progress,
-  vtkAHDFingerprint& fingerprint);
+bool vtkAHDTakeFingerprint(
+  vtkDataArray* array, const vtkAHDContext& context, vtkAHDFingerprint& fingerprint);
 
 #endif

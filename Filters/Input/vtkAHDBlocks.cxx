@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/vtkAHDBlocks.h"
 
-#include "Pipeline/vtkAHDNamesakes.h"
-#include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDContext.h"
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
 {
   auto usable = vtkSmartPointer<vtkPointData>::New();
   usable->ShallowCopy(block->GetPointData());
-  vtkAHDRemoveNamesakes(usable);
+  vtkAHDRemoveArraysOfOneName(usable);
   for (int i = usable->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     if (usable->GetAbstractArray(i)->GetNumberOfTuples() != block->GetNumberOfPoints())
@@ -93,7 +93,7 @@ std::size_t vtkAHDBlocks::EstimateBytes() const
   return kibibytes * 1024 + static_cast<std::size_t>(this->Count) * perPoint;
 }
 
-vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(vtkAHDProgress& progress) const
+vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) const
 {
   bool areFloats = true;
   for (vtkPointSet* block : this->Blocks)
@@ -111,19 +111,17 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(vtkAHDProgress& progress) const
   vtkIdType begin = 0;
   for (vtkPointSet* block : this->Blocks)
   {
-    if (progress.MustAbort())
-    {
-      return nullptr;
-    }
+    context.StopIfAborted();
     const vtkIdType count = block->GetNumberOfPoints();
     points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
     begin += count;
   }
   merged->SetPoints(points);
-  return this->MergePointData(merged, progress) ? merged : nullptr;
+  this->MergePointData(merged, context);
+  return merged;
 }
 
-bool vtkAHDBlocks::MergePointData(vtkPolyData* merged, vtkAHDProgress& progress) const
+void vtkAHDBlocks::MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const
 {
   bool marked = false;
   for (vtkPointSet* block : this->Blocks)
@@ -143,13 +141,9 @@ bool vtkAHDBlocks::MergePointData(vtkPolyData* merged, vtkAHDProgress& progress)
   vtkIdType begin = 0;
   for (std::size_t i = 0; i < data.size(); ++i)
   {
-    if (progress.MustAbort())
-    {
-      return false;
-    }
+    context.StopIfAborted();
     const vtkIdType count = this->Blocks[i]->GetNumberOfPoints();
     all->CopyData(common, data[i], static_cast<int>(i), begin, count, 0);
     begin += count;
   }
-  return true;
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-class vtkAHDProgress;
+class vtkAHDContext;
 class vtkCompositeDataSet;
 class vtkPointSet;
 class vtkPolyData;
@@ -43,12 +43,12 @@ public:
 
   /// All points: floats, if all blocks have floats, else doubles. Point data: the arrays that all
   /// blocks have, by name, type and number of components, with a value for each point. Blocks
-  /// without ghost marks that fit count as unmarked if others have some. Null if the filter
-  /// is to abort; throws std::bad_alloc.
-  vtkSmartPointer<vtkPolyData> Merge(vtkAHDProgress& progress) const;
+  /// without ghost marks that fit count as unmarked if others have some. Throws vtkAHDStop if the
+  /// filter is to abort, and std::bad_alloc.
+  vtkSmartPointer<vtkPolyData> Merge(const vtkAHDContext& context) const;
 
 private:
-  bool MergePointData(vtkPolyData* merged, vtkAHDProgress& progress) const;
+  void MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const;
 
   std::vector<vtkPointSet*> Blocks; // those with points
   vtkIdType Count = 0;

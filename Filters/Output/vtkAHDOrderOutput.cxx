@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDOrderOutput.h"
 
-#include "Input/vtkAHDDuplicates.h"
-#include "Input/vtkAHDWorkingPoints.h"
 #include "Pipeline/vtkAHDArray.h"
-#include "Pipeline/vtkAHDLoop.h"
+#include "Pipeline/vtkAHDContext.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -24,7 +22,6 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <vector>
 
 namespace
@@ -41,16 +38,13 @@ vtkIdType* AddIds(vtkDataSetAttributes* data, const char* name, std::size_t tupl
 }
 }
 
-vtkAHDOrderOutput::vtkAHDOrderOutput(const ahd::Triangulator& triangulator,
-  const vtkAHDWorkingPoints& input, const vtkAHDDuplicates& shown, ahd::Executor& executor,
-  vtkAHDProgress& progress)
-  : Triangulator(triangulator)
-  , Input(input)
-  , Shown(shown)
-  , Executor(executor)
-  , Progress(progress)
-  , Inserted(triangulator.report().inserted)
-  , Boxes(triangulator.boxes().size())
+vtkAHDOrderOutput::vtkAHDOrderOutput(
+  const ahd::PreparedInput& points, ahd::Triangulation& triangulation, const vtkAHDContext& context)
+  : Points(points)
+  , Triangulation(triangulation)
+  , Context(context)
+  , Inserted(triangulation.report().inserted)
+  , Boxes(triangulation.boxes().size())
 {
 }
 
@@ -69,73 +63,51 @@ std::size_t vtkAHDOrderOutput::EstimateBoxBytes(std::size_t boxCount)
   return boxCount * (2 * sizeof(ahd::GridBox) + kCorners * perCorner + perCell);
 }
 
-ahd::Status vtkAHDOrderOutput::Write(bool withCurve, vtkPolyData* output)
+void vtkAHDOrderOutput::Write(bool withCurve, vtkPolyData* output)
 {
-  const ahd::Status status = this->WritePoints(output);
-  if (status != ahd::Status::Ok)
-  {
-    return status;
-  }
+  this->WritePoints(output);
   const bool curve = withCurve && this->Inserted >= 2;
   const bool narrow = this->Inserted + kCorners * this->Boxes <= std::size_t(VTK_TYPE_INT32_MAX);
-  const bool all = (narrow ? this->WriteCells<vtkTypeInt32Array>(curve, output)
-                           : this->WriteCells<vtkTypeInt64Array>(curve, output)) &&
-    this->WriteCellData(curve, output);
-  return all ? ahd::Status::Ok : ahd::Status::Cancelled;
+  narrow ? this->WriteCells<vtkTypeInt32Array>(curve, output)
+         : this->WriteCells<vtkTypeInt64Array>(curve, output);
+  this->WriteCellData(curve, output);
 }
 
-ahd::Status vtkAHDOrderOutput::WritePoints(vtkPolyData* output)
+void vtkAHDOrderOutput::WritePoints(vtkPolyData* output)
 {
-  const std::unique_ptr<std::int64_t[]> order(new std::int64_t[this->Inserted]);
-  const ahd::Status status = this->Triangulator.writeOrder(
-    order.get(), &this->Progress, &this->Executor);
-  if (status != ahd::Status::Ok)
-  {
-    return status;
-  }
   const std::size_t count = this->Inserted + kCorners * this->Boxes;
   auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
   coordinates->SetNumberOfComponents(3);
   double* xyz = coordinates->GetPointer(0);
   vtkIdType* ranks = AddIds(output->GetPointData(), "InsertionRank", count);
   vtkIdType* ids = AddIds(output->GetPointData(), "OriginalPointIds", count);
-  if (!this->WriteInserted(xyz, ranks, ids, order.get()) ||
-    !this->WriteCorners(xyz + 3 * this->Inserted, ranks + this->Inserted, ids + this->Inserted))
-  {
-    return ahd::Status::Cancelled;
-  }
+  this->Context.Check(this->Triangulation.writeOrder(ids, this->Context));
+  this->WriteInserted(xyz, ranks, ids);
+  this->WriteCorners(xyz + 3 * this->Inserted, ranks + this->Inserted, ids + this->Inserted);
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   output->SetPoints(points);
-  return status;
 }
 
-bool vtkAHDOrderOutput::WriteInserted(
-  double* xyz, vtkIdType* ranks, vtkIdType* ids, const std::int64_t* order)
+void vtkAHDOrderOutput::WriteInserted(double* xyz, vtkIdType* ranks, const vtkIdType* ids)
 {
-  return vtkAHDLoop(this->Inserted, this->Executor, this->Progress,
+  this->Context.ForRange(this->Inserted,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const std::int64_t id = this->Shown.Get(order[i]);
-        const std::array<double, 3> p = this->Input.GetPoint(static_cast<std::size_t>(id));
+        const std::array<double, 3> p = this->Points.place(static_cast<std::size_t>(ids[i]));
         std::copy(p.begin(), p.end(), xyz + 3 * i);
         ranks[i] = static_cast<vtkIdType>(i);
-        ids[i] = static_cast<vtkIdType>(id);
       }
     });
 }
 
-bool vtkAHDOrderOutput::WriteCorners(double* xyz, vtkIdType* ranks, vtkIdType* ids)
+void vtkAHDOrderOutput::WriteCorners(double* xyz, vtkIdType* ranks, vtkIdType* ids)
 {
-  double z = 0.0;
-  if (this->Boxes > 0 && !this->FindLowestZ(z))
-  {
-    return false;
-  }
-  const std::vector<ahd::GridBox>& boxes = this->Triangulator.boxes();
-  return vtkAHDLoop(this->Boxes, this->Executor, this->Progress,
+  const double z = this->Boxes > 0 ? this->FindLowestZ() : 0.0;
+  const std::vector<ahd::GridBox>& boxes = this->Triangulation.boxes();
+  this->Context.ForRange(this->Boxes,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
@@ -152,19 +124,18 @@ bool vtkAHDOrderOutput::WriteCorners(double* xyz, vtkIdType* ranks, vtkIdType* i
 
 /// Of all points that have a place in x and y, those beyond the limit and duplicates too: then the
 /// boxes stay where they are while the limit changes.
-bool vtkAHDOrderOutput::FindLowestZ(double& lowest)
+double vtkAHDOrderOutput::FindLowestZ() const
 {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::atomic<double> found{ kNone };
-  const bool all = vtkAHDLoop(static_cast<std::size_t>(this->Input.GetCount()), this->Executor,
-    this->Progress,
+  this->Context.ForRange(this->Points.points().count,
     [&](std::size_t begin, std::size_t end)
     {
       double least = kNone;
       for (std::size_t i = begin; i < end; ++i)
       {
-        const std::array<double, 3> p = this->Input.GetPoint(i);
-        const bool counts = !this->Input.View().skipped(i) && std::isfinite(p[0]) &&
+        const std::array<double, 3> p = this->Points.place(i);
+        const bool counts = !this->Points.points().skipped(i) && std::isfinite(p[0]) &&
           std::isfinite(p[1]) && std::isfinite(p[2]);
         least = counts && p[2] < least ? p[2] : least;
       }
@@ -173,12 +144,11 @@ bool vtkAHDOrderOutput::FindLowestZ(double& lowest)
       {
       }
     });
-  lowest = found == kNone ? 0.0 : found.load();
-  return all;
+  return found == kNone ? 0.0 : found.load();
 }
 
 template <typename IdArray>
-bool vtkAHDOrderOutput::WriteCells(bool withCurve, vtkPolyData* output)
+void vtkAHDOrderOutput::WriteCells(bool withCurve, vtkPolyData* output)
 {
   using Id = typename IdArray::ValueType;
   // Numbers `first`, `first` + `step`, ...
@@ -186,7 +156,7 @@ bool vtkAHDOrderOutput::WriteCells(bool withCurve, vtkPolyData* output)
   {
     auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(count));
     Id* values = array->GetPointer(0);
-    const bool all = vtkAHDLoop(count, this->Executor, this->Progress,
+    this->Context.ForRange(count,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
@@ -194,28 +164,19 @@ bool vtkAHDOrderOutput::WriteCells(bool withCurve, vtkPolyData* output)
           values[i] = static_cast<Id>(first + step * i);
         }
       });
-    return all ? array : nullptr;
+    return array;
   };
   const auto makeCells = [&](std::size_t cells, std::size_t corners, std::size_t firstPoint)
   {
-    const auto offsets = series(cells + 1, 0, corners);
-    const auto ids = offsets ? series(cells * corners, firstPoint, 1) : nullptr;
-    vtkSmartPointer<vtkCellArray> made;
-    if (ids)
-    {
-      made = vtkSmartPointer<vtkCellArray>::New();
-      made->SetData(offsets, ids);
-    }
+    auto made = vtkSmartPointer<vtkCellArray>::New();
+    made->SetData(series(cells + 1, 0, corners), series(cells * corners, firstPoint, 1));
     return made;
   };
-  const auto curve = makeCells(withCurve ? 1 : 0, this->Inserted, 0);
-  const auto boxes = curve ? makeCells(this->Boxes, kCorners, this->Inserted) : nullptr;
-  output->SetLines(curve);
-  output->SetPolys(boxes);
-  return boxes != nullptr;
+  output->SetLines(makeCells(withCurve ? 1 : 0, this->Inserted, 0));
+  output->SetPolys(makeCells(this->Boxes, kCorners, this->Inserted));
 }
 
-bool vtkAHDOrderOutput::WriteCellData(bool withCurve, vtkPolyData* output)
+void vtkAHDOrderOutput::WriteCellData(bool withCurve, vtkPolyData* output)
 {
   const std::size_t curves = withCurve ? 1 : 0;
   auto levels = vtkAHDNewArray<vtkIntArray>(static_cast<vtkIdType>(curves + this->Boxes));
@@ -228,8 +189,8 @@ bool vtkAHDOrderOutput::WriteCellData(bool withCurve, vtkPolyData* output)
     *level++ = -1;
     *count++ = static_cast<vtkIdType>(this->Inserted);
   }
-  const std::vector<ahd::GridBox>& boxes = this->Triangulator.boxes();
-  return vtkAHDLoop(this->Boxes, this->Executor, this->Progress,
+  const std::vector<ahd::GridBox>& boxes = this->Triangulation.boxes();
+  this->Context.ForRange(this->Boxes,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)

@@ -2,12 +2,11 @@
 #ifndef vtkAHDOrderOutput_h
 #define vtkAHDOrderOutput_h
 
-#include "Engine/Triangulate.h"
+#include "Engine/Prepare/Prepare.h"
+#include "Engine/Triangulation/Triangulation.h"
 #include "vtkType.h"
 
-class vtkAHDDuplicates;
-class vtkAHDWorkingPoints;
-class vtkAHDProgress;
+class vtkAHDContext;
 class vtkPolyData;
 
 /**
@@ -22,14 +21,13 @@ class vtkPolyData;
 class vtkAHDOrderOutput
 {
 public:
-  /// Borrows all of them. REQUIRES: `input` is open and was triangulated with Options::keepOrder.
-  vtkAHDOrderOutput(const ahd::Triangulator& triangulator, const vtkAHDWorkingPoints& input,
-    const vtkAHDDuplicates& shown, ahd::Executor& executor, vtkAHDProgress& progress);
+  /// Borrows all of them. REQUIRES: the points were triangulated with Options::keepOrder.
+  vtkAHDOrderOutput(const ahd::PreparedInput& points, ahd::Triangulation& triangulation,
+    const vtkAHDContext& context);
 
-  /// Fills `output`; with boxes if the engine kept them. Returns Cancelled if the filter is to
-  /// abort, else Ok; unless Ok, `output` is to be emptied. Throws std::bad_alloc if there is no
-  /// room.
-  ahd::Status Write(bool withCurve, vtkPolyData* output);
+  /// Fills `output`; with boxes if the engine kept them. Throws vtkAHDStop if the filter is to
+  /// abort, and std::bad_alloc if there is no room; then `output` is to be emptied.
+  void Write(bool withCurve, vtkPolyData* output);
 
   /// Upper estimate of the bytes that Write() allocates for so many inserted points and no boxes.
   static std::size_t EstimateBytes(std::size_t pointCount);
@@ -38,19 +36,17 @@ public:
   static std::size_t EstimateBoxBytes(std::size_t boxCount);
 
 private:
-  ahd::Status WritePoints(vtkPolyData* output);
-  bool WriteInserted(double* xyz, vtkIdType* ranks, vtkIdType* ids, const std::int64_t* order);
-  bool WriteCorners(double* xyz, vtkIdType* ranks, vtkIdType* ids);
-  bool FindLowestZ(double& lowest);
+  void WritePoints(vtkPolyData* output);
+  void WriteInserted(double* xyz, vtkIdType* ranks, const vtkIdType* ids);
+  void WriteCorners(double* xyz, vtkIdType* ranks, vtkIdType* ids);
+  double FindLowestZ() const;
   template <typename IdArray>
-  bool WriteCells(bool withCurve, vtkPolyData* output);
-  bool WriteCellData(bool withCurve, vtkPolyData* output);
+  void WriteCells(bool withCurve, vtkPolyData* output);
+  void WriteCellData(bool withCurve, vtkPolyData* output);
 
-  const ahd::Triangulator& Triangulator;
-  const vtkAHDWorkingPoints& Input;
-  const vtkAHDDuplicates& Shown;
-  ahd::Executor& Executor;
-  vtkAHDProgress& Progress;
+  const ahd::PreparedInput& Points;
+  ahd::Triangulation& Triangulation;
+  const vtkAHDContext& Context;
   const std::size_t Inserted;
   const std::size_t Boxes;
 };

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDPointOutput.h"
 
-#include "Input/vtkAHDWorkingPoints.h"
 #include "Pipeline/vtkAHDArray.h"
-#include "Pipeline/vtkAHDLoop.h"
-#include "Pipeline/vtkAHDNamesakes.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDContext.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkDataArray.h"
@@ -24,23 +23,27 @@
 
 namespace
 {
-/// Tuples copied between two looks at whether the filter is to abort.
+/// Tuples written between two looks at whether the filter is to abort.
 constexpr vtkIdType kPiece = vtkIdType(1) << 14;
 
-/// Copies the tuples [0, count) of `from` to `first` and following. Returns false if the filter is
-/// to abort.
-bool CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAbstractArray* from,
-  vtkAHDProgress& progress)
+/// Calls work(begin, end) for pieces of [0, count), one after the other, as VTK's arrays want it.
+template <typename Work>
+void InPieces(vtkIdType count, const vtkAHDContext& context, const Work& work)
 {
   for (vtkIdType i = 0; i < count; i += kPiece)
   {
-    if (progress.MustAbort())
-    {
-      return false;
-    }
-    array->InsertTuples(first + i, std::min(kPiece, count - i), i, from);
+    context.StopIfAborted();
+    work(i, std::min(count, i + kPiece));
   }
-  return true;
+}
+
+/// Copies the tuples [0, count) of `from` to `first` and following.
+void CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAbstractArray* from,
+  const vtkAHDContext& context)
+{
+  InPieces(count, context,
+    [&](vtkIdType begin, vtkIdType end)
+    { array->InsertTuples(first + begin, end - begin, begin, from); });
 }
 
 /// Is it one of whole numbers?
@@ -60,27 +63,26 @@ double ValueOfAdded(vtkDataArray* array, bool areIds)
 }
 
 /// Sets the tuples [first, end) to that.
-bool Clear(
-  vtkAbstractArray* array, vtkIdType first, vtkIdType end, bool areIds, vtkAHDProgress& progress)
+void Clear(vtkAbstractArray* array, vtkIdType first, vtkIdType end, bool areIds,
+  const vtkAHDContext& context)
 {
   auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
   if (!numbers) // strings and the like: they are empty from the beginning
   {
-    return true;
+    return;
   }
   const double value = ValueOfAdded(numbers, areIds);
-  for (vtkIdType i = first; i < end; ++i)
-  {
-    if ((i - first) % kPiece == 0 && progress.MustAbort())
+  InPieces(end - first, context,
+    [&](vtkIdType a, vtkIdType b)
     {
-      return false;
-    }
-    for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
-    {
-      numbers->SetComponent(i, c, value);
-    }
-  }
-  return true;
+      for (vtkIdType i = first + a; i < first + b; ++i)
+      {
+        for (int c = 0; c < numbers->GetNumberOfComponents(); ++c)
+        {
+          numbers->SetComponent(i, c, value);
+        }
+      }
+    });
 }
 
 /// The closest value that an array of whole numbers can have; 0 for NaN.
@@ -94,21 +96,20 @@ double ToWhole(double value, vtkDataArray* array)
 }
 
 /// Like CopyTuples, into an array of whole numbers.
-bool CopyRounded(vtkDataArray* array, vtkIdType first, vtkIdType count, vtkDataArray* from,
-  vtkAHDProgress& progress)
+void CopyRounded(vtkDataArray* array, vtkIdType first, vtkIdType count, vtkDataArray* from,
+  const vtkAHDContext& context)
 {
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    if (i % kPiece == 0 && progress.MustAbort())
+  InPieces(count, context,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      return false;
-    }
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      array->SetComponent(first + i, c, ToWhole(from->GetComponent(i, c), array));
-    }
-  }
-  return true;
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          array->SetComponent(first + i, c, ToWhole(from->GetComponent(i, c), array));
+        }
+      }
+    });
 }
 
 /// Could a value of `from` be none that `array` can have?
@@ -140,15 +141,14 @@ bool IsGhostArray(vtkAbstractArray* array)
 }
 }
 
-vtkAHDPointOutput::vtkAHDPointOutput(vtkPointSet* input, vtkPointSet* source,
-  const vtkAHDWorkingPoints& points, bool projected, const std::vector<vtkAHDCrossing>& crossings)
+vtkAHDPointOutput::vtkAHDPointOutput(
+  vtkPointSet* input, vtkPointSet* source, const ahd::PreparedInput& points)
   : Input(input)
   , Source(source)
   , Points(points)
-  , Projected(projected)
-  , Crossings(crossings)
+  , InputCount(static_cast<vtkIdType>(points.inputCount()))
   , SourceCount(source ? source->GetNumberOfPoints() : 0)
-  , FirstCrossing(points.GetCount() - static_cast<vtkIdType>(crossings.size()))
+  , Count(static_cast<vtkIdType>(points.points().count))
 {
 }
 
@@ -166,100 +166,86 @@ std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t poi
   return pointCount * perPoint;
 }
 
-ahd::Status vtkAHDPointOutput::Write(
-  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const
+void vtkAHDPointOutput::Write(vtkPolyData* output, const vtkAHDContext& context) const
 {
-  const bool all = this->WritePoints(output, executor, progress) &&
-    this->WriteData(output->GetPointData(), progress);
-  return all ? ahd::Status::Ok : ahd::Status::Cancelled;
+  this->WritePoints(output, context);
+  this->WriteData(output->GetPointData(), context);
 }
 
-bool vtkAHDPointOutput::WritePoints(
-  vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const
+void vtkAHDPointOutput::WritePoints(vtkPolyData* output, const vtkAHDContext& context) const
 {
-  const vtkIdType inputCount = this->Points.GetInputCount();
-  const vtkIdType count = this->Points.GetCount();
-  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * count);
+  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * this->Count);
   coordinates->SetNumberOfComponents(3);
   double* xyz = coordinates->GetPointer(0);
-  const bool moved = this->Projected;
-  const bool all = vtkAHDLoop(static_cast<std::size_t>(this->FirstCrossing), executor, progress,
+  const bool moved = this->Points.isProjected();
+  context.ForRange(static_cast<std::size_t>(this->Count),
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t k = begin; k < end; ++k)
       {
         const vtkIdType i = static_cast<vtkIdType>(k);
-        if (moved && i < inputCount)
+        if (moved && i < this->InputCount)
         {
           this->Input->GetPoints()->GetPoint(i, xyz + 3 * i);
         }
-        else if (moved && i - inputCount < this->SourceCount)
+        else if (moved && i - this->InputCount < this->SourceCount)
         {
-          this->Source->GetPoints()->GetPoint(i - inputCount, xyz + 3 * i);
+          this->Source->GetPoints()->GetPoint(i - this->InputCount, xyz + 3 * i);
         }
         else
         {
-          const std::array<double, 3> p = this->Points.GetPoint(k);
+          const std::array<double, 3> p = this->Points.place(k);
           std::copy(p.begin(), p.end(), xyz + 3 * i);
         }
       }
     });
-  // Crossings last, as they may need all others.
-  for (std::size_t k = 0; k < this->Crossings.size(); ++k)
+  if (moved) // crossings last, as they need all others
   {
-    const vtkIdType i = this->FirstCrossing + static_cast<vtkIdType>(k);
-    const std::array<double, 3> place = this->Points.GetPoint(static_cast<std::size_t>(i));
-    for (vtkIdType c = 0; c < 3; ++c)
+    double* at = xyz + 3 * this->Points.firstCrossing();
+    for (const ahd::CrossingOrigin& crossing : this->Points.crossings())
     {
-      const auto value = [xyz, c](vtkIdType id) { return xyz[3 * id + c]; };
-      xyz[3 * i + c] = moved ? vtkAHDInterpolate(this->Crossings[k], value)
-                             : place[static_cast<std::size_t>(c)];
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        *at++ = ahd::interpolate(
+          crossing, [xyz, c](ahd::Index id) { return xyz[3 * std::size_t(id) + c]; });
+      }
     }
   }
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   output->SetPoints(points);
-  return all;
 }
 
-bool vtkAHDPointOutput::WriteData(vtkPointData* output, vtkAHDProgress& progress) const
+void vtkAHDPointOutput::WriteData(vtkPointData* output, const vtkAHDContext& context) const
 {
   vtkNew<vtkPointData> input;
   input->ShallowCopy(this->Input->GetPointData());
-  vtkAHDRemoveNamesakes(input);
+  vtkAHDRemoveArraysOfOneName(input);
   vtkNew<vtkPointData> data;
   data->CopyAllOn(); // which of them are scalars, ids, normals ...
-  data->CopyAllocate(input, this->Points.GetCount());
+  data->CopyAllocate(input, this->Count);
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* array = data->GetAbstractArray(i);
-    array->SetNumberOfTuples(this->Points.GetCount());
-    if (!this->WriteArray(array, input->GetAbstractArray(i), progress))
-    {
-      return false;
-    }
+    array->SetNumberOfTuples(this->Count);
+    this->WriteArray(array, input->GetAbstractArray(i), context);
   }
   // As such they would have to name each point.
   data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   data->SetActiveAttribute(-1, vtkDataSetAttributes::PEDIGREEIDS);
   output->ShallowCopy(data);
-  return true;
 }
 
-bool vtkAHDPointOutput::WriteArray(
-  vtkAbstractArray* array, vtkAbstractArray* from, vtkAHDProgress& progress) const
+void vtkAHDPointOutput::WriteArray(
+  vtkAbstractArray* array, vtkAbstractArray* from, const vtkAHDContext& context) const
 {
-  const vtkIdType count = this->Points.GetCount();
-  const vtkIdType inputCount = this->Points.GetInputCount();
-  const vtkIdType given = std::min(inputCount, from->GetNumberOfTuples());
+  const vtkIdType given = std::min(this->InputCount, from->GetNumberOfTuples());
   const bool areIds = AreIds(this->Input->GetPointData(), from);
-  if (!CopyTuples(array, 0, given, from, progress) || !Clear(array, given, count, areIds, progress))
-  {
-    return false;
-  }
+  CopyTuples(array, 0, given, from, context);
+  Clear(array, given, this->Count, areIds, context);
   if (areIds || IsGhostArray(array))
   {
-    return true;
+    return;
   }
   vtkAbstractArray* more = this->Source && array->GetName()
     ? this->Source->GetPointData()->GetAbstractArray(array->GetName())
@@ -269,33 +255,32 @@ bool vtkAHDPointOutput::WriteArray(
   {
     const vtkIdType many = std::min(this->SourceCount, more->GetNumberOfTuples());
     auto* others = vtkArrayDownCast<vtkDataArray>(more);
-    const bool all = numbers && MustBeRounded(numbers, others)
-      ? CopyRounded(numbers, inputCount, many, others, progress)
-      : CopyTuples(array, inputCount, many, more, progress);
-    if (!all)
-    {
-      return false;
-    }
+    numbers&& MustBeRounded(numbers, others)
+      ? CopyRounded(numbers, this->InputCount, many, others, context)
+      : CopyTuples(array, this->InputCount, many, more, context);
   }
-  return !numbers || this->Interpolate(numbers, progress);
+  if (numbers)
+  {
+    this->Interpolate(numbers, context);
+  }
 }
 
-bool vtkAHDPointOutput::Interpolate(vtkDataArray* array, vtkAHDProgress& progress) const
+void vtkAHDPointOutput::Interpolate(vtkDataArray* array, const vtkAHDContext& context) const
 {
   const bool whole = IsWhole(array);
-  for (std::size_t k = 0; k < this->Crossings.size(); ++k)
-  {
-    if (k % kPiece == 0 && progress.MustAbort())
+  const vtkIdType first = static_cast<vtkIdType>(this->Points.firstCrossing());
+  InPieces(this->Count - first, context,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      return false;
-    }
-    const vtkIdType i = this->FirstCrossing + static_cast<vtkIdType>(k);
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      const double value = vtkAHDInterpolate(
-        this->Crossings[k], [array, c](vtkIdType id) { return array->GetComponent(id, c); });
-      array->SetComponent(i, c, whole ? ToWhole(value, array) : value);
-    }
-  }
-  return true;
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+        {
+          const double value = ahd::interpolate(
+            this->Points.crossings()[static_cast<std::size_t>(k)],
+            [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
+          array->SetComponent(first + k, c, whole ? ToWhole(value, array) : value);
+        }
+      }
+    });
 }

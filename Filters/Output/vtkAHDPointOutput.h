@@ -2,28 +2,16 @@
 #ifndef vtkAHDPointOutput_h
 #define vtkAHDPointOutput_h
 
-#include "Engine/Core/Executor.h"
-#include "Engine/Result.h"
-#include "vtkType.h"
+#include "Engine/Prepare/Prepare.h"
 
-#include <array>
 #include <cstddef>
-#include <vector>
 
 class vtkAbstractArray;
-class vtkAHDProgress;
-class vtkAHDWorkingPoints;
+class vtkAHDContext;
 class vtkDataArray;
 class vtkPointData;
 class vtkPointSet;
 class vtkPolyData;
-
-/// Where a point that was added at the crossing of two segments comes from.
-struct vtkAHDCrossing
-{
-  std::array<vtkIdType, 4> Ends; ///< the first and the second end of either segment
-  std::array<double, 2> Along;   ///< the fraction of the way from the first end to the second
-};
 
 /**
  * The points and point data of the surface where points were added: a copy of the input's, in
@@ -38,44 +26,29 @@ struct vtkAHDCrossing
 class vtkAHDPointOutput
 {
 public:
-  /// Borrows all of them. `source`: whose points were added first, or null. `crossings`: of those
-  /// added last. `projected`: are the places of `points` others than the points' coordinates?
-  vtkAHDPointOutput(vtkPointSet* input, vtkPointSet* source, const vtkAHDWorkingPoints& points,
-    bool projected, const std::vector<vtkAHDCrossing>& crossings);
+  /// Borrows all of them. `source`: whose points were added, or null.
+  vtkAHDPointOutput(vtkPointSet* input, vtkPointSet* source, const ahd::PreparedInput& points);
 
-  /// Fills the points and point data of `output`. Returns Cancelled if the filter is to abort, else
-  /// Ok. Throws std::bad_alloc if there is no room.
-  ahd::Status Write(vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const;
+  /// Fills the points and point data of `output`. Throws vtkAHDStop if the filter is to abort, and
+  /// std::bad_alloc if there is no room.
+  void Write(vtkPolyData* output, const vtkAHDContext& context) const;
 
   /// Upper estimate of the bytes that Write() allocates for so many points.
   static std::size_t EstimateBytes(vtkPointSet* input, std::size_t pointCount);
 
 private:
-  bool WritePoints(vtkPolyData* output, ahd::Executor& executor, vtkAHDProgress& progress) const;
-  bool WriteData(vtkPointData* output, vtkAHDProgress& progress) const;
-  bool WriteArray(vtkAbstractArray* array, vtkAbstractArray* from, vtkAHDProgress& progress) const;
-  bool Interpolate(vtkDataArray* array, vtkAHDProgress& progress) const;
+  void WritePoints(vtkPolyData* output, const vtkAHDContext& context) const;
+  void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
+  void WriteArray(
+    vtkAbstractArray* array, vtkAbstractArray* from, const vtkAHDContext& context) const;
+  void Interpolate(vtkDataArray* array, const vtkAHDContext& context) const;
 
   vtkPointSet* const Input;
   vtkPointSet* const Source;
-  const vtkAHDWorkingPoints& Points;
-  const bool Projected;
-  const std::vector<vtkAHDCrossing>& Crossings;
+  const ahd::PreparedInput& Points;
+  const vtkIdType InputCount;
   const vtkIdType SourceCount;
-  const vtkIdType FirstCrossing; // the id of the first of them
+  const vtkIdType Count; // of all points
 };
-
-/// What linear interpolation gives at a crossing, as a mean over both segments; `value(id)` is the
-/// value at a point.
-template <typename Value>
-double vtkAHDInterpolate(const vtkAHDCrossing& crossing, const Value& value)
-{
-  const auto along = [&](std::size_t k)
-  {
-    const double t = crossing.Along[k];
-    return (1.0 - t) * value(crossing.Ends[2 * k]) + t * value(crossing.Ends[2 * k + 1]);
-  };
-  return 0.5 * along(0) + 0.5 * along(1);
-}
 
 #endif

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDVoronoi.h"
 
-#include "Input/vtkAHDDuplicates.h"
 #include "Pipeline/vtkAHDArray.h"
-#include "Pipeline/vtkAHDNamesakes.h"
-#include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDContext.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkCellArray.h"
@@ -22,79 +21,90 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <utility>
+#include <vector>
 
 namespace
 {
 constexpr const char* kIdsName = "OriginalPointIds";
+
+/// The numbers as a VTK array; gives theirs up.
+template <typename Array, typename Number>
+vtkSmartPointer<Array> MakeArray(std::vector<Number>& numbers, const vtkAHDContext& context)
+{
+  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(numbers.size()));
+  auto* to = array->GetPointer(0);
+  context.ForRange(numbers.size(),
+    [&numbers, to](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        to[i] = static_cast<typename Array::ValueType>(numbers[i]);
+      }
+    });
+  std::vector<Number>().swap(numbers);
+  return array;
 }
 
-ahd::Status vtkAHDVoronoi::Compute(ahd::Triangulator& triangulator, const ahd::PointView& points,
-  ahd::VoronoiClip clip, vtkAHDProgress& progress, ahd::Executor& executor)
+vtkSmartPointer<vtkDoubleArray> MakeCoordinates(
+  std::vector<ahd::Point>& corners, const vtkAHDContext& context)
 {
-  const std::size_t count = triangulator.report().triangles;
-  const std::unique_ptr<vtkTypeInt32[]> corners(new vtkTypeInt32[3 * count]);
-  const std::unique_ptr<std::int64_t[]> neighbors(new std::int64_t[3 * count]);
-  const std::unique_ptr<std::int64_t[]> fates(new std::int64_t[points.count]);
-  ahd::Status status = triangulator.writeTriangles(corners.get(), &progress, &executor);
-  if (status == ahd::Status::Ok)
-  {
-    status = triangulator.writeNeighbors(neighbors.get(), &progress);
-  }
-  if (status == ahd::Status::Ok)
-  {
-    status = triangulator.writeFates(fates.get(), &progress, &executor);
-  }
-  if (status != ahd::Status::Ok)
-  {
-    return status;
-  }
-  ahd::DelaunayView delaunay;
-  delaunay.points = points;
-  delaunay.fates = fates.get();
-  delaunay.corners = corners.get();
-  delaunay.neighbors = neighbors.get();
-  delaunay.triangles = count;
-  return ahd::voronoiCells(delaunay, clip, this->Cells, &progress, &executor);
-}
-
-void vtkAHDVoronoi::WriteCells(vtkPolyData* output)
-{
-  const vtkIdType corners = static_cast<vtkIdType>(this->Cells.points.size());
-  auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * corners);
+  auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * static_cast<vtkIdType>(corners.size()));
   double* to = xyz->GetPointer(0);
-  for (const ahd::Point& p : this->Cells.points)
-  {
-    *to++ = p.x;
-    *to++ = p.y;
-    *to++ = 0.0;
-  }
+  context.ForRange(corners.size(),
+    [&corners, to](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        to[3 * i] = corners[i].x;
+        to[3 * i + 1] = corners[i].y;
+        to[3 * i + 2] = 0.0;
+      }
+    });
+  std::vector<ahd::Point>().swap(corners);
   xyz->SetNumberOfComponents(3);
-  vtkNew<vtkPoints> points;
-  points->SetData(xyz);
-  output->SetPoints(points);
-
-  auto offsets = vtkAHDNewArray<vtkTypeInt64Array>(
-    static_cast<vtkIdType>(this->Cells.offsets.size()));
-  std::copy(this->Cells.offsets.begin(), this->Cells.offsets.end(), offsets->GetPointer(0));
-  auto ids = vtkAHDNewArray<vtkTypeInt64Array>(static_cast<vtkIdType>(this->Cells.corners.size()));
-  std::copy(this->Cells.corners.begin(), this->Cells.corners.end(), ids->GetPointer(0));
-  vtkNew<vtkCellArray> polygons;
-  polygons->SetData(offsets, ids);
-  output->SetPolys(polygons);
+  return xyz;
 }
 
-void vtkAHDVoronoi::Write(vtkPolyData* surface, const vtkAHDDuplicates& shown, vtkPolyData* output)
+/// Whatever it is, a transform that cannot be undone does not bring a point back.
+bool BringsBack(vtkAbstractTransform* toPlane, vtkAbstractTransform* back, vtkPoints* inPlane)
 {
-  this->WriteCells(output);
-  const vtkIdType count = static_cast<vtkIdType>(this->Cells.sites.size());
-  auto original = vtkAHDNewArray<vtkIdTypeArray>(count);
-  for (vtkIdType k = 0; k < count; ++k)
+  if (auto* linear = vtkHomogeneousTransform::SafeDownCast(toPlane))
   {
-    const auto site = shown.Get(this->Cells.sites[static_cast<std::size_t>(k)]);
-    original->SetValue(k, static_cast<vtkIdType>(site));
+    const double determinant = linear->GetMatrix()->Determinant();
+    return std::isfinite(determinant) && determinant != 0.0;
   }
-  this->Cells = ahd::VoronoiCells();
+  double size = 0.0;
+  double error = 0.0;
+  for (vtkIdType i = 0; i < std::min<vtkIdType>(inPlane->GetNumberOfPoints(), 100); ++i)
+  {
+    double start[3], inSpace[3], end[3];
+    inPlane->GetPoint(i, start);
+    back->TransformPoint(start, inSpace);
+    toPlane->TransformPoint(inSpace, end);
+    for (int k = 0; k < 3; ++k)
+    {
+      size = std::max(size, std::fabs(start[k]));
+      error = std::isfinite(end[k]) ? std::max(error, std::fabs(end[k] - start[k]))
+                                    : VTK_DOUBLE_MAX;
+    }
+  }
+  return error <= 1e-6 * size;
+}
+}
+
+void vtkAHDVoronoi::Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPolyData* output,
+  const vtkAHDContext& context)
+{
+  ahd::VoronoiCells used = std::move(cells);
+  vtkNew<vtkPoints> points;
+  points->SetData(MakeCoordinates(used.points, context));
+  output->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  const auto offsets = MakeArray<vtkTypeInt64Array>(used.offsets, context);
+  polygons->SetData(offsets, MakeArray<vtkTypeInt64Array>(used.corners, context));
+  output->SetPolys(polygons);
+  const auto original = MakeArray<vtkIdTypeArray>(used.sites, context);
   original->SetName(kIdsName);
   output->GetCellData()->AddArray(original);
   WriteData(surface, output);
@@ -110,7 +120,7 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
   vtkNew<vtkPointData> pointData; // what there is of every point
   pointData->ShallowCopy(surface->GetPointData());
   pointData->RemoveArray(kIdsName);
-  vtkAHDRemoveNamesakes(pointData);
+  vtkAHDRemoveArraysOfOneName(pointData);
   for (int i = pointData->GetNumberOfArrays() - 1; i >= 0; --i)
   {
     if (pointData->GetAbstractArray(i)->GetNumberOfTuples() < surface->GetNumberOfPoints())
@@ -138,36 +148,6 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
   data->AddArray(original);
 }
 
-namespace
-{
-/// Whatever it is, a transform that cannot be undone does not bring a point back.
-bool BringsBack(vtkAbstractTransform* toPlane, vtkAbstractTransform* back, vtkPoints* inPlane)
-{
-  if (auto* linear = vtkHomogeneousTransform::SafeDownCast(toPlane))
-  {
-    const double determinant = linear->GetMatrix()->Determinant();
-    return std::isfinite(determinant) && determinant != 0.0;
-  }
-  double size = 0.0;
-  double error = 0.0;
-  for (vtkIdType i = 0; i < std::min<vtkIdType>(inPlane->GetNumberOfPoints(), 100); ++i)
-  {
-    double start[3], inSpace[3], end[3];
-    inPlane->GetPoint(i, start);
-    back->TransformPoint(start, inSpace);
-    toPlane->TransformPoint(inSpace, end);
-    for (int k = 0; k < 3; ++k)
-    {
-      size = std::max(size, std::fabs(start[k]));
-      error = std::isfinite(end[k]) ? std::max(error, std::fabs(end[k] - start[k]))
-                                    : VTK_DOUBLE_MAX;
-    }
-  }
-  return error <= 1e-6 * size;
-}
-
-}
-
 bool vtkAHDVoronoi::MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output)
 {
   toPlane->Update();
@@ -185,8 +165,6 @@ bool vtkAHDVoronoi::MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output)
 
 std::size_t vtkAHDVoronoi::EstimateBytes(std::size_t pointCount)
 {
-  // Triangles, neighbours and fates; points, offsets, corners and ids of the polygons.
-  return ahd::voronoiMemoryEstimate(pointCount) +
-    pointCount * (2 * 3 * (sizeof(vtkTypeInt32) + sizeof(std::int64_t)) + sizeof(std::int64_t)) +
-    pointCount * (2 * 3 * sizeof(double) + 8 * sizeof(std::int64_t) + 3 * sizeof(vtkIdType));
+  // two corners a vertex, six numbers of corners, an offset and an id
+  return pointCount * (2 * 3 * sizeof(double) + 7 * sizeof(vtkTypeInt64) + sizeof(vtkIdType));
 }

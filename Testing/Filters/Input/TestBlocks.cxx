@@ -3,7 +3,7 @@
 // The blocks of a composite data set made one point set.
 #include "FilterTestSupport.h"
 #include "Input/vtkAHDBlocks.h"
-#include "Pipeline/vtkAHDProgress.h"
+#include "ContextSupport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSetAttributes.h"
@@ -26,9 +26,8 @@ namespace
 {
 vtkSmartPointer<vtkPolyData> merge(vtkCompositeDataSet* blocks)
 {
-  vtkNew<vtkAlgorithm> filter;
-  vtkAHDProgress progress(filter);
-  return vtkAHDBlocks(blocks).Merge(progress);
+  const Work work;
+  return vtkAHDBlocks(blocks).Merge(work.Context);
 }
 
 template <typename Array>
@@ -200,8 +199,7 @@ TEST(Blocks, AnAbortIsHeard)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, makeCloud({ { 0.1, 0, 0 } }));
-  vtkNew<vtkAlgorithm> filter;
-  filter->SetAbortExecute(1);
-  vtkAHDProgress progress(filter);
-  EXPECT_EQ(vtkAHDBlocks(blocks).Merge(progress), nullptr);
+  const Work work;
+  work.Filter->SetAbortExecute(1);
+  EXPECT_THROW(vtkAHDBlocks(blocks).Merge(work.Context), vtkAHDStop);
 }

@@ -9,7 +9,7 @@
 #include "HostModes.h"
 
 #include "Distributions.h"
-#include "Pipeline/vtkAHDExecutor.h"
+#include "Engine/Core/Threads.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
@@ -332,7 +332,7 @@ TEST(Hashes, ThreadsComputeAsTheEngineDoes)
     std::atomic<int> tasks{ 0 }, wrong{ 0 };
     ahd::test::enter(mode);
     {
-      vtkAHDExecutor executor(3);
+      ahd::Threads executor(3);
       const auto task = [&](std::size_t)
       {
         ++tasks;

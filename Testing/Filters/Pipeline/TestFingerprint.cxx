@@ -3,8 +3,7 @@
 // The fingerprint of an array: by it an execution knows that the points are those of the one
 // before.
 #include "Execution/vtkAHDFingerprint.h"
-#include "Pipeline/vtkAHDExecutor.h"
-#include "Pipeline/vtkAHDProgress.h"
+#include "ContextSupport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
@@ -22,11 +21,9 @@ namespace
 {
 vtkAHDFingerprint fingerprintOf(vtkDataArray* array, unsigned threads = 1)
 {
-  vtkNew<vtkAlgorithm> filter;
-  vtkAHDProgress progress(filter);
-  vtkAHDExecutor executor(threads);
+  const ahdtest::Work work(threads);
   vtkAHDFingerprint fingerprint;
-  EXPECT_TRUE(vtkAHDTakeFingerprint(array, executor, progress, fingerprint));
+  EXPECT_TRUE(vtkAHDTakeFingerprint(array, work.Context, fingerprint));
   return fingerprint;
 }
 }

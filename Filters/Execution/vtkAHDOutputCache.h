@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkAHDKept_h
-#define vtkAHDKept_h
+#ifndef vtkAHDOutputCache_h
+#define vtkAHDOutputCache_h
 
-#include "Engine/Core/Executor.h"
 #include "Execution/vtkAHDFingerprint.h"
 #include "vtkNew.h"
 #include "vtkType.h"
@@ -10,8 +9,8 @@
 #include <array>
 #include <vector>
 
-class vtkAHDProgress;
-class vtkPointSet;
+class vtkAHDContext;
+struct vtkAHDDataSets;
 class vtkPolyData;
 
 /**
@@ -25,47 +24,37 @@ class vtkPolyData;
  * an execution comes again with unchanged settings and as many points: outputs are kept from the
  * second such execution on.
  */
-class vtkAHDKept
+class vtkAHDOutputCache
 {
 public:
-  vtkAHDKept();
-  ~vtkAHDKept();
-  vtkAHDKept(const vtkAHDKept&) = delete;
-  vtkAHDKept& operator=(const vtkAHDKept&) = delete;
+  vtkAHDOutputCache();
+  ~vtkAHDOutputCache();
+  vtkAHDOutputCache(const vtkAHDOutputCache&) = delete;
+  vtkAHDOutputCache& operator=(const vtkAHDOutputCache&) = delete;
 
-  /// What the triangulation is made of. `settings`: when they were changed last.
-  struct Origin
-  {
-    vtkPointSet* Input;
-    vtkPolyData* Source; ///< may be null
-    vtkMTimeType Settings;
-  };
-  /// Surface, order, Voronoi diagram.
-  using Outputs = std::array<vtkPolyData*, 3>;
-
-  /// Can the outputs be passed on for this? If not, lets go of them. False if the filter is to
-  /// abort.
-  bool Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress);
+  /// Can the outputs be passed on for these data sets, with settings that were changed last at
+  /// `settings`? If not, lets go of them. False if the filter is to abort.
+  bool Fits(const vtkAHDDataSets& data, vtkMTimeType settings, const vtkAHDContext& context);
 
   /// Keeps the outputs, if Fits() took fingerprints, unless points were added, whose data are not
-  /// the input's. They belong to the origin that Fits() was called with last, whatever has changed
-  /// since. REQUIRES: it said no, and `input` is that origin's.
-  void Keep(vtkPointSet* input, const Outputs& outputs);
+  /// the input's. They belong to the data sets that Fits() was called with last, whatever has
+  /// changed since. REQUIRES: it said no to these.
+  void Keep(const vtkAHDDataSets& data);
 
   /// Fills the outputs anew, with the point data of this input; field data that they have stay.
   /// REQUIRES: Fits() said so.
-  void PassOn(vtkPointSet* input, const Outputs& outputs) const;
+  void PassOn(const vtkAHDDataSets& data) const;
 
   /// Lets go of everything.
   void Forget();
 
 private:
-  bool TakeFingerprints(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress);
+  bool TakeFingerprints(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void LetGo();
 
   bool IsKept = false;
   bool HasOwnPoints = false; // is the surface's vtkPoints another than the input's?
-  // Of the origin that Fits() saw last:
+  // Of what Fits() saw last:
   vtkMTimeType Settings = 0;
   vtkIdType Count = -1;                     // of points
   std::vector<vtkAHDFingerprint> Now;       // empty if none were taken

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Execution/vtkAHDKept.h"
+#include "Execution/vtkAHDOutputCache.h"
 
 #include "Engine/Points/Points.h"
+#include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDFingerprint.h"
 #include "Output/vtkAHDVoronoi.h"
-#include "Pipeline/vtkAHDNamesakes.h"
+#include "Pipeline/vtkAHDAttributes.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -56,22 +57,21 @@ bool IsAmong(vtkAbstractArray* array, vtkFieldData* data)
 }
 }
 
-vtkAHDKept::vtkAHDKept() = default;
-vtkAHDKept::~vtkAHDKept() = default;
+vtkAHDOutputCache::vtkAHDOutputCache() = default;
+vtkAHDOutputCache::~vtkAHDOutputCache() = default;
 
-bool vtkAHDKept::TakeFingerprints(
-  const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress)
+bool vtkAHDOutputCache::TakeFingerprints(const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
   std::vector<vtkDataArray*> arrays;
   const auto addPoints = [&arrays](vtkPointSet* set)
   { arrays.push_back(set->GetPoints() ? set->GetPoints()->GetData() : nullptr); };
-  addPoints(origin.Input);
-  arrays.push_back(origin.Input->GetPointGhostArray());
-  if (std::size_t(origin.Input->GetNumberOfPoints()) > ahd::kMaximumPoints)
+  addPoints(data.Input);
+  arrays.push_back(data.Input->GetPointGhostArray());
+  if (std::size_t(data.Input->GetNumberOfPoints()) > ahd::kMaximumPoints)
   {
     return false; // there will be no triangles
   }
-  if (vtkPolyData* source = origin.Source)
+  if (vtkPolyData* source = data.Source)
   {
     addPoints(source);
     for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
@@ -85,7 +85,7 @@ bool vtkAHDKept::TakeFingerprints(
   for (vtkDataArray* array : arrays)
   {
     vtkAHDFingerprint fingerprint;
-    if (!vtkAHDTakeFingerprint(array, executor, progress, fingerprint))
+    if (!vtkAHDTakeFingerprint(array, context, fingerprint))
     {
       this->Now.clear();
       return false;
@@ -95,14 +95,15 @@ bool vtkAHDKept::TakeFingerprints(
   return true;
 }
 
-bool vtkAHDKept::Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgress& progress)
+bool vtkAHDOutputCache::Fits(
+  const vtkAHDDataSets& data, vtkMTimeType settings, const vtkAHDContext& context)
 {
-  const vtkIdType count = origin.Input->GetNumberOfPoints();
-  const bool mayFit = this->Settings == origin.Settings && this->Count == count;
-  this->Settings = origin.Settings;
+  const vtkIdType count = data.Input->GetNumberOfPoints();
+  const bool mayFit = this->Settings == settings && this->Count == count;
+  this->Settings = settings;
   this->Count = count;
   this->Now.clear();
-  const bool fits = mayFit && this->TakeFingerprints(origin, executor, progress) && this->IsKept &&
+  const bool fits = mayFit && this->TakeFingerprints(data, context) && this->IsKept &&
     this->Now == this->AtTheTime;
   if (!fits)
   {
@@ -111,8 +112,10 @@ bool vtkAHDKept::Fits(const Origin& origin, ahd::Executor& executor, vtkAHDProgr
   return fits;
 }
 
-void vtkAHDKept::Keep(vtkPointSet* input, const Outputs& outputs)
+void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data)
 {
+  vtkPointSet* input = data.Input;
+  const vtkAHDOutputs& outputs = data.Outputs;
   if (this->Now.empty() || outputs[0]->GetNumberOfPoints() != input->GetNumberOfPoints())
   {
     return;
@@ -148,8 +151,10 @@ void vtkAHDKept::Keep(vtkPointSet* input, const Outputs& outputs)
   this->IsKept = true;
 }
 
-void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
+void vtkAHDOutputCache::PassOn(const vtkAHDDataSets& data) const
 {
+  vtkPointSet* input = data.Input;
+  const vtkAHDOutputs& outputs = data.Outputs;
   for (std::size_t k = 0; k < outputs.size(); ++k)
   {
     Share(this->Data[k], outputs[k]);
@@ -158,13 +163,13 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
   {
     outputs[0]->SetPoints(input->GetPoints());
   }
-  vtkPointData* data = outputs[0]->GetPointData();
-  data->Initialize();
-  data->PassData(input->GetPointData());
+  vtkPointData* pointData = outputs[0]->GetPointData();
+  pointData->Initialize();
+  pointData->PassData(input->GetPointData());
   vtkPointData* own = this->Data[0]->GetPointData();
   for (int i = 0; i < own->GetNumberOfArrays(); ++i)
   {
-    vtkAHDReplaceArray(data, own->GetAbstractArray(i));
+    vtkAHDReplaceArray(pointData, own->GetAbstractArray(i));
   }
   vtkFieldData* ownFieldData = this->Data[0]->GetFieldData();
   outputs[0]->GetFieldData()->RemoveArray("Crossings"); // the input's
@@ -178,18 +183,18 @@ void vtkAHDKept::PassOn(vtkPointSet* input, const Outputs& outputs) const
   }
 }
 
-void vtkAHDKept::Forget()
+void vtkAHDOutputCache::Forget()
 {
   this->Now.clear();
   this->LetGo();
 }
 
-void vtkAHDKept::LetGo()
+void vtkAHDOutputCache::LetGo()
 {
   this->IsKept = false;
   this->AtTheTime.clear();
-  for (auto& data : this->Data)
+  for (auto& kept : this->Data)
   {
-    data->Initialize();
+    kept->Initialize();
   }
 }

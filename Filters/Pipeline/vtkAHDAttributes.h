@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkAHDNamesakes_h
-#define vtkAHDNamesakes_h
+#ifndef vtkAHDAttributes_h
+#define vtkAHDAttributes_h
 
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"
@@ -15,9 +15,9 @@ inline void vtkAHDReplaceArray(vtkDataSetAttributes* data, vtkAbstractArray* arr
   data->AddArray(array);
 }
 
-/// Of several arrays with one name (each got it after it was added) only the last stays, as it does
+/// Of several arrays of one name (each got it after it was added) only the last stays, as it does
 /// where VTK passes them on.
-inline void vtkAHDRemoveNamesakes(vtkDataSetAttributes* data)
+inline void vtkAHDRemoveArraysOfOneName(vtkDataSetAttributes* data)
 {
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)
   {

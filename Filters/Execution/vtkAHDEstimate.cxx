@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The memory that an execution needs.
+#include "Execution/vtkAHDExecution.h"
+
+#include "Output/vtkAHDOrderOutput.h"
+#include "Output/vtkAHDPointOutput.h"
+#include "Output/vtkAHDSurface.h"
+#include "Output/vtkAHDVoronoi.h"
+#include "Pipeline/vtkAHDMemory.h"
+
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+
+#include <algorithm>
+
+/// Upper estimate of all that is allocated, for what is known of sizes: points and segments before
+/// the work begins; crossings once they are split, boxes once the points are sorted.
+std::size_t vtkAHDExecution::EstimateBytes() const
+{
+  const std::size_t count = this->Known.Points;
+  const ahd::InputRequest& request = this->Input.GetRequest();
+  std::size_t bytes = this->BytesBefore + this->Input.EstimateBytes() +
+    ahd::preparationMemoryEstimate(request) +
+    ahd::triangulationMemoryEstimate(count, this->Options);
+  if (this->Known.Crossings > 0)
+  {
+    bytes += count * (3 * sizeof(double) + 1) + this->Known.Crossings * sizeof(ahd::CrossingOrigin);
+  }
+  if (this->Known.Segments > 0)
+  {
+    bytes += ahd::constraintMemoryEstimate(count, this->Known.Segments + 2 * this->Known.Crossings);
+  }
+  return bytes + this->EstimateTables() + this->EstimateOutputs();
+}
+
+/// What is made of a triangulation to be looked up in it.
+std::size_t vtkAHDExecution::EstimateTables() const
+{
+  const vtkAHDSettings& settings = this->Settings;
+  const std::size_t count = this->Known.Points;
+  const bool looksUp = settings.LimitsSize() || settings.GenerateNeighbors ||
+    settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
+    settings.ShowMeans || settings.Insertion.representative != ahd::Representative::FirstId ||
+    this->Known.Crossings > 0;
+  return (looksUp ? ahd::tableMemoryEstimate(count) : 0) +
+    (settings.LimitsSize() ? ahd::selectionMemoryEstimate(count) : 0) +
+    (settings.GenerateVoronoi ? ahd::voronoiMemoryEstimate(count) : 0);
+}
+
+std::size_t vtkAHDExecution::EstimateOutputs() const
+{
+  const vtkAHDSettings& settings = this->Settings;
+  const std::size_t count = this->Known.Points;
+  std::size_t bytes = vtkAHDSurface::EstimateBytes(count, settings);
+  if (count > this->Input.GetRequest().points.count)
+  {
+    bytes += vtkAHDPointOutput::EstimateBytes(this->Input.GetInput(), count);
+  }
+  if (settings.GenerateVoronoi)
+  {
+    // The polygons have a copy of the point data.
+    bytes += vtkAHDVoronoi::EstimateBytes(count) +
+      1024 *
+        static_cast<std::size_t>(this->Input.GetInput()->GetPointData()->GetActualMemorySize());
+  }
+  if (settings.WantsOrder())
+  {
+    const std::size_t limit = this->Options.insertionLimit;
+    bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count) +
+      vtkAHDOrderOutput::EstimateBoxBytes(this->Known.Boxes);
+  }
+  return bytes;
+}
+
+void vtkAHDExecution::UpdateEstimate()
+{
+  this->Report.Estimate = static_cast<vtkTypeInt64>(this->EstimateBytes() / 1024);
+}
+
+/// Are there not too many points, and is there memory for it all, as far as that is known before?
+bool vtkAHDExecution::FitsInMemory()
+{
+  if (this->Known.Points > ahd::kMaximumPoints)
+  {
+    this->Report.Status = ahd::Status::TooManyPoints;
+    return false;
+  }
+  // What was kept for this execution is part of the estimate. With a limit, all of it is given back
+  // where it might be too much.
+  const std::size_t bytes = this->EstimateBytes();
+  const bool isLimited = this->Settings.MemoryLimit > 0;
+  if (isLimited && this->Workspace.bytes() / 1024 > bytes / 1024)
+  {
+    this->Workspace.release();
+  }
+  constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
+  const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
+  this->Report.Limit = std::min(kPlenty,
+    isLimited ? this->Settings.MemoryLimit
+              : vtkAHDAvailableMemory() + static_cast<vtkTypeInt64>(held / 1024));
+  this->UpdateEstimate();
+  this->Report.IsRefused = this->Report.Estimate > this->Report.Limit;
+  if (this->Report.IsRefused)
+  {
+    this->Report.Status = ahd::Status::OutOfMemory;
+    return false;
+  }
+  const std::size_t left = (static_cast<std::size_t>(this->Report.Limit) + 1) * 1024 - 1 - bytes;
+  this->Report.MostBoxes = left / vtkAHDOrderOutput::EstimateBoxBytes(1);
+  this->Options.mostBoxes = this->Report.MostBoxes;
+  return true;
+}

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution/vtkAHDExecution.h"
+
+#include "Output/vtkAHDOrderOutput.h"
+#include "Output/vtkAHDSurface.h"
+#include "Output/vtkAHDVoronoi.h"
+
+#include "vtkAbstractTransform.h"
+#include "vtkPolyData.h"
+#include "vtkTransform.h"
+
+#include <new>
+#include <utility>
+
+vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& input,
+  ahd::Workspace& workspace, const vtkAHDContext& context, std::size_t bytesBefore)
+  : Settings(settings)
+  , Input(input)
+  , Workspace(workspace)
+  , Context(context)
+  , BytesBefore(bytesBefore)
+  , Options(settings.Insertion)
+{
+  this->Known.Points = ahd::expectedPoints(input.GetRequest());
+  this->Known.Segments = ahd::segmentsOf(input.GetRequest());
+}
+
+vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
+{
+  this->Report.Points = this->Known.Points;
+  if (!this->FitsInMemory())
+  {
+    return this->Report;
+  }
+  Results results;
+  try
+  {
+    this->Report.Status = ahd::Status::Ok;
+    this->Prepare(results.Points);
+    this->Triangulate(results);
+    this->Constrain(results);
+    this->Write(results, outputs);
+    this->ReportOn(results);
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    this->Report.Status = stop.Reason;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Report.Status = ahd::Status::OutOfMemory;
+  }
+  for (std::size_t k = 0; k < outputs.size() && this->Report.Status != ahd::Status::Ok; ++k)
+  {
+    outputs[k]->Initialize();
+  }
+  this->GiveBack(results);
+  return this->Report;
+}
+
+void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
+{
+  this->Input.Open(this->Context);
+  this->Context.Check(ahd::prepare(this->Input.GetRequest(), this->Context, points));
+  this->Known.Points = this->Report.Points = points.points().count;
+  this->Known.Crossings = points.crossings().size();
+  this->UpdateEstimate();
+  if (this->Known.Crossings > 0 && this->Report.Estimate > this->Report.Limit)
+  {
+    throw vtkAHDStop{ ahd::Status::OutOfMemory };
+  }
+}
+
+void vtkAHDExecution::Triangulate(Results& results)
+{
+  ahd::Triangulation& triangulation = results.Triangulation;
+  const ahd::Status status = ahd::triangulate(
+    results.Points.points(), this->Options, this->Workspace, this->Context, triangulation);
+  this->Known.Boxes = status == ahd::Status::TooManyBoxes ? this->Report.MostBoxes + 1
+                                                          : triangulation.boxes().size();
+  this->UpdateEstimate();
+  this->Context.Check(status);
+  this->Context.Check(
+    ahd::findOddPoints(results.Points.points(), this->Context, this->Report.OddPoints));
+  if (!results.Points.crossings().empty() && triangulation.report().duplicates > 0)
+  {
+    this->Context.Check(results.Points.endCrossingsAtVertices(triangulation, this->Context));
+  }
+  this->Report.DelaunayTriangles = triangulation.report().triangles;
+  if (this->Settings.GenerateVoronoi)
+  {
+    this->Context.Check(
+      ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
+  }
+}
+
+void vtkAHDExecution::Constrain(Results& results)
+{
+  if (results.Points.hasConstraints())
+  {
+    this->Context.Check(ahd::constrain(std::move(results.Triangulation),
+      results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation));
+  }
+}
+
+void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
+{
+  ahd::Triangulation& triangulation = results.Triangulation;
+  const vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
+  surface.WritePoints(this->Input, results.Points);
+  surface.ShowMeans(results.Points, triangulation);
+  const ahd::Selection selection = surface.WriteCells(results.Points, triangulation);
+  surface.AddCrossings(results.Points, triangulation);
+  surface.AddPointArrays(results.Points, triangulation);
+  surface.AddCellArrays(triangulation, selection);
+  this->WriteVoronoi(results, outputs);
+  if (this->Settings.WantsOrder())
+  {
+    vtkAHDOrderOutput order(results.Points, triangulation, this->Context);
+    order.Write(this->Settings.GenerateInsertionCurve, outputs[1]);
+  }
+  this->Context.StopIfAborted();
+  this->Report.Triangles = static_cast<std::size_t>(outputs[0]->GetNumberOfPolys());
+  this->Report.Cells = static_cast<std::size_t>(outputs[0]->GetNumberOfCells());
+}
+
+void vtkAHDExecution::WriteVoronoi(Results& results, const vtkAHDOutputs& outputs)
+{
+  if (!this->Settings.GenerateVoronoi)
+  {
+    return;
+  }
+  vtkAHDVoronoi::Write(std::move(results.Voronoi), outputs[0], outputs[2], this->Context);
+  if (this->Settings.IsProjected())
+  {
+    vtkSmartPointer<vtkAbstractTransform> toPlane = this->Settings.Transform;
+    if (this->Settings.FitPlane)
+    {
+      toPlane = vtkAHDMakeTransform(results.Points.plane());
+    }
+    this->Report.IsDiagramInPlane = !vtkAHDVoronoi::MoveBack(toPlane, outputs[2]);
+  }
+}
+
+void vtkAHDExecution::ReportOn(const Results& results)
+{
+  vtkAHDReport& report = this->Report;
+  const ahd::PreparedInput& points = results.Points;
+  report.Counts = results.Triangulation.report();
+  report.Constraints = results.Triangulation.constraints();
+  report.InputPoints = points.inputCount();
+  report.MergedPoints = points.merged().size();
+  report.AddedPoints = points.addedCount();
+  report.Crossings = points.crossings().size();
+  report.UnfitIds = points.unfitIds();
+  report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
+  if (!report.Constraints.leftOut.empty())
+  {
+    const ahd::LeftOut& first = report.Constraints.leftOut[0];
+    report.FirstCrossing = { { points.cellOf(first.chain), points.cellOf(first.otherChain) } };
+  }
+}
+
+/// The working memory, for the next execution or to the system.
+void vtkAHDExecution::GiveBack(Results& results)
+{
+  if (this->Report.Status == ahd::Status::Ok)
+  {
+    this->Workspace.reclaim(std::move(results.Triangulation));
+  }
+  const std::size_t held = (this->Workspace.bytes() + 1023) / 1024;
+  if (this->Report.Status != ahd::Status::Ok ||
+    static_cast<vtkTypeInt64>(held) > this->Settings.ReuseLimit)
+  {
+    this->Workspace.release();
+  }
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDExecution_h
+#define vtkAHDExecution_h
+
+#include "Engine/Triangulate.h"
+#include "Execution/vtkAHDReport.h"
+#include "Input/vtkAHDInput.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+class vtkAbstractTransform;
+class vtkPolyData;
+
+/// Surface, order, Voronoi diagram.
+using vtkAHDOutputs = std::array<vtkPolyData*, 3>;
+
+/// What goes into an execution and what comes out.
+struct vtkAHDDataSets
+{
+  vtkPointSet* Input = nullptr;
+  vtkPolyData* Source = nullptr; ///< may be null
+  vtkAHDOutputs Outputs = {};
+  std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
+};
+
+/**
+ * One execution of vtkAdaptiveHilbertDelaunay2D: data sets in, data sets out. The engine computes:
+ * what there is to be triangulated becomes an ahd::PreparedInput, that an ahd::Triangulation, and
+ * each output is written from these two.
+ */
+class vtkAHDExecution
+{
+public:
+  /// Borrows all of them. `bytesBefore`: those that making the input has taken.
+  vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& input, ahd::Workspace& workspace,
+    const vtkAHDContext& context, std::size_t bytesBefore);
+
+  /// Triangulates and fills the outputs, which are to be empty. They are empty again unless
+  /// Report::Status is Ok. Throws nothing. The working memory is kept for the next execution if it
+  /// is not too much and nothing went wrong.
+  vtkAHDReport Run(const vtkAHDOutputs& outputs);
+
+private:
+  /// What is known of what the execution has to deal with.
+  struct Sizes
+  {
+    std::size_t Points = 0;
+    std::size_t Segments = 0;
+    std::size_t Crossings = 0;
+    std::size_t Boxes = 0;
+  };
+
+  /// The values on the way from the input to the outputs.
+  struct Results
+  {
+    ahd::PreparedInput Points;
+    ahd::Triangulation Triangulation;
+    ahd::VoronoiCells Voronoi;
+  };
+
+  bool FitsInMemory();
+  void Prepare(ahd::PreparedInput& points);
+  void Triangulate(Results& results);
+  void Constrain(Results& results);
+  void Write(Results& results, const vtkAHDOutputs& outputs);
+  void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
+  void ReportOn(const Results& results);
+  void GiveBack(Results& results);
+  std::size_t EstimateBytes() const;
+  std::size_t EstimateTables() const;
+  std::size_t EstimateOutputs() const;
+  void UpdateEstimate();
+
+  const vtkAHDSettings& Settings;
+  vtkAHDInput& Input;
+  ahd::Workspace& Workspace;
+  const vtkAHDContext& Context;
+  const std::size_t BytesBefore;
+  ahd::Options Options;
+  Sizes Known;
+  vtkAHDReport Report;
+};
+
+#endif

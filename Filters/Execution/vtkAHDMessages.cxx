@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution/vtkAHDMessages.h"
+
+#include "Execution/vtkAHDReport.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSetAttributes.h"
+
+#include <sstream>
+#include <string>
+
+namespace
+{
+void SayTooManyBoxes(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  vtkErrorWithObjectMacro(filter,
+    "The grid of " << report.Points << " points has more than " << report.MostBoxes
+                   << " boxes, and putting out more may take more memory than "
+                   << (settings.MemoryLimit > 0 ? "MemoryLimit allows, " : "there is, ")
+                   << report.Limit
+                   << " KiB. Nothing was computed. Switch GenerateBoxes off, take fewer points or "
+                      "a larger Nmax, or set MemoryLimit (in KiB) to allow more.");
+}
+
+void SayRefused(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  vtkErrorWithObjectMacro(filter,
+    "Triangulating " << report.Points << " points may take " << report.Estimate
+                     << " KiB of memory, but "
+                     << (settings.MemoryLimit > 0 ? "MemoryLimit allows " : "there are ")
+                     << report.Limit
+                     << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in "
+                        "KiB) to allow more.");
+}
+
+void SayOutOfMemory(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  const bool isLimited = settings.MemoryLimit > 0 && report.Estimate > report.Limit;
+  vtkErrorWithObjectMacro(filter,
+    "Out of memory while triangulating "
+      << report.Points << " points; about " << report.Estimate << " KiB are needed"
+      << (isLimited ? ", and MemoryLimit allows " + std::to_string(report.Limit) : std::string())
+      << ".");
+}
+
+void WarnOfPlane(vtkAlgorithm* filter, const vtkAHDSettings& settings)
+{
+  if (settings.TransformIsMissing)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "ProjectionPlaneMode asks for a Transform, but none is set: the points were triangulated in "
+      "x and y.");
+  }
+  if (settings.Bounding && !settings.AddsBounding())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "There is no bounding triangulation, because the points are triangulated in another plane "
+      "than x and y.");
+  }
+}
+
+void WarnOfPoints(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  if (report.MarksAreUnfit)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "The point data array " << vtkDataSetAttributes::GhostArrayName()
+                              << " does not have one value for each of the " << report.InputPoints
+                              << " points, or not of type unsigned char, so no point was skipped.");
+  }
+  if (report.Counts.notFinite > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << report.Counts.notFinite << " of " << report.Points << " points were left out, since "
+         << (settings.IsProjected() ? "they have no finite place in the plane of the triangulation"
+                                    : "their x or y is NaN or infinite")
+         << "; the first is point " << report.OddPoints.firstNotFinite << ".");
+  }
+  if (report.OddPoints.oddZ > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << report.OddPoints.oddZ << " of " << report.Points
+         << " points have a z that is NaN or infinite. They are part of the triangulation, which "
+            "is computed in x and y, but cannot be drawn.");
+  }
+}
+
+void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
+{
+  const ahd::Report& counts = report.Counts;
+  const bool areFew = counts.inserted < 3;
+  if (counts.beyondLimit > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "There is no triangle yet, because InsertionLimit has only the first "
+        << counts.inserted << " of " << counts.inserted + counts.beyondLimit
+        << " distinct points inserted, "
+        << (areFew ? "fewer than three." : "and these are collinear."));
+    return;
+  }
+  const std::string merged = report.MergedPoints == 0
+    ? std::string()
+    : ", of which Tolerance merged " + std::to_string(report.MergedPoints) + " into others";
+  vtkWarningWithObjectMacro(filter,
+    "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
+                                                : "all distinct points are collinear: ")
+                                     << counts.inserted << " distinct points among "
+                                     << report.Points << merged << ".");
+}
+
+void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
+{
+  if (report.IsDiagramInPlane)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to "
+      "the points.");
+  }
+  if (report.Counts.triangles > 0 && report.Cells == 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "None of " << report.Counts.triangles
+                 << " triangles is put out, and nothing else: Alpha, its switches and "
+                    "MaximumEdgeLength leave nothing.");
+  }
+  if (report.DelaunayTriangles == 0 && report.Counts.inserted + report.Counts.notFinite > 0)
+  {
+    WarnOfNoTriangle(filter, report);
+  }
+  if (report.DelaunayTriangles > 0 && report.Counts.triangles == 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "There is no triangle, because the polygons of the source keep none of the "
+        << report.DelaunayTriangles << " triangles (see FillRule).");
+  }
+}
+
+void WarnOfConstraints(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  const ahd::ConstraintReport& constraints = report.Constraints;
+  // The engine counts pieces where segments were split.
+  const std::string ofAll = settings.Split
+    ? " segments or pieces of segments"
+    : " of " + std::to_string(constraints.segments) + " segments";
+  std::ostringstream loops;
+  if (constraints.unfilledLoops > 0)
+  {
+    loops << " " << constraints.unfilledLoops
+          << (constraints.unfilledLoops == 1 ? " polygon bounds" : " polygons bound")
+          << " nothing, since a segment is missing.";
+  }
+  if (constraints.crossing > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << constraints.crossing << ofAll
+         << " of the source were left out, since they cross others that come before "
+            "them; the first is in cell "
+         << report.FirstCrossing[0] << " and crosses cell " << report.FirstCrossing[1] << "."
+         << loops.str());
+    loops.str("");
+  }
+  if (report.UnfitIds.count > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << constraints.withoutVertex << ofAll
+         << " of the source are no constraints: " << report.UnfitIds.count
+         << " of the ids in its cells are not those of points, the first is "
+         << report.UnfitIds.firstId << " in cell " << report.UnfitIds.firstCell
+         << ". They refer to the points of "
+         << (settings.SourceIdsAreOfInput ? "the input (see SourceMode)." : "the source.")
+         << loops.str());
+  }
+  else if (constraints.withoutVertex > 0 && report.DelaunayTriangles > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << constraints.withoutVertex << ofAll
+         << " of the source are no constraints, since an end of theirs is a point that "
+            "was rejected, is skipped or lies beyond InsertionLimit."
+         << loops.str());
+  }
+}
+}
+
+void vtkAHDSayError(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  switch (report.Status)
+  {
+    case ahd::Status::Ok:
+    case ahd::Status::Cancelled:
+      return;
+    case ahd::Status::TooManyPoints:
+      vtkErrorWithObjectMacro(filter,
+        "" << report.Points << " points are too many: at most " << ahd::kMaximumPoints
+           << " can be triangulated.");
+      return;
+    case ahd::Status::TooManyBoxes:
+      SayTooManyBoxes(filter, settings, report);
+      return;
+    case ahd::Status::OutOfMemory:
+      report.IsRefused ? SayRefused(filter, settings, report)
+                       : SayOutOfMemory(filter, settings, report);
+  }
+}
+
+void vtkAHDSayWarnings(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  WarnOfPlane(filter, settings);
+  WarnOfPoints(filter, settings, report);
+  WarnOfCells(filter, report);
+  WarnOfConstraints(filter, settings, report);
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDMessages_h
+#define vtkAHDMessages_h
+
+class vtkAlgorithm;
+struct vtkAHDReport;
+struct vtkAHDSettings;
+
+/// Says in one error why an execution came to nothing, unless it was the user who cancelled.
+void vtkAHDSayError(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report);
+
+/// Warns of what there is to be warned of after an execution, each at most once.
+void vtkAHDSayWarnings(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report);
+
+#endif

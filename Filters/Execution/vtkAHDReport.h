@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDReport_h
+#define vtkAHDReport_h
+
+#include "Engine/Constraints.h"
+#include "Engine/Core/Progress.h"
+#include "Engine/Prepare/Prepare.h"
+#include "Engine/Result.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+
+/// What there is to say of one execution; handed back once, at its end.
+struct vtkAHDReport
+{
+  ahd::Status Status = ahd::Status::Cancelled;
+  bool IsRefused = false;    ///< the estimate is above the limit; nothing was begun
+  std::size_t Points = 0;    ///< all, as far as they were known when it ended
+  vtkTypeInt64 Estimate = 0; ///< of memory, KiB
+  vtkTypeInt64 Limit = 0;    ///< on memory, KiB
+  std::size_t MostBoxes = 0; ///< for which there was memory
+
+  // The rest means something if Status is Ok.
+  ahd::Report Counts;
+  ahd::ConstraintReport Constraints;
+  std::size_t DelaunayTriangles = 0; ///< before constraints dropped some
+  std::size_t Triangles = 0;         ///< put out
+  std::size_t Cells = 0;             ///< put out
+  std::size_t InputPoints = 0;
+  std::size_t MergedPoints = 0;
+  std::size_t AddedPoints = 0;
+  std::size_t Crossings = 0;                      ///< that were split
+  std::array<std::int64_t, 2> FirstCrossing = {}; ///< cells: left out, crossed
+  ahd::UnfitIds UnfitIds;
+  ahd::OddPoints OddPoints;
+  bool MarksAreUnfit = false;
+  bool IsDiagramInPlane = false; ///< although the points are not: there is no way back
+  std::array<double, ahd::kPhases> Seconds = {};
+  int ThreadsUsed = 1;
+
+  /// Wall-clock time of some phases.
+  template <typename... Phases>
+  double SecondsOf(Phases... phases) const
+  {
+    return (0.0 + ... + this->Seconds[std::size_t(phases)]);
+  }
+};
+
+#endif

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDInput_h
+#define vtkAHDInput_h
+
+#include "Engine/Prepare/Prepare.h"
+#include "Input/vtkAHDProjection.h"
+#include "Pipeline/vtkAHDPointsView.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+class vtkPointSet;
+class vtkPolyData;
+
+/**
+ * The data sets of one execution as the engine takes them: points, ghost marks and cells, looked at
+ * where they lie. Borrows the data sets, which must outlive it.
+ */
+class vtkAHDInput
+{
+public:
+  /// `source` may be null. Nothing is allocated.
+  vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source);
+
+  /// What is asked of the engine: counts from the beginning, points once they are open.
+  const ahd::InputRequest& GetRequest() const { return this->Request; }
+
+  /// Opens the points; converts them if they are neither floats nor doubles. Throws vtkAHDStop if
+  /// the filter is to abort, and std::bad_alloc.
+  void Open(const vtkAHDContext& context);
+
+  vtkPointSet* GetInput() const { return this->Input; }
+
+  /// The source whose points are added; null if none are.
+  vtkPolyData* GetSourceOfPoints() const;
+
+  /// Is there an array vtkGhostType that has not one value per point? It is ignored.
+  bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
+
+  /// Bytes that Open() takes.
+  std::size_t EstimateBytes() const
+  {
+    return this->InputPoints.EstimateBytes() + this->SourcePoints.EstimateBytes();
+  }
+
+private:
+  void ReadMarks();
+  void ReadCells(vtkPolyData* source);
+
+  vtkPointSet* const Input;
+  vtkPolyData* const Source;
+  vtkAHDPointsView InputPoints;
+  vtkAHDPointsView SourcePoints;
+  vtkAHDProjection Projection;
+  ahd::InputRequest Request;
+  bool MarksAreUnfit = false;
+};
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Output/vtkAHDSurface.h"
+
+#include "Engine/Surface/CellArrays.h"
+#include "Engine/Surface/Means.h"
+#include "Input/vtkAHDInput.h"
+#include "Output/vtkAHDPointOutput.h"
+#include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDPointsView.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace
+{
+// n points have fewer than 2n triangles, so the engine's limit on points keeps ids and offsets
+// below 2^31: 32-bit storage always fits. Who raises the limit has to write 64-bit ids here.
+static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
+  "offsets of the triangles must fit into 32 bits");
+using IdArray = vtkTypeInt32Array;
+
+/// Of the field data array "Crossings".
+constexpr std::size_t kMostCrossingRows = 1000;
+
+/// Cells of `size` points each.
+vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkAHDContext& context)
+{
+  const vtkIdType count = ids->GetNumberOfValues() / size;
+  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
+  auto* offset = offsets->GetPointer(0);
+  context.ForRange(static_cast<std::size_t>(count + 1),
+    [offset, size](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        offset[i] = static_cast<vtkTypeInt32>(static_cast<std::size_t>(size) * i);
+      }
+    });
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, ids);
+  return cells;
+}
+
+vtkSmartPointer<vtkCellArray> MakeCells(
+  const std::vector<std::int32_t>& ids, vtkIdType size, const vtkAHDContext& context)
+{
+  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  return MakeCells(array, size, context);
+}
+
+/// A named array of `width` numbers for each of `count` tuples.
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, std::size_t count, int width = 1)
+{
+  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(count) * width);
+  array->SetNumberOfComponents(width);
+  array->SetName(name);
+  return array;
+}
+}
+
+std::size_t vtkAHDSurface::EstimateBytes(std::size_t pointCount, const vtkAHDSettings& settings)
+{
+  const auto if_ = [](bool wanted, std::size_t bytes) { return wanted ? bytes : 0; };
+  constexpr std::size_t kId = sizeof(vtkIdType);
+  const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) // corners and offset
+    + if_(settings.GenerateNeighbors, 3 * kId) + if_(settings.GenerateRegionIds, kId) +
+    if_(settings.GenerateConstraintEdges, 1);
+  const std::size_t perPoint = if_(settings.GeneratePointStatus, kId) +
+    if_(settings.GenerateInsertionRank, kId) +
+    // a pair of numbers for each duplicate, as a vector grows, a mean, and the copy of the points
+    if_(settings.ShowMeans, 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) + 3 * sizeof(double));
+  return pointCount * (2 * perTriangle + perPoint);
+}
+
+void vtkAHDSurface::WritePoints(const vtkAHDInput& input, const ahd::PreparedInput& points) const
+{
+  if (points.addedCount() > 0)
+  {
+    vtkAHDPointOutput(input.GetInput(), input.GetSourceOfPoints(), points)
+      .Write(this->Output, this->Context);
+    return;
+  }
+  this->Output->SetPoints(input.GetInput()->GetPoints());
+  this->Output->GetPointData()->PassData(input.GetInput()->GetPointData());
+}
+
+/// A copy of the points, which are the input's, in place of them.
+template <typename Array>
+void vtkAHDSurface::CopyPoints(const ahd::PointView& points) const
+{
+  using Number = typename Array::ValueType;
+  auto copy = vtkAHDNewArray<Array>(3 * static_cast<vtkIdType>(points.count));
+  copy->SetNumberOfComponents(3);
+  Number* numbers = copy->GetPointer(0);
+  this->Context.ForRange(3 * points.count,
+    [&points, numbers](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        numbers[i] = static_cast<Number>(points.doubles ? points.doubles[i] : points.floats[i]);
+      }
+    });
+  vtkNew<vtkPoints> moved;
+  moved->SetData(copy);
+  this->Output->SetPoints(moved);
+}
+
+void vtkAHDSurface::ShowMeans(
+  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
+{
+  if (!this->Settings.ShowMeans || triangulation.report().duplicates == 0)
+  {
+    return;
+  }
+  vtkAHDPointsView now(this->Output->GetPoints());
+  const ahd::PointView inSpace = now.Open(this->Context);
+  std::vector<ahd::Mean> means;
+  this->Context.Check(
+    ahd::findMeans(triangulation, points.firstCrossing(), inSpace, this->Context, means));
+  if (means.empty())
+  {
+    return;
+  }
+  if (points.addedCount() == 0) // else they are the output's own doubles
+  {
+    this->Output->GetPoints()->GetDataType() == VTK_FLOAT
+      ? this->CopyPoints<vtkFloatArray>(inSpace)
+      : this->CopyPoints<vtkDoubleArray>(inSpace);
+  }
+  vtkPoints* shown = this->Output->GetPoints();
+  for (const ahd::Mean& mean : means)
+  {
+    shown->SetPoint(static_cast<vtkIdType>(mean.id), mean.position.data());
+  }
+  // Crossings lie between the means at the ends of their segments.
+  vtkIdType id = static_cast<vtkIdType>(points.firstCrossing());
+  for (const ahd::CrossingOrigin& crossing : points.crossings())
+  {
+    double at[3];
+    shown->GetPoint(id, at);
+    for (int k = points.isProjected() ? 0 : 2; k < 3; ++k)
+    {
+      at[k] = ahd::interpolate(crossing,
+        [shown, k](ahd::Index end) { return shown->GetPoint(static_cast<vtkIdType>(end))[k]; });
+    }
+    shown->SetPoint(id++, at);
+  }
+}
+
+ahd::Selection vtkAHDSurface::WriteCells(
+  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
+{
+  ahd::Selection selection;
+  if (!this->Settings.LimitsSize() || points.points().count == 0)
+  {
+    this->WriteTriangles(triangulation);
+    return selection;
+  }
+  vtkAHDPointsView shown(this->Output->GetPoints());
+  ahd::PointsToMeasure measured;
+  measured.inSpace = shown.Open(this->Context);
+  measured.merged = &points.merged();
+  this->Context.Check(
+    ahd::selectBySize(triangulation, this->Settings.Limits, measured, this->Context, selection));
+  this->WriteSelected(triangulation, selection);
+  return selection;
+}
+
+void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation) const
+{
+  auto corners = vtkAHDNewArray<IdArray>(
+    3 * static_cast<vtkIdType>(triangulation.report().triangles));
+  this->Context.Check(triangulation.writeTriangles(corners->GetPointer(0), this->Context));
+  this->Output->SetPolys(MakeCells(corners, 3, this->Context));
+}
+
+void vtkAHDSurface::WriteSelected(
+  ahd::Triangulation& triangulation, const ahd::Selection& selection) const
+{
+  auto corners = vtkAHDNewArray<IdArray>(3 * static_cast<vtkIdType>(selection.keptCount));
+  this->Context.Check(
+    ahd::writeSelected(triangulation, selection, corners->GetPointer(0), this->Context));
+  this->Output->SetPolys(MakeCells(corners, 3, this->Context));
+  if (!selection.vertices.empty())
+  {
+    this->Output->SetVerts(MakeCells(selection.vertices, 1, this->Context));
+  }
+  if (!selection.lines.empty())
+  {
+    this->Output->SetLines(MakeCells(selection.lines, 2, this->Context));
+  }
+}
+
+void vtkAHDSurface::AddPointArrays(
+  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
+{
+  const std::size_t count = points.points().count;
+  if (this->Settings.GeneratePointStatus)
+  {
+    auto array = MakeArray<vtkIdTypeArray>("Fate", count);
+    vtkIdType* status = array->GetPointer(0);
+    this->Context.Check(triangulation.writePointStatus(status, this->Context));
+    for (const ahd::MergedPoint& merged : points.merged())
+    {
+      status[merged.id] = status[merged.keptId];
+    }
+    vtkAHDReplaceArray(this->Output->GetPointData(), array);
+  }
+  if (this->Settings.GenerateInsertionRank)
+  {
+    auto array = MakeArray<vtkIdTypeArray>("InsertionRank", count);
+    this->Context.Check(triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
+    vtkAHDReplaceArray(this->Output->GetPointData(), array);
+  }
+}
+
+void vtkAHDSurface::AddCellArrays(
+  ahd::Triangulation& triangulation, const ahd::Selection& selection) const
+{
+  const std::size_t count = ahd::cellCount(triangulation, selection);
+  vtkCellData* data = this->Output->GetCellData();
+  if (this->Settings.GenerateConstraintEdges)
+  {
+    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
+    this->Context.Check(
+      ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
+    data->AddArray(edges);
+  }
+  if (this->Settings.GenerateRegionIds)
+  {
+    auto regions = MakeArray<vtkIdTypeArray>("RegionId", count);
+    this->Context.Check(
+      ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
+    data->AddArray(regions);
+  }
+  if (this->Settings.GenerateNeighbors)
+  {
+    auto neighbors = MakeArray<vtkIdTypeArray>("Neighbors", count, 3);
+    this->Context.Check(
+      ahd::writeNeighbors(triangulation, selection, neighbors->GetPointer(0), this->Context));
+    data->AddArray(neighbors);
+  }
+}
+
+void vtkAHDSurface::AddCrossings(
+  const ahd::PreparedInput& points, const ahd::Triangulation& triangulation) const
+{
+  std::vector<std::array<std::int64_t, 2>> cells = points.crossingCells();
+  for (const ahd::LeftOut& out : triangulation.constraints().leftOut)
+  {
+    if (cells.size() >= kMostCrossingRows)
+    {
+      break;
+    }
+    cells.push_back({ { points.cellOf(out.chain), points.cellOf(out.otherChain) } });
+  }
+  if (cells.empty())
+  {
+    this->Output->GetFieldData()->RemoveArray("Crossings"); // the input's
+    return;
+  }
+  auto rows = MakeArray<vtkIdTypeArray>("Crossings", cells.size(), 2);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    rows->SetValue(static_cast<vtkIdType>(2 * i), static_cast<vtkIdType>(cells[i][0]));
+    rows->SetValue(static_cast<vtkIdType>(2 * i + 1), static_cast<vtkIdType>(cells[i][1]));
+  }
+  this->Output->GetFieldData()->AddArray(rows);
+}

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSurface_h
+#define vtkAHDSurface_h
+
+#include "Engine/Prepare/Prepare.h"
+#include "Engine/Surface/Selection.h"
+#include "Engine/Triangulation/Triangulation.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+class vtkAHDInput;
+class vtkPolyData;
+
+/**
+ * The first output: a triangulation as a vtkPolyData. The engine writes triangles and arrays
+ * straight into the memory of VTK's arrays. Everything here throws vtkAHDStop if the filter is to
+ * abort or the engine could not go on, and std::bad_alloc if there is no room.
+ */
+class vtkAHDSurface
+{
+public:
+  /// Borrows all of them.
+  vtkAHDSurface(const vtkAHDSettings& settings, const vtkAHDContext& context, vtkPolyData* output)
+    : Settings(settings)
+    , Context(context)
+    , Output(output)
+  {
+  }
+
+  /// Points and point data: the input's, or, where points were added, a copy with these behind.
+  void WritePoints(const vtkAHDInput& input, const ahd::PreparedInput& points) const;
+
+  /// Points that are the mean of several, if these are asked for. REQUIRES: WritePoints().
+  void ShowMeans(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+
+  /// The cells: triangles, and what the limits on their size leave instead of some. REQUIRES: the
+  /// points are there. Returns the selection.
+  ahd::Selection WriteCells(
+    const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+
+  /// The point arrays that are asked for.
+  void AddPointArrays(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+
+  /// The cell arrays that are asked for.
+  void AddCellArrays(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;
+
+  /// The field data array "Crossings", at most a thousand rows; none, and none of the input's, if
+  /// nothing crosses.
+  void AddCrossings(
+    const ahd::PreparedInput& points, const ahd::Triangulation& triangulation) const;
+
+  /// Upper estimate of the bytes that points in so many numbers take here, beyond
+  /// vtkAHDPointOutput's.
+  static std::size_t EstimateBytes(std::size_t pointCount, const vtkAHDSettings& settings);
+
+private:
+  void WriteTriangles(ahd::Triangulation& triangulation) const;
+  void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;
+  template <typename Array>
+  void CopyPoints(const ahd::PointView& points) const;
+
+  const vtkAHDSettings& Settings;
+  const vtkAHDContext& Context;
+  vtkPolyData* const Output;
+};
+
+#endif

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDContext_h
+#define vtkAHDContext_h
+
+#include "Engine/Core/Context.h"
+#include "Engine/Core/Executor.h"
+#include "Engine/Result.h"
+#include "Pipeline/vtkAHDProgress.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+/// Why an execution cannot go on. Thrown within this layer, and caught where the execution began.
+struct vtkAHDStop
+{
+  ahd::Status Reason;
+};
+
+/// Who is told of progress in one Update(), and the threads that work in it. Borrows both.
+class vtkAHDContext
+{
+public:
+  vtkAHDContext(vtkAHDProgress& progress, ahd::Executor& executor)
+    : Progress(progress)
+    , Executor(executor)
+  {
+  }
+
+  /// For the engine.
+  operator ahd::Context() const { return { &this->Progress, &this->Executor }; }
+
+  /// Throws vtkAHDStop unless Ok. Ends the time of the engine's last phase.
+  void Check(ahd::Status status) const
+  {
+    this->Progress.Finish();
+    if (status != ahd::Status::Ok)
+    {
+      throw vtkAHDStop{ status };
+    }
+  }
+
+  /// Throws vtkAHDStop if the filter is to abort.
+  void StopIfAborted() const
+  {
+    if (this->Progress.MustAbort())
+    {
+      throw vtkAHDStop{ ahd::Status::Cancelled };
+    }
+  }
+
+  /// Calls work(begin, end) for pieces of [0, count), on all threads where it pays, and asks on the
+  /// calling thread between its pieces whether the filter is to abort. Throws vtkAHDStop if so.
+  /// `work` throws nothing.
+  template <typename Work>
+  void ForRange(std::size_t count, const Work& work) const
+  {
+    if (!this->TryRange(count, work))
+    {
+      throw vtkAHDStop{ ahd::Status::Cancelled };
+    }
+  }
+
+  /// The same, but returns false if the filter is to abort: then some pieces are missing.
+  template <typename Work>
+  bool TryRange(std::size_t count, const Work& work) const
+  {
+    constexpr std::size_t kPiece = std::size_t(1) << 14;
+    constexpr std::size_t kLeastShared = std::size_t(1) << 18; // fewer are done sooner than shared
+    const std::thread::id caller = std::this_thread::get_id();
+    std::atomic<bool> aborted{ false };
+    const auto ask = [&]
+    {
+      if (this->Progress.MustAbort())
+      {
+        aborted = true;
+      }
+    };
+    const auto piece = [&](std::size_t i)
+    {
+      if (std::this_thread::get_id() == caller)
+      {
+        ask();
+      }
+      if (!aborted.load(std::memory_order_relaxed))
+      {
+        work(i * kPiece, std::min(count, (i + 1) * kPiece));
+      }
+    };
+    const std::size_t pieces = (count + kPiece - 1) / kPiece;
+    if (count >= kLeastShared)
+    {
+      this->Executor.run(pieces, piece, ask);
+      return !aborted;
+    }
+    for (std::size_t i = 0; i < pieces && !aborted; ++i)
+    {
+      piece(i);
+    }
+    return !aborted;
+  }
+
+private:
+  vtkAHDProgress& Progress;
+  ahd::Executor& Executor;
+};
+
+#endif

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDPointsView_h
+#define vtkAHDPointsView_h
+
+#include "Engine/Points/Points.h"
+#include "Pipeline/vtkAHDContext.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+
+#include <cstddef>
+#include <vector>
+
+/// Points as the engine looks at them, x, y, z each: where they lie if they are floats or doubles.
+/// Points of other types have to be converted.
+class vtkAHDPointsView
+{
+public:
+  /// Borrows the points; null stands for none.
+  explicit vtkAHDPointsView(vtkPoints* points)
+    : Data(points && points->GetNumberOfPoints() > 0 ? points->GetData() : nullptr)
+    , Count(this->Data ? static_cast<std::size_t>(points->GetNumberOfPoints()) : 0)
+  {
+  }
+
+  std::size_t GetCount() const { return this->Count; }
+
+  /// Are they neither floats nor doubles, point after point in memory?
+  bool MustBeConverted() const
+  {
+    return this->Data && !vtkArrayDownCast<vtkFloatArray>(this->Data) &&
+      !vtkArrayDownCast<vtkDoubleArray>(this->Data);
+  }
+
+  /// Bytes that converting them takes.
+  std::size_t EstimateBytes() const
+  {
+    return this->MustBeConverted() ? 3 * sizeof(double) * this->Count : 0;
+  }
+
+  /// The points, converted if they must be. Good as long as this object and the points. Throws
+  /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
+  ahd::PointView Open(const vtkAHDContext& context)
+  {
+    if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Data))
+    {
+      return ahd::PointView(floats->GetPointer(0), this->Count, 3);
+    }
+    if (auto* doubles = vtkArrayDownCast<vtkDoubleArray>(this->Data))
+    {
+      return ahd::PointView(doubles->GetPointer(0), this->Count, 3);
+    }
+    this->Converted.resize(3 * this->Count);
+    context.ForRange(this->Count,
+      [this](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          this->Data->GetTuple(static_cast<vtkIdType>(i), this->Converted.data() + 3 * i);
+        }
+      });
+    return ahd::PointView(this->Converted.data(), this->Count, 3);
+  }
+
+private:
+  vtkDataArray* Data;
+  std::size_t Count;
+  std::vector<double> Converted;
+};
+
+#endif

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSettings_h
+#define vtkAHDSettings_h
+
+#include "Engine/Constraints.h"
+#include "Engine/Options.h"
+#include "Engine/Surface/Selection.h"
+#include "Engine/Voronoi/Voronoi.h"
+#include "vtkType.h"
+
+class vtkAbstractTransform;
+
+/// What a filter is asked for, as it was when the execution began: its settings, in the engine's
+/// words where it has them.
+struct vtkAHDSettings
+{
+  ahd::Options Insertion; ///< Options::mostBoxes is found out
+  ahd::FillRule FillRule = ahd::FillRule::Orientation;
+  ahd::SizeLimits Limits; ///< Alpha, MaximumEdgeLength
+  ahd::VoronoiClip VoronoiClip = ahd::VoronoiClip::Hull;
+  bool SourceIdsAreOfInput = true;
+  bool AddSourcePoints = false;
+  bool Split = false;
+  bool FitPlane = false;
+  vtkAbstractTransform* Transform = nullptr; ///< null: none is used
+  bool TransformIsMissing = false;           ///< although it is asked for
+  double Tolerance = 0.0;
+  bool ShowMeans = false; ///< of z, at duplicates
+  bool Bounding = false;
+  double Offset = 1.0;
+  bool GeneratePointStatus = false;
+  bool GenerateInsertionRank = false;
+  bool GenerateInsertionCurve = false;
+  bool GenerateConstraintEdges = false;
+  bool GenerateRegionIds = false;
+  bool GenerateNeighbors = false;
+  bool GenerateVoronoi = false;
+  vtkTypeInt64 MemoryLimit = 0; ///< KiB; 0: what there is
+  vtkTypeInt64 ReuseLimit = 0;  ///< KiB
+
+  /// Is the plane of the triangulation another than x, y?
+  bool IsProjected() const { return this->FitPlane || this->Transform; }
+  /// Is there to be a bounding triangulation?
+  bool AddsBounding() const { return this->Bounding && !this->IsProjected(); }
+  /// Is anything of the second output asked for?
+  bool WantsOrder() const { return this->GenerateInsertionCurve || this->Insertion.keepBoxes; }
+  /// Are triangles to be left out for their size?
+  bool LimitsSize() const
+  {
+    return this->Limits.alpha > 0.0 || this->Limits.maximumEdgeLength > 0.0;
+  }
+};
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline/vtkAHDThreads.h"
+
+#include "Engine/Core/Threads.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <cstring>
+
+namespace
+{
+constexpr int kMostThreads = 1024;
+
+/// The most threads that vtkSMPTools was told to take. The Sequential backend answers 1 whatever it
+/// was told, and nothing public says more: there the number is looked up where it is kept, with
+/// vtkSMPTools' own precedence.
+int GetLimit()
+{
+  if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0)
+  {
+    return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+  }
+  const int told =
+    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().GetInternalDesiredNumberOfThread();
+  const char* environment = std::getenv("VTK_SMP_MAX_THREADS");
+  const int limit = told > 0 ? told : environment ? std::atoi(environment) : 0;
+  return limit > 0 ? limit : kMostThreads;
+}
+}
+
+unsigned vtkAHDThreadsToUse(int wished)
+{
+  if (wished > 0)
+  {
+    return static_cast<unsigned>(std::min(wished, kMostThreads));
+  }
+  if (vtkSMPTools::IsParallelScope() && !vtkSMPTools::GetNestedParallelism())
+  {
+    return 1;
+  }
+  const int processors = static_cast<int>(ahd::availableProcessors());
+  return static_cast<unsigned>(std::min({ processors, GetLimit(), kMostThreads }));
+}

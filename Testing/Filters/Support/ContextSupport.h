@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ContextSupport_h
+#define ContextSupport_h
+
+#include "Engine/Core/Threads.h"
+#include "Pipeline/vtkAHDContext.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkNew.h"
+
+namespace ahdtest
+{
+
+/// What an execution works with: a filter that could abort, progress, threads.
+struct Work
+{
+  explicit Work(unsigned threads = 2)
+    : Threads(threads)
+  {
+  }
+
+  vtkNew<vtkAlgorithm> Filter;
+  vtkAHDProgress Progress{ this->Filter };
+  ahd::Threads Threads;
+  const vtkAHDContext Context{ this->Progress, this->Threads };
+};
+
+} // namespace ahdtest
+
+#endif
