@@ -3,6 +3,7 @@
 #define vtkAHDPointOutput_h
 
 #include "Engine/Prepare/Prepare.h"
+#include "vtkType.h"
 
 #include <cstddef>
 
