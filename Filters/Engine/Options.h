@@ -36,7 +36,7 @@ enum class Representative
 };
 
 /// Settings of a triangulation. Every combination is legal and, without insertionLimit, gives the
-/// same triangles.
+/// same triangles; the representative alone has a say in their ids.
 struct Options
 {
   InsertionOrder order = InsertionOrder::AdaptiveHilbert;
@@ -56,16 +56,12 @@ struct Options
   /// triangulation of these. 0 stands for all. With a limit one thread inserts.
   std::size_t insertionLimit = 0;
 
-  /// Keep the insertion order, for Triangulator::writeOrder and writeInsertionRanks. 4 bytes per
-  /// point, kept until the next run.
+  /// Keep the insertion order, for Triangulation::writeOrder and writeInsertionRanks. 4 bytes per
+  /// point.
   bool keepOrder = false;
 
-  /// Keep the boxes of the grid, for Triangulator::boxes, until the next run. AsGiven has none.
+  /// Keep the boxes of the grid, for Triangulation::boxes. AsGiven has none.
   bool keepBoxes = false;
-
-  /// Allow the triangles to be written before Triangulator::constrain as well as after. 16 bytes
-  /// per point more while they are written.
-  bool keepLocations = false;
 
   /// z is the third number of a point. REQUIRES, but for FirstId: PointView::stride is 3.
   Representative representative = Representative::FirstId;

@@ -18,17 +18,18 @@ enum class Status
   OutOfMemory    ///< an allocation failed
 };
 
-/// What became of a point, as Triangulator::writeFates writes it: its own id if it is a vertex,
-/// that of the vertex at its place, which is the smallest there, if it is a duplicate, or one of
+/// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for
+/// a vertex, the id of the point that does (Options::representative) if it is a duplicate, or one of
 /// these.
 enum : std::int64_t
 {
-  kFateNotFinite = -1,  ///< x or y is NaN or infinite
-  kFateNotInserted = -2 ///< left out on the caller's wish (PointView::skip), beyond the limit, or a
-                        ///< duplicate of a point beyond it
+  kStatusNotFinite = -1, ///< x or y is NaN or infinite
+  /// left out on the caller's wish (PointView::skip), beyond the limit, or a duplicate of a point
+  /// beyond it
+  kStatusNotInserted = -2
 };
 
-/// What Triangulator::writeInsertionRanks writes for a point that is in no order.
+/// What Triangulation::writeInsertionRanks writes for a point that is in no order.
 enum : std::int64_t
 {
   kRankNone = -1
@@ -49,7 +50,7 @@ struct Report
 {
   std::size_t inserted = 0;    ///< points that are vertices
   std::size_t beyondLimit = 0; ///< distinct points that Options::insertionLimit left out
-  std::size_t duplicates = 0;  ///< points with the same x, y as another of smaller id, not left out
+  std::size_t duplicates = 0;  ///< points with the same x, y as another that stands for the vertex
   std::size_t notFinite = 0;   ///< points with a NaN or infinite x or y
   std::size_t skipped = 0;     ///< points left out on the caller's wish
   std::size_t triangles = 0;   ///< triangles of the result
@@ -64,9 +65,9 @@ struct Report
   // part defers, because its cavity reaches into others, is tried again by a larger part.
   std::uint64_t insertionAttempts = 0; ///< of all threads; `inserted` if there was one thread
   std::uint64_t deferredPoints = 0;    ///< attempts that ended in deferring the point
-  std::uint64_t criticalPath =
-    0; ///< attempts one after the other: in each pass of each round, those
-       ///< of the busiest thread, tasks going to the first free thread
+  /// Attempts one after the other: in each pass of each round, those of the busiest thread, tasks
+  /// going to the first free thread.
+  std::uint64_t criticalPath = 0;
 
   /// The paper's NP: triangles tested to locate a point, per inserted point.
   double np() const { return perPoint(trianglesWalked); }

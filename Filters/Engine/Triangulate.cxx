@@ -1,23 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Triangulate.h"
 
-#include "TriangulatorState.h"
-
 #include "Core/Border.h"
-#include "Core/Chunks.h"
 #include "Core/Tasks.h"
 #include "Extract/Extractor.h"
+#include "Insert/Insert.h"
 #include "Order/GridBoxes.h"
 #include "Order/Rank.h"
+#include "Order/Representatives.h"
 #include "Order/Sequence.h"
+#include "Triangulation/State.h"
 
 #include <algorithm>
+#include <new>
+#include <utility>
 
 namespace ahd
 {
 
+/// The largest parts of a triangulation.
+struct Workspace::Memory
+{
+  Buffer<Point> xy;
+  Buffer<Index> id;
+  Scratch scratch;
+  Buffer<Index> sequence;
+  ConstrainedMesh constrained;
+
+  std::size_t bytes() const
+  {
+    return xy.bytes() + id.bytes() + scratch.bytes() + sequence.bytes() + constrained.bytes();
+  }
+};
+
 namespace
 {
+
+using State = TriangulationAccess::State;
 
 /// Is the order made point by point, rather than followed by its formula?
 bool needsSequence(const Options& options)
@@ -25,88 +44,117 @@ bool needsSequence(const Options& options)
   return !isRankByRounds(options) || options.insertionLimit > 0;
 }
 
-} // namespace
-
-Status Triangulator::State::sortAndInsert(
-  const Options& options, Progress* progress, Executor* lent)
+/// One call of triangulate().
+class Run
 {
-  if (points.count > kMaximumPoints)
+public:
+  Run(const Options& options, const Context& context, State& state)
+    : options_(options)
+    , progress_(context.progress)
+    , state_(state)
+    , executor_(state.worthItsWhile(context.executor))
+  {
+  }
+
+  Status all();
+
+private:
+  Status rank(Ticker& sorting);
+  Status order(Ticker& sorting);
+  void count();
+  Status insert();
+  InsertionEnd insertInOrder(Ticker& ticker, InsertionWork& work, SharedWork& shared);
+
+  const Options& options_;
+  Progress* progress_;
+  State& state_;
+  Executor* executor_;
+};
+
+Status Run::all()
+{
+  RankedPoints& ranked = state_.ranked;
+  const std::size_t points = state_.points.count;
+  if (points > kMaximumPoints)
   {
     return Status::TooManyPoints;
   }
-  Executor* const executor = worthItsWhile(lent);
-  Ticker reading(progress, Phase::Read, points.count, executor);
-  if (const Status read = readPoints(points, reading, ranked); read != Status::Ok)
+  Ticker reading(progress_, Phase::Read, points, executor_);
+  if (const Status read = readPoints(state_.points, reading, ranked); read != Status::Ok)
   {
     return read;
   }
+  Ticker sorting(progress_, Phase::Sort, points, executor_);
+  if (const Status ranking = rank(sorting); ranking != Status::Ok)
+  {
+    return ranking;
+  }
+  count();
+  return state_.report.inserted < 3 ? Status::Ok : insert();
+}
+
+/// Ranks, orders, and then chooses among duplicates: orders look at the smallest ids.
+Status Run::rank(Ticker& sorting)
+{
+  RankedPoints& ranked = state_.ranked;
   // First for sorting, then for the triangles.
   ranked.scratch.allocate(std::max(Mesh::bytesFor(ranked.count), rankScratchBytes(ranked.count)));
-  Ticker sorting(progress, Phase::Sort, points.count, executor);
-  if (const Status sorted = rankPoints(points, sorting, ranked); sorted != Status::Ok)
+  if (const Status sorted = rankPoints(state_.points, sorting, ranked); sorted != Status::Ok)
   {
     return sorted;
   }
-  if (const Status made = order(options, sorting); made != Status::Ok)
+  if (const Status ordered = order(sorting); ordered != Status::Ok)
   {
-    return made;
+    return ordered;
   }
-  count(options);
-  return report.inserted < 3 ? Status::Ok : insert(options, progress, executor);
+  return chooseRepresentatives(state_.points, options_.representative, ranked, sorting)
+    ? Status::Ok
+    : Status::Cancelled;
 }
 
 /// The boxes and the sequence, as far as they are wanted: later the keys are gone.
-Status Triangulator::State::order(const Options& options, Ticker& sorting)
+Status Run::order(Ticker& sorting)
 {
-  std::vector<GridBox>().swap(boxes);
-  if (options.keepBoxes)
+  if (options_.keepBoxes)
   {
-    if (const Status listed = listBoxes(ranked, options, sorting, boxes); listed != Status::Ok)
+    const Status listed = listBoxes(state_.ranked, options_, sorting, state_.boxes);
+    if (listed != Status::Ok)
     {
       return listed;
     }
   }
-  if (needsSequence(options) || options.keepOrder)
+  if (needsSequence(options_) || options_.keepOrder)
   {
-    return makeSequence(ranked, options, sorting, sequence);
+    return makeSequence(state_.ranked, options_, sorting, state_.sequence);
   }
-  sequence.reset();
+  state_.sequence.reset();
   return Status::Ok;
 }
 
-void Triangulator::State::count(const Options& options)
+void Run::count()
 {
-  report.inserted = options.insertionLimit == 0
+  const RankedPoints& ranked = state_.ranked;
+  Report& report = state_.report;
+  report.inserted = options_.insertionLimit == 0
     ? ranked.count
-    : std::min<std::size_t>(ranked.count, options.insertionLimit);
+    : std::min<std::size_t>(ranked.count, options_.insertionLimit);
   report.beyondLimit = ranked.count - report.inserted;
   report.duplicates = ranked.duplicates.size();
   report.notFinite = ranked.notFinite;
   report.skipped = ranked.skipped;
 }
 
-InsertionEnd Triangulator::State::insertInOrder(
-  const Options& options, Ticker& ticker, InsertionWork* work, SharedWork& shared)
-{
-  if (!needsSequence(options))
-  {
-    return insertByRounds(ranked, mesh, ticker, work, shared);
-  }
-  Buffer<Index> first;
-  first.view(sequence.data(), report.inserted);
-  return insertSequence(ranked, first, mesh, ticker, work);
-}
-
 /// REQUIRES: there are three points or more to insert.
-Status Triangulator::State::insert(const Options& options, Progress* progress, Executor* executor)
+Status Run::insert()
 {
-  mesh.begin(ranked.count, ranked.scratch.data());
-  mesh.limitTo(static_cast<std::uint32_t>(report.inserted));
-  Ticker ticker(progress, Phase::Insert, report.inserted, executor);
+  RankedPoints& ranked = state_.ranked;
+  Report& report = state_.report;
+  state_.mesh.begin(ranked.count, ranked.scratch.data());
+  state_.mesh.limitTo(static_cast<std::uint32_t>(report.inserted));
+  Ticker ticker(progress_, Phase::Insert, report.inserted, executor_);
   InsertionWork work;
   SharedWork shared{ report.inserted, 0, report.inserted };
-  const InsertionEnd end = insertInOrder(
-    options, ticker, options.countWork ? &work : nullptr, shared);
+  const InsertionEnd end = insertInOrder(ticker, work, shared);
   report.insertionAttempts = shared.attempts;
   report.deferredPoints = shared.deferred;
   report.criticalPath = shared.criticalPath;
@@ -116,225 +164,98 @@ Status Triangulator::State::insert(const Options& options, Progress* progress, E
   report.exactOrient = work.exactOrient;
   if (end == InsertionEnd::Done)
   {
-    const std::size_t hull = countHullVertices(mesh, ticker);
-    report.triangles = 2 * report.inserted - 2 - hull;
+    const std::size_t hull = countHullVertices(state_.mesh, ticker);
+    report.triangles = state_.allTriangles = 2 * report.inserted - 2 - hull;
     return hull == 0 ? Status::Cancelled : Status::Ok;
   }
   return end == InsertionEnd::AllCollinear ? Status::Ok : Status::Cancelled;
 }
 
-template <typename Id>
-Status Triangulator::State::write(Id* triples, Progress* progress, Executor* executor)
+InsertionEnd Run::insertInOrder(Ticker& ticker, InsertionWork& work, SharedWork& shared)
 {
-  if (report.triangles == 0)
+  InsertionWork* const counted = options_.countWork ? &work : nullptr;
+  if (!needsSequence(options_))
   {
-    return Status::Ok;
+    return insertByRounds(state_.ranked, state_.mesh, ticker, counted, shared);
   }
-  Ticker ticker(progress, Phase::Extract, report.triangles, worthItsWhile(executor));
-  Scratch scratch;
-  if (keepLocations)
-  {
-    scratch.allocate(ranked.count * kExtractScratchPerPoint);
-  }
-  else
-  {
-    scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
-  }
-  const ExtractedMesh kept = isLookedUp ? ExtractedMesh(mesh, constrained.allMarks(), kDropped)
-                                        : mesh;
-  // Asked at the end as well: the last part of the work may have been another thread's.
-  return writeCanonical(kept, ranked.id.data(), triples, scratch, ticker) && ticker.ask()
-    ? Status::Ok
-    : Status::Cancelled;
-}
-
-namespace
-{
-
-/// Calls write(begin, end) for pieces of [0, items), on the threads lent to the phase. Returns
-/// false if the work is to be cancelled.
-template <typename Write>
-bool writeInShares(std::size_t items, Ticker& ticker, Write write)
-{
-  const std::size_t tasks = tasksFor(threadsOf(ticker), items, 1, kChunk);
-  return inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      const Share share(items, task, tasks);
-      return inChunks(share.begin, share.end, own,
-        [&](std::size_t a, std::size_t b)
-        {
-          write(a, b);
-          own.finished(b - a);
-        });
-    });
+  Buffer<Index> first;
+  first.view(state_.sequence.data(), state_.report.inserted);
+  return insertSequence(state_.ranked, first, state_.mesh, ticker, counted);
 }
 
 } // namespace
 
-bool Triangulator::State::writeFates(
-  std::int64_t* fates, Progress* progress, Executor* executor) const
+void TriangulationAccess::takeMemory(Workspace& from, State& to)
 {
-  Ticker ticker(progress, Phase::Fates, points.count, worthItsWhile(executor));
-  const auto writeOwn = [&](std::size_t a, std::size_t b)
+  if (Workspace::Memory* const memory = from.memory_.get())
   {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      fates[i] = points.skipped(i) ? std::int64_t(kFateNotInserted)
-        : isFinite(points[i])      ? std::int64_t(i)
-                                   : std::int64_t(kFateNotFinite);
-    }
-  };
-  const auto writeMerged = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      fates[ranked.duplicates[i].id] = fates[ranked.duplicates[i].keptId];
-    }
-  };
-  const auto writeBeyond = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = report.inserted + a; i != report.inserted + b; ++i)
-    {
-      fates[ranked.id[sequence[i]]] = kFateNotInserted;
-    }
-  };
-  // What the others overwrite or read has to be written before.
-  return writeInShares(points.count, ticker, writeOwn) &&
-    writeInShares(report.beyondLimit, ticker, writeBeyond) &&
-    writeInShares(ranked.duplicates.size(), ticker, writeMerged) && ticker.ask();
+    to.ranked.xy = std::move(memory->xy);
+    to.ranked.id = std::move(memory->id);
+    to.ranked.scratch = std::move(memory->scratch);
+    to.sequence = std::move(memory->sequence);
+    to.constrained = std::move(memory->constrained);
+  }
 }
 
-bool Triangulator::State::writeOrder(
-  std::int64_t* ids, Progress* progress, Executor* executor) const
+void TriangulationAccess::giveMemory(State& from, Workspace& to)
 {
-  Ticker ticker(progress, Phase::Fates, report.inserted, worthItsWhile(executor));
-  const auto write = [&](std::size_t a, std::size_t b)
+  if (!to.memory_)
   {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      ids[i] = ranked.id[sequence[i]];
-    }
-  };
-  return writeInShares(report.inserted, ticker, write) && ticker.ask();
+    to.memory_.reset(new (std::nothrow) Workspace::Memory);
+  }
+  if (Workspace::Memory* const memory = to.memory_.get())
+  {
+    memory->xy = std::move(from.ranked.xy);
+    memory->id = std::move(from.ranked.id);
+    memory->scratch = std::move(from.ranked.scratch);
+    memory->sequence = std::move(from.sequence);
+    memory->constrained = std::move(from.constrained);
+  }
 }
 
-bool Triangulator::State::writeInsertionRanks(
-  std::int64_t* ranks, Progress* progress, Executor* executor) const
+Workspace::Workspace() = default;
+Workspace::~Workspace() = default;
+
+void Workspace::reclaim(Triangulation&& done)
 {
-  Ticker ticker(progress, Phase::Fates, points.count, worthItsWhile(executor));
-  const auto writeNone = [&](std::size_t a, std::size_t b)
-  { std::fill(ranks + a, ranks + b, std::int64_t(kRankNone)); };
-  const auto writePlaces = [&](std::size_t a, std::size_t b)
+  const TriangulationAccess::StatePointer state = std::move(TriangulationAccess::stateOf(done));
+  if (state)
   {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      ranks[ranked.id[sequence[i]]] = static_cast<std::int64_t>(i);
-    }
-  };
-  const std::size_t inOrder = report.inserted + report.beyondLimit;
-  return writeInShares(points.count, ticker, writeNone) &&
-    writeInShares(inOrder, ticker, writePlaces) && ticker.ask();
+    TriangulationAccess::giveMemory(*state, *this);
+  }
 }
 
-Triangulator::Triangulator() = default;
-Triangulator::~Triangulator() = default;
-
-Status Triangulator::run(
-  const PointView& points, const Options& options, Progress* progress, Executor* executor)
+std::size_t Workspace::bytes() const
 {
+  return memory_ ? memory_->bytes() : 0;
+}
+
+void Workspace::release()
+{
+  memory_.reset();
+}
+
+Status triangulate(const PointView& points, const Options& options, Workspace& workspace,
+  const Context& context, Triangulation& out)
+{
+  workspace.reclaim(std::move(out));
+  TriangulationAccess::StatePointer& state = TriangulationAccess::stateOf(out);
   const Status status = withoutThrowing(
     [&]
     {
-      if (!state_)
-      {
-        state_.reset(new State);
-      }
-      state_->points = points;
-      state_->report = Report();
-      state_->constraints = ConstraintReport();
-      state_->isLookedUp = false;
-      state_->areCellsAtHand = false;
-      state_->keepLocations = options.keepLocations;
-      return state_->sortAndInsert(options, progress, executor);
+      state.reset(new State);
+      TriangulationAccess::takeMemory(workspace, *state);
+      state->points = points;
+      return Run(options, context, *state).all();
     });
   if (status != Status::Ok)
   {
-    state_.reset();
+    state.reset();
   }
   return status;
 }
 
-const Report& Triangulator::report() const
-{
-  static const Report kNothing;
-  return state_ ? state_->report : kNothing;
-}
-
-Status Triangulator::writeTriangles(
-  std::int32_t* triples, Progress* progress, Executor* executor) const
-{
-  return state_ ? withoutThrowing([&] { return state_->write(triples, progress, executor); })
-                : Status::Ok;
-}
-
-Status Triangulator::writeTriangles(
-  std::int64_t* triples, Progress* progress, Executor* executor) const
-{
-  return state_ ? withoutThrowing([&] { return state_->write(triples, progress, executor); })
-                : Status::Ok;
-}
-
-Status Triangulator::writeFates(std::int64_t* fates, Progress* progress, Executor* executor) const
-{
-  return unlessCancelled([&] { return !state_ || state_->writeFates(fates, progress, executor); });
-}
-
-Status Triangulator::writeOrder(std::int64_t* ids, Progress* progress, Executor* executor) const
-{
-  return unlessCancelled([&] { return !state_ || state_->writeOrder(ids, progress, executor); });
-}
-
-Status Triangulator::writeInsertionRanks(
-  std::int64_t* ranks, Progress* progress, Executor* executor) const
-{
-  return unlessCancelled(
-    [&] { return !state_ || state_->writeInsertionRanks(ranks, progress, executor); });
-}
-
-const std::vector<GridBox>& Triangulator::boxes() const
-{
-  static const std::vector<GridBox> kNone;
-  return state_ ? state_->boxes : kNone;
-}
-
-std::size_t Triangulator::memoryHeld() const
-{
-  return state_
-    ? state_->ranked.xy.bytes() + state_->ranked.id.bytes() + state_->ranked.scratch.bytes() +
-      state_->sequence.bytes() + state_->boxes.capacity() * sizeof(GridBox) +
-      state_->constrained.bytes() + state_->cells.bytes()
-    : 0;
-}
-
-void Triangulator::forgetPoints()
-{
-  if (state_)
-  {
-    state_->points = PointView();
-    state_->ranked.duplicates.reset();
-    std::vector<GridBox>().swap(state_->boxes);
-    state_->report = Report();
-    state_->constraints = ConstraintReport();
-  }
-}
-
-void Triangulator::release()
-{
-  state_.reset();
-}
-
-std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& options)
+std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& options)
 {
   if (pointCount > kMaximumPoints)
   {
@@ -342,14 +263,16 @@ std::size_t Triangulator::memoryEstimate(std::size_t pointCount, const Options& 
   }
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
   // where threads insert while an order is kept, what it takes to make an order that has no
-  // formula, and a piece of memory that is first for sorting and then holds two triangles.
+  // formula or to choose among duplicates, and a piece of memory that is first for sorting and then
+  // holds two triangles.
   constexpr std::size_t kSlots = std::max(
     2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
   const std::size_t kept = options.keepOrder && !needsSequence(options) ? sizeof(Index) : 0;
   const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
-  const std::size_t written = options.keepLocations ? kExtractScratchPerPoint : 0;
-  return kSmall + pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + made + written + kSlots);
+  const std::size_t chosen = options.representative == Representative::FirstId ? 0 : sizeof(Index);
+  return kSmall +
+    pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + std::max(made, chosen) + kSlots);
 }
 
 } // namespace ahd

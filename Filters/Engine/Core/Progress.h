@@ -11,8 +11,8 @@ namespace ahd
 class Executor;
 
 /// What the engine is doing. Phases come in this order, each at most once per run, but for Extract
-/// and Fates, which each call of that kind begins (so Extract may come before Constrain, too); a
-/// run that has nothing to do in a phase may skip it.
+/// and Outputs, which each call of that kind begins (so they may come before Constrain, too); a run
+/// that has nothing to do in a phase may skip it.
 enum class Phase
 {
   Merge,     ///< prepare(): copy points, move them into their plane, merge those near each other
@@ -22,10 +22,10 @@ enum class Phase
   Insert,    ///< insert point after point
   Constrain, ///< make the constraints edges, and drop what is outside
   Extract,   ///< number and sort the triangles for output
-  Fates ///< write what became of each point, the insertion order, the places in it, cell data, the
-        ///< Voronoi diagram
+  Outputs    ///< make tables, and write what became of each point, orders, cell data, the Voronoi
+             ///< diagram
 };
-constexpr std::size_t kPhases = std::size_t(Phase::Fates) + 1;
+constexpr std::size_t kPhases = std::size_t(Phase::Outputs) + 1;
 
 /// How the engine talks to its caller while it works. The engine reads no clock: who wants the time
 /// of a phase takes it in beginPhase(). A rounding mode that its functions leave behind is put

@@ -170,23 +170,33 @@ public:
     return inChunks(0, count, ticker,
       [&](std::size_t a, std::size_t b)
       {
-        writeTriples(sorted + a, b - a, block, triples_ + 3 * (begin + a));
+        Id* const out = triples_ + 3 * (begin + a);
+        if (const std::uint32_t* const ids = ids_)
+        {
+          writeTriples(sorted + a, b - a, block, out, [ids](std::size_t v) { return Id(ids[v]); });
+        }
+        else
+        {
+          writeTriples(sorted + a, b - a, block, out, [](std::size_t v) { return Id(v); });
+        }
         ticker.finished(b - a);
       });
   }
 
 private:
-  void writeTriples(const Key* sorted, std::size_t count, std::size_t block, Id* out) const
+  /// Writes each corner as nameOf(its vertex).
+  template <typename NameOf>
+  void writeTriples(
+    const Key* sorted, std::size_t count, std::size_t block, Id* out, NameOf nameOf) const
   {
     const TriangleKeys layout = layout_;
-    const std::uint32_t* const ids = ids_;
     const std::size_t offset = layout.offset();
     const std::size_t first = block * layout.blockSize() - offset; // modulo 2^64
     for (const Key* key = sorted; key != sorted + count; ++key, out += 3)
     {
-      out[0] = Id(ids[first + layout.placeInBlock(*key)]);
-      out[1] = Id(ids[layout.second(*key) - offset]);
-      out[2] = Id(ids[layout.third(*key) - offset]);
+      out[0] = nameOf(first + layout.placeInBlock(*key));
+      out[1] = nameOf(layout.second(*key) - offset);
+      out[2] = nameOf(layout.third(*key) - offset);
     }
   }
 
@@ -257,8 +267,10 @@ bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* tri
 }
 
 template bool writeCanonical(
-  const ExtractedMesh&, const std::uint32_t*, std::int32_t*, Scratch&, Ticker&);
+  const ExtractedMesh&, const std::uint32_t*, std::uint32_t*, Scratch&, Ticker&);
+template bool writeCanonical(const ExtractedMesh&, const std::uint32_t*, int*, Scratch&, Ticker&);
+template bool writeCanonical(const ExtractedMesh&, const std::uint32_t*, long*, Scratch&, Ticker&);
 template bool writeCanonical(
-  const ExtractedMesh&, const std::uint32_t*, std::int64_t*, Scratch&, Ticker&);
+  const ExtractedMesh&, const std::uint32_t*, long long*, Scratch&, Ticker&);
 
 } // namespace ahd

@@ -34,9 +34,9 @@ struct Location
 {
   enum Kind
   {
-    InTriangle, ///< inside of triangle halfEdge / 3
-    OnEdge,     ///< between the ends of halfEdge
-    OnVertex,   ///< at the origin of halfEdge
+    InTriangle, ///< inside of triangle halfEdge / 3, whose first half-edge it is
+    OnEdge,     ///< between the ends of halfEdge, of the edge's two the smaller
+    OnVertex,   ///< at the vertex whose start() halfEdge is
     Outside,    ///< outside of the convex hull, to the right of halfEdge, which has no twin
     Nowhere     ///< the place is not finite, or there are no triangles
   };

@@ -145,7 +145,7 @@ Status voronoiCells(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells
     [&]
     {
       const std::size_t steps = delaunay.points.count + delaunay.triangles;
-      Ticker ticker(progress, Phase::Fates, steps, executor);
+      Ticker ticker(progress, Phase::Outputs, steps, executor);
       return make(delaunay, clip, cells, ticker);
     });
   if (status != Status::Ok)

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Triangulate.h"
+
+#include "Constrain/Constrainer.h"
+#include "Constrain/Regions.h"
+#include "Core/Border.h"
+#include "Triangulation/State.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ahd
+{
+
+namespace
+{
+
+using State = TriangulationAccess::State;
+
+bool insertConstraints(State& state, const ConstraintView& given, FillRule rule, Ticker& ticker)
+{
+  state.tables.corners.reset();
+  state.tables.twins.reset();
+  state.tables.starts.reset();
+  state.hasCorners = state.hasNeighbors = false;
+  if (!state.restorePlaces(ticker) || !(state.hasPointMap || state.makePointMap(ticker)) ||
+    !state.constrained.begin(state.mesh, state.ranked.xy.data(), ticker))
+  {
+    return false;
+  }
+  state.isConstrained = true;
+  Constrainer constrainer(state.constrained, state.tables.vertexOf, ticker);
+  if (!constrainer.insertAll(given, state.report.inserted))
+  {
+    return false;
+  }
+  std::size_t dropped = 0;
+  if (constrainer.anyLoop() &&
+    !dropOutside(state.constrained, constrainer.edges(), rule, ticker, dropped))
+  {
+    return false;
+  }
+  state.report.triangles -= dropped;
+  state.constraints = constrainer.takeReport();
+  return ticker.ask();
+}
+
+/// Without triangles no segment can be had.
+bool countMissing(State& state, const ConstraintView& given, Ticker& ticker)
+{
+  for (std::size_t chain = 0; chain < given.chains; ++chain)
+  {
+    const std::size_t segments = segmentsOf(given, chain);
+    state.constraints.segments += segments;
+    state.constraints.withoutVertex += segments;
+    state.constraints.unfilledLoops += chain >= given.lines && segments > 0 ? 1 : 0;
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool constrainState(
+  State& state, const ConstraintView& given, FillRule rule, const Context& context)
+{
+  const std::size_t ids = given.chains == 0
+    ? 0
+    : static_cast<std::size_t>(given.offsets[given.chains] - given.offsets[0]);
+  Ticker ticker(context.progress, Phase::Constrain, ids);
+  return state.report.triangles == 0 ? countMissing(state, given, ticker)
+                                     : insertConstraints(state, given, rule, ticker);
+}
+
+} // namespace
+
+Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, FillRule rule,
+  const Context& context, Triangulation& out)
+{
+  TriangulationAccess::StatePointer state = std::move(TriangulationAccess::stateOf(delaunay));
+  out = Triangulation();
+  const Status status = withoutThrowing(
+    [&]
+    {
+      state.reset(state ? state.release() : new State);
+      return constrainState(*state, constraints, rule, context) ? Status::Ok : Status::Cancelled;
+    });
+  if (status == Status::Ok)
+  {
+    TriangulationAccess::stateOf(out) = std::move(state);
+  }
+  return status;
+}
+
+std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount)
+{
+  // An array that grows by doubling may hold three times what it needs while it is copied.
+  constexpr std::size_t kGrown = 3;
+  // Per point: a vertex for each id, a triangle for each vertex, two marks, and a queue of two
+  // triangles.
+  constexpr std::size_t kPerPoint = 4 + 4 + 2 + kGrown * 8;
+  // Per edge: a place in a table that is at least a quarter full, or less while it is copied.
+  constexpr std::size_t kPerEdge = 6 * sizeof(EdgeTable::Edge);
+  // Per segment: a row of the report, an edge of a loop, the beginning of a chain.
+  constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8;
+  return pointCount * kPerPoint +
+    (segmentCount == 0 ? 0 : 3 * std::min(segmentCount, pointCount) * kPerEdge) +
+    segmentCount * kPerSegment;
+}
+
+std::size_t tableMemoryEstimate(std::size_t pointCount)
+{
+  // Per point, with two triangles each: corners, flags and neighbours of these, a half-edge, a
+  // vertex; and while neighbours are found a list of half-edges, and where it begins. Vertices with
+  // very many neighbours take 16 bytes for each while these are sorted, twice, and as much again.
+  constexpr std::size_t kPerPoint = 24 + 2 + 24 + 4 + 4 + 24 + 4 + 3 * 16;
+  return pointCount * kPerPoint + 4096;
+}
+
+} // namespace ahd

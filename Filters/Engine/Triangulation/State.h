@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_State_h
+#define ahd_State_h
+
+#include "../Constrain/ConstrainedMesh.h"
+#include "../Core/Executor.h"
+#include "../Mesh/Mesh.h"
+#include "../Order/RankedPoints.h"
+#include "Tables.h"
+#include "Triangulation.h"
+
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+
+/// What a Triangulation is made of.
+struct Triangulation::State
+{
+  PointView points;
+  RankedPoints ranked;
+  Mesh mesh;              ///< in the memory of ranked.scratch
+  Buffer<Index> sequence; ///< of ranks; empty if nobody needs it
+  std::vector<GridBox> boxes;
+  Report report;
+  std::size_t allTriangles = 0; ///< dropped ones included
+
+  bool isConstrained = false; ///< then `constrained` and `constraints` say how
+  ConstrainedMesh constrained;
+  ConstraintReport constraints;
+
+  Tables tables;
+  bool hasCorners = false;
+  bool hasNeighbors = false;
+  bool hasPointMap = false;
+  bool arePlacesGone = false; ///< ranked.xy served as scratch
+
+  /// Threads are asked for from so many points on: with 10^4 they cost as much as they gave, with
+  /// 3 10^4 two were 1.4 times as fast as one.
+  static constexpr std::size_t kLeastForThreads = 15000;
+
+  Executor* worthItsWhile(Executor* lent) const
+  {
+    return points.count < kLeastForThreads ? nullptr : lent;
+  }
+
+  /// Reads the places of the vertices again where they are gone. Returns false if cancelled, as all
+  /// below; throws std::bad_alloc.
+  bool restorePlaces(Ticker& ticker);
+
+  bool makeCorners(Ticker& ticker);
+  bool makeFlags(Ticker& ticker);
+  bool makeNeighbors(Ticker& ticker);
+  bool makePointMap(Ticker& ticker);
+
+  template <typename Id>
+  bool writeTriangles(Id* triples, Ticker& ticker);
+  template <typename Id>
+  bool writeKept(Id* triples, Ticker& ticker) const;
+  template <typename Id>
+  bool writePointStatus(Id* status, Ticker& ticker) const;
+  template <typename Id>
+  bool writeOrder(Id* ids, Ticker& ticker) const;
+  template <typename Id>
+  bool writeInsertionRanks(Id* ranks, Ticker& ticker) const;
+};
+
+class Workspace;
+
+/// The way in for the engine's own.
+class TriangulationAccess
+{
+public:
+  using State = Triangulation::State;
+  using StatePointer = std::unique_ptr<State>;
+
+  static StatePointer& stateOf(Triangulation& triangulation) { return triangulation.state_; }
+
+  /// Null if it is that of no points.
+  static const State* stateOf(const Triangulation& triangulation)
+  {
+    return triangulation.state_.get();
+  }
+
+  /// What a workspace keeps (Triangulate.cxx).
+  static void takeMemory(Workspace& from, State& to);
+  static void giveMemory(State& from, Workspace& to);
+};
+
+} // namespace ahd
+
+#endif
