@@ -122,7 +122,7 @@ Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const
   return unlessCancelled(
     [&]
     {
-      Ticker ticker(context.progress, Phase::Fates, 0);
+      Ticker ticker(context.progress, Phase::Outputs, 0);
       const bool all = ticker.ask() &&
         inChunks(0, crossings_.size(), ticker,
           [&](std::size_t begin, std::size_t end)

@@ -183,7 +183,7 @@ Status findMeans(Triangulation& triangulation, std::size_t count, const PointVie
   return unlessCancelled(
     [&]
     {
-      Ticker ticker(context.progress, Phase::Fates, 0, context.executor);
+      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
       return Averaging(triangulation, inSpace, ticker).run(count, means);
     });
 }

@@ -291,7 +291,7 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
   return unlessCancelled(
     [&]
     {
-      Ticker ticker(context.progress, Phase::Fates, 0, context.executor);
+      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
       return Selecting(triangulation, limits, points, out).run(ticker);
     });
 }
