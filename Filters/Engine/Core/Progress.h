@@ -15,8 +15,8 @@ class Executor;
 /// that has nothing to do in a phase may skip it.
 enum class Phase
 {
-  Merge,     ///< mergeWithin (Merge.h): merge points that are near each other
-  Split,     ///< splitAtCrossings (Crossings.h): find the crossings of constraints and split there
+  Merge,     ///< prepare(): copy points, move them into their plane, merge those near each other
+  Split,     ///< prepare(): read the constraints, find their crossings and split them there
   Read,      ///< look at every point once: finite? bounds?
   Sort,      ///< canonical rank of the points, duplicates, insertion order
   Insert,    ///< insert point after point

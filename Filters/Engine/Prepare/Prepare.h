@@ -99,6 +99,12 @@ struct UnfitIds
 class PreparedInput
 {
 public:
+  PreparedInput() = default;
+  PreparedInput(PreparedInput&&) = default; // views of vectors, whose memory moves along
+  PreparedInput& operator=(PreparedInput&&) = default;
+  PreparedInput(const PreparedInput&) = delete;
+  PreparedInput& operator=(const PreparedInput&) = delete;
+
   /// All points: x and y in the plane of the triangulation, and what is above it; stride 3.
   const PointView& points() const { return points_; }
   std::size_t inputCount() const { return inputCount_; }
@@ -153,8 +159,9 @@ private:
 };
 
 /// Prepares the input: reads it, moves it into the plane, merges near points, adds bounding points,
-/// reads the constraints and splits them, in this order. `out` is to be new. Returns Ok, Cancelled,
-/// OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
+/// reads the constraints and splits them, in this order. The phases are Phase::Merge and, from the
+/// constraints on, Phase::Split. `out` is to be new. Returns Ok, Cancelled, OutOfMemory or
+/// TooManyPoints; unless Ok, `out` is not to be used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
 /// The points that prepare() has to deal with, crossings excepted.
@@ -169,11 +176,13 @@ std::size_t preparationMemoryEstimate(const InputRequest& request);
 /// What is worth a warning.
 struct OddPoints
 {
-  std::size_t firstNotFinite = 0; ///< smallest id of a point with an x or y that is not finite
+  std::size_t firstNotFinite = 0; ///< smallest id of a point with an x or y that is not finite; 0
+                                  ///< if there is none
   std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
 };
 
-/// One pass over points of stride 3, those left out excepted. Returns Ok or Cancelled.
+/// One pass over points of stride 3, those left out excepted. The phase is Phase::Extract. Returns
+/// Ok, Cancelled or OutOfMemory.
 Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd);
 
 } // namespace ahd

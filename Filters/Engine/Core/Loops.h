@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Loops_h
+#define ahd_Loops_h
+
+#include "Chunks.h"
+#include "Tasks.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// Into how many tasks a loop of a few operations a step is cut: fewer steps than this are done
+/// sooner than shared.
+inline std::size_t tasksForLoop(const Ticker& ticker, std::size_t count)
+{
+  constexpr std::size_t kLeastShared = std::size_t(1) << 18;
+  constexpr std::size_t kLeastTask = std::size_t(1) << 14;
+  return count < kLeastShared ? 1 : tasksFor(threadsOf(ticker), count, 8, kLeastTask);
+}
+
+/// Calls work(a, b) for chunks [a, b) of [0, count), each at most kChunk long, on the threads lent
+/// to the phase where it pays. Asks before, so once at least. Returns false if the work is to be
+/// cancelled; then some chunks are missing.
+template <typename Work>
+bool inChunksOf(std::size_t count, Ticker& ticker, const Work& work)
+{
+  const std::size_t tasks = tasksForLoop(ticker, count);
+  return ticker.ask() &&
+    inParallel(ticker, tasks,
+      [&](std::size_t task, Ticker& own)
+      {
+        const Share share(count, task, tasks);
+        return inChunks(share.begin, share.end, own, work);
+      });
+}
+
+/// The same for work(part, a, b) that finds something out: each task has a Part of its own, made by
+/// default, and part.merge(other) adds to what comes before what comes behind. `total` is a new
+/// Part. Throws std::bad_alloc.
+template <typename Part, typename Work>
+bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
+{
+  const std::size_t tasks = tasksForLoop(ticker, count);
+  std::vector<Part> parts(tasks);
+  const bool all = ticker.ask() &&
+    inParallel(ticker, tasks,
+      [&](std::size_t task, Ticker& own)
+      {
+        const Share share(count, task, tasks);
+        Part part; // on the stack: no thread waits for a line of another
+        const bool done = inChunks(
+          share.begin, share.end, own, [&](std::size_t a, std::size_t b) { work(part, a, b); });
+        parts[task] = part;
+        return done;
+      });
+  for (const Part& part : parts)
+  {
+    total.merge(part);
+  }
+  return all;
+}
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Preparation.h"
+
+#include "../Core/FloatingPoint.h"
+#include "../Core/Loops.h"
+#include "Bounding.h"
+
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Three numbers where a point is said to lie.
+Vector3 readPlace(const PointView& points, std::size_t i)
+{
+  if (points.doubles)
+  {
+    const double* p = points.doubles + 3 * i;
+    return { { p[0], p[1], p[2] } };
+  }
+  const float* p = points.floats + 3 * i;
+  return { { p[0], p[1], p[2] } };
+}
+
+/// Around places, in space; empty (low > high) around none.
+struct Box
+{
+  Vector3 low = { { kInfinity, kInfinity, kInfinity } };
+  Vector3 high = { { -kInfinity, -kInfinity, -kInfinity } };
+
+  void add(std::size_t k, double lowest, double highest)
+  {
+    low[k] = std::min(low[k], lowest);
+    high[k] = std::max(high[k], highest);
+  }
+  void merge(const Box& other)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      add(k, other.low[k], other.high[k]);
+    }
+  }
+};
+
+/// The places of points that take part, and of their z those that are finite. Returns false if the
+/// work is to be cancelled.
+bool findBox(const PointView& points, Ticker& ticker, Box& box)
+{
+  return gather(points.count, ticker, box,
+    [&points](Box& part, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vector3 p = readPlace(points, i);
+        if (std::isfinite(p[0]) && std::isfinite(p[1]) && !points.skipped(i))
+        {
+          part.add(0, p[0], p[0]);
+          part.add(1, p[1], p[1]);
+          if (std::isfinite(p[2]))
+          {
+            part.add(2, p[2], p[2]);
+          }
+        }
+      }
+    });
+}
+
+/// The length of the box's diagonal; the largest double if it is longer.
+double diagonalOf(const Box& box)
+{
+  const double length = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  return std::min(length, std::numeric_limits<double>::max());
+}
+
+/// Writes where the points lie from the plane, three numbers each. Returns false if the work is to
+/// be cancelled.
+bool projectAll(const PointView& points, const Plane& plane, double* to, Ticker& ticker)
+{
+  return inChunksOf(points.count, ticker,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vector3 from = readPlace(points, i);
+        const bool finite = from[0] * 0 + from[1] * 0 + from[2] * 0 == 0;
+        const Vector3 place = plane.project(from);
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+          to[3 * i + k] = finite ? place[k] : std::numeric_limits<double>::quiet_NaN();
+        }
+      }
+    });
+}
+
+} // namespace
+
+Status Preparation::run()
+{
+  if (expectedPoints(request_) > kMaximumPoints)
+  {
+    return Status::TooManyPoints;
+  }
+  Status status = open();
+  status = status == Status::Ok ? project() : status;
+  status = status == Status::Ok ? merge() : status;
+  status = status == Status::Ok ? addBounding() : status;
+  status = status == Status::Ok ? readConstraints() : status;
+  return status == Status::Ok ? split() : status;
+}
+
+Status Preparation::open()
+{
+  out_.points_ = request_.points;
+  out_.points_.stride = 3;
+  out_.inputCount_ = request_.points.count;
+  out_.sourceCount_ = request_.sourcePoints.count;
+  const std::size_t count = out_.sourceCount_;
+  if (count == 0)
+  {
+    return Status::Ok;
+  }
+  if (!copy(Phase::Merge))
+  {
+    return Status::Cancelled;
+  }
+  double* to = add(count);
+  Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  const bool all = inChunksOf(count, ticker,
+    [this, to](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vector3 p = readPlace(request_.sourcePoints, i);
+        std::copy(p.begin(), p.end(), to + 3 * i);
+      }
+    });
+  return all ? Status::Ok : Status::Cancelled;
+}
+
+/// Makes a copy of the places, unless there is one already; in the phase that is under way. Returns
+/// false if the work is to be cancelled.
+bool Preparation::copy(Phase phase)
+{
+  PointView& points = out_.points_;
+  if (!out_.places_.empty() || points.count == 0)
+  {
+    return true;
+  }
+  out_.places_.resize(3 * points.count);
+  double* to = out_.places_.data();
+  Ticker ticker(&phases_, phase, 0, context_.executor);
+  const bool all = inChunksOf(points.count, ticker,
+    [&points, to](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Vector3 p = readPlace(points, i);
+        std::copy(p.begin(), p.end(), to + 3 * i);
+      }
+    });
+  points.floats = nullptr;
+  points.doubles = to;
+  return all;
+}
+
+/// Adds points, none of them to be left out, and returns where their places are to be written.
+/// REQUIRES: copy().
+double* Preparation::add(std::size_t count)
+{
+  PointView& points = out_.points_;
+  const std::size_t before = points.count;
+  if (points.skip)
+  {
+    std::vector<unsigned char> skip(before + count);
+    for (std::size_t i = 0; i < before; ++i)
+    {
+      skip[i] = points.skipped(i);
+    }
+    setSkipped(std::move(skip));
+  }
+  out_.places_.resize(3 * (before + count));
+  points.count = before + count;
+  points.floats = nullptr;
+  points.doubles = out_.places_.data();
+  return out_.places_.data() + 3 * before;
+}
+
+/// Leaves out the points whose byte is not 0, and no others.
+void Preparation::setSkipped(std::vector<unsigned char>&& skip)
+{
+  out_.skip_ = std::move(skip);
+  out_.points_.skip = out_.skip_.data();
+  out_.points_.skipMask = 0xFF;
+}
+
+Status Preparation::project()
+{
+  if (!request_.fitPlane && !request_.projection)
+  {
+    return Status::Ok;
+  }
+  out_.isProjected_ = true;
+  if (request_.fitPlane)
+  {
+    PointView own = out_.points_;
+    own.count = out_.inputCount_;
+    const Status status = out_.plane_.fit(own, context_);
+    if (status != Status::Ok)
+    {
+      return status;
+    }
+  }
+  if (!copy(Phase::Merge))
+  {
+    return Status::Cancelled;
+  }
+  const PointView& points = out_.points_;
+  Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  if (request_.fitPlane)
+  {
+    return projectAll(points, out_.plane_, out_.places_.data(), ticker) ? Status::Ok
+                                                                        : Status::Cancelled;
+  }
+  const ScopedFloatingPoint whateverItSets;
+  return request_.projection->project(points, out_.places_.data(), context_) ? Status::Ok
+                                                                             : Status::Cancelled;
+}
+
+Status Preparation::merge()
+{
+  if (request_.tolerance == 0.0)
+  {
+    return Status::Ok;
+  }
+  Box box;
+  {
+    Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+    if (!findBox(out_.points_, ticker, box))
+    {
+      return Status::Cancelled;
+    }
+  }
+  MergedPoints merged;
+  const Status status = mergeWithin(
+    out_.points_, request_.tolerance * diagonalOf(box), &phases_, merged);
+  if (status == Status::Ok && !merged.pairs.empty())
+  {
+    setSkipped(std::move(merged.skip));
+    out_.merged_ = std::move(merged.pairs);
+  }
+  return status;
+}
+
+Status Preparation::addBounding()
+{
+  if (!request_.bounding || out_.isProjected_)
+  {
+    return Status::Ok;
+  }
+  Box box;
+  Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  if (!findBox(out_.points_, ticker, box))
+  {
+    return Status::Cancelled;
+  }
+  if (box.low[0] > box.high[0])
+  {
+    return Status::Ok; // no point to put them around
+  }
+  if (box.low[2] > box.high[2])
+  {
+    box.low[2] = box.high[2] = 0.0;
+  }
+  if (!copy(Phase::Merge))
+  {
+    return Status::Cancelled;
+  }
+  const auto eight = boundingPoints(box.low, box.high, request_.offset);
+  double* places = add(eight.size());
+  for (const Vector3& p : eight)
+  {
+    places = std::copy(p.begin(), p.end(), places);
+  }
+  return Status::Ok;
+}
+
+} // namespace ahd

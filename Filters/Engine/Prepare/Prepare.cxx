@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Prepare.h"
+
+#include "../Core/Border.h"
+#include "../Core/Loops.h"
+#include "../Triangulation/Triangulation.h"
+#include "Preparation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+namespace
+{
+
+/// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
+constexpr std::size_t kBytesToMerge = 140;
+/// splitAtCrossings's, for each segment.
+constexpr std::size_t kBytesToSplit = 400;
+
+bool isProjected(const InputRequest& request)
+{
+  return request.fitPlane || request.projection;
+}
+
+/// What the tasks of a loop find.
+struct Found
+{
+  std::size_t firstNotFinite = std::numeric_limits<std::size_t>::max();
+  std::size_t oddZ = 0;
+
+  void merge(const Found& other)
+  {
+    firstNotFinite = std::min(firstNotFinite, other.firstNotFinite);
+    oddZ += other.oddZ;
+  }
+};
+
+/// Sums that become NaN with the first number that is not finite: nothing to branch on, since there
+/// hardly ever is one.
+template <typename Number>
+bool areAllFinite(const Number* begin, const Number* end)
+{
+  Number x = 0, y = 0, z = 0;
+  for (const Number* p = begin; p != end; p += 3)
+  {
+    x += p[0] * 0;
+    y += p[1] * 0;
+    z += p[2] * 0;
+  }
+  return x + y + z == 0;
+}
+
+/// Looks at the points [begin, end).
+template <typename Number>
+void findOdd(
+  const Number* xyz, const PointView& points, std::size_t begin, std::size_t end, Found& found)
+{
+  if (areAllFinite(xyz + 3 * begin, xyz + 3 * end))
+  {
+    return;
+  }
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const Number* p = xyz + 3 * i;
+    if (points.skipped(i))
+    {
+      continue;
+    }
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]))
+    {
+      found.firstNotFinite = std::min(found.firstNotFinite, i);
+    }
+    else if (!std::isfinite(p[2]))
+    {
+      ++found.oddZ;
+    }
+  }
+}
+
+} // namespace
+
+std::array<double, 3> PreparedInput::place(std::size_t id) const
+{
+  if (points_.doubles)
+  {
+    const double* p = points_.doubles + 3 * id;
+    return { { p[0], p[1], p[2] } };
+  }
+  const float* p = points_.floats + 3 * id;
+  return { { p[0], p[1], p[2] } };
+}
+
+ConstraintView PreparedInput::constraints() const
+{
+  ConstraintView view;
+  view.ids = ids_.data();
+  view.offsets = offsets_.data();
+  view.chains = offsets_.size() - 1;
+  view.lines = lines_;
+  return view;
+}
+
+std::int64_t PreparedInput::cellOf(std::size_t chain) const
+{
+  return firstCell_ + static_cast<std::int64_t>(chain);
+}
+
+Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const Context& context)
+{
+  if (crossings_.empty())
+  {
+    return Status::Ok;
+  }
+  const Status status = triangulation.makePointMap(context);
+  if (status != Status::Ok)
+  {
+    return status;
+  }
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      const bool all = ticker.ask() &&
+        inChunks(0, crossings_.size(), ticker,
+          [&](std::size_t begin, std::size_t end)
+          {
+            for (std::size_t k = begin; k < end; ++k)
+            {
+              for (Index& point : crossings_[k].ends)
+              {
+                const Index vertex = triangulation.vertexOf(point);
+                point = vertex == kNoIndex ? point : triangulation.pointOf(vertex);
+              }
+            }
+          });
+      if (all)
+      {
+        findCrossingHeights();
+      }
+      return all;
+    });
+}
+
+void PreparedInput::findCrossingHeights()
+{
+  double* places = places_.data() + 3 * firstCrossing();
+  for (std::size_t k = 0; k < crossings_.size(); ++k)
+  {
+    places[3 * k + 2] = interpolate(
+      crossings_[k], [this](Index id) { return places_[3 * std::size_t(id) + 2]; });
+  }
+}
+
+Status prepare(const InputRequest& request, const Context& context, PreparedInput& out)
+{
+  return withoutThrowing([&] { return Preparation(request, context, out).run(); });
+}
+
+std::size_t expectedPoints(const InputRequest& request)
+{
+  const bool isBounded = request.bounding && !isProjected(request);
+  return request.points.count + request.sourcePoints.count + (isBounded ? 8 : 0);
+}
+
+std::size_t segmentsOf(const InputRequest& request)
+{
+  return request.lines.ids + request.polygons.ids; // a loop has as many as points, a line one less
+}
+
+std::size_t preparationMemoryEstimate(const InputRequest& request)
+{
+  const std::size_t count = expectedPoints(request);
+  const std::size_t segments = segmentsOf(request);
+  std::size_t bytes = 0;
+  if (count > request.points.count || isProjected(request))
+  {
+    bytes += count * (3 * sizeof(double) + 1);
+  }
+  if (segments > 0)
+  {
+    const std::size_t chains = request.lines.cells + request.polygons.cells;
+    bytes += (segments + chains) * sizeof(std::int64_t) +
+      (request.split ? segments * kBytesToSplit : 0);
+  }
+  if (request.tolerance > 0.0)
+  {
+    bytes += count * kBytesToMerge;
+  }
+  return bytes;
+}
+
+Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd)
+{
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Extract, 0, context.executor);
+      Found found;
+      const bool all = gather(points.count, ticker, found,
+        [&points](Found& part, std::size_t begin, std::size_t end)
+        {
+          points.doubles ? findOdd(points.doubles, points, begin, end, part)
+                         : findOdd(points.floats, points, begin, end, part);
+        });
+      const bool isNone = found.firstNotFinite == Found().firstNotFinite;
+      odd.firstNotFinite = isNone ? 0 : found.firstNotFinite;
+      odd.oddZ = found.oddZ;
+      return all;
+    });
+}
+
+} // namespace ahd

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The steps of a preparation that deal with constraints.
+#include "Preparation.h"
+
+#include <utility>
+
+namespace ahd
+{
+namespace
+{
+
+/// Of PreparedInput::crossingCells.
+constexpr std::size_t kMostCrossingCells = 1000;
+
+} // namespace
+
+Status Preparation::readConstraints()
+{
+  if (segmentsOf(request_) == 0)
+  {
+    return Status::Ok;
+  }
+  Ticker ticker(&phases_, Phase::Split, 0); // for the time it takes
+  const bool own = request_.idsAreOfInput;
+  firstId_ = own ? 0 : static_cast<std::int64_t>(out_.inputCount_);
+  idCount_ = static_cast<std::int64_t>(own ? out_.inputCount_ : out_.sourceCount_);
+  out_.firstCell_ = request_.firstCell;
+  out_.lines_ = request_.lines.cells;
+  out_.ids_.reserve(segmentsOf(request_));
+  out_.offsets_.reserve(request_.lines.cells + request_.polygons.cells + 1);
+  const bool all = ticker.ask() && readCells(request_.lines, ticker) &&
+    readCells(request_.polygons, ticker) && followMerged(ticker);
+  return all ? Status::Ok : Status::Cancelled;
+}
+
+bool Preparation::readCells(const CellsView& cells, Ticker& ticker)
+{
+  return cells.offsets64 ? readCells(cells.offsets64, cells.ids64, cells.cells, ticker)
+                         : readCells(cells.offsets32, cells.ids32, cells.cells, ticker);
+}
+
+template <typename Number>
+bool Preparation::readCells(
+  const Number* offsets, const Number* ids, std::size_t cells, Ticker& ticker)
+{
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    for (Number i = offsets[cell]; i < offsets[cell + 1]; ++i)
+    {
+      readId(ids[i]);
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+    out_.offsets_.push_back(static_cast<std::int64_t>(out_.ids_.size()));
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of the cell that is being read.
+void Preparation::readId(std::int64_t id)
+{
+  const bool fits = id >= 0 && id < idCount_;
+  if (!fits && out_.unfit_.count++ == 0)
+  {
+    out_.unfit_.firstId = id;
+    out_.unfit_.firstCell = out_.cellOf(out_.offsets_.size() - 1);
+  }
+  out_.ids_.push_back(fits ? firstId_ + id : -1);
+}
+
+/// Puts for each point that was merged the one that was kept. Returns false if the work is to be
+/// cancelled.
+bool Preparation::followMerged(Ticker& ticker)
+{
+  const std::vector<MergedPoint>& merged = out_.merged_;
+  if (merged.empty())
+  {
+    return true;
+  }
+  for (std::int64_t& id : out_.ids_)
+  {
+    const auto found = std::lower_bound(merged.begin(), merged.end(), id,
+      [](const MergedPoint& m, std::int64_t i) { return std::int64_t(m.id) < i; });
+    if (found != merged.end() && std::int64_t(found->id) == id)
+    {
+      id = found->keptId;
+    }
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+Status Preparation::split()
+{
+  if (!out_.hasConstraints() || !request_.split)
+  {
+    return Status::Ok;
+  }
+  SplitConstraints split;
+  const Status status = splitAtCrossings(out_.points_, out_.constraints(), &phases_, split);
+  if (status != Status::Ok || split.rounds == 0)
+  {
+    return status;
+  }
+  if (!split.points.empty())
+  {
+    if (!copy(Phase::Split))
+    {
+      return Status::Cancelled;
+    }
+    addCrossings(split.points);
+  }
+  out_.ids_ = std::move(split.ids);
+  out_.offsets_ = std::move(split.offsets);
+  return status;
+}
+
+/// Adds the points, and keeps between which others they lie. REQUIRES: the constraints are those
+/// that were split.
+void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
+{
+  double* place = add(points.size());
+  out_.crossings_.reserve(points.size());
+  for (const CrossingPoint& p : points)
+  {
+    const auto a = endsOf(p.chainA, p.segmentA);
+    const auto b = endsOf(p.chainB, p.segmentB);
+    out_.crossings_.push_back({ { { a[0], a[1], b[0], b[1] } }, { { p.alongA, p.alongB } } });
+    if (out_.crossingCells_.size() < kMostCrossingCells)
+    {
+      out_.crossingCells_.push_back({ { out_.cellOf(p.chainB), out_.cellOf(p.chainA) } });
+    }
+    *place++ = p.at.x;
+    *place++ = p.at.y;
+    *place++ = 0.0;
+  }
+  out_.findCrossingHeights();
+}
+
+/// The points at the ends of a segment. REQUIRES: there is such a segment, between points.
+std::array<Index, 2> Preparation::endsOf(std::size_t chain, std::size_t segment) const
+{
+  const std::size_t begin = static_cast<std::size_t>(out_.offsets_[chain]);
+  const std::size_t end = static_cast<std::size_t>(out_.offsets_[chain + 1]);
+  const std::size_t first = begin + segment;
+  const std::size_t second = first + 1 < end ? first + 1 : begin; // of a loop
+  return { { static_cast<Index>(out_.ids_[first]), static_cast<Index>(out_.ids_[second]) } };
+}
+
+} // namespace ahd

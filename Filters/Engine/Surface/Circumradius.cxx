@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Circumradius.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ahd
+{
+namespace
+{
+
+/// VTK's largest double, and so the largest alpha: a circle too large for any.
+constexpr double kLargestRadius = 1e299;
+
+Vector3 minus(const Vector3& a, const Vector3& b)
+{
+  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
+}
+
+Vector3 times(const Vector3& v, double factor)
+{
+  return { { v[0] * factor, v[1] * factor, v[2] * factor } };
+}
+
+/// Of the parallelogram.
+double areaOf(const Vector3& u, const Vector3& v)
+{
+  return lengthOf(cross(u, v));
+}
+
+/// A power of two that brings lengths up to this one near 1, or 1 where that is not needed.
+double scaleOf(double length)
+{
+  if (length > 1e-60 && length < 1e60)
+  {
+    return 1.0;
+  }
+  int exponent = 0;
+  std::frexp(length, &exponent);
+  return std::ldexp(1.0, std::min(std::max(-exponent, -1020), 1020));
+}
+
+} // namespace
+
+double lengthOf(const Vector3& v)
+{
+  // std::hypot takes many times as long.
+  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+  return square > 1e-290 && square < 1e300 ? std::sqrt(square) : std::hypot(v[0], v[1], v[2]);
+}
+
+double circumradius(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  Vector3 sides[3] = { minus(b, a), minus(c, b), minus(a, c) };
+  double lengths[3] = { lengthOf(sides[0]), lengthOf(sides[1]), lengthOf(sides[2]) };
+  const double longest = std::max(lengths[0], std::max(lengths[1], lengths[2]));
+  const double scale = scaleOf(longest);
+  for (int i = 0; i < 3; ++i)
+  {
+    sides[i] = times(sides[i], scale);
+    lengths[i] *= scale;
+  }
+  // The angle at the longest side's opposite corner is the one whose sine loses fewest digits.
+  const int k = lengths[0] >= longest * scale ? 0 : lengths[1] >= longest * scale ? 1 : 2;
+  const double area = areaOf(sides[(k + 1) % 3], sides[(k + 2) % 3]);
+  const double radius = area == 0.0 ? kLargestRadius
+                                    : lengths[0] * lengths[1] * lengths[2] / (2.0 * area) / scale;
+  return radius > kLargestRadius ? kLargestRadius : radius;
+}
+
+} // namespace ahd

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_PlaneFit_h
+#define ahd_PlaneFit_h
+
+#include "../Core/Progress.h"
+#include "../Points/Points.h"
+#include "Vectors.h"
+
+namespace ahd
+{
+
+/// The plane with the least sum of squared distances from points, not yet turned to a side (see
+/// Plane.h).
+struct PlaneFit
+{
+  /// About one long; z if all points coincide or there is none. Of points on a line (up to the
+  /// precision of their numbers) the one closest to z, or to y where the line's largest component
+  /// is z.
+  Vector3 normal = { { 0, 0, 1 } };
+
+  /// A point close by from which the distance of every point is exact, along each coordinate.
+  Vector3 origin = { { 0, 0, 0 } };
+
+  /// Of the plane above the origin, along the normal.
+  double height = 0.0;
+
+  /// A power of two; what has been multiplied with it can be added up.
+  double shrink = 1.0;
+};
+
+/// Returns false if the work is to be cancelled; throws std::bad_alloc. `fit` is to be new.
+/// REQUIRES: points.stride is 3.
+bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
+
+} // namespace ahd
+
+#endif
