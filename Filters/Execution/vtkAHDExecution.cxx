@@ -89,8 +89,10 @@ void vtkAHDExecution::Triangulate(Results& results)
   this->Report.DelaunayTriangles = triangulation.report().triangles;
   if (this->Settings.GenerateVoronoi)
   {
+#if 0
     this->Context.Check(
       ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
+#endif
   }
 }
 
@@ -154,6 +156,11 @@ void vtkAHDExecution::ReportOn(const Results& results)
   report.Crossings = points.crossings().size();
   report.UnfitIds = points.unfitIds();
   report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
+  for (std::size_t phase = 0; phase < ahd::kPhases; ++phase)
+  {
+    report.Seconds[phase] = this->Context.GetSeconds(ahd::Phase(phase));
+  }
+  report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
   if (!report.Constraints.leftOut.empty())
   {
     const ahd::LeftOut& first = report.Constraints.leftOut[0];

@@ -3,7 +3,7 @@
 #define vtkAHDContext_h
 
 #include "Engine/Core/Context.h"
-#include "Engine/Core/Executor.h"
+#include "Engine/Core/Threads.h"
 #include "Engine/Result.h"
 #include "Pipeline/vtkAHDProgress.h"
 
@@ -22,14 +22,20 @@ struct vtkAHDStop
 class vtkAHDContext
 {
 public:
-  vtkAHDContext(vtkAHDProgress& progress, ahd::Executor& executor)
+  vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads)
     : Progress(progress)
-    , Executor(executor)
+    , Threads(threads)
   {
   }
 
   /// For the engine.
-  operator ahd::Context() const { return { &this->Progress, &this->Executor }; }
+  operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
+
+  /// Wall-clock seconds that a phase of the engine has taken.
+  double GetSeconds(ahd::Phase phase) const { return this->Progress.GetSeconds(phase); }
+
+  /// Threads that have shared work so far, the calling one included.
+  unsigned GetThreadsUsed() const { return this->Threads.used(); }
 
   /// Throws vtkAHDStop unless Ok. Ends the time of the engine's last phase.
   void Check(ahd::Status status) const
@@ -91,7 +97,7 @@ public:
     const std::size_t pieces = (count + kPiece - 1) / kPiece;
     if (count >= kLeastShared)
     {
-      this->Executor.run(pieces, piece, ask);
+      this->Threads.run(pieces, piece, ask);
       return !aborted;
     }
     for (std::size_t i = 0; i < pieces && !aborted; ++i)
@@ -103,7 +109,7 @@ public:
 
 private:
   vtkAHDProgress& Progress;
-  ahd::Executor& Executor;
+  ahd::Threads& Threads;
 };
 
 #endif

@@ -2,8 +2,7 @@
 //
 // Points triangulated in another plane than x, y.
 #include "FilterTestSupport.h"
-#include "Input/vtkAHDPlane.h"
-#include "Input/vtkAHDVectors.h"
+#include "Engine/Surface/Plane.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkMatrix4x4.h"
@@ -42,8 +41,8 @@ Slope makeSlope(unsigned seed)
   {
     u = { whole(5), whole(5), whole(5) };
     v = { whole(5), whole(5), whole(5) };
-    slope.Normal = vtkAHDCross(u, v);
-  } while (vtkAHDDot(slope.Normal, slope.Normal) == 0);
+    slope.Normal = ahd::cross(u, v);
+  } while (ahd::dot(slope.Normal, slope.Normal) == 0);
   for (int k = 0; k < 60; ++k)
   {
     const double i = whole(40), j = whole(40);
@@ -62,7 +61,7 @@ Xyz normalOf(const std::vector<Xyz>& points, const Triangle& t)
     u[k] = points[std::size_t(t[1])][k] - a[k];
     v[k] = points[std::size_t(t[2])][k] - a[k];
   }
-  return vtkAHDCross(u, v);
+  return ahd::cross(u, v);
 }
 
 std::vector<Triangle> triangulateFitted(const std::vector<Xyz>& points)
@@ -142,23 +141,23 @@ TEST(Projection, NoPointLiesInsideACircle)
         u[k] = slope.Points[std::size_t(t[1])][k] - a[k];
         v[k] = slope.Points[std::size_t(t[2])][k] - a[k];
       }
-      const Xyz n = vtkAHDCross(u, v);
-      const Xyz uv = vtkAHDCross(n, u), vv = vtkAHDCross(v, n);
+      const Xyz n = ahd::cross(u, v);
+      const Xyz uv = ahd::cross(n, u), vv = ahd::cross(v, n);
       if (n == Xyz{ 0, 0, 0 })
       {
         continue; // on an edge of the hull
       }
-      const double nn = vtkAHDDot(n, n), uu = vtkAHDDot(u, u), ww = vtkAHDDot(v, v);
+      const double nn = ahd::dot(n, n), uu = ahd::dot(u, u), ww = ahd::dot(v, v);
       Xyz centre;
       for (std::size_t k = 0; k < 3; ++k)
       {
         centre[k] = (ww * uv[k] + uu * vv[k]) / (2 * nn);
       }
-      const double radius2 = vtkAHDDot(centre, centre);
+      const double radius2 = ahd::dot(centre, centre);
       for (const Xyz& p : slope.Points)
       {
         const Xyz d = { p[0] - a[0] - centre[0], p[1] - a[1] - centre[1], p[2] - a[2] - centre[2] };
-        ASSERT_GE(vtkAHDDot(d, d), radius2 * (1 - 1e-9)) << "slope " << seed;
+        ASSERT_GE(ahd::dot(d, d), radius2 * (1 - 1e-9)) << "slope " << seed;
       }
     }
   }
