@@ -37,7 +37,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseHilbertSorter: " << (this->UseHilbertSorter ? "On\n" : "Off\n");
   os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
-  os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
+  os << indent << "GeneratePointStatus: " << (this->GeneratePointStatus ? "On\n" : "Off\n");
   os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
   os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");
   os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");

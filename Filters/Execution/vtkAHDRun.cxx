@@ -97,7 +97,7 @@ ahd::Status vtkAHDRun::AddArrays()
 {
   this->AddCrossings();
   ahd::Status status = ahd::Status::Ok;
-  if (this->Filter->GenerateFate)
+  if (this->Filter->GeneratePointStatus)
   {
     status = vtkAHDOutput::AddFate(
       this->Triangulator, this->Merged, this->Surface, this->Executor, this->Progress);

@@ -226,7 +226,7 @@ ahd::Status vtkAHDRun::ShowInArrays()
     auto* array = vtkIdTypeArray::SafeDownCast(wanted ? data->GetArray(name) : nullptr);
     return array ? array->GetPointer(0) : nullptr;
   };
-  vtkIdType* fates = numbers(this->Filter->GenerateFate, "Fate");
+  vtkIdType* fates = numbers(this->Filter->GeneratePointStatus, "Fate");
   if (fates)
   {
     const std::size_t count = static_cast<std::size_t>(this->Surface->GetNumberOfPoints());

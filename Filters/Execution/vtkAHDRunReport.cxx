@@ -30,7 +30,7 @@ std::size_t vtkAHDRun::EstimateBytes() const
 {
   const std::size_t count = this->CountExpectedPoints();
   const std::size_t limit = static_cast<std::size_t>(this->Filter->InsertionLimit);
-  const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GenerateFate) +
+  const std::size_t idArrays = static_cast<std::size_t>(this->Filter->GeneratePointStatus) +
     static_cast<std::size_t>(this->Filter->GenerateInsertionRank);
   std::size_t bytes = ahd::Triangulator::memoryEstimate(count, this->GetOptions()) +
     vtkAHDOutput::EstimateBytes(count, idArrays) + this->EstimateSourceBytes(count) +
