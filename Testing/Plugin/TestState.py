@@ -14,7 +14,7 @@ INSERTION = {
     "ControlPoints": "First level",
     "GeneRotation": 0,
     "CountWork": 1,
-    "GenerateFate": 1,
+    "GeneratePointStatus": 1,
     "InsertionLimit": 200,
     "GenerateInsertionRank": 1,
     "GenerateInsertionCurve": 1,
