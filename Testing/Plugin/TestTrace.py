@@ -55,6 +55,7 @@ for piece in (
     "Transform.Rotate = [0.0, 0.0, 30.0]",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
+check("GenerateFate" not in trace, "the trace has the old name of GeneratePointStatus too")
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
 
 expected = fingerprint(surface)
