@@ -19,7 +19,7 @@ void vtkAdaptiveHilbertAlgorithm::ReadSettings(vtkAHDSettings& settings) const
   options.keepBoxes = this->GenerateBoxes;
   options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve ||
     this->GenerateBoxes;
-  settings.GeneratePointStatus = this->GenerateFate;
+  settings.GeneratePointStatus = this->GeneratePointStatus;
   settings.GenerateInsertionRank = this->GenerateInsertionRank;
   settings.GenerateInsertionCurve = this->GenerateInsertionCurve;
   settings.GenerateConstraintEdges = this->GenerateConstraintEdges;
@@ -74,7 +74,7 @@ void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseHilbertSorter: " << (this->UseHilbertSorter ? "On\n" : "Off\n");
   os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
   os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
-  os << indent << "GenerateFate: " << (this->GenerateFate ? "On\n" : "Off\n");
+  os << indent << "GeneratePointStatus: " << (this->GeneratePointStatus ? "On\n" : "Off\n");
   os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
   os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");
   os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");

@@ -5,6 +5,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProcessModule.h"
+#include "vtkSMPropertyHelper.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxyProperty.h"
 #include "vtkSMSourceProxy.h"
@@ -72,6 +73,47 @@ public:
   }
 };
 
+// The setting by its XML name, which state files have, and the property that carries the name it
+// had in Python before: GenerateFate, by its label.
+constexpr const char* kPointStatus = "GenerateFate";
+constexpr const char* kOldName = "GenerateFateOldName";
+
+void CopyProperty(vtkSMProxy* proxy, const char* from, const char* to)
+{
+  vtkSMPropertyHelper(proxy, to).Set(vtkSMPropertyHelper(proxy, from).GetAsInt());
+  if (proxy->GetObjectsCreated())
+  {
+    proxy->UpdateProperty(to);
+  }
+}
+
+/// Observes one proxy: a property was changed. Keeps the setting the same by both its names.
+class FollowOldName : public vtkCommand
+{
+public:
+  static FollowOldName* New() { VTK_STANDARD_NEW_BODY(FollowOldName); }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    const auto* name = static_cast<const char*>(data);
+    auto* proxy = vtkSMProxy::SafeDownCast(caller);
+    if (name && std::strcmp(name, kOldName) == 0)
+    {
+      CopyProperty(proxy, kOldName, kPointStatus);
+    }
+    else if (name && std::strcmp(name, kPointStatus) == 0)
+    {
+      CopyProperty(proxy, kPointStatus, kOldName);
+    }
+  }
+};
+
+/// What was set before anybody observed the proxy: whichever was switched on.
+void JoinNames(vtkSMProxy* proxy)
+{
+  const bool byOldName = vtkSMPropertyHelper(proxy, kOldName).GetAsInt() != 0;
+  CopyProperty(proxy, byOldName ? kOldName : kPointStatus, byOldName ? kPointStatus : kOldName);
+}
+
 /// Observes the proxy manager: a proxy was registered.
 class ObserveFilters : public vtkCommand
 {
@@ -89,11 +131,14 @@ public:
     }
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Fetch);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Refuse);
+    JoinNames(proxy);
+    proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Follow);
   }
 
 private:
   vtkNew<FetchMeasures> Fetch;
   vtkNew<RefuseCircle> Refuse;
+  vtkNew<FollowOldName> Follow;
 };
 }
 

@@ -3,12 +3,17 @@
 #define FilterObservers_h
 
 /// Called when the plugin is loaded. From now on each proxy of AdaptiveHilbertDelaunay2D is
-/// observed, for two things that ParaView does not see to by itself:
-/// - It fetches information properties when it prepares a run, not when the run is over, so a panel
-///   would show the measures of the run before the last. They are fetched again after each run.
-/// - It offers every polygonal data set as a Source, those made from the filter's own output too;
-/// to
-///   update such a circle never ends. A Source of this kind is taken away again, with a warning.
+/// observed, for three things that ParaView does not do by itself.
+///
+/// It fetches information properties before a run, not after it, so a panel would show the measures
+/// of the run before the last. They are fetched again after each run.
+///
+/// It offers every polygonal data set as a Source, those made from the filter's own output too, and
+/// the update of such a circle never ends. A Source of this kind is taken away, with a warning.
+///
+/// It knows one name of a property in Python. GeneratePointStatus has an old one, GenerateFate,
+/// which is a property of its own: the two are kept equal.
+///
 /// Does nothing on a server, which has no properties.
 void ObserveTheFilters();
 

@@ -28,14 +28,14 @@ cloud.SetPoints(points)
 
 delaunay = vtkAdaptiveHilbertDelaunay2D()
 delaunay.SetInputData(cloud)
-delaunay.GenerateFateOn()  # a point array that says what became of each point
+delaunay.GeneratePointStatusOn()  # adds the point array "Fate"
 delaunay.Update()  # warns of the point without a place
 surface = delaunay.GetOutput()
 
-fate = vtk_to_numpy(surface.GetPointData().GetArray("Fate"))
+status = vtk_to_numpy(surface.GetPointData().GetArray("Fate"))
 corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
 print("%d triangles on %d points" % (surface.GetNumberOfPolys(), delaunay.GetNumberOfPointsInserted()))
-print("point 77 is", fate[77], "again; point 99 is", "rejected" if fate[99] == -1 else "used")
+print("point 77 is", status[77], "again; point 99 is", "rejected" if status[99] == -1 else "used")
 
 # Points, their ids and their data are the input's: corners index `samples`.
 a, b, c = (samples[corners[:, i]] for i in range(3))

@@ -3,7 +3,7 @@
 """Checks of the sources as text, one a run:
 
     lint.py format [--clang-format PROGRAM]   C++ is as clang-format would have it
-    lint.py sizes                             files and functions are short
+    lint.py sizes                             files, functions and comments of public headers are short
     lint.py python                            lines of Python are short, pyflakes is content
     lint.py shell                             shellcheck is content
     lint.py tidy --build FOLDER [--only REGEX] [--jobs N]
@@ -29,8 +29,9 @@ CXX = {".cxx", ".h"}
 
 # A file has at most so many lines.
 FILE_LINES = 500
-# Three of four lines of this one are the contract of the class, which belongs in one place.
-LONG_FILES = {"Filters/vtkAdaptiveHilbertDelaunay2D.h": 540}
+# At most so much of a public header is comment: what is longer belongs in Reference.md.
+PUBLIC_HEADERS = "Filters/vtk*.h"
+COMMENT_SHARE = 0.5
 # Nine functions of ten have fewer lines than the first, none has more than the second.
 USUAL_LINES = 40
 MOST_LINES = 80
@@ -131,17 +132,26 @@ def python_functions(text):
             yield node.lineno, node.end_lineno - node.lineno + 1, node.name
 
 
+def long_comments(place, lines):
+    """A header of which too much is comment: lines that are nothing else, as clang-format lays them out."""
+    comment = sum(1 for line in lines if re.match(r"\s*(//|/\*|\*)", line))
+    if comment <= COMMENT_SHARE * len(lines):
+        return []
+    return [f"{place}: {comment} of {len(lines)} lines are comment, more than half"]
+
+
 def check_sizes(root):
-    """Files and functions that are too long."""
+    """Files, functions and comments that are too long."""
     complaints = []
     functions = []
     for path in files(root, ".cxx", ".h", ".py", ".sh", ".cmake"):
         text = path.read_text(encoding="utf-8")
         lines = text.splitlines()
         place = path.relative_to(root)
-        limit = LONG_FILES.get(str(place), FILE_LINES)
-        if len(lines) > limit:
-            complaints.append(f"{place}: {len(lines)} lines, more than {limit}")
+        if len(lines) > FILE_LINES:
+            complaints.append(f"{place}: {len(lines)} lines, more than {FILE_LINES}")
+        if place.match(PUBLIC_HEADERS) and len(place.parts) == 2:
+            complaints += long_comments(place, lines)
         found = []
         if path.suffix in CXX:
             found = cxx_functions(lines)

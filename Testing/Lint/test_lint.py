@@ -69,6 +69,17 @@ class ComplaintsTest(unittest.TestCase):
             self.assertEqual(lint.check_sizes(self.root), [f"{name}: 501 lines, more than 500"])
             path.unlink()
 
+    def test_comments_of_public_headers(self):
+        text = "/**\n * A word.\n */\n/// Another.\n// One more.\n" + "int a;\n\n" * 2 + "int b;\n"
+        self.write("Filters/vtkPublic.h", text)
+        self.assertEqual(lint.check_sizes(self.root), [])
+        self.write("Filters/vtkPublic.h", "// Too much.\n" + text)
+        for other in ("Filters/Input/vtkPrivate.h", "Filters/vtkPublic.cxx", "Testing/vtkTest.h"):
+            self.write(other, "// A word.\n")
+        self.assertEqual(
+            lint.check_sizes(self.root), ["Filters/vtkPublic.h: 6 of 11 lines are comment, more than half"]
+        )
+
     def test_long_functions(self):
         self.write("Filters/many.cxx", "\n".join(function(5, f"f{i}") for i in range(9)))
         self.write("Filters/one.cxx", function(80))

@@ -9,17 +9,26 @@ from paraview import servermanager
 
 from pluginsupport import *
 
+# GeneratePointStatus was GenerateFate once: in state files it still is, and both names work in Python.
+XML_NAMES = {"GeneratePointStatus": "GenerateFate", "GenerateFate": "GenerateFateOldName"}
+
 LoadPlugin(PLUGIN, remote=False, ns=globals())
 proxy = AdaptiveHilbertDelaunay2D(Input=Sphere())
 sm = proxy.SMProxy
 
 
+def xml_name(name):
+    return XML_NAMES.get(name, name)
+
+
 def properties():
+    """The properties by what their names are in Python."""
+    names = {xml: name for name, xml in XML_NAMES.items()}
     iterator = sm.NewPropertyIterator()
     iterator.Begin()
     found = {}
     while not iterator.IsAtEnd():
-        found[iterator.GetKey()] = iterator.GetProperty()
+        found[names.get(iterator.GetKey(), iterator.GetKey())] = iterator.GetProperty()
         iterator.Next()
     return found
 
@@ -32,7 +41,7 @@ def test_menu():
 
 
 def test_properties_are_complete():
-    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform"])
+    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform", "GenerateFate"])
     check_equal(set(properties()), expected, "properties of the filter")
     for name in MEASURES:
         check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
@@ -58,16 +67,16 @@ def test_everything_is_documented():
 
 def test_everything_is_in_the_panel():
     """information_only hides a property unless its visibility is set; none is to be hidden but those that
-    do nothing."""
+    do nothing and the old name of one."""
     for name, item in properties().items():
-        nothing = name in ("RandomPointInsertion", "UseHilbertSorter")
+        hidden = name in ("RandomPointInsertion", "UseHilbertSorter", "GenerateFate")
         check(
-            item.GetPanelVisibility() in (("never",) if nothing else ("default", "advanced")),
+            item.GetPanelVisibility() in (("never",) if hidden else ("default", "advanced")),
             "%s has panel_visibility %r" % (name, item.GetPanelVisibility()),
         )
     shown = ["Source", "SourceMode", "FillRule", "Alpha", "MaximumEdgeLength", "ProjectionPlaneMode", "Tolerance"]
-    for name in shown + ["InsertionOrder", "GenerateFate"] + COUNTS[:4]:
-        check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
+    for name in shown + ["InsertionOrder", "GeneratePointStatus"] + COUNTS[:4]:
+        check_equal(sm.GetProperty(xml_name(name)).GetPanelVisibility(), "default", "panel_visibility of " + name)
 
 
 def choices(proxy, name):
@@ -151,6 +160,23 @@ def test_the_limit_goes_up_to_the_number_of_points():
     check(item.GetAnimateable(), "InsertionLimit cannot be animated")
 
 
+def test_generate_fate_is_the_old_name_of_generate_point_status():
+    points = XMLPolyDataReader(FileName=[write_vtp("names.vtp", hill_points(30))])
+    for first, second in (("GenerateFate", "GeneratePointStatus"), ("GeneratePointStatus", "GenerateFate")):
+        surface = AdaptiveHilbertDelaunay2D(Input=points, **{first: 1})
+        check_equal(getattr(surface, second), 1, "%s, as %s was given" % (second, first))
+        surface.UpdatePipeline()
+        check(surface.PointData["Fate"], "no point status, though %s was given" % first)
+        setattr(surface, first, 0)
+        check_equal(getattr(surface, second), 0, "%s, as %s was switched off" % (second, first))
+        surface.UpdatePipeline()
+        check(not surface.PointData["Fate"], "point status, though %s was switched off" % first)
+        setattr(surface, second, 1)
+        check_equal(getattr(surface, first), 1, "%s, as %s was switched on" % (first, second))
+        surface.UpdatePipeline()
+        check(surface.PointData["Fate"], "no point status, though %s was switched on" % second)
+
+
 def test_outputs():
     check_equal(sm.GetNumberOfOutputPorts(), 3, "number of outputs")
     names = [sm.GetOutputPortName(i) for i in range(3)]
@@ -179,14 +205,15 @@ def test_defaults_and_names_are_those_of_the_class():
     if cls is None:
         check(not EXPECT_PYTHON, "the package adaptivehilbertdelaunay cannot be imported")
         return
-    setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform"])
+    setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform", "GenerateFate"])
+    getters = set(SETTINGS + MEASURES + ["Source", "Transform", "GenerateFate"])
     check_equal(own_methods(cls, "Set"), setters, "settings of the class")
-    check_equal(own_methods(cls, "Get"), set(SETTINGS + MEASURES + ["Source", "Transform"]), "values of the class")
+    check_equal(own_methods(cls, "Get"), getters, "values of the class")
     fresh = cls()
     # VTK's default is the ids, for the sake of old programs; what a user picks in the panel has coordinates.
     check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
     for name in set(SETTINGS + MEASURES) - {"SourceMode"}:
-        shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
+        shown = servermanager.vtkSMPropertyHelper(sm, xml_name(name)).GetAsDouble()
         check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
 
 

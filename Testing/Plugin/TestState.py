@@ -14,7 +14,7 @@ INSERTION = {
     "ControlPoints": "First level",
     "GeneRotation": 0,
     "CountWork": 1,
-    "GenerateFate": 1,
+    "GeneratePointStatus": 1,
     "InsertionLimit": 200,
     "GenerateInsertionRank": 1,
     "GenerateInsertionCurve": 1,
@@ -96,7 +96,11 @@ def check_restored(expected, how):
 def test_states():
     expected = build()
     SaveState(scratch("state.pvsm"))
+    with open(scratch("state.pvsm")) as file:
+        state = file.read()
+    check('<Property name="GenerateFate" ' in state, "the XML state has another name than states had before")
     python_state = smstate.get_state(filter=smstate.supported_proxies())
+    check("GenerateFate" not in python_state, "the Python state has the old name of GeneratePointStatus too")
     with open(scratch("state.py"), "w") as file:
         file.write(python_state)
 

@@ -20,7 +20,7 @@ surface.UpdatePipeline()
 # What the Apply button does: trace what is changed between here ...
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
 surface.InsertionOrder = "Regular grid"
-surface.GenerateFate = 1
+surface.GeneratePointStatus = 1
 surface.NumberOfThreads = 3
 surface.ReuseLimit = 0
 surface.InsertionLimit = 150
@@ -40,7 +40,7 @@ for piece in (
     "AdaptiveHilbertDelaunay2D(",
     "Nmax = 77",
     "InsertionOrder = 'Regular grid'",
-    "GenerateFate = 1",
+    "GeneratePointStatus = 1",
     "NumberOfThreads = 3",
     "ReuseLimit = 0",
     "InsertionLimit = 150",
@@ -55,6 +55,7 @@ for piece in (
     "Transform.Rotate = [0.0, 0.0, 30.0]",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
+check("GenerateFate" not in trace, "the trace has the old name of GeneratePointStatus too")
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
 
 expected = fingerprint(surface)
@@ -64,7 +65,7 @@ with open(replay, "w") as file:
     file.write(
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
-        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GenerateFate), surface.InsertionOrder,\n"
+        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus), surface.InsertionOrder,\n"
         "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
         "    int(surface.GenerateBoxes), FindSource('outline').Input.Port)\n"
     )

@@ -45,7 +45,7 @@ SETTINGS = [
     "ControlPoints",
     "GeneRotation",
     "CountWork",
-    "GenerateFate",
+    "GeneratePointStatus",
     "InsertionLimit",
     "GenerateInsertionRank",
     "GenerateInsertionCurve",

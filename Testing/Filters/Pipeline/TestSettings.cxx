@@ -21,7 +21,7 @@ TEST(Settings, HaveTheDocumentedDefaultsAndRanges)
   EXPECT_EQ(filter->GetControlPoints(), Filter::EVERY_LEVEL);
   EXPECT_TRUE(filter->GetGeneRotation());
   EXPECT_FALSE(filter->GetCountWork());
-  EXPECT_FALSE(filter->GetGenerateFate());
+  EXPECT_FALSE(filter->GetGeneratePointStatus());
   EXPECT_EQ(filter->GetInsertionLimit(), 0);
   EXPECT_FALSE(filter->GetGenerateInsertionRank());
   EXPECT_FALSE(filter->GetGenerateInsertionCurve());
@@ -255,7 +255,7 @@ TEST(Settings, AreAllPrinted)
   std::ostringstream text;
   filter->Print(text);
   for (const char* name :
-    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GenerateFate",
+    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GeneratePointStatus",
       "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve", "GenerateBoxes",
       "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
       "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
@@ -270,6 +270,29 @@ TEST(Settings, AreAllPrinted)
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }
+}
+
+TEST(Settings, GenerateFateIsTheOldNameOfGeneratePointStatus)
+{
+  vtkNew<Filter> filter;
+  filter->GenerateFateOn();
+  EXPECT_TRUE(filter->GetGeneratePointStatus());
+  const vtkMTimeType on = filter->GetMTime();
+  filter->SetGeneratePointStatus(true);
+  EXPECT_EQ(filter->GetMTime(), on);
+  filter->GeneratePointStatusOff();
+  EXPECT_FALSE(filter->GetGenerateFate());
+  EXPECT_GT(filter->GetMTime(), on);
+  filter->SetGenerateFate(true);
+  EXPECT_TRUE(filter->GetGeneratePointStatus());
+  filter->GenerateFateOff();
+  EXPECT_FALSE(filter->GetGeneratePointStatus());
+  filter->GeneratePointStatusOn();
+  EXPECT_TRUE(filter->GetGenerateFate());
+
+  filter->SetInputData(makeCloud(latticePoints(3, 3)));
+  filter->Update();
+  EXPECT_NE(filter->GetOutput()->GetPointData()->GetArray("Fate"), nullptr);
 }
 
 TEST(Settings, IgnoreNaN)
