@@ -152,6 +152,7 @@ bool Preparation::copy(Phase phase)
   {
     return true;
   }
+  out_.places_.reserve(3 * std::max(points.count, expectedPoints(request_)));
   out_.places_.resize(3 * points.count);
   double* to = out_.places_.data();
   Ticker ticker(&phases_, phase, 0, context_.executor);
@@ -174,18 +175,27 @@ bool Preparation::copy(Phase phase)
 double* Preparation::add(std::size_t count)
 {
   PointView& points = out_.points_;
+  std::vector<unsigned char>& skip = out_.skip_;
   const std::size_t before = points.count;
-  if (points.skip)
+  const std::size_t after = before + count;
+  if (points.skip && skip.empty())
   {
-    std::vector<unsigned char> skip(before + count);
+    skip.reserve(std::max(after, expectedPoints(request_)));
     for (std::size_t i = 0; i < before; ++i)
     {
-      skip[i] = points.skipped(i);
+      skip.push_back(points.skipped(i));
     }
-    setSkipped(std::move(skip));
   }
-  out_.places_.resize(3 * (before + count));
-  points.count = before + count;
+  if (points.skip)
+  {
+    skip.reserve(after);
+    skip.resize(after, 0);
+    points.skip = skip.data();
+    points.skipMask = 0xFF;
+  }
+  out_.places_.reserve(3 * after);
+  out_.places_.resize(3 * after);
+  points.count = after;
   points.floats = nullptr;
   points.doubles = out_.places_.data();
   return out_.places_.data() + 3 * before;

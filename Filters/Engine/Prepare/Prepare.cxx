@@ -98,7 +98,7 @@ ConstraintView PreparedInput::constraints() const
   ConstraintView view;
   view.ids = ids_.data();
   view.offsets = offsets_.data();
-  view.chains = offsets_.size() - 1;
+  view.chains = offsets_.empty() ? 0 : offsets_.size() - 1;
   view.lines = lines_;
   return view;
 }

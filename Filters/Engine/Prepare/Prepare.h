@@ -149,8 +149,8 @@ private:
   bool isProjected_ = false;
   Plane plane_;
   std::vector<MergedPoint> merged_;
-  std::vector<std::int64_t> ids_; ///< of the chains
-  std::vector<std::int64_t> offsets_ = { 0 };
+  std::vector<std::int64_t> ids_;     ///< of the chains
+  std::vector<std::int64_t> offsets_; ///< empty without chains
   std::size_t lines_ = 0;
   std::int64_t firstCell_ = 0;
   UnfitIds unfit_;

@@ -29,6 +29,7 @@ Status Preparation::readConstraints()
   out_.lines_ = request_.lines.cells;
   out_.ids_.reserve(segmentsOf(request_));
   out_.offsets_.reserve(request_.lines.cells + request_.polygons.cells + 1);
+  out_.offsets_.push_back(0);
   const bool all = ticker.ask() && readCells(request_.lines, ticker) &&
     readCells(request_.polygons, ticker) && followMerged(ticker);
   return all ? Status::Ok : Status::Cancelled;

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// prepare() where it is cancelled, has no memory, too many points, or several threads. This
+// program's operator new counts, and fails when told to.
+#include "PrepareCase.h"
+
+#include "Executors.h"
+#include "Listeners.h"
+#include "OwnMemory.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// Everything at once, but for the plane: merging, bounding points, crossings.
+void setAll(InputRequest& request, std::size_t variant)
+{
+  request.tolerance = variant % 2 == 0 ? 0.02 : 0.0;
+  request.bounding = variant % 3 != 0;
+  request.fitPlane = variant % 4 == 3;
+  request.split = variant % 5 != 0;
+  request.idsAreOfInput = variant % 7 == 5;
+}
+
+struct ManyRequests
+{
+  explicit ManyRequests(std::size_t points)
+    : given(oddPoints(points, 1), oddPoints(points / 2, 2), linesBetween(12, points / 2, 3),
+        linesBetween(4, points / 2, 4))
+  {
+  }
+  /// Calls check() for different requests.
+  void forAll(const std::function<void(const InputRequest&)>& check)
+  {
+    for (std::size_t variant = 0; variant < 8; ++variant)
+    {
+      SCOPED_TRACE(variant);
+      InputRequest request = given.request;
+      setAll(request, variant);
+      if (request.idsAreOfInput)
+      {
+        request.sourcePoints = PointView();
+      }
+      check(request);
+    }
+  }
+  PrepareCase given;
+};
+
+TEST(PrepareTrouble, AnyAskingCanCancel)
+{
+  ManyRequests(3000).forAll(
+    [](const InputRequest& request)
+    {
+      Listener all;
+      PreparedInput out;
+      ASSERT_EQ(prepare(request, Context{ &all, nullptr }, out), Status::Ok);
+      for (std::size_t k = 1; k <= all.askings(); ++k)
+      {
+        Listener listener(k);
+        PreparedInput cancelled;
+        ASSERT_EQ(prepare(request, Context{ &listener, nullptr }, cancelled), Status::Cancelled)
+          << "asking " << k;
+        ASSERT_EQ(listener.askings(), k) << "nobody is asked again";
+      }
+    });
+}
+
+TEST(PrepareTrouble, AnyAllocationCanFail)
+{
+  ManyRequests(60).forAll(
+    [](const InputRequest& request)
+    {
+      PreparedInput expected;
+      account.allocations = 0;
+      const Status first = prepare(request, Context(), expected);
+      const std::size_t all = account.allocations;
+      ASSERT_EQ(first, Status::Ok);
+      const std::string bytes = bytesOf(expected);
+      for (std::size_t k = 1; k <= all; ++k)
+      {
+        const std::size_t before = account.held;
+        {
+          PreparedInput out;
+          account.allocations = 0;
+          account.failAt = k;
+          const Status status = prepare(request, Context(), out);
+          account.failAt = 0;
+          ASSERT_EQ(status, Status::OutOfMemory) << "allocation " << k << " of " << all;
+        }
+        ASSERT_EQ(account.held, before) << "something leaked";
+      }
+      PreparedInput again;
+      ASSERT_EQ(prepare(request, Context(), again), Status::Ok);
+      EXPECT_EQ(bytesOf(again), bytes);
+    });
+}
+
+TEST(PrepareTrouble, ItTakesNoMoreMemoryThanEstimated)
+{
+  ManyRequests(20000).forAll(
+    [](InputRequest request)
+    {
+      request.split = false; // nobody knows the crossings
+      const std::size_t before = account.held;
+      account.peak = before;
+      PreparedInput out;
+      ASSERT_EQ(prepare(request, Context(), out), Status::Ok);
+      EXPECT_LE(account.peak - before, preparationMemoryEstimate(request) + 10000);
+    });
+}
+
+TEST(PrepareTrouble, TooManyPointsAreRefusedUnseen)
+{
+  PrepareCase given({ { { 1, 2, 3 } } }, {});
+  given.request.points.count = kMaximumPoints;
+  given.request.bounding = true;
+  PreparedInput out;
+  EXPECT_EQ(prepare(given.request, Context(), out), Status::TooManyPoints);
+}
+
+TEST(PrepareTrouble, ThreadsHaveNoSay)
+{
+  constexpr std::size_t kCount = (std::size_t(1) << 18) + 100; // enough to be shared
+  PrepareCase given(oddPoints(kCount, 1), oddPoints(kCount, 2), linesBetween(20, kCount, 3));
+  given.request.split = true;
+  ThreadExecutor threads(3);
+  for (const bool isFitted : { false, true })
+  {
+    given.request.fitPlane = isFitted;
+    given.request.bounding = !isFitted;
+    given.request.tolerance = isFitted ? 0.0 : 1e-5;
+    PreparedInput alone, together;
+    ASSERT_EQ(prepare(given.request, Context(), alone), Status::Ok);
+    Listener listener;
+    ASSERT_EQ(prepare(given.request, Context{ &listener, &threads }, together), Status::Ok);
+    EXPECT_TRUE(bytesOf(alone) == bytesOf(together));
+    EXPECT_EQ(alone.plane().normal(), together.plane().normal());
+    OddPoints odd, same;
+    ASSERT_EQ(findOddPoints(alone.points(), Context(), odd), Status::Ok);
+    ASSERT_EQ(findOddPoints(alone.points(), Context{ nullptr, &threads }, same), Status::Ok);
+    EXPECT_EQ(odd.firstNotFinite, same.firstNotFinite);
+    EXPECT_EQ(odd.oddZ, same.oddZ);
+    EXPECT_GT(odd.firstNotFinite, 0u);
+  }
+}
+
+TEST(PrepareTrouble, ThreadsHearACancel)
+{
+  constexpr std::size_t kCount = std::size_t(1) << 18;
+  PrepareCase given(oddPoints(kCount, 1), { { { 1, 2, 3 } } });
+  given.request.fitPlane = true;
+  ThreadExecutor threads(3);
+  for (std::size_t k = 1; k < 12; ++k)
+  {
+    Listener listener(k);
+    PreparedInput out;
+    EXPECT_EQ(prepare(given.request, Context{ &listener, &threads }, out), Status::Cancelled)
+      << "asking " << k;
+  }
+  Listener refusal(1);
+  OddPoints odd;
+  EXPECT_EQ(
+    findOddPoints(given.request.points, Context{ &refusal, &threads }, odd), Status::Cancelled);
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
