@@ -84,7 +84,7 @@ bool vtkAHDOutputCache::TakeFingerprints(const vtkAHDDataSets& data, const vtkAH
   }
   for (vtkDataArray* array : arrays)
   {
-    vtkAHDFingerprint fingerprint;
+    ahd::Fingerprint fingerprint;
     if (!vtkAHDTakeFingerprint(array, context, fingerprint))
     {
       this->Now.clear();

@@ -56,10 +56,10 @@ private:
   bool HasOwnPoints = false; // is the surface's vtkPoints another than the input's?
   // Of what Fits() saw last:
   vtkMTimeType Settings = 0;
-  vtkIdType Count = -1;                     // of points
-  std::vector<vtkAHDFingerprint> Now;       // empty if none were taken
-  std::vector<vtkAHDFingerprint> AtTheTime; // of what is kept
-  std::array<vtkNew<vtkPolyData>, 3> Data;  // the first without data of the input
+  vtkIdType Count = -1;                    // of points
+  std::vector<ahd::Fingerprint> Now;       // empty if none were taken
+  std::vector<ahd::Fingerprint> AtTheTime; // of what is kept
+  std::array<vtkNew<vtkPolyData>, 3> Data; // the first without data of the input
 };
 
 #endif

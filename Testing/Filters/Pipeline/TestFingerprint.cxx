@@ -19,10 +19,10 @@
 
 namespace
 {
-vtkAHDFingerprint fingerprintOf(vtkDataArray* array, unsigned threads = 1)
+ahd::Fingerprint fingerprintOf(vtkDataArray* array, unsigned threads = 1)
 {
   const ahdtest::Work work(threads);
-  vtkAHDFingerprint fingerprint;
+  ahd::Fingerprint fingerprint;
   EXPECT_TRUE(vtkAHDTakeFingerprint(array, work.Context, fingerprint));
   return fingerprint;
 }
@@ -30,7 +30,7 @@ vtkAHDFingerprint fingerprintOf(vtkDataArray* array, unsigned threads = 1)
 
 TEST(Fingerprint, TellsApartWhatDiffersInABit)
 {
-  std::set<vtkAHDFingerprint> seen;
+  std::set<ahd::Fingerprint> seen;
   std::size_t count = 0;
   for (int size : { 1, 2, 7, 8, 9, 31, 32, 33, 63, 64, 65, 100 })
   {
@@ -58,7 +58,7 @@ TEST(Fingerprint, TellsApartPlacesTypesAndShapes)
   // two different words change places, in steps of the lanes too
   vtkNew<vtkDoubleArray> numbers;
   numbers->SetNumberOfValues(64);
-  std::set<vtkAHDFingerprint> seen;
+  std::set<ahd::Fingerprint> seen;
   std::size_t count = 0;
   for (int i = 0; i < 64; ++i)
   {
@@ -83,7 +83,7 @@ TEST(Fingerprint, TellsApartPlacesTypesAndShapes)
   wholes->FillValue(0);
   floats->FillValue(0);
   EXPECT_NE(fingerprintOf(wholes), fingerprintOf(floats));
-  const vtkAHDFingerprint flat = fingerprintOf(floats);
+  const ahd::Fingerprint flat = fingerprintOf(floats);
   floats->SetNumberOfComponents(3);
   floats->SetNumberOfTuples(4);
   EXPECT_NE(fingerprintOf(floats), flat);
@@ -96,7 +96,7 @@ TEST(Fingerprint, TellsApartPairsOfBits)
   // what one changed word does must not be undone by another
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetNumberOfValues(20);
-  std::set<vtkAHDFingerprint> seen;
+  std::set<ahd::Fingerprint> seen;
   std::size_t count = 0;
   for (int a = 0; a < 160; ++a)
   {
@@ -111,7 +111,7 @@ TEST(Fingerprint, TellsApartPairsOfBits)
   }
   EXPECT_EQ(seen.size(), count);
   std::set<std::uint64_t> halves[2];
-  for (const vtkAHDFingerprint& fingerprint : seen)
+  for (const ahd::Fingerprint& fingerprint : seen)
   {
     halves[0].insert(fingerprint[0]);
     halves[1].insert(fingerprint[1]);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Fingerprint_h
+#define ahd_Fingerprint_h
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+namespace ahd
+{
+
+/// 128 bits that differ for different bytes, with a probability that need not be counted with.
+using Fingerprint = std::array<std::uint64_t, 2>;
+
+/// Takes the fingerprint of bytes. Adds up what becomes of each word at its place, in two ways: as
+/// it is, and an odd number of times, which is smaller by two for the next word. As the words do
+/// not wait for each other, several threads may share them: one FingerprintSum each, added up.
+class FingerprintSum
+{
+public:
+  static constexpr std::size_t kWord = sizeof(std::uint64_t);
+
+  /// Adds the words [begin, end) of so many words at `bytes`.
+  void add(const unsigned char* bytes, std::size_t begin, std::size_t end, std::size_t words)
+  {
+    std::uint64_t plain = 0;
+    std::uint64_t weighted = 0;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      std::uint64_t word = 0;
+      std::memcpy(&word, bytes + i * kWord, kWord);
+      plain += at(word, i);
+      weighted += plain;
+    }
+    sums_[0] += plain;
+    sums_[1] += 2 * weighted + plain * (2 * (words - end) + 1);
+  }
+
+  void add(const FingerprintSum& other)
+  {
+    sums_[0] += other.sums_[0];
+    sums_[1] += other.sums_[1];
+  }
+
+  /// That of all words, of the bytes behind them, and of a number that tells apart what has the
+  /// same bytes. Never { 0, 0 }.
+  Fingerprint finish(const unsigned char* bytes, std::size_t count, std::uint64_t kind) const
+  {
+    const std::size_t words = count / kWord;
+    std::uint64_t rest = 0; // what fills no word
+    for (std::size_t i = words * kWord; i < count; ++i)
+    {
+      rest = rest << 8 | bytes[i];
+    }
+    const std::uint64_t shape = spread(count) + kind;
+    return { { spread(spread(sums_[0] + at(rest, words)) + shape) | 1,
+      spread(spread(sums_[1] + at(rest, words)) + shape) | 1 } };
+  }
+
+private:
+  /// Spreads every bit over all; a bijection.
+  static std::uint64_t spread(std::uint64_t word)
+  {
+    word ^= word >> 32;
+    word *= 0xD6E8FEB86659FD93u;
+    word ^= word >> 32;
+    word *= 0xC2B2AE3D27D4EB4Fu;
+    return word ^ (word >> 32);
+  }
+  static std::uint64_t at(std::uint64_t word, std::size_t i)
+  {
+    return spread(word + i * 0x9E3779B97F4A7C15u);
+  }
+
+  Fingerprint sums_ = { { 0, 0 } };
+};
+
+} // namespace ahd
+
+#endif
