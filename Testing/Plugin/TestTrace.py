@@ -65,8 +65,8 @@ with open(replay, "w") as file:
     file.write(
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
-        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus), surface.InsertionOrder,\n"
-        "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
+        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus),\n"
+        "    surface.InsertionOrder, surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
         "    int(surface.GenerateBoxes), FindSource('outline').Input.Port)\n"
     )
 status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)

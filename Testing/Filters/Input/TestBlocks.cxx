@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The blocks of a composite data set made one point set.
+#include "ContextSupport.h"
 #include "FilterTestSupport.h"
 #include "Input/vtkAHDBlocks.h"
-#include "ContextSupport.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSetAttributes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Points triangulated in another plane than x, y.
-#include "FilterTestSupport.h"
 #include "Engine/Surface/Plane.h"
+#include "FilterTestSupport.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkMatrix4x4.h"

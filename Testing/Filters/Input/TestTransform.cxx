@@ -113,8 +113,7 @@ TEST(Transform, FloatsAreWidened)
   const double wide[3] = { from[0], from[1], from[2] };
   double to[3], expected[3];
   Work work;
-  ASSERT_TRUE(
-    project(ahd::PointView(from, 1, 3), transform, to, work));
+  ASSERT_TRUE(project(ahd::PointView(from, 1, 3), transform, to, work));
   transform->TransformPoint(wide, expected);
   for (int k = 0; k < 3; ++k)
   {
@@ -130,8 +129,7 @@ TEST(Transform, PointsThatAreNotFiniteStaySo)
   const double from[9] = { nan, 1, 2, 1, 2, std::numeric_limits<double>::infinity(), 1, 2, 3 };
   double to[9];
   Work work;
-  ASSERT_TRUE(
-    project(ahd::PointView(from, 3, 3), transform, to, work));
+  ASSERT_TRUE(project(ahd::PointView(from, 3, 3), transform, to, work));
   for (int k = 0; k < 6; ++k)
   {
     EXPECT_TRUE(std::isnan(to[k])) << "number " << k;
@@ -149,8 +147,7 @@ TEST(Transform, WhatHasNoPlaceIsNotFinite)
   const double from[6] = { 1, 1, 0, 1, 1, 2 };
   double to[6];
   Work work;
-  ASSERT_TRUE(
-    project(ahd::PointView(from, 2, 3), transform, to, work));
+  ASSERT_TRUE(project(ahd::PointView(from, 2, 3), transform, to, work));
   EXPECT_FALSE(std::isfinite(to[0]));
   EXPECT_EQ(to[3], 0.5);
 }

@@ -2,8 +2,8 @@
 //
 // The fingerprint of an array: by it an execution knows that the points are those of the one
 // before.
-#include "Execution/vtkAHDFingerprint.h"
 #include "ContextSupport.h"
+#include "Execution/vtkAHDFingerprint.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDoubleArray.h"
