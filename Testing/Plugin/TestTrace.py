@@ -55,7 +55,6 @@ for piece in (
     "Transform.Rotate = [0.0, 0.0, 30.0]",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
-check("GenerateFate" not in trace, "the trace has the old name of GeneratePointStatus too")
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
 
 expected = fingerprint(surface)
@@ -65,7 +64,8 @@ with open(replay, "w") as file:
     file.write(
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
-        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus), surface.InsertionOrder,\n"
+        "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus),\n"
+        "      surface.InsertionOrder,\n"
         "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
         "    int(surface.GenerateBoxes), FindSource('outline').Input.Port)\n"
     )
