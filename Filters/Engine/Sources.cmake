@@ -9,8 +9,8 @@
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
-  Core/Executor.h Core/FloatingPoint.h Core/Progress.h Crossings/Crossings.h Merge/Merge.h
-  Points/Points.h Voronoi/Voronoi.h)
+  Core/Context.h Core/Executor.h Core/FloatingPoint.h Core/Progress.h Crossings/Crossings.h Merge/Merge.h
+  Points/Points.h Triangulation/Triangulation.h Voronoi/Voronoi.h)
 
 # The error bounds of the predicates are derived for products and sums that are each rounded. A
 # compiler that contracts a * b + c into one fused operation gives results of neither kind.

@@ -37,7 +37,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Points", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
-    { "Voronoi", { "Arithmetic", "Points" } },
+    { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
+    { "Voronoi", { "Arithmetic", "Points", "Triangulation" } },
   };
   return kAllowed;
 }
@@ -52,8 +53,7 @@ const Names& vocabulary()
 /// What lies directly in Filters/Engine: the door may use every part, the words only words.
 bool isDoor(const fs::path& file)
 {
-  static const std::set<std::string> kStems = { "Triangulate", "TriangulateCells",
-    "TriangulatorState" };
+  static const std::set<std::string> kStems = { "Triangulate", "TriangulateConstrained" };
   return file.parent_path().empty() && kStems.count(file.stem().string()) != 0;
 }
 
