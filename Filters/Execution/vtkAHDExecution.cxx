@@ -114,10 +114,8 @@ void vtkAHDExecution::Triangulate(Results& results)
   this->Context.NextStage();
   if (this->Settings.GenerateVoronoi)
   {
-#if 0
     this->Context.Check(
       ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
-#endif
   }
 }
 
