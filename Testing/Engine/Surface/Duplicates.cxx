@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Which of the points at one place stands for the vertex, and the mean of them; against a literal
-// search.
+// search. This program's operator new fails when told to.
 #include "Core/Progress.h"
 #include "Surface/Means.h"
 #include "Triangulate.h"
 
 #include "Executors.h"
 #include "Listeners.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
@@ -255,6 +256,34 @@ TEST(Duplicates, AnyAskingCanCancelTheMeansAlsoWithThreads)
         << "asking " << k;
     }
   }
+}
+
+TEST(Duplicates, AnyAllocationOfTheMeansCanFail)
+{
+  const Crowd crowd(9000, 1);
+  const PointView inSpace = viewOf(crowd.points);
+  Triangulation triangulation;
+  make(crowd.view(), triangulation);
+  const std::size_t before = account.held;
+  std::size_t failed = 0;
+  for (;; ++failed)
+  {
+    Triangulation fresh;
+    make(crowd.view(), fresh);
+    std::vector<Mean> means;
+    account.allocations = 0;
+    account.failAt = failed + 1;
+    const Status status = findMeans(fresh, 9000, inSpace, Context(), means);
+    account.failAt = 0;
+    if (status == Status::Ok)
+    {
+      EXPECT_EQ(means.size(), 36u);
+      break;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "allocation " << failed + 1;
+  }
+  EXPECT_GT(failed, 5u);
+  EXPECT_EQ(account.held, before) << "something leaked";
 }
 
 } // namespace
