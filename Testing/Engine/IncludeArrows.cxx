@@ -74,7 +74,7 @@ const std::map<std::string, Names>& allowedInTheVtkLayer()
     { "Pipeline", {} },
     { "Input", { "Pipeline" } },
     { "Output", { "Input", "Pipeline" } },
-    { "Execution", { "Input", "Output", "Pipeline", "" } },
+    { "Execution", { "Input", "Output", "Pipeline" } },
     { "", { "Execution", "Input", "Output", "Pipeline", "Distributions" } },
   };
   return kAllowed;
