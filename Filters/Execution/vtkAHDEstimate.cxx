@@ -3,11 +3,11 @@
 // The memory that an execution needs.
 #include "Execution/vtkAHDExecution.h"
 
+#include "Engine/Core/Memory.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
-#include "Pipeline/vtkAHDMemory.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -100,7 +100,7 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
-              : vtkAHDAvailableMemory() + static_cast<vtkTypeInt64>(held / 1024));
+              : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));
   this->UpdateEstimate();
   this->Report.IsRefused = this->Report.Estimate > this->Report.Limit;
   if (this->Report.IsRefused)
