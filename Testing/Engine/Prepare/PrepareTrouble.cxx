@@ -37,7 +37,7 @@ struct ManyRequests
   {
   }
   /// Calls check() for different requests.
-  void forAll(const std::function<void(const InputRequest&)>& check)
+  void forAll(const std::function<void(const InputRequest&)>& check) const
   {
     for (std::size_t variant = 0; variant < 8; ++variant)
     {
