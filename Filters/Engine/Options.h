@@ -26,8 +26,8 @@ enum class ControlPoints
   EveryLevel = 2   ///< a sparse subset of the order, of that subset another, and so on
 };
 
-/// Which of several points at one place stands for the vertex there: in the triples that are written
-/// and wherever else a vertex has a point's id. It changes ids, nothing else.
+/// Which of several points at one place stands for the vertex there: in the triples that are
+/// written and wherever else a vertex has a point's id. It changes ids, nothing else.
 enum class Representative
 {
   FirstId = 0, ///< the one of smallest id

@@ -19,8 +19,8 @@ enum class Status
 };
 
 /// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for
-/// a vertex, the id of the point that does (Options::representative) if it is a duplicate, or one of
-/// these.
+/// a vertex, the id of the point that does (Options::representative) if it is a duplicate, or one
+/// of these.
 enum : std::int64_t
 {
   kStatusNotFinite = -1, ///< x or y is NaN or infinite
