@@ -2,6 +2,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Engine/Core/FloatingPoint.h"
+#include "Engine/Core/Memory.h"
 #include "Engine/Core/Threads.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
@@ -10,7 +11,6 @@
 #include "Input/vtkAHDBlocks.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDContext.h"
-#include "Pipeline/vtkAHDMemory.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
@@ -251,7 +251,9 @@ vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(
   }
   data.InputBytes = all.EstimateBytes();
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(data.InputBytes / 1024);
-  const vtkTypeInt64 limit = this->MemoryLimit > 0 ? this->MemoryLimit : vtkAHDAvailableMemory();
+  const vtkTypeInt64 limit = this->MemoryLimit > 0
+    ? this->MemoryLimit
+    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
   try
   {
     if (needed <= limit)

@@ -151,8 +151,8 @@ void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
   this->Context.NextStage();
   if (this->Settings.WantsOrder())
   {
-    vtkAHDOrderOutput order(results.Points, triangulation, this->Context);
-    order.Write(this->Settings.GenerateInsertionCurve, outputs[1]);
+    vtkAHDOrderOutput::Write(
+      triangulation, this->Settings.GenerateInsertionCurve, outputs[1], this->Context);
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();

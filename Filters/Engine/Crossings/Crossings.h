@@ -47,7 +47,7 @@ struct SplitConstraints
   std::size_t unresolved = 0; ///< pairs that still cross after the last round
   int rounds = 0;             ///< rounds of splitting that were needed
 
-  /// The chains, as the Triangulator takes them. This object is to outlive the view.
+  /// The chains, as constrain() takes them. This object is to outlive the view.
   ConstraintView view() const
   {
     ConstraintView result;

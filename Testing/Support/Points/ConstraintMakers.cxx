@@ -97,8 +97,7 @@ ConstraintCase edgesOfOthers(std::size_t n, std::size_t segments)
   result.points = makePoints(Distribution::Uniform, n, 13);
   Triangulation made;
   Workspace workspace;
-  triangulate(
-    PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), workspace, {}, made);
+  triangulate(PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), workspace, {}, made);
   std::vector<std::int64_t> triples(3 * made.report().triangles);
   made.writeTriangles(triples.data(), {});
   std::size_t taken = 0;
