@@ -302,7 +302,8 @@ void expectOutOfMemory(const First& first, test::Engine& engine)
 void expectRefusals(const First& first, test::Engine& engine)
 {
   const Run run = runOf(first.given, 0);
-  expect(engine.memoryHeld() <= triangulationMemoryEstimate(first.points.size(), run.options) +
+  engine.reclaim();
+  expect(engine.workspace.bytes() <= triangulationMemoryEstimate(first.points.size(), run.options) +
         triangulationMemoryEstimate(first.points.size(), first.given.options(1)),
     "no more memory is kept than was estimated", first.given);
   PointView view = first.layout.view();
@@ -310,7 +311,6 @@ void expectRefusals(const First& first, test::Engine& engine)
   expect(engine.run(view, run.options, nullptr) == Status::TooManyPoints,
     "too many points are refused", first.given);
   expect(engine.report().triangles == 0, "nothing is left", first.given);
-  engine.reclaim();
   engine.release();
 }
 
