@@ -144,9 +144,12 @@ void expectTables(const First& first, const Triangulation& made)
         (made.twin(twin) == h && made.origin(twin) == made.target(h) &&
           made.target(twin) == made.origin(h)),
       "twins are the same edge", first.given);
-    const Location found = made.locate(made.at(made.origin(h)), h * std::size_t(7));
-    expect(found.kind == Location::OnVertex && found.halfEdge == made.start(made.origin(h)),
-      "a vertex is found", first.given);
+    if (h % (1 + halfEdges / 300) == 0)
+    {
+      const Location found = made.locate(made.at(made.origin(h)), h * std::size_t(7));
+      expect(found.kind == Location::OnVertex && found.halfEdge == made.start(made.origin(h)),
+        "a vertex is found", first.given);
+    }
   }
   expect(made.triangleCount() == 0 ||
       made.triangleCount() + hull + 2 == 2 * first.outcome.report.inserted,
