@@ -3,8 +3,7 @@
 #define ahd_SplitFind_h
 
 #include "../Core/Progress.h"
-#include "../Points/Points.h"
-#include "../Predicates/Segments.h"
+#include "Pieces.h"
 
 #include <vector>
 
@@ -26,15 +25,8 @@ struct RankedSegments
   Segment operator[](Index s) const { return { places[ends[s].left], places[ends[s].right] }; }
 };
 
-/// Two segments that cross.
-struct Crossing
-{
-  Index a;
-  Index b; ///< larger than a
-};
-
 /// Finds all pairs of segments that have one point in common which is an end of neither, each pair
-/// once, in no particular order. Returns false if the work is to be cancelled. Throws
+/// once, in no particular order: a < b. Returns false if the work is to be cancelled. Throws
 /// std::bad_alloc.
 ///
 /// After Balaban, "An optimal algorithm for finding segments intersections" (SCG 1995), his

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BoxTree.h"
+
+#include "../Core/Chunks.h"
+#include "../Order/HilbertCurve.h"
+#include "../Order/Quantise.h"
+#include "../Order/RadixSort.h"
+#include "../Predicates/Predicates.h"
+
+namespace ahd
+{
+
+bool cross(const Segment& s, const Segment& t)
+{
+  if (s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right)
+  {
+    return false;
+  }
+  const int left = orient2d(s.left, s.right, t.left);
+  if (left == 0 || orient2d(s.left, s.right, t.right) != -left)
+  {
+    return false;
+  }
+  const int other = orient2d(t.left, t.right, s.left);
+  return other != 0 && orient2d(t.left, t.right, s.right) == -other;
+}
+
+// ----------------------------------------------------------------------------------- the tree
+
+/// Along the curve of their middles, up to rounding: the order has no say in what is found.
+bool BoxTree::sort(Pieces& pieces, Ticker& ticker) const
+{
+  const std::size_t n = last_ - first_;
+  PieceBox all = PieceBox::of(pieces[first_].segment);
+  Buffer<std::uint64_t> keys;
+  keys.allocate(n);
+  const auto bound = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      all.add(PieceBox::of(pieces[k].segment));
+    }
+  };
+  if (!inChunks(first_, last_, ticker, bound))
+  {
+    return false;
+  }
+  const Grid grid(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
+  const auto key = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const Segment& s = pieces[first_ + k].segment;
+      const std::uint64_t place = hilbertKey(grid.column(0.5 * s.left.x + 0.5 * s.right.x),
+        grid.row(0.5 * s.left.y + 0.5 * s.right.y));
+      keys[k] = packed(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(k));
+    }
+  };
+  if (!inChunks(0, n, ticker, key) || !sortPacked(keys, n, ticker))
+  {
+    return false;
+  }
+  Pieces sorted;
+  sorted.reserve(n);
+  const auto move = [&](std::size_t a, std::size_t b)
+  {
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t k = a; k != b; ++k)
+    {
+      prefetchForRead(&pieces[first_ + static_cast<Index>(keys[std::min(k + kAhead, n - 1)])]);
+      sorted.push_back(pieces[first_ + static_cast<Index>(keys[k])]);
+    }
+  };
+  if (!inChunks(0, n, ticker, move))
+  {
+    return false;
+  }
+  if (first_ == 0)
+  {
+    pieces.swap(sorted);
+    return true;
+  }
+  return inChunks(0, n, ticker, [&](std::size_t a, std::size_t b)
+    { std::copy(sorted.data() + a, sorted.data() + b, pieces.data() + first_ + a); });
+}
+
+bool BoxTree::build(Pieces& pieces, std::size_t first, Ticker& ticker)
+{
+  first_ = first;
+  last_ = pieces.size();
+  levels_.clear();
+  if (empty())
+  {
+    return true;
+  }
+  if (!sort(pieces, ticker))
+  {
+    return false;
+  }
+  levels_.emplace_back();
+  levels_[0].reserve((last_ - first_ + kInLeaf - 1) / kInLeaf);
+  const auto addPieces = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const PieceBox box = PieceBox::of(pieces[k].segment);
+      if ((k - first_) % kInLeaf == 0)
+      {
+        levels_[0].push_back(box);
+      }
+      levels_[0].back().add(box);
+    }
+  };
+  bool all = inChunks(first_, last_, ticker, addPieces);
+  while (all && levels_.back().size() > 1)
+  {
+    std::vector<PieceBox> next;
+    const std::vector<PieceBox>& below = levels_.back();
+    next.reserve((below.size() + kInNode - 1) / kInNode);
+    const auto addBoxes = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        if (k % kInNode == 0)
+        {
+          next.push_back(below[k]);
+        }
+        next.back().add(below[k]);
+      }
+    };
+    all = inChunks(0, below.size(), ticker, addBoxes);
+    levels_.push_back(std::move(next));
+  }
+  return all;
+}
+
+// ------------------------------------------------------------------------------------- the search
+
+BoxSearch::Outcome BoxSearch::searchWithin(const BoxTree& tree)
+{
+  return outcomeOf(tree.empty() || within({ &tree, tree.top(), 0 }));
+}
+
+BoxSearch::Outcome BoxSearch::searchBetween(const BoxTree& a, const BoxTree& b)
+{
+  return outcomeOf(
+    a.empty() || b.empty() || between({ &a, a.top(), 0 }, { &b, b.top(), 0 }));
+}
+
+/// Counts steps; an exact test of two pieces is some of them.
+bool BoxSearch::count(std::size_t steps)
+{
+  if (steps > stepsLeft_)
+  {
+    return false;
+  }
+  stepsLeft_ -= steps;
+  isCancelled_ = !ticker_.step(steps);
+  return !isCancelled_;
+}
+
+bool BoxSearch::within(const Node& node)
+{
+  const std::size_t begin = node.begin(), end = node.end();
+  for (std::size_t k = begin; k != end; ++k)
+  {
+    if (node.level == 0)
+    {
+      const Piece& piece = pieces_[k];
+      if (!test(piece, PieceBox::of(piece.segment), k + 1, end))
+      {
+        return false;
+      }
+      continue;
+    }
+    const Node child{ node.tree, node.level - 1, k };
+    if (!within(child))
+    {
+      return false;
+    }
+    for (std::size_t l = k + 1; l != end; ++l)
+    {
+      const Node other{ node.tree, node.level - 1, l };
+      if (child.box().meets(other.box()) && !between(child, other))
+      {
+        return false;
+      }
+    }
+  }
+  return count(end - begin);
+}
+
+/// REQUIRES: their boxes meet.
+bool BoxSearch::between(const Node& a, const Node& b)
+{
+  const bool descendsA = a.level >= b.level;
+  const Node& from = descendsA ? a : b;
+  const Node& to = descendsA ? b : a;
+  const PieceBox& box = to.box();
+  const std::size_t end = from.end();
+  for (std::size_t k = from.begin(); k != end; ++k)
+  {
+    if (from.level == 0)
+    {
+      const Piece& piece = pieces_[k];
+      const PieceBox own = PieceBox::of(piece.segment);
+      if (own.meets(box) && !piece.isDead && !test(piece, own, to.begin(), to.end()))
+      {
+        return false;
+      }
+      continue;
+    }
+    const Node child{ from.tree, from.level - 1, k };
+    if (child.box().meets(box) && !between(child, to))
+    {
+      return false;
+    }
+  }
+  return count(BoxTree::kInLeaf);
+}
+
+/// The piece against those [begin, end).
+bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end)
+{
+  constexpr std::size_t kExactTest = 8;
+  std::size_t steps = end - begin;
+  for (std::size_t k = begin; k != end; ++k)
+  {
+    const Piece& b = pieces_[k];
+    if (!box.meets(PieceBox::of(b.segment)) || b.isDead)
+    {
+      continue;
+    }
+    steps += kExactTest;
+    if (cross(a.segment, b.segment))
+    {
+      crossings_.push_back(
+        { static_cast<Index>(&a - pieces_.data()), static_cast<Index>(&b - pieces_.data()) });
+    }
+  }
+  return count(steps);
+}
+
+} // namespace ahd
