@@ -97,41 +97,50 @@ bool BoxTree::build(Pieces& pieces, std::size_t first, Ticker& ticker)
   {
     return false;
   }
-  levels_.emplace_back();
-  levels_[0].reserve((last_ - first_ + kInLeaf - 1) / kInLeaf);
-  const auto addPieces = [&](std::size_t a, std::size_t b)
+  std::size_t count = last_ - first_, group = kInLeaf;
+  do
   {
-    for (std::size_t k = a; k != b; ++k)
+    count = (count + group - 1) / group;
+    group = kInNode;
+    levels_.emplace_back(count);
+  } while (count > 1);
+  return fit(pieces, ticker);
+}
+
+bool BoxTree::fit(const Pieces& pieces, Ticker& ticker)
+{
+  const auto around = [&](std::size_t level, std::size_t node)
+  {
+    PieceBox box;
+    const std::size_t end = childrenEnd(level, node);
+    for (std::size_t k = childrenBegin(level, node); k != end; ++k)
     {
-      const PieceBox box = PieceBox::of(pieces[k].segment);
-      if ((k - first_) % kInLeaf == 0)
+      if (level != 0)
       {
-        levels_[0].push_back(box);
+        box.add(levels_[level - 1][k]);
       }
-      levels_[0].back().add(box);
-    }
-  };
-  bool all = inChunks(first_, last_, ticker, addPieces);
-  while (all && levels_.back().size() > 1)
-  {
-    std::vector<PieceBox> next;
-    const std::vector<PieceBox>& below = levels_.back();
-    next.reserve((below.size() + kInNode - 1) / kInNode);
-    const auto addBoxes = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t k = a; k != b; ++k)
+      else if (!pieces[k].isDead)
       {
-        if (k % kInNode == 0)
-        {
-          next.push_back(below[k]);
-        }
-        next.back().add(below[k]);
+        box.add(PieceBox::of(pieces[k].segment));
+      }
+    }
+    return box;
+  };
+  for (std::size_t level = 0; level != levels_.size(); ++level)
+  {
+    const auto fitNodes = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t node = a; node != b; ++node)
+      {
+        levels_[level][node] = around(level, node);
       }
     };
-    all = inChunks(0, below.size(), ticker, addBoxes);
-    levels_.push_back(std::move(next));
+    if (!inChunks(0, levels_[level].size(), ticker, fitNodes))
+    {
+      return false;
+    }
   }
-  return all;
+  return true;
 }
 
 // ------------------------------------------------------------------------------------- the search

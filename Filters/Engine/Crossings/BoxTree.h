@@ -7,19 +7,27 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace ahd
 {
 
-/// An axis-parallel box; empty as it is made.
+/// An axis-parallel box; one that is empty meets none.
 struct PieceBox
 {
-  double xmin, ymin, xmax, ymax;
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+  double xmin = kFar, ymin = kFar, xmax = -kFar, ymax = -kFar;
 
   static PieceBox of(const Segment& s)
   {
-    return { s.left.x, std::min(s.left.y, s.right.y), s.right.x, std::max(s.left.y, s.right.y) };
+    PieceBox box;
+    box.xmin = s.left.x;
+    box.xmax = s.right.x;
+    box.ymin = std::min(s.left.y, s.right.y);
+    box.ymax = std::max(s.left.y, s.right.y);
+    return box;
   }
   void add(const PieceBox& b)
   {
@@ -47,6 +55,9 @@ public:
   /// Sorts the pieces from `first` on, and builds the tree of them. Returns false if the work is to
   /// be cancelled. Throws std::bad_alloc.
   bool build(Pieces& pieces, std::size_t first, Ticker& ticker);
+
+  /// Makes the boxes anew: around what is not dead. Returns false if the work is to be cancelled.
+  bool fit(const Pieces& pieces, Ticker& ticker);
 
   bool empty() const { return first_ == last_; }
   std::size_t top() const { return levels_.size() - 1; }

@@ -79,6 +79,10 @@ bool PieceSearch::find(Pieces& pieces, std::size_t first, std::vector<Crossing>&
   BoxSearch::Outcome outcome = search.searchWithin(latest);
   for (std::size_t k = 0; k + 1 < trees_.size() && outcome == BoxSearch::Outcome::Done; ++k)
   {
+    if (!trees_[k].fit(pieces, ticker_)) // as some died since
+    {
+      return false;
+    }
     outcome = search.searchBetween(latest, trees_[k]);
   }
   return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, crossings)

@@ -85,14 +85,14 @@ private:
   bool isBeside(Index position, const Point& p) const;
 
   bool sortOn(const Way& way, OnSegment* items, std::size_t count);
-  template <typename WayOf>
-  bool sortAlong(const std::vector<OnSegment>& items, WayOf wayOf, Buffer<OnSegment>& sorted);
+  template <typename WayOfOwner>
+  bool sortAlong(
+    const std::vector<OnSegment>& items, WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted);
 
   std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
   bool isUsable(std::int64_t id) const;
   Point at(std::int64_t id) const;
-  std::size_t chainOf(Index position) const;
-  Way wayOfSegment(Index position) const;
+  Way wayOf(const SegmentName& name) const;
   SegmentName nameOf(Index position) const;
 
   const PointView& points_;
@@ -338,7 +338,7 @@ bool Splitter::addPoints()
   };
   addedBefore_ = out_.points.size();
   Buffer<OnSegment> sorted;
-  const auto wayOf = [&](Index position) { return wayOfSegment(position); };
+  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
   const auto add = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
@@ -346,20 +346,20 @@ bool Splitter::addPoints()
       PlaceTable::Place& place = places_[placeOf(sorted[k])];
       place.id = static_cast<Index>(points_.count + out_.points.size());
       const SegmentName first = nameOf(place.first), second = nameOf(place.second);
-      const Way A = wayOfSegment(place.first), B = wayOfSegment(place.second);
+      const Way A = wayOf(first), B = wayOf(second);
       out_.points.push_back({ place.at, first.chain, first.segment,
         fractionOfWay(A.from, A.to, place.at), second.chain, second.segment,
         fractionOfWay(B.from, B.to, place.at) });
     }
   };
-  return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOf, sorted) &&
+  return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOfOwner, sorted) &&
     inChunks(0, sorted.size(), ticker_, add);
 }
 
 /// Sorts by owners, then along them; equal ones are kept.
-template <typename WayOf>
+template <typename WayOfOwner>
 bool Splitter::sortAlong(
-  const std::vector<OnSegment>& items, WayOf wayOf, Buffer<OnSegment>& sorted)
+  const std::vector<OnSegment>& items, WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted)
 {
   const std::size_t n = items.size();
   sorted.allocate(n);
@@ -379,7 +379,7 @@ bool Splitter::sortAlong(
         return false;
       }
     }
-    if (end - begin > 1 && !sortOn(wayOf(ownerOf(sorted[begin])), &sorted[begin], end - begin))
+    if (end - begin > 1 && !sortOn(wayOfOwner(ownerOf(sorted[begin])), &sorted[begin], end - begin))
     {
       return false;
     }
@@ -407,15 +407,17 @@ bool Splitter::sortOn(const Way& way, OnSegment* items, std::size_t count)
 bool Splitter::splitPieces()
 {
   Buffer<OnSegment> sorted;
-  const auto wayOf = [&](Index piece)
+  const auto wayOfOwner = [&](Index piece)
   {
     const Segment& s = pieces_[piece].segment;
     return pieces_[piece].isForward ? Way{ s.left, s.right } : Way{ s.right, s.left };
   };
-  if (!sortAlong(insertions_, wayOf, sorted))
+  if (!sortAlong(insertions_, wayOfOwner, sorted))
   {
     return false;
   }
+  pieces_.reserve(pieces_.size() + 2 * sorted.size()); // at most
+  allInsertions_.reserve(allInsertions_.size() + sorted.size());
   for (std::size_t begin = 0, end = 0; begin != sorted.size(); begin = end)
   {
     while (end != sorted.size() && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
@@ -468,7 +470,7 @@ bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* 
 /// Is the place not exactly on the segment?
 bool Splitter::isBeside(Index position, const Point& p) const
 {
-  const Way way = wayOfSegment(position);
+  const Way way = wayOf(nameOf(position));
   return orient2d(way.from, way.to, p) != 0;
 }
 
@@ -477,8 +479,8 @@ bool Splitter::isBeside(Index position, const Point& p) const
 bool Splitter::makeChains()
 {
   Buffer<OnSegment> sorted;
-  const auto wayOf = [&](Index position) { return wayOfSegment(position); };
-  if (!sortAlong(allInsertions_, wayOf, sorted))
+  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
+  if (!sortAlong(allInsertions_, wayOfOwner, sorted))
   {
     return false;
   }
@@ -550,25 +552,20 @@ Point Splitter::at(std::int64_t id) const
   return points_[static_cast<std::size_t>(id)];
 }
 
-std::size_t Splitter::chainOf(Index position) const
+SegmentName Splitter::nameOf(Index position) const
 {
   const auto place = static_cast<std::int64_t>(first_ + position);
   const std::int64_t* const end = chains_.offsets + chains_.chains + 1;
-  return std::size_t(std::upper_bound(chains_.offsets, end, place) - chains_.offsets) - 1;
-}
-
-SegmentName Splitter::nameOf(Index position) const
-{
-  const std::size_t chain = chainOf(position);
+  const auto chain = std::size_t(std::upper_bound(chains_.offsets, end, place) - chains_.offsets) - 1;
   return { chain, first_ + position - std::size_t(chains_.offsets[chain]) };
 }
 
 /// REQUIRES: a segment of a piece.
-Way Splitter::wayOfSegment(Index position) const
+Way Splitter::wayOf(const SegmentName& name) const
 {
-  const std::size_t chain = chainOf(position), k = first_ + position;
-  const bool closes = k + 1 == std::size_t(chains_.offsets[chain + 1]);
-  const auto begin = std::size_t(chains_.offsets[chain]);
+  const auto begin = std::size_t(chains_.offsets[name.chain]);
+  const std::size_t k = begin + name.segment;
+  const bool closes = k + 1 == std::size_t(chains_.offsets[name.chain + 1]);
   return { at(chains_.ids[k]), at(chains_.ids[closes ? begin : k + 1]) };
 }
 
