@@ -28,72 +28,59 @@ bool cross(const Segment& s, const Segment& t)
 // ----------------------------------------------------------------------------------- the tree
 
 /// Along the curve of their middles, up to rounding: the order has no say in what is found.
-bool BoxTree::sort(Pieces& pieces, Ticker& ticker) const
+/// REQUIRES: there are more.
+bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
 {
-  const std::size_t n = last_ - first_;
-  PieceBox all = PieceBox::of(pieces[first_].segment);
+  const std::size_t n = more.size();
+  PieceBox all;
   Buffer<std::uint64_t> keys;
   keys.allocate(n);
   const auto bound = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      all.add(PieceBox::of(pieces[k].segment));
+      all.add(PieceBox::of(more[k].segment));
     }
   };
-  if (!inChunks(first_, last_, ticker, bound))
+  if (!inChunks(0, n, ticker, bound))
   {
     return false;
   }
   const Grid grid(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
-  const auto key = [&](std::size_t a, std::size_t b)
+  const auto makeKeys = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      const Segment& s = pieces[first_ + k].segment;
+      const Segment& s = more[k].segment;
       const std::uint64_t place = hilbertKey(grid.column(0.5 * s.left.x + 0.5 * s.right.x),
         grid.row(0.5 * s.left.y + 0.5 * s.right.y));
       keys[k] = packed(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(k));
     }
   };
-  if (!inChunks(0, n, ticker, key) || !sortPacked(keys, n, ticker))
-  {
-    return false;
-  }
-  Pieces sorted;
-  sorted.reserve(n);
-  const auto move = [&](std::size_t a, std::size_t b)
+  const auto add = [&](std::size_t a, std::size_t b)
   {
     constexpr std::size_t kAhead = 16;
     for (std::size_t k = a; k != b; ++k)
     {
-      prefetchForRead(&pieces[first_ + static_cast<Index>(keys[std::min(k + kAhead, n - 1)])]);
-      sorted.push_back(pieces[first_ + static_cast<Index>(keys[k])]);
+      prefetchForRead(&more[static_cast<Index>(keys[std::min(k + kAhead, n - 1)])]);
+      pieces.push_back(more[static_cast<Index>(keys[k])]);
     }
   };
-  if (!inChunks(0, n, ticker, move))
-  {
-    return false;
-  }
-  if (first_ == 0)
-  {
-    pieces.swap(sorted);
-    return true;
-  }
-  return inChunks(0, n, ticker, [&](std::size_t a, std::size_t b)
-    { std::copy(sorted.data() + a, sorted.data() + b, pieces.data() + first_ + a); });
+  pieces.reserve(pieces.size() + n);
+  return inChunks(0, n, ticker, makeKeys) && sortPacked(keys, n, ticker) &&
+    inChunks(0, n, ticker, add);
 }
 
-bool BoxTree::build(Pieces& pieces, std::size_t first, Ticker& ticker)
+bool BoxTree::build(const Pieces& more, Pieces& pieces, Ticker& ticker)
 {
-  first_ = first;
-  last_ = pieces.size();
+  first_ = pieces.size();
+  last_ = first_ + more.size();
   levels_.clear();
   if (empty())
   {
     return true;
   }
-  if (!sort(pieces, ticker))
+  if (!addSorted(more, pieces, ticker))
   {
     return false;
   }

@@ -52,9 +52,9 @@ public:
   static constexpr std::size_t kInLeaf = 8; ///< pieces in a box of level 0
   static constexpr std::size_t kInNode = 4; ///< boxes in a box of the next level
 
-  /// Sorts the pieces from `first` on, and builds the tree of them. Returns false if the work is to
+  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is to
   /// be cancelled. Throws std::bad_alloc.
-  bool build(Pieces& pieces, std::size_t first, Ticker& ticker);
+  bool build(const Pieces& more, Pieces& pieces, Ticker& ticker);
 
   /// Makes the boxes anew: around what is not dead. Returns false if the work is to be cancelled.
   bool fit(const Pieces& pieces, Ticker& ticker);
@@ -74,7 +74,7 @@ public:
   }
 
 private:
-  bool sort(Pieces& pieces, Ticker& ticker) const;
+  static bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
 
   std::size_t first_ = 0, last_ = 0;
   std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all

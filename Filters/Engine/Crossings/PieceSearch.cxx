@@ -66,12 +66,12 @@ bool rankEnds(
 
 } // namespace
 
-bool PieceSearch::find(Pieces& pieces, std::size_t first, std::vector<Crossing>& crossings)
+bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::vector<Crossing>& crossings)
 {
   crossings.clear();
   trees_.emplace_back();
   const BoxTree& latest = trees_.back();
-  if (!trees_.back().build(pieces, first, ticker_))
+  if (!trees_.back().build(more, pieces, ticker_))
   {
     return false;
   }

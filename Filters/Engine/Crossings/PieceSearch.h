@@ -20,14 +20,14 @@ public:
   {
   }
 
-  /// Finds all pairs that cross, each once, in no particular order. REQUIRES: the pieces before
-  /// `first` are those of the call before, some of them dead by now, and those that are not dead do
-  /// not cross each other. Those from `first` on are not dead; their order changes. Returns false if
-  /// the work is to be cancelled. Throws std::bad_alloc.
+  /// Adds `more` to the pieces, in an order of its own, and finds all pairs that cross, each once, in
+  /// no particular order. REQUIRES: the pieces are those that the calls before left, some of them
+  /// dead by now, and those that are not dead do not cross each other. Returns false if the work is
+  /// to be cancelled. Throws std::bad_alloc.
   ///
   /// Cost: mostly the new pieces and those near them. Where boxes tell too little apart, as among
   /// long segments side by side, all pieces are searched by strips (SplitFind.h).
-  bool find(Pieces& pieces, std::size_t first, std::vector<Crossing>& crossings);
+  bool find(const Pieces& more, Pieces& pieces, std::vector<Crossing>& crossings);
 
 private:
   bool findByStrips(const Pieces& pieces, std::vector<Crossing>& crossings);

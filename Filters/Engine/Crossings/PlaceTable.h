@@ -47,7 +47,7 @@ public:
   /// cancelled. Throws std::bad_alloc.
   bool add(const Point& p, Index& number)
   {
-    if (slots_.size() < 4 * (places_.size() + 1) && !grow())
+    if (slots_.size() < 2 * (places_.size() + 1) && !reserve(2 * places_.size() + 32))
     {
       return false;
     }
@@ -59,6 +59,27 @@ public:
     }
     number = slot;
     return true;
+  }
+
+  /// Makes room for so many places. Returns false if the work is to be cancelled. Throws
+  /// std::bad_alloc.
+  bool reserve(std::size_t count)
+  {
+    if (slots_.size() >= 2 * count && !slots_.empty())
+    {
+      return true;
+    }
+    const unsigned bits = bitLength(2 * count | 63);
+    shift_ = 64 - bits;
+    slots_.allocate(std::size_t(1) << bits);
+    const auto put = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        slots_[slotOf(places_[k].at)] = static_cast<Index>(k);
+      }
+    };
+    return fillAll(slots_, kNoIndex, ticker_) && inChunks(0, places_.size(), ticker_, put);
   }
 
 private:
@@ -81,21 +102,6 @@ private:
       slot = slot + 1 == slots_.size() ? 0 : slot + 1;
     }
     return slot;
-  }
-
-  bool grow()
-  {
-    const std::size_t size = slots_.empty() ? 64 : 4 * slots_.size();
-    shift_ = slots_.empty() ? 64 - 6 : shift_ - 2;
-    slots_.allocate(size);
-    const auto put = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t k = a; k != b; ++k)
-      {
-        slots_[slotOf(places_[k].at)] = static_cast<Index>(k);
-      }
-    };
-    return fillAll(slots_, kNoIndex, ticker_) && inChunks(0, places_.size(), ticker_, put);
   }
 
   Ticker& ticker_;

@@ -9,6 +9,8 @@
 #include "PlaceTable.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 
 namespace ahd
 {
@@ -50,6 +52,14 @@ Index placeOf(OnSegment item)
   return static_cast<Index>(item);
 }
 
+/// A point that a segment is led through.
+struct Inserted
+{
+  Index position; ///< of the segment
+  Index place;
+  Index id;
+};
+
 class Splitter
 {
 public:
@@ -84,6 +94,9 @@ private:
 
   bool isBeside(Index position, const Point& p) const;
 
+  template <typename WayOfOwner>
+  bool sortGroups(WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted);
+  bool sortInserted(Buffer<OnSegment>& sorted);
   bool sortOn(const Way& way, OnSegment* items, std::size_t count);
   template <typename WayOfOwner>
   bool sortAlong(
@@ -104,13 +117,13 @@ private:
   PieceSearch search_;
   Pieces pieces_;
   std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
-  std::size_t searched_ = 0; ///< and so many were searched for crossings
+  Pieces more_;              ///< not searched yet
   std::vector<Crossing> crossings_;
   PlaceTable places_;
   std::size_t named_ = 0;               ///< so many places, the first, have ids
   std::size_t addedBefore_ = 0;         ///< points added in the rounds before
   std::vector<OnSegment> insertions_;   ///< this round's: by pieces
-  std::vector<OnSegment> allInsertions_; ///< each once: by positions of segments
+  std::vector<Inserted> inserted_;      ///< in all rounds
   std::vector<Index> bent_;             ///< positions
 };
 
@@ -127,12 +140,12 @@ Status Splitter::run()
   }
   for (;; ++out_.rounds)
   {
-    if (ids_ + allInsertions_.size() > kMostIds || pieces_.size() >= kNoIndex ||
+    if (ids_ + inserted_.size() > kMostIds || pieces_.size() + more_.size() >= kNoIndex ||
       points_.count + out_.points.size() > kMaximumPoints)
     {
       return Status::TooManyPoints;
     }
-    if (!search_.find(pieces_, searched_, crossings_))
+    if (!search_.find(more_, pieces_, crossings_))
     {
       return Status::Cancelled;
     }
@@ -141,7 +154,7 @@ Status Splitter::run()
       out_.unresolved = crossings_.size();
       return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
-    searched_ = pieces_.size();
+    more_.clear();
     out_.crossings += crossings_.size();
     if (!split())
     {
@@ -153,7 +166,7 @@ Status Splitter::run()
 /// The segments that are not said to cross nothing.
 bool Splitter::listPieces()
 {
-  pieces_.reserve(ids_);
+  more_.reserve(ids_);
   for (std::size_t chain = 0; chain < chains_.chains; ++chain)
   {
     const std::size_t begin = std::size_t(chains_.offsets[chain]) - first_;
@@ -172,11 +185,11 @@ bool Splitter::listPieces()
         const auto position = static_cast<Index>(k);
         if (lexicographicallyLess(p, q))
         {
-          pieces_.push_back({ { p, q }, i, j, position, true, false });
+          more_.push_back({ { p, q }, i, j, position, true, false });
         }
         else if (!(p == q))
         {
-          pieces_.push_back({ { q, p }, j, i, position, false, false });
+          more_.push_back({ { q, p }, j, i, position, false, false });
         }
       }
     };
@@ -186,7 +199,7 @@ bool Splitter::listPieces()
       return false;
     }
   }
-  segments_ = pieces_.size();
+  segments_ = more_.size();
   return true;
 }
 
@@ -195,6 +208,10 @@ bool Splitter::listPieces()
 bool Splitter::split()
 {
   insertions_.clear();
+  if (!places_.reserve(places_.size() + crossings_.size()))
+  {
+    return false;
+  }
   for (const Crossing& crossing : crossings_)
   {
     if (!meet(crossing) || !ticker_.step())
@@ -365,10 +382,15 @@ bool Splitter::sortAlong(
   sorted.allocate(n);
   const auto copy = [&](std::size_t a, std::size_t b)
   { std::copy(items.data() + a, items.data() + b, sorted.data() + a); };
-  if (!inChunks(0, n, ticker_, copy) || !sortPacked(sorted, n, ticker_))
-  {
-    return false;
-  }
+  return inChunks(0, n, ticker_, copy) && sortPacked(sorted, n, ticker_) &&
+    sortGroups(wayOfOwner, sorted);
+}
+
+/// The same for what is sorted by owners.
+template <typename WayOfOwner>
+bool Splitter::sortGroups(WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted)
+{
+  const std::size_t n = sorted.size();
   for (std::size_t begin = 0, end = 0; begin != n; begin = end)
   {
     while (end != n && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
@@ -390,17 +412,31 @@ bool Splitter::sortAlong(
 /// Sorts what is on one segment.
 bool Splitter::sortOn(const Way& way, OnSegment* items, std::size_t count)
 {
-  const auto comesBefore = [&](OnSegment i, OnSegment k)
-  { return way.isBefore(places_[placeOf(i)].at, places_[placeOf(k)].at); };
-  if (count <= kChunk)
+  struct Item
   {
-    std::sort(items, items + count, comesBefore);
-    return ticker_.step(count);
+    Point at;
+    OnSegment item;
+  };
+  const auto comesBefore = [&](const Item& i, const Item& k) { return way.isBefore(i.at, k.at); };
+  std::vector<Item> sorted;
+  sorted.reserve(count);
+  for (std::size_t k = 0; k != count; ++k)
+  {
+    sorted.push_back({ places_[placeOf(items[k])].at, items[k] });
+    if (!ticker_.step())
+    {
+      return false;
+    }
   }
-  std::vector<OnSegment> sorted(items, items + count);
   return sortAsking(sorted, ticker_, comesBefore) &&
-    inChunks(0, count, ticker_, [&](std::size_t a, std::size_t b)
-      { std::copy(sorted.data() + a, sorted.data() + b, items + a); });
+    inChunks(0, count, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t k = a; k != b; ++k)
+        {
+          items[k] = sorted[k].item;
+        }
+      });
 }
 
 /// Replaces the pieces that are led through places.
@@ -416,8 +452,8 @@ bool Splitter::splitPieces()
   {
     return false;
   }
-  pieces_.reserve(pieces_.size() + 2 * sorted.size()); // at most
-  allInsertions_.reserve(allInsertions_.size() + sorted.size());
+  more_.reserve(2 * sorted.size()); // at most
+  inserted_.reserve(inserted_.size() + sorted.size());
   for (std::size_t begin = 0, end = 0; begin != sorted.size(); begin = end)
   {
     while (end != sorted.size() && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
@@ -456,14 +492,14 @@ bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* 
     (whole.isForward ? next.rightId : next.leftId) = place.id;
     (whole.isForward ? rest.segment.left : rest.segment.right) = place.at;
     (whole.isForward ? rest.leftId : rest.rightId) = place.id;
-    pieces_.push_back(next);
-    allInsertions_.push_back(packed(whole.position, placeOf(*item)));
+    more_.push_back(next);
+    inserted_.push_back({ whole.position, placeOf(*item), place.id });
     if (place.id < points_.count + addedBefore_ && isBeside(whole.position, place.at))
     {
       bent_.push_back(whole.position);
     }
   }
-  pieces_.push_back(rest);
+  more_.push_back(rest);
   return true;
 }
 
@@ -476,11 +512,38 @@ bool Splitter::isBeside(Index position, const Point& p) const
 
 // ------------------------------------------------------------------------------------- the result
 
+/// Sorts what was inserted by segments, then along them. What one round inserted into one segment
+/// comes in a row, in order; a later round may have gone on between.
+bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
+{
+  const std::size_t n = inserted_.size();
+  std::vector<OnSegment> items;
+  sorted.allocate(n);
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      sorted[k] = packed(inserted_[k].position, static_cast<Index>(k));
+    }
+  };
+  const auto name = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const Inserted& inserted = inserted_[static_cast<Index>(sorted[k])];
+      sorted[k] = packed(inserted.position, inserted.place);
+    }
+  };
+  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
+  return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
+    inChunks(0, n, ticker_, name) &&
+    (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+}
+
 bool Splitter::makeChains()
 {
   Buffer<OnSegment> sorted;
-  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
-  if (!sortAlong(allInsertions_, wayOfOwner, sorted))
+  if (!sortInserted(sorted))
   {
     return false;
   }
@@ -525,18 +588,17 @@ bool Splitter::makeChains()
 
 bool Splitter::nameBent()
 {
-  std::vector<OnSegment>& items = allInsertions_;
-  items.assign(bent_.begin(), bent_.end());
-  std::sort(items.begin(), items.end());
-  items.erase(std::unique(items.begin(), items.end()), items.end());
-  return inChunks(0, items.size(), ticker_,
-    [&](std::size_t a, std::size_t b)
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
     {
-      for (std::size_t k = a; k != b; ++k)
+      if (k == 0 || bent_[k - 1] != bent_[k])
       {
-        out_.bent.push_back(nameOf(placeOf(items[k])));
+        out_.bent.push_back(nameOf(bent_[k]));
       }
-    });
+    }
+  };
+  return sortAsking(bent_, ticker_, std::less<>()) && inChunks(0, bent_.size(), ticker_, list);
 }
 
 // ---------------------------------------------------------------------------------- what is where
@@ -555,8 +617,13 @@ Point Splitter::at(std::int64_t id) const
 SegmentName Splitter::nameOf(Index position) const
 {
   const auto place = static_cast<std::int64_t>(first_ + position);
-  const std::int64_t* const end = chains_.offsets + chains_.chains + 1;
-  const auto chain = std::size_t(std::upper_bound(chains_.offsets, end, place) - chains_.offsets) - 1;
+  const std::int64_t* const offsets = chains_.offsets;
+  std::size_t chain = std::size_t(position) * chains_.chains / ids_; // if all are of one length
+  if (!(offsets[chain] <= place && place < offsets[chain + 1]))
+  {
+    const std::int64_t* const end = offsets + chains_.chains + 1;
+    chain = std::size_t(std::upper_bound(offsets, end, place) - offsets) - 1;
+  }
   return { chain, first_ + position - std::size_t(chains_.offsets[chain]) };
 }
 
