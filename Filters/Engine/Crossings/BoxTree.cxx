@@ -143,10 +143,9 @@ BoxSearch::Outcome BoxSearch::searchBetween(const BoxTree& a, const BoxTree& b)
     a.empty() || b.empty() || between({ &a, a.top(), 0 }, { &b, b.top(), 0 }));
 }
 
-/// Counts steps; an exact test of two pieces is some of them.
 bool BoxSearch::count(std::size_t steps)
 {
-  if (steps > stepsLeft_)
+  if (steps > stepsLeft_ || crossings_.size() > mostCrossings_)
   {
     return false;
   }
@@ -227,8 +226,11 @@ bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std
     {
       continue;
     }
-    steps += kExactTest;
-    if (cross(a.segment, b.segment))
+    if (!cross(a.segment, b.segment))
+    {
+      steps += kExactTest;
+    }
+    else
     {
       crossings_.push_back(
         { static_cast<Index>(&a - pieces_.data()), static_cast<Index>(&b - pieces_.data()) });

@@ -80,8 +80,14 @@ private:
   std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all
 };
 
-/// Finds pairs of pieces that cross, by the trees that they lie in. It counts its steps, and gives
-/// up after too many of them.
+/// How much a BoxSearch may do before it gives up.
+struct BoxSearchLimits
+{
+  std::size_t steps;     ///< for nothing: an exact test of two pieces is some of them
+  std::size_t crossings; ///< that it finds
+};
+
+/// Finds pairs of pieces that cross, by the trees that they lie in.
 class BoxSearch
 {
 public:
@@ -92,10 +98,11 @@ public:
     Cancelled
   };
 
-  BoxSearch(const Pieces& pieces, std::size_t mostSteps, Ticker& ticker,
+  BoxSearch(const Pieces& pieces, const BoxSearchLimits& limits, Ticker& ticker,
     std::vector<Crossing>& crossings)
     : pieces_(pieces)
-    , stepsLeft_(mostSteps)
+    , stepsLeft_(limits.steps)
+    , mostCrossings_(limits.crossings)
     , ticker_(ticker)
     , crossings_(crossings)
   {
@@ -128,6 +135,7 @@ private:
 
   const Pieces& pieces_;
   std::size_t stepsLeft_;
+  std::size_t mostCrossings_;
   Ticker& ticker_;
   std::vector<Crossing>& crossings_;
   bool isCancelled_ = false;

@@ -17,37 +17,35 @@ struct SegmentEnd
   std::size_t half;
 };
 
-/// As many steps among boxes as take about the time of a search by strips.
-std::size_t mostSteps(std::size_t pieces)
+/// As many steps among boxes as take about the time of a search by strips; and more crossings than
+/// there are without hubs, mostly.
+BoxSearchLimits limitsFor(std::size_t pieces)
 {
+  constexpr std::size_t kSteps = 16, kCrossings = 64;
   const std::size_t bits = bitLength(pieces);
-  return 16 * bits * bits * pieces;
+  return { kSteps * bits * bits * pieces, kCrossings * pieces };
 }
 
-/// The pieces that are not dead, and which these are.
-bool rankEnds(
-  const Pieces& pieces, Ticker& ticker, RankedSegments& segments, std::vector<Index>& living)
+bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegments& segments)
 {
   std::vector<SegmentEnd> ends;
+  ends.reserve(2 * parts.size());
   const auto list = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      if (!pieces[k].isDead)
-      {
-        ends.push_back({ pieces[k].segment.left, 2 * living.size() });
-        ends.push_back({ pieces[k].segment.right, 2 * living.size() + 1 });
-        living.push_back(static_cast<Index>(k));
-      }
+      ends.push_back({ parts[k].segment.left, 2 * k });
+      ends.push_back({ parts[k].segment.right, 2 * k + 1 });
     }
   };
   const auto comesBefore = [](const SegmentEnd& a, const SegmentEnd& b)
   { return lexicographicallyLess(a.at, b.at); };
-  if (!inChunks(0, pieces.size(), ticker, list) || !sortAsking(ends, ticker, comesBefore))
+  if (!inChunks(0, parts.size(), ticker, list) || !sortAsking(ends, ticker, comesBefore))
   {
     return false;
   }
-  segments.ends.resize(living.size());
+  segments.places.clear();
+  segments.ends.resize(parts.size());
   const auto rank = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
@@ -66,44 +64,87 @@ bool rankEnds(
 
 } // namespace
 
-bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::vector<Crossing>& crossings)
+bool PieceSearch::find(const Pieces& more, Pieces& pieces, FoundCrossings& found)
 {
-  crossings.clear();
   trees_.emplace_back();
-  const BoxTree& latest = trees_.back();
   if (!trees_.back().build(more, pieces, ticker_))
   {
     return false;
   }
-  BoxSearch search(pieces, mostSteps(pieces.size()), ticker_, crossings);
+  found.unlisted = 0;
+  BoxSearchLimits limits = limitsFor(pieces.size());
+  BoxSearch::Outcome outcome = searchTrees(pieces, limits, found.listed);
+  if (outcome != BoxSearch::Outcome::GivenUp)
+  {
+    return outcome == BoxSearch::Outcome::Done;
+  }
+  Hubs hubs(ticker_);
+  if (found.listed.size() > limits.crossings)
+  {
+    if (!hubs.add(pieces, found.listed))
+    {
+      return false;
+    }
+    if (hubs.count() == 0)
+    {
+      limits.crossings = std::size_t(-1);
+      outcome = searchTrees(pieces, limits, found.listed);
+    }
+  }
+  return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, hubs, found)
+                                                : outcome == BoxSearch::Outcome::Done;
+}
+
+BoxSearch::Outcome PieceSearch::searchTrees(
+  const Pieces& pieces, const BoxSearchLimits& limits, std::vector<Crossing>& crossings)
+{
+  crossings.clear();
+  BoxSearch search(pieces, limits, ticker_, crossings);
+  const BoxTree& latest = trees_.back();
   BoxSearch::Outcome outcome = search.searchWithin(latest);
   for (std::size_t k = 0; k + 1 < trees_.size() && outcome == BoxSearch::Outcome::Done; ++k)
   {
     if (!trees_[k].fit(pieces, ticker_)) // as some died since
     {
-      return false;
+      return BoxSearch::Outcome::Cancelled;
     }
     outcome = search.searchBetween(latest, trees_[k]);
   }
-  return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, crossings)
-                                                : outcome == BoxSearch::Outcome::Done;
+  return outcome;
 }
 
-bool PieceSearch::findByStrips(const Pieces& pieces, std::vector<Crossing>& crossings)
+/// Looks for hubs as long as there are new ones, each time at twice as many crossings.
+bool PieceSearch::findByStrips(const Pieces& pieces, Hubs& hubs, FoundCrossings& found)
 {
-  crossings.clear();
   RankedSegments segments;
-  std::vector<Index> living;
+  std::vector<Hubs::Part> parts;
+  std::vector<Crossing>& crossings = found.listed;
   const auto rename = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      crossings[k] = { living[crossings[k].a], living[crossings[k].b] };
+      crossings[k] = { parts[crossings[k].a].piece, parts[crossings[k].b].piece };
     }
   };
-  return rankEnds(pieces, ticker_, segments, living) &&
-    findCrossings(segments, ticker_, crossings) &&
-    inChunks(0, crossings.size(), ticker_, rename);
+  for (std::size_t most = limitsFor(pieces.size()).crossings;; most *= 2)
+  {
+    if (!hubs.listParts(pieces, parts) || !rankEnds(parts, ticker_, segments) ||
+      !findCrossings(segments, ticker_, crossings, most) ||
+      !inChunks(0, crossings.size(), ticker_, rename))
+    {
+      return false;
+    }
+    if (crossings.size() <= most)
+    {
+      return hubs.addCrossings(pieces, crossings, found.unlisted);
+    }
+    const std::size_t before = hubs.count();
+    if (!hubs.add(pieces, crossings))
+    {
+      return false;
+    }
+    most = hubs.count() == before ? std::size_t(-1) / 2 : most;
+  }
 }
 
 } // namespace ahd

@@ -118,7 +118,7 @@ private:
   Pieces pieces_;
   std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
   Pieces more_;              ///< not searched yet
-  std::vector<Crossing> crossings_;
+  FoundCrossings found_;
   PlaceTable places_;
   std::size_t named_ = 0;               ///< so many places, the first, have ids
   std::size_t addedBefore_ = 0;         ///< points added in the rounds before
@@ -145,17 +145,17 @@ Status Splitter::run()
     {
       return Status::TooManyPoints;
     }
-    if (!search_.find(more_, pieces_, crossings_))
+    if (!search_.find(more_, pieces_, found_))
     {
       return Status::Cancelled;
     }
-    if (crossings_.empty() || out_.rounds == kMostSplittingRounds)
+    if (found_.count() == 0 || out_.rounds == kMostSplittingRounds)
     {
-      out_.unresolved = crossings_.size();
+      out_.unresolved = found_.count();
       return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
     more_.clear();
-    out_.crossings += crossings_.size();
+    out_.crossings += found_.count();
     if (!split())
     {
       return Status::Cancelled;
@@ -208,11 +208,11 @@ bool Splitter::listPieces()
 bool Splitter::split()
 {
   insertions_.clear();
-  if (!places_.reserve(places_.size() + crossings_.size()))
+  if (!places_.reserve(places_.size() + found_.listed.size()))
   {
     return false;
   }
-  for (const Crossing& crossing : crossings_)
+  for (const Crossing& crossing : found_.listed)
   {
     if (!meet(crossing) || !ticker_.step())
     {
