@@ -35,7 +35,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Insert", { "Points", "Order", "Predicates", "Mesh" } },
     { "Extract", { "Mesh" } },
     { "Merge", { "Points" } },
-    { "Crossings", { "Points", "Predicates" } },
+    { "Crossings", { "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation" } },
     { "Surface", { "Points", "Merge", "Triangulation" } },

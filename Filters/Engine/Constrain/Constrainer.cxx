@@ -26,7 +26,7 @@ bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t verti
   const std::size_t ids = constraints.chains == 0
     ? 0
     : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
-  if (!edges_.begin(std::min(ids, vertices)))
+  if (!edges_.begin(std::min(ids, 3 * vertices)))
   {
     return false;
   }
