@@ -31,6 +31,10 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   {
     bytes += ahd::constraintMemoryEstimate(count, this->Known.Segments + 2 * this->Known.Crossings);
   }
+  if (this->Settings.TrimsRim())
+  {
+    bytes += ahd::trimMemoryEstimate(count);
+  }
   return bytes + this->EstimateTables() + this->EstimateOutputs();
 }
 

@@ -28,6 +28,7 @@ SETTINGS = [
     "AlphaLines",
     "AlphaVerts",
     "ProjectionPlaneMode",
+    "Rim",
     "Tolerance",
     "DuplicatePolicy",
     "MergeBlocks",
@@ -70,6 +71,7 @@ CONSTRAINT_COUNTS = [
     "NumberOfCrossings",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
+    "NumberOfTrimmedTriangles",
 ]
 MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NP",
