@@ -11,8 +11,8 @@
  * doi:10.1016/j.cag.2015.07.019. Details: Plugin/Documentation/Reference.md.
  *
  * Several filters may execute at once, each in a thread and a pipeline of its own, with a shallow
- * copy of the input and of the source each. To abort from another thread, let an observer of
- * ProgressEvent call SetAbortExecute.
+ * copy of the input and of the source each. To abort from another thread, set a flag of your own,
+ * and let an observer of ProgressEvent call SetAbortExecute when it sees it.
  *
  * @sa
  * vtkAdaptiveHilbertDelaunay2D
@@ -100,7 +100,7 @@ public:
   ///@}
 
   ///@{
-  /// Count NP and NR. Off by default, as it takes time; uses one thread. Never changes the
+  /// Count NP and NR. Off by default, as it takes time; one thread inserts. Never changes
   /// triangles.
   vtkSetMacro(CountWork, bool);
   vtkGetMacro(CountWork, bool);
@@ -119,7 +119,7 @@ public:
   /// Add the point array "Fate" (vtkIdTypeArray), the status of each point: its own id: a vertex;
   /// another id: a duplicate of that point or merged into it; -1: x or y is not finite; -2: not
   /// inserted (a ghost or hidden point, beyond InsertionLimit, or a duplicate of such a point).
-  /// Off by default; 16 bytes per point while the filter runs. GenerateFate is the old name.
+  /// Off by default. GenerateFate is the old name of the setting.
   vtkSetMacro(GeneratePointStatus, bool);
   vtkGetMacro(GeneratePointStatus, bool);
   vtkBooleanMacro(GeneratePointStatus, bool);
@@ -134,10 +134,10 @@ public:
    * Add cell arrays; each is off by default.
    * - "ConstraintEdges" (vtkUnsignedCharArray): the edges of a triangle that are constraints, as a
    *   sum: 1 from its first corner to its second, 2 second to third, 4 third to first.
-   * - "RegionId" (vtkIdTypeArray): triangles have one number if a way between them crosses no
-   *   constraint; from 0. 24 bytes per triangle while the filter runs.
+   * - "RegionId" (vtkIdTypeArray): triangles have one number if a path between them crosses no
+   *   constraint; from 0.
    * - "Neighbors" (vtkIdTypeArray, three components): the cells beyond the edges of a triangle, in
-   *   the order of these bits; -1: none. 48 bytes per triangle while the filter runs.
+   *   the order of these bits; -1: none.
    *
    * Lines and vertices have 0, -1 and -1.
    */
@@ -156,8 +156,7 @@ public:
   /**
    * Show the insertion; each is off by default.
    * - Rank: add the point array "InsertionRank" (vtkIdTypeArray), the place of each point in the
-   *   order of one thread, from 0; -1: duplicate, rejected or skipped. 4 bytes per point, and 16
-   *   more while the filter runs.
+   *   order of one thread, from 0; -1: duplicate, rejected or skipped.
    * - Curve: a polyline through the inserted points in output port 1.
    * - Boxes: the boxes of the grid that are not divided further in output port 1, about 300 bytes
    *   each. AS_GIVEN has none.

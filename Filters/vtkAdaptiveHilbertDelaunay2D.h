@@ -88,7 +88,7 @@ public:
   enum FillRules
   {
     ORIENTATION = 0, ///< inside is on the left of each loop
-    EVEN_ODD = 1     ///< inside is where a way from outside crosses loops an odd number of times
+    EVEN_ODD = 1     ///< inside is where a path from outside crosses loops an odd number of times
   };
 
   /// The values of DuplicatePolicy.
@@ -108,14 +108,12 @@ public:
   };
 
   ///@{
-  /**
-   * The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become edges
-   * of the triangulation, polygons edges and loops that bound what is kept. Points on a segment
-   * divide it; segments may overlap. A segment that crosses an earlier one (see CrossingMode) or an
-   * end of which is no vertex is left out, and its loop then bounds nothing; both are counted. The
-   * field data array "Crossings" names the source's cells that cross, the later one first, for the
-   * first 1000.
-   */
+  /// The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become
+  /// edges of the triangulation, polygons edges and loops that bound what is kept. Points on a
+  /// segment divide it; segments may overlap. A segment that crosses an earlier one (see
+  /// CrossingMode) or has an end that is no vertex is left out, and its loop bounds nothing: both
+  /// are counted. The field data array "Crossings" names the first 1000 pairs of cells that cross,
+  /// later one first.
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSource();
@@ -154,9 +152,8 @@ public:
   ///@{
   /// A length in space, in the unit of the points, from 0; 0, the default: all triangles. Else the
   /// triangles with a circumradius of at most Alpha, as lines the edges of none of these that are
-  /// at most twice as long, as vertices the points in neither. AlphaTris, AlphaLines and
-  /// AlphaVerts, on by default, put each kind out. As in vtkDelaunay2D, with exceptions listed in
-  /// Reference.md.
+  /// at most twice as long, as vertices the points in neither; AlphaTris, AlphaLines and
+  /// AlphaVerts, on by default, put each kind out. As in vtkDelaunay2D; exceptions: Reference.md.
   virtual void SetAlpha(double alpha);
   virtual double GetAlphaMinValue() { return 0.0; }
   virtual double GetAlphaMaxValue() { return VTK_DOUBLE_MAX; }
@@ -187,7 +184,7 @@ public:
    * - VTK_BEST_FITTING_PLANE (2): see ComputeBestFittingPlane; Transform is not used.
    *
    * After a transform or in a fitted plane, exactness is for the coordinates there, rounded to
-   * double precision, and duplicates are judged there. 24 bytes per point while the filter runs.
+   * double precision, and duplicates are judged there.
    */
   vtkSetClampMacro(ProjectionPlaneMode, int, VTK_DELAUNAY_XY_PLANE, VTK_BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
@@ -207,8 +204,8 @@ public:
 
   ///@{
   /// Merge points nearer to each other than this fraction, from 0 to 1, of the diagonal of the
-  /// bounding box of all points in the plane; default 0. In lexicographic order of x, y each is
-  /// merged into the nearest point before it that is a vertex within that distance. Constraints
+  /// bounding box of all points in the plane; default 0. Points are taken in lexicographic order of
+  /// x, y; one that has vertices within that distance is merged into the nearest. Constraints
   /// follow. vtkDelaunay2D's default is 1e-5, of the diagonal in space.
   virtual void SetTolerance(double tolerance);
   virtual double GetToleranceMinValue() { return 0.0; }

@@ -49,7 +49,7 @@ struct Arrays
 template <typename Number>
 bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* source)
 {
-  const vtkAHDProgress progress(source);
+  vtkAHDProgress progress(source);
   const vtkIdType step = std::max(kPiece, to.Count / 100); // observers may be slow
   vtkIdType told = 0;
   for (vtkIdType begin = 0; begin < to.Count; begin += kPiece)

@@ -73,10 +73,9 @@ public:
   }
 };
 
-// The setting by its XML name, which state files have, and the property that carries the name it
-// had in Python before: GenerateFate, by its label.
-constexpr const char* kPointStatus = "GenerateFate";
-constexpr const char* kOldName = "GenerateFateOldName";
+// A setting, and the property with its old name, which older states and scripts have.
+constexpr const char* kPointStatus = "GeneratePointStatus";
+constexpr const char* kOldName = "GenerateFate";
 
 void CopyProperty(vtkSMProxy* proxy, const char* from, const char* to)
 {

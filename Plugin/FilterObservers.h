@@ -11,8 +11,8 @@
 /// It offers every polygonal data set as a Source, those made from the filter's own output too, and
 /// the update of such a circle never ends. A Source of this kind is taken away, with a warning.
 ///
-/// It knows one name of a property in Python. GeneratePointStatus has an old one, GenerateFate,
-/// which is a property of its own: the two are kept equal.
+/// It knows no second name of a property. GeneratePointStatus has an old one, GenerateFate, which
+/// is a property of its own, for older states and scripts: the two are kept equal.
 ///
 /// Does nothing on a server, which has no properties.
 void ObserveTheFilters();

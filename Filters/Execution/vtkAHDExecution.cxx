@@ -36,6 +36,7 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
   try
   {
     this->Report.Status = ahd::Status::Ok;
+    this->SetStages();
     this->Prepare(results.Points);
     this->Triangulate(results);
     this->Constrain(results);
@@ -58,8 +59,30 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
   return this->Report;
 }
 
+/// Their weights are about their times, measured with 10^6 points: that of a plain triangulation is
+/// 1. In the order in which they are begun below.
+void vtkAHDExecution::SetStages() const
+{
+  const vtkAHDSettings& settings = this->Settings;
+  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
+  const double arrays = weight(settings.GeneratePointStatus, 0.1) +
+    weight(settings.GenerateInsertionRank, 0.1) + weight(settings.GenerateConstraintEdges, 0.5) +
+    weight(settings.GenerateRegionIds, 1.0) + weight(settings.GenerateNeighbors, 0.9);
+  this->Context.SetStages({ //
+    0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
+      weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
+    1.0,                                                                         // Triangulate
+    weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
+    weight(this->Known.Segments > 0, 0.6),                                       // Constrain
+    0.15 + weight(settings.LimitsSize(), 1.5) + weight(settings.ShowMeans, 0.2), // points, cells
+    arrays,                                                                      // arrays
+    weight(settings.GenerateVoronoi, 0.5),                                       // diagram
+    weight(settings.WantsOrder(), 0.4) });                                       // order
+}
+
 void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
 {
+  this->Context.NextStage();
   this->Input.Open(this->Context);
   this->Context.Check(ahd::prepare(this->Input.GetRequest(), this->Context, points));
   this->Known.Points = this->Report.Points = points.points().count;
@@ -73,6 +96,7 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
 
 void vtkAHDExecution::Triangulate(Results& results)
 {
+  this->Context.NextStage();
   ahd::Triangulation& triangulation = results.Triangulation;
   const ahd::Status status = ahd::triangulate(
     results.Points.points(), this->Options, this->Workspace, this->Context, triangulation);
@@ -87,17 +111,17 @@ void vtkAHDExecution::Triangulate(Results& results)
     this->Context.Check(results.Points.endCrossingsAtVertices(triangulation, this->Context));
   }
   this->Report.DelaunayTriangles = triangulation.report().triangles;
+  this->Context.NextStage();
   if (this->Settings.GenerateVoronoi)
   {
-#if 0
     this->Context.Check(
       ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
-#endif
   }
 }
 
 void vtkAHDExecution::Constrain(Results& results)
 {
+  this->Context.NextStage();
   if (results.Points.hasConstraints())
   {
     this->Context.Check(ahd::constrain(std::move(results.Triangulation),
@@ -108,19 +132,24 @@ void vtkAHDExecution::Constrain(Results& results)
 void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
 {
   ahd::Triangulation& triangulation = results.Triangulation;
+  this->Context.NextStage();
   const vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
   surface.WritePoints(this->Input, results.Points);
   surface.ShowMeans(results.Points, triangulation);
   const ahd::Selection selection = surface.WriteCells(results.Points, triangulation);
+  this->Context.NextStage();
   surface.AddCrossings(results.Points, triangulation);
   surface.AddPointArrays(results.Points, triangulation);
   surface.AddCellArrays(triangulation, selection);
+  this->Context.NextStage();
   this->WriteVoronoi(results, outputs);
+  this->Context.NextStage();
   if (this->Settings.WantsOrder())
   {
     vtkAHDOrderOutput order(results.Points, triangulation, this->Context);
     order.Write(this->Settings.GenerateInsertionCurve, outputs[1]);
   }
+  this->Context.NextStage();
   this->Context.StopIfAborted();
   this->Report.Triangles = static_cast<std::size_t>(outputs[0]->GetNumberOfPolys());
   this->Report.Cells = static_cast<std::size_t>(outputs[0]->GetNumberOfCells());

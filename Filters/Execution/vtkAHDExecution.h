@@ -62,6 +62,7 @@ private:
   };
 
   bool FitsInMemory();
+  void SetStages() const;
   void Prepare(ahd::PreparedInput& points);
   void Triangulate(Results& results);
   void Constrain(Results& results);

@@ -11,6 +11,7 @@
 #include <atomic>
 #include <cstddef>
 #include <thread>
+#include <vector>
 
 /// Why an execution cannot go on. Thrown within this layer, and caught where the execution began.
 struct vtkAHDStop
@@ -30,6 +31,10 @@ public:
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
+
+  /// The stages of the execution (see vtkAHDProgress), and the beginning of the next one.
+  void SetStages(const std::vector<double>& weights) const { this->Progress.SetStages(weights); }
+  void NextStage() const { this->Progress.NextStage(); }
 
   /// Wall-clock seconds that a phase of the engine has taken.
   double GetSeconds(ahd::Phase phase) const { return this->Progress.GetSeconds(phase); }

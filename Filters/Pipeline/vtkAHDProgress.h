@@ -5,27 +5,37 @@
 #include "Engine/Core/Progress.h"
 
 #include <array>
-#include <chrono>
+#include <vector>
 
 class vtkAlgorithm;
 
 /**
  * The engine's Progress for a VTK filter: reports to vtkAlgorithm::UpdateProgress, cancels when the
  * filter is to abort, and takes the time of each phase.
+ *
+ * An execution consists of stages, whose weights are about their times. Within a stage the engine
+ * begins phases; the bar moves with each. Observers hear of each hundredth, and where there is none
+ * for a twelfth of a second, of the same fraction again: so that they can draw and abort. They may
+ * be slow, so they hear of no more.
  */
 class vtkAHDProgress : public ahd::Progress
 {
 public:
-  explicit vtkAHDProgress(vtkAlgorithm* filter)
-    : Filter(filter)
-  {
-  }
+  using Clock = double (*)(); ///< seconds, from any beginning
+
+  explicit vtkAHDProgress(vtkAlgorithm* filter, Clock clock = SteadyClock);
+
+  /// The stages to come, by their weights; those of weight 0 are passed over. Without, there is
+  /// one.
+  void SetStages(const std::vector<double>& weights);
+  /// The next stage begins; after the last one, all is done.
+  void NextStage();
 
   void beginPhase(ahd::Phase phase) override;
   bool advance(ahd::Phase phase, double fraction) override;
 
-  /// Is the filter to abort?
-  bool MustAbort() const;
+  /// Is the filter to abort? Observers are told first that it is at work, if it is time to.
+  bool MustAbort();
 
   /// Ends the last phase. Time after this belongs to none.
   void Finish();
@@ -34,14 +44,23 @@ public:
   double GetSeconds(ahd::Phase phase) const { return this->Seconds[std::size_t(phase)]; }
 
 private:
-  using Clock = std::chrono::steady_clock;
+  static double SteadyClock();
+  bool IsAborted() const;
+  void Tell(double whole);
+  void MoveTo(double whole);
 
-  vtkAlgorithm* Filter;
-  double Shown = 0.0;                            // what the filter was told last
+  vtkAlgorithm* const Filter;
+  const Clock Now;
+  std::vector<double> StageEnds = { 1.0 }; // as parts of the whole
+  std::size_t Stage = 0;
+  double PhaseBegin = 0.0; // as parts of the stage
+  double PhaseEnd = 0.0;
+  double Shown = 0.0;                            // what observers were told last
+  double ToldAt = 0.0;                           // when
   std::array<double, ahd::kPhases> Seconds = {}; // of each phase
   bool InPhase = false;
   ahd::Phase Current = ahd::Phase::Read;
-  Clock::time_point Begun;
+  double Begun = 0.0;
 };
 
 #endif

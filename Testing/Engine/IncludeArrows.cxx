@@ -39,7 +39,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation", "" } },
     { "Surface", { "Points", "Merge", "Triangulation" } },
-    { "Voronoi", { "Arithmetic", "Points" } },
+    { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
+    { "Voronoi", { "Arithmetic", "Points", "Triangulation" } },
   };
   return kAllowed;
 }
@@ -61,8 +62,7 @@ bool startsThreads(const fs::path& file)
 /// What lies directly in Filters/Engine: the door may use every part, the words only words.
 bool isDoor(const fs::path& file)
 {
-  static const std::set<std::string> kStems = { "Triangulate", "TriangulateCells",
-    "TriangulatorState" };
+  static const std::set<std::string> kStems = { "Triangulate", "TriangulateConstrained" };
   return file.parent_path().empty() && kStems.count(file.stem().string()) != 0;
 }
 

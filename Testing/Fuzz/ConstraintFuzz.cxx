@@ -92,10 +92,10 @@ void mergeAndSplit(Prepared& prepared)
 }
 
 test::ConstrainedOutcome constrainWith(
-  const Prepared& prepared, Triangulator& triangulator, const Run& run, const PointView& points)
+  const Prepared& prepared, test::Engine& engine, const Run& run, const PointView& points)
 {
-  return test::constrain(triangulator, points, prepared.chains, prepared.rule, run.options,
-    { run.progress, run.executor });
+  return test::constrain(
+    engine, points, prepared.chains, prepared.rule, run.options, { run.progress, run.executor });
 }
 
 /// The same chains, none of them a loop.
@@ -130,10 +130,10 @@ void expectAsDefined(const Prepared& prepared, const test::ConstrainedOutcome& f
 }
 
 /// Constrains and asks for all cell data, as long as it is Ok.
-Status everythingOnce(const Prepared& prepared, Triangulator& triangulator, Progress* progress)
+Status everythingOnce(const Prepared& prepared, test::Engine& engine, Progress* progress)
 {
-  Status status = triangulator.constrain(prepared.chains, prepared.rule, progress);
-  const std::size_t triangles = status == Status::Ok ? triangulator.report().triangles : 0;
+  Status status = engine.constrain(prepared.chains, prepared.rule, progress);
+  const std::size_t triangles = status == Status::Ok ? engine.report().triangles : 0;
   std::vector<std::int64_t> numbers;
   std::vector<std::uint8_t> edges;
   {
@@ -142,42 +142,42 @@ Status everythingOnce(const Prepared& prepared, Triangulator& triangulator, Prog
     edges.resize(triangles);
   }
   const auto next = [&](auto write) { status = status == Status::Ok ? write() : status; };
-  next([&] { return triangulator.writeNeighbors(numbers.data(), progress); });
-  next([&] { return triangulator.writeRegions(numbers.data(), progress); });
-  next([&] { return triangulator.writeConstraintEdges(edges.data(), progress); });
+  next([&] { return engine.writeNeighbors(numbers.data(), progress); });
+  next([&] { return engine.writeRegions(numbers.data(), progress); });
+  next([&] { return engine.writeConstraintEdges(edges.data(), progress); });
   return status;
 }
 
 /// A run that is cancelled or has no memory says so, in whatever it is stopped.
-void expectAllStops(const Prepared& prepared, Triangulator& triangulator)
+void expectAllStops(const Prepared& prepared, test::Engine& engine)
 {
   Run run = runOf(prepared.given, 0);
   expectStops(prepared.given,
     [&](Progress* progress)
     {
-      return progress ? constrainWith(prepared, triangulator,
-                          { run.options, run.executor, progress }, prepared.view())
-                          .status
-                      : Status::Ok; // it allocates itself
+      return progress
+        ? constrainWith(prepared, engine, { run.options, run.executor, progress }, prepared.view())
+            .status
+        : Status::Ok; // it allocates itself
     });
   const auto runFirst = [&]
   {
     const NoMemory pause(0);
-    return triangulator.run(prepared.view(), run.options, nullptr, run.executor);
+    return engine.run(prepared.view(), run.options, nullptr, run.executor);
   };
   expectStops(prepared.given,
     [&](Progress* progress)
     {
       const Status status = runFirst();
-      return status == Status::Ok ? everythingOnce(prepared, triangulator, progress) : status;
+      return status == Status::Ok ? everythingOnce(prepared, engine, progress) : status;
     });
 }
 
-/// Other settings, threads, layout of the points, and what the triangulator did before.
+/// Other settings, threads, layout of the points, and what the engine did before.
 void expectTheSame(const Prepared& prepared, const test::ConstrainedOutcome& expected)
 {
-  Triangulator triangulator;
-  expectAllStops(prepared, triangulator);
+  test::Engine engine;
+  expectAllStops(prepared, engine);
   FuzzCase laidOut = prepared.given;
   laidOut.head[kSkipMarks] = 0;
   const Layout layout(laidOut, prepared.points);
@@ -188,24 +188,27 @@ void expectTheSame(const Prepared& prepared, const test::ConstrainedOutcome& exp
   points.skipMask = 1;
   const Run run = runOf(prepared.given, 1);
   expectNone(
-    test::difference(expected, constrainWith(prepared, triangulator, run, points)), prepared.given);
+    test::difference(expected, constrainWith(prepared, engine, run, points)), prepared.given);
 }
 
 void expectDiagram(const Prepared& prepared)
 {
   const Run run = runOf(prepared.given, 0);
-  Triangulator triangulator;
-  const test::ConstrainedOutcome plain = test::constrain(triangulator, prepared.view(),
-    ConstraintView(), prepared.rule, run.options, { nullptr, run.executor });
-  expectNone(faultsOfDiagram(prepared.view(), plain, run.executor), prepared.given);
+  test::Engine engine;
+  const test::ConstrainedOutcome plain = test::constrain(engine, prepared.view(), ConstraintView(),
+    prepared.rule, run.options, { nullptr, run.executor });
+  expectNone(faultsOfDiagram(engine.made, plain, run.executor), prepared.given);
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     expectStops(prepared.given,
       [&](Progress* progress)
       {
         VoronoiCells cells;
-        const DelaunayView delaunay = delaunayOf(prepared.view(), plain);
-        return voronoiCells(delaunay, clip, cells, progress, run.executor);
+        {
+          const NoMemory pause(0);
+          engine.run(prepared.view(), run.options, nullptr, run.executor);
+        }
+        return voronoiCells(engine.made, clip, cells, { progress, run.executor });
       });
   }
 }
@@ -217,12 +220,11 @@ void fuzzConstraints(const FuzzCase& given)
   Prepared prepared(given);
   mergeAndSplit(prepared);
   const Run run = runOf(given, 0);
-  Triangulator triangulator;
+  test::Engine engine;
   const test::ConstraintSet open = openChains(prepared.chains);
-  const test::ConstrainedOutcome whole = test::constrain(triangulator, prepared.view(), open.view(),
-    prepared.rule, run.options, { nullptr, run.executor });
-  const test::ConstrainedOutcome filled = constrainWith(
-    prepared, triangulator, run, prepared.view());
+  const test::ConstrainedOutcome whole = test::constrain(
+    engine, prepared.view(), open.view(), prepared.rule, run.options, { nullptr, run.executor });
+  const test::ConstrainedOutcome filled = constrainWith(prepared, engine, run, prepared.view());
   expect(whole.status == Status::Ok && filled.status == Status::Ok, "both runs are Ok", given);
   expectNone(test::joined(test::certifyConstrained(
                prepared.view(), prepared.chains, prepared.rule, whole, filled)),

@@ -7,6 +7,7 @@
 #include "Judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -37,10 +38,10 @@ struct First
 
 std::string differenceOf(const test::Outcome& a, const test::Outcome& b)
 {
-  return a.status != b.status ? "other status"
-    : a.triples != b.triples  ? "other triangles"
-    : a.fates != b.fates      ? "other fates"
-                              : "";
+  return a.status != b.status        ? "other status"
+    : a.triples != b.triples         ? "other triangles"
+    : a.pointStatus != b.pointStatus ? "other status of points"
+                                     : "";
 }
 
 /// Points left out become such that are not finite, which the oracle leaves out.
@@ -66,7 +67,7 @@ void expectAsDefined(const First& first)
 }
 
 /// Other settings, threads, ids and layout.
-void expectSameWhenShuffled(const First& first, Triangulator& triangulator)
+void expectSameWhenShuffled(const First& first, test::Engine& engine)
 {
   const std::vector<std::size_t> oldId = shuffledIds(
     first.points.size(), first.given.head[kShuffle]);
@@ -83,43 +84,44 @@ void expectSameWhenShuffled(const First& first, Triangulator& triangulator)
   Watch watch;
   Run run = runOf(first.given, 1);
   run.progress = &watch;
-  test::Outcome outcome = triangulate(triangulator, view, run);
+  test::Outcome outcome = triangulate(engine, view, run);
   expectNone(faultsOf(view, outcome), first.given);
   expectNone(watch.fault(), first.given);
   for (std::int32_t& id : outcome.triples)
   {
-    id = std::int32_t(first.outcome.fates[oldId[std::size_t(id)]]);
+    id = std::int32_t(first.outcome.pointStatus[oldId[std::size_t(id)]]);
   }
   expect(
     outcome.triples == first.outcome.triples, "the shuffled triangles are the same", first.given);
 }
 
 /// The order that a run kept is one of all vertices, and the ranks are its inverse.
-void expectOrder(const First& first, Triangulator& triangulator, Executor* executor)
+void expectOrder(const First& first, test::Engine& engine, Executor* executor)
 {
-  std::vector<std::int64_t> order(triangulator.report().inserted, -7);
+  std::vector<std::int64_t> order(engine.report().inserted, -7);
   std::vector<std::int64_t> ranks(first.points.size(), -7);
-  expect(triangulator.writeOrder(order.data(), nullptr, executor) == Status::Ok, "order written",
+  expect(
+    engine.writeOrder(order.data(), nullptr, executor) == Status::Ok, "order written", first.given);
+  expect(engine.writeInsertionRanks(ranks.data(), nullptr, executor) == Status::Ok, "ranks written",
     first.given);
-  expect(triangulator.writeInsertionRanks(ranks.data(), nullptr, executor) == Status::Ok,
-    "ranks written", first.given);
   std::vector<std::int64_t> expected(first.points.size(), kRankNone);
   for (std::size_t i = 0; i < order.size(); ++i)
   {
     const auto id = std::size_t(order[i]);
     expect(
       id < expected.size() && expected[id] == kRankNone, "each in the order once", first.given);
-    expect(first.outcome.fates[id] == order[i], "those in the order are vertices", first.given);
+    expect(
+      first.outcome.pointStatus[id] == order[i], "those in the order are vertices", first.given);
     expected[id] = std::int64_t(i);
   }
   expect(ranks == expected, "ranks are places in the order", first.given);
 }
 
 /// The boxes hold all vertices, and have an inside.
-void expectBoxes(const First& first, const Triangulator& triangulator, InsertionOrder order)
+void expectBoxes(const First& first, const test::Engine& engine, InsertionOrder order)
 {
   std::size_t count = 0;
-  for (const GridBox& box : triangulator.boxes())
+  for (const GridBox& box : engine.boxes())
   {
     count += box.count;
     expect(box.xmin <= box.xmax && box.ymin <= box.ymax && box.level >= 0, "boxes are boxes",
@@ -129,38 +131,114 @@ void expectBoxes(const First& first, const Triangulator& triangulator, Insertion
   expect(count == vertices, "each vertex is in one box", first.given);
 }
 
+/// Twins are twins, and each vertex is found where it is.
+void expectTables(const First& first, const Triangulation& made)
+{
+  const HalfEdge halfEdges = static_cast<HalfEdge>(3 * made.triangleCount());
+  std::size_t hull = 0;
+  for (HalfEdge h = 0; h < halfEdges; ++h)
+  {
+    const HalfEdge twin = made.twin(h);
+    hull += twin == kNoHalfEdge ? 1 : 0;
+    expect(twin == kNoHalfEdge ||
+        (made.twin(twin) == h && made.origin(twin) == made.target(h) &&
+          made.target(twin) == made.origin(h)),
+      "twins are the same edge", first.given);
+    const Location found = made.locate(made.at(made.origin(h)), h * std::size_t(7));
+    expect(found.kind == Location::OnVertex && found.halfEdge == made.start(made.origin(h)),
+      "a vertex is found", first.given);
+  }
+  expect(made.triangleCount() == 0 ||
+      made.triangleCount() + hull + 2 == 2 * first.outcome.report.inserted,
+    "the hull has as many edges as Euler says", first.given);
+}
+
+/// Which point of each place stands for the vertex follows z; nothing else does.
+void expectRepresentatives(const First& first, const Run& run)
+{
+  const PointView view = first.layout.view();
+  std::vector<double> xyz;
+  for (std::size_t i = 0; i < view.count; ++i)
+  {
+    const double z = first.given.head[kShuffle] * i % 5 == 4 ? std::nan("") : double(i * 7 % 4);
+    xyz.insert(xyz.end(), { view[i].x, view[i].y, z });
+  }
+  PointView points(xyz.data(), view.count, 3);
+  points.skip = view.skip;
+  points.skipMask = view.skipMask;
+  Run wanted = run;
+  const bool isLowest = first.given.head[kShuffle] % 2 != 0;
+  wanted.options.representative = isLowest ? Representative::LowestZ : Representative::HighestZ;
+  test::Engine engine;
+  const test::Outcome outcome = triangulate(engine, points, wanted);
+  const auto rank = [&](std::size_t i)
+  {
+    const double z = xyz[3 * i + 2];
+    return std::isfinite(z) ? (isLowest ? -z : z) : -1e300;
+  };
+  std::vector<std::int64_t> expected = first.outcome.pointStatus;
+  std::vector<std::int64_t> best(view.count, -1); // of each smallest id
+  for (std::size_t i = 0; i < view.count; ++i)
+  {
+    std::int64_t& chosen = best[std::size_t(std::max<std::int64_t>(0, expected[i]))];
+    if (expected[i] >= 0 && (chosen < 0 || rank(i) > rank(std::size_t(chosen))))
+    {
+      chosen = std::int64_t(i);
+    }
+  }
+  for (std::int64_t& status : expected)
+  {
+    status = status < 0 ? status : best[std::size_t(status)];
+  }
+  std::vector<std::int32_t> triples = first.outcome.triples;
+  for (std::int32_t& id : triples)
+  {
+    id = std::int32_t(best[std::size_t(id)]);
+  }
+  expect(outcome.pointStatus == expected, "z says who stands for a vertex", first.given);
+  expect(outcome.triples == triples, "z says whose ids triangles have", first.given);
+}
+
 /// What else the first run can be asked for.
-void expectExtras(const First& first, Triangulator& triangulator)
+void expectExtras(const First& first, test::Engine& engine)
 {
   const Run run = runOf(first.given, 0);
   std::vector<std::int64_t> wide(first.outcome.triples.size(), -7);
-  if (run.options.keepLocations)
+  for (const bool withTables : { false, true }) // before there are tables, and from these
   {
-    expect(triangulator.writeTriangles(wide.data(), nullptr, run.executor) == Status::Ok,
+    expect(engine.writeTriangles(wide.data(), nullptr, run.executor) == Status::Ok,
       "triangles written again", first.given);
     expect(std::equal(wide.begin(), wide.end(), first.outcome.triples.begin()),
       "64-bit ids are those of 32 bits", first.given);
+    wide.assign(wide.size(), -7);
+    expect(withTables || engine.made.makeNeighbors({ nullptr, run.executor }) == Status::Ok,
+      "tables made", first.given);
+  }
+  expectTables(first, engine.made);
+  if (first.given.layoutBit(3))
+  {
+    expectRepresentatives(first, run);
   }
   if (run.options.keepOrder)
   {
-    expectOrder(first, triangulator, run.executor);
+    expectOrder(first, engine, run.executor);
   }
   if (run.options.keepBoxes)
   {
-    expectBoxes(first, triangulator, run.options.order);
+    expectBoxes(first, engine, run.options.order);
   }
 }
 
 /// A run with a limit gives the triangulation of the first points of the order.
-void expectMeshOfTheFirst(const First& first, Triangulator& triangulator)
+void expectMeshOfTheFirst(const First& first, test::Engine& engine)
 {
   Run run = runOf(first.given, 0);
   run.options.keepOrder = true;
   run.options.insertionLimit = first.given.head[kLimit];
-  const test::Outcome limited = triangulate(triangulator, first.layout.view(), run);
+  const test::Outcome limited = triangulate(engine, first.layout.view(), run);
   expect(limited.status == Status::Ok, "the run with a limit is Ok", first.given);
   std::vector<std::int64_t> order(limited.report.inserted);
-  expect(triangulator.writeOrder(order.data(), nullptr) == Status::Ok, "order", first.given);
+  expect(engine.writeOrder(order.data(), nullptr) == Status::Ok, "order", first.given);
   std::vector<Point> points;
   for (const std::int64_t id : order)
   {
@@ -181,26 +259,26 @@ void expectMeshOfTheFirst(const First& first, Triangulator& triangulator)
     "as many as the limit says", first.given);
 }
 
-void expectTooManyBoxes(const First& first, Triangulator& triangulator)
+void expectTooManyBoxes(const First& first, test::Engine& engine)
 {
   Run run = runOf(first.given, 0);
   run.options.keepBoxes = true;
-  const Status all = triangulator.run(first.layout.view(), run.options, nullptr, run.executor);
+  const Status all = engine.run(first.layout.view(), run.options, nullptr, run.executor);
   expect(all == Status::Ok, "the run with boxes is Ok", first.given);
-  const std::size_t boxes = triangulator.boxes().size();
+  const std::size_t boxes = engine.boxes().size();
   run.options.mostBoxes = first.given.head[kMostBoxes];
-  const Status some = triangulator.run(first.layout.view(), run.options, nullptr, run.executor);
+  const Status some = engine.run(first.layout.view(), run.options, nullptr, run.executor);
   expect(
     some == (boxes > run.options.mostBoxes ? Status::TooManyBoxes : Status::Ok), "", first.given);
 }
 
 /// A run that is cancelled says so.
-void expectCancelled(const First& first, Triangulator& triangulator)
+void expectCancelled(const First& first, test::Engine& engine)
 {
   Run run = runOf(first.given, 0);
   Watch watch(first.given.head[kCancelAt]);
   run.progress = &watch;
-  const test::Outcome stopped = triangulate(triangulator, first.layout.view(), run);
+  const test::Outcome stopped = triangulate(engine, first.layout.view(), run);
   expectNone(watch.fault(), first.given);
   expect(stopped.status == (watch.cancelled() ? Status::Cancelled : Status::Ok),
     "cancelled if told to", first.given);
@@ -209,12 +287,11 @@ void expectCancelled(const First& first, Triangulator& triangulator)
 }
 
 /// A run without memory says so, or is right.
-void expectOutOfMemory(const First& first, Triangulator& triangulator)
+void expectOutOfMemory(const First& first, test::Engine& engine)
 {
-  triangulator.release();
+  engine.release();
   const NoMemory none(first.given.head[kFailAt]);
-  const test::Outcome failed = triangulate(
-    triangulator, first.layout.view(), runOf(first.given, 0));
+  const test::Outcome failed = triangulate(engine, first.layout.view(), runOf(first.given, 0));
   const NoMemory again(0);
   expect(failed.status == Status::OutOfMemory || differenceOf(first.outcome, failed).empty(),
     "out of memory or right", first.given);
@@ -222,26 +299,25 @@ void expectOutOfMemory(const First& first, Triangulator& triangulator)
 
 /// More points than the engine takes are refused unread; what is forgotten is not there any more;
 /// the estimate is no less than what is kept.
-void expectRefusals(const First& first, Triangulator& triangulator)
+void expectRefusals(const First& first, test::Engine& engine)
 {
   const Run run = runOf(first.given, 0);
-  expect(
-    triangulator.memoryHeld() <= Triangulator::memoryEstimate(first.points.size(), run.options) +
-        Triangulator::memoryEstimate(first.points.size(), first.given.options(1)),
+  expect(engine.memoryHeld() <= triangulationMemoryEstimate(first.points.size(), run.options) +
+        triangulationMemoryEstimate(first.points.size(), first.given.options(1)),
     "no more memory is kept than was estimated", first.given);
   PointView view = first.layout.view();
   view.count = kMaximumPoints + 1;
-  expect(triangulator.run(view, run.options, nullptr) == Status::TooManyPoints,
+  expect(engine.run(view, run.options, nullptr) == Status::TooManyPoints,
     "too many points are refused", first.given);
-  expect(triangulator.report().triangles == 0, "nothing is left", first.given);
-  triangulator.forgetPoints();
-  triangulator.release();
+  expect(engine.report().triangles == 0, "nothing is left", first.given);
+  engine.reclaim();
+  engine.release();
 }
 
 /// What goes wrong leaves nothing behind: the next run is what it would have been.
-void expectTrouble(const First& first, Triangulator& triangulator)
+void expectTrouble(const First& first, test::Engine& engine)
 {
-  using Trouble = void (*)(const First&, Triangulator&);
+  using Trouble = void (*)(const First&, test::Engine&);
   constexpr std::pair<HeadByte, Trouble> kAll[] = { { kLimit, expectMeshOfTheFirst },
     { kMostBoxes, expectTooManyBoxes }, { kCancelAt, expectCancelled },
     { kFailAt, expectOutOfMemory }, { kRefusals, expectRefusals } };
@@ -251,13 +327,12 @@ void expectTrouble(const First& first, Triangulator& triangulator)
     if (first.given.head[byte] != 0)
     {
       isAny = true;
-      trouble(first, triangulator);
+      trouble(first, engine);
     }
   }
   if (isAny)
   {
-    const test::Outcome again = triangulate(
-      triangulator, first.layout.view(), runOf(first.given, 0));
+    const test::Outcome again = triangulate(engine, first.layout.view(), runOf(first.given, 0));
     expectNone(differenceOf(first.outcome, again), first.given);
   }
 }
@@ -267,13 +342,13 @@ void expectTrouble(const First& first, Triangulator& triangulator)
 void fuzzEngine(const FuzzCase& given)
 {
   First first(given);
-  Triangulator triangulator;
-  first.outcome = triangulate(triangulator, first.layout.view(), runOf(given, 0));
+  test::Engine engine;
+  first.outcome = triangulate(engine, first.layout.view(), runOf(given, 0));
   expectNone(faultsOf(first.layout.view(), first.outcome), given);
   expectAsDefined(first);
-  expectExtras(first, triangulator);
-  expectSameWhenShuffled(first, triangulator);
-  expectTrouble(first, triangulator);
+  expectExtras(first, engine);
+  expectSameWhenShuffled(first, engine);
+  expectTrouble(first, engine);
 }
 
 } // namespace fuzz

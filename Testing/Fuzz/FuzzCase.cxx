@@ -121,7 +121,6 @@ Options FuzzCase::options(std::size_t run) const
   result.keepOrder = (settings >> 6 & 1) != 0;
   result.keepBoxes = (settings >> 7 & 1) != 0;
   result.nmax = nmax == 0 ? result.nmax : nmax;
-  result.keepLocations = layoutBit(3);
   return result;
 }
 

@@ -174,24 +174,24 @@ Run runOf(const FuzzCase& given, std::size_t run)
   return { given.options(run), given.executor(run), nullptr };
 }
 
-test::Outcome triangulate(Triangulator& triangulator, const PointView& points, const Run& run)
+test::Outcome triangulate(test::Engine& engine, const PointView& points, const Run& run)
 {
   test::Outcome outcome;
   Status& status = outcome.status;
-  status = triangulator.run(points, run.options, run.progress, run.executor);
-  outcome.report = triangulator.report();
+  status = engine.run(points, run.options, run.progress, run.executor);
+  outcome.report = engine.report();
   if (status == Status::Ok)
   {
     const NoMemory pause(0); // of what is the test's own
     outcome.triples.resize(3 * outcome.report.triangles, -7);
-    outcome.fates.resize(points.count, -7);
+    outcome.pointStatus.resize(points.count, -7);
   }
   status = status != Status::Ok
     ? status
-    : triangulator.writeTriangles(outcome.triples.data(), run.progress, run.executor);
+    : engine.writeTriangles(outcome.triples.data(), run.progress, run.executor);
   status = status != Status::Ok
     ? status
-    : triangulator.writeFates(outcome.fates.data(), run.progress, run.executor);
+    : engine.writePointStatus(outcome.pointStatus.data(), run.progress, run.executor);
   return outcome;
 }
 

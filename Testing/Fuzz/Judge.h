@@ -89,8 +89,8 @@ struct Run
 };
 Run runOf(const FuzzCase& given, std::size_t run);
 
-/// run(), writeTriangles() and writeFates() with all that a Run has.
-test::Outcome triangulate(Triangulator& triangulator, const PointView& points, const Run& run);
+/// run(), writeTriangles() and writePointStatus() with all that a Run has.
+test::Outcome triangulate(test::Engine& engine, const PointView& points, const Run& run);
 
 } // namespace fuzz
 } // namespace ahd

@@ -109,7 +109,7 @@ double unitOf(const Diagram& diagram)
   for (std::size_t i = 0; i < diagram.points.count; ++i)
   {
     const Point p = diagram.points[i];
-    if (diagram.plain.fates[i] == std::int64_t(i) && !(isWhole(p.x) && isWhole(p.y)))
+    if (diagram.plain.pointStatus[i] == std::int64_t(i) && !(isWhole(p.x) && isWhole(p.y)))
     {
       return 0.0;
     }
@@ -185,7 +185,8 @@ std::string faultsOfCells(const Diagram& diagram)
   for (std::size_t k = 0; k < cells.sites.size(); ++k)
   {
     const std::int64_t site = cells.sites[k];
-    if (diagram.plain.fates.at(std::size_t(site)) != site || (k > 0 && cells.sites[k - 1] >= site))
+    if (diagram.plain.pointStatus.at(std::size_t(site)) != site ||
+      (k > 0 && cells.sites[k - 1] >= site))
     {
       return "sites are not the vertices in their order";
     }
@@ -246,25 +247,14 @@ std::string mergeAndJudge(const PointView& points, double fraction, MergedPoints
   return "";
 }
 
-DelaunayView delaunayOf(const PointView& points, const test::ConstrainedOutcome& plain)
-{
-  DelaunayView delaunay;
-  delaunay.points = points;
-  delaunay.fates = plain.fates.data();
-  delaunay.corners = plain.triples.data();
-  delaunay.neighbors = plain.neighbors.data();
-  delaunay.triangles = plain.triples.size() / 3;
-  return delaunay;
-}
-
 std::string faultsOfDiagram(
-  const PointView& points, const test::ConstrainedOutcome& plain, Executor* executor)
+  Triangulation& delaunay, const test::ConstrainedOutcome& plain, Executor* executor)
 {
-  const DelaunayView delaunay = delaunayOf(points, plain);
+  const PointView& points = delaunay.points();
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     Diagram diagram{ points, plain, clip, {}, boundsOf(points) };
-    const Status status = voronoiCells(delaunay, clip, diagram.cells, nullptr, executor);
+    const Status status = voronoiCells(delaunay, clip, diagram.cells, { nullptr, executor });
     const std::string fault = status == Status::Ok
       ? faultsOfCells(diagram)
       : "diagram: status " + std::to_string(int(status));

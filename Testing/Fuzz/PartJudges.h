@@ -33,14 +33,12 @@ struct ToSplit
 /// unresolved.
 std::string splitAndJudge(const ToSplit& given, SplitConstraints& split);
 
-/// A run without constraints as the Voronoi diagram takes it.
-DelaunayView delaunayOf(const PointView& points, const test::ConstrainedOutcome& plain);
-
 /// The cells of the Voronoi diagram, clipped either way: one for each vertex, of three corners at
 /// least, within the bounds. Where coordinates are small integers, also convex, around their
-/// vertices, and together as large as they have to be. `plain`: without constraints.
+/// vertices, and together as large as they have to be. `plain`: what was written of `delaunay`,
+/// which has no constraints.
 std::string faultsOfDiagram(
-  const PointView& points, const test::ConstrainedOutcome& plain, Executor* executor);
+  Triangulation& delaunay, const test::ConstrainedOutcome& plain, Executor* executor);
 
 } // namespace fuzz
 } // namespace ahd

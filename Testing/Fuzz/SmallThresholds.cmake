@@ -4,12 +4,12 @@
 # sorts in several passes, asks whether to stop. ahd_copy_with_small_thresholds(<folder>) makes a
 # copy of its sources in which a few points are enough, so that small inputs reach all of it.
 set(ahd_small_thresholds
-  "TriangulatorState.h|kLeastForThreads = 15000|kLeastForThreads = 12"
+  "Triangulation/State.h|kLeastForThreads = 15000|kLeastForThreads = 12"
   "Insert/Insert.h|kLeastShared = 30000|kLeastShared = 16"
   "Insert/ByRounds.cxx|kLeastPart = 512|kLeastPart = 2"
   "Insert/Parts.h|kFew = 256|kFew = 2"
-  "Chunks.h|kChunk = std::size_t(1) << 12|kChunk = std::size_t(1) << 3"
-  "Progress.h|kStepsPerAsking = std::size_t(1) << 14|kStepsPerAsking = std::size_t(1) << 6"
+  "Core/Chunks.h|kChunk = std::size_t(1) << 12|kChunk = std::size_t(1) << 3"
+  "Core/Progress.h|kStepsPerAsking = std::size_t(1) << 14|kStepsPerAsking = std::size_t(1) << 6"
   "Constrain/PolygonFiller.cxx|kManyCorners = 48|kManyCorners = 6"
   "Order/Scatter.cxx|kBucket = 256|kBucket = 8"
   "Order/Scatter.cxx|kMostTasks = 128|kMostTasks = 8"

@@ -9,26 +9,17 @@ from paraview import servermanager
 
 from pluginsupport import *
 
-# GeneratePointStatus was GenerateFate once: in state files it still is, and both names work in Python.
-XML_NAMES = {"GeneratePointStatus": "GenerateFate", "GenerateFate": "GenerateFateOldName"}
-
 LoadPlugin(PLUGIN, remote=False, ns=globals())
 proxy = AdaptiveHilbertDelaunay2D(Input=Sphere())
 sm = proxy.SMProxy
 
 
-def xml_name(name):
-    return XML_NAMES.get(name, name)
-
-
 def properties():
-    """The properties by what their names are in Python."""
-    names = {xml: name for name, xml in XML_NAMES.items()}
     iterator = sm.NewPropertyIterator()
     iterator.Begin()
     found = {}
     while not iterator.IsAtEnd():
-        found[names.get(iterator.GetKey(), iterator.GetKey())] = iterator.GetProperty()
+        found[iterator.GetKey()] = iterator.GetProperty()
         iterator.Next()
     return found
 
@@ -76,7 +67,7 @@ def test_everything_is_in_the_panel():
         )
     shown = ["Source", "SourceMode", "FillRule", "Alpha", "MaximumEdgeLength", "ProjectionPlaneMode", "Tolerance"]
     for name in shown + ["InsertionOrder", "GeneratePointStatus"] + COUNTS[:4]:
-        check_equal(sm.GetProperty(xml_name(name)).GetPanelVisibility(), "default", "panel_visibility of " + name)
+        check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
 
 
 def choices(proxy, name):
@@ -213,7 +204,7 @@ def test_defaults_and_names_are_those_of_the_class():
     # VTK's default is the ids, for the sake of old programs; what a user picks in the panel has coordinates.
     check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
     for name in set(SETTINGS + MEASURES) - {"SourceMode"}:
-        shown = servermanager.vtkSMPropertyHelper(sm, xml_name(name)).GetAsDouble()
+        shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
         check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
 
 

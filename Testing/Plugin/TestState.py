@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A state file, XML or Python, brings the pipeline and its settings back."""
 
+import re
+
 from paraview.simple import *
 from paraview import smstate
 
@@ -96,9 +98,6 @@ def check_restored(expected, how):
 def test_states():
     expected = build()
     SaveState(scratch("state.pvsm"))
-    with open(scratch("state.pvsm")) as file:
-        state = file.read()
-    check('<Property name="GenerateFate" ' in state, "the XML state has another name than states had before")
     python_state = smstate.get_state(filter=smstate.supported_proxies())
     check("GenerateFate" not in python_state, "the Python state has the old name of GeneratePointStatus too")
     with open(scratch("state.py"), "w") as file:
@@ -112,6 +111,23 @@ def test_states():
     ResetSession()
     exec(compile(python_state, scratch("state.py"), "exec"), {})
     check_restored(expected, "Python state")
+
+
+def test_a_state_with_the_old_name():
+    """States had GenerateFate before it was called GeneratePointStatus."""
+    ResetSession()
+    expected = build()
+    SaveState(scratch("names.pvsm"))
+    with open(scratch("names.pvsm")) as file:
+        state = file.read()
+    old, found = re.subn(r'<Property name="GeneratePointStatus".*?</Property>', "", state, flags=re.DOTALL)
+    check_equal(found, 3, "filters in the state")
+    with open(scratch("before.pvsm"), "w") as file:
+        file.write(old)
+    ResetSession()
+    LoadState(scratch("before.pvsm"))
+    check_restored(expected, "a state with the old name")
+    check(FindSource("surface").PointData["Fate"], "the old name in a state switched nothing on")
 
 
 def test_a_state_with_delaunay_2d():
@@ -147,5 +163,6 @@ def test_a_state_with_delaunay_2d():
 
 
 test_states()
+test_a_state_with_the_old_name()
 test_a_state_with_delaunay_2d()
 print("passed: state")

@@ -55,7 +55,6 @@ for piece in (
     "Transform.Rotate = [0.0, 0.0, 30.0]",
 ):
     check(piece in trace, "%r is not in the trace" % piece)
-check("GenerateFate" not in trace, "the trace has the old name of GeneratePointStatus too")
 check("ControlPoints" not in trace, "the trace sets ControlPoints, which nobody changed")
 
 expected = fingerprint(surface)
@@ -66,7 +65,8 @@ with open(replay, "w") as file:
         "\nfrom pluginsupport import fingerprint\n"
         "surface = FindSource('surface')\n"
         "print('replayed', fingerprint(surface), surface.Nmax, int(surface.GeneratePointStatus),\n"
-        "    surface.InsertionOrder, surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
+        "      surface.InsertionOrder,\n"
+        "    surface.NumberOfThreads, surface.ReuseLimit, surface.InsertionLimit,\n"
         "    int(surface.GenerateBoxes), FindSource('outline').Input.Port)\n"
     )
 status, printed = run([os.environ["AHD_PVPYTHON"], "--dr", replay], PV_PLUGIN_CONFIG_FILE=PLUGIN_CONF)

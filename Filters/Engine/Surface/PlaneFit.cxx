@@ -314,8 +314,9 @@ bool Fitting::findSpread(const Matrix& axes, Matrix& spread)
 Xyz Fitting::chooseNormal(const Matrix& axes, const Matrix& spread) const
 {
   std::array<std::size_t, 3> by = { { 0, 1, 2 } }; // decreasing spread
-  std::stable_sort(by.begin(), by.end(),
-    [&](std::size_t i, std::size_t j) { return spread[i][i] > spread[j][j]; });
+  std::sort(by.begin(), by.end(),
+    [&](std::size_t i, std::size_t j)
+    { return spread[i][i] > spread[j][j] || (spread[i][i] == spread[j][j] && i < j); });
   if (spread[by[0]][by[0]] <= 0)
   {
     return unitAxis(2);

@@ -41,9 +41,9 @@ private:
   bool countKept(Ticker& ticker);
   void hide();
   bool isSelected(std::size_t triangle) const;
-  bool isTooLong(const Point& p, const Point& q) const;
+  bool isTooLong(Index a, Index b) const;
   void addLine(Index a, Index b);
-  Vector3 inSpace(Index point) const;
+  Vector3 placeOf(Index vertex) const;
   Index cornerOf(HalfEdge h) const { return triangulation_.pointOf(triangulation_.origin(h)); }
 
   const Triangulation& triangulation_;
@@ -101,29 +101,33 @@ bool Selecting::isSelected(std::size_t triangle) const
     return false;
   }
   const HalfEdge h = halfEdge(triangle, 0);
-  const Point a = triangulation_.at(triangulation_.origin(h));
-  const Point b = triangulation_.at(triangulation_.origin(h + 1));
-  const Point c = triangulation_.at(triangulation_.origin(h + 2));
+  const Index a = triangulation_.origin(h);
+  const Index b = triangulation_.origin(h + 1);
+  const Index c = triangulation_.origin(h + 2);
   if (isTooLong(a, b) || isTooLong(b, c) || isTooLong(c, a))
   {
     return false;
   }
   // Not the same as <= where it is NaN.
-  return !(limits_.alpha > 0.0 &&
-    circumradius(inSpace(cornerOf(h)), inSpace(cornerOf(h + 1)), inSpace(cornerOf(h + 2))) >
-      limits_.alpha);
+  return !(limits_.alpha > 0.0 && circumradius(placeOf(a), placeOf(b), placeOf(c)) > limits_.alpha);
 }
 
-bool Selecting::isTooLong(const Point& p, const Point& q) const
+/// Is the edge between the two vertices?
+bool Selecting::isTooLong(Index a, Index b) const
 {
-  return limits_.maximumEdgeLength > 0.0 &&
-    lengthOf({ { p.x - q.x, p.y - q.y, 0.0 } }) > limits_.maximumEdgeLength;
+  if (!(limits_.maximumEdgeLength > 0.0))
+  {
+    return false;
+  }
+  const Point p = triangulation_.at(a), q = triangulation_.at(b);
+  return lengthOf({ { p.x - q.x, p.y - q.y, 0.0 } }) > limits_.maximumEdgeLength;
 }
 
-Vector3 Selecting::inSpace(Index point) const
+/// Where the user sees it.
+Vector3 Selecting::placeOf(Index vertex) const
 {
   const PointView& points = points_.inSpace;
-  const std::size_t first = points.stride * point;
+  const std::size_t first = points.stride * triangulation_.pointOf(vertex);
   if (points.doubles)
   {
     const double* p = points.doubles + first;
@@ -210,9 +214,9 @@ void Selecting::addLine(Index a, Index b)
 {
   const Index first = triangulation_.pointOf(a);
   const Index second = triangulation_.pointOf(b);
-  const Vector3 p = inSpace(first), q = inSpace(second);
+  const Vector3 p = placeOf(a), q = placeOf(b);
   if (0.5 * lengthOf({ { p[0] - q[0], p[1] - q[1], p[2] - q[2] } }) <= limits_.alpha &&
-    !isTooLong(triangulation_.at(a), triangulation_.at(b)))
+    !isTooLong(a, b))
   {
     used_[first] = 1;
     used_[second] = 1;

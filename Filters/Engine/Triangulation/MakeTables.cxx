@@ -68,7 +68,7 @@ std::uint8_t flagOf(std::uint8_t marks, unsigned lowest)
   unsigned flag = (marks & kDropped) != 0 ? Tables::kDroppedTriangle : 0u;
   for (unsigned e = 0; e < 3; ++e)
   {
-    flag |= (marks >> (lowest + 2 + e) % 3 & 1u) << e;
+    flag |= (unsigned(marks) >> (lowest + 2 + e) % 3 & 1u) << e;
   }
   return static_cast<std::uint8_t>(flag);
 }

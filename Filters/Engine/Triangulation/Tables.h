@@ -33,7 +33,7 @@ struct Tables
   }
   bool isConstrained(HalfEdge h) const
   {
-    return !flags.empty() && (flags[h / 3] >> h % 3 & 1u) != 0;
+    return !flags.empty() && (unsigned(flags[h / 3]) >> h % 3 & 1u) != 0;
   }
   std::size_t triangles() const { return corners.size() / 3; }
   std::size_t bytes() const

@@ -91,7 +91,7 @@ CornerId BoxBorder::cornerOfBox(unsigned k)
 
 /// A cell that has both ends of a side has all of the side, and with it the vertices there: so its
 /// own vertex lies there, as it is the only one.
-bool BoxBorder::mayFollow(std::size_t site, const Point& from, const Point& to) const
+bool BoxBorder::mayFollow(Index site, const Point& from, const Point& to) const
 {
   for (unsigned side = 0; side < 4; ++side)
   {
@@ -103,8 +103,7 @@ bool BoxBorder::mayFollow(std::size_t site, const Point& from, const Point& to) 
   return true;
 }
 
-void BoxBorder::follow(
-  std::size_t site, CornerId last, CornerId next, bool, std::vector<CornerId>& cell)
+void BoxBorder::follow(Index site, CornerId last, CornerId next, bool, std::vector<CornerId>& cell)
 {
   // Where more is passed than the cell can have, its two corners are one up to rounding, but the
   // wrong way round: then nothing is passed.

@@ -21,22 +21,22 @@ public:
     std::fill(corners_, corners_ + 4, kNoCorner);
   }
 
-  bool build(Ticker&) override { return true; }
-  void follow(std::size_t site, CornerId last, CornerId next, bool isOpen,
-    std::vector<CornerId>& cell) override;
+  bool build(Ticker& ticker) override
+  {
+    return noteInside(
+      ticker, [&](std::size_t t) { return box_.contains(diagram_.centre(diagram_.standIn(t))); });
+  }
+  void follow(
+    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
 
   /// What is left of the bisector of p and q, without ends of its own.
   Piece chord(const Point& p, const Point& q);
 
 protected:
-  bool isInside(std::size_t triangle) const override
-  {
-    return box_.contains(diagram_.centre(diagram_.standIn(triangle)));
-  }
   Piece cut(HalfEdge h) override;
 
 private:
-  bool mayFollow(std::size_t site, const Point& from, const Point& to) const;
+  bool mayFollow(Index site, const Point& from, const Point& to) const;
   bool isAhead(HalfEdge h, const Point& p, const Point& q) const;
   CornerId crossing(const Point& p, const Point& q, CornerId end);
   CornerId cornerOfBox(unsigned k);

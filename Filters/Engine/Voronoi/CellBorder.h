@@ -2,6 +2,7 @@
 #ifndef ahd_CellBorder_h
 #define ahd_CellBorder_h
 
+#include "../Core/Chunks.h"
 #include "Diagram.h"
 
 #include <unordered_map>
@@ -47,6 +48,9 @@ public:
   /// Returns false if cancelled; throws std::bad_alloc, as everything here does.
   virtual bool build(Ticker& ticker) = 0;
 
+  /// Does the centre of the triangle lie on the border or inside? REQUIRES: build().
+  bool isInside(std::size_t triangle) const { return inside_[triangle] != 0; }
+
   /// The edge that is dual to h, counterclockwise around the origin of h.
   Piece piece(HalfEdge h)
   {
@@ -69,7 +73,7 @@ public:
   /// Adds what the cell of `site` has of the border between its corner `last` and the next one,
   /// both on the border, in counterclockwise direction. `isOpen`: there the cell has no end.
   virtual void follow(
-    std::size_t site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) = 0;
+    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) = 0;
 
   Point corner(CornerId id) const
   {
@@ -86,8 +90,21 @@ public:
   }
 
 protected:
-  /// Does the centre of the triangle lie on the border or inside?
-  virtual bool isInside(std::size_t triangle) const = 0;
+  /// Notes for each triangle whether isIt(triangle) says that its centre is inside. Returns false
+  /// if cancelled.
+  template <typename IsIt>
+  bool noteInside(Ticker& ticker, IsIt isIt)
+  {
+    inside_.allocate(diagram_.triangles());
+    return inChunks(0, inside_.size(), ticker,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t t = a; t != b; ++t)
+        {
+          inside_[t] = isIt(t) ? 1 : 0;
+        }
+      });
+  }
 
   /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the
   /// two half-edges.
@@ -102,6 +119,7 @@ protected:
   std::vector<Point> points_;
 
 private:
+  Buffer<std::uint8_t> inside_; ///< of each triangle
   std::unordered_map<HalfEdge, Piece> cut_;
 };
 

@@ -2,8 +2,12 @@
 #ifndef ahd_Cells_h
 #define ahd_Cells_h
 
+#include "../Core/Tasks.h"
 #include "BoxBorder.h"
 #include "CellBorder.h"
+#include "Voronoi.h"
+
+#include <vector>
 
 namespace ahd
 {
@@ -12,36 +16,57 @@ namespace ahd
 class CellWalk
 {
 public:
-  CellWalk(const Diagram& diagram, CellBorder& border, VoronoiCells& cells)
+  /// `cellOf`: the number of each vertex's cell. `cells` has its sites already.
+  CellWalk(Diagram& diagram, CellBorder& border, const Buffer<Index>& cellOf, VoronoiCells& cells)
     : diagram_(diagram)
     , border_(border)
+    , cellOf_(cellOf)
     , cells_(cells)
   {
   }
 
-  /// One cell per vertex that has triangles. Corners are numbers of the border's. Returns false if
-  /// cancelled; throws std::bad_alloc.
+  /// One cell per vertex that has triangles. Corners are numbers of the border's. Vertex after
+  /// vertex, as neighbours are close in memory then, each cell to its place; in parallel but for
+  /// those at the border. Returns false if cancelled; throws std::bad_alloc.
   bool walk(Ticker& ticker);
 
   /// One cell per vertex where there are no triangles. REQUIRES: two vertices at least, in their
   /// order along the line; `border` is this walk's.
-  bool walkStrips(const std::vector<std::int64_t>& line, BoxBorder& border, Ticker& ticker);
+  bool walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker);
 
   /// Renumbers the corners by their first use, and takes over where they are.
   bool number(Ticker& ticker);
 
 private:
-  bool addCell(std::size_t site, Ticker& ticker);
-  void addStrip(std::size_t site, const Piece& first, const Piece& second);
-  void append(std::size_t site, const Piece& piece);
-  void close(std::size_t site, bool isOpen);
-  void end(std::size_t site);
-  void pad(std::size_t site);
+  /// A cell at the border, which is not found by many threads.
+  struct BorderCell
+  {
+    Index vertex;
+    std::size_t begin, end; ///< its corners, in borderCorners_
+  };
 
-  const Diagram& diagram_;
+  bool measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others);
+  bool writeShare(const Share& vertices, Ticker& ticker);
+  bool addBorderCells(const std::vector<std::vector<Index>>& vertices, Ticker& ticker);
+  bool toOffsets(Ticker& ticker);
+  bool copyBorderCells(Ticker& ticker);
+
+  template <typename Visit>
+  bool turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit visit) const;
+  bool turnAtBorder(Index vertex, Ticker& ticker);
+  void addStrip(Index vertex, const Piece& first, const Piece& second);
+  void append(Index vertex, const Piece& piece);
+  void close(Index vertex, bool isOpen);
+  void keep(Index vertex);
+  void pad(Index vertex);
+
+  Diagram& diagram_;
   CellBorder& border_;
+  const Buffer<Index>& cellOf_;
   VoronoiCells& cells_;
-  std::vector<CornerId> cell_;
+  std::vector<CornerId> cell_; ///< at work on
+  std::vector<BorderCell> borderCells_;
+  std::vector<CornerId> borderCorners_;
 };
 
 } // namespace ahd

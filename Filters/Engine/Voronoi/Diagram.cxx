@@ -13,60 +13,43 @@ namespace ahd
 
 namespace
 {
+
+// What a stand-in is before it is known: none yet; and none yet, of a triangle that has a neighbour
+// whose centre is one with its own.
 constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-}
+constexpr std::uint32_t kMayJoin = 0xFFFFFFFEu;
 
-bool Diagram::build(Ticker& ticker)
+/// Calls work(begin, end) for pieces of the triangles, on all threads lent. Returns false if
+/// cancelled.
+template <typename Work>
+bool inShares(std::size_t triangles, Ticker& ticker, Work work)
 {
-  return this->computeCentres(ticker) && this->findStarts(ticker) && this->joinCentres(ticker);
-}
-
-bool Diagram::computeCentres(Ticker& ticker)
-{
-  centres_.allocate(delaunay_.triangles);
-  const std::size_t tasks = tasksFor(threadsOf(ticker), delaunay_.triangles, 8, 1 << 14);
+  const std::size_t tasks = tasksFor(threadsOf(ticker), triangles, 8, 1 << 14);
   return inParallel(ticker, tasks,
     [&](std::size_t task, Ticker& own)
     {
-      const Share share(delaunay_.triangles, task, tasks);
+      const Share share(triangles, task, tasks);
       return inChunks(share.begin, share.end, own,
         [&](std::size_t begin, std::size_t end)
         {
-          for (std::size_t t = begin; t < end; ++t)
-          {
-            centres_[t] = circumcentre(corners(t));
-          }
+          work(begin, end);
           own.finished(end - begin);
         });
     });
 }
 
-bool Diagram::findStarts(Ticker& ticker)
-{
-  starts_.allocate(delaunay_.points.count);
-  return fillAll(starts_, kNoHalfEdge, ticker) &&
-    inChunks(0, delaunay_.triangles, ticker,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = 3 * begin; i < 3 * end; ++i)
-        {
-          HalfEdge& start = starts_[origin(static_cast<HalfEdge>(i))];
-          if (start == kNoHalfEdge || delaunay_.neighbors[i] < 0)
-          {
-            start = static_cast<HalfEdge>(i);
-          }
-        }
-      });
-}
+} // namespace
 
-bool Diagram::countVertices(Ticker& ticker, std::size_t& count) const
+bool Diagram::computeCentres(Ticker& ticker)
 {
-  count = starts_.size();
-  return inChunks(0, starts_.size(), ticker,
-    [&](std::size_t a, std::size_t b)
+  centres_.allocate(triangles());
+  return inShares(triangles(), ticker,
+    [&](std::size_t begin, std::size_t end)
     {
-      count -= static_cast<std::size_t>(
-        std::count(starts_.data() + a, starts_.data() + b, kNoHalfEdge));
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        centres_[t] = circumcentre(corners(t));
+      }
     });
 }
 
@@ -74,19 +57,45 @@ bool Diagram::countVertices(Ticker& ticker, std::size_t& count) const
 /// drift away in steps.
 bool Diagram::joinCentres(Ticker& ticker)
 {
-  standIns_.allocate(delaunay_.triangles);
-  if (!fillAll(standIns_, kNobody, ticker))
+  standIns_.allocate(triangles());
+  const auto look = [&](std::size_t begin, std::size_t end)
+  {
+    for (std::size_t t = begin; t < end; ++t)
+    {
+      standIns_[t] = mayJoin(t) ? kMayJoin : kNobody;
+    }
+  };
+  if (!inShares(triangles(), ticker, look))
   {
     return false;
   }
-  for (std::size_t t = 0; t < delaunay_.triangles; ++t)
+  for (std::size_t t = 0; t < triangles(); ++t)
   {
-    if (standIns_[t] == kNobody && !joinTo(t, ticker))
+    const std::uint32_t known = standIns_[t];
+    if (known == kNobody)
+    {
+      standIns_[t] = static_cast<std::uint32_t>(t);
+    }
+    if ((known == kMayJoin && !joinTo(t, ticker)) || !ticker.step())
     {
       return false;
     }
   }
   return true;
+}
+
+/// Is its centre one with that of a neighbour?
+bool Diagram::mayJoin(std::size_t triangle) const
+{
+  const HalfEdge first = static_cast<HalfEdge>(3 * triangle);
+  for (HalfEdge h = first; h != first + 3; ++h)
+  {
+    if (twin(h) != kNoHalfEdge && areOne(triangle, twin(h) / 3))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool Diagram::joinTo(std::size_t triangle, Ticker& ticker)
@@ -95,16 +104,15 @@ bool Diagram::joinTo(std::size_t triangle, Ticker& ticker)
   stack_.assign(1, static_cast<std::uint32_t>(triangle));
   while (!stack_.empty())
   {
-    const std::size_t t = stack_.back();
+    const HalfEdge first = 3 * stack_.back();
     stack_.pop_back();
-    for (std::size_t h = 3 * t; h < 3 * t + 3; ++h)
+    for (HalfEdge h = first; h != first + 3; ++h)
     {
-      const std::int64_t other = delaunay_.neighbors[h];
-      if (other >= 0 && standIns_[static_cast<std::size_t>(other)] == kNobody &&
-        areOne(triangle, static_cast<std::size_t>(other)))
+      const std::uint32_t other = twin(h) / 3;
+      if (twin(h) != kNoHalfEdge && standIns_[other] >= kMayJoin && areOne(triangle, other))
       {
-        standIns_[static_cast<std::size_t>(other)] = static_cast<std::uint32_t>(triangle);
-        stack_.push_back(static_cast<std::uint32_t>(other));
+        standIns_[other] = static_cast<std::uint32_t>(triangle);
+        stack_.push_back(other);
       }
     }
     if (!ticker.step())
@@ -121,7 +129,7 @@ bool Diagram::areOne(std::size_t a, std::size_t b) const
   constexpr double kUnits = 2.0 * std::numeric_limits<double>::epsilon();
   const Point p = centres_[a];
   const Point q = centres_[b];
-  const Point corner = corners(a).a;
+  const Point corner = point(origin(static_cast<HalfEdge>(3 * a)));
   const double size = std::max(
     std::max(std::fabs(p.x), std::fabs(p.y)), std::max(std::fabs(corner.x), std::fabs(corner.y)));
   return isFinite(p) && isFinite(q) && std::fabs(p.x - q.x) <= kUnits * size &&

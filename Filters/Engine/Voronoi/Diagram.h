@@ -3,72 +3,37 @@
 #define ahd_Diagram_h
 
 #include "../Core/Buffer.h"
+#include "../Core/Progress.h"
+#include "../Triangulation/Tables.h"
 #include "Circumcentre.h"
 #include "ClipBox.h"
-#include "Voronoi.h"
 
-#include <algorithm>
+#include <vector>
 
 namespace ahd
 {
 
-/// A half-edge is named by 3 * triangle + edge; edge e goes from corner e to the next one. Edges at
-/// infinity, the duals of which are the rays of the diagram, have one half-edge.
-using HalfEdge = std::uint32_t;
-constexpr HalfEdge kNoHalfEdge = 0xFFFFFFFFu;
-
-inline HalfEdge nextInTriangle(HalfEdge h)
-{
-  return h % 3 == 2 ? h - 2 : h + 1;
-}
-
-inline HalfEdge previousInTriangle(HalfEdge h)
-{
-  return h % 3 == 0 ? h + 2 : h - 1;
-}
-
 /// The circumcentres of a Delaunay triangulation, and its topology as the Voronoi diagram needs it.
+/// Edges of the hull, the duals of which are the rays of the diagram, have one half-edge.
 class Diagram
 {
 public:
-  /// Borrows `delaunay`.
-  explicit Diagram(const DelaunayView& delaunay)
-    : delaunay_(delaunay)
+  /// Borrows both. REQUIRES: corners and neighbours.
+  Diagram(const Tables& tables, const Point* places)
+    : tables_(tables)
+    , places_(places)
   {
   }
 
   /// Computes the centres. Returns false if cancelled; throws std::bad_alloc.
-  bool build(Ticker& ticker);
+  bool build(Ticker& ticker) { return this->computeCentres(ticker) && this->joinCentres(ticker); }
 
-  std::size_t triangles() const { return delaunay_.triangles; }
-  const DelaunayView& delaunay() const { return delaunay_; }
-
-  std::size_t origin(HalfEdge h) const { return static_cast<std::size_t>(delaunay_.corners[h]); }
-  std::size_t target(HalfEdge h) const { return origin(nextInTriangle(h)); }
-  Point point(std::size_t id) const { return delaunay_.points[id]; }
-
-  /// The same edge seen from the other side; kNoHalfEdge on the hull.
-  HalfEdge twin(HalfEdge h) const
-  {
-    const std::int64_t other = delaunay_.neighbors[h];
-    if (other < 0)
-    {
-      return kNoHalfEdge;
-    }
-    const HalfEdge first = 3 * static_cast<HalfEdge>(other);
-    const std::int64_t triangle = static_cast<std::int64_t>(h / 3);
-    return delaunay_.neighbors[first] == triangle  ? first
-      : delaunay_.neighbors[first + 1] == triangle ? first + 1
-                                                   : first + 2;
-  }
-
-  /// One half-edge that begins at the vertex; the hull's own if it lies on the hull, so that
-  /// turning counterclockwise from it passes all triangles. kNoHalfEdge for a point that is no
-  /// vertex.
-  HalfEdge start(std::size_t id) const { return starts_[id]; }
-
-  /// Counts the vertices that have triangles. Returns false if the caller wants to cancel.
-  bool countVertices(Ticker& ticker, std::size_t& count) const;
+  std::size_t triangles() const { return tables_.triangles(); }
+  Index origin(HalfEdge h) const { return tables_.origin(h); }
+  Index target(HalfEdge h) const { return tables_.target(h); }
+  HalfEdge twin(HalfEdge h) const { return tables_.twins[h]; }
+  HalfEdge start(Index vertex) const { return tables_.starts[vertex]; }
+  Point point(Index vertex) const { return places_[vertex]; }
 
   Point centre(std::size_t triangle) const { return centres_[triangle]; }
 
@@ -91,17 +56,20 @@ public:
     centre = within(bounds, isFinite(centre) ? centre : corners(triangle).a);
   }
 
+  /// Nobody will ask for standIn() any more.
+  void forgetStandIns() { standIns_.reset(); }
+
 private:
   bool computeCentres(Ticker& ticker);
-  bool findStarts(Ticker& ticker);
   bool joinCentres(Ticker& ticker);
   bool joinTo(std::size_t triangle, Ticker& ticker);
+  bool mayJoin(std::size_t triangle) const;
   bool areOne(std::size_t a, std::size_t b) const;
 
-  DelaunayView delaunay_;
+  const Tables& tables_;
+  const Point* places_;
   Buffer<Point> centres_;
   Buffer<std::uint32_t> standIns_;
-  Buffer<HalfEdge> starts_;
   std::vector<std::uint32_t> stack_;
 };
 

@@ -21,25 +21,26 @@ bool HullBorder::build(Ticker& ticker)
     return false;
   }
   const std::size_t halfEdges = 3 * diagram_.triangles();
-  for (std::size_t h = 0; h < halfEdges; ++h)
+  for (std::size_t i = 0; i < halfEdges; ++i)
   {
-    if (diagram_.delaunay().neighbors[h] < 0 && !findBeyond(static_cast<HalfEdge>(h), ticker))
-    {
-      return false;
-    }
-    if (h % 3 == 0 && !ticker.step())
+    const HalfEdge h = static_cast<HalfEdge>(i);
+    if ((diagram_.twin(h) == kNoHalfEdge && !findBeyond(h, ticker)) || !ticker.step())
     {
       return false;
     }
   }
-  for (std::size_t t = 0; t < diagram_.triangles(); ++t)
+  const auto settle = [&](std::size_t a, std::size_t b)
   {
-    if (isInside(t))
+    for (std::size_t t = a; t != b; ++t)
     {
-      diagram_.settle(diagram_.standIn(t), bounds_);
+      if (isBeyondNone(t))
+      {
+        diagram_.settle(diagram_.standIn(t), bounds_);
+      }
     }
-  }
-  return true;
+  };
+  return inChunks(0, diagram_.triangles(), ticker, settle) &&
+    noteInside(ticker, [&](std::size_t t) { return isBeyondNone(t); });
 }
 
 /// Marks the triangles of the hull edge's tree.
@@ -47,7 +48,7 @@ bool HullBorder::findBeyond(HalfEdge hullEdge, Ticker& ticker)
 {
   const auto visit = [&](std::size_t triangle)
   {
-    if (isInside(triangle) && side(triangle, hullEdge) < 0)
+    if (isBeyondNone(triangle) && side(triangle, hullEdge) < 0)
     {
       beyond_[triangle] = hullEdge;
       stack_.push_back(static_cast<std::uint32_t>(triangle));
@@ -56,14 +57,13 @@ bool HullBorder::findBeyond(HalfEdge hullEdge, Ticker& ticker)
   visit(hullEdge / 3);
   while (!stack_.empty())
   {
-    const std::size_t triangle = stack_.back();
+    const HalfEdge first = 3 * stack_.back();
     stack_.pop_back();
-    for (std::size_t h = 3 * triangle; h < 3 * triangle + 3; ++h)
+    for (HalfEdge h = first; h != first + 3; ++h)
     {
-      const std::int64_t other = diagram_.delaunay().neighbors[h];
-      if (other >= 0)
+      if (diagram_.twin(h) != kNoHalfEdge)
       {
-        visit(static_cast<std::size_t>(other));
+        visit(diagram_.twin(h) / 3);
       }
     }
     if (!ticker.step())
@@ -123,8 +123,7 @@ CornerId HullBorder::crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideT
   return add(where);
 }
 
-void HullBorder::follow(
-  std::size_t site, CornerId, CornerId, bool isOpen, std::vector<CornerId>& cell)
+void HullBorder::follow(Index site, CornerId, CornerId, bool isOpen, std::vector<CornerId>& cell)
 {
   if (isOpen)
   {

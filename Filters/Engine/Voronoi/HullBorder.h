@@ -26,14 +26,14 @@ public:
   }
 
   bool build(Ticker& ticker) override;
-  void follow(std::size_t site, CornerId last, CornerId next, bool isOpen,
-    std::vector<CornerId>& cell) override;
+  void follow(
+    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
 
 protected:
-  bool isInside(std::size_t triangle) const override { return beyond_[triangle] == kNoHalfEdge; }
   Piece cut(HalfEdge h) override;
 
 private:
+  bool isBeyondNone(std::size_t triangle) const { return beyond_[triangle] == kNoHalfEdge; }
   bool findBeyond(HalfEdge hullEdge, Ticker& ticker);
   int side(std::size_t triangle, HalfEdge hullEdge) const;
   CornerId crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle);

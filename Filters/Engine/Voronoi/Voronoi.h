@@ -2,8 +2,7 @@
 #ifndef ahd_Voronoi_h
 #define ahd_Voronoi_h
 
-#include "../Core/Executor.h"
-#include "../Core/Progress.h"
+#include "../Core/Context.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 
@@ -14,6 +13,8 @@
 namespace ahd
 {
 
+class Triangulation;
+
 /// Where the cells of a Voronoi diagram, the outer of which have no end, are cut off.
 enum class VoronoiClip
 {
@@ -21,23 +22,14 @@ enum class VoronoiClip
   Bounds = 1 ///< at the smallest axis-parallel box around the vertices
 };
 
-/// A whole Delaunay triangulation as Triangulator writes it, without constraints.
-struct DelaunayView
-{
-  PointView points;
-  const std::int64_t* fates = nullptr;     ///< one per point: vertices have their own id
-  const std::int32_t* corners = nullptr;   ///< three ids per triangle, counterclockwise
-  const std::int64_t* neighbors = nullptr; ///< three per triangle: across corners 0-1, 1-2, 2-0
-  std::size_t triangles = 0;
-};
-
-/// The cells of a Voronoi diagram.
+/// The cells of a Voronoi diagram, by ascending smallest id of a point at their vertex's place. The
+/// numbers fit (kMaximumPoints).
 struct VoronoiCells
 {
   std::vector<Point> points;         ///< the corners, shared by the cells that meet there
-  std::vector<std::int64_t> offsets; ///< cell k has the corners offsets[k] .. offsets[k + 1] - 1
-  std::vector<std::int64_t> corners; ///< numbers of `points`; counterclockwise
-  std::vector<std::int64_t> sites;   ///< the id of each cell's vertex, ascending
+  std::vector<std::int32_t> offsets; ///< cell k has the corners offsets[k] .. offsets[k + 1] - 1
+  std::vector<std::int32_t> corners; ///< numbers of `points`; counterclockwise
+  std::vector<std::int32_t> sites;   ///< the point that stands for each cell's vertex
 };
 
 /// The Voronoi diagram of the vertices: for each the part of the hull (or the bounding box) that is
@@ -55,11 +47,13 @@ struct VoronoiCells
 /// into strips, unless it has no area either. No cells for fewer than two vertices.
 ///
 /// Time and memory are linear, but for sorting the vertices where all are collinear.
+/// REQUIRES: `delaunay` has no constraints. Makes the tables of it that it needs.
 /// Returns Ok, Cancelled or OutOfMemory; unless Ok, `cells` is empty.
-Status voronoiCells(const DelaunayView& delaunay, VoronoiClip clip, VoronoiCells& cells,
-  Progress* progress, Executor* executor = nullptr);
+Status voronoiCells(
+  Triangulation& delaunay, VoronoiClip clip, VoronoiCells& cells, const Context& context);
 
-/// Upper estimate of the bytes that voronoiCells() and its result take for so many points.
+/// Upper estimate of the bytes that voronoiCells() and its result take for so many points, the
+/// tables of the triangulation not counted (tableMemoryEstimate).
 std::size_t voronoiMemoryEstimate(std::size_t pointCount);
 
 } // namespace ahd

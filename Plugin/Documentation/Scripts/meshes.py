@@ -144,7 +144,7 @@ def walked(xy, triangles, start, goal):
 
 
 def jumps(boxes):
-    """Which steps from box to box (as a mask) lead to a box that shares no piece of an edge with it."""
+    """Which steps from box to box (as a mask) lead to a box that does not touch it along an edge."""
     low, high = boxes.min(axis=1), boxes.max(axis=1)
     shared = numpy.minimum(high[1:], high[:-1]) - numpy.maximum(low[1:], low[:-1])
     tiny = 1e-9 * (high.max(axis=0) - low.min(axis=0))

@@ -110,7 +110,7 @@ def order(path):
 
 
 def regular_grid(path):
-    """Figure 2: line by line, and the long triangles along the border of what is done."""
+    """Figure 2: line by line, and the long triangles along the boundary of what is done."""
     points, limit = meshes.source("Uniform", 1000, 5), 560
     run = meshes.triangulate(points, limit, **LINES)
     visits = over(run.boxes, 560)

@@ -27,7 +27,7 @@ std::vector<ConstraintCase> cases()
 
 TEST(ConstrainInvariance, NoSettingChangesAByte)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const ConstraintCase& given : cases())
   {
     const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);
@@ -35,7 +35,7 @@ TEST(ConstrainInvariance, NoSettingChangesAByte)
     for (const Options& options : everyDistinctSetting({ 1, 50 }))
     {
       const ConstrainedOutcome found = constrain(
-        triangulator, given.view(), given.constraints.view(), FillRule::EvenOdd, options);
+        engine, given.view(), given.constraints.view(), FillRule::EvenOdd, options);
       ASSERT_EQ(difference(expected, found), "") << describe(options);
     }
   }
@@ -53,10 +53,10 @@ TEST(ConstrainInvariance, NoThreadChangesAByte)
   {
     Helpers helpers;
     helpers.executor = executor;
-    Triangulator triangulator;
+    Engine engine;
     EXPECT_EQ(difference(expected,
-                constrain(triangulator, given.view(), given.constraints.view(),
-                  FillRule::Orientation, Options(), helpers)),
+                constrain(engine, given.view(), given.constraints.view(), FillRule::Orientation,
+                  Options(), helpers)),
       "");
   }
 }
@@ -97,7 +97,7 @@ void expectSameInOtherIds(const ConstraintCase& given, std::uint64_t seed, FillR
   {
     found.triples = expected.triples; // which of coincident points is left out may differ
   }
-  found.fates = expected.fates;
+  found.pointStatus = expected.pointStatus;
   EXPECT_EQ(difference(expected, found), "");
 }
 
@@ -158,37 +158,34 @@ TEST(ConstrainInvariance, TheOrderOfSegmentsThatDoNotCrossChangesNothing)
 
 TEST(ConstrainInvariance, ATriangulatorForgetsTheConstraintsBefore)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (std::uint64_t seed = 0; seed < 400; ++seed)
   {
     const ConstraintCase given = smallConstraintCase(seed);
     const FillRule rule = kFillRules[seed % 2];
     const ConstrainedOutcome again = constrain(
-      triangulator, given.view(), given.constraints.view(), rule);
+      engine, given.view(), given.constraints.view(), rule);
     ASSERT_EQ(difference(constrain(given, rule), again), "") << given.text();
     if (seed % 5 == 0)
     {
-      const Outcome plain = triangulate(triangulator, given.view());
+      const Outcome plain = triangulate(engine, given.view());
       ASSERT_EQ(plain.triples, triangulate(given.view()).triples) << given.text();
-      ASSERT_EQ(triangulator.constraints().segments, 0u) << "constraints of the run before";
+      ASSERT_EQ(engine.constraints().segments, 0u) << "constraints of the run before";
     }
   }
 }
 
 TEST(ConstrainInvariance, TheTrianglesCanBeHadBeforeAndAfter)
 {
-  Options options;
-  options.keepLocations = true;
-  Triangulator triangulator;
+  Engine engine;
   for (const ConstraintCase& given : cases())
   {
     const Outcome plain = triangulate(given.view());
-    const Outcome before = triangulate(triangulator, given.view(), options);
+    const Outcome before = triangulate(engine, given.view());
     EXPECT_EQ(before.triples, plain.triples);
-    ASSERT_EQ(
-      triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
-    std::vector<std::int32_t> triples(3 * triangulator.report().triangles);
-    ASSERT_EQ(triangulator.writeTriangles(triples.data(), nullptr), Status::Ok);
+    ASSERT_EQ(engine.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
+    std::vector<std::int32_t> triples(3 * engine.report().triangles);
+    ASSERT_EQ(engine.writeTriangles(triples.data(), nullptr), Status::Ok);
     EXPECT_EQ(triples, constrain(given, FillRule::EvenOdd).triples);
   }
 }
@@ -201,9 +198,9 @@ TEST(ConstrainInvariance, FloatsAndStridesAreTheSame)
   {
     floats.insert(floats.end(), { float(p.x), float(p.y), 7.0f });
   }
-  Triangulator triangulator;
+  Engine engine;
   EXPECT_EQ(difference(constrain(given, FillRule::EvenOdd),
-              constrain(triangulator, PointView(floats.data(), given.points.size(), 3),
+              constrain(engine, PointView(floats.data(), given.points.size(), 3),
                 given.constraints.view(), FillRule::EvenOdd)),
     "");
 }

@@ -85,8 +85,8 @@ TEST(ConstrainLarge, EveryDistribution)
 TEST(ConstrainLarge, EdgesThatAreThereChangeNothing)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, reduced(50000), 9);
-  Triangulator triangulator;
-  const Outcome plain = triangulate(triangulator, viewOf(points));
+  Engine engine;
+  const Outcome plain = triangulate(engine, viewOf(points));
   ConstraintCase given;
   given.points = points;
   for (std::size_t h = 0; h < plain.triples.size(); ++h)

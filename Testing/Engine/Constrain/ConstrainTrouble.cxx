@@ -64,31 +64,30 @@ std::vector<ConstraintCase> longCases()
 
 TEST(ConstrainTrouble, CancelledAtAnyAsking)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const ConstraintCase& given : longCases())
   {
     const PointView points = given.view();
     const ConstraintView constraints = given.constraints.view();
-    ASSERT_EQ(triangulator.run(points, Options(), nullptr), Status::Ok);
+    ASSERT_EQ(engine.run(points, Options(), nullptr), Status::Ok);
     Listener whole;
-    ASSERT_EQ(triangulator.constrain(constraints, FillRule::EvenOdd, &whole), Status::Ok);
+    ASSERT_EQ(engine.constrain(constraints, FillRule::EvenOdd, &whole), Status::Ok);
     EXPECT_TRUE(whole.constrained());
     EXPECT_EQ(whole.faults(), 0);
-    EXPECT_GE(whole.askings(), triangulator.report().inserted / kStepsPerAsking);
+    EXPECT_GE(whole.askings(), engine.report().inserted / kStepsPerAsking);
     const std::size_t step = 1 + whole.askings() / 20;
     for (std::size_t k = 1; k <= whole.askings(); k += step)
     {
-      ASSERT_EQ(triangulator.run(points, Options(), nullptr), Status::Ok);
+      ASSERT_EQ(engine.run(points, Options(), nullptr), Status::Ok);
       Listener listener(k);
-      ASSERT_EQ(
-        triangulator.constrain(constraints, FillRule::EvenOdd, &listener), Status::Cancelled);
+      ASSERT_EQ(engine.constrain(constraints, FillRule::EvenOdd, &listener), Status::Cancelled);
       ASSERT_EQ(listener.askings(), k);
       ASSERT_EQ(listener.faults(), 0);
-      ASSERT_EQ(triangulator.report().triangles, 0u);
+      ASSERT_EQ(engine.report().triangles, 0u);
     }
     Helpers none;
     EXPECT_EQ(difference(constrain(given, FillRule::EvenOdd),
-                constrain(triangulator, points, constraints, FillRule::EvenOdd, Options(), none)),
+                constrain(engine, points, constraints, FillRule::EvenOdd, Options(), none)),
       "")
       << "after being cancelled";
   }
@@ -102,11 +101,11 @@ TEST(ConstrainTrouble, AskedWithinOneSegment)
   std::size_t askings[2];
   for (const bool with : { false, true })
   {
-    Triangulator triangulator;
-    ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
+    Engine engine;
+    ASSERT_EQ(engine.run(given.view(), Options(), nullptr), Status::Ok);
     Listener listener;
-    ASSERT_EQ(triangulator.constrain(
-                (with ? given.constraints : none).view(), FillRule::Orientation, &listener),
+    ASSERT_EQ(
+      engine.constrain((with ? given.constraints : none).view(), FillRule::Orientation, &listener),
       Status::Ok);
     askings[with ? 1 : 0] = listener.askings();
   }
@@ -117,19 +116,19 @@ TEST(ConstrainTrouble, CellDataAreCancelledAtAnyAsking)
 {
   const ConstraintCase given = edgesOfOthers(40000, 20000);
   const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
-  Triangulator triangulator;
+  Engine engine;
   ConstrainedOutcome found = constrain(
-    triangulator, given.view(), given.constraints.view(), FillRule::Orientation);
+    engine, given.view(), given.constraints.view(), FillRule::Orientation);
   const std::function<Status(Progress*)> writers[] = {
-    [&](Progress* p) { return triangulator.writeNeighbors(found.neighbors.data(), p); },
-    [&](Progress* p) { return triangulator.writeConstraintEdges(found.constraintEdges.data(), p); },
-    [&](Progress* p) { return triangulator.writeRegions(found.regions.data(), p); },
+    [&](Progress* p) { return engine.writeNeighbors(found.neighbors.data(), p); },
+    [&](Progress* p) { return engine.writeConstraintEdges(found.constraintEdges.data(), p); },
+    [&](Progress* p) { return engine.writeRegions(found.regions.data(), p); },
   };
   for (const auto& write : writers)
   {
     Listener whole;
     ASSERT_EQ(write(&whole), Status::Ok);
-    EXPECT_GE(whole.askings(), triangulator.report().triangles / kStepsPerAsking);
+    EXPECT_GE(whole.askings(), engine.report().triangles / kStepsPerAsking);
     EXPECT_EQ(whole.faults(), 0);
     for (std::size_t k = 1; k <= whole.askings(); ++k)
     {
@@ -147,18 +146,16 @@ void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
 {
   const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);
   ConstrainedOutcome found = expected;
-  Triangulator triangulator;
+  Engine engine;
   for (std::size_t k = 1; k < 2000; ++k)
   {
-    ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
+    ASSERT_EQ(engine.run(given.view(), Options(), nullptr), Status::Ok);
     account.failAt = account.allocations + k;
-    Status status = triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr);
+    Status status = engine.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr);
     const bool constrained = status == Status::Ok;
-    status = constrained ? triangulator.writeTriangles(found.triples.data(), nullptr) : status;
-    status = status != Status::Ok ? status
-                                  : triangulator.writeNeighbors(found.neighbors.data(), nullptr);
-    status = status != Status::Ok ? status
-                                  : triangulator.writeRegions(found.regions.data(), nullptr);
+    status = constrained ? engine.writeTriangles(found.triples.data(), nullptr) : status;
+    status = status != Status::Ok ? status : engine.writeNeighbors(found.neighbors.data(), nullptr);
+    status = status != Status::Ok ? status : engine.writeRegions(found.regions.data(), nullptr);
     account.failAt = 0;
     if (status == Status::Ok)
     {
@@ -169,9 +166,9 @@ void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
     ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
     if (!constrained)
     {
-      ASSERT_EQ(triangulator.report().triangles, 0u) << "at allocation " << k;
+      ASSERT_EQ(engine.report().triangles, 0u) << "at allocation " << k;
     }
-    triangulator.release();
+    engine.release();
   }
   FAIL() << "nothing got through";
 }
@@ -201,7 +198,7 @@ std::size_t peakOf(const ConstraintCase& given)
   std::vector<std::uint8_t> bits(2 * count);
   const std::size_t before = account.held;
   account.peak = before;
-  Triangulator t;
+  Engine t;
   EXPECT_EQ(t.run(given.view(), Options(), nullptr), Status::Ok);
   EXPECT_EQ(t.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
   EXPECT_EQ(t.writeTriangles(room.data(), nullptr), Status::Ok);
@@ -218,8 +215,7 @@ TEST(ConstrainTrouble, NoMoreMemoryThanEstimated)
     const std::size_t points = given.points.size();
     const std::size_t segments = segmentsOf(given.constraints.view()).size();
     EXPECT_LE(peakOf(given),
-      Triangulator::memoryEstimate(points, Options()) +
-        Triangulator::constraintMemoryEstimate(points, segments))
+      triangulationMemoryEstimate(points, Options()) + constraintMemoryEstimate(points, segments))
       << points << " points, " << segments << " segments";
   }
 }

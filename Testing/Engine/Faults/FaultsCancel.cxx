@@ -59,7 +59,7 @@ struct Choice
 /// against a new object.
 void expectReusable(std::uint64_t seeds, std::size_t most)
 {
-  Triangulator reused;
+  Engine reused;
   ThreadExecutor threads(3);
   std::size_t cancelled = 0;
   for (std::uint64_t seed = 1; cancelled < seeds; ++seed)
@@ -71,14 +71,14 @@ void expectReusable(std::uint64_t seeds, std::size_t most)
     helpers.executor = chosen.random.below(3) == 0 ? &threads : nullptr;
     Listener whole(0);
     helpers.progress = &whole;
-    Triangulator fresh;
+    Engine fresh;
     Session expected(chosen.given, chosen.options);
     ASSERT_EQ(expected.run(fresh, callOnly, helpers), Status::Ok);
     for (int i = 0; i < 8; ++i)
     {
       Listener listener(1 + chosen.random.below(whole.askings()));
       helpers.progress = &listener;
-      reused.forgetPoints();
+      reused.reclaim();
       Session session(chosen.given, chosen.options);
       const Status status = session.run(reused, callOnly, helpers);
       // With threads the last askings may not come.
@@ -86,7 +86,7 @@ void expectReusable(std::uint64_t seeds, std::size_t most)
       cancelled += status == Status::Cancelled;
     }
     helpers.progress = nullptr;
-    reused.forgetPoints();
+    reused.reclaim();
     Session again(chosen.given, chosen.options);
     ASSERT_EQ(again.run(reused, callOnly, helpers), Status::Ok);
     ASSERT_TRUE(again.bytes() == expected.bytes());

@@ -39,7 +39,7 @@ const std::size_t kTooMany[] = { kMaximumPoints + 1, std::size_t(1) << 28, std::
 
 TEST(FaultsLimits, TooManyPointsAreRefusedUnread)
 {
-  Triangulator triangulator;
+  Engine engine;
   Nobody nobody;
   ThreadExecutor threads(3);
   for (const std::size_t count : kTooMany)
@@ -47,10 +47,9 @@ TEST(FaultsLimits, TooManyPointsAreRefusedUnread)
     for (Options options : everyDistinctSetting({ 50 }))
     {
       options.keepOrder = options.keepBoxes = options.countWork = true;
-      EXPECT_EQ(
-        triangulator.run(unreadable(count), options, &nobody, &threads), Status::TooManyPoints);
-      EXPECT_EQ(triangulator.report().triangles, 0u);
-      EXPECT_EQ(triangulator.memoryHeld(), 0u);
+      EXPECT_EQ(engine.run(unreadable(count), options, &nobody, &threads), Status::TooManyPoints);
+      EXPECT_EQ(engine.report().triangles, 0u);
+      EXPECT_EQ(engine.workspace.bytes(), 0u);
     }
     MergedPoints merged;
     EXPECT_EQ(mergeWithin(unreadable(count), 1.0, &nobody, merged), Status::TooManyPoints);
@@ -62,13 +61,13 @@ TEST(FaultsLimits, TooManyPointsAreRefusedUnread)
 
 TEST(FaultsLimits, AsManyAsAllowedAreTriangulated)
 {
-  Triangulator triangulator;
+  Engine engine;
   std::vector<Point> points = makePoints(Distribution::Mixed, kMaximumPoints, 1);
-  EXPECT_EQ(faultsOf(points, triangulate(triangulator, viewOf(points))), "");
+  EXPECT_EQ(faultsOf(points, triangulate(engine, viewOf(points))), "");
   points.push_back({ 0.5, 0.5 });
-  EXPECT_EQ(triangulate(triangulator, viewOf(points)).status, Status::TooManyPoints);
+  EXPECT_EQ(triangulate(engine, viewOf(points)).status, Status::TooManyPoints);
   points.pop_back();
-  EXPECT_EQ(faultsOf(points, triangulate(triangulator, viewOf(points))), "") << "once more";
+  EXPECT_EQ(faultsOf(points, triangulate(engine, viewOf(points))), "") << "once more";
 }
 
 TEST(FaultsLimits, EstimatesDoNotOverflow)
@@ -76,9 +75,9 @@ TEST(FaultsLimits, EstimatesDoNotOverflow)
   const Options options;
   for (const std::size_t count : kTooMany)
   {
-    EXPECT_EQ(Triangulator::memoryEstimate(count, options), std::size_t(-1));
+    EXPECT_EQ(triangulationMemoryEstimate(count, options), std::size_t(-1));
   }
-  EXPECT_LT(Triangulator::memoryEstimate(kMaximumPoints, options), std::size_t(1) << 30);
+  EXPECT_LT(triangulationMemoryEstimate(kMaximumPoints, options), std::size_t(1) << 30);
 }
 
 /// `rows` lines and as many columns of a lattice that cross each other everywhere, none in a point.

@@ -63,9 +63,9 @@ Status callFailing(const Session::Call& call)
 }
 
 /// A session whose allocation number `k` fails, from 1; 0: none.
-Status runFailing(Session& session, Triangulator& t, std::size_t k, Executor* executor)
+Status runFailing(Session& session, Engine& t, std::size_t k, Executor* executor)
 {
-  t.forgetPoints();
+  t.reclaim();
   allocations = 0;
   failAt = k;
   Helpers helpers;
@@ -81,13 +81,13 @@ void expectSurvived(
 {
   const std::ptrdiff_t before = blocks;
   {
-    Triangulator fresh;
+    Engine fresh;
     Session expected(given, options);
     ASSERT_EQ(runFailing(expected, fresh, 0, executor), Status::Ok);
     const std::size_t all = allocations;
     ASSERT_GT(all, 50u) << "the engine no longer allocates through operator new";
     const std::size_t step = 1 + all / most;
-    Triangulator reused;
+    Engine reused;
     for (std::size_t k = 1; k <= all; k += step)
     {
       andAllLater = k / step % 2 == 1;

@@ -28,7 +28,7 @@ public:
     : given_(given)
     , options_(options)
   {
-    options_.keepLocations = options_.keepOrder = options_.keepBoxes = true;
+    options_.keepOrder = options_.keepBoxes = true;
   }
 
   /// What calls an entry point; to be wrapped by who wants to let it fail.
@@ -37,7 +37,7 @@ public:
 
   /// REQUIRES: `t` has no result of a run before. Goes on until a call does not return Ok, and
   /// returns what that returned.
-  Status run(Triangulator& t, const Caller& caller, const Helpers& helpers)
+  Status run(Engine& t, const Caller& caller, const Helpers& helpers)
   {
     Progress* const p = helpers.progress;
     Executor* const e = helpers.executor;
@@ -46,16 +46,18 @@ public:
       [&] { return splitAtCrossings(points(), given_.constraints.view(), p, split_); },
       [&] { return t.run(points(), options_, p, e); },
       [&] { return t.writeTriangles(corners_.data(), p, e); },
-      [&] { return t.writeNeighbors(neighbors_.data(), p); },
-      [&] { return t.writeFates(fates_.data(), p, e); },
-      [&] { return voronoiCells(delaunay(), VoronoiClip::Bounds, cells_, p, e); },
+      [&] { return t.writeNeighbors(neighbors_.data(), p, e); },
+      [&] { return t.writePointStatus(pointStatus_.data(), p, e); },
+      [&] {
+        return voronoiCells(t.made, VoronoiClip::Bounds, cells_, { p, e });
+      },
       [&] { return t.constrain(split_.view(), FillRule::EvenOdd, p); },
       [&] { return t.writeTriangles(triples_.data(), p, e); },
       [&] { return t.writeOrder(order_.data(), p, e); },
       [&] { return t.writeInsertionRanks(ranks_.data(), p, e); },
-      [&] { return t.writeNeighbors(neighbors_.data(), p); },
-      [&] { return t.writeConstraintEdges(edges_.data(), p); },
-      [&] { return t.writeRegions(regions_.data(), p); },
+      [&] { return t.writeNeighbors(neighbors_.data(), p, e); },
+      [&] { return t.writeConstraintEdges(edges_.data(), p, e); },
+      [&] { return t.writeRegions(regions_.data(), p, e); },
     };
     gatherPoints();
     for (const Call& call : calls)
@@ -89,7 +91,7 @@ public:
     add(split_.offsets);
     add(triples_);
     add(corners_);
-    add(fates_);
+    add(pointStatus_);
     add(order_);
     add(ranks_);
     add(neighbors_);
@@ -122,18 +124,7 @@ private:
     return view;
   }
 
-  DelaunayView delaunay() const
-  {
-    DelaunayView view;
-    view.points = PointView(&all_[0].x, all_.size(), 2);
-    view.fates = fates_.data();
-    view.corners = corners_.data();
-    view.neighbors = neighbors_.data();
-    view.triangles = corners_.size() / 3;
-    return view;
-  }
-
-  void prepare(const Triangulator& t)
+  void prepare(const Engine& t)
   {
     const std::size_t triangles = t.report().triangles;
     corners_.resize(corners_.empty() ? 3 * triangles : corners_.size());
@@ -141,7 +132,7 @@ private:
     neighbors_.resize(3 * triangles);
     edges_.resize(triangles);
     regions_.resize(triangles);
-    fates_.resize(all_.size());
+    pointStatus_.resize(all_.size());
     ranks_.resize(all_.size());
     order_.resize(t.report().inserted);
   }
@@ -153,7 +144,7 @@ private:
   std::vector<Point> all_;
   std::vector<unsigned char> skip_;
   std::vector<std::int32_t> corners_; ///< before the constraints
-  std::vector<std::int64_t> triples_, neighbors_, fates_, order_, ranks_, regions_;
+  std::vector<std::int64_t> triples_, neighbors_, pointStatus_, order_, ranks_, regions_;
   std::vector<std::uint8_t> edges_;
   VoronoiCells cells_;
 };

@@ -23,9 +23,9 @@ std::size_t peakOf(const std::vector<Point>& points, const Options& options)
   std::vector<std::int32_t> triples(6 * points.size() + 6);
   const std::size_t before = account.held;
   account.peak = before;
-  Triangulator triangulator;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeTriangles(triples.data(), nullptr), Status::Ok);
+  Engine engine;
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeTriangles(triples.data(), nullptr), Status::Ok);
   return account.peak - before;
 }
 
@@ -36,7 +36,7 @@ TEST(Memory, NoMoreThanEstimated)
     for (const std::size_t n : { std::size_t(100), affordable(distribution, 100000) })
     {
       const std::vector<Point> points = makePoints(distribution, n, 1);
-      EXPECT_LE(peakOf(points, Options()), Triangulator::memoryEstimate(n, Options()))
+      EXPECT_LE(peakOf(points, Options()), triangulationMemoryEstimate(n, Options()))
         << nameOf(distribution) << ", " << n << " points";
     }
   }
@@ -49,7 +49,7 @@ TEST(Memory, NoMoreThanEstimatedUnderAnySetting)
   for (Options options : everyDistinctSetting({ 1, 50 }))
   {
     options.keepOrder = true;
-    EXPECT_LE(peakOf(points, options), Triangulator::memoryEstimate(n, options))
+    EXPECT_LE(peakOf(points, options), triangulationMemoryEstimate(n, options))
       << describe(options);
   }
 }
@@ -65,7 +65,7 @@ TEST(Memory, NoMoreThanEstimatedForACavityOfAllTriangles)
     points.push_back({ x, x * x });
   }
   points.push_back({ -1.5, 1e10 });
-  EXPECT_LE(peakOf(points, Options()), Triangulator::memoryEstimate(points.size(), Options()));
+  EXPECT_LE(peakOf(points, Options()), triangulationMemoryEstimate(points.size(), Options()));
   EXPECT_EQ(faultsOf(points, triangulate(points)), "");
 }
 
@@ -73,7 +73,7 @@ TEST(Memory, EstimateIsNotFarAboveWhatIsNeeded)
 {
   const std::size_t n = 200000;
   const std::vector<Point> points = makePoints(Distribution::Uniform, n, 1);
-  EXPECT_LE(Triangulator::memoryEstimate(n, Options()), 2 * peakOf(points, Options()));
+  EXPECT_LE(triangulationMemoryEstimate(n, Options()), 2 * peakOf(points, Options()));
 }
 
 TEST(Memory, BoxesAreHeldOnlyWhileTheyAreWanted)
@@ -84,40 +84,36 @@ TEST(Memory, BoxesAreHeldOnlyWhileTheyAreWanted)
   options.nmax = 1;
   options.keepBoxes = true;
   const std::size_t before = account.held;
-  Triangulator triangulator;
-  const auto isAllTold = [&]
-  {
-    const std::size_t held = account.held - before;
-    return triangulator.memoryHeld() <= held && held <= triangulator.memoryHeld() + 4096;
-  };
-  ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  const std::size_t boxes = triangulator.boxes().size();
-  const std::size_t withBoxes = triangulator.memoryHeld();
+  Engine engine;
+  const auto held = [&] { return account.held - before; };
+  ASSERT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  const std::size_t boxes = engine.boxes().size();
+  const std::size_t withBoxes = held();
   EXPECT_GT(boxes, n);
-  EXPECT_TRUE(isAllTold());
-  triangulator.forgetPoints();
-  EXPECT_LE(triangulator.memoryHeld() + boxes * sizeof(GridBox), withBoxes);
-  EXPECT_TRUE(isAllTold());
+  engine.reclaim();
+  EXPECT_LE(held() + boxes * sizeof(GridBox), withBoxes);
+  EXPECT_LE(engine.workspace.bytes(), held());
+  EXPECT_LE(held(), engine.workspace.bytes() + 4096) << "not all is told";
 
   options.mostBoxes = boxes - 1;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::TooManyBoxes);
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::TooManyBoxes);
   options.mostBoxes = boxes;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
   options.keepBoxes = false;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  EXPECT_LE(triangulator.memoryHeld() + boxes * sizeof(GridBox), withBoxes);
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_LE(held() + boxes * sizeof(GridBox), withBoxes);
 }
 
 TEST(Memory, EstimateGrowsWithThePoints)
 {
-  const std::size_t million = Triangulator::memoryEstimate(1000000, Options());
-  const std::size_t fourMillion = Triangulator::memoryEstimate(4000000, Options());
+  const std::size_t million = triangulationMemoryEstimate(1000000, Options());
+  const std::size_t fourMillion = triangulationMemoryEstimate(4000000, Options());
   EXPECT_GE(million, 64u * 1000000); // two triangles of 32 bytes per point, if nothing else
   EXPECT_GT(fourMillion, 3 * million);
   EXPECT_LT(fourMillion, 5 * million);
 }
 
-TEST(Memory, NothingIsHeldByADestroyedTriangulator)
+TEST(Memory, NothingIsHeldOnceWorkspaceAndTriangulationAreGone)
 {
   const std::vector<Point> points = makePoints(Distribution::RepeatedDraws, 20000, 1);
   const std::size_t before = account.held;
@@ -130,14 +126,13 @@ void expectOutOfMemoryIsSurvived(const std::vector<Point>& points, const Options
 {
   const Outcome expected = triangulate(points, options);
   std::vector<std::int32_t> triples(expected.triples.size());
-  Triangulator triangulator;
+  Engine engine;
   std::size_t failures = 0;
   for (std::size_t k = 1; k < 10000; ++k)
   {
     account.failAt = account.allocations + k;
-    const Status ran = triangulator.run(viewOf(points), options, nullptr);
-    const Status status = ran == Status::Ok ? triangulator.writeTriangles(triples.data(), nullptr)
-                                            : ran;
+    const Status ran = engine.run(viewOf(points), options, nullptr);
+    const Status status = ran == Status::Ok ? engine.writeTriangles(triples.data(), nullptr) : ran;
     account.failAt = 0;
     if (status == Status::Ok)
     {
@@ -148,7 +143,7 @@ void expectOutOfMemoryIsSurvived(const std::vector<Point>& points, const Options
     ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
     if (ran != Status::Ok)
     {
-      ASSERT_EQ(triangulator.report().triangles, 0u) << "at allocation " << k;
+      ASSERT_EQ(engine.report().triangles, 0u) << "at allocation " << k;
     }
     ++failures;
   }
@@ -187,19 +182,17 @@ struct AllEdges
 };
 
 /// run(), constrain(), and all that is written per cell. Returns the first status that is not Ok.
-Status runConstrained(
-  Triangulator& triangulator, const std::vector<Point>& points, const AllEdges& edges)
+Status runConstrained(Engine& engine, const std::vector<Point>& points, const AllEdges& edges)
 {
   const std::size_t most = 2 * points.size();
   static std::vector<std::int64_t> ids;
   static std::vector<std::uint8_t> marks;
   ids.reserve(3 * most);
   marks.reserve(most);
-  const Status done[] = { triangulator.run(viewOf(points), Options(), nullptr),
-    triangulator.constrain(edges.view(), FillRule::Orientation, nullptr),
-    triangulator.writeNeighbors(ids.data(), nullptr),
-    triangulator.writeRegions(ids.data(), nullptr),
-    triangulator.writeConstraintEdges(marks.data(), nullptr) };
+  const Status done[] = { engine.run(viewOf(points), Options(), nullptr),
+    engine.constrain(edges.view(), FillRule::Orientation, nullptr),
+    engine.writeNeighbors(ids.data(), nullptr), engine.writeRegions(ids.data(), nullptr),
+    engine.writeConstraintEdges(marks.data(), nullptr) };
   const auto* bad = std::find_if(
     std::begin(done), std::end(done), [](Status status) { return status != Status::Ok; });
   return bad == std::end(done) ? Status::Ok : *bad;
@@ -212,17 +205,19 @@ TEST(Memory, NoMoreThanEstimatedWithConstraints)
   {
     const std::vector<Point> points = makePoints(distribution, n, 1);
     const AllEdges edges(points);
-    Triangulator warm;
+    Engine warm;
     ASSERT_EQ(runConstrained(warm, points, edges), Status::Ok);
     const std::size_t before = account.held;
     account.peak = before;
-    Triangulator triangulator;
-    ASSERT_EQ(runConstrained(triangulator, points, edges), Status::Ok);
+    Engine engine;
+    ASSERT_EQ(runConstrained(engine, points, edges), Status::Ok);
     EXPECT_LE(account.peak - before,
-      Triangulator::memoryEstimate(n, Options()) +
-        Triangulator::constraintMemoryEstimate(n, edges.ids.size()));
-    EXPECT_GE(triangulator.memoryHeld(), warm.memoryHeld() / 2);
-    EXPECT_LE(triangulator.memoryHeld(), account.held - before);
+      triangulationMemoryEstimate(n, Options()) + constraintMemoryEstimate(n, edges.ids.size()) +
+        tableMemoryEstimate(n));
+    engine.reclaim();
+    warm.reclaim();
+    EXPECT_GE(engine.workspace.bytes(), warm.workspace.bytes() / 2);
+    EXPECT_LE(engine.workspace.bytes(), account.held - before);
   }
 }
 
@@ -234,21 +229,21 @@ TEST(Memory, ConstraintsSurviveOutOfMemoryAtAnyAllocation)
   points.push_back({ 3.0, 3.1 });
   edges.ids.insert(edges.ids.begin(), { 500, 501, 500 });
   edges.offsets.push_back(edges.offsets.back() + 3);
-  Triangulator triangulator;
-  ASSERT_EQ(runConstrained(triangulator, points, edges), Status::Ok);
-  const std::size_t crossing = triangulator.constraints().crossing;
+  Engine engine;
+  ASSERT_EQ(runConstrained(engine, points, edges), Status::Ok);
+  const std::size_t crossing = engine.constraints().crossing;
   EXPECT_GT(crossing, 10u);
   std::size_t failures = 0;
   for (std::size_t k = 1; k < 10000; ++k, ++failures)
   {
-    triangulator.release();
+    engine.release();
     account.failAt = account.allocations + k;
-    const Status status = runConstrained(triangulator, points, edges);
+    const Status status = runConstrained(engine, points, edges);
     account.failAt = 0;
     if (status == Status::Ok)
     {
       EXPECT_GT(failures, 20u);
-      EXPECT_EQ(triangulator.constraints().crossing, crossing);
+      EXPECT_EQ(engine.constraints().crossing, crossing);
       return;
     }
     ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;

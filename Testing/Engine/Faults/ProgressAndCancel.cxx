@@ -18,7 +18,7 @@ namespace
 const char* nameOfPhase(Phase phase)
 {
   static const char* const kNames[] = { "Merge", "Split", "Read", "Sort", "Insert", "Constrain",
-    "Extract", "Fates" };
+    "Extract", "Outputs" };
   static_assert(sizeof kNames / sizeof *kNames == kPhases, "a name for each phase");
   return kNames[int(phase)];
 }
@@ -84,20 +84,21 @@ private:
 void expectAskedOften(const std::vector<Point>& points, Options options)
 {
   options.countWork = true;
-  Triangulator triangulator;
+  Engine engine;
   Listener listener;
-  const Outcome outcome = triangulate(triangulator, viewOf(points), options, &listener);
+  const Outcome outcome = triangulate(engine, viewOf(points), options, &listener);
   ASSERT_EQ(outcome.status, Status::Ok);
   EXPECT_EQ(listener.faults(), "");
   EXPECT_EQ(listener.begun(),
-    (std::vector<Phase>{ Phase::Read, Phase::Sort, Phase::Insert, Phase::Extract, Phase::Fates }));
+    (std::vector<Phase>{
+      Phase::Read, Phase::Sort, Phase::Insert, Phase::Extract, Phase::Outputs }));
   const std::uint64_t inserting = outcome.report.trianglesWalked + outcome.report.trianglesRemoved;
   EXPECT_GE(listener.askings(Phase::Read), points.size() / kStepsPerAsking);
   EXPECT_GE(listener.askings(Phase::Sort), outcome.report.inserted / kStepsPerAsking);
   EXPECT_GE(listener.askings(Phase::Insert), inserting / kStepsPerAsking)
     << inserting << " triangles walked and removed";
   EXPECT_GE(listener.askings(Phase::Extract), outcome.report.triangles / kStepsPerAsking);
-  EXPECT_GE(listener.askings(Phase::Fates), points.size() / kStepsPerAsking);
+  EXPECT_GE(listener.askings(Phase::Outputs), points.size() / kStepsPerAsking);
 }
 
 TEST(ProgressAndCancel, AskedOftenUnderEveryOrder)
@@ -138,9 +139,9 @@ TEST(ProgressAndCancel, AskedWithinOneCavity)
   std::size_t askings[2];
   for (int last = 0; last < 2; ++last)
   {
-    Triangulator triangulator;
+    Engine engine;
     Listener listener;
-    const Outcome outcome = triangulate(triangulator, viewOf(points), options, &listener);
+    const Outcome outcome = triangulate(engine, viewOf(points), options, &listener);
     ASSERT_EQ(outcome.status, Status::Ok);
     removed[last] = outcome.report.trianglesRemoved;
     askings[last] = listener.askings(Phase::Insert);
@@ -153,13 +154,13 @@ TEST(ProgressAndCancel, AskedWithinOneCavity)
 
 TEST(ProgressAndCancel, DuplicatesAreStepsToo)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const Distribution distribution :
     { Distribution::AllEqual, Distribution::RepeatedDraws, Distribution::Collinear })
   {
     Listener listener;
     const std::vector<Point> points = makePoints(distribution, reduced(400000), 1);
-    const Outcome outcome = triangulate(triangulator, viewOf(points), Options(), &listener);
+    const Outcome outcome = triangulate(engine, viewOf(points), Options(), &listener);
     EXPECT_EQ(outcome.status, Status::Ok);
     EXPECT_EQ(listener.faults(), "") << nameOf(distribution);
     EXPECT_GE(listener.askings(Phase::Read), points.size() / kStepsPerAsking);
@@ -171,10 +172,10 @@ TEST(ProgressAndCancel, NothingToDo)
 {
   for (std::size_t n = 0; n < 4; ++n)
   {
-    Triangulator triangulator;
+    Engine engine;
     Listener listener;
     const std::vector<Point> points = makePoints(Distribution::Uniform, n, 1);
-    EXPECT_EQ(triangulate(triangulator, viewOf(points), Options(), &listener).status, Status::Ok);
+    EXPECT_EQ(triangulate(engine, viewOf(points), Options(), &listener).status, Status::Ok);
     EXPECT_EQ(listener.faults(), "");
   }
 }
@@ -182,9 +183,9 @@ TEST(ProgressAndCancel, NothingToDo)
 /// Cancels at the k-th asking for all k up to the last, or for a dozen spread over them.
 void expectCancelledAnywhere(const std::vector<Point>& points, const Options& options)
 {
-  Triangulator triangulator;
+  Engine engine;
   Listener whole;
-  const Outcome expected = triangulate(triangulator, viewOf(points), options, &whole);
+  const Outcome expected = triangulate(engine, viewOf(points), options, &whole);
   ASSERT_EQ(expected.status, Status::Ok);
   if (whole.askings() == 0)
   {
@@ -195,14 +196,14 @@ void expectCancelledAnywhere(const std::vector<Point>& points, const Options& op
   for (std::size_t k = 1; k <= whole.askings(); k += step)
   {
     Listener listener(k);
-    const Outcome outcome = triangulate(triangulator, viewOf(points), options, &listener);
+    const Outcome outcome = triangulate(engine, viewOf(points), options, &listener);
     ASSERT_EQ(outcome.status, Status::Cancelled) << "at asking " << k;
     ASSERT_EQ(listener.faults(), "") << "at asking " << k;
     ASSERT_EQ(listener.askings(), k);
   }
-  const Outcome again = triangulate(triangulator, viewOf(points), options);
+  const Outcome again = triangulate(engine, viewOf(points), options);
   EXPECT_EQ(again.triples, expected.triples) << "after being cancelled";
-  EXPECT_EQ(again.fates, expected.fates) << "after being cancelled";
+  EXPECT_EQ(again.pointStatus, expected.pointStatus) << "after being cancelled";
 }
 
 TEST(ProgressAndCancel, CancelledAtAnyAsking)
@@ -228,12 +229,12 @@ TEST(ProgressAndCancel, CancelledAtAnyAskingOfAwkwardInput)
 TEST(ProgressAndCancel, CancelledRunLeavesNoTriangles)
 {
   const std::vector<Point> points = makePoints(Distribution::Uniform, 50000, 1);
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(viewOf(points), Options(), nullptr), Status::Ok);
-  ASSERT_GT(triangulator.report().triangles, 0u);
+  Engine engine;
+  ASSERT_EQ(engine.run(viewOf(points), Options(), nullptr), Status::Ok);
+  ASSERT_GT(engine.report().triangles, 0u);
   Listener listener(3);
-  ASSERT_EQ(triangulator.run(viewOf(points), Options(), &listener), Status::Cancelled);
-  EXPECT_EQ(triangulator.report().triangles, 0u);
+  ASSERT_EQ(engine.run(viewOf(points), Options(), &listener), Status::Cancelled);
+  EXPECT_EQ(engine.report().triangles, 0u);
 }
 
 } // namespace

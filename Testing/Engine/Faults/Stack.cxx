@@ -68,40 +68,34 @@ class LongStack : public Stack
 
 // ------------------------------------------------------------------------------------ what is done
 
-void useTriangulator(const PointView& points, const Options& options, Executor* executor)
+void useTriangulation(const PointView& points, const Options& options, Executor* executor)
 {
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(points, options, nullptr, executor), Status::Ok);
-  std::vector<std::int32_t> triples(3 * triangulator.report().triangles);
+  Engine engine;
+  ASSERT_EQ(engine.run(points, options, nullptr, executor), Status::Ok);
+  std::vector<std::int32_t> triples(3 * engine.report().triangles);
   std::vector<std::int64_t> numbers(std::max(points.count, triples.size()));
-  EXPECT_EQ(triangulator.writeTriangles(triples.data(), nullptr, executor), Status::Ok);
-  EXPECT_EQ(triangulator.writeFates(numbers.data(), nullptr, executor), Status::Ok);
+  EXPECT_EQ(engine.writeTriangles(triples.data(), nullptr, executor), Status::Ok);
+  EXPECT_EQ(engine.writeNeighbors(numbers.data(), nullptr, executor), Status::Ok);
+  if (!triples.empty())
+  {
+    EXPECT_NE(engine.made.locate(points[0], triples.size() / 3 - 1).kind, Location::Nowhere);
+  }
+  EXPECT_EQ(engine.writePointStatus(numbers.data(), nullptr, executor), Status::Ok);
   if (options.keepOrder)
   {
-    EXPECT_EQ(triangulator.writeOrder(numbers.data(), nullptr, executor), Status::Ok);
-    EXPECT_EQ(triangulator.writeInsertionRanks(numbers.data(), nullptr, executor), Status::Ok);
+    EXPECT_EQ(engine.writeOrder(numbers.data(), nullptr, executor), Status::Ok);
+    EXPECT_EQ(engine.writeInsertionRanks(numbers.data(), nullptr, executor), Status::Ok);
   }
 }
 
 void useVoronoi(const PointView& points, Executor* executor)
 {
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(points, Options(), nullptr, executor), Status::Ok);
-  DelaunayView view;
-  view.points = points;
-  view.triangles = triangulator.report().triangles;
-  std::vector<std::int32_t> corners(3 * view.triangles);
-  std::vector<std::int64_t> neighbors(3 * view.triangles), fates(points.count);
-  EXPECT_EQ(triangulator.writeTriangles(corners.data(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeFates(fates.data(), nullptr), Status::Ok);
-  view.corners = corners.data();
-  view.neighbors = neighbors.data();
-  view.fates = fates.data();
+  Engine engine;
+  ASSERT_EQ(engine.run(points, Options(), nullptr, executor), Status::Ok);
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     VoronoiCells cells;
-    EXPECT_EQ(voronoiCells(view, clip, cells, nullptr, executor), Status::Ok);
+    EXPECT_EQ(voronoiCells(engine.made, clip, cells, { nullptr, executor }), Status::Ok);
   }
 }
 
@@ -134,8 +128,8 @@ void Stack::useAll(const std::vector<Point>& points)
   const PointView view = viewOf(points);
   const auto work = [&]
   {
-    useTriangulator(view, Options(), nullptr);
-    useTriangulator(view, Options(), &executor);
+    useTriangulation(view, Options(), nullptr);
+    useTriangulation(view, Options(), &executor);
     useVoronoi(view, &executor);
     useMerge(view);
   };
@@ -231,9 +225,8 @@ TEST_F(Stack, EverySetting)
       SCOPED_TRACE(describe(options));
       options.keepOrder = true;
       options.keepBoxes = true;
-      options.keepLocations = true;
       SmallStackExecutor executor(2);
-      expectLittle([&] { useTriangulator(viewOf(points), options, &executor); }, &executor);
+      expectLittle([&] { useTriangulation(viewOf(points), options, &executor); }, &executor);
     }
   }
 }

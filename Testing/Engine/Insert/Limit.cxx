@@ -57,17 +57,17 @@ Bounds boundsOf(const std::vector<Point>& points)
   return b;
 }
 
-std::vector<std::int64_t> orderOf(const Triangulator& triangulator)
+std::vector<std::int64_t> orderOf(Engine& engine)
 {
-  std::vector<std::int64_t> ids(triangulator.report().inserted);
-  EXPECT_EQ(triangulator.writeOrder(ids.data(), nullptr), Status::Ok);
+  std::vector<std::int64_t> ids(engine.report().inserted);
+  EXPECT_EQ(engine.writeOrder(ids.data(), nullptr), Status::Ok);
   return ids;
 }
 
-std::vector<std::int64_t> ranksOf(const Triangulator& triangulator, std::size_t points)
+std::vector<std::int64_t> ranksOf(Engine& engine, std::size_t points)
 {
   std::vector<std::int64_t> ranks(points, -7);
-  EXPECT_EQ(triangulator.writeInsertionRanks(ranks.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeInsertionRanks(ranks.data(), nullptr), Status::Ok);
   return ranks;
 }
 
@@ -89,16 +89,16 @@ TEST(Limit, OrderIsAPermutationAndRanksItsInverse)
   {
     SCOPED_TRACE(describe(options));
     options.keepOrder = true;
-    Triangulator triangulator;
-    const Outcome outcome = triangulate(triangulator, viewOf(points), options);
+    Engine engine;
+    const Outcome outcome = triangulate(engine, viewOf(points), options);
     EXPECT_EQ(faultsOf(points, outcome), "");
-    const std::vector<std::int64_t> order = orderOf(triangulator);
-    const std::vector<std::int64_t> ranks = ranksOf(triangulator, points.size());
+    const std::vector<std::int64_t> order = orderOf(engine);
+    const std::vector<std::int64_t> ranks = ranksOf(engine, points.size());
     ASSERT_EQ(order.size(), points.size() - 3); // two duplicates and one that is not finite
     std::vector<std::int64_t> expected(points.size(), kRankNone);
     for (std::size_t i = 0; i < order.size(); ++i)
     {
-      ASSERT_EQ(outcome.fates[order[i]], order[i]);
+      ASSERT_EQ(outcome.pointStatus[order[i]], order[i]);
       expected[order[i]] = std::int64_t(i);
     }
     EXPECT_EQ(ranks, expected);
@@ -115,10 +115,10 @@ TEST(Limit, OrderIsTheSameForAnyNumberOfThreads)
   const std::vector<Point> points = makePoints(Distribution::Spiral, reduced(100000), 3);
   Options options;
   options.keepOrder = true;
-  Triangulator alone;
+  Engine alone;
   ASSERT_EQ(alone.run(viewOf(points), options, nullptr), Status::Ok);
   ThreadExecutor executor(3);
-  Triangulator shared;
+  Engine shared;
   ASSERT_EQ(shared.run(viewOf(points), options, nullptr, &executor), Status::Ok);
   std::vector<std::int64_t> ids(points.size());
   ASSERT_EQ(shared.writeOrder(ids.data(), nullptr, &executor), Status::Ok);
@@ -128,21 +128,21 @@ TEST(Limit, OrderIsTheSameForAnyNumberOfThreads)
   EXPECT_EQ(ranks, ranksOf(alone, points.size()));
 }
 
-/// Fates name vertices; the others are not finite, or points beyond the limit and duplicates of
-/// them.
-void expectFatesAtALimit(const std::vector<Point>& points, const Outcome& limited)
+/// The status of points names vertices; the others are not finite, or points beyond the limit and
+/// duplicates of them.
+void expectPointStatusAtALimit(const std::vector<Point>& points, const Outcome& limited)
 {
   std::set<std::pair<double, double>> placesBeyond;
   std::size_t vertices = 0;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    const std::int64_t fate = limited.fates[i];
-    vertices += fate == std::int64_t(i) ? 1 : 0;
-    if (fate >= 0)
+    const std::int64_t status = limited.pointStatus[i];
+    vertices += status == std::int64_t(i) ? 1 : 0;
+    if (status >= 0)
     {
-      ASSERT_EQ(limited.fates[std::size_t(fate)], fate) << "point " << i;
+      ASSERT_EQ(limited.pointStatus[std::size_t(status)], status) << "point " << i;
     }
-    else if (fate == kFateNotInserted)
+    else if (status == kStatusNotInserted)
     {
       placesBeyond.insert({ points[i].x, points[i].y });
     }
@@ -156,10 +156,10 @@ void expectMeshOfTheFirst(const std::vector<Point>& points, Options options, std
 {
   options.keepOrder = true;
   options.insertionLimit = limit;
-  Triangulator triangulator;
-  const Outcome limited = triangulate(triangulator, viewOf(points), options);
+  Engine engine;
+  const Outcome limited = triangulate(engine, viewOf(points), options);
   ASSERT_EQ(limited.status, Status::Ok);
-  const std::vector<std::int64_t> order = orderOf(triangulator);
+  const std::vector<std::int64_t> order = orderOf(engine);
   std::vector<Point> first;
   for (const std::int64_t id : order)
   {
@@ -174,7 +174,7 @@ void expectMeshOfTheFirst(const std::vector<Point>& points, Options options, std
   EXPECT_EQ(limited.report.inserted + limited.report.beyondLimit + limited.report.duplicates +
       limited.report.notFinite,
     points.size());
-  expectFatesAtALimit(points, limited);
+  expectPointStatusAtALimit(points, limited);
 }
 
 TEST(Limit, GivesTheTriangulationOfTheFirstPoints)
@@ -202,33 +202,35 @@ TEST(Limit, TheNextRunForgetsOrderAndBoxes)
   Options options;
   options.keepOrder = options.keepBoxes = true;
   options.insertionLimit = 20;
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  EXPECT_FALSE(triangulator.boxes().empty());
-  const Outcome next = triangulate(triangulator, viewOf(points));
+  Engine engine;
+  ASSERT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  EXPECT_FALSE(engine.boxes().empty());
+  const Outcome next = triangulate(engine, viewOf(points));
   EXPECT_EQ(faultsOf(points, next), "");
-  EXPECT_TRUE(triangulator.boxes().empty());
-  Triangulator fresh;
+  EXPECT_TRUE(engine.boxes().empty());
+  Engine fresh;
   ASSERT_EQ(fresh.run(viewOf(points), Options(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.memoryHeld(), fresh.memoryHeld());
+  engine.reclaim();
+  fresh.reclaim();
+  EXPECT_EQ(engine.workspace.bytes(), fresh.workspace.bytes());
   EXPECT_EQ(next.triples, triangulate(points).triples);
 }
 
-TEST(Limit, NothingIsWrittenOnceThePointsAreForgotten)
+TEST(Limit, NothingIsWrittenOnceTheTriangulationIsReclaimed)
 {
   const std::vector<Point> points = pointsWithFaults(Distribution::Uniform, 50);
   Options options;
   options.keepOrder = true;
   options.insertionLimit = 20;
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  triangulator.forgetPoints();
+  Engine engine;
+  ASSERT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  engine.reclaim();
   const std::vector<std::int64_t> untouched(points.size(), -7);
   std::vector<std::int64_t> ids = untouched;
-  EXPECT_EQ(triangulator.writeFates(ids.data(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeOrder(ids.data(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeInsertionRanks(ids.data(), nullptr), Status::Ok);
-  EXPECT_EQ(triangulator.writeTriangles(ids.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writePointStatus(ids.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeOrder(ids.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeInsertionRanks(ids.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeTriangles(ids.data(), nullptr), Status::Ok);
   EXPECT_EQ(ids, untouched);
 }
 
@@ -249,13 +251,13 @@ TEST(Limit, BoxesAreThoseOfThePaper)
          Distribution::KuzminDisc, Distribution::Collinear })
   {
     const std::vector<Point> points = makePoints(d, 600, 2);
-    Triangulator triangulator;
+    Engine engine;
     for (Options options : everyDistinctSetting({ 2, 50, 1000 }))
     {
       SCOPED_TRACE(std::string(nameOf(d)) + ", " + describe(options));
       options.keepBoxes = true;
-      ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-      const std::vector<GridBox>& boxes = triangulator.boxes();
+      ASSERT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+      const std::vector<GridBox>& boxes = engine.boxes();
       if (options.order == InsertionOrder::AsGiven)
       {
         EXPECT_TRUE(boxes.empty());
@@ -295,12 +297,12 @@ TEST(Limit, BoxesAreFiniteAndCoverThePoints)
     Options options;
     options.nmax = points.size() < 10 ? 1 : 50;
     options.keepBoxes = true;
-    Triangulator triangulator;
-    ASSERT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+    Engine engine;
+    ASSERT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
     const Bounds bounds = boundsOf(points);
     double xmin = std::numeric_limits<double>::infinity();
     double ymax = -xmin;
-    for (const GridBox& box : triangulator.boxes())
+    for (const GridBox& box : engine.boxes())
     {
       ASSERT_TRUE(std::isfinite(box.xmin) && std::isfinite(box.xmax) && std::isfinite(box.ymin) &&
         std::isfinite(box.ymax));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One result whoever does the work: triples, fates and counts are the same bytes for any number of
-// threads, in whatever order and on whichever threads the tasks run.
+// One result whoever does the work: triples, pointStatus and counts are the same bytes for any
+// number of threads, in whatever order and on whichever threads the tasks run.
 #include "Corpus.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -34,36 +34,36 @@ std::size_t sharedOf(Distribution distribution, std::size_t n)
                                                             : shared(n);
 }
 
-Outcome runOn(Executor* executor, Triangulator& triangulator, const PointView& points,
-  const Options& options = Options())
+Outcome runOn(
+  Executor* executor, Engine& engine, const PointView& points, const Options& options = Options())
 {
   Outcome outcome;
-  outcome.status = triangulator.run(points, options, nullptr, executor);
-  outcome.report = triangulator.report();
+  outcome.status = engine.run(points, options, nullptr, executor);
+  outcome.report = engine.report();
   outcome.triples.resize(3 * outcome.report.triangles, -7);
-  outcome.fates.resize(points.count, -7);
+  outcome.pointStatus.resize(points.count, -7);
   if (outcome.status == Status::Ok)
   {
-    outcome.status = triangulator.writeTriangles(outcome.triples.data(), nullptr, executor);
+    outcome.status = engine.writeTriangles(outcome.triples.data(), nullptr, executor);
   }
   if (outcome.status == Status::Ok)
   {
-    outcome.status = triangulator.writeFates(outcome.fates.data(), nullptr, executor);
+    outcome.status = engine.writePointStatus(outcome.pointStatus.data(), nullptr, executor);
   }
   return outcome;
 }
 
 Outcome runOn(Executor* executor, const PointView& points, const Options& options = Options())
 {
-  Triangulator triangulator;
-  return runOn(executor, triangulator, points, options);
+  Engine engine;
+  return runOn(executor, engine, points, options);
 }
 
 void expectSame(const Outcome& expected, const Outcome& found)
 {
   ASSERT_EQ(expected.status, found.status);
   EXPECT_TRUE(expected.triples == found.triples) << "the triples differ";
-  EXPECT_TRUE(expected.fates == found.fates) << "the fates differ";
+  EXPECT_TRUE(expected.pointStatus == found.pointStatus) << "the pointStatus differ";
   EXPECT_EQ(expected.report.inserted, found.report.inserted);
   EXPECT_EQ(expected.report.duplicates, found.report.duplicates);
   EXPECT_EQ(expected.report.notFinite, found.report.notFinite);
@@ -299,7 +299,7 @@ TEST(Threads, FewPoints)
 
 TEST(Threads, OneTriangulatorWithManyExecutorsAndSizes)
 {
-  Triangulator reused;
+  Engine reused;
   Random random(11);
   for (int run = 0; run < 20; ++run)
   {
@@ -333,17 +333,17 @@ TEST(Threads, AnExecutorForRunAndAnotherForWriting)
   const Outcome expected = runOn(nullptr, viewOf(points));
   ThreadExecutor three(3);
   ThreadExecutor five(5);
-  Triangulator triangulator;
+  Engine engine;
   Outcome outcome = expected;
-  ASSERT_EQ(triangulator.run(viewOf(points), Options(), nullptr, &three), Status::Ok);
+  ASSERT_EQ(engine.run(viewOf(points), Options(), nullptr, &three), Status::Ok);
   for (Executor* writer : { static_cast<Executor*>(nullptr), static_cast<Executor*>(&five) })
   {
     std::fill(outcome.triples.begin(), outcome.triples.end(), -7);
-    std::fill(outcome.fates.begin(), outcome.fates.end(), -7);
-    EXPECT_EQ(triangulator.writeTriangles(outcome.triples.data(), nullptr, writer), Status::Ok);
-    EXPECT_EQ(triangulator.writeFates(outcome.fates.data(), nullptr, writer), Status::Ok);
+    std::fill(outcome.pointStatus.begin(), outcome.pointStatus.end(), -7);
+    EXPECT_EQ(engine.writeTriangles(outcome.triples.data(), nullptr, writer), Status::Ok);
+    EXPECT_EQ(engine.writePointStatus(outcome.pointStatus.data(), nullptr, writer), Status::Ok);
     EXPECT_TRUE(outcome.triples == expected.triples);
-    EXPECT_TRUE(outcome.fates == expected.fates);
+    EXPECT_TRUE(outcome.pointStatus == expected.pointStatus);
   }
 }
 

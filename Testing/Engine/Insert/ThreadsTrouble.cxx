@@ -63,28 +63,29 @@ private:
 
   std::size_t cancelAt_;
   std::size_t askings_ = 0;
-  Phase phase_ = Phase::Fates;
+  Phase phase_ = Phase::Outputs;
   double fraction_ = 0.0;
   bool cancelled_ = false;
   std::thread::id thread_ = std::this_thread::get_id();
   std::string faults_;
 };
 
-/// run(), writeTriangles() and writeFates() until one is not Ok.
-Status attempt(Triangulator& triangulator, const std::vector<Point>& points, Outcome& outcome,
+/// run(), writeTriangles() and writePointStatus() until one is not Ok.
+Status attempt(Engine& engine, const std::vector<Point>& points, Outcome& outcome,
   Progress* progress, Executor* executor)
 {
   const PointView view = viewOf(points);
-  Status status = triangulator.run(view, Options(), progress, executor);
+  Status status = engine.run(view, Options(), progress, executor);
   if (status != Status::Ok)
   {
-    EXPECT_EQ(triangulator.report().triangles, 0u);
+    EXPECT_EQ(engine.report().triangles, 0u);
     return status;
   }
-  EXPECT_EQ(3 * triangulator.report().triangles, outcome.triples.size());
-  status = triangulator.writeTriangles(outcome.triples.data(), progress, executor);
-  return status != Status::Ok ? status
-                              : triangulator.writeFates(outcome.fates.data(), progress, executor);
+  EXPECT_EQ(3 * engine.report().triangles, outcome.triples.size());
+  status = engine.writeTriangles(outcome.triples.data(), progress, executor);
+  return status != Status::Ok
+    ? status
+    : engine.writePointStatus(outcome.pointStatus.data(), progress, executor);
 }
 
 /// Moments at which a run is cancelled: fewer under sanitizers.
@@ -98,23 +99,23 @@ void expectCancelledAnywhere(Distribution distribution, Executor& executor, std:
   const std::vector<Point> points = somePoints(distribution);
   const Outcome expected = triangulate(points);
   Outcome outcome = expected;
-  Triangulator triangulator;
+  Engine engine;
   Listener whole;
-  ASSERT_EQ(attempt(triangulator, points, outcome, &whole, &executor), Status::Ok);
+  ASSERT_EQ(attempt(engine, points, outcome, &whole, &executor), Status::Ok);
   EXPECT_EQ(whole.faults(), "");
   const std::size_t step = 1 + whole.askings() / moments;
   for (std::size_t k = 1; k <= whole.askings(); k += step)
   {
     Listener listener(k);
-    const Status status = attempt(triangulator, points, outcome, &listener, &executor);
+    const Status status = attempt(engine, points, outcome, &listener, &executor);
     // How often is asked depends on who was how fast: the k-th asking may not come.
     ASSERT_EQ(status, listener.askings() < k ? Status::Ok : Status::Cancelled) << "asking " << k;
     ASSERT_EQ(listener.faults(), "") << "cancelled at asking " << k;
     ASSERT_LE(listener.askings(), k);
   }
-  ASSERT_EQ(attempt(triangulator, points, outcome, nullptr, &executor), Status::Ok);
+  ASSERT_EQ(attempt(engine, points, outcome, nullptr, &executor), Status::Ok);
   EXPECT_TRUE(outcome.triples == expected.triples) << "after being cancelled";
-  EXPECT_TRUE(outcome.fates == expected.fates) << "after being cancelled";
+  EXPECT_TRUE(outcome.pointStatus == expected.pointStatus) << "after being cancelled";
 }
 
 TEST(ThreadsTrouble, CancelledAtManyMoments)
@@ -145,17 +146,17 @@ void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
   const std::vector<Point> points = somePoints(distribution);
   const Outcome expected = triangulate(points);
   Outcome outcome = expected;
-  Triangulator triangulator;
+  Engine engine;
   for (std::size_t k = 1; k < 10000; ++k)
   {
     account.failAt = account.allocations + k;
-    const Status status = attempt(triangulator, points, outcome, nullptr, &executor);
+    const Status status = attempt(engine, points, outcome, nullptr, &executor);
     account.failAt = 0;
     if (status == Status::Ok)
     {
       EXPECT_GT(k, 5u) << "the engine no longer allocates through operator new";
       EXPECT_TRUE(outcome.triples == expected.triples) << "after " << k << " failures";
-      EXPECT_TRUE(outcome.fates == expected.fates) << "after " << k << " failures";
+      EXPECT_TRUE(outcome.pointStatus == expected.pointStatus) << "after " << k << " failures";
       return;
     }
     ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;

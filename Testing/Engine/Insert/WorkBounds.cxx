@@ -40,9 +40,9 @@ double nLogN(std::size_t n)
 double stepsOver(const std::vector<Point>& points, Options options = Options())
 {
   options.countWork = true;
-  Triangulator triangulator;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
-  const Report& report = triangulator.report();
+  Engine engine;
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
+  const Report& report = engine.report();
   return double(report.trianglesWalked + report.trianglesRemoved) / nLogN(report.inserted);
 }
 
@@ -272,10 +272,10 @@ std::vector<Point> madeAgainstTheHash(std::size_t n)
   const std::vector<Point> points = twoRows(isLow);
   Options options;
   options.keepOrder = true;
-  Triangulator triangulator;
-  EXPECT_EQ(triangulator.run(viewOf(points), options, nullptr), Status::Ok);
+  Engine engine;
+  EXPECT_EQ(engine.run(viewOf(points), options, nullptr), Status::Ok);
   std::vector<std::int64_t> order(n);
-  EXPECT_EQ(triangulator.writeOrder(order.data(), nullptr), Status::Ok);
+  EXPECT_EQ(engine.writeOrder(order.data(), nullptr), Status::Ok);
   for (std::size_t i = 0; i < (n + 11) / 12; ++i)
   {
     isLow[std::size_t(order[i])] = true;
@@ -334,13 +334,13 @@ TEST(WorkBounds, Constraints)
     Counter counter;
     Helpers helpers;
     helpers.progress = &counter;
-    Triangulator triangulator;
+    Engine engine;
     const ConstrainedOutcome outcome = constrain(
-      triangulator, given.view(), given.constraints.view(), FillRule::EvenOdd, Options(), helpers);
+      engine, given.view(), given.constraints.view(), FillRule::EvenOdd, Options(), helpers);
     ASSERT_EQ(outcome.status, Status::Ok);
     const std::size_t size = given.points.size() + 2 * outcome.constraints.segments;
     EXPECT_LE(counter.steps(Phase::Constrain), 8.0 * nLogN(size)) << name;
-    EXPECT_LE(counter.steps(Phase::Fates), 100.0 * double(size)) << name << ", cell data";
+    EXPECT_LE(counter.steps(Phase::Outputs), 100.0 * double(size)) << name << ", cell data";
   }
 }
 
@@ -364,10 +364,9 @@ TEST(WorkBounds, SegmentsThroughAHubAreNotBounded)
   const std::size_t n = 4000;
   const ConstraintCase given = diameters(n);
   Counter counter;
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(given.view(), Options(), nullptr), Status::Ok);
-  ASSERT_EQ(
-    triangulator.constrain(given.constraints.view(), FillRule::EvenOdd, &counter), Status::Ok);
+  Engine engine;
+  ASSERT_EQ(engine.run(given.view(), Options(), nullptr), Status::Ok);
+  ASSERT_EQ(engine.constrain(given.constraints.view(), FillRule::EvenOdd, &counter), Status::Ok);
   EXPECT_GT(counter.steps(Phase::Constrain), double(n) * double(n) / 4);
 }
 
@@ -397,25 +396,14 @@ TEST(WorkBounds, Voronoi)
          Distribution::Lattice, Distribution::OnParabola, Distribution::Slivers })
   {
     const std::vector<Point> points = makePoints(d, n, 1);
-    Triangulator triangulator;
-    ASSERT_EQ(triangulator.run(viewOf(points), Options(), nullptr), Status::Ok);
-    DelaunayView view;
-    view.points = viewOf(points);
-    view.triangles = triangulator.report().triangles;
-    std::vector<std::int32_t> corners(3 * view.triangles);
-    std::vector<std::int64_t> neighbors(3 * view.triangles), fates(n);
-    ASSERT_EQ(triangulator.writeTriangles(corners.data(), nullptr), Status::Ok);
-    ASSERT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
-    ASSERT_EQ(triangulator.writeFates(fates.data(), nullptr), Status::Ok);
-    view.corners = corners.data();
-    view.neighbors = neighbors.data();
-    view.fates = fates.data();
+    Engine engine;
+    ASSERT_EQ(engine.run(viewOf(points), Options(), nullptr), Status::Ok);
     for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
     {
       Counter counter;
       VoronoiCells cells;
-      ASSERT_EQ(voronoiCells(view, clip, cells, &counter), Status::Ok);
-      EXPECT_LE(counter.steps(Phase::Fates), 100.0 * double(n)) << nameOf(d);
+      ASSERT_EQ(voronoiCells(engine.made, clip, cells, { &counter, nullptr }), Status::Ok);
+      EXPECT_LE(counter.steps(Phase::Outputs), 100.0 * double(n)) << nameOf(d);
     }
   }
 }

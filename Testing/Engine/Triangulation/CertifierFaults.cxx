@@ -24,18 +24,18 @@ struct Sample
 {
   explicit Sample(std::vector<Point> p)
     : points(std::move(p))
-    , fates(points.size())
+    , pointStatus(points.size())
   {
     for (const Triple& triple : delaunayByDefinition(points))
     {
       triples.insert(triples.end(), triple.begin(), triple.end());
     }
-    std::iota(fates.begin(), fates.end(), 0);
+    std::iota(pointStatus.begin(), pointStatus.end(), 0);
   }
 
   std::string complaints() const
   {
-    return joined(certify(PointView(&points[0].x, points.size(), 2), triples, fates));
+    return joined(certify(PointView(&points[0].x, points.size(), 2), triples, pointStatus));
   }
 
   void removeTriangle(std::size_t t)
@@ -66,7 +66,7 @@ struct Sample
 
   std::vector<Point> points;
   std::vector<std::int32_t> triples;
-  std::vector<std::int64_t> fates;
+  std::vector<std::int64_t> pointStatus;
 };
 
 /// A hexagon, not regular, round a centre (6): six triangles (i, i + 1, 6).
@@ -170,7 +170,7 @@ TEST(CertifierFaults, VertexLeftOutOfTheTriangles)
 {
   Sample sample = hexagon();
   sample.points.push_back({ 1, 1 });
-  sample.fates.push_back(7);
+  sample.pointStatus.push_back(7);
   EXPECT_COMPLAINT(sample, "vertex in no triangle: point 7 (0x1p+0, 0x1p+0)");
   EXPECT_COMPLAINT(sample, "Euler");
 }
@@ -179,7 +179,7 @@ TEST(CertifierFaults, CollinearHullPointLeftOut)
 {
   Sample sample({ { 0, 0 }, { 2, 0 }, { 0, 2 } });
   sample.points.push_back({ 1, 0 });
-  sample.fates.push_back(3);
+  sample.pointStatus.push_back(3);
   EXPECT_COMPLAINT(sample, "vertex in no triangle: point 3");
 }
 
@@ -187,10 +187,10 @@ TEST(CertifierFaults, PointLost)
 {
   Sample sample = hexagon();
   sample.points.push_back({ 1, 1 });
-  EXPECT_COMPLAINT(sample, "fates: 7 for 8 points");
-  sample.fates.push_back(-1);
-  EXPECT_COMPLAINT(sample, "fate: point 7 (0x1p+0, 0x1p+0) has -1 instead of 7");
-  sample.fates[7] = 6;
+  EXPECT_COMPLAINT(sample, "pointStatus: 7 for 8 points");
+  sample.pointStatus.push_back(-1);
+  EXPECT_COMPLAINT(sample, "point status: point 7 (0x1p+0, 0x1p+0) has -1 instead of 7");
+  sample.pointStatus[7] = 6;
   EXPECT_COMPLAINT(sample, "has 6 instead of 7");
 }
 
@@ -198,22 +198,22 @@ TEST(CertifierFaults, DuplicateOfTheWrongPoint)
 {
   Sample sample = hexagon();
   sample.points.insert(sample.points.end(), { { 0.1, 0.0 }, { 0.1, -0.0 } });
-  sample.fates.insert(sample.fates.end(), { 6, 6 });
+  sample.pointStatus.insert(sample.pointStatus.end(), { 6, 6 });
   EXPECT_EQ(sample.complaints(), "");
-  sample.fates[8] = 7;
-  EXPECT_COMPLAINT(sample, "fate: point 8");
-  sample.fates[8] = 8;
-  EXPECT_COMPLAINT(sample, "fate: point 8");
+  sample.pointStatus[8] = 7;
+  EXPECT_COMPLAINT(sample, "point status: point 8");
+  sample.pointStatus[8] = 8;
+  EXPECT_COMPLAINT(sample, "point status: point 8");
 }
 
 TEST(CertifierFaults, NotFiniteTakenForAVertex)
 {
   Sample sample = hexagon();
   sample.points.push_back({ std::numeric_limits<double>::quiet_NaN(), 0 });
-  sample.fates.push_back(-1);
+  sample.pointStatus.push_back(-1);
   EXPECT_EQ(sample.complaints(), "");
-  sample.fates.back() = 7;
-  EXPECT_COMPLAINT(sample, "fate: point 7");
+  sample.pointStatus.back() = 7;
+  EXPECT_COMPLAINT(sample, "point status: point 7");
 }
 
 TEST(CertifierFaults, SkippedPointUsed)
@@ -222,9 +222,9 @@ TEST(CertifierFaults, SkippedPointUsed)
   const unsigned char skip[] = { 0, 0, 0, 4 };
   PointView view(&sample.points[0].x, 4, 2);
   view.skip = skip;
-  EXPECT_NE(joined(certify(view, sample.triples, sample.fates)), "");
+  EXPECT_NE(joined(certify(view, sample.triples, sample.pointStatus)), "");
   view.skipMask = 3;
-  EXPECT_EQ(joined(certify(view, sample.triples, sample.fates)), "");
+  EXPECT_EQ(joined(certify(view, sample.triples, sample.pointStatus)), "");
 }
 
 TEST(CertifierFaults, TwoPieces)
@@ -262,8 +262,8 @@ TEST(CertifierFaults, NoTrianglesWhereThereAreSome)
 TEST(CertifierFaults, ManyFaultsAreCounted)
 {
   Sample sample = hexagon();
-  std::fill(sample.fates.begin(), sample.fates.end(), -2);
-  EXPECT_COMPLAINT(sample, "fate: 2 more of this kind");
+  std::fill(sample.pointStatus.begin(), sample.pointStatus.end(), -2);
+  EXPECT_COMPLAINT(sample, "point status: 2 more of this kind");
 }
 
 } // namespace

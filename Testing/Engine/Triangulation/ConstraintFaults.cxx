@@ -72,8 +72,8 @@ struct Sample
     }
     outcome.report.triangles = defined.kept.size();
     outcome.constraints = defined.report;
-    outcome.fates.resize(points.size());
-    std::iota(outcome.fates.begin(), outcome.fates.end(), 0);
+    outcome.pointStatus.resize(points.size());
+    std::iota(outcome.pointStatus.begin(), outcome.pointStatus.end(), 0);
     describe(defined, outcome);
     return outcome;
   }

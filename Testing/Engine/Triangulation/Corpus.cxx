@@ -18,7 +18,7 @@ TEST(Corpus, EveryFileIsCertifiedUnderEverySetting)
 {
   const std::vector<CorpusFile> files = readCorpus(AHD_CORPUS_DIRECTORY);
   ASSERT_GE(files.size(), 10u);
-  Triangulator triangulator;
+  Engine engine;
   for (const CorpusFile& file : files)
   {
     SCOPED_TRACE(file.name + ": " + file.reason);
@@ -28,9 +28,9 @@ TEST(Corpus, EveryFileIsCertifiedUnderEverySetting)
     ASSERT_EQ(faultsOf(file.points, expected), "");
     for (const Options& options : everySetting())
     {
-      const Outcome outcome = triangulate(triangulator, viewOf(file.points), options);
+      const Outcome outcome = triangulate(engine, viewOf(file.points), options);
       ASSERT_EQ(expected.triples, outcome.triples) << describe(options);
-      ASSERT_EQ(expected.fates, outcome.fates) << describe(options);
+      ASSERT_EQ(expected.pointStatus, outcome.pointStatus) << describe(options);
     }
   }
 }

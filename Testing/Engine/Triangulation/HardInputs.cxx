@@ -207,13 +207,13 @@ TEST(LongHardInputs, FourMillionPointsOfThePapersDistributions)
 
 TEST(LongHardInputs, ThousandsOfSmallRandomSets)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (std::uint64_t seed = 0; seed < 4000; ++seed)
   {
     for (const Distribution distribution : allDistributions())
     {
       const std::vector<Point> points = makePoints(distribution, 3 + seed % 60, seed);
-      ASSERT_EQ(faultsOf(points, triangulate(triangulator, viewOf(points))), "")
+      ASSERT_EQ(faultsOf(points, triangulate(engine, viewOf(points))), "")
         << nameOf(distribution) << ", seed " << seed << ", " << points.size() << " points";
     }
   }

@@ -49,7 +49,7 @@ TEST(Hashes, AreThoseOfTheRepository)
 TEST(Hashes, NoNumberOfThreadsChangesOne)
 {
   const Hashes expected = hashesOfMany(Way());
-  Triangulator triangulator;
+  Engine engine;
 #ifdef AHD_REDUCED_TESTS
   const std::vector<unsigned> counts = { 3 };
 #else
@@ -60,14 +60,14 @@ TEST(Hashes, NoNumberOfThreadsChangesOne)
     ThreadExecutor executor(threads);
     Way way;
     way.executor = &executor;
-    way.triangulator = &triangulator;
+    way.engine = &engine;
     EXPECT_EQ(differences(expected, hashesOfMany(way)), "") << threads << " threads";
   }
 }
 
 TEST(Hashes, NoSettingChangesOne)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const NamedPoints& given : allKinds(100))
   {
     const PointView points = viewOf(given.points);
@@ -76,7 +76,7 @@ TEST(Hashes, NoSettingChangesOne)
     {
       Way way;
       way.options = options;
-      way.triangulator = &triangulator;
+      way.engine = &engine;
       ASSERT_EQ(hashOfTriangles(points, way), expected) << given.name << ", " << describe(options);
     }
   }
@@ -84,7 +84,7 @@ TEST(Hashes, NoSettingChangesOne)
 
 TEST(Hashes, NoSettingChangesOneOfConstraints)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (std::uint64_t seed = 0; seed < 100; ++seed)
   {
     const ConstraintCase given = smallConstraintCase(seed);
@@ -93,7 +93,7 @@ TEST(Hashes, NoSettingChangesOneOfConstraints)
     {
       Way way;
       way.options = options;
-      way.triangulator = &triangulator;
+      way.engine = &engine;
       ASSERT_EQ(hashOfConstrained(given, FillRule::EvenOdd, way), expected)
         << describe(options) << given.text();
     }

@@ -72,13 +72,13 @@ TEST_P(Invariance, NoSettingChangesTheResult)
   const std::vector<Point> p = points(2000);
   const Outcome expected = triangulate(p);
   ASSERT_EQ(faultsOf(p, expected), "");
-  Triangulator triangulator;
+  Engine engine;
   for (const Options& options : everyDistinctSetting())
   {
-    const Outcome outcome = triangulate(triangulator, viewOf(p), options);
+    const Outcome outcome = triangulate(engine, viewOf(p), options);
     ASSERT_EQ(outcome.status, Status::Ok) << describe(options);
     ASSERT_EQ(difference(expected.triples, outcome.triples), "") << describe(options);
-    ASSERT_EQ(expected.fates, outcome.fates) << describe(options);
+    ASSERT_EQ(expected.pointStatus, outcome.pointStatus) << describe(options);
   }
 }
 
@@ -90,7 +90,7 @@ TEST_P(Invariance, CountingTheWorkChangesNothing)
   const Outcome plain = triangulate(p);
   const Outcome counted = triangulate(p, counting);
   EXPECT_EQ(difference(plain.triples, counted.triples), "");
-  EXPECT_EQ(plain.fates, counted.fates);
+  EXPECT_EQ(plain.pointStatus, counted.pointStatus);
   EXPECT_EQ(plain.report.trianglesWalked, 0u);
   EXPECT_EQ(plain.report.trianglesRemoved, 0u);
 }
@@ -111,7 +111,7 @@ TEST_P(Invariance, ShufflingChangesOnlyTheIds)
     ASSERT_EQ(faultsOf(shuffled, outcome), "") << "seed " << seed;
     for (std::int32_t& id : outcome.triples)
     {
-      id = std::int32_t(expected.fates[oldId[std::size_t(id)]]);
+      id = std::int32_t(expected.pointStatus[oldId[std::size_t(id)]]);
     }
     ASSERT_EQ(difference(expected.triples, outcome.triples), "") << "seed " << seed;
   }
@@ -185,19 +185,19 @@ TEST(InvarianceOfRandomPoints, TurnedTriangulationIsTheSame)
 
 TEST(InvarianceOfTriangulator, RunningAgainForgetsThePreviousRun)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (std::uint64_t seed = 0; seed < 3; ++seed)
   {
     for (const Distribution distribution : allDistributions())
     {
-      // Growing and shrinking, with and without duplicates, in one triangulator.
+      // Growing and shrinking, with and without duplicates, in one engine.
       const std::size_t n = seed == 1 ? 50 : affordable(distribution, 5000);
       const std::vector<Point> p = makePoints(distribution, n, seed);
-      const Outcome again = triangulate(triangulator, viewOf(p));
+      const Outcome again = triangulate(engine, viewOf(p));
       const Outcome fresh = triangulate(p);
       ASSERT_EQ(difference(fresh.triples, again.triples), "")
         << nameOf(distribution) << ", seed " << seed;
-      ASSERT_EQ(fresh.fates, again.fates) << nameOf(distribution) << ", seed " << seed;
+      ASSERT_EQ(fresh.pointStatus, again.pointStatus) << nameOf(distribution) << ", seed " << seed;
     }
   }
 }
@@ -206,10 +206,10 @@ TEST(InvarianceOfTriangulator, IdsOf64BitsAreThoseOf32Bits)
 {
   const std::vector<Point> p = makePoints(Distribution::Mixed, 5000, 5);
   const Outcome expected = triangulate(p);
-  Triangulator triangulator;
-  ASSERT_EQ(triangulator.run(viewOf(p), Options(), nullptr), Status::Ok);
-  std::vector<std::int64_t> wide(3 * triangulator.report().triangles);
-  ASSERT_EQ(triangulator.writeTriangles(wide.data(), nullptr), Status::Ok);
+  Engine engine;
+  ASSERT_EQ(engine.run(viewOf(p), Options(), nullptr), Status::Ok);
+  std::vector<std::int64_t> wide(3 * engine.report().triangles);
+  ASSERT_EQ(engine.writeTriangles(wide.data(), nullptr), Status::Ok);
   EXPECT_EQ(std::vector<std::int64_t>(expected.triples.begin(), expected.triples.end()), wide);
 }
 

@@ -98,17 +98,17 @@ unsigned maskOf(const Places& places)
 }
 
 /// Runs the engine on points at these places, in this order and repeats allowed.
-void expectDelaunay(Triangulator& triangulator, const Places& places, const Options& options)
+void expectDelaunay(Engine& engine, const Places& places, const Options& options)
 {
   const std::vector<Point> points = pointsAt(places);
-  const Outcome outcome = triangulate(triangulator, viewOf(points), options);
+  const Outcome outcome = triangulate(engine, viewOf(points), options);
   ASSERT_EQ(outcome.status, Status::Ok) << textOf(places) << "; " << describe(options);
   ASSERT_EQ(byPlace(asSet(outcome.triples), places), expectedAt(maskOf(places)))
     << textOf(places) << "; " << describe(options);
   for (std::size_t i = 0; i < places.size(); ++i)
   {
     const auto first = std::find(places.begin(), places.end(), places[i]) - places.begin();
-    ASSERT_EQ(outcome.fates[i], first) << "fate of point " << i << " of " << textOf(places);
+    ASSERT_EQ(outcome.pointStatus[i], first) << "status of point " << i << " of " << textOf(places);
   }
   // A set has no repeats: the oracle would not see a triangle written twice.
   ASSERT_EQ(outcome.triples.size(), 3 * asSet(outcome.triples).size()) << textOf(places);
@@ -145,21 +145,21 @@ TEST(SmallSets, OracleIsCertified)
     {
       triples.insert(triples.end(), triple.begin(), triple.end());
     }
-    std::vector<std::int64_t> fates(points.size());
-    std::iota(fates.begin(), fates.end(), 0);
-    ASSERT_EQ(joined(certify(viewOf(points), triples, fates)), "") << textOf(places);
+    std::vector<std::int64_t> pointStatus(points.size());
+    std::iota(pointStatus.begin(), pointStatus.end(), 0);
+    ASSERT_EQ(joined(certify(viewOf(points), triples, pointStatus)), "") << textOf(places);
   }
 }
 
 TEST(SmallSets, EverySetInEveryOrder)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const unsigned mask : masksOfUpTo(6))
   {
     Places places = placesOf(mask);
     do
     {
-      ASSERT_NO_FATAL_FAILURE(expectDelaunay(triangulator, places, Options()));
+      ASSERT_NO_FATAL_FAILURE(expectDelaunay(engine, places, Options()));
     } while (std::next_permutation(places.begin(), places.end()));
   }
 }
@@ -168,20 +168,20 @@ TEST(SmallSets, EverySetInTheCallersOrder)
 {
   Options options;
   options.order = InsertionOrder::AsGiven;
-  Triangulator triangulator;
+  Engine engine;
   for (const unsigned mask : masksOfUpTo(6))
   {
     Places places = placesOf(mask);
     do
     {
-      ASSERT_NO_FATAL_FAILURE(expectDelaunay(triangulator, places, options));
+      ASSERT_NO_FATAL_FAILURE(expectDelaunay(engine, places, options));
     } while (std::next_permutation(places.begin(), places.end()));
   }
 }
 
 TEST(SmallSets, EverySequenceOfFiveWithRepeats)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (std::size_t code = 0; code < 9 * 9 * 9 * 9 * 9; ++code)
   {
     Places places;
@@ -189,18 +189,18 @@ TEST(SmallSets, EverySequenceOfFiveWithRepeats)
     {
       places.push_back(rest % 9);
     }
-    ASSERT_NO_FATAL_FAILURE(expectDelaunay(triangulator, places, Options()));
+    ASSERT_NO_FATAL_FAILURE(expectDelaunay(engine, places, Options()));
   }
 }
 
 TEST(SmallSets, EverySetUnderEverySetting)
 {
-  Triangulator triangulator;
+  Engine engine;
   for (const Options& options : everySetting())
   {
     for (const unsigned mask : masksOfUpTo(6))
     {
-      ASSERT_NO_FATAL_FAILURE(expectDelaunay(triangulator, placesOf(mask), options));
+      ASSERT_NO_FATAL_FAILURE(expectDelaunay(engine, placesOf(mask), options));
     }
   }
 }

@@ -52,34 +52,23 @@ struct Made
 {
   Made(std::vector<Point> given, VoronoiClip clip, Executor* executor = nullptr)
     : points(std::move(given))
-    , outcome(triangulate(points))
+    , outcome(triangulate(engine, viewOf(points)))
     , neighbors(neighborsOf(outcome.triples))
   {
-    EXPECT_EQ(voronoiCells(view(), clip, cells, nullptr, executor), Status::Ok);
-  }
-
-  DelaunayView view() const
-  {
-    DelaunayView result;
-    result.points = viewOf(points);
-    result.fates = outcome.fates.data();
-    result.corners = outcome.triples.data();
-    result.neighbors = neighbors.data();
-    result.triangles = outcome.triples.size() / 3;
-    return result;
+    EXPECT_EQ(voronoiCells(engine.made, clip, cells, { nullptr, executor }), Status::Ok);
   }
 
   Cell cell(std::size_t k) const
   {
     Cell result;
-    for (const std::int64_t corner : ids(k))
+    for (const std::int32_t corner : ids(k))
     {
       result.push_back(cells.points[static_cast<std::size_t>(corner)]);
     }
     return result;
   }
 
-  std::vector<std::int64_t> ids(std::size_t k) const
+  std::vector<std::int32_t> ids(std::size_t k) const
   {
     return { cells.corners.begin() + cells.offsets[k],
       cells.corners.begin() + cells.offsets[k + 1] };
@@ -88,6 +77,7 @@ struct Made
   Point site(std::size_t k) const { return points[static_cast<std::size_t>(cells.sites[k])]; }
 
   std::vector<Point> points;
+  Engine engine;
   Outcome outcome;
   std::vector<std::int64_t> neighbors;
   VoronoiCells cells;
@@ -323,7 +313,7 @@ TEST(Voronoi, CellsOfALatticeAreSquares)
 TEST(Voronoi, NeighboursShareTwoCorners)
 {
   const Made made(makePoints(Distribution::Uniform, 2000, 3), VoronoiClip::Hull);
-  std::map<std::int64_t, std::size_t> cellOf;
+  std::map<std::int32_t, std::size_t> cellOf;
   for (std::size_t k = 0; k < made.cells.sites.size(); ++k)
   {
     cellOf[made.cells.sites[k]] = k;
@@ -334,9 +324,9 @@ TEST(Voronoi, NeighboursShareTwoCorners)
     const auto& triples = made.outcome.triples;
     const auto a = made.ids(cellOf[triples[i]]);
     const auto b = made.ids(cellOf[triples[i % 3 == 2 ? i - 2 : i + 1]]);
-    const std::set<std::int64_t> ofA(a.begin(), a.end());
+    const std::set<std::int32_t> ofA(a.begin(), a.end());
     const auto common = std::count_if(
-      b.begin(), b.end(), [&](std::int64_t corner) { return ofA.count(corner) > 0; });
+      b.begin(), b.end(), [&](std::int32_t corner) { return ofA.count(corner) > 0; });
     EXPECT_TRUE(common == 2 || (common == 0)) << "edge " << i << ": " << common;
     shared += common == 2 ? 1 : 0;
   }
@@ -344,7 +334,7 @@ TEST(Voronoi, NeighboursShareTwoCorners)
   EXPECT_GT(shared, made.neighbors.size() - 400);
   // Every corner inside is a corner of three cells, on the border of two or, at a vertex, one.
   std::vector<int> uses(made.cells.points.size(), 0);
-  for (const std::int64_t corner : made.cells.corners)
+  for (const std::int32_t corner : made.cells.corners)
   {
     ++uses[static_cast<std::size_t>(corner)];
   }
@@ -381,7 +371,7 @@ TEST(Voronoi, StripsOfCollinearPoints)
   // The diagonal of a box of 4 x 2; the points in no order, one twice.
   const std::vector<Point> points = { { 4, 2 }, { 0, 0 }, { 1, 0.5 }, { 4, 2 }, { 2, 1 } };
   const Made made(points, VoronoiClip::Bounds);
-  ASSERT_EQ(made.cells.sites, (std::vector<std::int64_t>{ 0, 1, 2, 4 }));
+  ASSERT_EQ(made.cells.sites, (std::vector<std::int32_t>{ 0, 1, 2, 4 }));
   double area = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
   {
@@ -407,7 +397,7 @@ TEST(Voronoi, FewPoints)
     {
       const Made none(points, clip);
       EXPECT_TRUE(none.cells.sites.empty());
-      EXPECT_EQ(none.cells.offsets, std::vector<std::int64_t>{ 0 });
+      EXPECT_EQ(none.cells.offsets, std::vector<std::int32_t>{ 0 });
     }
   }
   EXPECT_TRUE(Made(two, VoronoiClip::Hull).cells.sites.empty());
@@ -461,17 +451,18 @@ private:
 TEST(Voronoi, CanBeCancelledAtAnyAsking)
 {
   // as many under sanitizers: of fewer it asks too seldom
-  const Made made(makePoints(Distribution::Uniform, 6000, 2), VoronoiClip::Hull);
+  Made made(makePoints(Distribution::Uniform, 6000, 2), VoronoiClip::Hull);
   for (const VoronoiClip clip : kClips)
   {
     StopAt never(0);
     VoronoiCells cells;
-    ASSERT_EQ(voronoiCells(made.view(), clip, cells, &never), Status::Ok);
+    ASSERT_EQ(voronoiCells(made.engine.made, clip, cells, { &never, nullptr }), Status::Ok);
     ASSERT_GT(never.asked, 3u);
     for (std::size_t at = 1; at <= never.asked; ++at)
     {
       StopAt progress(at);
-      EXPECT_EQ(voronoiCells(made.view(), clip, cells, &progress), Status::Cancelled);
+      EXPECT_EQ(
+        voronoiCells(made.engine.made, clip, cells, { &progress, nullptr }), Status::Cancelled);
       EXPECT_TRUE(cells.sites.empty() && cells.points.empty() && cells.corners.empty());
     }
   }

@@ -19,31 +19,19 @@ namespace test
 namespace
 {
 
-/// A triangulation as the diagram wants it.
+/// A triangulation, with the tables that the diagram wants.
 struct Given
 {
   explicit Given(const std::vector<Point>& where)
     : points(where)
-    , fates(points.size())
   {
-    Triangulator triangulator;
-    EXPECT_EQ(triangulator.run(viewOf(points), Options(), nullptr), Status::Ok);
-    corners.resize(3 * triangulator.report().triangles);
-    neighbors.resize(corners.size());
-    EXPECT_EQ(triangulator.writeTriangles(corners.data(), nullptr), Status::Ok);
-    EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
-    EXPECT_EQ(triangulator.writeFates(fates.data(), nullptr), Status::Ok);
-    view.points = viewOf(points);
-    view.fates = fates.data();
-    view.corners = corners.data();
-    view.neighbors = neighbors.data();
-    view.triangles = corners.size() / 3;
+    EXPECT_EQ(engine.run(viewOf(points)), Status::Ok);
+    EXPECT_EQ(engine.made.makeNeighbors({}), Status::Ok);
+    EXPECT_EQ(engine.made.makePointMap({}), Status::Ok);
   }
 
   std::vector<Point> points;
-  std::vector<std::int64_t> fates, neighbors;
-  std::vector<std::int32_t> corners;
-  DelaunayView view;
+  Engine engine;
 };
 
 const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds };
@@ -56,13 +44,13 @@ TEST(VoronoiMemory, NoMoreThanEstimated)
   {
     for (const std::size_t n : { std::size_t(3), std::size_t(100), reduced(50000) })
     {
-      const Given given(makePoints(d, n, 1));
+      Given given(makePoints(d, n, 1));
       for (const VoronoiClip clip : kClips)
       {
         const std::size_t before = account.held;
         account.peak = before;
         VoronoiCells cells;
-        ASSERT_EQ(voronoiCells(given.view, clip, cells, nullptr), Status::Ok);
+        ASSERT_EQ(voronoiCells(given.engine.made, clip, cells, {}), Status::Ok);
         EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n))
           << nameOf(d) << ", " << n << ", clip " << int(clip);
       }
@@ -74,7 +62,7 @@ TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
 {
   for (const Distribution d : { Distribution::Uniform, Distribution::OnCircle })
   {
-    const Given given(makePoints(d, 200, 1));
+    Given given(makePoints(d, 200, 1));
     for (const VoronoiClip clip : kClips)
     {
       VoronoiCells cells;
@@ -85,7 +73,7 @@ TEST(VoronoiMemory, FailureOfAnyAllocationIsReported)
       {
         account.allocations = 0;
         account.failAt = at;
-        status = voronoiCells(given.view, clip, cells, nullptr);
+        status = voronoiCells(given.engine.made, clip, cells, {});
         account.failAt = 0;
         if (status != Status::Ok)
         {

@@ -4,6 +4,7 @@
 // show: the same cells at every scale, and none with an edge of length zero that need not have one.
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "Triangulation/State.h"
 #include "Voronoi/Diagram.h"
 #include "Voronoi/Voronoi.h"
 
@@ -18,34 +19,12 @@ namespace ahd::test
 namespace
 {
 
-/// The triangulation of points, as the diagram wants it.
-struct Delaunay
-{
-  explicit Delaunay(const std::vector<Point>& points)
-  {
-    Triangulator triangulator;
-    outcome = triangulate(triangulator, viewOf(points));
-    neighbors.resize(outcome.triples.size());
-    EXPECT_EQ(triangulator.writeNeighbors(neighbors.data(), nullptr), Status::Ok);
-    view.points = viewOf(points);
-    view.fates = outcome.fates.data();
-    view.corners = outcome.triples.data();
-    view.neighbors = neighbors.data();
-    view.triangles = outcome.triples.size() / 3;
-  }
-  Delaunay(const Delaunay&) = delete;
-  Delaunay& operator=(const Delaunay&) = delete;
-
-  Outcome outcome;
-  std::vector<std::int64_t> neighbors;
-  DelaunayView view; ///< borrows the points
-};
-
 VoronoiCells cellsOf(const std::vector<Point>& points, VoronoiClip clip)
 {
-  const Delaunay delaunay(points);
+  Engine engine;
+  EXPECT_EQ(engine.run(viewOf(points)), Status::Ok);
   VoronoiCells cells;
-  EXPECT_EQ(voronoiCells(delaunay.view, clip, cells, nullptr), Status::Ok);
+  EXPECT_EQ(voronoiCells(engine.made, clip, cells, {}), Status::Ok);
   return cells;
 }
 
@@ -178,9 +157,12 @@ TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
   for (std::uint64_t seed = 1; seed <= 300; ++seed)
   {
     const std::vector<Point> points = makePoints(Distribution::OnCircle, 20 + seed % 60, seed);
-    const Delaunay delaunay(points);
-    Diagram diagram(delaunay.view);
-    Ticker ticker(nullptr, Phase::Fates, 0);
+    Engine engine;
+    ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
+    ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
+    const auto& state = *TriangulationAccess::stateOf(std::as_const(engine.made));
+    Diagram diagram(state.tables, state.ranked.xy.data());
+    Ticker ticker(nullptr, Phase::Outputs, 0);
     ASSERT_TRUE(diagram.build(ticker));
     for (std::size_t t = 0; t < diagram.triangles(); ++t)
     {

@@ -15,7 +15,7 @@ namespace test
 
 bool CertifiedMesh::check()
 {
-  checkFates();
+  checkPointStatus();
   checkTriangles();
   if (!faults_.empty())
   {
@@ -34,36 +34,38 @@ bool CertifiedMesh::check()
   return true;
 }
 
-std::int64_t CertifiedMesh::rightFate(PlaceTable& places, std::size_t i) const
+std::int64_t CertifiedMesh::rightStatus(PlaceTable& places, std::size_t i) const
 {
   const Point p = points_[i];
-  return points_.skipped(i)                      ? std::int64_t(kFateNotInserted)
-    : !std::isfinite(p.x) || !std::isfinite(p.y) ? std::int64_t(kFateNotFinite)
+  return points_.skipped(i)                      ? std::int64_t(kStatusNotInserted)
+    : !std::isfinite(p.x) || !std::isfinite(p.y) ? std::int64_t(kStatusNotFinite)
                                                  : std::int64_t(places.firstAt(i));
 }
 
-void CertifiedMesh::checkFates()
+void CertifiedMesh::checkPointStatus()
 {
-  if (fates_.size() != points_.count)
+  if (pointStatus_.size() != points_.count)
   {
-    faults_.add("fates",
-      [&] {
-        return std::to_string(fates_.size()) + " for " + std::to_string(points_.count) + " points";
+    faults_.add("pointStatus",
+      [&]
+      {
+        return std::to_string(pointStatus_.size()) + " for " + std::to_string(points_.count) +
+          " points";
       });
     return;
   }
   PlaceTable places(points_);
   for (std::size_t i = 0; i < points_.count; ++i)
   {
-    const std::int64_t right = rightFate(places, i);
+    const std::int64_t right = rightStatus(places, i);
     vertexCount_ += right == std::int64_t(i) ? 1 : 0;
-    if (fates_[i] != right)
+    if (pointStatus_[i] != right)
     {
-      faults_.add("fate",
+      faults_.add("point status",
         [&]
         {
-          return name(std::int32_t(i)) + " has " + std::to_string(fates_[i]) + " instead of " +
-            std::to_string(right);
+          return name(std::int32_t(i)) + " has " + std::to_string(pointStatus_[i]) +
+            " instead of " + std::to_string(right);
         });
     }
   }
@@ -77,7 +79,7 @@ void CertifiedMesh::checkTriangles()
   }
   for (const std::int32_t id : triples_)
   {
-    const bool inRange = id >= 0 && std::size_t(id) < fates_.size();
+    const bool inRange = id >= 0 && std::size_t(id) < pointStatus_.size();
     if (!inRange || !isVertex(id))
     {
       faults_.add("corner", [&] { return std::to_string(id) + " is not the id of a vertex"; });

@@ -67,15 +67,15 @@ public:
   };
 
   CertifiedMesh(const PointView& points, const std::vector<std::int32_t>& triples,
-    const std::vector<std::int64_t>& fates)
+    const std::vector<std::int64_t>& pointStatus)
     : points_(points)
     , triples_(triples)
-    , fates_(fates)
+    , pointStatus_(pointStatus)
   {
   }
 
-  /// Points 1 to 4 and 6 of certify(). False if fates or corners are so wrong that nothing below
-  /// may be used.
+  /// Points 1 to 4 and 6 of certify(). False if pointStatus or corners are so wrong that nothing
+  /// below may be used.
   bool check();
 
   /// Point 5. `fixed`: by half-edge, those that need not be Delaunay; empty if all have to be.
@@ -84,7 +84,7 @@ public:
   FaultList& faults() { return faults_; }
 
   Point at(std::int32_t id) const { return points_[std::size_t(id)]; }
-  bool isVertex(std::int32_t id) const { return fates_[std::size_t(id)] == id; }
+  bool isVertex(std::int32_t id) const { return pointStatus_[std::size_t(id)] == id; }
   std::size_t triangleCount() const { return triples_.size() / 3; }
   std::size_t halfEdgeCount() const { return triples_.size(); }
   std::int32_t origin(std::int32_t h) const { return triples_[std::size_t(h)]; }
@@ -111,8 +111,8 @@ public:
   std::string triangleName(std::size_t t) const;
 
 private:
-  void checkFates();
-  std::int64_t rightFate(PlaceTable& places, std::size_t i) const;
+  void checkPointStatus();
+  std::int64_t rightStatus(PlaceTable& places, std::size_t i) const;
   void checkTriangles();
   void checkFlat();
   void collectEdges();
@@ -125,7 +125,7 @@ private:
 
   const PointView& points_;
   const std::vector<std::int32_t>& triples_;
-  const std::vector<std::int64_t>& fates_;
+  const std::vector<std::int64_t>& pointStatus_;
   FaultList faults_;
   std::size_t vertexCount_ = 0;
   std::size_t hullSize_ = 0;

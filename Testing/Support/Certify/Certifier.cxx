@@ -19,9 +19,9 @@ std::string joined(const Complaints& complaints)
 }
 
 Complaints certify(const PointView& points, const std::vector<std::int32_t>& triples,
-  const std::vector<std::int64_t>& fates)
+  const std::vector<std::int64_t>& pointStatus)
 {
-  CertifiedMesh mesh(points, triples, fates);
+  CertifiedMesh mesh(points, triples, pointStatus);
   if (mesh.check())
   {
     mesh.checkDelaunay({});

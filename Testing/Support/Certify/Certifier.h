@@ -19,9 +19,10 @@ using Complaints = std::vector<std::string>;
 /// All complaints in one text; empty if there are none.
 std::string joined(const Complaints& complaints);
 
-/// Checks in exact arithmetic, in time linear in the number of points, that `triples` and `fates`
-/// are what the engine promises for `points`:
-///  1. every fate is right: the smallest id at the point's place, or not finite, or left out;
+/// Checks in exact arithmetic, in time linear in the number of points, that `triples` and
+/// `pointStatus` are what the engine promises for `points`:
+///  1. every point status is right: the smallest id at the point's place, or not finite, or left
+///  out;
 ///  2. every triangle has three different vertices and is strictly counterclockwise;
 ///  3. every directed edge is used once; the edges used one way only form one convex loop around
 ///  all,
@@ -33,7 +34,7 @@ std::string joined(const Complaints& complaints);
 /// triangulation. The order of the triangles is not looked at. Empty means certified; faults of
 /// one kind are named up to a limit and then counted.
 Complaints certify(const PointView& points, const std::vector<std::int32_t>& triples,
-  const std::vector<std::int64_t>& fates);
+  const std::vector<std::int64_t>& pointStatus);
 
 } // namespace test
 } // namespace ahd

@@ -42,7 +42,7 @@ public:
     , rule_(rule)
     , whole_(whole)
     , filled_(filled)
-    , mesh_(points, whole.triples, whole.fates)
+    , mesh_(points, whole.triples, whole.pointStatus)
     , walk_(mesh_)
     , vertices_(verticesOf(points))
   {
@@ -55,7 +55,7 @@ public:
     {
       return mesh_.faults().all();
     }
-    compare("fates", whole_.fates == filled_.fates, true);
+    compare("pointStatus", whole_.pointStatus == filled_.pointStatus, true);
     collect();
     if (mesh_.triangleCount() > 0)
     {

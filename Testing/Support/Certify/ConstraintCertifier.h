@@ -21,7 +21,7 @@ struct ConstrainedOutcome
   Report report;
   ConstraintReport constraints;
   std::vector<std::int32_t> triples;         ///< three ids per triangle
-  std::vector<std::int64_t> fates;           ///< one per point
+  std::vector<std::int64_t> pointStatus;     ///< one per point
   std::vector<std::int64_t> neighbors;       ///< three per triangle
   std::vector<std::uint8_t> constraintEdges; ///< one per triangle, a bit per edge
   std::vector<std::int64_t> regions;         ///< one per triangle

@@ -95,10 +95,12 @@ ConstraintCase edgesOfOthers(std::size_t n, std::size_t segments)
   constexpr std::size_t kStep = 3;
   ConstraintCase result;
   result.points = makePoints(Distribution::Uniform, n, 13);
-  Triangulator triangulator;
-  triangulator.run(PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), nullptr);
-  std::vector<std::int64_t> triples(3 * triangulator.report().triangles);
-  triangulator.writeTriangles(triples.data(), nullptr);
+  Triangulation made;
+  Workspace workspace;
+  triangulate(
+    PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), workspace, {}, made);
+  std::vector<std::int64_t> triples(3 * made.report().triangles);
+  made.writeTriangles(triples.data(), {});
   std::size_t taken = 0;
   for (std::size_t h = 0; h < triples.size() && taken < segments; ++h)
   {

@@ -10,29 +10,28 @@ namespace test
 namespace
 {
 
-/// Asks the triangulator for everything, as long as it says Ok.
-void writeAll(Triangulator& triangulator, std::size_t points, const Helpers& helpers,
-  ConstrainedOutcome& outcome)
+/// Asks the engine for everything, as long as it says Ok.
+void writeAll(
+  Engine& engine, std::size_t points, const Helpers& helpers, ConstrainedOutcome& outcome)
 {
-  const std::size_t triangles = triangulator.report().triangles;
+  const std::size_t triangles = engine.report().triangles;
   outcome.triples.resize(3 * triangles, -7);
-  outcome.fates.resize(points, -7);
+  outcome.pointStatus.resize(points, -7);
   outcome.neighbors.resize(3 * triangles, -7);
   outcome.constraintEdges.resize(triangles, 77);
   outcome.regions.resize(triangles, -7);
   Status& status = outcome.status;
   Progress* const progress = helpers.progress;
-  status = triangulator.writeTriangles(outcome.triples.data(), progress, helpers.executor);
+  status = engine.writeTriangles(outcome.triples.data(), progress, helpers.executor);
   status = status != Status::Ok
     ? status
-    : triangulator.writeFates(outcome.fates.data(), progress, helpers.executor);
+    : engine.writePointStatus(outcome.pointStatus.data(), progress, helpers.executor);
   status = status != Status::Ok ? status
-                                : triangulator.writeNeighbors(outcome.neighbors.data(), progress);
+                                : engine.writeNeighbors(outcome.neighbors.data(), progress);
   status = status != Status::Ok
     ? status
-    : triangulator.writeConstraintEdges(outcome.constraintEdges.data(), progress);
-  status = status != Status::Ok ? status
-                                : triangulator.writeRegions(outcome.regions.data(), progress);
+    : engine.writeConstraintEdges(outcome.constraintEdges.data(), progress);
+  status = status != Status::Ok ? status : engine.writeRegions(outcome.regions.data(), progress);
 }
 
 std::string firstDifference(const char* what, const void* a, const void* b, std::size_t bytes)
@@ -54,38 +53,38 @@ std::string differenceOf(const char* what, const std::vector<Value>& a, const st
 
 } // namespace
 
-ConstrainedOutcome constrain(Triangulator& triangulator, const PointView& points,
+ConstrainedOutcome constrain(Engine& engine, const PointView& points,
   const ConstraintView& constraints, FillRule rule, const Options& options, const Helpers& helpers)
 {
   ConstrainedOutcome outcome;
-  outcome.status = triangulator.run(points, options, helpers.progress, helpers.executor);
+  outcome.status = engine.run(points, options, helpers.progress, helpers.executor);
   if (outcome.status == Status::Ok)
   {
-    outcome.status = triangulator.constrain(constraints, rule, helpers.progress);
+    outcome.status = engine.constrain(constraints, rule, helpers.progress);
   }
-  outcome.report = triangulator.report();
+  outcome.report = engine.report();
   if (outcome.status != Status::Ok)
   {
     return outcome;
   }
-  outcome.constraints = triangulator.constraints();
-  writeAll(triangulator, points.count, helpers, outcome);
+  outcome.constraints = engine.constraints();
+  writeAll(engine, points.count, helpers, outcome);
   return outcome;
 }
 
 ConstrainedOutcome constrain(const ConstraintCase& given, FillRule rule)
 {
-  Triangulator triangulator;
-  return constrain(triangulator, given.view(), given.constraints.view(), rule);
+  Engine engine;
+  return constrain(engine, given.view(), given.constraints.view(), rule);
 }
 
 std::string faultsOfConstraining(const ConstraintCase& given, FillRule rule)
 {
-  Triangulator triangulator;
+  Engine engine;
   const PointView points = given.view();
   const ConstraintSet open = given.constraints.asLines();
-  const ConstrainedOutcome whole = constrain(triangulator, points, open.view(), rule);
-  const ConstrainedOutcome filled = constrain(triangulator, points, given.constraints.view(), rule);
+  const ConstrainedOutcome whole = constrain(engine, points, open.view(), rule);
+  const ConstrainedOutcome filled = constrain(engine, points, given.constraints.view(), rule);
   if (whole.status != Status::Ok || filled.status != Status::Ok)
   {
     return "status " + std::to_string(int(whole.status)) + ", filled " +
@@ -109,7 +108,7 @@ std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b)
   const std::string all[] = {
     a.status == b.status ? "" : "one failed",
     differenceOf("triples", a.triples, b.triples),
-    differenceOf("fates", a.fates, b.fates),
+    differenceOf("pointStatus", a.pointStatus, b.pointStatus),
     differenceOf("neighbors", a.neighbors, b.neighbors),
     differenceOf("constraint edges", a.constraintEdges, b.constraintEdges),
     differenceOf("regions", a.regions, b.regions),

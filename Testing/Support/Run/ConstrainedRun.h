@@ -6,7 +6,6 @@
 #include "ConstraintMakers.h"
 #include "EngineRun.h"
 #include "Executors.h"
-#include "Triangulate.h"
 
 #include <string>
 
@@ -24,7 +23,7 @@ struct Helpers
 
 /// run(), constrain() and all that can be written then, in one go. `status` is that of the first
 /// call that was not Ok; what had not been written by then stays empty.
-ConstrainedOutcome constrain(Triangulator& triangulator, const PointView& points,
+ConstrainedOutcome constrain(Engine& engine, const PointView& points,
   const ConstraintView& constraints, FillRule rule, const Options& options = Options(),
   const Helpers& helpers = Helpers());
 ConstrainedOutcome constrain(const ConstraintCase& given, FillRule rule);

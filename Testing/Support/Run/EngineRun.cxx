@@ -22,36 +22,36 @@ void compare(std::string& faults, const char* what, std::size_t reported, std::s
 } // namespace
 
 Outcome triangulate(
-  Triangulator& triangulator, const PointView& points, const Options& options, Progress* progress)
+  Engine& engine, const PointView& points, const Options& options, Progress* progress)
 {
   Outcome outcome;
-  outcome.status = triangulator.run(points, options, progress);
-  outcome.report = triangulator.report();
+  outcome.status = engine.run(points, options, progress);
+  outcome.report = engine.report();
   if (outcome.status != Status::Ok)
   {
     return outcome;
   }
   outcome.triples.resize(3 * outcome.report.triangles, -7);
-  outcome.status = triangulator.writeTriangles(outcome.triples.data(), progress);
+  outcome.status = engine.writeTriangles(outcome.triples.data(), progress);
   if (outcome.status != Status::Ok)
   {
     outcome.triples.clear();
     return outcome;
   }
-  outcome.fates.resize(points.count, -7);
-  outcome.status = triangulator.writeFates(outcome.fates.data(), progress);
+  outcome.pointStatus.resize(points.count, -7);
+  outcome.status = engine.writePointStatus(outcome.pointStatus.data(), progress);
   if (outcome.status != Status::Ok)
   {
     outcome.triples.clear();
-    outcome.fates.clear();
+    outcome.pointStatus.clear();
   }
   return outcome;
 }
 
 Outcome triangulate(const PointView& points, const Options& options)
 {
-  Triangulator triangulator;
-  return triangulate(triangulator, points, options);
+  Engine engine;
+  return triangulate(engine, points, options);
 }
 
 Outcome triangulate(const std::vector<Point>& points, const Options& options)
@@ -72,13 +72,13 @@ std::string faultsOf(const PointView& points, const Outcome& outcome)
   {
     return "status " + std::to_string(int(outcome.status)) + " instead of Ok\n";
   }
-  std::string faults = joined(certify(points, outcome.triples, outcome.fates));
+  std::string faults = joined(certify(points, outcome.triples, outcome.pointStatus));
   const auto count = [&](auto isIt)
   {
     std::size_t result = 0;
-    for (std::size_t i = 0; i < outcome.fates.size(); ++i)
+    for (std::size_t i = 0; i < outcome.pointStatus.size(); ++i)
     {
-      result += isIt(outcome.fates[i], std::int64_t(i)) ? 1 : 0;
+      result += isIt(outcome.pointStatus[i], std::int64_t(i)) ? 1 : 0;
     }
     return result;
   };

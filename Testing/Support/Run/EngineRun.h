@@ -4,8 +4,8 @@
 
 #include "Certifier.h"
 #include "Distributions.h"
+#include "Engine.h"
 #include "Oracle.h"
-#include "Triangulate.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -22,14 +22,14 @@ struct Outcome
 {
   Status status = Status::Ok;
   Report report;
-  std::vector<std::int32_t> triples; ///< three ids per triangle
-  std::vector<std::int64_t> fates;   ///< one per point
+  std::vector<std::int32_t> triples;     ///< three ids per triangle
+  std::vector<std::int64_t> pointStatus; ///< one per point
 };
 
-/// run(), writeTriangles() and writeFates() in one go. `status` is that of the first call that was
-/// not Ok; what had not been written by then stays empty.
-Outcome triangulate(Triangulator& triangulator, const PointView& points,
-  const Options& options = Options(), Progress* progress = nullptr);
+/// run(), writeTriangles() and writePointStatus() in one go. `status` is that of the first call
+/// that was not Ok; what had not been written by then stays empty.
+Outcome triangulate(Engine& engine, const PointView& points, const Options& options = Options(),
+  Progress* progress = nullptr);
 Outcome triangulate(const PointView& points, const Options& options = Options());
 Outcome triangulate(const std::vector<Point>& points, const Options& options = Options());
 

@@ -40,18 +40,18 @@ Status called(const Way& way, const std::function<Status()>& work)
   return way.call ? way.call(work) : work();
 }
 
-/// A triangulator that has run, and the arrays it writes.
+/// A engine that has run, and the arrays it writes.
 class Run
 {
 public:
   Run(const PointView& points, const Way& way)
     : points_(points)
     , way_(way)
-    , triangulator_(way.triangulator ? *way.triangulator : own_)
+    , engine_(way.engine ? *way.engine : own_)
   {
   }
 
-  /// Calls the triangulator and hashes the status.
+  /// Calls the engine and hashes the status.
   template <typename Work>
   void call(Work work)
   {
@@ -62,12 +62,12 @@ public:
 
   void run(const Options& options)
   {
-    call([&] { return triangulator_.run(points_, options, way_.progress, way_.executor); });
+    call([&] { return engine_.run(points_, options, way_.progress, way_.executor); });
   }
 
   void constrain(const ConstraintView& constraints, FillRule rule)
   {
-    call([&] { return triangulator_.constrain(constraints, rule, way_.progress); });
+    call([&] { return engine_.constrain(constraints, rule, way_.progress); });
     addConstraintReport();
   }
 
@@ -75,11 +75,11 @@ public:
   {
     triples.assign(3 * report().triangles, -7);
     neighbors.assign(3 * report().triangles, -7);
-    fates.assign(points_.count, -7);
+    pointStatus.assign(points_.count, -7);
+    call([&] { return engine_.writeTriangles(triples.data(), way_.progress, way_.executor); });
     call(
-      [&] { return triangulator_.writeTriangles(triples.data(), way_.progress, way_.executor); });
-    call([&] { return triangulator_.writeFates(fates.data(), way_.progress, way_.executor); });
-    call([&] { return triangulator_.writeNeighbors(neighbors.data(), way_.progress); });
+      [&] { return engine_.writePointStatus(pointStatus.data(), way_.progress, way_.executor); });
+    call([&] { return engine_.writeNeighbors(neighbors.data(), way_.progress); });
   }
 
   void addReport()
@@ -95,7 +95,7 @@ public:
   {
     addReport();
     hash.add(triples);
-    hash.add(fates);
+    hash.add(pointStatus);
     hash.add(neighbors);
   }
 
@@ -114,8 +114,8 @@ public:
   {
     std::vector<std::uint8_t> edges(report().triangles, 77);
     std::vector<std::int64_t> regions(report().triangles, -7);
-    call([&] { return triangulator_.writeConstraintEdges(edges.data(), way_.progress); });
-    call([&] { return triangulator_.writeRegions(regions.data(), way_.progress); });
+    call([&] { return engine_.writeConstraintEdges(edges.data(), way_.progress); });
+    call([&] { return engine_.writeRegions(regions.data(), way_.progress); });
     hash.add(edges);
     hash.add(regions);
   }
@@ -124,12 +124,11 @@ public:
   {
     std::vector<std::int64_t> order(report().inserted, -7);
     std::vector<std::int64_t> ranks(points_.count, -7);
-    call([&] { return triangulator_.writeOrder(order.data(), way_.progress, way_.executor); });
-    call([&]
-      { return triangulator_.writeInsertionRanks(ranks.data(), way_.progress, way_.executor); });
+    call([&] { return engine_.writeOrder(order.data(), way_.progress, way_.executor); });
+    call([&] { return engine_.writeInsertionRanks(ranks.data(), way_.progress, way_.executor); });
     hash.add(order);
     hash.add(ranks);
-    for (const GridBox& box : triangulator_.boxes())
+    for (const GridBox& box : engine_.boxes())
     {
       hash.add(Point{ box.xmin, box.ymin });
       hash.add(Point{ box.xmax, box.ymax });
@@ -138,17 +137,18 @@ public:
     }
   }
 
-  const Report& report() const { return triangulator_.report(); }
+  const Report& report() const { return engine_.report(); }
+  Triangulation& made() { return engine_.made; }
 
   Hash hash;
   bool isOk = true; ///< were all calls?
   std::vector<std::int32_t> triples;
-  std::vector<std::int64_t> fates, neighbors;
+  std::vector<std::int64_t> pointStatus, neighbors;
 
 private:
   void addConstraintReport()
   {
-    const ConstraintReport& r = triangulator_.constraints();
+    const ConstraintReport& r = engine_.constraints();
     for (const std::size_t count :
       { r.segments, r.points, r.withoutVertex, r.crossing, r.unfilledLoops, r.edges })
     {
@@ -166,9 +166,15 @@ private:
 
   PointView points_;
   const Way& way_;
-  Triangulator own_;
-  Triangulator& triangulator_;
+  Engine own_;
+  Engine& engine_;
 };
+
+/// Numbers as they are hashed.
+std::vector<std::int64_t> wide(const std::vector<std::int32_t>& numbers)
+{
+  return std::vector<std::int64_t>(numbers.begin(), numbers.end());
+}
 
 double widthOf(const PointView& points)
 {
@@ -337,20 +343,14 @@ std::string hashOfVoronoi(const PointView& points, const Way& way)
   {
     return run.hash.text(); // cancelled: there are no triangles to take
   }
-  DelaunayView view;
-  view.points = points;
-  view.fates = run.fates.data();
-  view.corners = run.triples.data();
-  view.neighbors = run.neighbors.data();
-  view.triangles = run.report().triangles;
   for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
   {
     VoronoiCells cells;
-    run.call([&] { return voronoiCells(view, clip, cells, way.progress, way.executor); });
+    run.call([&] { return voronoiCells(run.made(), clip, cells, { way.progress, way.executor }); });
     run.hash.add(cells.points);
-    run.hash.add(cells.offsets);
-    run.hash.add(cells.corners);
-    run.hash.add(cells.sites);
+    run.hash.add(wide(cells.offsets));
+    run.hash.add(wide(cells.corners));
+    run.hash.add(wide(cells.sites));
   }
   return run.hash.text();
 }

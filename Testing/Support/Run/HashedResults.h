@@ -3,9 +3,9 @@
 #define ahd_HashedResults_h
 
 #include "ConstraintMakers.h"
+#include "Engine.h"
 #include "Executors.h"
 #include "HashFile.h"
-#include "Triangulate.h"
 
 #include <cstddef>
 #include <functional>
@@ -23,7 +23,7 @@ struct Way
   Options options;
   Executor* executor = nullptr; ///< threads; null: none
   Progress* progress = nullptr;
-  Triangulator* triangulator = nullptr; ///< one for all runs; null: a new one for each
+  Engine* engine = nullptr; ///< one for all runs; null: a new one for each
   std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls what it is given
 };
 
@@ -49,7 +49,7 @@ struct NamedCase
 };
 std::vector<NamedCase> constraintCases();
 
-/// Everything that is written of the triangulation: report, triangles, fates, neighbours.
+/// Everything that is written of the triangulation: report, triangles, pointStatus, neighbours.
 std::string hashOfTriangles(const PointView& points, const Way& way);
 
 /// The same of the triangulation in the plane, without ids: its corners' coordinates (-0 as 0) and

@@ -20,9 +20,9 @@ namespace
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-using Fate = std::vector<std::int64_t>;
+using PointStatuses = std::vector<std::int64_t>;
 
-TEST(Fates, NoPoints)
+TEST(PointStatus, NoPoints)
 {
   const std::vector<Point> none;
   for (const Options& options : everySetting())
@@ -34,7 +34,7 @@ TEST(Fates, NoPoints)
   }
 }
 
-TEST(Fates, OneTwoAndThreePoints)
+TEST(PointStatus, OneTwoAndThreePoints)
 {
   const std::vector<Point> all = { { 1, 2 }, { 4, 2 }, { 1, 7 } };
   for (const Options& options : everySetting())
@@ -50,42 +50,42 @@ TEST(Fates, OneTwoAndThreePoints)
   }
 }
 
-TEST(Fates, TwoPlacesManyTimes)
+TEST(PointStatus, TwoPlacesManyTimes)
 {
   std::vector<Point> points;
-  Fate expected;
+  PointStatuses expected;
   for (int i = 0; i < 1000; ++i)
   {
     points.push_back({ double(i % 2), 0.5 });
     expected.push_back(i % 2);
   }
   const Outcome outcome = triangulate(points);
-  EXPECT_EQ(outcome.fates, expected);
+  EXPECT_EQ(outcome.pointStatus, expected);
   EXPECT_EQ(outcome.report.duplicates, 998u);
   EXPECT_EQ(outcome.report.triangles, 0u);
 }
 
-TEST(Fates, SignedZerosAreOnePlace)
+TEST(PointStatus, SignedZerosAreOnePlace)
 {
   const std::vector<Point> points = { { 0.0, -0.0 }, { -0.0, 0.0 }, { 1, 0 }, { 1, -0.0 },
     { -0.0, 1 }, { 0.0, 1 } };
   const Outcome outcome = triangulate(points);
-  EXPECT_EQ(outcome.fates, (Fate{ 0, 0, 2, 2, 4, 4 }));
+  EXPECT_EQ(outcome.pointStatus, (PointStatuses{ 0, 0, 2, 2, 4, 4 }));
   EXPECT_EQ(faultsOf(points, outcome), "");
 }
 
-TEST(Fates, SmallestIdOfCoincidentPointsIsKept)
+TEST(PointStatus, SmallestIdOfCoincidentPointsIsKept)
 {
   const std::vector<Point> points = { { 5, 5 }, { 0, 0 }, { 9, 1 }, { 0, 0 }, { 5, 5 }, { 0, 0 } };
   for (const Options& options : everySetting())
   {
     const Outcome outcome = triangulate(points, options);
-    EXPECT_EQ(outcome.fates, (Fate{ 0, 1, 2, 1, 0, 1 })) << describe(options);
+    EXPECT_EQ(outcome.pointStatus, (PointStatuses{ 0, 1, 2, 1, 0, 1 })) << describe(options);
     EXPECT_EQ(outcome.report.duplicates, 3u);
   }
 }
 
-TEST(Fates, NotFiniteAmongGoodPoints)
+TEST(PointStatus, NotFiniteAmongGoodPoints)
 {
   const std::vector<Point> good = makePoints(Distribution::Uniform, 2000, 4);
   const Point bad[] = { { kNaN, 0.5 }, { 0.5, kNaN }, { kNaN, kNaN }, { kInfinity, 0.5 },
@@ -108,15 +108,15 @@ TEST(Fates, NotFiniteAmongGoodPoints)
   }
 }
 
-TEST(Fates, NothingButNotFinite)
+TEST(PointStatus, NothingButNotFinite)
 {
   const std::vector<Point> points = { { kNaN, 1 }, { 1, kInfinity }, { -kInfinity, kNaN } };
   const Outcome outcome = triangulate(points);
-  EXPECT_EQ(outcome.fates, (Fate{ -1, -1, -1 }));
+  EXPECT_EQ(outcome.pointStatus, (PointStatuses{ -1, -1, -1 }));
   EXPECT_EQ(faultsOf(points, outcome), "");
 }
 
-TEST(Fates, SkippedPointsDoNotExist)
+TEST(PointStatus, SkippedPointsDoNotExist)
 {
   const std::vector<Point> points = makePoints(Distribution::RepeatedDraws, 5000, 4);
   std::vector<unsigned char> flags(points.size());
@@ -137,18 +137,18 @@ TEST(Fates, SkippedPointsDoNotExist)
   }
 }
 
-TEST(Fates, SkippedPointMayBeNotFiniteAndItsTwinIsAVertex)
+TEST(PointStatus, SkippedPointMayBeNotFiniteAndItsTwinIsAVertex)
 {
   const std::vector<Point> points = { { 0, 0 }, { kNaN, 0 }, { 0, 0 }, { 3, 0 }, { 0, 3 } };
   const unsigned char flags[] = { 1, 1, 0, 0, 0 };
   PointView view = viewOf(points);
   view.skip = flags;
   const Outcome outcome = triangulate(view);
-  EXPECT_EQ(outcome.fates, (Fate{ -2, -2, 2, 3, 4 }));
+  EXPECT_EQ(outcome.pointStatus, (PointStatuses{ -2, -2, 2, 3, 4 }));
   EXPECT_EQ(faultsOf(view, outcome), "");
 }
 
-TEST(Fates, EveryPointSkipped)
+TEST(PointStatus, EveryPointSkipped)
 {
   const std::vector<Point> points = makePoints(Distribution::Uniform, 10, 4);
   const std::vector<unsigned char> flags(points.size(), 1);
@@ -159,7 +159,7 @@ TEST(Fates, EveryPointSkipped)
   EXPECT_EQ(faultsOf(view, outcome), "");
 }
 
-TEST(Fates, FloatsGiveWhatTheirWidenedDoublesGive)
+TEST(PointStatus, FloatsGiveWhatTheirWidenedDoublesGive)
 {
   for (const Distribution distribution : allDistributions())
   {
@@ -178,11 +178,11 @@ TEST(Fates, FloatsGiveWhatTheirWidenedDoublesGive)
     EXPECT_EQ(faultsOf(view, narrow), "") << nameOf(distribution);
     const Outcome wide = triangulate(doubles);
     EXPECT_EQ(narrow.triples, wide.triples) << nameOf(distribution);
-    EXPECT_EQ(narrow.fates, wide.fates) << nameOf(distribution);
+    EXPECT_EQ(narrow.pointStatus, wide.pointStatus) << nameOf(distribution);
   }
 }
 
-TEST(Fates, NumbersBetweenTheCoordinatesAreNotLookedAt)
+TEST(PointStatus, NumbersBetweenTheCoordinatesAreNotLookedAt)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, reduced(10000), 9);
   const Outcome expected = triangulate(points);
@@ -196,20 +196,20 @@ TEST(Fates, NumbersBetweenTheCoordinatesAreNotLookedAt)
     }
     const Outcome outcome = triangulate(PointView(numbers.data(), points.size(), stride));
     EXPECT_EQ(outcome.triples, expected.triples) << "stride " << stride;
-    EXPECT_EQ(outcome.fates, expected.fates) << "stride " << stride;
+    EXPECT_EQ(outcome.pointStatus, expected.pointStatus) << "stride " << stride;
   }
 }
 
-TEST(Fates, MorePointsThanTheEngineTakesAreRefusedUnread)
+TEST(PointStatus, MorePointsThanTheEngineTakesAreRefusedUnread)
 {
   // Nothing lies behind this view but one point: the count alone has to be refused.
   const double one[] = { 0, 0 };
-  Triangulator triangulator;
+  Engine engine;
   const PointView view(one, kMaximumPoints + 1, 2);
-  EXPECT_EQ(triangulator.run(view, Options(), nullptr), Status::TooManyPoints);
-  EXPECT_EQ(triangulator.report().triangles, 0u);
+  EXPECT_EQ(engine.run(view, Options(), nullptr), Status::TooManyPoints);
+  EXPECT_EQ(engine.report().triangles, 0u);
   const std::vector<Point> points = makePoints(Distribution::Uniform, 100, 1);
-  EXPECT_EQ(faultsOf(points, triangulate(triangulator, viewOf(points))), "");
+  EXPECT_EQ(faultsOf(points, triangulate(engine, viewOf(points))), "");
 }
 
 } // namespace
