@@ -42,7 +42,7 @@ std::size_t vtkAHDExecution::EstimateTables() const
   const bool looksUp = settings.LimitsSize() || settings.GenerateNeighbors ||
     settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
     settings.ShowMeans || settings.Insertion.representative != ahd::Representative::FirstId ||
-    this->Known.Crossings > 0;
+    settings.HeightsFromSurface || this->Known.Crossings > 0;
   return (looksUp ? ahd::tableMemoryEstimate(count) : 0) +
     (settings.LimitsSize() ? ahd::selectionMemoryEstimate(count) : 0) +
     (settings.GenerateVoronoi ? ahd::voronoiMemoryEstimate(count) : 0);
