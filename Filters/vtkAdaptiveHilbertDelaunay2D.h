@@ -126,7 +126,8 @@ public:
   /// segment divide it; segments may overlap. A segment that crosses an earlier one (see
   /// CrossingMode) or has an end that is no vertex is left out, and its loop bounds nothing: both
   /// are counted. The field data array "Crossings" names the first 1000 pairs of cells that cross,
-  /// later one first.
+  /// later one first. Of a composite data set (SetSourceConnection, SetInputData(1, ...)) all
+  /// vtkPolyData are appended to one source, cells by kind; GetSource() is null then.
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSource();
