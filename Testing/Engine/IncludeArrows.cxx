@@ -37,7 +37,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
-    { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation" } },
+    { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation", "" } },
     { "Surface", { "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Triangulation" } },
