@@ -49,8 +49,8 @@ struct SplitConstraints
   /// from there; the last point of a line repeats that of the segment before it.
   std::vector<std::int64_t> segments;
 
-  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an end
-  /// of another one, or a point that was there already. Each once, ascending.
+  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an
+  /// end of another one, or a point that was there already. Each once, ascending.
   std::vector<SegmentName> bent;
 
   std::size_t crossings = 0;  ///< pairs of segments that crossed, those of all rounds together

@@ -123,10 +123,7 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
 {
   // Segments that pass through one place: seen from one of them, the right end of another tells.
   const auto turn = [&](Index s, Index t)
-  {
-    return orient2d(
-      pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right);
-  };
+  { return orient2d(pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right); };
   if (!sortAsking(place.pieces, ticker_, [&](Index s, Index t) { return turn(s, t) > 0; }))
   {
     return false;
@@ -146,10 +143,10 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
   return all;
 }
 
-/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the last
-/// place in x and y; `reach` is more than that is for all ends together. At an angle whose sine is s
-/// it passes q by at a distance of s |q - p|. In the order of directions, modulo half a turn, the
-/// sine between two pieces is at least the smallest one between neighbours.
+/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the
+/// last place in x and y; `reach` is more than that is for all ends together. At an angle whose
+/// sine is s it passes q by at a distance of s |q - p|. In the order of directions, modulo half a
+/// turn, the sine between two pieces is at least the smallest one between neighbours.
 bool Hubs::isClean(const Pieces& pieces, const Place& place) const
 {
   double reach = 0.0, nearest = std::numeric_limits<double>::infinity();

@@ -120,11 +120,11 @@ private:
   Pieces more_;              ///< not searched yet
   FoundCrossings found_;
   PlaceTable places_;
-  std::size_t named_ = 0;               ///< so many places, the first, have ids
-  std::size_t addedBefore_ = 0;         ///< points added in the rounds before
-  std::vector<OnSegment> insertions_;   ///< this round's: by pieces
-  std::vector<Inserted> inserted_;      ///< in all rounds
-  std::vector<Index> bent_;             ///< positions
+  std::size_t named_ = 0;             ///< so many places, the first, have ids
+  std::size_t addedBefore_ = 0;       ///< points added in the rounds before
+  std::vector<OnSegment> insertions_; ///< this round's: by pieces
+  std::vector<Inserted> inserted_;    ///< in all rounds
+  std::vector<Index> bent_;           ///< positions
 };
 
 Status Splitter::run()
@@ -364,9 +364,9 @@ bool Splitter::addPoints()
       place.id = static_cast<Index>(points_.count + out_.points.size());
       const SegmentName first = nameOf(place.first), second = nameOf(place.second);
       const Way A = wayOf(first), B = wayOf(second);
-      out_.points.push_back({ place.at, first.chain, first.segment,
-        fractionOfWay(A.from, A.to, place.at), second.chain, second.segment,
-        fractionOfWay(B.from, B.to, place.at) });
+      out_.points.push_back(
+        { place.at, first.chain, first.segment, fractionOfWay(A.from, A.to, place.at), second.chain,
+          second.segment, fractionOfWay(B.from, B.to, place.at) });
     }
   };
   return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOfOwner, sorted) &&
@@ -536,8 +536,7 @@ bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
   };
   const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
   return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
-    inChunks(0, n, ticker_, name) &&
-    (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+    inChunks(0, n, ticker_, name) && (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
 }
 
 bool Splitter::makeChains()
