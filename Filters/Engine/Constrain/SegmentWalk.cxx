@@ -66,8 +66,8 @@ bool SegmentWalk::isFoundNext(Turn& turn, Index from, Index to, WayOut& way) con
 }
 
 /// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
-/// other side. Leaves `way` as it is if that takes more steps. Returns false if the caller wants to
-/// cancel.
+/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns false if
+/// the caller wants to cancel.
 bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
 {
   constexpr std::size_t kMany = 64;
