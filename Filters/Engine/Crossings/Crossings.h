@@ -25,6 +25,16 @@ struct CrossingPoint
   std::size_t chainB,
     segmentB; ///< the next one; a point on more than two names the first two found
   double alongB;
+
+  /// Two of them again, for what is interpolated: of the pairs that cross there the first one by
+  /// places, left end, then right end. Neither the order of the segments nor their directions have a
+  /// say.
+  struct Side
+  {
+    std::size_t chain, segment;
+    double along; ///< from the lexicographically smaller end to the other
+  };
+  Side lower, upper;
 };
 
 /// A segment of the input.
