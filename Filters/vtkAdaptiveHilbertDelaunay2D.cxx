@@ -193,7 +193,9 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
 void vtkAdaptiveHilbertDelaunay2D::Execute(
   vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  const vtkAHDMergedBlocks merged(this, this->MemoryLimit, input, source, context);
+  vtkAHDSettings settings;
+  this->ReadSettings(settings);
+  const vtkAHDMergedBlocks merged(this, settings, input, source, context);
   data.Input = merged.GetInput();
   data.Source = merged.GetSource();
   data.InputBytes = merged.GetBytes();

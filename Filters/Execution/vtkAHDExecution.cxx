@@ -193,7 +193,8 @@ void vtkAHDExecution::FindStacks(const Results& results)
   {
     this->Context.Check(ahd::findIfOnOneLine(points, this->Context, this->Report.AreOnOneLine));
   }
-  else if (counts.duplicates > counts.inserted / 2)
+  else if (counts.duplicates > counts.inserted / 2 && !this->Settings.ShowMeans &&
+    this->Options.representative == ahd::Representative::FirstId) // else they were thought of
   {
     this->Context.Check(ahd::findIfStacked(points, this->Context, this->Report.AreStacked));
   }

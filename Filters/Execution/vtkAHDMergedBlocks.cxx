@@ -2,9 +2,9 @@
 #include "Execution/vtkAHDMergedBlocks.h"
 
 #include "Engine/Core/Memory.h"
-
 #include "Engine/Points/Points.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
@@ -15,10 +15,10 @@
 
 #include <new>
 
-vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, vtkTypeInt64 limit,
+vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings,
   vtkDataObject* input, vtkDataObject* source, const vtkAHDContext& context)
   : Filter(filter)
-  , Limit(limit)
+  , Limit(settings.MemoryLimit)
   , GivenInput(input)
   , GivenSource(source)
   , Input(vtkPointSet::SafeDownCast(input))
@@ -31,7 +31,9 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, vtkTypeInt64 limit,
   auto* blocks = vtkCompositeDataSet::SafeDownCast(source);
   if (blocks && this->Input)
   {
-    this->Source = this->Merge(vtkAHDBlocks(blocks, vtkAHDBlocks::Kind::Sources), context);
+    const auto kind = settings.SourceIdsAreOfInput ? vtkAHDBlocks::Kind::SourcesByIds
+                                                   : vtkAHDBlocks::Kind::Sources;
+    this->Source = this->Merge(vtkAHDBlocks(blocks, kind), context);
     if (!this->Source)
     {
       this->Input = nullptr; // a surface without its constraints is not what was asked for

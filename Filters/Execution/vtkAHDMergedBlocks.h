@@ -13,6 +13,7 @@ class vtkAlgorithm;
 class vtkDataObject;
 class vtkPointSet;
 class vtkPolyData;
+struct vtkAHDSettings;
 
 /**
  * Input and source of one execution, each as one data set: as it is, or all blocks of a composite
@@ -21,10 +22,9 @@ class vtkPolyData;
 class vtkAHDMergedBlocks
 {
 public:
-  /// Merges what has to be. `limit`: on the memory for it, in KiB; 0: what there is. Says in an
-  /// error if there are too many points or too little memory. `source` may be null. Throws
-  /// std::bad_alloc.
-  vtkAHDMergedBlocks(vtkAlgorithm* filter, vtkTypeInt64 limit, vtkDataObject* input,
+  /// Merges what has to be. Says in an error if there are too many points or too little memory.
+  /// `source` may be null. Throws std::bad_alloc.
+  vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
     vtkDataObject* source, const vtkAHDContext& context);
 
   /// Null if there is nothing to be triangulated: no points, an error, or an abort.

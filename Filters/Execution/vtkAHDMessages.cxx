@@ -190,13 +190,13 @@ std::string InWords(const vtkAHDInput::SourceContent& found)
   add(found.Points, " point", " points");
   add(found.Vertices, " vertex", " vertices");
   add(found.Strips, " triangle strip", " triangle strips");
-  return words.empty() ? "nothing" : words;
+  return words;
 }
 
 void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   const vtkAHDInput::SourceContent& found = report.Source;
-  if (found.Points >= 0 && report.Constraints.segments == 0)
+  if (found.Points + found.Strips > 0 && report.Constraints.segments == 0)
   {
     vtkWarningWithObjectMacro(filter,
       "The source constrains nothing: it has no line and no polygon of two points or more. Found "

@@ -68,9 +68,10 @@ vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind)
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* block = iterator->GetCurrentDataObject();
-    auto* points = kind == Kind::Sources ? vtkPolyData::SafeDownCast(block)
-                                         : vtkPointSet::SafeDownCast(block);
-    if (points && points->GetNumberOfPoints() > 0)
+    auto* points = this->HasCells() ? vtkPolyData::SafeDownCast(block)
+                                    : vtkPointSet::SafeDownCast(block);
+    if (points &&
+      (points->GetNumberOfPoints() > 0 || (this->HasCells() && points->GetNumberOfCells() > 0)))
     {
       this->Blocks.push_back(points);
       this->Count += points->GetNumberOfPoints();
@@ -91,7 +92,7 @@ std::size_t vtkAHDBlocks::EstimateBytes() const
   for (vtkPointSet* block : this->Blocks)
   {
     kibibytes += 1 +
-      (this->Wanted == Kind::Sources ? block->GetActualMemorySize()
+      (this->HasCells() ? block->GetActualMemorySize()
                                      : block->GetPointData()->GetActualMemorySize());
   }
   const std::size_t perPoint = 3 * sizeof(double) + 1; // a place and a mark
@@ -103,7 +104,8 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) c
   bool areFloats = true;
   for (vtkPointSet* block : this->Blocks)
   {
-    areFloats = areFloats && block->GetPoints()->GetDataType() == VTK_FLOAT;
+    areFloats = areFloats &&
+      (block->GetNumberOfPoints() == 0 || block->GetPoints()->GetDataType() == VTK_FLOAT);
   }
   auto merged = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -117,13 +119,15 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) c
   for (vtkPointSet* block : this->Blocks)
   {
     context.StopIfAborted();
-    const vtkIdType count = block->GetNumberOfPoints();
-    points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
-    begin += count;
+    if (const vtkIdType count = block->GetNumberOfPoints())
+    {
+      points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
+      begin += count;
+    }
   }
   merged->SetPoints(points);
   this->MergePointData(merged, context);
-  if (this->Wanted == Kind::Sources)
+  if (this->HasCells())
   {
     this->MergeCells(merged, context);
   }
@@ -142,7 +146,7 @@ void vtkAHDBlocks::MergeCells(vtkPolyData* merged, const vtkAHDContext& context)
     lines->Append(source->GetLines(), begin);
     polygons->Append(source->GetPolys(), begin);
     strips->Append(source->GetStrips(), begin);
-    begin += block->GetNumberOfPoints();
+    begin += this->Wanted == Kind::SourcesByIds ? 0 : block->GetNumberOfPoints();
   }
   merged->SetVerts(verts);
   merged->SetLines(lines);

@@ -28,7 +28,8 @@ public:
   enum class Kind
   {
     PointSets,
-    Sources ///< vtkPolyData, whose cells are merged too
+    Sources,      ///< vtkPolyData, whose cells are merged too
+    SourcesByIds  ///< the same, the ids in the cells left as they are
   };
 
   explicit vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind = Kind::PointSets);
@@ -59,6 +60,8 @@ private:
   void MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const;
 
   void MergeCells(vtkPolyData* merged, const vtkAHDContext& context) const;
+
+  bool HasCells() const { return this->Wanted != Kind::PointSets; }
 
   const Kind Wanted;
   std::vector<vtkPointSet*> Blocks; // those with points

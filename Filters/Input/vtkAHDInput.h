@@ -35,7 +35,7 @@ public:
   /// What there is in the source besides lines and polygons; none in no source.
   struct SourceContent
   {
-    vtkIdType Points = -1; ///< -1: there is no source
+    vtkIdType Points = 0;
     vtkIdType Vertices = 0;
     vtkIdType Strips = 0;
   };
