@@ -6,9 +6,9 @@
 #include "Engine/Core/Threads.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
-#include "Input/vtkAHDBlocks.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
@@ -16,9 +16,7 @@
 #include "Pipeline/vtkAHDThreads.h"
 
 #include "vtkAbstractTransform.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -171,7 +169,6 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
 {
   const ahd::ScopedFloatingPoint asTheEngine;
   vtkAHDDataSets data;
-  data.Source = vtkPolyData::GetData(inputVector[1]);
   for (int port = 0; port < 3; ++port)
   {
     data.Outputs[static_cast<std::size_t>(port)] = vtkPolyData::GetData(outputVector, port);
@@ -183,7 +180,8 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
   {
-    this->Execute(vtkDataObject::GetData(inputVector[0]), data, context);
+    this->Execute(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
+      data, context);
   }
   catch (const std::bad_alloc&)
   {
@@ -193,22 +191,22 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
 }
 
 void vtkAdaptiveHilbertDelaunay2D::Execute(
-  vtkDataObject* input, vtkAHDDataSets& data, const vtkAHDContext& context)
+  vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  vtkSmartPointer<vtkPointSet> points = vtkPointSet::SafeDownCast(input);
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
-  {
-    points = this->MergeInput(blocks, data, context);
-  }
-  data.Input = points;
-  if (points && this->PassOnCached(data, context))
+  vtkAHDSettings settings;
+  this->ReadSettings(settings);
+  const vtkAHDMergedBlocks merged(this, settings, input, source, context);
+  data.Input = merged.GetInput();
+  data.Source = merged.GetSource();
+  data.InputBytes = merged.GetBytes();
+  if (data.Input && this->PassOnCached(data, context))
   {
     return;
   }
   this->ClearMeasures();
   this->WarnAboutRanks();
-  this->WarnAboutBlocks(input);
-  if (points)
+  merged.Warn();
+  if (data.Input)
   {
     this->Triangulate(data, context);
   }
@@ -234,71 +232,6 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
   catch (const std::bad_alloc&)
   {
     std::fputs("vtkAdaptiveHilbertDelaunay2D: out of memory, nothing is put out.\n", stderr);
-  }
-}
-
-/// One point set of all blocks; null if that was aborted, or if there are too many points or there
-/// is no memory, which it says.
-vtkSmartPointer<vtkPointSet> vtkAdaptiveHilbertDelaunay2D::MergeInput(
-  vtkCompositeDataSet* blocks, vtkAHDDataSets& data, const vtkAHDContext& context)
-{
-  const vtkAHDBlocks all(blocks);
-  if (static_cast<std::size_t>(all.GetCount()) > ahd::kMaximumPoints)
-  {
-    vtkErrorMacro("" << all.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
-                     << " can be triangulated.");
-    return nullptr;
-  }
-  data.InputBytes = all.EstimateBytes();
-  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(data.InputBytes / 1024);
-  const vtkTypeInt64 limit = this->MemoryLimit > 0
-    ? this->MemoryLimit
-    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
-  try
-  {
-    if (needed <= limit)
-    {
-      return all.Merge(context);
-    }
-  }
-  catch (const vtkAHDStop&)
-  {
-    return nullptr;
-  }
-  catch (const std::bad_alloc&)
-  {
-  }
-  vtkErrorMacro("Merging blocks of "
-    << all.GetCount() << " points may take " << needed << " KiB of memory, but "
-    << (this->MemoryLimit > 0 ? "MemoryLimit allows " : "there are ") << limit
-    << " KiB. Nothing was computed.");
-  return nullptr;
-}
-
-void vtkAdaptiveHilbertDelaunay2D::WarnAboutBlocks(vtkDataObject* data)
-{
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(data))
-  {
-    const vtkAHDBlocks all(blocks);
-    if (all.GetNumberOfOthers() > 0)
-    {
-      vtkWarningMacro("" << all.GetNumberOfOthers()
-                         << " blocks have no points of their own (the first is a "
-                         << all.GetFirstOther() << "): they were left out.");
-    }
-    if (all.GetNumberOfUnfitMarks() > 0)
-    {
-      vtkWarningMacro("In " << all.GetNumberOfUnfitMarks() << " blocks the point data array "
-                            << vtkDataSetAttributes::GhostArrayName()
-                            << " does not have one value for each of the points, or not of type "
-                               "unsigned char, so none of these points was skipped.");
-    }
-  }
-  else if (!vtkPointSet::SafeDownCast(data))
-  {
-    // A block of a composite data set: their types are not looked at by the pipeline.
-    vtkWarningMacro("A " << (data ? data->GetClassName() : "missing block")
-                         << " has no points of its own: nothing was triangulated for it.");
   }
 }
 
@@ -390,6 +323,8 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
   settings.GenerateVoronoi = this->GenerateVoronoi;
   settings.SourceIdsAreOfInput = this->SourceMode == SOURCE_IDS;
   settings.AddSourcePoints = this->SourceMode == SOURCE_COORDINATES;
+  settings.ClosedLinesAreLoops = this->ClosedLines == LOOPS;
+  settings.HeightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
   settings.Split = this->CrossingMode == SPLIT;
   settings.FitPlane = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
   settings.Transform = settings.FitPlane ? nullptr : this->Transform;
@@ -421,7 +356,9 @@ int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformat
 {
   if (port == 1)
   {
+    // With both, the filter is not run for each block of a source.
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
@@ -468,6 +405,8 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SourceMode: " << this->SourceMode << "\n";
   os << indent << "CrossingMode: " << this->CrossingMode << "\n";
+  os << indent << "ClosedLines: " << this->ClosedLines << "\n";
+  os << indent << "SourceHeights: " << this->SourceHeights << "\n";
   os << indent << "FillRule: " << this->FillRule << "\n";
   os << indent << "Alpha: " << this->Alpha << "\n";
   os << indent << "AlphaTris: " << (this->AlphaTris ? "On\n" : "Off\n");

@@ -49,7 +49,6 @@ class vtkAHDContext;
 class vtkAHDOutputCache;
 struct vtkAHDDataSets;
 class vtkAbstractTransform;
-class vtkCompositeDataSet;
 class vtkPointSet;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
@@ -83,6 +82,20 @@ public:
   {
     LEAVE_OUT = 0, ///< of two segments that cross, the later one is left out
     SPLIT = 1      ///< both are split where they cross, by a point that is added
+  };
+
+  /// The values of ClosedLines.
+  enum ClosedLineModes
+  {
+    LINES = 0, ///< they are lines as others are
+    LOOPS = 1  ///< they bound what is kept, as polygons do
+  };
+
+  /// The values of SourceHeights.
+  enum SourceHeightModes
+  {
+    OWN = 0,         ///< points of the source have their own z and data
+    FROM_SURFACE = 1 ///< they are laid on the surface of the input
   };
 
   /// The values of FillRule.
@@ -122,7 +135,8 @@ public:
   /// segment divide it; segments may overlap. A segment that crosses an earlier one (see
   /// CrossingMode) or has an end that is no vertex is left out, and its loop bounds nothing: both
   /// are counted. The field data array "Crossings" names the first 1000 pairs of cells that cross,
-  /// later one first.
+  /// later one first. Of a composite data set (SetSourceConnection, SetInputData(1, ...)) all
+  /// vtkPolyData are appended to one source, cells by kind; GetSource() is null then.
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSource();
@@ -146,6 +160,28 @@ public:
   vtkGetMacro(CrossingMode, int);
   void SetCrossingModeToLeaveOut() { this->SetCrossingMode(LEAVE_OUT); }
   void SetCrossingModeToSplit() { this->SetCrossingMode(SPLIT); }
+  ///@}
+
+  ///@{
+  /// What lines are that end where they begin: whose ends are one point, or have the same x and y
+  /// in the plane of the triangulation. LINES, the default. LOOPS: the same as polygons, whose
+  /// outlines GIS readers give as lines; in the order of the constraints they come after the
+  /// others.
+  vtkSetClampMacro(ClosedLines, int, LINES, LOOPS);
+  vtkGetMacro(ClosedLines, int);
+  void SetClosedLinesToLines() { this->SetClosedLines(LINES); }
+  void SetClosedLinesToLoops() { this->SetClosedLines(LOOPS); }
+  ///@}
+
+  ///@{
+  /// Which z and point data the points of the source have with SOURCE_COORDINATES. OWN, the
+  /// default: their own; lines in two dimensions so pull the surface down to z = 0. FROM_SURFACE:
+  /// what linear interpolation gives in the triangulation of the input alone; outside of it their
+  /// own, with a warning. Triangulates the input twice.
+  vtkSetClampMacro(SourceHeights, int, OWN, FROM_SURFACE);
+  vtkGetMacro(SourceHeights, int);
+  void SetSourceHeightsToOwn() { this->SetSourceHeights(OWN); }
+  void SetSourceHeightsToFromSurface() { this->SetSourceHeights(FROM_SURFACE); }
   ///@}
 
   ///@{
@@ -317,6 +353,8 @@ protected:
   // Settings.
   int SourceMode = SOURCE_IDS;
   int CrossingMode = LEAVE_OUT;
+  int ClosedLines = LINES;
+  int SourceHeights = OWN;
   int FillRule = ORIENTATION;
   double Alpha = 0.0;
   vtkTypeBool AlphaTris = 1;
@@ -348,14 +386,12 @@ private:
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
-  void Execute(vtkDataObject* input, vtkAHDDataSets& data, const vtkAHDContext& context);
+  void Execute(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
+    const vtkAHDContext& context);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);
   void AddCounts(vtkPolyData* surface) const;
-  vtkSmartPointer<vtkPointSet> MergeInput(
-    vtkCompositeDataSet* blocks, vtkAHDDataSets& data, const vtkAHDContext& context);
-  void WarnAboutBlocks(vtkDataObject* input);
   void WarnAboutRanks();
 
   const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution

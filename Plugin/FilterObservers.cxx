@@ -5,10 +5,14 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkProcessModule.h"
+#include "vtkSMDoubleRangeDomain.h"
+#include "vtkSMIntRangeDomain.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMPropertyIterator.h"
 #include "vtkSMProxyManager.h"
 #include "vtkSMProxyProperty.h"
 #include "vtkSMSourceProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <cstring>
 #include <set>
@@ -106,6 +110,74 @@ public:
   }
 };
 
+/// A setting without a fixed range: its widget's range is no limit.
+constexpr const char* kOpenEnded = "InsertionLimit";
+
+/// The nearest value in the range; `value` if that is open.
+template <typename Domain, typename Number>
+Number nearestIn(Domain* domain, Number value)
+{
+  int isLimited = 0;
+  const auto least = domain->GetMinimum(0, isLimited);
+  if (isLimited && !(value >= least)) // NaN too
+  {
+    return least;
+  }
+  const auto most = domain->GetMaximum(0, isLimited);
+  return isLimited && value > most ? most : value;
+}
+
+/// Sets the property to the nearest value in its range, if it is a number with one.
+void KeepInRange(vtkSMProxy* proxy, const char* name)
+{
+  vtkSMProperty* property = proxy->GetProperty(name);
+  if (!property || property->GetInformationOnly() || std::strcmp(name, kOpenEnded) == 0)
+  {
+    return;
+  }
+  vtkSMPropertyHelper value(property);
+  if (auto* whole = vtkSMIntRangeDomain::SafeDownCast(property->FindDomain("vtkSMIntRangeDomain")))
+  {
+    if (const int kept = nearestIn(whole, value.GetAsInt()); kept != value.GetAsInt())
+    {
+      value.Set(kept);
+    }
+  }
+  else if (auto* real = vtkSMDoubleRangeDomain::SafeDownCast(
+             property->FindDomain("vtkSMDoubleRangeDomain")))
+  {
+    if (const double kept = nearestIn(real, value.GetAsDouble()); !(kept == value.GetAsDouble()))
+    {
+      value.Set(kept);
+    }
+  }
+}
+
+/// Observes one proxy: a property was changed. What is shown is what the filter uses, which takes
+/// the nearest legal value.
+class StayInRange : public vtkCommand
+{
+public:
+  static StayInRange* New() { VTK_STANDARD_NEW_BODY(StayInRange); }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    if (const auto* name = static_cast<const char*>(data))
+    {
+      KeepInRange(vtkSMProxy::SafeDownCast(caller), name);
+    }
+  }
+};
+
+/// What was set before anybody observed the proxy.
+void KeepAllInRange(vtkSMProxy* proxy)
+{
+  auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    KeepInRange(proxy, properties->GetKey());
+  }
+}
+
 /// What was set before anybody observed the proxy: whichever was switched on.
 void JoinNames(vtkSMProxy* proxy)
 {
@@ -131,6 +203,8 @@ public:
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Fetch);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Refuse);
     JoinNames(proxy);
+    KeepAllInRange(proxy);
+    proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Follow);
   }
 
@@ -138,6 +212,7 @@ private:
   vtkNew<FetchMeasures> Fetch;
   vtkNew<RefuseCircle> Refuse;
   vtkNew<FollowOldName> Follow;
+  vtkNew<StayInRange> Range;
 };
 }
 

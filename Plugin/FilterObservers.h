@@ -3,7 +3,7 @@
 #define FilterObservers_h
 
 /// Called when the plugin is loaded. From now on each proxy of AdaptiveHilbertDelaunay2D is
-/// observed, for three things that ParaView does not do by itself.
+/// observed, for four things that ParaView does not do by itself.
 ///
 /// It fetches information properties before a run, not after it, so a panel would show the measures
 /// of the run before the last. They are fetched again after each run.
@@ -13,6 +13,9 @@
 ///
 /// It knows no second name of a property. GeneratePointStatus has an old one, GenerateFate, which
 /// is a property of its own, for older states and scripts: the two are kept equal.
+///
+/// It shows numbers that are out of a property's range, though the filter takes the nearest legal
+/// one. They are replaced by it.
 ///
 /// Does nothing on a server, which has no properties.
 void ObserveTheFilters();

@@ -13,9 +13,10 @@ vtkStandardNewMacro(vtkSMNumberOfPointsRangeDomain);
 void vtkSMNumberOfPointsRangeDomain::Update(vtkSMProperty*)
 {
   vtkPVDataInformation* input = this->GetInputDataInformation("Input");
-  const vtkTypeInt64 points = input ? input->GetNumberOfPoints() : 0;
+  const vtkTypeInt64 points = input ? std::max<vtkTypeInt64>(0, input->GetNumberOfPoints()) : 0;
   const vtkTypeInt64 most = std::min<vtkTypeInt64>(points, VTK_INT_MAX);
-  this->SetEntries({ vtkEntry(0, static_cast<int>(std::max<vtkTypeInt64>(0, most))) });
+  const vtkTypeInt64 least = std::min<vtkTypeInt64>(3, most);
+  this->SetEntries({ vtkEntry(static_cast<int>(least), static_cast<int>(most)) });
 }
 
 void vtkSMNumberOfPointsRangeDomain::Register()

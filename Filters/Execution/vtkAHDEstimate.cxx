@@ -45,7 +45,7 @@ std::size_t vtkAHDExecution::EstimateTables() const
   const std::size_t count = this->Known.Points;
   const bool looksUp = settings.LimitsSize() || settings.GenerateNeighbors ||
     settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
-    settings.ShowMeans || this->Known.Crossings > 0;
+    settings.ShowMeans || settings.HeightsFromSurface || this->Known.Crossings > 0;
   // where one of several points stands for a vertex: the vertex of each point, twice
   const bool chooses = settings.Insertion.representative != ahd::Representative::FirstId;
   return (chooses ? 2 * sizeof(ahd::Index) * count : 0) +

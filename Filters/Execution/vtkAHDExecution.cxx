@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDExecution.h"
 
+#include "Engine/Prepare/Stacks.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
@@ -41,6 +42,7 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
     this->Triangulate(results);
     this->Constrain(results);
     this->Write(results, outputs);
+    this->FindStacks(results);
     this->ReportOn(results);
   }
   catch (const vtkAHDStop& stop)
@@ -178,6 +180,26 @@ void vtkAHDExecution::WriteVoronoi(Results& results, const vtkAHDOutputs& output
   }
 }
 
+/// Looks whether x and y tell the points apart, where the triangles give cause for it.
+void vtkAHDExecution::FindStacks(const Results& results)
+{
+  const ahd::PointView& points = results.Points.points();
+  const ahd::Report& counts = results.Triangulation.report();
+  if (this->Settings.IsProjected() || counts.beyondLimit > 0)
+  {
+    return;
+  }
+  if (this->Report.DelaunayTriangles == 0)
+  {
+    this->Context.Check(ahd::findIfOnOneLine(points, this->Context, this->Report.AreOnOneLine));
+  }
+  else if (counts.duplicates > counts.inserted / 2 && !this->Settings.ShowMeans &&
+    this->Options.representative == ahd::Representative::FirstId) // else they were thought of
+  {
+    this->Context.Check(ahd::findIfStacked(points, this->Context, this->Report.AreStacked));
+  }
+}
+
 void vtkAHDExecution::ReportOn(const Results& results)
 {
   vtkAHDReport& report = this->Report;
@@ -189,6 +211,8 @@ void vtkAHDExecution::ReportOn(const Results& results)
   report.AddedPoints = points.addedCount();
   report.Crossings = points.crossings().size();
   report.UnfitIds = points.unfitIds();
+  report.Source = this->Input.GetSourceContent();
+  report.PointsOffSurface = points.outsideCount();
   report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
   for (std::size_t phase = 0; phase < ahd::kPhases; ++phase)
   {

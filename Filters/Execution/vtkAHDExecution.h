@@ -68,6 +68,7 @@ private:
   void Constrain(Results& results);
   void Write(Results& results, const vtkAHDOutputs& outputs);
   void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
+  void FindStacks(const Results& results);
   void ReportOn(const Results& results);
   void GiveBack(Results& results);
   std::size_t EstimateBytes() const;

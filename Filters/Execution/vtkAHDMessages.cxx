@@ -88,6 +88,10 @@ void WarnOfPoints(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vt
   }
 }
 
+/// What to do where x and y do not tell the points apart.
+const char* const kOtherPlane =
+  "To triangulate a wall, set ProjectionPlaneMode to Best-Fitting Plane";
+
 void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   const ahd::Report& counts = report.Counts;
@@ -105,10 +109,25 @@ void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
     ? std::string()
     : ", of which Tolerance merged " + std::to_string(report.MergedPoints) + " into others";
   vtkWarningWithObjectMacro(filter,
-    "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
-                                                : "all distinct points are collinear: ")
-                                     << counts.inserted << " distinct points among "
-                                     << report.Points << merged << ".");
+    "There is no triangle, because "
+      << (areFew ? "there are fewer than three distinct points: "
+                 : "all distinct points are collinear: ")
+      << counts.inserted << " distinct points among " << report.Points << merged << "."
+      << (report.AreOnOneLine ? "" : " They are not collinear in space. ")
+      << (report.AreOnOneLine ? "" : kOtherPlane) << (report.AreOnOneLine ? "" : "."));
+}
+
+void WarnOfStacks(vtkAlgorithm* filter, const vtkAHDReport& report)
+{
+  if (report.AreStacked)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << report.Counts.duplicates << " of " << report.Points
+         << " points have the x and y of others and lie above or below them: of each stack one "
+            "point "
+            "is in the surface (see DuplicatePolicy). "
+         << kOtherPlane << "; of a volume mesh, triangulate one layer of points.");
+  }
 }
 
 void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
@@ -130,6 +149,7 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
   {
     WarnOfNoTriangle(filter, report);
   }
+  WarnOfStacks(filter, report);
   if (report.DelaunayTriangles > 0 && report.Counts.triangles + report.Counts.trimmed == 0)
   {
     vtkWarningWithObjectMacro(filter,
@@ -154,6 +174,48 @@ void WarnOfRim(vtkAlgorithm* filter, const vtkAHDReport& report)
        << (isEmpty ? "all " : "") << counts.trimmed << " of " << counts.triangles + counts.trimmed
        << " triangles away, " << percent << " % of the area in the plane, and left "
        << counts.bareVertices << " points without a triangle. Rim Convex Hull keeps them all.");
+}
+
+/// "1 point, 2 vertices"; nothing of what there is none of.
+std::string InWords(const vtkAHDInput::SourceContent& found)
+{
+  std::string words;
+  const auto add = [&words](vtkIdType count, const char* one, const char* many)
+  {
+    if (count > 0)
+    {
+      words += (words.empty() ? "" : ", ") + std::to_string(count) + (count == 1 ? one : many);
+    }
+  };
+  add(found.Points, " point", " points");
+  add(found.Vertices, " vertex", " vertices");
+  add(found.Strips, " triangle strip", " triangle strips");
+  return words;
+}
+
+void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
+{
+  const vtkAHDInput::SourceContent& found = report.Source;
+  if (found.Points + found.Strips > 0 && report.Constraints.segments == 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "The source constrains nothing: it has no line and no polygon of two points or more. Found "
+        << (found.Strips > 0 ? "(strips are ignored): " : ": ") << InWords(found) << ".");
+  }
+  else if (found.Strips > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << found.Strips << (found.Strips == 1 ? " triangle strip" : " triangle strips")
+         << " of the source " << (found.Strips == 1 ? "is" : "are")
+         << " ignored: lines and polygons constrain.");
+  }
+  if (report.PointsOffSurface > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << report.PointsOffSurface << " of " << found.Points
+         << " points of the source lie outside the surface of the input and keep their own z (see "
+            "SourceHeights).");
+  }
 }
 
 void WarnOfConstraints(
@@ -232,5 +294,6 @@ void vtkAHDSayWarnings(
   WarnOfPoints(filter, settings, report);
   WarnOfCells(filter, report);
   WarnOfRim(filter, report);
+  WarnOfSource(filter, report);
   WarnOfConstraints(filter, settings, report);
 }

@@ -6,6 +6,7 @@
 #include "Engine/Core/Progress.h"
 #include "Engine/Prepare/Prepare.h"
 #include "Engine/Result.h"
+#include "Input/vtkAHDInput.h"
 #include "vtkType.h"
 
 #include <array>
@@ -35,7 +36,11 @@ struct vtkAHDReport
   ahd::UnfitIds UnfitIds;
   ahd::OddPoints OddPoints;
   bool MarksAreUnfit = false;
-  bool IsDiagramInPlane = false; ///< although the points are not: there is no way back
+  vtkAHDInput::SourceContent Source;
+  std::size_t PointsOffSurface = 0; ///< of the source, where it is to be laid on that of the input
+  bool AreOnOneLine = true;         ///< found out if there is no triangle
+  bool AreStacked = false;          ///< found out if most points are duplicates
+  bool IsDiagramInPlane = false;    ///< although the points are not: there is no way back
   std::array<double, ahd::kPhases> Seconds = {};
   int ThreadsUsed = 1;
 

@@ -4,6 +4,7 @@
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 
+#include "vtkCellArray.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
@@ -60,14 +61,17 @@ vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
 }
 }
 
-vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks)
+vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind)
+  : Wanted(kind)
 {
   auto iterator = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
   for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
   {
     vtkDataObject* block = iterator->GetCurrentDataObject();
-    auto* points = vtkPointSet::SafeDownCast(block);
-    if (points && points->GetNumberOfPoints() > 0)
+    auto* points = this->HasCells() ? vtkPolyData::SafeDownCast(block)
+                                    : vtkPointSet::SafeDownCast(block);
+    if (points &&
+      (points->GetNumberOfPoints() > 0 || (this->HasCells() && points->GetNumberOfCells() > 0)))
     {
       this->Blocks.push_back(points);
       this->Count += points->GetNumberOfPoints();
@@ -87,7 +91,9 @@ std::size_t vtkAHDBlocks::EstimateBytes() const
   std::size_t kibibytes = 1;
   for (vtkPointSet* block : this->Blocks)
   {
-    kibibytes += block->GetPointData()->GetActualMemorySize() + 1;
+    kibibytes += 1 +
+      (this->HasCells() ? block->GetActualMemorySize()
+                                     : block->GetPointData()->GetActualMemorySize());
   }
   const std::size_t perPoint = 3 * sizeof(double) + 1; // a place and a mark
   return kibibytes * 1024 + static_cast<std::size_t>(this->Count) * perPoint;
@@ -98,7 +104,8 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) c
   bool areFloats = true;
   for (vtkPointSet* block : this->Blocks)
   {
-    areFloats = areFloats && block->GetPoints()->GetDataType() == VTK_FLOAT;
+    areFloats = areFloats &&
+      (block->GetNumberOfPoints() == 0 || block->GetPoints()->GetDataType() == VTK_FLOAT);
   }
   auto merged = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
@@ -112,13 +119,39 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) c
   for (vtkPointSet* block : this->Blocks)
   {
     context.StopIfAborted();
-    const vtkIdType count = block->GetNumberOfPoints();
-    points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
-    begin += count;
+    if (const vtkIdType count = block->GetNumberOfPoints())
+    {
+      points->GetData()->InsertTuples(begin, count, 0, block->GetPoints()->GetData());
+      begin += count;
+    }
   }
   merged->SetPoints(points);
   this->MergePointData(merged, context);
+  if (this->HasCells())
+  {
+    this->MergeCells(merged, context);
+  }
   return merged;
+}
+
+void vtkAHDBlocks::MergeCells(vtkPolyData* merged, const vtkAHDContext& context) const
+{
+  vtkNew<vtkCellArray> verts, lines, polygons, strips;
+  vtkIdType begin = 0;
+  for (vtkPointSet* block : this->Blocks)
+  {
+    context.StopIfAborted();
+    auto* source = vtkPolyData::SafeDownCast(block);
+    verts->Append(source->GetVerts(), begin);
+    lines->Append(source->GetLines(), begin);
+    polygons->Append(source->GetPolys(), begin);
+    strips->Append(source->GetStrips(), begin);
+    begin += this->Wanted == Kind::SourcesByIds ? 0 : block->GetNumberOfPoints();
+  }
+  merged->SetVerts(verts);
+  merged->SetLines(lines);
+  merged->SetPolys(polygons);
+  merged->SetStrips(strips);
 }
 
 void vtkAHDBlocks::MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const

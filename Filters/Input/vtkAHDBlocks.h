@@ -18,15 +18,23 @@ class vtkPolyData;
  * The points of all blocks of a composite data set as one point set.
  *
  * The points of one block follow those of the one before, in the order of the data set's iterator.
- * Blocks without points are passed over, and so are those that are no vtkPointSet, which are
- * counted. Borrows the blocks.
+ * Blocks without points are passed over, and so are those that are no vtkPointSet (of a source: no
+ * vtkPolyData), which are counted. Borrows the blocks.
  */
 class vtkAHDBlocks
 {
 public:
-  explicit vtkAHDBlocks(vtkCompositeDataSet* blocks);
+  /// What its blocks are to be.
+  enum class Kind
+  {
+    PointSets,
+    Sources,      ///< vtkPolyData, whose cells are merged too
+    SourcesByIds  ///< the same, the ids in the cells left as they are
+  };
 
-  /// Blocks that have no points of their own.
+  explicit vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind = Kind::PointSets);
+
+  /// Blocks that have no points of their own, or are no vtkPolyData.
   vtkIdType GetNumberOfOthers() const { return this->Others; }
 
   /// The class of the first of them.
@@ -43,13 +51,19 @@ public:
 
   /// All points: floats, if all blocks have floats, else doubles. Point data: the arrays that all
   /// blocks have, by name, type and number of components, with a value for each point. Blocks
-  /// without ghost marks that fit count as unmarked if others have some. Throws vtkAHDStop if the
-  /// filter is to abort, and std::bad_alloc.
+  /// without ghost marks that fit count as unmarked if others have some. Of sources the cells too,
+  /// by kind (vertices, lines, polygons, strips), with the new ids of their points. Throws
+  /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
   vtkSmartPointer<vtkPolyData> Merge(const vtkAHDContext& context) const;
 
 private:
   void MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const;
 
+  void MergeCells(vtkPolyData* merged, const vtkAHDContext& context) const;
+
+  bool HasCells() const { return this->Wanted != Kind::PointSets; }
+
+  const Kind Wanted;
   std::vector<vtkPointSet*> Blocks; // those with points
   vtkIdType Count = 0;
   vtkIdType Others = 0;

@@ -62,6 +62,10 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
   this->Request.offset = settings.Offset;
   this->Request.split = settings.Split;
   this->Request.idsAreOfInput = settings.SourceIdsAreOfInput;
+  this->Request.closedLinesAreLoops = settings.ClosedLinesAreLoops;
+  this->Request.heightsFromSurface = settings.HeightsFromSurface;
+  this->Request.representative = settings.Insertion.representative;
+  this->Request.meanHeights = settings.ShowMeans;
   this->ReadMarks();
   if (source)
   {
@@ -74,6 +78,9 @@ void vtkAHDInput::ReadCells(vtkPolyData* source)
   this->Request.firstCell = source->GetNumberOfVerts(); // verts come before lines
   this->Request.lines = View(source->GetLines());
   this->Request.polygons = View(source->GetPolys());
+  this->Found.Points = source->GetNumberOfPoints();
+  this->Found.Vertices = source->GetNumberOfVerts();
+  this->Found.Strips = source->GetNumberOfStrips();
 }
 
 void vtkAHDInput::ReadMarks()

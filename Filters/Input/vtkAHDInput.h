@@ -32,6 +32,15 @@ public:
   /// The source whose points are added; null if none are.
   vtkPolyData* GetSourceOfPoints() const;
 
+  /// What there is in the source besides lines and polygons; none in no source.
+  struct SourceContent
+  {
+    vtkIdType Points = 0;
+    vtkIdType Vertices = 0;
+    vtkIdType Strips = 0;
+  };
+  const SourceContent& GetSourceContent() const { return this->Found; }
+
   /// Is there an array vtkGhostType that has not one value per point? It is ignored.
   bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
 
@@ -51,6 +60,7 @@ private:
   vtkAHDPointsView SourcePoints;
   vtkAHDProjection Projection;
   ahd::InputRequest Request;
+  SourceContent Found;
   bool MarksAreUnfit = false;
 };
 

@@ -199,21 +199,42 @@ void vtkAHDPointOutput::WritePoints(vtkPolyData* output, const vtkAHDContext& co
         }
       }
     });
-  if (moved) // crossings last, as they need all others
+  if (moved)
   {
-    double* at = xyz + 3 * this->Points.firstCrossing();
-    for (const ahd::CrossingOrigin& crossing : this->Points.crossings())
-    {
-      for (std::size_t c = 0; c < 3; ++c)
-      {
-        *at++ = ahd::interpolate(
-          crossing, [xyz, c](ahd::Index id) { return xyz[3 * std::size_t(id) + c]; });
-      }
-    }
+    this->InterpolatePlaces(xyz);
   }
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   output->SetPoints(points);
+}
+
+/// Moves the points that lie between others to where these lie in space; crossings last, as they
+/// need all others.
+void vtkAHDPointOutput::InterpolatePlaces(double* xyz) const
+{
+  double* at = xyz + 3 * this->InputCount;
+  const auto move = [xyz, &at](const auto& origin)
+  {
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      at[c] = ahd::interpolate(
+        origin, [xyz, c](ahd::Index id) { return xyz[3 * std::size_t(id) + c]; });
+    }
+  };
+  for (const ahd::SurfacePlace& place : this->Points.surfacePlaces())
+  {
+    if (place.isInside())
+    {
+      move(place);
+    }
+    at += 3;
+  }
+  at = xyz + 3 * this->Points.firstCrossing();
+  for (const ahd::CrossingOrigin& crossing : this->Points.crossings())
+  {
+    move(crossing);
+    at += 3;
+  }
 }
 
 void vtkAHDPointOutput::WriteData(vtkPointData* output, const vtkAHDContext& context) const
@@ -261,8 +282,31 @@ void vtkAHDPointOutput::WriteArray(
   }
   if (numbers)
   {
+    this->InterpolateOnSurface(numbers, context);
     this->Interpolate(numbers, context);
   }
+}
+
+/// Of points of the source that are laid on the surface of the input.
+void vtkAHDPointOutput::InterpolateOnSurface(
+  vtkDataArray* array, const vtkAHDContext& context) const
+{
+  const bool whole = IsWhole(array);
+  const std::vector<ahd::SurfacePlace>& places = this->Points.surfacePlaces();
+  InPieces(static_cast<vtkIdType>(places.size()), context,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const ahd::SurfacePlace& place = places[static_cast<std::size_t>(k)];
+        for (int c = 0; c < array->GetNumberOfComponents() && place.isInside(); ++c)
+        {
+          const double value = ahd::interpolate(
+            place, [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
+          array->SetComponent(this->InputCount + k, c, whole ? ToWhole(value, array) : value);
+        }
+      }
+    });
 }
 
 void vtkAHDPointOutput::Interpolate(vtkDataArray* array, const vtkAHDContext& context) const

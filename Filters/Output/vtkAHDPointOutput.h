@@ -19,7 +19,8 @@ class vtkPolyData;
  * double precision, with the added points behind them, and their values in all arrays.
  *
  * Added points have the values of the source's array of the same name and number of components if
- * they are points of the source, and what linear interpolation gives, as a mean over both segments,
+ * they are points of the source (or what linear interpolation gives where these are laid on the
+ * surface of the input), and what linear interpolation gives, as a mean over both segments,
  * if they are crossings; where there is no such value, NaN in arrays of floating point numbers, and
  * 0 or nothing in others. Ghost marks (vtkGhostType) are 0. Global and pedigree ids are -1, or 0 or
  * nothing where that cannot be had; they become arrays like others.
@@ -42,6 +43,8 @@ private:
   void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
   void WriteArray(
     vtkAbstractArray* array, vtkAbstractArray* from, const vtkAHDContext& context) const;
+  void InterpolatePlaces(double* xyz) const;
+  void InterpolateOnSurface(vtkDataArray* array, const vtkAHDContext& context) const;
   void Interpolate(vtkDataArray* array, const vtkAHDContext& context) const;
 
   vtkPointSet* const Input;

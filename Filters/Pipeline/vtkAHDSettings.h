@@ -20,6 +20,8 @@ struct vtkAHDSettings
   ahd::VoronoiClip VoronoiClip = ahd::VoronoiClip::Hull;
   bool SourceIdsAreOfInput = true;
   bool AddSourcePoints = false;
+  bool ClosedLinesAreLoops = false;
+  bool HeightsFromSurface = false; ///< of the source's points; only with AddSourcePoints
   bool Split = false;
   bool FitPlane = false;
   vtkAbstractTransform* Transform = nullptr; ///< null: none is used

@@ -35,7 +35,7 @@ def test_point_ids():
     corner = SIDE + 1
     square = [corner, corner + 2 * SIDE, corner + 2 * SIDE + 2, corner + 2]
     hole = source("ids", [(9.0, 9.0, 9.0)] * SIDE**2, loops=[square])
-    surface = lattice(Source=hole, SourceMode="Point ids")
+    surface = lattice(Source=hole, SourceMode="Point ids", FillRule="Orientation")
     found = measures(surface)
     check_equal(found["NumberOfTriangles"], WHOLE - 8, "triangles around the hole")
     check_equal(found["NumberOfAddedPoints"], 0, "points added")
@@ -49,7 +49,7 @@ def test_coordinates():
     """An octagon between the points of the lattice: a hole or all there is, by direction and rule."""
     for clockwise in (True, False):
         shore = source("ring%d" % clockwise, ring(0.3, clockwise=clockwise), loops=[range(8)])
-        surface = lattice(Source=shore)
+        surface = lattice(Source=shore, FillRule="Orientation")
         found = measures(surface)
         check_equal(found["NumberOfAddedPoints"], 8, "points of the source")
         check_equal(found["NumberOfConstraintEdges"], 8, "edges of the octagon")
@@ -95,6 +95,39 @@ def test_a_loop_that_is_crossed_bounds_nothing():
     found = measures(lattice(Source=crossed))
     check_equal(found["NumberOfUnfilledLoops"], 1, "loops that bound nothing")
     check_equal(found["NumberOfTriangles"], WHOLE + 2 * 10, "triangles, all of them")
+
+
+def test_several_blocks_are_one_source():
+    """As GIS readers give them: a block for each feature, outlines as closed lines."""
+    shore = source("block0", ring(0.3) + ring(0.3)[:1], lines=[range(9)])
+    island = source("block1", ring(0.1) + ring(0.1)[:1], lines=[range(9)])
+    river = source("block2", [(-0.45, -0.41, 0.0), (-0.45, 0.43, 0.0)], lines=[(0, 1)])
+    surface = lattice(Source=GroupDatasets(Input=[shore, island, river]))
+    found = measures(surface)
+    check(not surface.GetDataInformation().IsCompositeDataSet(), "there is a surface per block")
+    check_equal(found["NumberOfAddedPoints"], 20, "points of all blocks")
+    whole = found["NumberOfTriangles"]
+    surface.ClosedLines = "Loops"
+    check(0 < measures(surface)["NumberOfTriangles"] < whole / 2, "closed lines are no loops")
+    surface.ClosedLines = "Lines"
+    check_equal(measures(surface)["NumberOfTriangles"], whole, "triangles without loops")
+
+
+def test_heights_from_the_surface():
+    slope = Calculator(
+        Input=Plane(XResolution=6, YResolution=6), Function="coordsX", CoordinateResults=0, ResultArrayName="h"
+    )
+    slope = WarpByScalar(Input=slope, Scalars=["POINTS", "h"])
+    line = source("flat", [(-0.4, 0.03, 0.0), (0.4, 0.03, 0.0)], lines=[(0, 1)])
+    surface = AdaptiveHilbertDelaunay2D(Input=slope, Source=line)
+    surface.UpdatePipeline()
+    check_equal(servermanager.Fetch(surface).GetPoint(49)[2], 0.0, "the line's own height")
+    surface.SourceHeights = "From Surface"
+    surface.UpdatePipeline()
+    data = servermanager.Fetch(surface)
+    for i, height in ((49, -0.4), (50, 0.4)):
+        check(abs(data.GetPoint(i)[2] - height) < 1e-6, "the height of the surface")
+        check(abs(data.GetPointData().GetArray("h").GetValue(i) - height) < 1e-6, "the data of the surface")
 
 
 def test_a_source_made_from_the_surface_itself():

@@ -16,6 +16,14 @@ def collinear():
     return {"points": [(float(i), 2.0 * i, 0.0) for i in range(9)]}
 
 
+def wall():
+    return {"points": [(float(i % 5), 2.0 * (i % 5), float(i // 5)) for i in range(25)]}
+
+
+def volume():
+    return {"points": [(float(i % 3), float(i // 3 % 3), float(i // 9)) for i in range(27)]}
+
+
 def rejected():
     return {"points": hill_points(60, 0) + [(math.nan, 0.0, 0.0), (0.0, -math.inf, 0.0)]}
 
@@ -43,6 +51,8 @@ def duplicates():
 # Case: what must be printed, as pieces of one message. Empty: nothing at all.
 EXPECTED = {
     collinear: ["no triangle", "collinear", "9"],
+    wall: ["no triangle", "not collinear in space", "Best-Fitting Plane"],
+    volume: ["18 of 27 points", "Best-Fitting Plane"],
     rejected: ["2 of 62 points", "NaN or infinite", "60"],
     height: ["1 of 61 points", "z"],
     limit: ["no triangle", "InsertionLimit", "2 of 60"],

@@ -82,6 +82,8 @@ def test_choices():
         "SourceMode": ["Point ids", "Coordinates"],
         "CrossingMode": ["Leave out", "Split"],
         "FillRule": ["Orientation", "Even-odd"],
+        "ClosedLines": ["Lines", "Loops"],
+        "SourceHeights": ["Own", "From Surface"],
         "ProjectionPlaneMode": ["XY Plane", "Transform Plane", "Best-Fitting Plane"],
         "DuplicatePolicy": ["First", "Lowest z", "Highest z", "Mean z"],
         "VoronoiClip": ["Hull", "Bounds"],
@@ -133,6 +135,62 @@ def test_ranges():
         domain = sm.GetProperty(name).FindDomain("vtkSMDoubleRangeDomain")
         check(domain and domain.GetMinimumExists(0), name + " has no minimum")
         check_equal(domain.GetMinimum(0), least, "minimum of " + name)
+    tolerance = sm.GetProperty("Tolerance").FindDomain("vtkSMDoubleRangeDomain")
+    check(tolerance.GetMaximumExists(0) and tolerance.GetMaximum(0) == 1.0, "Tolerance has no maximum")
+
+
+def test_what_is_shown_is_what_is_used():
+    """Numbers out of range become the nearest in it, as in the class."""
+    shown = {
+        "Nmax": {0: 1, -5: 1, 70: 70},
+        "Tolerance": {5.0: 1.0, -1.0: 0.0, 0.5: 0.5},
+        "Alpha": {-1.0: 0.0, 7.0: 7.0},
+        "MaximumEdgeLength": {-1.0: 0.0},
+        "Offset": {0.5: 0.75, 3.0: 3.0},
+        "NumberOfThreads": {5000: 1024, -1: 0, 4: 4},
+        "MemoryLimit": {-1: 0},
+        "ReuseLimit": {-1: 0},
+    }
+    for name, values in shown.items():
+        for given, kept in values.items():
+            set_later = AdaptiveHilbertDelaunay2D(Input=Sphere())
+            setattr(set_later, name, given)
+            check_equal(getattr(set_later, name), kept, "%s, as %r was given" % (name, given))
+            set_first = AdaptiveHilbertDelaunay2D(Input=Sphere(), **{name: given})
+            check_equal(getattr(set_first, name), kept, "%s, as it was made with %r" % (name, given))
+    for given in (0, 1, 2, 10**6):
+        limited = AdaptiveHilbertDelaunay2D(Input=Sphere(), InsertionLimit=given)
+        check_equal(limited.InsertionLimit, given, "InsertionLimit, which may be more than its slider shows")
+
+
+def test_measures_are_greyed():
+    """information_only alone leaves a field in which one may type."""
+    for name in MEASURES:
+        hints = sm.GetProperty(name).GetHints()
+        modes = [
+            hints.GetNestedElement(i).GetAttribute("mode") for i in range(hints.GetNumberOfNestedElements())
+        ]
+        check("enabled_state" in modes, name + " can be edited in the panel")
+
+
+def test_units_are_beside_the_numbers():
+    panel = {}
+    for i in range(sm.GetNumberOfPropertyGroups()):
+        group = sm.GetPropertyGroup(i)
+        for k in range(group.GetNumberOfProperties()):
+            panel[group.GetProperty(k).GetXMLName()] = group.GetXMLLabel()
+    for name in ("MemoryLimit", "ReuseLimit", "MemoryEstimate"):
+        check("KiB" in panel[name], "the heading above %s is %r" % (name, panel[name]))
+    check("Threads" in panel["NumberOfThreads"], "the heading above NumberOfThreads")
+
+
+def test_the_voronoi_diagram_does_not_cover_the_surface():
+    views = [hint for hint in nested(sm.GetHints()) if hint.GetName() == "View"]
+    check_equal([(v.GetAttribute("port"), v.GetAttribute("type")) for v in views], [("2", "None")], "views")
+
+
+def nested(element):
+    return [element.GetNestedElement(i) for i in range(element.GetNumberOfNestedElements())]
 
 
 def test_the_limit_goes_up_to_the_number_of_points():
@@ -142,11 +200,11 @@ def test_the_limit_goes_up_to_the_number_of_points():
     item = limited.SMProxy.GetProperty("InsertionLimit")
     domain = item.FindDomain("vtkSMIntRangeDomain")
     reader.UpdatePipeline()
-    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (0, 300), "range of InsertionLimit")
+    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (3, 300), "range of InsertionLimit")
     check(domain.GetMinimumExists(0) and domain.GetMaximumExists(0), "the range of InsertionLimit is open")
     limited.Input = Plane(XResolution=1, YResolution=2)
     limited.UpdatePipeline()
-    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (0, 6), "range with another input")
+    check_equal((domain.GetMinimum(0), domain.GetMaximum(0)), (3, 6), "range with another input")
     check_equal(limited.InsertionLimit, 0, "InsertionLimit, which the range must not change")
     check(item.GetAnimateable(), "InsertionLimit cannot be animated")
 
@@ -203,7 +261,9 @@ def test_defaults_and_names_are_those_of_the_class():
     fresh = cls()
     # VTK's default is the ids, for the sake of old programs; what a user picks in the panel has coordinates.
     check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
-    for name in set(SETTINGS + MEASURES) - {"SourceMode"}:
+    # and vtkDelaunay2D's rule, where most outlines that people have run the other way
+    check_equal((proxy.FillRule, fresh.GetFillRule()), ("Even-odd", 0), "the defaults of FillRule")
+    for name in set(SETTINGS + MEASURES) - {"SourceMode", "FillRule"}:
         shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
         check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
 

@@ -28,7 +28,9 @@ INSERTION = {
 OTHERS = {
     "SourceMode": "Point ids",
     "CrossingMode": "Split",
-    "FillRule": "Even-odd",
+    "FillRule": "Orientation",
+    "ClosedLines": "Loops",
+    "SourceHeights": "From Surface",
     "MaximumEdgeLength": 3.5,
     "Alpha": 0.75,
     "AlphaTris": 0,

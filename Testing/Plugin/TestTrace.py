@@ -29,7 +29,7 @@ surface.Source = shore
 # ... and here.
 modified.finalize()
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": bounded.SMProxy})
-SetProperties(bounded, FillRule="Even-odd", Alpha=1.5, GenerateVoronoi=1)
+SetProperties(bounded, FillRule="Orientation", ClosedLines="Loops", Alpha=1.5, GenerateVoronoi=1)
 bounded.Transform = "Transform"
 bounded.Transform.Rotate = [0, 0, 30]
 modified.finalize()
@@ -48,7 +48,8 @@ for piece in (
     "Input=OutputPort(",
     "Source=shore",
     "surface.Source = shore",
-    "FillRule = 'Even-odd'",
+    "FillRule = 'Orientation'",
+    "ClosedLines = 'Loops'",
     "Alpha = 1.5",
     "GenerateVoronoi = 1",
     "Transform = 'Transform'",

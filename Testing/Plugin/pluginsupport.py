@@ -21,6 +21,8 @@ SCRATCH = os.environ["AHD_SCRATCH"]
 SETTINGS = [
     "SourceMode",
     "CrossingMode",
+    "ClosedLines",
+    "SourceHeights",
     "FillRule",
     "MaximumEdgeLength",
     "Alpha",

@@ -26,7 +26,7 @@ bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t verti
   const std::size_t ids = constraints.chains == 0
     ? 0
     : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
-  if (!edges_.begin(std::min(ids, vertices)))
+  if (!edges_.begin(std::min(ids, 3 * vertices)))
   {
     return false;
   }
@@ -49,7 +49,7 @@ bool Constrainer::insertChain(std::size_t chain)
   const std::int64_t* const ids = constraints_.ids + constraints_.offsets[chain];
   const std::size_t count = static_cast<std::size_t>(
     constraints_.offsets[chain + 1] - constraints_.offsets[chain]);
-  isLoop_ = chain >= constraints_.lines;
+  isLoop_ = chain >= constraints_.lines && haveThreeVertices(ids, count);
   loop_.clear();
   bool isWhole = true;
   const std::size_t segments = segmentsOf(constraints_, chain);
@@ -71,6 +71,28 @@ bool Constrainer::insertChain(std::size_t chain)
   }
   report_.unfilledLoops += isLoop_ && !isWhole ? 1 : 0;
   return true;
+}
+
+/// Are there three of these ids that stand for three vertices, or for none? What has fewer bounds
+/// nothing, wherever it runs.
+bool Constrainer::haveThreeVertices(const std::int64_t* ids, std::size_t count) const
+{
+  if (count == 0)
+  {
+    return false;
+  }
+  const Index first = vertexOf(ids[0]);
+  Index second = first;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    const Index next = vertexOf(ids[i]);
+    if (next != first && second != first && next != second)
+    {
+      return true;
+    }
+    second = second == first ? next : second;
+  }
+  return false;
 }
 
 /// Fetches what the segments soon to come need, one thing after the other, as one tells where the

@@ -41,6 +41,7 @@ private:
   };
 
   bool insertChain(std::size_t chain);
+  bool haveThreeVertices(const std::int64_t* ids, std::size_t count) const;
   Outcome insertSegment(std::int64_t fromId, std::int64_t toId);
   Outcome leaveOut(Mesh::Halfedge crossed);
   Index vertexOf(std::int64_t id) const;

@@ -108,6 +108,7 @@ Status Preparation::run()
   }
   Status status = open();
   status = status == Status::Ok ? project() : status;
+  status = status == Status::Ok ? takeHeights() : status;
   status = status == Status::Ok ? merge() : status;
   status = status == Status::Ok ? addBounding() : status;
   status = status == Status::Ok ? readConstraints() : status;

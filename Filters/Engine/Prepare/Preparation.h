@@ -15,6 +15,8 @@
 namespace ahd
 {
 
+struct Mean;
+
 /// Lets several pieces of work be one phase for the caller: it begins once, and its fraction does
 /// not fall. `caller` may be null.
 class JoinedPhases : public Progress
@@ -70,11 +72,13 @@ private:
   // In this order; those that have nothing to do begin no phase.
   Status open();            // the input's points, then the source's
   Status project();         // moves all into the plane
+  Status takeHeights();     // of the source, from the surface of the input
   Status merge();           // leaves out those near others
   Status addBounding();     // the eight around all
   Status readConstraints(); // in the ids of the points
   Status split();           // adds the crossings
 
+  Status layOn(const Triangulation& surface, const std::vector<Mean>& means);
   bool copy(Phase phase);
   double* add(std::size_t count);
   void setSkipped(std::vector<unsigned char>&& skip);
@@ -83,6 +87,9 @@ private:
   bool readCells(const Number* offsets, const Number* ids, std::size_t cells, Ticker& ticker);
   void readId(std::int64_t id);
   bool followMerged(Ticker& ticker);
+  bool isClosed(std::size_t chain) const;
+  bool closeLines(Ticker& ticker);
+  bool reorderChains(const std::vector<std::int64_t>& order, Ticker& ticker);
   void addCrossings(const std::vector<CrossingPoint>& points);
   std::array<Index, 2> endsOf(std::size_t chain, std::size_t segment) const;
 

@@ -105,7 +105,7 @@ ConstraintView PreparedInput::constraints() const
 
 std::int64_t PreparedInput::cellOf(std::size_t chain) const
 {
-  return firstCell_ + static_cast<std::int64_t>(chain);
+  return firstCell_ + (cells_.empty() ? static_cast<std::int64_t>(chain) : cells_[chain]);
 }
 
 Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const Context& context)
@@ -183,7 +183,12 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
   {
     const std::size_t chains = request.lines.cells + request.polygons.cells;
     bytes += (segments + chains) * sizeof(std::int64_t) +
+      (request.closedLinesAreLoops ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
       (request.split ? segments * kBytesToSplit : 0);
+  }
+  if (request.heightsFromSurface)
+  {
+    bytes += request.sourcePoints.count * sizeof(SurfacePlace);
   }
   if (request.tolerance > 0.0)
   {

@@ -5,6 +5,7 @@
 #include "../Constraints.h"
 #include "../Core/Context.h"
 #include "../Merge/Merge.h"
+#include "../Options.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 #include "../Surface/Plane.h"
@@ -54,6 +55,16 @@ struct InputRequest
   CellsView polygons;         ///< of the source: loops
   std::int64_t firstCell = 0; ///< the number of the first line in reports; polygons follow lines
   bool idsAreOfInput = false; ///< the ids in cells name points of the input, not of the source
+  /// Lines whose ends are one point, or have the same x and y in the plane, are loops. They come
+  /// behind the open lines and before the polygons.
+  bool closedLinesAreLoops = false;
+
+  /// Points of the source take their height from the triangulation of the input alone, by linear
+  /// interpolation; those outside of it keep their own.
+  bool heightsFromSurface = false;
+  /// Of input points at one place: whose height that surface has.
+  Representative representative = Representative::FirstId;
+  bool meanHeights = false; ///< it has the mean of all instead
 
   bool fitPlane = false;                  ///< triangulate in the plane that fits the input best
   const Projection* projection = nullptr; ///< or in this one; null: in x, y
@@ -63,10 +74,12 @@ struct InputRequest
   bool split = false;    ///< split constraints where they cross
 };
 
-/// A point that was added at the crossing of two segments: between which others it lies.
+/// A point that was added at the crossing of two segments: between which others it lies. Segments
+/// and their ends are in the order of their places, so that neither the order of the constraints nor
+/// their directions have a say; of more than two segments it is the first two that cross there.
 struct CrossingOrigin
 {
-  std::array<Index, 4> ends;   ///< the first and the second end of either segment
+  std::array<Index, 4> ends;   ///< of either segment the smaller end, by x, then y, and the other
   std::array<double, 2> along; ///< the fraction of the way from the first end to the second
 };
 
@@ -81,6 +94,28 @@ double interpolate(const CrossingOrigin& crossing, const Value& value)
     return (1.0 - t) * value(crossing.ends[2 * k]) + t * value(crossing.ends[2 * k + 1]);
   };
   return 0.5 * along(0) + 0.5 * along(1);
+}
+
+/// Where a point of the source lies on the triangulation of the input: between which points.
+struct SurfacePlace
+{
+  std::array<Index, 3> corners = {};
+  std::array<double, 3> weights = {}; ///< from 0, with the sum 1; all 0: it lies outside
+
+  bool isInside() const { return weights[0] + weights[1] + weights[2] > 0.0; }
+};
+
+/// What linear interpolation gives there. REQUIRES: isInside().
+template <typename Value>
+double interpolate(const SurfacePlace& place, const Value& value)
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // what has no weight may be NaN
+    sum += place.weights[k] > 0.0 ? place.weights[k] * value(place.corners[k]) : 0.0;
+  }
+  return sum;
 }
 
 /// Ids in cells of the source that are no point's.
@@ -121,6 +156,11 @@ public:
   /// Points that tolerance merged into others, by ascending id. They are left out of points().
   const std::vector<MergedPoint>& merged() const { return merged_; }
 
+  /// One for each point of the source, with InputRequest::heightsFromSurface; else empty.
+  const std::vector<SurfacePlace>& surfacePlaces() const { return surfacePlaces_; }
+  /// How many of them lie outside.
+  std::size_t outsideCount() const { return outside_; }
+
   /// The constraints, lines before polygons; merged points replaced by those they were merged into.
   ConstraintView constraints() const;
   bool hasConstraints() const { return !ids_.empty(); }
@@ -132,6 +172,11 @@ public:
   const std::vector<CrossingOrigin>& crossings() const { return crossings_; }
   /// The cells of the first thousand of them: the later one, the earlier one.
   const std::vector<std::array<std::int64_t, 2>>& crossingCells() const { return crossingCells_; }
+
+  /// Segments that were led through a vertex which is not exactly on them, and so bend; and the cell
+  /// of the first of these, if there is one.
+  std::size_t bentCount() const { return bentCount_; }
+  std::int64_t firstBentCell() const { return firstBentCell_; }
 
   /// Lets the crossings lie between the points that stand for the vertices at the ends of their
   /// segments: their heights follow. REQUIRES: a triangulation of these points.
@@ -149,19 +194,24 @@ private:
   bool isProjected_ = false;
   Plane plane_;
   std::vector<MergedPoint> merged_;
+  std::vector<SurfacePlace> surfacePlaces_;
+  std::size_t outside_ = 0;
   std::vector<std::int64_t> ids_;     ///< of the chains
   std::vector<std::int64_t> offsets_; ///< empty without chains
   std::size_t lines_ = 0;
+  std::vector<std::int64_t> cells_; ///< of the chains, from 0; empty if chain k is of cell k
   std::int64_t firstCell_ = 0;
   UnfitIds unfit_;
   std::vector<CrossingOrigin> crossings_;
   std::vector<std::array<std::int64_t, 2>> crossingCells_;
+  std::size_t bentCount_ = 0;
+  std::int64_t firstBentCell_ = 0;
 };
 
-/// Prepares the input: reads it, moves it into the plane, merges near points, adds bounding points,
-/// reads the constraints and splits them, in this order. The phases are Phase::Merge and, from the
-/// constraints on, Phase::Split. `out` is to be new. Returns Ok, Cancelled, OutOfMemory or
-/// TooManyPoints; unless Ok, `out` is not to be used.
+/// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
+/// near points, adds bounding points, reads the constraints and splits them, in this order. The
+/// phases are Phase::Merge and, from the constraints on, Phase::Split. `out` is to be new. Returns
+/// Ok, Cancelled, OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
 /// The points that prepare() has to deal with, crossings excepted.
@@ -170,7 +220,8 @@ std::size_t expectedPoints(const InputRequest& request);
 /// Segments that the source asks for, at most.
 std::size_t segmentsOf(const InputRequest& request);
 
-/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before.
+/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before,
+/// and for a triangulation of the input with its tables (heightsFromSurface), which it gives back.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
 /// What is worth a warning.

@@ -31,7 +31,8 @@ Status Preparation::readConstraints()
   out_.offsets_.reserve(request_.lines.cells + request_.polygons.cells + 1);
   out_.offsets_.push_back(0);
   const bool all = ticker.ask() && readCells(request_.lines, ticker) &&
-    readCells(request_.polygons, ticker) && followMerged(ticker);
+    readCells(request_.polygons, ticker) && followMerged(ticker) &&
+    (!request_.closedLinesAreLoops || closeLines(ticker));
   return all ? Status::Ok : Status::Cancelled;
 }
 
@@ -101,6 +102,80 @@ bool Preparation::followMerged(Ticker& ticker)
   return true;
 }
 
+/// Does a line of three segments or more end where it begins?
+bool Preparation::isClosed(std::size_t chain) const
+{
+  const std::int64_t begin = out_.offsets_[chain], end = out_.offsets_[chain + 1];
+  if (end - begin < 4)
+  {
+    return false;
+  }
+  const std::int64_t first = out_.ids_[static_cast<std::size_t>(begin)];
+  const std::int64_t last = out_.ids_[static_cast<std::size_t>(end - 1)];
+  if (first < 0 || last < 0 || first == last)
+  {
+    return first == last && first >= 0;
+  }
+  const auto a = out_.place(static_cast<std::size_t>(first));
+  const auto b = out_.place(static_cast<std::size_t>(last));
+  return a[0] == b[0] && a[1] == b[1];
+}
+
+/// Puts the closed lines behind the open ones, where they are loops. Returns false if the work is
+/// to be cancelled.
+bool Preparation::closeLines(Ticker& ticker)
+{
+  const std::size_t chains = out_.offsets_.size() - 1;
+  std::vector<std::int64_t> order, closed;
+  order.reserve(chains);
+  for (std::size_t chain = 0; chain < out_.lines_; ++chain)
+  {
+    (isClosed(chain) ? closed : order).push_back(static_cast<std::int64_t>(chain));
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  if (closed.empty())
+  {
+    return true;
+  }
+  const std::size_t lines = order.size();
+  order.insert(order.end(), closed.begin(), closed.end());
+  for (std::size_t chain = out_.lines_; chain < chains; ++chain)
+  {
+    order.push_back(static_cast<std::int64_t>(chain));
+  }
+  out_.lines_ = lines;
+  return reorderChains(order, ticker);
+}
+
+/// Chain k becomes the one that is `order[k]` now. Returns false if the work is to be cancelled.
+bool Preparation::reorderChains(const std::vector<std::int64_t>& order, Ticker& ticker)
+{
+  std::vector<std::int64_t> ids, offsets;
+  ids.reserve(out_.ids_.size());
+  offsets.reserve(out_.offsets_.size());
+  offsets.push_back(0);
+  for (const std::int64_t chain : order)
+  {
+    const auto* const range = out_.offsets_.data() + chain;
+    for (std::int64_t i = range[0]; i < range[1]; ++i)
+    {
+      ids.push_back(out_.ids_[static_cast<std::size_t>(i)]);
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+    offsets.push_back(static_cast<std::int64_t>(ids.size()));
+  }
+  out_.ids_ = std::move(ids);
+  out_.offsets_ = std::move(offsets);
+  out_.cells_ = order;
+  return ticker.step();
+}
+
 Status Preparation::split()
 {
   if (!out_.hasConstraints() || !request_.split)
@@ -113,6 +188,8 @@ Status Preparation::split()
   {
     return status;
   }
+  out_.bentCount_ = split.bent.size();
+  out_.firstBentCell_ = split.bent.empty() ? 0 : out_.cellOf(split.bent.front().chain);
   if (!split.points.empty())
   {
     if (!copy(Phase::Split))
@@ -134,9 +211,10 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.crossings_.reserve(points.size());
   for (const CrossingPoint& p : points)
   {
-    const auto a = endsOf(p.chainA, p.segmentA);
-    const auto b = endsOf(p.chainB, p.segmentB);
-    out_.crossings_.push_back({ { { a[0], a[1], b[0], b[1] } }, { { p.alongA, p.alongB } } });
+    const auto a = endsOf(p.lower.chain, p.lower.segment);
+    const auto b = endsOf(p.upper.chain, p.upper.segment);
+    out_.crossings_.push_back(
+      { { { a[0], a[1], b[0], b[1] } }, { { p.lower.along, p.upper.along } } });
     if (out_.crossingCells_.size() < kMostCrossingCells)
     {
       out_.crossingCells_.push_back({ { out_.cellOf(p.chainB), out_.cellOf(p.chainA) } });
@@ -148,14 +226,17 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.findCrossingHeights();
 }
 
-/// The points at the ends of a segment. REQUIRES: there is such a segment, between points.
+/// The points at the ends of a segment, the lexicographically smaller end first. REQUIRES: there is
+/// such a segment, between points.
 std::array<Index, 2> Preparation::endsOf(std::size_t chain, std::size_t segment) const
 {
   const std::size_t begin = static_cast<std::size_t>(out_.offsets_[chain]);
   const std::size_t end = static_cast<std::size_t>(out_.offsets_[chain + 1]);
   const std::size_t first = begin + segment;
   const std::size_t second = first + 1 < end ? first + 1 : begin; // of a loop
-  return { { static_cast<Index>(out_.ids_[first]), static_cast<Index>(out_.ids_[second]) } };
+  const auto a = static_cast<Index>(out_.ids_[first]), b = static_cast<Index>(out_.ids_[second]);
+  const bool isForward = lexicographicallyLess(out_.points_[a], out_.points_[b]);
+  return { { isForward ? a : b, isForward ? b : a } };
 }
 
 } // namespace ahd

@@ -19,7 +19,7 @@ namespace test
 namespace
 {
 
-/// Everything at once, but for the plane: merging, bounding points, crossings.
+/// Everything at once: merging, bounding points, crossings, the plane, heights.
 void setAll(InputRequest& request, std::size_t variant)
 {
   request.tolerance = variant % 2 == 0 ? 0.02 : 0.0;
@@ -27,6 +27,9 @@ void setAll(InputRequest& request, std::size_t variant)
   request.fitPlane = variant % 4 == 3;
   request.split = variant % 5 != 0;
   request.idsAreOfInput = variant % 7 == 5;
+  request.closedLinesAreLoops = variant % 2 == 1;
+  request.heightsFromSurface = variant % 4 == 2;
+  request.meanHeights = variant == 6;
 }
 
 struct ManyRequests
@@ -39,7 +42,7 @@ struct ManyRequests
   /// Calls check() for different requests.
   void forAll(const std::function<void(const InputRequest&)>& check) const
   {
-    for (std::size_t variant = 0; variant < 8; ++variant)
+    for (std::size_t variant = 0; variant < 9; ++variant)
     {
       SCOPED_TRACE(variant);
       InputRequest request = given.request;
@@ -108,7 +111,8 @@ TEST(PrepareTrouble, ItTakesNoMoreMemoryThanEstimated)
   ManyRequests(20000).forAll(
     [](InputRequest request)
     {
-      request.split = false; // nobody knows the crossings
+      request.split = false;              // nobody knows the crossings
+      request.heightsFromSurface = false; // whose triangulation is estimated as such
       const std::size_t before = account.held;
       account.peak = before;
       PreparedInput out;

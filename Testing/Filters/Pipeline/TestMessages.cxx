@@ -46,6 +46,28 @@ void expectOneWarning(const std::vector<Xyz>& xyz, const std::vector<std::string
 }
 }
 
+TEST(Messages, AWallIsToldOfTheBestFittingPlane)
+{
+  std::vector<Xyz> wall, line, volume, soup;
+  for (int i = 0; i < 40; ++i)
+  {
+    wall.push_back({ double(i % 8), 2.0 * (i % 8), double(i / 8) });
+    line.push_back({ 0.1 * i, 0.2 * i, 0.7 * i });
+    volume.push_back({ double(i % 4), double(i / 4 % 4), double(i / 16) });
+    soup.push_back({ double(i % 4), double(i / 4 % 4), 7.0 });
+  }
+  expectOneWarning(wall, { "no triangle", "collinear", "not collinear in space", "Best-Fitting Plane" });
+  expectOneWarning(volume, { "24 of 40 points", "DuplicatePolicy", "Best-Fitting Plane" });
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(soup));
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Warnings.empty()) << "the same points several times";
+  filter->SetInputData(makeCloud(line));
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_FALSE(contains(filter.Said->Warnings[0], "Best-Fitting")) << filter.Said->Warnings[0];
+}
+
 TEST(Messages, NoneForGoodPointsAndDuplicates)
 {
   WatchedFilter filter;

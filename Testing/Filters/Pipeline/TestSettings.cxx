@@ -141,6 +141,14 @@ TEST(Settings, NamedSettersSetWhatTheySay)
   EXPECT_EQ(filter->GetSourceMode(), 1);
   filter->SetSourceModeToIds();
   EXPECT_EQ(filter->GetSourceMode(), 0);
+  filter->SetClosedLinesToLoops();
+  EXPECT_EQ(filter->GetClosedLines(), 1);
+  filter->SetClosedLinesToLines();
+  EXPECT_EQ(filter->GetClosedLines(), 0);
+  filter->SetSourceHeightsToFromSurface();
+  EXPECT_EQ(filter->GetSourceHeights(), 1);
+  filter->SetSourceHeightsToOwn();
+  EXPECT_EQ(filter->GetSourceHeights(), 0);
   filter->SetCrossingModeToSplit();
   EXPECT_EQ(filter->GetCrossingMode(), 1);
   filter->SetCrossingModeToLeaveOut();

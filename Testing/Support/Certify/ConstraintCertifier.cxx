@@ -138,7 +138,7 @@ void ConstraintCertifier::collect()
   broken_.assign(constraints_.chains, 0);
   const std::vector<LeftOut>& leftOut = whole_.constraints.leftOut;
   auto next = leftOut.begin();
-  for (const GivenSegment& given : segmentsOf(constraints_))
+  for (const GivenSegment& given : segmentsOf(constraints_, vertices_))
   {
     const std::int32_t from = vertexOf(vertices_, given.from);
     const std::int32_t to = vertexOf(vertices_, given.to);
@@ -152,7 +152,7 @@ void ConstraintCertifier::collect()
     }
     if (isNone || way.leftOut)
     {
-      broken_[given.chain] = 1;
+      broken_[given.chain] = given.ofLoop || mesh_.triangleCount() == 0 ? 1 : 0;
     }
     if (!isNone && from != to)
     {

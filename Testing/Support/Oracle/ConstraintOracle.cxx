@@ -78,7 +78,7 @@ const Accepted* Definition::firstCrossed(std::int32_t from, std::int32_t to) con
 void Definition::accept()
 {
   ConstraintReport& report = result_.report;
-  for (const GivenSegment& given : segmentsOf(constraints_))
+  for (const GivenSegment& given : segmentsOf(constraints_, vertexOf_))
   {
     ++report.segments;
     const std::int32_t from = test::vertexOf(vertexOf_, given.from);

@@ -3,6 +3,8 @@
 
 #include "PlaceTable.h"
 
+#include <set>
+
 namespace ahd
 {
 namespace test
@@ -98,6 +100,23 @@ std::vector<GivenSegment> segmentsOf(const ConstraintView& constraints)
     {
       result.push_back({ k, count - 1, ids[count - 1], ids[0], true });
     }
+  }
+  return result;
+}
+
+std::vector<GivenSegment> segmentsOf(
+  const ConstraintView& constraints, const std::vector<std::int32_t>& vertices)
+{
+  std::vector<GivenSegment> result = segmentsOf(constraints);
+  for (GivenSegment& given : result)
+  {
+    std::set<std::int32_t> passed;
+    for (std::int64_t i = constraints.offsets[given.chain];
+         i < constraints.offsets[given.chain + 1] && passed.size() < 3; ++i)
+    {
+      passed.insert(vertexOf(vertices, constraints.ids[i]));
+    }
+    given.ofLoop = given.ofLoop && passed.size() > 2;
   }
   return result;
 }

@@ -63,6 +63,11 @@ std::vector<GivenSegment> segmentsOf(const ConstraintView& constraints);
 /// vertex.
 std::vector<std::int32_t> verticesOf(const PointView& points);
 
+/// The same, but what has fewer than three vertices is no loop: an id without a vertex counts as
+/// one more.
+std::vector<GivenSegment> segmentsOf(
+  const ConstraintView& constraints, const std::vector<std::int32_t>& vertices);
+
 /// The vertex of any id at all; -1 if there is none.
 inline std::int32_t vertexOf(const std::vector<std::int32_t>& vertices, std::int64_t id)
 {

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Execution/vtkAHDMergedBlocks.h"
+
+#include "Engine/Core/Memory.h"
+#include "Engine/Points/Points.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <new>
+
+vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+  vtkDataObject* input, vtkDataObject* source, const vtkAHDContext& context)
+  : Filter(filter)
+  , Limit(settings.MemoryLimit)
+  , GivenInput(input)
+  , GivenSource(source)
+  , Input(vtkPointSet::SafeDownCast(input))
+  , Source(vtkPolyData::SafeDownCast(source))
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    this->Input = this->Merge(vtkAHDBlocks(blocks), context);
+  }
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(source);
+  if (blocks && this->Input)
+  {
+    const auto kind = settings.SourceIdsAreOfInput ? vtkAHDBlocks::Kind::SourcesByIds
+                                                   : vtkAHDBlocks::Kind::Sources;
+    this->Source = this->Merge(vtkAHDBlocks(blocks, kind), context);
+    if (!this->Source)
+    {
+      this->Input = nullptr; // a surface without its constraints is not what was asked for
+    }
+  }
+}
+
+/// Null if that was aborted, or if there are too many points or there is no memory, which it says.
+vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
+  const vtkAHDBlocks& blocks, const vtkAHDContext& context)
+{
+  if (static_cast<std::size_t>(blocks.GetCount()) > ahd::kMaximumPoints)
+  {
+    vtkErrorWithObjectMacro(this->Filter,
+      "" << blocks.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
+         << " can be triangulated.");
+    return nullptr;
+  }
+  this->Bytes += blocks.EstimateBytes();
+  const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->Bytes / 1024);
+  const vtkTypeInt64 limit = this->Limit > 0
+    ? this->Limit
+    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
+  try
+  {
+    if (needed <= limit)
+    {
+      return blocks.Merge(context);
+    }
+  }
+  catch (const vtkAHDStop&)
+  {
+    return nullptr;
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  vtkErrorWithObjectMacro(this->Filter,
+    "Merging blocks of " << blocks.GetCount() << " points may take " << needed
+                         << " KiB of memory, but "
+                         << (this->Limit > 0 ? "MemoryLimit allows " : "there are ") << limit
+                         << " KiB. Nothing was computed.");
+  return nullptr;
+}
+
+void vtkAHDMergedBlocks::Warn() const
+{
+  this->WarnOfInput();
+  this->WarnOfSource();
+}
+
+void vtkAHDMergedBlocks::WarnOfInput() const
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GivenInput))
+  {
+    const vtkAHDBlocks all(blocks);
+    if (all.GetNumberOfOthers() > 0)
+    {
+      vtkWarningWithObjectMacro(this->Filter,
+        "" << all.GetNumberOfOthers() << " blocks have no points of their own (the first is a "
+           << all.GetFirstOther() << "): they were left out.");
+    }
+    if (all.GetNumberOfUnfitMarks() > 0)
+    {
+      vtkWarningWithObjectMacro(this->Filter,
+        "In "
+          << all.GetNumberOfUnfitMarks() << " blocks the point data array "
+          << vtkDataSetAttributes::GhostArrayName()
+          << " does not have one value for each of the points, or not of type unsigned char, so "
+             "none of these points was skipped.");
+    }
+  }
+  else if (!vtkPointSet::SafeDownCast(this->GivenInput))
+  {
+    // A block of a composite data set: their types are not looked at by the pipeline.
+    vtkWarningWithObjectMacro(this->Filter,
+      "A " << (this->GivenInput ? this->GivenInput->GetClassName() : "missing block")
+           << " has no points of its own: nothing was triangulated for it.");
+  }
+}
+
+void vtkAHDMergedBlocks::WarnOfSource() const
+{
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GivenSource))
+  {
+    const vtkAHDBlocks all(blocks, vtkAHDBlocks::Kind::Sources);
+    if (all.GetNumberOfOthers() > 0)
+    {
+      vtkWarningWithObjectMacro(this->Filter,
+        "" << all.GetNumberOfOthers() << " blocks of the source are no vtkPolyData (the first is a "
+           << all.GetFirstOther() << "): they were left out.");
+    }
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDMergedBlocks_h
+#define vtkAHDMergedBlocks_h
+
+#include "Input/vtkAHDBlocks.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+
+class vtkAHDContext;
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkPointSet;
+class vtkPolyData;
+struct vtkAHDSettings;
+
+/**
+ * Input and source of one execution, each as one data set: as it is, or all blocks of a composite
+ * data set together. Borrows what it is made of.
+ */
+class vtkAHDMergedBlocks
+{
+public:
+  /// Merges what has to be. Says in an error if there are too many points or too little memory.
+  /// `source` may be null. Throws std::bad_alloc.
+  vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
+    vtkDataObject* source, const vtkAHDContext& context);
+
+  /// Null if there is nothing to be triangulated: no points, an error, or an abort.
+  vtkPointSet* GetInput() const { return this->Input; }
+
+  /// Null if there is none.
+  vtkPolyData* GetSource() const { return this->Source; }
+
+  /// Those that merging has taken, at most.
+  std::size_t GetBytes() const { return this->Bytes; }
+
+  /// Warns of blocks that were passed over.
+  void Warn() const;
+
+private:
+  vtkSmartPointer<vtkPolyData> Merge(const vtkAHDBlocks& blocks, const vtkAHDContext& context);
+  void WarnOfInput() const;
+  void WarnOfSource() const;
+
+  vtkAlgorithm* const Filter;
+  const vtkTypeInt64 Limit;
+  vtkDataObject* const GivenInput;
+  vtkDataObject* const GivenSource;
+  vtkSmartPointer<vtkPointSet> Input;
+  vtkSmartPointer<vtkPolyData> Source;
+  std::size_t Bytes = 0;
+};
+
+#endif
