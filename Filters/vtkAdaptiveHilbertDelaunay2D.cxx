@@ -2,6 +2,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Engine/Core/FloatingPoint.h"
+#include "Engine/Core/Memory.h"
 #include "Engine/Core/Threads.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
@@ -296,6 +297,7 @@ void vtkAdaptiveHilbertDelaunay2D::AddCounts(vtkPolyData* surface) const
     { "NumberOfCrossings", this->NumberOfCrossings },
     { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
     { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
+    { "NumberOfTrimmedTriangles", this->NumberOfTrimmedTriangles },
   };
   for (const auto& count : counts)
   {
@@ -328,6 +330,7 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
   settings.Transform = settings.FitPlane ? nullptr : this->Transform;
   settings.TransformIsMissing = this->ProjectionPlaneMode == VTK_SET_TRANSFORM_PLANE &&
     !this->Transform;
+  settings.Trim = this->Rim == TRIMMED || (this->Rim == AUTOMATIC && settings.IsProjected());
   settings.Tolerance = this->Tolerance;
   settings.Bounding = this->BoundingTriangulation != 0;
   settings.Offset = this->Offset;
@@ -345,6 +348,7 @@ void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
   this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
     constraints.withoutVertex + constraints.crossing);
   this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
+  this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(report.Counts.trimmed);
   this->ConstrainSeconds = report.SecondsOf(ahd::Phase::Split, ahd::Phase::Constrain);
 }
 
@@ -377,6 +381,7 @@ void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
   this->NumberOfCrossings = 0;
   this->NumberOfConstraintsLeftOut = 0;
   this->NumberOfUnfilledLoops = 0;
+  this->NumberOfTrimmedTriangles = 0;
   this->ConstrainSeconds = 0.0;
 }
 
@@ -409,6 +414,7 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On\n" : "Off\n");
   os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
   os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
+  os << indent << "Rim: " << this->Rim << "\n";
   os << indent << "Transform: " << this->Transform << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << "\n";
@@ -423,5 +429,6 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
   os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
   os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";
+  os << indent << "NumberOfTrimmedTriangles: " << this->NumberOfTrimmedTriangles << "\n";
   os << indent << "ConstrainSeconds: " << this->ConstrainSeconds << "\n";
 }

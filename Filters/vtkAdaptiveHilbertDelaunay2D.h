@@ -10,7 +10,8 @@
  * that are added follow them, and all are then a copy in double precision) and one triangle per
  * cell. Cells of the input are not passed on. By default the triangles
  * - are the Delaunay triangulation of the distinct points, exactly, for all finite coordinates;
- * - are counterclockwise and cover the convex hull; points on its edges are corners of triangles;
+ * - are counterclockwise and cover the convex hull (in other planes than x, y: see Rim); points on
+ * its edges are corners of triangles;
  * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull;
  * - are a function of the coordinates and constraints, and so is their order. Shuffling the input
  *   changes only the ids; of the settings of the insertion only InsertionLimit has a say.
@@ -120,6 +121,14 @@ public:
     CLIP_TO_BOUNDS = 1 ///< the bounding box of the points
   };
 
+  /// The values of Rim.
+  enum Rims
+  {
+    AUTOMATIC = 0,   ///< the convex hull in x, y; trimmed in any other plane
+    CONVEX_HULL = 1, ///< the triangles cover the convex hull
+    TRIMMED = 2      ///< less the flat ones along it
+  };
+
   ///@{
   /// The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become
   /// edges of the triangulation, polygons edges and loops that bound what is kept. Points on a
@@ -226,6 +235,21 @@ public:
   ///@}
 
   ///@{
+  /// How far the surface reaches where no loop bounds it. CONVEX_HULL: to the convex hull in the
+  /// plane. TRIMMED: triangles with an angle above 153 degrees (exactly: 180 less the arc tangent
+  /// of 1/2) go if their longest edge lies on the rim, then those behind; in a fitted plane these
+  /// are slivers along a rim that is straight in space, and stand as walls. AUTOMATIC, the default:
+  /// CONVEX_HULL in x, y, else TRIMMED. Constraints stay edges. Nothing goes with Alpha,
+  /// MaximumEdgeLength or a bounding triangulation. A warning where a point is left without a
+  /// triangle, or a tenth of the area goes.
+  vtkSetClampMacro(Rim, int, AUTOMATIC, TRIMMED);
+  vtkGetMacro(Rim, int);
+  void SetRimToAutomatic() { this->SetRim(AUTOMATIC); }
+  void SetRimToConvexHull() { this->SetRim(CONVEX_HULL); }
+  void SetRimToTrimmed() { this->SetRim(TRIMMED); }
+  ///@}
+
+  ///@{
   /// What the points are transformed by before they are triangulated, linear or not; null, the
   /// default: nothing. Its changes are noticed; it is never changed, and stays set.
   virtual void SetTransform(vtkAbstractTransform* transform);
@@ -301,13 +325,14 @@ public:
   /// Of the last execution; 0 if it was aborted or ended in an error. Points merged by Tolerance;
   /// points added; distinct edges that are constraints, those of dropped triangles included;
   /// segments left out as they cross others (SPLIT: points added); all segments left out; loops
-  /// that bound nothing. Wall-clock seconds for the constraints.
+  /// that bound nothing; triangles that Rim took away. Wall-clock seconds for the constraints.
   vtkGetMacro(NumberOfMergedPoints, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
   vtkGetMacro(NumberOfConstraintEdges, vtkIdType);
   vtkGetMacro(NumberOfCrossings, vtkIdType);
   vtkGetMacro(NumberOfConstraintsLeftOut, vtkIdType);
   vtkGetMacro(NumberOfUnfilledLoops, vtkIdType);
+  vtkGetMacro(NumberOfTrimmedTriangles, vtkIdType);
   vtkGetMacro(ConstrainSeconds, double);
   ///@}
 
@@ -336,6 +361,7 @@ protected:
   vtkTypeBool AlphaVerts = 1;
   double MaximumEdgeLength = 0.0;
   int ProjectionPlaneMode = VTK_DELAUNAY_XY_PLANE;
+  int Rim = AUTOMATIC;
   vtkAbstractTransform* Transform = nullptr;
   double Tolerance = 0.0;
   int DuplicatePolicy = FIRST;
@@ -352,6 +378,7 @@ protected:
   vtkIdType NumberOfCrossings = 0;
   vtkIdType NumberOfConstraintsLeftOut = 0;
   vtkIdType NumberOfUnfilledLoops = 0;
+  vtkIdType NumberOfTrimmedTriangles = 0;
   double ConstrainSeconds = 0.0;
 
 private:

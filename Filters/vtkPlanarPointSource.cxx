@@ -3,8 +3,8 @@
 
 #include "Distributions/PlanarPoints.h"
 #include "Engine/Core/FloatingPoint.h"
+#include "Engine/Core/Memory.h"
 #include "Pipeline/vtkAHDArray.h"
-#include "Pipeline/vtkAHDMemory.h"
 #include "Pipeline/vtkAHDProgress.h"
 
 #include "vtkCellArray.h"
@@ -128,7 +128,7 @@ bool vtkPlanarPointSource::FitsInMemory()
   const vtkTypeInt64 perPoint = 3 * (isSingle ? sizeof(float) : sizeof(double)) +
     sizeof(vtkTypeInt32);
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->NumberOfPoints) * perPoint / 1024;
-  const vtkTypeInt64 available = vtkAHDAvailableMemory();
+  const vtkTypeInt64 available = static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
   if (needed > available)
   {
     vtkErrorMacro("Making " << this->NumberOfPoints << " points takes " << needed

@@ -22,7 +22,7 @@ minutes, the runs after it seconds.
 file       default: Data/survey.csv, soundings of an invented sea
   .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces; with or without column names
   .vtk .vtp .vtu .ply   whatever has points
-  .las                  lidar, not compressed (a .laz has to be unpacked first)
+  .las .laz             lidar; for the first .laz, laspy and lazrs are fetched from PyPI into build/
 
 options
   --x NAME --y NAME --z NAME   which columns, by name or by number from 1 (--z none: a flat set)
@@ -37,8 +37,23 @@ environment  AHD_BUILD_DIR: the folder to build in (default: build in the source
 EOF
 }
 
-# To build (the plugin's CMake files name python3-paraview and MPI), and to draw without a screen.
-packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev xvfb xauth)
+# To build (the plugin's CMake files name python3-paraview and MPI) with the pages of ParaView's help, and to
+# draw without a screen.
+packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev qttools5-dev qtxmlpatterns5-dev-tools
+  xvfb xauth)
+
+# What reads .laz, in a folder of its own. NumPy, which laspy needs, is Debian's.
+install_laz() {
+  local folder=$build/laz wanted=$root/Plugin/Demo/requirements.txt
+  cmp -s "$wanted" "$folder/requirements.txt" && return
+  install_packages python3-pip
+  rm -rf "$folder"
+  step "Installing laspy and lazrs, which read .laz" laz /usr/bin/python3 -m pip install --disable-pip-version-check \
+    --no-deps --no-compile --retries 2 --target "$folder" --requirement "$wanted" ||
+    fail 1 "laspy and lazrs could not be installed from PyPI. Is the network there?" \
+      "A .las, which other programs can make of the file, does not need them."
+  cp "$wanted" "$folder/"
+}
 
 arguments=()
 output=$build/demo
@@ -62,6 +77,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 # Before minutes of installing and building: is there a file at all?
+[ -z "$file" ] || [ ! -d "$file" ] || fail 2 "$file is a directory, not a file"
 [ -z "$file" ] || [ -f "$file" ] || fail 2 "no such file: $file"
 [ -z "$file" ] || [ -r "$file" ] || fail 2 "no permission to read $file"
 arguments+=("--output=$output")
@@ -69,14 +85,15 @@ arguments+=("--output=$output")
 export PYTHONDONTWRITEBYTECODE=1
 install_packages "${packages[@]}"
 /usr/bin/python3 "$root/Plugin/Demo/demo.py" --check "${arguments[@]}" || exit
-configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_WRAP_PYTHON=ON \
+[[ ${file,,} != *.laz ]] || install_laz
+configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_WRAP_PYTHON=ON \
   Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay AdaptiveHilbertDelaunayFiltersPython
 
 plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)
 [ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"
 
 # pvbatch draws on an X display of its own, so nothing appears on the screen.
-export PYTHONPATH="$build/lib/python3/dist-packages" PYTHONUNBUFFERED=1
+export PYTHONPATH="$build/lib/python3/dist-packages:$build/laz" PYTHONUNBUFFERED=1
 with_display pvbatch "$root/Plugin/Demo/demo.py" --plugin "$plugin" "${arguments[@]}"
 status=$?
 case $status in

@@ -35,7 +35,7 @@ packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev
   openmpi-bin libglew-dev xvfb xauth
   git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
   clang clang-format libclang-rt-14-dev valgrind shellcheck pyflakes3
-  libtbb-dev python3-venv)
+  libtbb-dev python3-venv python3-pip)
 
 # Debian's VTK 9.1 cannot be installed beside ParaView: their Python packages exclude each other.
 # All six are needed: the files that let CMake find VTK name files of each.

@@ -55,6 +55,11 @@ struct Report
   std::size_t skipped = 0;     ///< points left out on the caller's wish
   std::size_t triangles = 0;   ///< triangles of the result
 
+  // What trim() did.
+  std::size_t trimmed = 0;      ///< triangles that it took away
+  std::size_t bareVertices = 0; ///< vertices that it left in no triangle
+  double trimmedArea = 0.0;     ///< of those triangles, as a part of the convex hull's; rounded
+
   // Work, counted if Options::countWork is set, else 0.
   std::uint64_t trianglesWalked = 0;  ///< triangles tested while locating, the start included
   std::uint64_t trianglesRemoved = 0; ///< triangles removed by cavities, ghosts included

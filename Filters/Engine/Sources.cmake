@@ -9,9 +9,10 @@
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
-  Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Progress.h Core/Threads.h
+  Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Progress.h
+  Core/Threads.h
   Crossings/Crossings.h Merge/Merge.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
-  Surface/CellArrays.h Surface/Means.h Surface/Plane.h Surface/Selection.h Surface/Vectors.h
+  Surface/CellArrays.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/Selection.h Surface/Vectors.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 
 # The error bounds of the predicates are derived for products and sums that are each rounded. A

@@ -12,7 +12,6 @@
 #include "Triangulation/State.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace ahd
@@ -199,10 +198,12 @@ void TriangulationAccess::takeMemory(Workspace& from, State& to)
 
 void TriangulationAccess::giveMemory(State& from, Workspace& to)
 {
-  if (!to.memory_)
-  {
-    to.memory_.reset(new (std::nothrow) Workspace::Memory);
-  }
+  withoutThrowing(
+    [&]
+    {
+      to.memory_.reset(to.memory_ ? to.memory_.release() : new Workspace::Memory);
+      return Status::Ok;
+    });
   if (Workspace::Memory* const memory = to.memory_.get())
   {
     memory->xy = std::move(from.ranked.xy);

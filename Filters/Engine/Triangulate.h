@@ -70,6 +70,21 @@ Status triangulate(const PointView& points, const Options& options, Workspace& w
 Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, FillRule rule,
   const Context& context, Triangulation& out);
 
+/// Takes the flat triangles at the rim away: for points on a surface in space that were projected
+/// into a plane, where a straight rim is only nearly straight. The convex hull then has slivers
+/// along it that are walls in space.
+///
+/// A triangle is flat if an angle of it is wider than isFlat() allows (Predicates.h: 153.4
+/// degrees). A flat triangle goes if its longest edge lies on the convex hull or borders on one
+/// that goes, and no constraint is lost: its longest edge is none, and behind each other edge of it
+/// that is one lies a triangle that is kept whatever goes (not flat, or flat over that same edge).
+/// So the result is a function of points and constraints; what loops or lines bound is not entered.
+///
+/// report() counts what went; triangles that went are like those that loops drop. Vertices stay
+/// vertices. `whole` is used up; `out` may be the same object. The phase is Phase::Outputs. Returns
+/// Ok, Cancelled or OutOfMemory; unless Ok, `out` is empty.
+Status trim(Triangulation&& whole, const Context& context, Triangulation& out);
+
 /// Upper estimate of the bytes that triangulate() and writeTriangles() allocate
 /// for this many points, input and output not counted. The largest number for
 /// more than kMaximumPoints.
@@ -80,6 +95,9 @@ std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& o
 /// one segment crosses, and up to 350 for each vertex that one passes; a few,
 /// mostly.
 std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
+
+/// Upper estimate of what trim() takes on top of it.
+std::size_t trimMemoryEstimate(std::size_t pointCount);
 
 /// Upper estimate of what all tables of a Triangulation take on top of it.
 std::size_t tableMemoryEstimate(std::size_t pointCount);

@@ -3,6 +3,7 @@
 
 #include "Constrain/Constrainer.h"
 #include "Constrain/Regions.h"
+#include "Constrain/Rim.h"
 #include "Core/Border.h"
 #include "Triangulation/State.h"
 
@@ -28,7 +29,7 @@ bool insertConstraints(State& state, const ConstraintView& given, FillRule rule,
   {
     return false;
   }
-  state.isConstrained = true;
+  state.hasMarks = true;
   Constrainer constrainer(state.constrained, state.tables.vertexOf, ticker);
   if (!constrainer.insertAll(given, state.report.inserted))
   {
@@ -73,24 +74,60 @@ bool constrainState(
                                      : insertConstraints(state, given, rule, ticker);
 }
 
-} // namespace
-
-Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, FillRule rule,
-  const Context& context, Triangulation& out)
+bool trimState(State& state, const Context& context)
 {
-  TriangulationAccess::StatePointer state = std::move(TriangulationAccess::stateOf(delaunay));
+  if (state.report.triangles == 0)
+  {
+    return true;
+  }
+  Ticker ticker(context.progress, Phase::Outputs, 0);
+  TrimmedRim trimmed;
+  if (!state.restorePlaces(ticker) ||
+    !(state.hasMarks || state.constrained.begin(state.mesh, state.ranked.xy.data(), ticker)) ||
+    !trimRim(state.constrained, ticker, trimmed))
+  {
+    return false;
+  }
+  state.hasMarks = state.hasMarks || trimmed.triangles > 0;
+  state.report.triangles -= trimmed.triangles;
+  state.report.trimmed += trimmed.triangles;
+  state.report.bareVertices += trimmed.bareVertices;
+  state.report.trimmedArea += trimmed.area;
+  return (!state.hasCorners || state.makeFlags(ticker)) && ticker.ask();
+}
+
+/// Makes one triangulation of another, which is used up; `change` returns false if the work is to
+/// be cancelled.
+template <typename Change>
+Status makeOf(Triangulation&& from, Triangulation& out, Change change)
+{
+  TriangulationAccess::StatePointer state = std::move(TriangulationAccess::stateOf(from));
   out = Triangulation();
-  const Status status = withoutThrowing(
+  const Status status = unlessCancelled(
     [&]
     {
       state.reset(state ? state.release() : new State);
-      return constrainState(*state, constraints, rule, context) ? Status::Ok : Status::Cancelled;
+      return change(*state);
     });
   if (status == Status::Ok)
   {
     TriangulationAccess::stateOf(out) = std::move(state);
   }
   return status;
+}
+
+} // namespace
+
+Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, FillRule rule,
+  const Context& context, Triangulation& out)
+{
+  return makeOf(std::move(delaunay), out,
+    [&](State& state) { return constrainState(state, constraints, rule, context); });
+}
+
+Status trim(Triangulation&& whole, const Context& context, Triangulation& out)
+{
+  return makeOf(std::move(whole), out, [&](State& state) { return trimState(state, context); });
 }
 
 std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount)
@@ -107,6 +144,12 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
   return pointCount * kPerPoint +
     (segmentCount == 0 ? 0 : 3 * std::min(segmentCount, pointCount) * kPerEdge) +
     segmentCount * kPerSegment;
+}
+
+std::size_t trimMemoryEstimate(std::size_t pointCount)
+{
+  // Per point: a triangle, two marks, a byte, and a list of two triangles as it grows.
+  return pointCount * (4 + 2 + 1 + 3 * 2 * 4) + 4096;
 }
 
 std::size_t tableMemoryEstimate(std::size_t pointCount)

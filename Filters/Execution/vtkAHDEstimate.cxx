@@ -3,11 +3,11 @@
 // The memory that an execution needs.
 #include "Execution/vtkAHDExecution.h"
 
+#include "Engine/Core/Memory.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
-#include "Pipeline/vtkAHDMemory.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -31,6 +31,10 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   {
     bytes += ahd::constraintMemoryEstimate(count, this->Known.Segments + 2 * this->Known.Crossings);
   }
+  if (this->Settings.TrimsRim())
+  {
+    bytes += ahd::trimMemoryEstimate(count);
+  }
   return bytes + this->EstimateTables() + this->EstimateOutputs();
 }
 
@@ -41,9 +45,11 @@ std::size_t vtkAHDExecution::EstimateTables() const
   const std::size_t count = this->Known.Points;
   const bool looksUp = settings.LimitsSize() || settings.GenerateNeighbors ||
     settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
-    settings.ShowMeans || settings.Insertion.representative != ahd::Representative::FirstId ||
-    settings.HeightsFromSurface || this->Known.Crossings > 0;
-  return (looksUp ? ahd::tableMemoryEstimate(count) : 0) +
+    settings.ShowMeans || settings.HeightsFromSurface || this->Known.Crossings > 0;
+  // where one of several points stands for a vertex: the vertex of each point, twice
+  const bool chooses = settings.Insertion.representative != ahd::Representative::FirstId;
+  return (chooses ? 2 * sizeof(ahd::Index) * count : 0) +
+    (looksUp ? ahd::tableMemoryEstimate(count) : 0) +
     (settings.LimitsSize() ? ahd::selectionMemoryEstimate(count) : 0) +
     (settings.GenerateVoronoi ? ahd::voronoiMemoryEstimate(count) : 0);
 }
@@ -98,7 +104,7 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
-              : vtkAHDAvailableMemory() + static_cast<vtkTypeInt64>(held / 1024));
+              : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));
   this->UpdateEstimate();
   this->Report.IsRefused = this->Report.Estimate > this->Report.Limit;
   if (this->Report.IsRefused)

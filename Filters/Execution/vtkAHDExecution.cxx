@@ -75,7 +75,7 @@ void vtkAHDExecution::SetStages() const
       weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
     1.0,                                                                         // Triangulate
     weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
-    weight(this->Known.Segments > 0, 0.6),                                       // Constrain
+    weight(this->Known.Segments > 0, 0.6) + weight(settings.TrimsRim(), 0.05),   // Constrain
     0.15 + weight(settings.LimitsSize(), 1.5) + weight(settings.ShowMeans, 0.2), // points, cells
     arrays,                                                                      // arrays
     weight(settings.GenerateVoronoi, 0.5),                                       // diagram
@@ -129,6 +129,11 @@ void vtkAHDExecution::Constrain(Results& results)
     this->Context.Check(ahd::constrain(std::move(results.Triangulation),
       results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation));
   }
+  if (this->Settings.TrimsRim())
+  {
+    this->Context.Check(
+      ahd::trim(std::move(results.Triangulation), this->Context, results.Triangulation));
+  }
 }
 
 void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
@@ -148,8 +153,8 @@ void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
   this->Context.NextStage();
   if (this->Settings.WantsOrder())
   {
-    vtkAHDOrderOutput order(results.Points, triangulation, this->Context);
-    order.Write(this->Settings.GenerateInsertionCurve, outputs[1]);
+    vtkAHDOrderOutput::Write(
+      triangulation, this->Settings.GenerateInsertionCurve, outputs[1], this->Context);
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDMergedBlocks.h"
 
+#include "Engine/Core/Memory.h"
 #include "Engine/Points/Points.h"
 #include "Pipeline/vtkAHDContext.h"
-#include "Pipeline/vtkAHDMemory.h"
 #include "Pipeline/vtkAHDSettings.h"
 
 #include "vtkAlgorithm.h"
@@ -54,7 +54,9 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
   }
   this->Bytes += blocks.EstimateBytes();
   const vtkTypeInt64 needed = static_cast<vtkTypeInt64>(this->Bytes / 1024);
-  const vtkTypeInt64 limit = this->Limit > 0 ? this->Limit : vtkAHDAvailableMemory();
+  const vtkTypeInt64 limit = this->Limit > 0
+    ? this->Limit
+    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
   try
   {
     if (needed <= limit)

@@ -150,12 +150,30 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
     WarnOfNoTriangle(filter, report);
   }
   WarnOfStacks(filter, report);
-  if (report.DelaunayTriangles > 0 && report.Counts.triangles == 0)
+  if (report.DelaunayTriangles > 0 && report.Counts.triangles + report.Counts.trimmed == 0)
   {
     vtkWarningWithObjectMacro(filter,
       "There is no triangle, because the polygons of the source keep none of the "
         << report.DelaunayTriangles << " triangles (see FillRule).");
   }
+}
+
+/// Of what is more than the slivers along a rim.
+void WarnOfRim(vtkAlgorithm* filter, const vtkAHDReport& report)
+{
+  constexpr double kMuch = 0.1;
+  const ahd::Report& counts = report.Counts;
+  if (counts.bareVertices == 0 && !(counts.trimmedArea > kMuch))
+  {
+    return;
+  }
+  const bool isEmpty = counts.triangles == 0;
+  const int percent = static_cast<int>(100.0 * counts.trimmedArea + 0.5);
+  vtkWarningWithObjectMacro(filter,
+    "" << (isEmpty ? "There is no triangle left: trimming" : "Trimming") << " the rim took "
+       << (isEmpty ? "all " : "") << counts.trimmed << " of " << counts.triangles + counts.trimmed
+       << " triangles away, " << percent << " % of the area in the plane, and left "
+       << counts.bareVertices << " points without a triangle. Rim Convex Hull keeps them all.");
 }
 
 /// "1 point, 2 vertices"; nothing of what there is none of.
@@ -275,6 +293,7 @@ void vtkAHDSayWarnings(
   WarnOfPlane(filter, settings);
   WarnOfPoints(filter, settings, report);
   WarnOfCells(filter, report);
+  WarnOfRim(filter, report);
   WarnOfSource(filter, report);
   WarnOfConstraints(filter, settings, report);
 }

@@ -19,10 +19,14 @@
 #include "vtkPolyData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace
 {
+constexpr const char* kCrossings = "Crossings";
+
 /// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
 void Share(vtkPolyData* from, vtkPolyData* to)
 {
@@ -125,14 +129,22 @@ void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data)
     Share(outputs[k], this->Data[k]);
   }
   vtkFieldData* fieldData = outputs[0]->GetFieldData();
+  std::vector<vtkAbstractArray*> made;
   for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
   {
     // what all outputs have was passed by the pipeline
     vtkAbstractArray* array = fieldData->GetAbstractArray(i);
     if (!IsAmong(array, outputs[1]->GetFieldData()))
     {
-      this->Data[0]->GetFieldData()->AddArray(array);
+      made.push_back(array);
     }
+  }
+  // As they were made, whatever of the input's stood in their place.
+  std::sort(made.begin(), made.end(),
+    [](vtkAbstractArray* a, vtkAbstractArray* b) { return a->GetMTime() < b->GetMTime(); });
+  for (vtkAbstractArray* array : made)
+  {
+    this->Data[0]->GetFieldData()->AddArray(array);
   }
   vtkPointData* own = this->Data[0]->GetPointData();
   for (int i = own->GetNumberOfArrays() - 1; i >= 0; --i)
@@ -172,7 +184,10 @@ void vtkAHDOutputCache::PassOn(const vtkAHDDataSets& data) const
     vtkAHDReplaceArray(pointData, own->GetAbstractArray(i));
   }
   vtkFieldData* ownFieldData = this->Data[0]->GetFieldData();
-  outputs[0]->GetFieldData()->RemoveArray("Crossings"); // the input's
+  if (!ownFieldData->HasArray(kCrossings))
+  {
+    outputs[0]->GetFieldData()->RemoveArray(kCrossings); // the input's; else it keeps its place
+  }
   for (int i = 0; i < ownFieldData->GetNumberOfArrays(); ++i)
   {
     outputs[0]->GetFieldData()->AddArray(ownFieldData->GetAbstractArray(i));

@@ -21,8 +21,8 @@ class vtkPolyData;
  * the input is not.
  *
  * To know the points again takes their fingerprint, and that takes time. So it is not taken before
- * an execution comes again with unchanged settings and as many points: outputs are kept from the
- * second such execution on.
+ * an execution comes again with unchanged settings and as many points: the second such execution
+ * keeps its outputs, and they are passed on from the third on.
  */
 class vtkAHDOutputCache
 {

@@ -30,6 +30,7 @@ struct vtkAHDSettings
   bool ShowMeans = false; ///< of z, at duplicates
   bool Bounding = false;
   double Offset = 1.0;
+  bool Trim = false; ///< the rim, where nothing else bounds the surface
   bool GeneratePointStatus = false;
   bool GenerateInsertionRank = false;
   bool GenerateInsertionCurve = false;
@@ -44,6 +45,8 @@ struct vtkAHDSettings
   bool IsProjected() const { return this->FitPlane || this->Transform; }
   /// Is there to be a bounding triangulation?
   bool AddsBounding() const { return this->Bounding && !this->IsProjected(); }
+  /// Is the rim to be trimmed?
+  bool TrimsRim() const { return this->Trim && !this->LimitsSize() && !this->AddsBounding(); }
   /// Is anything of the second output asked for?
   bool WantsOrder() const { return this->GenerateInsertionCurve || this->Insertion.keepBoxes; }
   /// Are triangles to be left out for their size?

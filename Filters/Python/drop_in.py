@@ -23,6 +23,7 @@ import contextlib
 import sys
 
 from vtkmodules import vtkFiltersCore
+from vtkmodules.vtkCommonCore import vtkCommand
 
 from . import vtkAdaptiveHilbertDelaunay2D
 
@@ -64,16 +65,38 @@ class vtkDelaunay2D(vtkAdaptiveHilbertDelaunay2D, metaclass=_SaysYesToOriginals)
       here in the triangulation plane; points nearer to another than that are merged, and GetNumberOfMergedPoints
       says how many;
     - it says that its class is vtkDelaunay2D;
-    - the field data of the output are those of the input, without the filter's measures.
+    - the field data of the output are those of the input, without the filter's measures. Observers of the
+      EndEvent take these out, before those of the caller that have the priority 0, as all have by default. Neither
+      RemoveAllObservers nor RemoveObservers("EndEvent") takes them off.
 
     All further properties and measures of vtkAdaptiveHilbertDelaunay2D can be used as well.
     """
 
     def __new__(cls, *arguments, **properties):
+        if cls is vtkDelaunay2D:
+            original(*arguments, **properties)  # VTK looks at the arguments of its own classes only
         made = super().__new__(cls, *arguments, **properties)
         made.SetTolerance(1e-5)
-        made.AddObserver("EndEvent", _forget_measures, 1.0)  # before those of the caller
+        made._watch()
         return made
+
+    def _watch(self):
+        """Has the measures taken out after each run, before observers of the caller see them. Twice: of observers
+        of one priority VTK calls the one that was added first last, and the others in order. No priority above 0:
+        VTK 9.7 calls such an observer without end once Python holds the filter no longer."""
+        for _ in range(2):
+            self.AddObserver("EndEvent", _forget_measures)
+
+    def RemoveAllObservers(self):
+        """Takes off the observers that were added."""
+        super().RemoveAllObservers()
+        self._watch()
+
+    def RemoveObservers(self, event, *command):
+        """Takes off the observers of this event that were added, or those with this command."""
+        super().RemoveObservers(event, *command)
+        if not command and event in ("EndEvent", vtkCommand.EndEvent):
+            self._watch()
 
     def NewInstance(self):
         """A new filter with default settings."""

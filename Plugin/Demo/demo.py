@@ -7,18 +7,21 @@ Exit code 2 for a file or an option that cannot be used, 1 for all else that goe
 """
 
 import argparse
+import math
 import os
 import sys
+import tempfile
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import numpy
 
+import conversion
 import pointfiles
+from conversion import VTK_FILES
 from pointfiles import InputError, PointSet, thousands
 
-VTK_FILES = (".vtk", ".vtp", ".vtu", ".ply")
 SAMPLE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Data", "survey.csv")
 
 
@@ -48,15 +51,18 @@ def parse_arguments(words):
             parser.error("--columns takes two or three names or numbers with commas between")
         columns += [None] * (3 - len(columns))
     chosen.columns = tuple(columns)
-    if chosen.exaggeration is not None and not chosen.exaggeration > 0:
-        parser.error("--exaggeration must be greater than 0")
+    if chosen.exaggeration is not None and not (chosen.exaggeration > 0 and math.isfinite(chosen.exaggeration)):
+        parser.error("--exaggeration must be greater than 0 and finite")
     check_file(chosen)
+    check_output(chosen)
     return chosen
 
 
 def check_file(chosen):
     ending = os.path.splitext(chosen.file)[1].lower()
     known = pointfiles.TABLES + pointfiles.LAS + VTK_FILES
+    if os.path.isdir(chosen.file):
+        raise InputError("%s is a directory, not a file" % chosen.file)
     if not os.path.isfile(chosen.file):
         raise InputError("no such file: %s" % chosen.file)
     if not os.access(chosen.file, os.R_OK):
@@ -67,46 +73,61 @@ def check_file(chosen):
         raise InputError("columns can be chosen in tables only (%s)" % " ".join(pointfiles.TABLES))
 
 
+def results(chosen):
+    """Where the surface and the picture are written."""
+    stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
+    return stem + ".vtp", stem + ".png"
+
+
+def check_output(chosen):
+    """Raises InputError unless the results can be written; makes the folder for them."""
+    try:
+        os.makedirs(chosen.output, exist_ok=True)
+    except OSError as error:
+        raise InputError("--output %s cannot be a folder: %s" % (chosen.output, error.strerror)) from error
+    try:
+        tempfile.TemporaryFile(dir=chosen.output).close()
+    except OSError as error:
+        raise InputError("nothing can be written in --output %s: %s" % (chosen.output, error.strerror)) from error
+    for path in results(chosen):
+        if os.path.isdir(path):
+            raise InputError("%s cannot be written: it is a directory" % path)
+        if os.path.exists(path) and not os.access(path, os.W_OK):
+            raise InputError("no permission to write %s" % path)
+        if os.path.exists(path) and os.path.samefile(path, chosen.file):
+            raise InputError("the result would take the place of %s; choose another folder with --output" % path)
+
+
 # --- what needs ParaView ------------------------------------------------------------------------
 
 
 def read_vtk(path):
-    """(source proxy, PointSet) of a file that ParaView reads."""
-    from paraview import servermanager, simple
+    """(source proxy, PointSet) of a file that VTK reads."""
     from paraview.vtk.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
-    try:
-        source = simple.OpenDataFile(path)
-    except RuntimeError:  # no reader recognises it, whatever its name
-        source = None
-    if source is None:
-        raise InputError("ParaView cannot read %s" % path)
-    data = servermanager.Fetch(source)
-    if data is None or not data.IsA("vtkPointSet"):
-        kind = data.GetClassName() if data else "nothing"
-        raise InputError("%s holds %s; a data set with points of its own is needed" % (path, kind))
-    if data.GetNumberOfPoints() == 0:
-        raise InputError("%s holds no points%s" % (path, appended_data_hint(path)))
+    with tempfile.TemporaryDirectory(prefix="demo-") as folder:
+        made = os.path.join(folder, "points.vtp")
+        kind = conversion.convert(path, made)
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(made)
+        reader.Update()
+    data = reader.GetOutput()
     xyz = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
-    return source, PointSet(xyz, ("x", "y", "z"), [data.GetClassName()], 0, True)
+    return producer(data), PointSet(xyz, ("x", "y", "z"), [kind], 0, True)
 
 
-def appended_data_hint(path):
-    """Whether the file is one that ParaView 5.11 (VTK 9.2) writes and yet cannot read: with their data
-    appended, the default, it fails on XML files since libexpat changed when it reports what it has
-    read (2.6; in Debian 12 since 2.5.0-1+deb12u2, a security update)."""
-    with open(path, "rb") as file:
-        if b"<AppendedData" not in file.read(1 << 20):
-            return ""
-    return (
-        " that ParaView can read here: its data is appended, which ParaView 5.11 cannot read with newer"
-        "\nversions of libexpat. Save it again with the data mode Binary or Ascii, or as legacy .vtk"
-    )
+def read_laz(path):
+    """PointSet of a compressed LAS file."""
+    with tempfile.TemporaryDirectory(prefix="demo-") as folder:
+        made = os.path.join(folder, "points.las")
+        conversion.convert(path, made)
+        points = pointfiles.read_points(made)
+        return points._replace(xyz=numpy.array(points.xyz))  # not of a file that goes
 
 
 def make_source(points):
     """A source proxy that gives the points to the pipeline."""
-    from paraview import simple
     from paraview.vtk.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkPolyData
@@ -115,6 +136,13 @@ def make_source(points):
     vtk_points.SetData(numpy_to_vtk(numpy.ascontiguousarray(points.xyz), deep=1))
     data = vtkPolyData()
     data.SetPoints(vtk_points)
+    return producer(data)
+
+
+def producer(data):
+    """A source proxy that gives a data set to the pipeline."""
+    from paraview import simple
+
     source = simple.TrivialProducer(registrationName="points")
     source.GetClientSideObject().SetOutput(data)
     return source
@@ -188,28 +216,35 @@ def write_picture(surface, points, chosen, path):
     return told
 
 
-def run(chosen):
-    print("Reading %s" % chosen.file)
+def read(chosen):
+    """(source proxy, PointSet) of the file."""
     if os.path.splitext(chosen.file)[1].lower() in VTK_FILES:
-        source, points = read_vtk(chosen.file)
+        return read_vtk(chosen.file)
+    if chosen.file.lower().endswith(".laz") and pointfiles.is_compressed(chosen.file):
+        points = read_laz(chosen.file)
     else:
         points = pointfiles.read_points(chosen.file, chosen.columns)
-        source = make_source(points)
+    return make_source(points), points
+
+
+def run(chosen):
+    print("Reading %s" % chosen.file, flush=True)
+    source, points = read(chosen)
     for note in points.notes:
         print("  " + note)
     print("Triangulating", flush=True)
     proxy, surface, measures = triangulate(source, chosen.plugin)
     report(points, measures)
-    try:
-        os.makedirs(chosen.output, exist_ok=True)
-    except OSError as error:
-        raise InputError("--output %s cannot be a folder: %s" % (chosen.output, error.strerror)) from error
-    stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
-    save_surface(proxy, stem + ".vtp")
+    vtp, png = results(chosen)
+    for old in (vtp, png):  # no picture of an earlier run beside this surface
+        if os.path.exists(old):
+            os.remove(old)
+    save_surface(proxy, vtp)
     if surface.GetNumberOfPolys() == 0:
         raise InputError("no triangle, so no picture: all points lie on one line, or there are fewer than three")
-    told = write_picture(surface, points, chosen, stem + ".png")
-    print("Picture  %s.png\n         %s" % (stem, told))
+    told = write_picture(surface, points, chosen, png)
+    check_written(png)
+    print("Picture  %s\n         %s" % (png, told))
 
 
 def save_surface(proxy, path):
@@ -217,7 +252,13 @@ def save_surface(proxy, path):
 
     # not appended, see appended_data_hint
     simple.SaveData(path, proxy=proxy, DataMode="Binary", CompressorType="ZLib")
+    check_written(path)
     print("Surface  %s" % path)
+
+
+def check_written(path):
+    if not os.path.isfile(path) or os.path.getsize(path) == 0:
+        raise OSError("%s could not be written; is the disk full?" % path)
 
 
 def main():

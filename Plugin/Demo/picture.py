@@ -14,7 +14,7 @@ from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from pointfiles import DEGREE_NAMES, plain
+from pointfiles import DEGREE_NAMES, InputError, plain
 
 METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
 RELIEF = 0.11  # the drawn relief, as a share of the horizontal diagonal
@@ -22,6 +22,7 @@ SIZE = (1920, 1080)
 VIEW_ANGLE = 18.0  # degrees, of the camera
 VIEW_HEIGHT = 45.0  # degrees above the horizon that the camera looks from
 FLOOR, WEST_EDGE, SOUTH_EDGE, EAST_EDGE = 4, 1, 2, 8  # bits of vtkGridAxesHelper: faces and axes to label
+LARGEST, SMALLEST = 1e30, 1e-20  # coordinates and extents that the renderer can draw, which computes in float
 LIGHT_FROM = (75.0, 36.0)  # degrees to the left of the camera, and above the horizon
 
 # Elevation colours: lightness rises evenly from deep violet-blue through teal to pale yellow.
@@ -45,6 +46,7 @@ def choose_scale(xyz, names, exaggeration=None):
     """How to draw the points. Degrees of longitude and latitude are taken as metres on a sphere;
     all else is taken to be in one unit. Without a wish, the exaggeration makes the relief
     (without its outermost 1 %) about RELIEF of the horizontal diagonal, or is 1 if that is near."""
+    check_size(xyz)
     good = xyz[numpy.isfinite(xyz).all(axis=1)]
     if len(good):
         xyz = good
@@ -58,9 +60,30 @@ def choose_scale(xyz, names, exaggeration=None):
     shrink = math.cos(math.radians((south + north) / 2)) if geographic else 1.0
     unit = METRES_PER_DEGREE if geographic else 1.0
     diagonal = unit * math.hypot((east - west) * shrink, north - south)
+    low, high = float(low), float(high)
+    if high - low < SMALLEST:
+        high = low  # flat
     if exaggeration is None:
-        exaggeration = choose_exaggeration(float(high - low), diagonal)
-    return Scale((shrink, 1.0, exaggeration / unit), exaggeration, geographic, float(low), float(high))
+        exaggeration = choose_exaggeration(high - low, diagonal)
+    scale = Scale((shrink, 1.0, exaggeration / unit), exaggeration, geographic, low, high)
+    check_extent(diagonal / unit, scale)
+    return scale
+
+
+def check_size(xyz):
+    """Raises InputError if coordinates are too large to be drawn."""
+    largest = float(numpy.max(numpy.abs(xyz), where=numpy.isfinite(xyz), initial=0.0))
+    if largest > LARGEST:
+        raise InputError("no picture: coordinates as large as %.3g cannot be drawn, only up to %g" % (largest, LARGEST))
+
+
+def check_extent(diagonal, scale):
+    """Raises InputError if the surface is too small to be drawn, or made too steep or too flat."""
+    if diagonal < SMALLEST:
+        raise InputError("no picture: an extent as small as %.3g cannot be drawn, only from %g" % (diagonal, SMALLEST))
+    factor = scale.factors[2]
+    if not (SMALLEST <= factor <= LARGEST and (scale.high - scale.low) * factor <= LARGEST):
+        raise InputError("no picture: a vertical exaggeration of %g cannot be drawn" % scale.exaggeration)
 
 
 def choose_exaggeration(relief, diagonal):

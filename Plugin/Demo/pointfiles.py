@@ -8,6 +8,7 @@ at all raises InputError with a message for the person who gave the file.
 
 import collections
 import csv
+import math
 import os
 import re
 import struct
@@ -59,6 +60,13 @@ def read_points(path, columns=(None, None, None)):
 def read_table(path, columns=(None, None, None)):
     """A text table. columns: for x, y, z a name, a number counted from 1, or None for a guess;
     "none" for z makes a flat set."""
+    try:
+        return read_rows(path, columns)
+    except csv.Error as error:  # the one that is left: a field is too long
+        raise InputError("%s: %s, as if a quote were not closed" % (path, error)) from error
+
+
+def read_rows(path, columns):
     rows, comment = significant_lines(read_text(path))
     if not rows:
         raise InputError("%s holds no data" % path)
@@ -89,8 +97,9 @@ def read_text(path):
         data = file.read()
     if data[:2] in (b"\xff\xfe", b"\xfe\xff"):
         return data.decode("utf-16", errors="replace")
-    if b"\0" in data[:4096]:
-        raise InputError("%s is not a text file" % path)
+    zero = data.find(b"\0")
+    if zero >= 0:
+        raise InputError("%s is not a text file: byte %s is zero" % (path, thousands(zero + 1)))
     return data.decode("utf-8-sig", errors="replace")
 
 
@@ -230,7 +239,7 @@ def named_column(want, names, axis, has_header):
     for same in (lambda name: name == want, lambda name: plain(name) == plain(want)):
         if has_header and any(same(name) for name in names):
             return next(i for i, name in enumerate(names) if same(name))
-    if want.isdigit() and 1 <= int(want) <= len(names):
+    if want.isdecimal() and len(want) < 10 and 1 <= int(want) <= len(names):
         return int(want) - 1
     known = ", ".join(names) if has_header else "numbers 1 to %d" % len(names)
     raise InputError('no column "%s" for %s; this file has %s' % (want, axis, known))
@@ -269,7 +278,7 @@ def parse(rows, layout, chosen):
         try:
             fields = layout.split(line)
             good.append([layout.number(fields[column]) for column in use])
-        except (ValueError, IndexError, csv.Error):
+        except (ValueError, IndexError):
             bad.append((number, line))
     return numpy.array(good, dtype=float).reshape(-1, len(use)), bad
 
@@ -315,6 +324,7 @@ def read_las(path):
     if version >= (1, 4) and len(head) >= 255:
         count, = struct.unpack_from("<Q", head, 247)
     check_las(path, version, point_format, length)
+    check_scales(path, scale, offset)
     if start < 227:  # bytes of the shortest header
         raise InputError("%s is damaged: its points are said to begin at byte %d, inside the header" % (path, start))
     available = max(0, os.path.getsize(path) - start) // length
@@ -330,11 +340,8 @@ def read_las(path):
 
 
 def check_las(path, version, point_format, length):
-    if point_format & 0xC0 or path.lower().endswith(".laz"):
-        raise InputError(
-            "%s is compressed (LAZ), which this demo does not read; make it a .las first, for example with\n"
-            "  laszip -i %s    or    pdal translate %s out.las" % (path, path, path)
-        )
+    if point_format & 0xC0:
+        raise InputError("%s is compressed (LAZ); give it a name that ends in .laz" % path)
     if version[0] != 1 or version[1] > 4 or point_format >= len(LAS_RECORD):
         raise InputError(
             "%s is LAS %d.%d with point format %d; known are LAS 1.0 to 1.4 with formats 0 to 10"
@@ -345,3 +352,18 @@ def check_las(path, version, point_format, length):
             "%s is damaged: its records have %d bytes, point format %d needs %d"
             % (path, length, point_format, LAS_RECORD[point_format])
         )
+
+
+def check_scales(path, scale, offset):
+    for axis, factor, zero in zip("xyz", scale, offset):
+        if not (math.isfinite(factor) and factor != 0):
+            raise InputError("%s is damaged: the scale of %s is %g" % (path, axis, factor))
+        if not math.isfinite(zero):
+            raise InputError("%s is damaged: the offset of %s is %g" % (path, axis, zero))
+
+
+def is_compressed(path):
+    """Is it a LAS file whose points are compressed, as those of a .laz are?"""
+    with open(path, "rb") as file:
+        head = file.read(105)
+    return head[:4] == b"LASF" and len(head) == 105 and head[104] & 0x80 != 0

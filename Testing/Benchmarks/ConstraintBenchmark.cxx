@@ -23,6 +23,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -43,10 +44,11 @@ ConstraintCase edgesThatAreThere(std::size_t n)
 {
   ConstraintCase result;
   result.points = makePoints(Distribution::Uniform, n, 21);
-  Triangulator triangulator;
-  triangulator.run(result.view(), Options(), nullptr);
-  std::vector<std::int32_t> triples(3 * triangulator.report().triangles);
-  triangulator.writeTriangles(triples.data(), nullptr);
+  Workspace workspace;
+  Triangulation made;
+  triangulate(result.view(), Options(), workspace, {}, made);
+  std::vector<std::int32_t> triples(3 * made.report().triangles);
+  made.writeTriangles(triples.data(), {});
   for (std::size_t h = 0; h < triples.size(); ++h)
   {
     const std::int32_t from = triples[h];
@@ -110,22 +112,23 @@ struct Measured
 
 Measured byUs(const ConstraintCase& given, bool constrained)
 {
-  static Triangulator triangulator;
+  static Workspace workspace;
+  static Triangulation made;
   static std::vector<std::int32_t> triples;
   Measured result;
   const double begin = seconds();
-  bool ok = triangulator.run(given.view(), Options(), nullptr) == Status::Ok;
+  bool ok = triangulate(given.view(), Options(), workspace, {}, made) == Status::Ok;
   const double run = seconds();
   if (constrained && ok)
   {
-    ok = triangulator.constrain(given.constraints.view(), FillRule::Orientation, nullptr) ==
+    ok = constrain(std::move(made), given.constraints.view(), FillRule::Orientation, {}, made) ==
       Status::Ok;
-    result.edges = triangulator.constraints().edges;
+    result.edges = made.constraints().edges;
   }
   result.constrain = seconds() - run;
-  result.triangles = triangulator.report().triangles;
+  result.triangles = made.report().triangles;
   triples.resize(std::max(triples.size(), 3 * result.triangles));
-  ok = ok && triangulator.writeTriangles(triples.data(), nullptr) == Status::Ok;
+  ok = ok && made.writeTriangles(triples.data(), {}) == Status::Ok;
   result.whole = seconds() - begin;
   return ok ? result : Measured();
 }

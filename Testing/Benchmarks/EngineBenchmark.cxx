@@ -95,23 +95,24 @@ void measure(benchmark::State& state, const Case& c, Run run)
 /// The engine and the memory for its triangles, kept from call to call by cases of one size.
 struct Ours
 {
-  Triangulator triangulator;
+  Workspace workspace;
+  Triangulation made;
   std::unique_ptr<std::int32_t[]> triples;
   std::size_t capacity = 0;
 
   std::size_t triangulate(const PointView& points, Executor* executor)
   {
-    if (triangulator.run(points, Options(), nullptr, executor) != Status::Ok)
+    if (ahd::triangulate(points, Options(), workspace, { nullptr, executor }, made) != Status::Ok)
     {
       return 0;
     }
-    const std::size_t triangles = triangulator.report().triangles;
+    const std::size_t triangles = made.report().triangles;
     if (capacity < triangles)
     {
       triples.reset(new std::int32_t[3 * triangles]);
       capacity = triangles;
     }
-    const Status written = triangulator.writeTriangles(triples.get(), nullptr, executor);
+    const Status written = made.writeTriangles(triples.get(), { nullptr, executor });
     return written == Status::Ok ? triangles : 0;
   }
 };

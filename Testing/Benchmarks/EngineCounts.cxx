@@ -6,48 +6,14 @@
 // Numbers of threads beyond those of the machine are said, not had: what is counted is the same.
 #include "BenchmarkFlags.h"
 #include "Executors.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 #include "Triangulate.h"
 
-#include <malloc.h>
-
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
-
-namespace
-{
-
-std::atomic<std::size_t> held{ 0 };
-std::atomic<std::size_t> peak{ 0 };
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  void* const block = alignment == alignof(std::max_align_t)
-    ? std::malloc(size)
-    : std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t now = held += malloc_usable_size(block);
-  if (now > peak)
-  {
-    peak = now;
-  }
-  return block;
-}
-
-void ahd::test::ownRelease(void* block)
-{
-  held -= block ? malloc_usable_size(block) : 0;
-  std::free(block);
-}
 
 namespace
 {
@@ -62,24 +28,25 @@ bool count(Distribution distribution, const std::vector<Point>& points, unsigned
   ThreadExecutor executor(std::min(there, threads), threads);
   std::vector<std::int32_t> triples(6 * points.size() + 6);
   const PointView view(&points[0].x, points.size(), 2);
-  const std::size_t before = held;
-  peak = before;
-  Triangulator triangulator;
+  const std::size_t before = account.held;
+  account.peak = before;
+  Workspace workspace;
+  Triangulation made;
+  const Context context{ nullptr, threads == 1 ? nullptr : &executor };
   Options options;
-  Status status = triangulator.run(view, options, nullptr, threads == 1 ? nullptr : &executor);
-  const Report shared = triangulator.report();
+  Status status = triangulate(view, options, workspace, context, made);
+  const Report shared = made.report();
   if (status == Status::Ok)
   {
-    status = triangulator.writeTriangles(
-      triples.data(), nullptr, threads == 1 ? nullptr : &executor);
+    status = made.writeTriangles(triples.data(), context);
   }
-  const std::size_t most = peak - before;
+  const std::size_t most = account.peak - before;
   Report work;
   if (threads == 1 && status == Status::Ok)
   {
     options.countWork = true; // which does without threads
-    status = triangulator.run(view, options, nullptr);
-    work = triangulator.report();
+    status = triangulate(view, options, workspace, {}, made);
+    work = made.report();
   }
   std::printf("{\"distribution\": \"%s\", \"points\": %zu, \"threads\": %u, \"ok\": %s, "
               "\"inserted\": %zu, \"attempts\": %llu, \"deferred\": %llu, \"criticalPath\": %llu, "

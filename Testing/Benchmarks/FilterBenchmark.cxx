@@ -48,16 +48,17 @@ void measure(benchmark::State& state, std::size_t n, Run run)
 
 void runEngine(benchmark::State& state, vtkPoints* points)
 {
-  static Triangulator triangulator;
+  static Workspace workspace;
+  static Triangulation made;
   const std::size_t n = std::size_t(points->GetNumberOfPoints());
   const PointView view(static_cast<const double*>(points->GetVoidPointer(0)), n, 3);
   measure(state, n,
     [&]
     {
-      triangulator.run(view, Options(), nullptr);
-      const std::size_t triangles = triangulator.report().triangles;
+      triangulate(view, Options(), workspace, {}, made);
+      const std::size_t triangles = made.report().triangles;
       std::unique_ptr<std::int32_t[]> triples(new std::int32_t[3 * triangles]);
-      triangulator.writeTriangles(triples.get(), nullptr);
+      made.writeTriangles(triples.get(), {});
       benchmark::DoNotOptimize(triples.get());
       return triangles;
     });

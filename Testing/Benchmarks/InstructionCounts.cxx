@@ -33,7 +33,7 @@ public:
   void dump()
   {
     static const char* const kNames[] = { "merge", "split", "read", "sort", "insert", "constrain",
-      "extract", "fates" };
+      "extract", "outputs" };
     static_assert(std::size(kNames) == kPhases, "a name for each phase");
     if (phase_ >= 0)
     {
@@ -64,12 +64,13 @@ int main(int argc, char** argv)
     return 1;
   }
   std::vector<std::int32_t> triples(6 * points.size());
-  Triangulator triangulator;
+  Workspace workspace;
+  Triangulation made;
   Phases phases;
   const PointView view(&points[0].x, points.size(), 2);
-  const Status status = triangulator.run(view, Options(), &phases);
+  const Status status = triangulate(view, Options(), workspace, { &phases, nullptr }, made);
   const bool ok = status == Status::Ok &&
-    triangulator.writeTriangles(triples.data(), &phases) == Status::Ok;
+    made.writeTriangles(triples.data(), { &phases, nullptr }) == Status::Ok;
   phases.dump();
   return ok ? 0 : 1;
 }

@@ -135,14 +135,15 @@ public:
     {
       return;
     }
-    Triangulator triangulator;
+    Workspace workspace;
+    Triangulation made;
     Options options = this->withLimit(configuration.options);
     options.countWork = true;
-    if (triangulator.run(viewOf(points_), options, nullptr) != Status::Ok)
+    if (triangulate(viewOf(points_), options, workspace, {}, made) != Status::Ok)
     {
       measured.faults += "the counting run failed; ";
     }
-    measured.work = triangulator.report();
+    measured.work = made.report();
   }
 
 private:
@@ -159,14 +160,15 @@ private:
     const Options options = this->withLimit(configuration.options);
     const PointView view = viewOf(points_);
     Stopwatch watch;
-    Triangulator triangulator;
-    Status status = triangulator.run(view, options, &watch);
+    Workspace workspace;
+    Triangulation made;
+    Status status = triangulate(view, options, workspace, { &watch, nullptr }, made);
     watch.endPhase();
-    const std::size_t triangles = triangulator.report().triangles;
+    const std::size_t triangles = made.report().triangles;
     const std::unique_ptr<std::int32_t[]> triples(new std::int32_t[3 * triangles]);
     if (status == Status::Ok)
     {
-      status = triangulator.writeTriangles(triples.get(), &watch);
+      status = made.writeTriangles(triples.get(), { &watch, nullptr });
     }
     watch.stop();
     watch.addTo(measured);
@@ -176,18 +178,18 @@ private:
       measured.faults += "the run failed; ";
       return;
     }
-    this->check(triangulator, triples.get(), measured);
+    this->check(made, triples.get(), measured);
   }
 
-  void check(const Triangulator& triangulator, const std::int32_t* triples, Measured& measured)
+  void check(Triangulation& made, const std::int32_t* triples, Measured& measured)
   {
     const std::size_t numbers = 3 * measured.triangles;
     if (right_.empty())
     {
-      std::vector<std::int64_t> fates(points_.size());
-      triangulator.writeFates(fates.data(), nullptr);
+      std::vector<std::int64_t> pointStatus(points_.size());
+      made.writePointStatus(pointStatus.data(), {});
       right_.assign(triples, triples + numbers);
-      measured.faults += joined(certify(viewOf(points_), right_, fates));
+      measured.faults += joined(certify(viewOf(points_), right_, pointStatus));
       measured.checked = "certificate";
       return;
     }

@@ -8,6 +8,7 @@ import contextlib
 import io
 import math
 import os
+import re
 import sys
 import tempfile
 import unittest
@@ -17,7 +18,10 @@ import numpy
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
 sys.path.insert(0, os.path.join(ROOT, "Plugin", "Demo"))
 
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
 import adaptivehilbertdelaunay  # noqa: F401 (before the filter exists, so that Python knows its class)
+import badfiles
 import demo
 import picture
 from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -116,7 +120,7 @@ class VtkFormats(InFolder):
         writer.SetFileName(self.path("image.vtk"))
         writer.SetInputData(image)
         writer.Write()
-        with self.assertRaisesRegex(InputError, "holds vtkImageData; a data set with points of its own is needed"):
+        with self.assertRaisesRegex(InputError, "holds vtkStructuredPoints; a data set with points of its own is needed"):
             demo.read_vtk(self.path("image.vtk"))
 
     def test_a_file_without_points(self):
@@ -222,6 +226,40 @@ class WholeRuns(InFolder):
             self.run_demo(self.write_text("line.txt", "0 0 1\n1 1 2\n2 2 3\n"))
         self.assertEqual(self.surface("line.vtp").GetNumberOfPoints(), 3)
         self.assertFalse(os.path.exists(self.path("line.png")))
+
+    def test_no_old_picture_stays_beside_a_new_empty_surface(self):
+        self.run_demo(self.write_text("same.csv", badfiles.HILL.decode()))
+        self.assertTrue(os.path.exists(self.path("same.png")))
+        with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
+            self.run_demo(self.write_text("same.csv", "0,0,1\n1,1,2\n2,2,3\n"))
+        self.assertEqual(self.surface("same.vtp").GetNumberOfPolys(), 0)
+        self.assertFalse(os.path.exists(self.path("same.png")))
+
+    def test_what_cannot_be_drawn_is_triangulated_all_the_same(self):
+        for name, (content, words) in badfiles.FOR_THE_PICTURE.items():
+            with self.subTest(name=name):
+                with self.assertRaisesRegex(InputError, "^no picture: .*" + re.escape(words)):
+                    self.run_demo(self.write_text(name, content.decode()))
+                self.assertGreater(self.surface(name[:-4] + ".vtp").GetNumberOfPolys(), 0)
+        for factor in ("1e-300", "1e300"):
+            with self.assertRaisesRegex(InputError, "^no picture: a vertical exaggeration of"):
+                self.run_demo(self.write_text("hill.csv", badfiles.HILL.decode()), "--exaggeration", factor)
+
+    def test_the_largest_and_smallest_that_are_drawn(self):
+        for name, unit in (("large.csv", 2e28), ("small.csv", 1e-20)):
+            rows = "".join("%r,%r,%r\n" % (i % 20 * unit, i // 20 * unit, i % 7 * unit) for i in range(400))
+            self.run_demo(self.write_text(name, rows))
+            self.assert_picture(name[:-4] + ".png")
+
+    def test_the_input_is_not_overwritten(self):
+        writer = vtkXMLPolyDataWriter()
+        writer.SetFileName(self.path("points.vtp"))
+        writer.SetInputData(poly_data())
+        writer.SetDataModeToBinary()
+        writer.Write()
+        with self.assertRaisesRegex(InputError, "the result would take the place of"):
+            self.run_demo(self.path("points.vtp"))
+        self.assertEqual(self.surface("points.vtp").GetNumberOfPolys(), 4)
 
 
 class Drawing(unittest.TestCase):

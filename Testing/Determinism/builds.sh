@@ -24,7 +24,7 @@ declare -A flags=(
   [g++-O2]='-O2'
   [g++-O3]='-O3'
   [g++-native]='-O3 -march=native'
-  [g++-flto]='-O2 -flto=auto -ffat-lto-objects'
+  [g++-flto]='-O2 -flto=auto -ffat-lto-objects -Wodr -Werror=odr'
   [g++-unroll]='-O3 -funroll-all-loops -fipa-pta'
   [g++-portable]='-O2 -DAHD_PORTABLE'
   [g++-without-int128]='-O2 -DAHD_WITHOUT_INT128'

@@ -28,16 +28,16 @@ enum HeadByte : std::size_t
   kSecondSettings, ///< likewise, of the second run
   kNmax,           ///< 4 bits for each run: the default, 1, 2, 3, ..., 15
   kExecutors,      ///< 4 bits for each run: see executor()
-  kLayout, ///< bit 0 float; 1-2 numbers per point - 2; 3 representatives by z; 4 even-odd fill
-           ///< rule; 5 split the constraints where they cross; 6 merge points; 7 the Voronoi
-           ///< diagram too
-  kSkipMarks,     ///< mark of point i: these bits, turned left by i
-  kSkipMask,      ///< PointView::skipMask
-  kLimit,         ///< insertionLimit of a further run, 0 for none
-  kCopies,        ///< from 240 on: 2, 4, ... 2^16 copies of the points, side by side, but at most
-                  ///< kMostPoints
-  kCancelAt,      ///< a further run is cancelled at this asking, 0 for none
-  kFailAt,        ///< a further run has no memory from this allocation on, 0 for none
+  kLayout,    ///< bit 0 float; 1-2 numbers per point - 2; 3 representatives by z; 4 even-odd fill
+              ///< rule; 5 split the constraints where they cross; 6 merge points; 7 the Voronoi
+              ///< diagram too
+  kSkipMarks, ///< mark of point i: these bits, turned left by i
+  kSkipMask,  ///< PointView::skipMask
+  kLimit,     ///< insertionLimit of a further run, 0 for none
+  kCopies,    ///< from 240 on: 2, 4, ... 2^16 copies of the points, side by side, but at most
+              ///< kMostPoints
+  kCancelAt,  ///< a further run is cancelled at this asking, 0 for none
+  kFailAt,    ///< a further run has no memory from this allocation on, 0 for none
   kMergeDistance, ///< 2^(value / 2 - 64) of the larger side of the bounds
   kMostBoxes,     ///< mostBoxes of a further run, 0 for none
   kShuffle,       ///< how the ids of the second run are shuffled

@@ -1,51 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Judge.h"
 
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
-#include <cstdlib>
 #include <numeric>
-
-namespace
-{
-
-/// 0: there is memory. n: the n-th allocation from here and all after it fail; stays at 1.
-std::atomic<std::size_t> untilFailure{ 0 };
-
-bool fails()
-{
-  std::size_t left = untilFailure;
-  while (left > 1 && !untilFailure.compare_exchange_weak(left, left - 1))
-  {
-  }
-  return left == 1;
-}
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  if (fails())
-  {
-    throw std::bad_alloc();
-  }
-  const std::size_t whole = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment *
-    alignment;
-  void* const block = whole < size ? nullptr : std::aligned_alloc(alignment, whole);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  return block;
-}
-
-void ahd::test::ownRelease(void* block)
-{
-  std::free(block);
-}
 
 // The sanitizer has this form of its own, which it would not let the above release.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept
@@ -78,14 +38,17 @@ void expect(bool isTrue, const char* what, const FuzzCase& given)
 }
 
 NoMemory::NoMemory(std::size_t from)
-  : outer_(untilFailure)
+  : outerFailAt_(test::account.failAt)
+  , outerAllocations_(test::account.allocations)
 {
-  untilFailure = from;
+  test::account.allocations = 0;
+  test::account.failAt = from;
 }
 
 NoMemory::~NoMemory()
 {
-  untilFailure = outer_;
+  test::account.allocations = outerAllocations_;
+  test::account.failAt = outerFailAt_;
 }
 
 void Watch::beginPhase(Phase phase)

@@ -33,7 +33,7 @@ public:
   NoMemory& operator=(const NoMemory&) = delete;
 
 private:
-  std::size_t outer_;
+  std::size_t outerFailAt_, outerAllocations_;
 };
 
 /// Holds the engine to Progress.h, and cancels at one asking (0: at none).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartJudges.h"
 
-#include "SplitDrawings.h"
+#include "../Engine/Crossings/SplitDrawings.h"
 
 namespace ahd
 {

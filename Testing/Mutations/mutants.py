@@ -76,7 +76,7 @@ def load():
 def check(mutants, root=ROOT):
     """Complaints: mutants that do not apply to the sources, hints that are no tests."""
     complaints = []
-    tests = {path.stem for path in (pathlib.Path(root) / "Testing/Engine").glob("*.cxx")}
+    tests = {path.stem for path in (pathlib.Path(root) / "Testing/Engine").rglob("*.cxx")}
     for mutant in mutants:
         try:
             mutant.apply(mutant.path(root).read_text())

@@ -60,7 +60,7 @@ class Workshop:
             path.write_bytes(content)
 
     def tests(self):
-        return sorted(path.stem for path in (self.source / "Testing/Engine").glob("*.cxx"))
+        return sorted(path.stem for path in (self.source / "Testing/Engine").rglob("*.cxx"))
 
     def binary(self, sanitizer):
         """The build folder of plain code or of a sanitizer, configured."""

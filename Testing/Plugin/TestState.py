@@ -37,6 +37,7 @@ OTHERS = {
     "AlphaLines": 0,
     "AlphaVerts": 0,
     "ProjectionPlaneMode": "Transform Plane",
+    "Rim": "Trimmed",
     "Tolerance": 0.001,
     "DuplicatePolicy": "Mean z",
     "MergeBlocks": 1,

@@ -30,6 +30,7 @@ SETTINGS = [
     "AlphaLines",
     "AlphaVerts",
     "ProjectionPlaneMode",
+    "Rim",
     "Tolerance",
     "DuplicatePolicy",
     "MergeBlocks",
@@ -72,6 +73,7 @@ CONSTRAINT_COUNTS = [
     "NumberOfCrossings",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
+    "NumberOfTrimmedTriangles",
 ]
 MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NP",

@@ -26,7 +26,7 @@ bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t verti
   const std::size_t ids = constraints.chains == 0
     ? 0
     : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
-  if (!edges_.begin(std::min(ids, vertices)))
+  if (!edges_.begin(std::min(ids, 3 * vertices)))
   {
     return false;
   }
@@ -57,12 +57,12 @@ bool Constrainer::insertChain(std::size_t chain)
   for (std::size_t i = 0; i < segments; ++i, ++segment_)
   {
     prefetch(ids + i + 1);
-    const Fate fate = insertSegment(ids[i], ids[i + 1 == count ? 0 : i + 1]);
-    if (fate == Fate::Cancelled || !ticker_.step())
+    const Outcome outcome = insertSegment(ids[i], ids[i + 1 == count ? 0 : i + 1]);
+    if (outcome == Outcome::Cancelled || !ticker_.step())
     {
       return false;
     }
-    isWhole = isWhole && fate != Fate::Missing;
+    isWhole = isWhole && outcome != Outcome::Missing;
     ticker_.finished(1);
   }
   if (isLoop_ && isWhole && !useLoop())
@@ -147,19 +147,19 @@ Index Constrainer::vertexOf(std::int64_t id) const
   return std::uint64_t(id) < points_ ? rankOf_[id] : kNoIndex;
 }
 
-Constrainer::Fate Constrainer::insertSegment(std::int64_t fromId, std::int64_t toId)
+Constrainer::Outcome Constrainer::insertSegment(std::int64_t fromId, std::int64_t toId)
 {
   const Index from = vertexOf(fromId);
   const Index to = vertexOf(toId);
   if (from == kNoIndex || to == kNoIndex || !mesh_.isInMesh(from) || !mesh_.isInMesh(to))
   {
     ++report_.withoutVertex;
-    return Fate::Missing;
+    return Outcome::Missing;
   }
   if (from == to)
   {
     ++report_.points;
-    return Fate::IsPoint;
+    return Outcome::IsPoint;
   }
   edges_.prefetch(from, to);
   switch (walk_.walk(from, to))
@@ -167,19 +167,19 @@ Constrainer::Fate Constrainer::insertSegment(std::int64_t fromId, std::int64_t t
     case SegmentWalk::Outcome::Blocked:
       return leaveOut(walk_.blockedBy());
     case SegmentWalk::Outcome::Cancelled:
-      return Fate::Cancelled;
+      return Outcome::Cancelled;
     default:
-      return makeEdges(walk_.start() == from) ? Fate::IsEdge : Fate::Cancelled;
+      return makeEdges(walk_.start() == from) ? Outcome::IsEdge : Outcome::Cancelled;
   }
 }
 
-Constrainer::Fate Constrainer::leaveOut(Mesh::Halfedge crossed)
+Constrainer::Outcome Constrainer::leaveOut(Mesh::Halfedge crossed)
 {
   const EdgeTable::Edge* edge = edges_.find(mesh_.origin(crossed), mesh_.destination(crossed));
   const auto left = find(segment_);
   const auto other = find(edge->segment);
   report_.leftOut.push_back({ left.first, left.second, other.first, other.second });
-  return Fate::Missing;
+  return Outcome::Missing;
 }
 
 /// Chain and number of a segment.

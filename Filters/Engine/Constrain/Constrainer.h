@@ -32,7 +32,7 @@ public:
   ConstraintReport takeReport() { return std::move(report_); }
 
 private:
-  enum class Fate
+  enum class Outcome
   {
     IsEdge,  ///< or a row of edges
     IsPoint, ///< of no length
@@ -42,8 +42,8 @@ private:
 
   bool insertChain(std::size_t chain);
   bool haveThreeVertices(const std::int64_t* ids, std::size_t count) const;
-  Fate insertSegment(std::int64_t fromId, std::int64_t toId);
-  Fate leaveOut(Mesh::Halfedge crossed);
+  Outcome insertSegment(std::int64_t fromId, std::int64_t toId);
+  Outcome leaveOut(Mesh::Halfedge crossed);
   Index vertexOf(std::int64_t id) const;
   bool makeEdges(bool isForward);
   bool markEdge(Mesh::Halfedge h, bool isForward);

@@ -140,8 +140,37 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
   }
 }
 
+/// The edge from one vertex to another, if it is one of the first few around the vertex or there is
+/// none at all: no place needs to be looked at. kNoIndex else.
+Mesh::Halfedge SegmentWalk::edgeNearby(Index from, Index to) const
+{
+  constexpr int kMost = 8;
+  const Mesh::Halfedge first = mesh_.outgoing(from);
+  Mesh::Halfedge out = first;
+  for (int steps = 0; steps != kMost; ++steps)
+  {
+    if (mesh_.destination(out) == to)
+    {
+      return out;
+    }
+    out = mesh_.nextAround(out);
+    if (out == first)
+    {
+      break;
+    }
+  }
+  return kNoIndex;
+}
+
 SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
 {
+  if (const Mesh::Halfedge edge = edgeNearby(a, b); edge != kNoIndex)
+  {
+    start_ = a;
+    crossed_.clear();
+    pieces_.assign(1, { a, b, edge, 0, 0 });
+    return Outcome::Free;
+  }
   WayOut way;
   if (!chooseEnd(a, b, way))
   {

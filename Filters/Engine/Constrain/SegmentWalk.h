@@ -60,6 +60,7 @@ private:
   bool findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
   Mesh::Halfedge firstToOneSide(Index from, Index to, int& side) const;
   int sideOf(Index from, Index to, Index v) const;
+  Mesh::Halfedge edgeNearby(Index from, Index to) const;
   Outcome cross(Index from, Index to, Mesh::Halfedge first);
   bool isAhead(Index from, Index to, Index v) const;
 

@@ -27,6 +27,12 @@ struct CrossingPoint
   double alongB;
 };
 
+/// A segment of the input.
+struct SegmentName
+{
+  std::size_t chain, segment;
+};
+
 /// What splitAtCrossings gives.
 struct SplitConstraints
 {
@@ -43,11 +49,15 @@ struct SplitConstraints
   /// from there; the last point of a line repeats that of the segment before it.
   std::vector<std::int64_t> segments;
 
+  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an end
+  /// of another one, or a point that was there already. Each once, ascending.
+  std::vector<SegmentName> bent;
+
   std::size_t crossings = 0;  ///< pairs of segments that crossed, those of all rounds together
   std::size_t unresolved = 0; ///< pairs that still cross after the last round
   int rounds = 0;             ///< rounds of splitting that were needed
 
-  /// The chains, as the Triangulator takes them. This object is to outlive the view.
+  /// The chains, as constrain() takes them. This object is to outlive the view.
   ConstraintView view() const
   {
     ConstraintView result;

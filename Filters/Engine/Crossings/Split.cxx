@@ -3,10 +3,14 @@
 
 #include "../Core/Border.h"
 #include "../Core/SortAsking.h"
-#include "SplitFind.h"
+#include "../Order/RadixSort.h"
+#include "../Predicates/Predicates.h"
+#include "PieceSearch.h"
+#include "PlaceTable.h"
 
 #include <algorithm>
-#include <iterator>
+#include <functional>
+#include <utility>
 
 namespace ahd
 {
@@ -22,36 +26,38 @@ constexpr std::int64_t kNoPoint = -1;
 #endif
 constexpr std::size_t kMostIds = AHD_MOST_CHAIN_IDS;
 
-/// A segment of the chains as they are now. Those that cross nothing by definition are not listed.
-struct Piece
+/// From where to where a segment runs.
+struct Way
 {
-  std::int64_t from, to; ///< ids of points at different places
-  std::size_t position;  ///< of `from` in the ids of the chains
+  Point from;
+  Point to;
+
+  /// Does it pass a before b? REQUIRES: both are points on it, rounded, which is monotone in each
+  /// coordinate; so they are in the order of both.
+  bool isBefore(const Point& a, const Point& b) const
+  {
+    return a.x != b.x ? (a.x < b.x) == (from.x < to.x)
+                      : a.y != b.y && (a.y < b.y) == (from.y < to.y);
+  }
 };
 
-/// An end of a piece: of piece `half` / 2 its first or its second one.
-struct PieceEnd
+/// What lies on a segment or a piece: the number of that, and of a place. Sorted as packed numbers.
+using OnSegment = std::uint64_t;
+Index ownerOf(OnSegment item)
 {
-  Point at;
-  std::int64_t id;
-  std::size_t half;
-};
+  return static_cast<Index>(item >> 32);
+}
+Index placeOf(OnSegment item)
+{
+  return static_cast<Index>(item);
+}
 
-/// Where two pieces cross.
-struct Meeting
+/// A point that a segment is led through.
+struct Inserted
 {
-  Point at; ///< rounded
-  Crossing pieces;
-  std::int64_t id; ///< of the point there; kUnnamed if there is none yet
-};
-constexpr std::int64_t kUnnamed = -1;
-
-/// A point to be put into a piece.
-struct Insertion
-{
-  Index piece;
-  Point at;
-  std::int64_t id;
+  Index position; ///< of the segment
+  Index place;
+  Index id;
 };
 
 class Splitter
@@ -63,42 +69,62 @@ public:
     , chains_(chains)
     , ticker_(ticker)
     , out_(out)
+    , first_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[0]))
+    , ids_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]) - first_)
+    , search_(ticker)
+    , places_(ticker)
   {
   }
 
   Status run();
 
 private:
-  bool copyChains();
-  bool find();
   bool listPieces();
-  bool rankEnds();
   bool split();
-  bool takeEnds(Index piece, Index other);
-  bool locateMeetings();
-  bool nameMeetings();
+  bool meet(Crossing crossing);
+  bool takeEnds(Index piece, Index other, bool& takesOne);
+  bool findIds();
+  bool findEnds();
+  bool findPoints();
   bool addPoints();
-  bool useOtherPoints(std::vector<std::size_t>& firsts);
-  bool listInsertions();
-  bool rebuildChains();
+  bool splitPieces();
+  bool splitPiece(Index piece, const OnSegment* begin, const OnSegment* end);
+  bool makeChains();
+  bool nameBent();
 
+  bool isBeside(Index position, const Point& p) const;
+
+  template <typename WayOfOwner>
+  bool sortGroups(WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted);
+  bool sortInserted(Buffer<OnSegment>& sorted);
+  bool sortOn(const Way& way, OnSegment* items, std::size_t count);
+  template <typename WayOfOwner>
+  bool sortAlong(
+    const std::vector<OnSegment>& items, WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted);
+
+  std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
   bool isUsable(std::int64_t id) const;
   Point at(std::int64_t id) const;
-  bool isBefore(Index piece, const Point& a, const Point& b) const;
-  CrossingPoint described(const Meeting& meeting) const;
-  double along(std::size_t chain, std::size_t segment, const Point& p) const;
-  std::size_t chainOf(Index piece) const;
+  Way wayOf(const SegmentName& name) const;
+  SegmentName nameOf(Index position) const;
 
   const PointView& points_;
   const ConstraintView& chains_;
   Ticker& ticker_;
   SplitConstraints& out_;
-  std::vector<Piece> pieces_;      ///< in the order of the chains
-  RankedSegments segments_;        ///< the pieces
-  std::vector<std::int64_t> idAt_; ///< of the places of their ends, the smallest there
-  std::vector<Crossing> crossings_;
-  std::vector<Meeting> meetings_;
-  std::vector<Insertion> insertions_;
+  std::size_t first_; ///< where the ids of the chains begin
+  std::size_t ids_;   ///< how many there are; positions are counted from first_
+  PieceSearch search_;
+  Pieces pieces_;
+  std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
+  Pieces more_;              ///< not searched yet
+  FoundCrossings found_;
+  PlaceTable places_;
+  std::size_t named_ = 0;               ///< so many places, the first, have ids
+  std::size_t addedBefore_ = 0;         ///< points added in the rounds before
+  std::vector<OnSegment> insertions_;   ///< this round's: by pieces
+  std::vector<Inserted> inserted_;      ///< in all rounds
+  std::vector<Index> bent_;             ///< positions
 };
 
 Status Splitter::run()
@@ -107,26 +133,29 @@ Status Splitter::run()
   {
     return Status::TooManyPoints;
   }
-  if (!copyChains())
+  out_ = SplitConstraints();
+  if (ids_ <= kMostIds && !listPieces())
   {
     return Status::Cancelled;
   }
   for (;; ++out_.rounds)
   {
-    if (out_.ids.size() > kMostIds || points_.count + out_.points.size() > kMaximumPoints)
+    if (ids_ + inserted_.size() > kMostIds || pieces_.size() + more_.size() >= kNoIndex ||
+      points_.count + out_.points.size() > kMaximumPoints)
     {
       return Status::TooManyPoints;
     }
-    if (!find())
+    if (!search_.find(more_, pieces_, found_))
     {
       return Status::Cancelled;
     }
-    if (crossings_.empty() || out_.rounds == kMostSplittingRounds)
+    if (found_.count() == 0 || out_.rounds == kMostSplittingRounds)
     {
-      out_.unresolved = crossings_.size();
-      return ticker_.ask() ? Status::Ok : Status::Cancelled;
+      out_.unresolved = found_.count();
+      return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
-    out_.crossings += crossings_.size();
+    more_.clear();
+    out_.crossings += found_.count();
     if (!split())
     {
       return Status::Cancelled;
@@ -134,107 +163,43 @@ Status Splitter::run()
   }
 }
 
-bool Splitter::copyChains()
-{
-  const std::size_t begin = chains_.chains == 0 ? 0 : std::size_t(chains_.offsets[0]);
-  out_ = SplitConstraints();
-  out_.lines = chains_.lines;
-  out_.offsets.reserve(chains_.chains + 1);
-  out_.offsets.push_back(0);
-  for (std::size_t chain = 0; chain < chains_.chains; ++chain)
-  {
-    const std::size_t first = std::size_t(chains_.offsets[chain]);
-    const std::size_t count = std::size_t(chains_.offsets[chain + 1]) - first;
-    const std::size_t lastSegment = count - (chain < chains_.lines && count > 1 ? 2 : 1);
-    const auto copy = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t k = a; k != b; ++k)
-      {
-        const std::int64_t id = chains_.ids[first + k];
-        out_.ids.push_back(std::size_t(id) < points_.count ? id : kNoPoint);
-        out_.segments.push_back(std::int64_t(std::min(k, lastSegment)));
-      }
-    };
-    if (!inChunks(0, count, ticker_, copy) || !ticker_.step())
-    {
-      return false;
-    }
-    out_.offsets.push_back(std::int64_t(first + count - begin));
-  }
-  return true;
-}
-
-// ------------------------------------------------------------------------------- what crosses now
-
-bool Splitter::find()
-{
-  return listPieces() && rankEnds() && findCrossings(segments_, ticker_, crossings_);
-}
-
+/// The segments that are not said to cross nothing.
 bool Splitter::listPieces()
 {
-  pieces_.clear();
-  for (std::size_t chain = 0; chain + 1 < out_.offsets.size(); ++chain)
+  more_.reserve(ids_);
+  for (std::size_t chain = 0; chain < chains_.chains; ++chain)
   {
-    const std::size_t begin = std::size_t(out_.offsets[chain]);
-    const std::size_t end = std::size_t(out_.offsets[chain + 1]);
+    const std::size_t begin = std::size_t(chains_.offsets[chain]) - first_;
+    const std::size_t end = std::size_t(chains_.offsets[chain + 1]) - first_;
     const auto list = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t k = a; k != b; ++k)
       {
-        const std::int64_t from = out_.ids[k], to = out_.ids[k + 1 == end ? begin : k + 1];
-        if (isUsable(from) && isUsable(to) && !(at(from) == at(to)))
+        const std::int64_t from = given(k), to = given(k + 1 == end ? begin : k + 1);
+        if (!isUsable(from) || !isUsable(to))
         {
-          pieces_.push_back({ from, to, k });
+          continue;
+        }
+        const Point p = at(from), q = at(to);
+        const auto i = static_cast<Index>(from), j = static_cast<Index>(to);
+        const auto position = static_cast<Index>(k);
+        if (lexicographicallyLess(p, q))
+        {
+          more_.push_back({ { p, q }, i, j, position, true, false });
+        }
+        else if (!(p == q))
+        {
+          more_.push_back({ { q, p }, j, i, position, false, false });
         }
       }
     };
-    const std::size_t closing = chain < out_.lines && begin != end ? 1 : 0;
+    const std::size_t closing = chain < chains_.lines && begin != end ? 1 : 0;
     if (!inChunks(begin, end - closing, ticker_, list) || !ticker_.step())
     {
       return false;
     }
   }
-  return true;
-}
-
-bool Splitter::rankEnds()
-{
-  std::vector<PieceEnd> ends;
-  ends.reserve(2 * pieces_.size());
-  for (std::size_t k = 0; k != pieces_.size(); ++k)
-  {
-    ends.push_back({ at(pieces_[k].from), pieces_[k].from, 2 * k });
-    ends.push_back({ at(pieces_[k].to), pieces_[k].to, 2 * k + 1 });
-    if (!ticker_.step())
-    {
-      return false;
-    }
-  }
-  const auto comesBefore = [](const PieceEnd& a, const PieceEnd& b)
-  { return a.at == b.at ? a.id < b.id : lexicographicallyLess(a.at, b.at); };
-  if (!sortAsking(ends, ticker_, comesBefore))
-  {
-    return false;
-  }
-  segments_.places.clear();
-  segments_.ends.assign(pieces_.size(), { kNoIndex, kNoIndex });
-  idAt_.clear();
-  for (const PieceEnd& end : ends)
-  {
-    if (idAt_.empty() || !(segments_.places.back() == end.at))
-    {
-      segments_.places.push_back(end.at);
-      idAt_.push_back(end.id);
-    }
-    // Of the two ends of a piece the left one comes first.
-    RankedSegments::Ends& both = segments_.ends[end.half / 2];
-    (both.left == kNoIndex ? both.left : both.right) = static_cast<Index>(idAt_.size() - 1);
-    if (!ticker_.step())
-    {
-      return false;
-    }
-  }
+  segments_ = more_.size();
   return true;
 }
 
@@ -242,45 +207,201 @@ bool Splitter::rankEnds()
 
 bool Splitter::split()
 {
-  return locateMeetings() && nameMeetings() && listInsertions() && rebuildChains();
+  insertions_.clear();
+  if (!places_.reserve(places_.size() + found_.listed.size()))
+  {
+    return false;
+  }
+  for (const Crossing& crossing : found_.listed)
+  {
+    if (!meet(crossing) || !ticker_.step())
+    {
+      return false;
+    }
+  }
+  return findIds() && addPoints() && splitPieces();
 }
 
-/// Lets a piece go through those ends of another one to which it rounds. Is there one?
-bool Splitter::takeEnds(Index piece, Index other)
+/// Leads one of two pieces through an end of the other, or both through where they cross.
+bool Splitter::meet(Crossing crossing)
 {
-  const RankedSegments::Ends& ends = segments_.ends[other];
-  bool takesOne = false;
-  for (const Index end : { ends.left, ends.right })
+  bool isEndOfA = false, isEndOfB = false;
+  if (!takeEnds(crossing.a, crossing.b, isEndOfB) || !takeEnds(crossing.b, crossing.a, isEndOfA))
   {
-    const Point p = segments_.places[end];
-    if (roundsTo(segments_[piece], p))
+    return false;
+  }
+  if (isEndOfA || isEndOfB)
+  {
+    return true;
+  }
+  const Piece &a = pieces_[crossing.a], &b = pieces_[crossing.b];
+  const Point p = crossingOf(a.segment, b.segment);
+  Index number = kNoIndex;
+  if (!places_.add(p, number))
+  {
+    return false;
+  }
+  PlaceTable::Place& place = places_[number];
+  const auto segments = std::make_pair(
+    std::min(a.position, b.position), std::max(a.position, b.position));
+  if (segments < std::make_pair(place.first, place.second))
+  {
+    place.first = segments.first;
+    place.second = segments.second;
+  }
+  for (const Index piece : { crossing.a, crossing.b })
+  {
+    const Segment& segment = pieces_[piece].segment;
+    if (!(p == segment.left || p == segment.right))
     {
-      insertions_.push_back({ piece, p, idAt_[end] });
+      insertions_.push_back(packed(piece, number));
+    }
+  }
+  return true;
+}
+
+/// Lets a piece go through those ends of another one to which it rounds.
+bool Splitter::takeEnds(Index piece, Index other, bool& takesOne)
+{
+  const Segment& segment = pieces_[piece].segment;
+  for (const Point& end : { pieces_[other].segment.left, pieces_[other].segment.right })
+  {
+    if (roundsTo(segment, end))
+    {
+      Index number = kNoIndex;
+      if (!places_.add(end, number))
+      {
+        return false;
+      }
+      insertions_.push_back(packed(piece, number));
       takesOne = true;
     }
   }
-  return takesOne;
+  return true;
 }
 
-/// Where neither piece takes an end of the other, a point is needed.
-bool Splitter::locateMeetings()
+/// The ids of points that are at the places that are new.
+bool Splitter::findIds()
 {
-  insertions_.clear();
-  meetings_.clear();
-  const std::vector<Point>& places = segments_.places;
-  for (const Crossing& crossing : crossings_)
+  if (named_ == places_.size())
   {
-    const bool isEndOfB = takeEnds(crossing.a, crossing.b);
-    const bool isEndOfA = takeEnds(crossing.b, crossing.a);
-    if (!isEndOfA && !isEndOfB)
+    return true;
+  }
+  const auto choose = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
     {
-      const Point p = crossingOf(segments_[crossing.a], segments_[crossing.b]);
-      const auto place = std::lower_bound(places.begin(), places.end(), p, lexicographicallyLess);
-      const bool isEnd = place != places.end() && *place == p;
-      meetings_.push_back(
-        { p, crossing, isEnd ? idAt_[std::size_t(place - places.begin())] : kUnnamed });
+      PlaceTable::Place& place = places_[static_cast<Index>(k)];
+      place.id = place.endId != kNoIndex ? place.endId : place.pointId;
     }
-    if (!ticker_.step())
+  };
+  return findEnds() && findPoints() && inChunks(named_, places_.size(), ticker_, choose);
+}
+
+/// Ends are those of the segments given: all others are in the table, as pieces are led through
+/// them.
+bool Splitter::findEnds()
+{
+  const auto look = [&](const Point& p, Index id)
+  {
+    const Index number = places_.find(p);
+    if (number != kNoIndex && number >= named_)
+    {
+      places_[number].endId = std::min(places_[number].endId, id);
+    }
+  };
+  return inChunks(0, segments_, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        look(pieces_[k].segment.left, pieces_[k].leftId);
+        look(pieces_[k].segment.right, pieces_[k].rightId);
+      }
+    });
+}
+
+bool Splitter::findPoints()
+{
+  return inChunks(0, points_.count, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t id = a; id != b; ++id)
+      {
+        const Index number = places_.find(points_[id]);
+        if (number != kNoIndex && number >= named_ && isUsable(std::int64_t(id)))
+        {
+          places_[number].pointId = std::min(places_[number].pointId, static_cast<Index>(id));
+        }
+      }
+    });
+}
+
+/// Adds a point for each new place without one: in the order of the first segments there, then
+/// along them.
+bool Splitter::addPoints()
+{
+  std::vector<OnSegment> news;
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const auto number = static_cast<Index>(k);
+      if (places_[number].id == kNoIndex)
+      {
+        news.push_back(packed(places_[number].first, number));
+      }
+    }
+  };
+  addedBefore_ = out_.points.size();
+  Buffer<OnSegment> sorted;
+  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
+  const auto add = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      PlaceTable::Place& place = places_[placeOf(sorted[k])];
+      place.id = static_cast<Index>(points_.count + out_.points.size());
+      const SegmentName first = nameOf(place.first), second = nameOf(place.second);
+      const Way A = wayOf(first), B = wayOf(second);
+      out_.points.push_back({ place.at, first.chain, first.segment,
+        fractionOfWay(A.from, A.to, place.at), second.chain, second.segment,
+        fractionOfWay(B.from, B.to, place.at) });
+    }
+  };
+  return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOfOwner, sorted) &&
+    inChunks(0, sorted.size(), ticker_, add);
+}
+
+/// Sorts by owners, then along them; equal ones are kept.
+template <typename WayOfOwner>
+bool Splitter::sortAlong(
+  const std::vector<OnSegment>& items, WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted)
+{
+  const std::size_t n = items.size();
+  sorted.allocate(n);
+  const auto copy = [&](std::size_t a, std::size_t b)
+  { std::copy(items.data() + a, items.data() + b, sorted.data() + a); };
+  return inChunks(0, n, ticker_, copy) && sortPacked(sorted, n, ticker_) &&
+    sortGroups(wayOfOwner, sorted);
+}
+
+/// The same for what is sorted by owners.
+template <typename WayOfOwner>
+bool Splitter::sortGroups(WayOfOwner wayOfOwner, Buffer<OnSegment>& sorted)
+{
+  const std::size_t n = sorted.size();
+  for (std::size_t begin = 0, end = 0; begin != n; begin = end)
+  {
+    while (end != n && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
+    {
+      ++end;
+      if (!ticker_.step())
+      {
+        return false;
+      }
+    }
+    if (end - begin > 1 && !sortOn(wayOfOwner(ownerOf(sorted[begin])), &sorted[begin], end - begin))
     {
       return false;
     }
@@ -288,148 +409,196 @@ bool Splitter::locateMeetings()
   return true;
 }
 
-/// Adds the points that are new, and tells all meetings their ids.
-bool Splitter::nameMeetings()
+/// Sorts what is on one segment.
+bool Splitter::sortOn(const Way& way, OnSegment* items, std::size_t count)
 {
-  const auto comesBefore = [](const Meeting& m, const Meeting& n)
+  struct Item
   {
-    return !(m.at == n.at)       ? lexicographicallyLess(m.at, n.at)
-      : m.pieces.a != n.pieces.a ? m.pieces.a < n.pieces.a
-                                 : m.pieces.b < n.pieces.b;
+    Point at;
+    OnSegment item;
   };
-  const auto copyNames = [&](std::size_t a, std::size_t b)
+  const auto comesBefore = [&](const Item& i, const Item& k) { return way.isBefore(i.at, k.at); };
+  std::vector<Item> sorted;
+  sorted.reserve(count);
+  for (std::size_t k = 0; k != count; ++k)
   {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      meetings_[k].id = meetings_[k].id == kUnnamed ? meetings_[k - 1].id : meetings_[k].id;
-    }
-  };
-  return sortAsking(meetings_, ticker_, comesBefore) && addPoints() &&
-    inChunks(0, meetings_.size(), ticker_, copyNames);
-}
-
-/// Adds a point for each place that is new, and names the first meeting there.
-/// REQUIRES: the meetings are sorted by places.
-bool Splitter::addPoints()
-{
-  std::vector<std::size_t> firsts; // at each new place
-  const auto list = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      if (meetings_[k].id == kUnnamed && (k == 0 || !(meetings_[k - 1].at == meetings_[k].at)))
-      {
-        firsts.push_back(k);
-      }
-    }
-  };
-  const auto comesBefore = [&](std::size_t k, std::size_t l)
-  {
-    const Meeting &m = meetings_[k], &n = meetings_[l];
-    return m.pieces.a != n.pieces.a ? m.pieces.a < n.pieces.a : isBefore(m.pieces.a, m.at, n.at);
-  };
-  const auto add = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      meetings_[firsts[k]].id = std::int64_t(points_.count + out_.points.size());
-      out_.points.push_back(described(meetings_[firsts[k]]));
-    }
-  };
-  return inChunks(0, meetings_.size(), ticker_, list) && useOtherPoints(firsts) &&
-    sortAsking(firsts, ticker_, comesBefore) && inChunks(0, firsts.size(), ticker_, add);
-}
-
-/// Names the meetings at the places of points that are no ends, and takes them from `firsts`.
-bool Splitter::useOtherPoints(std::vector<std::size_t>& firsts)
-{
-  const auto isBelow = [&](std::size_t first, const Point& p)
-  { return lexicographicallyLess(meetings_[first].at, p); };
-  const auto use = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t id = a; id != b; ++id)
-    {
-      const Point p = points_[id];
-      const auto found = isUsable(std::int64_t(id))
-        ? std::lower_bound(firsts.begin(), firsts.end(), p, isBelow)
-        : firsts.end();
-      if (found != firsts.end() && meetings_[*found].at == p && meetings_[*found].id == kUnnamed)
-      {
-        meetings_[*found].id = std::int64_t(id);
-      }
-    }
-  };
-  std::vector<std::size_t> unnamed;
-  const auto keep = [&](std::size_t a, std::size_t b)
-  {
-    std::copy_if(firsts.data() + a, firsts.data() + b, std::back_inserter(unnamed),
-      [&](std::size_t first) { return meetings_[first].id == kUnnamed; });
-  };
-  const bool done = firsts.empty() ||
-    (inChunks(0, points_.count, ticker_, use) && inChunks(0, firsts.size(), ticker_, keep));
-  firsts.swap(unnamed);
-  return done;
-}
-
-bool Splitter::listInsertions()
-{
-  for (const Meeting& meeting : meetings_)
-  {
-    for (const Index piece : { meeting.pieces.a, meeting.pieces.b })
-    {
-      const Segment segment = segments_[piece];
-      if (!(meeting.at == segment.left || meeting.at == segment.right))
-      {
-        insertions_.push_back({ piece, meeting.at, meeting.id });
-      }
-    }
+    sorted.push_back({ places_[placeOf(items[k])].at, items[k] });
     if (!ticker_.step())
     {
       return false;
     }
   }
-  const auto comesBefore = [&](const Insertion& i, const Insertion& k)
-  { return i.piece != k.piece ? i.piece < k.piece : isBefore(i.piece, i.at, k.at); };
-  return sortAsking(insertions_, ticker_, comesBefore);
+  return sortAsking(sorted, ticker_, comesBefore) &&
+    inChunks(0, count, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t k = a; k != b; ++k)
+        {
+          items[k] = sorted[k].item;
+        }
+      });
 }
 
-bool Splitter::rebuildChains()
+/// Replaces the pieces that are led through places.
+bool Splitter::splitPieces()
 {
-  std::vector<std::int64_t> ids, segments;
-  ids.reserve(out_.ids.size() + insertions_.size());
-  segments.reserve(ids.capacity());
-  auto next = insertions_.begin();
-  std::size_t chain = 0;
-  for (std::size_t k = 0; k != out_.ids.size(); ++k)
+  Buffer<OnSegment> sorted;
+  const auto wayOfOwner = [&](Index piece)
   {
-    for (; std::size_t(out_.offsets[chain]) == k; ++chain)
+    const Segment& s = pieces_[piece].segment;
+    return pieces_[piece].isForward ? Way{ s.left, s.right } : Way{ s.right, s.left };
+  };
+  if (!sortAlong(insertions_, wayOfOwner, sorted))
+  {
+    return false;
+  }
+  more_.reserve(2 * sorted.size()); // at most
+  inserted_.reserve(inserted_.size() + sorted.size());
+  for (std::size_t begin = 0, end = 0; begin != sorted.size(); begin = end)
+  {
+    while (end != sorted.size() && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
     {
-      out_.offsets[chain] = std::int64_t(ids.size());
+      ++end;
     }
-    ids.push_back(out_.ids[k]);
-    segments.push_back(out_.segments[k]);
-    for (; next != insertions_.end() && pieces_[next->piece].position == k; ++next)
+    if (!splitPiece(ownerOf(sorted[begin]), &sorted[begin], &sorted[begin] + (end - begin)))
     {
-      if (ids.back() != next->id) // several pieces may cross this one there
+      return false;
+    }
+  }
+  named_ = places_.size();
+  return true;
+}
+
+/// The places are in order along the piece; one may come several times in a row.
+bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* end)
+{
+  pieces_[piece].isDead = true;
+  const Piece whole = pieces_[piece];
+  Piece rest = whole;
+  rest.isDead = false;
+  for (const OnSegment* item = begin; item != end; ++item)
+  {
+    if (!ticker_.step())
+    {
+      return false;
+    }
+    if (item != begin && placeOf(*item) == placeOf(item[-1]))
+    {
+      continue; // several pieces may cross this one there
+    }
+    const PlaceTable::Place& place = places_[placeOf(*item)];
+    Piece next = rest;
+    (whole.isForward ? next.segment.right : next.segment.left) = place.at;
+    (whole.isForward ? next.rightId : next.leftId) = place.id;
+    (whole.isForward ? rest.segment.left : rest.segment.right) = place.at;
+    (whole.isForward ? rest.leftId : rest.rightId) = place.id;
+    more_.push_back(next);
+    inserted_.push_back({ whole.position, placeOf(*item), place.id });
+    if (place.id < points_.count + addedBefore_ && isBeside(whole.position, place.at))
+    {
+      bent_.push_back(whole.position);
+    }
+  }
+  more_.push_back(rest);
+  return true;
+}
+
+/// Is the place not exactly on the segment?
+bool Splitter::isBeside(Index position, const Point& p) const
+{
+  const Way way = wayOf(nameOf(position));
+  return orient2d(way.from, way.to, p) != 0;
+}
+
+// ------------------------------------------------------------------------------------- the result
+
+/// Sorts what was inserted by segments, then along them. What one round inserted into one segment
+/// comes in a row, in order; a later round may have gone on between.
+bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
+{
+  const std::size_t n = inserted_.size();
+  std::vector<OnSegment> items;
+  sorted.allocate(n);
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      sorted[k] = packed(inserted_[k].position, static_cast<Index>(k));
+    }
+  };
+  const auto name = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const Inserted& inserted = inserted_[static_cast<Index>(sorted[k])];
+      sorted[k] = packed(inserted.position, inserted.place);
+    }
+  };
+  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
+  return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
+    inChunks(0, n, ticker_, name) &&
+    (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+}
+
+bool Splitter::makeChains()
+{
+  Buffer<OnSegment> sorted;
+  if (!sortInserted(sorted))
+  {
+    return false;
+  }
+  out_.lines = chains_.lines;
+  out_.ids.reserve(ids_ + sorted.size());
+  out_.segments.reserve(ids_ + sorted.size());
+  out_.offsets.reserve(chains_.chains + 1);
+  out_.offsets.push_back(0);
+  std::size_t next = 0;
+  for (std::size_t chain = 0; chain < chains_.chains; ++chain)
+  {
+    const std::size_t begin = std::size_t(chains_.offsets[chain]) - first_;
+    const std::size_t end = std::size_t(chains_.offsets[chain + 1]) - first_;
+    const std::size_t last = end - begin - (chain < chains_.lines && end - begin > 1 ? 2 : 1);
+    for (std::size_t k = begin; k != end; ++k)
+    {
+      const auto segment = std::int64_t(std::min(k - begin, last));
+      out_.ids.push_back(std::size_t(given(k)) < points_.count ? given(k) : kNoPoint);
+      out_.segments.push_back(segment);
+      for (; next != sorted.size() && ownerOf(sorted[next]) == k; ++next)
       {
-        ids.push_back(next->id);
-        segments.push_back(out_.segments[k]);
+        out_.ids.push_back(places_[placeOf(sorted[next])].id);
+        out_.segments.push_back(segment);
+        if (!ticker_.step())
+        {
+          return false;
+        }
       }
       if (!ticker_.step())
       {
         return false;
       }
     }
+    out_.offsets.push_back(std::int64_t(out_.ids.size()));
     if (!ticker_.step())
     {
       return false;
     }
   }
-  std::fill(
-    out_.offsets.begin() + std::ptrdiff_t(chain), out_.offsets.end(), std::int64_t(ids.size()));
-  out_.ids.swap(ids);
-  out_.segments.swap(segments);
   return true;
+}
+
+bool Splitter::nameBent()
+{
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      if (k == 0 || bent_[k - 1] != bent_[k])
+      {
+        out_.bent.push_back(nameOf(bent_[k]));
+      }
+    }
+  };
+  return sortAsking(bent_, ticker_, std::less<>()) && inChunks(0, bent_.size(), ticker_, list);
 }
 
 // ---------------------------------------------------------------------------------- what is where
@@ -437,50 +606,34 @@ bool Splitter::rebuildChains()
 bool Splitter::isUsable(std::int64_t id) const
 {
   const auto k = static_cast<std::size_t>(id);
-  return id >= 0 && k < points_.count + out_.points.size() &&
-    (k >= points_.count || (!points_.skipped(k) && isFinite(points_[k])));
+  return id >= 0 && k < points_.count && !points_.skipped(k) && isFinite(points_[k]);
 }
 
 Point Splitter::at(std::int64_t id) const
 {
-  const auto k = static_cast<std::size_t>(id);
-  return k < points_.count ? points_[k] : out_.points[k - points_.count].at;
+  return points_[static_cast<std::size_t>(id)];
 }
 
-/// Does the piece pass a before b? Both are points on it, rounded, which is monotone in each
-/// coordinate; so they are in the order of both.
-bool Splitter::isBefore(Index piece, const Point& a, const Point& b) const
+SegmentName Splitter::nameOf(Index position) const
 {
-  const Point from = at(pieces_[piece].from), to = at(pieces_[piece].to);
-  return a.x != b.x ? (a.x < b.x) == (from.x < to.x) : a.y != b.y && (a.y < b.y) == (from.y < to.y);
+  const auto place = static_cast<std::int64_t>(first_ + position);
+  const std::int64_t* const offsets = chains_.offsets;
+  std::size_t chain = std::size_t(position) * chains_.chains / ids_; // if all are of one length
+  if (!(offsets[chain] <= place && place < offsets[chain + 1]))
+  {
+    const std::int64_t* const end = offsets + chains_.chains + 1;
+    chain = std::size_t(std::upper_bound(offsets, end, place) - offsets) - 1;
+  }
+  return { chain, first_ + position - std::size_t(chains_.offsets[chain]) };
 }
 
-CrossingPoint Splitter::described(const Meeting& meeting) const
+/// REQUIRES: a segment of a piece.
+Way Splitter::wayOf(const SegmentName& name) const
 {
-  CrossingPoint result;
-  result.at = meeting.at;
-  result.chainA = chainOf(meeting.pieces.a);
-  result.chainB = chainOf(meeting.pieces.b);
-  result.segmentA = std::size_t(out_.segments[pieces_[meeting.pieces.a].position]);
-  result.segmentB = std::size_t(out_.segments[pieces_[meeting.pieces.b].position]);
-  result.alongA = along(result.chainA, result.segmentA, meeting.at);
-  result.alongB = along(result.chainB, result.segmentB, meeting.at);
-  return result;
-}
-
-std::size_t Splitter::chainOf(Index piece) const
-{
-  const auto position = static_cast<std::int64_t>(pieces_[piece].position);
-  const auto after = std::upper_bound(out_.offsets.begin(), out_.offsets.end(), position);
-  return std::size_t(after - out_.offsets.begin()) - 1;
-}
-
-/// Which fraction of the input's segment ends at p.
-double Splitter::along(std::size_t chain, std::size_t segment, const Point& p) const
-{
-  const std::size_t begin = std::size_t(chains_.offsets[chain]), k = begin + segment;
-  const bool closes = k + 1 == std::size_t(chains_.offsets[chain + 1]);
-  return fractionOfWay(at(chains_.ids[k]), at(chains_.ids[closes ? begin : k + 1]), p);
+  const auto begin = std::size_t(chains_.offsets[name.chain]);
+  const std::size_t k = begin + name.segment;
+  const bool closes = k + 1 == std::size_t(chains_.offsets[name.chain + 1]);
+  return { at(chains_.ids[k]), at(chains_.ids[closes ? begin : k + 1]) };
 }
 
 } // namespace

@@ -28,10 +28,12 @@ struct Strip
 class Finder
 {
 public:
-  Finder(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings)
+  Finder(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
+    std::size_t most)
     : segments_(segments)
     , ticker_(ticker)
     , crossings_(crossings)
+    , most_(most)
   {
   }
 
@@ -59,6 +61,7 @@ private:
   const RankedSegments& segments_;
   Ticker& ticker_;
   std::vector<Crossing>& crossings_;
+  std::size_t most_;
 };
 
 /// On which side of s the end lies.
@@ -226,19 +229,21 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
 bool Finder::report(Index s, Index t)
 {
   crossings_.push_back({ std::min(s, t), std::max(s, t) });
-  return ticker_.step();
+  return ticker_.step() && crossings_.size() <= most_;
 }
 
 } // namespace
 
-bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings)
+bool findCrossings(const RankedSegments& segments, Ticker& ticker,
+  std::vector<Crossing>& crossings, std::size_t most)
 {
   crossings.clear();
   Segments all(segments.ends.size());
   std::iota(all.begin(), all.end(), Index(0));
   return all.empty() ||
-    Finder(segments, ticker, crossings)
-      .search(std::move(all), { 0, static_cast<Index>(segments.places.size() - 1) });
+    Finder(segments, ticker, crossings, most)
+      .search(std::move(all), { 0, static_cast<Index>(segments.places.size() - 1) }) ||
+    crossings.size() > most;
 }
 
 } // namespace ahd

@@ -115,7 +115,7 @@ private:
 
   bool insertInParts(std::size_t stride, std::size_t count)
   {
-    Parts parts(points_, mesh_, ticker_, rounds_, stride, count);
+    Parts parts(points_, mesh_, ticker_, { rounds_, stride }, count);
     return parts.insert(kernel_, shared_, tooManyWaited_);
   }
 

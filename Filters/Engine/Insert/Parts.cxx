@@ -25,18 +25,18 @@ void storeLarger(std::atomic<Mesh::Slot>& place, Mesh::Slot slot)
 
 } // namespace
 
-Parts::Parts(const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Rounds& rounds,
-  std::size_t stride, std::size_t count)
+Parts::Parts(
+  const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count)
   : points_(points)
   , mesh_(mesh)
   , ticker_(ticker)
-  , rounds_(rounds)
-  , stride_(stride)
-  , known_(stride * kControlStride)
+  , rounds_(round.rounds)
+  , stride_(round.stride)
+  , known_(round.stride * kControlStride)
   , parts_(count)
   , starts_(new std::atomic<Mesh::Slot>[points.count / known_ + 1])
 {
-  waiting_.allocate(rounds.size(stride));
+  waiting_.allocate(rounds_.size(stride_));
   const std::size_t blocks = points.count / known_;
   for (std::size_t k = 0; k < count; ++k)
   {
@@ -44,7 +44,7 @@ Parts::Parts(const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Round
     const std::size_t begin = share.begin * known_;
     const std::size_t end = k + 1 < count ? share.end * known_ : points.count;
     parts_[k].territory = { static_cast<Index>(begin), static_cast<Index>(end - begin) };
-    parts_[k].begin = rounds.index(stride, begin);
+    parts_[k].begin = rounds_.index(stride_, begin);
   }
 }
 

@@ -18,6 +18,13 @@ namespace ahd
 inline namespace AHD_TARGET
 {
 
+/// A round of these, known by its stride.
+struct Round
+{
+  const Rounds& rounds;
+  std::size_t stride;
+};
+
 /// One round of an insertion, in parts (Insert.h). What a part could not insert waits, and is
 /// tried again by the part that joins it with its neighbours, until one part owns everything.
 class Parts
@@ -25,8 +32,8 @@ class Parts
 public:
   /// REQUIRES: all points of the rounds before are in the mesh; 2 <= count, and each part gets at
   /// least kControlStride points of the round. Throws std::bad_alloc.
-  Parts(const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Rounds& rounds,
-    std::size_t stride, std::size_t count);
+  Parts(
+    const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
 
   /// Inserts the round; the last that wait by `alone`. Returns false if the work is to be
   /// cancelled. `tooManyWaited`: cavities here are so large (points on a parabola, or hundreds of

@@ -21,7 +21,7 @@ struct MergedPoint
 struct MergedPoints
 {
   /// In ascending order of id. Points at a kept place are in no pair: that they coincide is left
-  /// to the Triangulator.
+  /// to triangulate().
   std::vector<MergedPoint> pairs;
   /// One byte per point, for PointView::skip with skipMask 0xFF: 1 for the points in `pairs` and
   /// for those that the caller had left out, else 0.

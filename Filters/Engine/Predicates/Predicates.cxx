@@ -216,6 +216,48 @@ int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
   return crossUnbounded(WideVector(unit, c, a), WideVector(unit, c, b)).sign();
 }
 
+// ---------------------------------------------------------------------------------------- flatness
+
+/// Each of the four products has three roundings, the cross and the dot product one more, their sum
+/// another: the error is at most ((1 + u)^5 - 1) (2 |l| + 2 |r| + |p| + |q|) + 6e. 8 u pays for
+/// what rounding takes from the bound, the guard for all multiples of e. Where something overflows
+/// the bound does, or the sum is NaN, and the comparison fails.
+std::optional<int> flatnessByFilter(const Point& a, const Point& b, const Point& c)
+{
+  const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
+  const double l = ax * by, r = ay * bx, p = ax * bx, q = ay * by;
+  const double sum = 2.0 * (l - r) + (p + q);
+  const double size = 2.0 * (std::fabs(l) + std::fabs(r)) + (std::fabs(p) + std::fabs(q));
+  if (std::fabs(sum) > 8.0 * 0x1p-53 * size + kOrientGuard)
+  {
+    return signOf(sum);
+  }
+  return std::nullopt;
+}
+
+/// Twice a cross product may have 129 bits.
+std::optional<int> flatnessOnGrid(
+  [[maybe_unused]] const Point& a, [[maybe_unused]] const Point& b, [[maybe_unused]] const Point& c)
+{
+#ifdef AHD_HAS_INT128
+  Grid<2> grid;
+  if (grid.fit(c, { &a, &b }))
+  {
+    return compare(
+      Product256(crossOnGrid(grid[0], grid[1]), 2), Product256(dotOnGrid(grid[0], grid[1]), -1));
+  }
+#endif
+  return std::nullopt;
+}
+
+int flatnessUnbounded(const Point& a, const Point& b, const Point& c)
+{
+  const Unit unit{ &a, &b, &c };
+  const WideVector A(unit, c, a), B(unit, c, b);
+  const auto cross = crossUnbounded(A, B);
+  return (cross + cross + dotUnbounded(A, B)).sign();
+}
+
 // ---------------------------------------------------------------------------------------- inCircle
 
 std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point& c, const Point& d)
@@ -303,6 +345,13 @@ int orient2d(const Point& a, const Point& b, const Point& c)
 {
   const std::optional<int> sign = stages::orient2dByFilter(a, b, c);
   return sign ? *sign : orient2dExact(a, b, c);
+}
+
+bool isFlat(const Point& a, const Point& b, const Point& c)
+{
+  std::optional<int> sign = stages::flatnessByFilter(a, b, c);
+  sign = sign ? sign : stages::flatnessOnGrid(a, b, c);
+  return (sign ? *sign : stages::flatnessUnbounded(a, b, c)) < 0;
 }
 
 int inCircleExact(const Point& a, const Point& b, const Point& c, const Point& d)

@@ -20,6 +20,11 @@ int inCircle(const Point& a, const Point& b, const Point& c, const Point& d);
 /// the answers describe one unique triangulation of the point set. REQUIRES: four distinct points.
 bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// Is the angle at c of the counterclockwise triangle a, b, c so wide that the triangle is flat:
+/// above 180 degrees less the arc tangent of 1/2, 153.4? That is (a - c) . (b - c) < -2 times the
+/// cross product of the two. Exact for all finite coordinates.
+bool isFlat(const Point& a, const Point& b, const Point& c);
+
 /// The same answers without the floating-point filter, for callers whose own has failed.
 int orient2dExact(const Point& a, const Point& b, const Point& c);
 int inCircleExact(const Point& a, const Point& b, const Point& c, const Point& d);

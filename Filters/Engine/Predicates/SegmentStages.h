@@ -6,7 +6,7 @@
 
 #include <optional>
 
-/// The stages of orderAt and roundsTo (Segments.h). Those by filter, in double arithmetic,
+/// The stages of orderAt, crossingOf and roundsTo (Segments.h). Those by filter, in double arithmetic,
 /// answer only where they are certain; the others always, and exactly. For Segments.cxx and
 /// its tests only.
 namespace ahd::stages
@@ -16,6 +16,10 @@ namespace ahd::stages
 /// REQUIRES: neither is vertical.
 std::optional<int> heightsByFilter(const Segment& s, const Segment& t, const Point& p);
 int heightsUnbounded(const Segment& s, const Segment& t, const Point& p);
+
+/// Where they cross, each coordinate rounded. REQUIRES: they cross.
+std::optional<Point> crossingByFilter(const Segment& s, const Segment& t);
+Point crossingUnbounded(const Segment& s, const Segment& t);
 
 /// Does s certainly pass what rounds to p by?
 bool passesByFilter(const Segment& s, const Point& p);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Segments.h"
 
+#include "../Arithmetic/DoubleDouble.h"
 #include "../Arithmetic/WideVectors.h"
 #include "Predicates.h"
 #include "SegmentStages.h"
@@ -273,9 +274,72 @@ int orderAt(const Segment& s, int sideOfS, const Segment& t, int sideOfT, const 
   return sideOfS < 0 ? -steeper : steeper;
 }
 
+namespace
+{
+
+/// A number that differs from the true one by less than `error`.
+struct Approximation
+{
+  DoubleDouble value;
+  double error;
+};
+
+/// The cross product of two vectors; twice as much is allowed as its roundings add up to.
+Approximation approximateCross(const DoubleDoubleVector& a, const DoubleDoubleVector& b)
+{
+  const double size = std::fabs(a.x.high * b.y.high) + std::fabs(a.y.high * b.x.high);
+  return { cross(a, b), 0x1p-100 * size };
+}
+
+DoubleDoubleVector wayBetween(const Point& from, const Point& to)
+{
+  return { exactDifference(to.x, from.x), exactDifference(to.y, from.y) };
+}
+
+/// The double to which all numbers round that are as near to a + b c as they may be; `errorOfC` is
+/// that of c, which is at most 1. None if there is no such double, or none of ordinary size.
+std::optional<double> roundedSum(
+  double a, const DoubleDouble& b, const DoubleDouble& c, double errorOfC)
+{
+  const DoubleDouble sum = DoubleDouble{ a, 0.0 } + b * c;
+  const double way = std::fabs(b.high);
+  const double error = way * errorOfC + 0x1p-99 * (std::fabs(a) + way);
+  const double low = sum.high + (sum.low - error), high = sum.high + (sum.low + error);
+  return low == high && std::fabs(low) > 0x1p-800 ? std::optional<double>(low) : std::nullopt;
+}
+
+} // namespace
+
 // With u, v the vectors along s and t, and w that from s.left to t.left, they meet at
 // s.left + u (w x v) / (u x v).
-Point crossingOf(const Segment& s, const Segment& t)
+
+/// Proof. The vectors are exact. A product of two DoubleDoubles is wrong by less than 2^-103 of
+/// itself, a sum by 2^-104 of its operands: so a cross product by less than 2^-102 of its size, and
+/// what is added for underflow, at most 2^-1000, is nothing beside 2^-100 of a size above 2^-700.
+/// The quotient is at most 1, as they cross; it is wrong by the errors of both cross products over
+/// `whole`, and by 2^-100 of itself: twice as much is allowed, which pays for what is of second
+/// order, as these errors are below 2^-20 of `whole`. Sum and product in roundedSum are wrong by
+/// less than 2^-102 of |a| + |b|, rounding the sum's low part by less than 2^-105 of it.
+std::optional<Point> stages::crossingByFilter(const Segment& s, const Segment& t)
+{
+  const DoubleDoubleVector u = wayBetween(s.left, s.right), v = wayBetween(t.left, t.right);
+  const DoubleDoubleVector w = wayBetween(s.left, t.left);
+  const Approximation along = approximateCross(w, v), whole = approximateCross(u, v);
+  const double size = std::fabs(whole.value.high), error = along.error + whole.error;
+  constexpr double kSmall = 0x1p-800, kLarge = 0x1p400;
+  if (!(along.error > kSmall && whole.error > kSmall && error < 0x1p-20 * size && size < kLarge &&
+        error < kLarge))
+  {
+    return std::nullopt;
+  }
+  const DoubleDouble quotient = along.value / whole.value;
+  const double errorOfQuotient = 2.0 * error / size + 0x1p-98;
+  const std::optional<double> x = roundedSum(s.left.x, u.x, quotient, errorOfQuotient);
+  const std::optional<double> y = roundedSum(s.left.y, u.y, quotient, errorOfQuotient);
+  return x && y ? std::optional<Point>(Point{ *x, *y }) : std::nullopt;
+}
+
+Point stages::crossingUnbounded(const Segment& s, const Segment& t)
 {
   const Unit unit{ &s.left, &s.right, &t.left, &t.right };
   const WideVector u(unit, s.left, s.right), v(unit, t.left, t.right), w(unit, s.left, t.left);
@@ -284,6 +348,12 @@ Point crossingOf(const Segment& s, const Segment& t)
   const auto coordinate = [&](double from, const Difference& way)
   { return roundedQuotient(whole * unit.integer(from) + along * way, whole, unit.exponent()); };
   return { coordinate(s.left.x, u.x), coordinate(s.left.y, u.y) };
+}
+
+Point crossingOf(const Segment& s, const Segment& t)
+{
+  const std::optional<Point> filtered = crossingByFilter(s, t);
+  return filtered ? *filtered : crossingUnbounded(s, t);
 }
 
 double fractionOfWay(const Point& from, const Point& to, const Point& p)

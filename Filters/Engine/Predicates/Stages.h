@@ -29,6 +29,11 @@ std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point&
 std::optional<int> inCircleOnGrid(const Point& a, const Point& b, const Point& c, const Point& d);
 int inCircleUnbounded(const Point& a, const Point& b, const Point& c, const Point& d);
 
+/// The sign of 2 (A x B) + A . B, where A, B run from c to a, b: -1 if a, b, c is flat there.
+std::optional<int> flatnessByFilter(const Point& a, const Point& b, const Point& c);
+std::optional<int> flatnessOnGrid(const Point& a, const Point& b, const Point& c);
+int flatnessUnbounded(const Point& a, const Point& b, const Point& c);
+
 /// Is d in conflict with the counterclockwise triangle a, b, c on whose circle it lies?
 bool conflictOnCircle(const Point& a, const Point& b, const Point& c, const Point& d);
 

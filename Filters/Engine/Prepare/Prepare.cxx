@@ -110,9 +110,9 @@ std::int64_t PreparedInput::cellOf(std::size_t chain) const
 
 Status PreparedInput::endCrossingsAtVertices(Triangulation& triangulation, const Context& context)
 {
-  if (crossings_.empty())
+  if (crossings_.empty() || triangulation.report().duplicates == 0)
   {
-    return Status::Ok;
+    return Status::Ok; // each point stands for itself
   }
   const Status status = triangulation.makePointMap(context);
   if (status != Status::Ok)

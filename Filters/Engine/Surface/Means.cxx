@@ -175,6 +175,10 @@ Status findMeans(Triangulation& triangulation, std::size_t count, const PointVie
   const Context& context, std::vector<Mean>& means)
 {
   means.clear();
+  if (triangulation.report().duplicates == 0)
+  {
+    return Status::Ok;
+  }
   const Status status = triangulation.makePointMap(context);
   if (status != Status::Ok)
   {

@@ -130,7 +130,7 @@ bool Triangulation::State::makeCorners(Ticker& ticker)
 
 bool Triangulation::State::makeFlags(Ticker& ticker)
 {
-  if (!isConstrained || allTriangles == 0)
+  if (!hasMarks || allTriangles == 0)
   {
     return true;
   }

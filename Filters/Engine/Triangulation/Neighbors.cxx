@@ -60,7 +60,7 @@ bool TwinFinder::list(std::size_t vertices, Ticker& ticker)
   ends_.allocate(vertices + 1);
   const auto count = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t h = a; h != b; ++h)
+    for (std::size_t h = 3 * a; h != 3 * b; ++h)
     {
       ++ends_[std::size_t(corners[h]) + 1];
     }
@@ -76,14 +76,14 @@ bool TwinFinder::list(std::size_t vertices, Ticker& ticker)
   };
   const auto put = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t h = a; h != b; ++h)
+    for (std::size_t h = 3 * a; h != 3 * b; ++h)
     {
       list_[ends_[corners[h]]++] = static_cast<HalfEdge>(h);
     }
   };
   // Each vertex's entry is first where its list begins, and in the end where it ends.
-  return fillAll(ends_, 0u, ticker) && inChunks(0, corners.size(), ticker, count) &&
-    inChunks(0, ends_.size(), ticker, sumUp) && inChunks(0, corners.size(), ticker, put);
+  return fillAll(ends_, 0u, ticker) && inChunks(0, tables_.triangles(), ticker, count) &&
+    inChunks(0, ends_.size(), ticker, sumUp) && inChunks(0, tables_.triangles(), ticker, put);
 }
 
 bool TwinFinder::match(Ticker& ticker)
@@ -112,7 +112,7 @@ bool TwinFinder::matchShare(const Share& vertices, Ticker& ticker)
     {
       return false;
     }
-    if (!ticker.step(1 + std::min(count, kFew)))
+    if (!ticker.step())
     {
       return false;
     }

@@ -26,7 +26,8 @@ struct Triangulation::State
   Report report;
   std::size_t allTriangles = 0; ///< dropped ones included
 
-  bool isConstrained = false; ///< then `constrained` and `constraints` say how
+  bool hasMarks = false; ///< then those of `constrained` say which edges are constraints, and
+                         ///< which triangles are dropped
   ConstrainedMesh constrained;
   ConstraintReport constraints;
 

@@ -49,8 +49,8 @@ struct Location
 ///
 /// Vertices are numbered by their canonical rank, along a Hilbert curve; triangles are in canonical
 /// order, each from its lowest vertex. So all numbers are functions of the point set alone, and
-/// neighbours are close in memory. Triangles that loops drop stay, flagged; what is written out,
-/// and report().triangles, are the kept ones.
+/// neighbours are close in memory. Triangles that loops or trim() drop stay, flagged; what is
+/// written out, and report().triangles, are the kept ones.
 ///
 /// What costs memory or time is made by make...() when it is first wanted: these and write...() may
 /// be called by one thread at a time, return Ok, Cancelled or OutOfMemory, and may be called again
@@ -115,7 +115,7 @@ public:
 
   /// All triangles, dropped ones included.
   std::size_t triangleCount() const;
-  /// Is the triangle part of the result? Not if loops drop it.
+  /// Is the triangle part of the result? Not if loops or trim() drop it.
   bool isKept(std::size_t triangle) const;
   /// The vertex where the half-edge begins, and where it ends.
   Index origin(HalfEdge h) const;

@@ -46,8 +46,8 @@ bool Triangulation::State::writeTriangles(Id* triples, Ticker& ticker)
   arePlacesGone = true;
   Scratch scratch;
   scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
-  const ExtractedMesh kept = isConstrained ? ExtractedMesh(mesh, constrained.allMarks(), kDropped)
-                                           : mesh;
+  const ExtractedMesh kept = hasMarks ? ExtractedMesh(mesh, constrained.allMarks(), kDropped)
+                                      : mesh;
   // Asked at the end as well: the last part of the work may have been another thread's.
   return writeCanonical(kept, ranked.id.data(), triples, scratch, ticker) && ticker.ask();
 }

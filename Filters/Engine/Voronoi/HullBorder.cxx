@@ -24,7 +24,8 @@ bool HullBorder::build(Ticker& ticker)
   for (std::size_t i = 0; i < halfEdges; ++i)
   {
     const HalfEdge h = static_cast<HalfEdge>(i);
-    if ((diagram_.twin(h) == kNoHalfEdge && !findBeyond(h, ticker)) || !ticker.step())
+    if ((diagram_.twin(h) == kNoHalfEdge && !findBeyond(h, ticker)) ||
+      (h % 3 == 0 && !ticker.step()))
     {
       return false;
     }

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter's two outputs as arrays, and what the figures show of them."""
+"""The filter's surface and insertion order as arrays, and what the figures show of them."""
 
 import collections
 

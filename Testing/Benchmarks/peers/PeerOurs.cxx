@@ -18,14 +18,15 @@ using namespace ahd::test;
 
 std::vector<std::int32_t> triangulate(const std::vector<Point>& points, Executor* executor)
 {
-  Triangulator triangulator;
+  Workspace workspace;
+  Triangulation made;
   const PointView view(points.empty() ? nullptr : &points[0].x, points.size(), 2);
   std::vector<std::int32_t> triples;
-  Status status = triangulator.run(view, Options(), nullptr, executor);
+  Status status = triangulate(view, Options(), workspace, { nullptr, executor }, made);
   if (status == Status::Ok)
   {
-    triples.resize(3 * triangulator.report().triangles);
-    status = triangulator.writeTriangles(triples.data(), nullptr, executor);
+    triples.resize(3 * made.report().triangles);
+    status = made.writeTriangles(triples.data(), { nullptr, executor });
   }
   if (status != Status::Ok)
   {

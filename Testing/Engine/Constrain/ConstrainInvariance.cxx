@@ -156,7 +156,7 @@ TEST(ConstrainInvariance, TheOrderOfSegmentsThatDoNotCrossChangesNothing)
   }
 }
 
-TEST(ConstrainInvariance, ATriangulatorForgetsTheConstraintsBefore)
+TEST(ConstrainInvariance, ANewTriangulationForgetsTheConstraintsBefore)
 {
   Engine engine;
   for (std::uint64_t seed = 0; seed < 400; ++seed)

@@ -182,7 +182,7 @@ TEST(ConstrainTrouble, OutOfMemoryAtAnyAllocationIsReportedAndSurvived)
   }
 }
 
-TEST(ConstrainTrouble, NothingIsHeldByADestroyedTriangulator)
+TEST(ConstrainTrouble, NothingIsHeldOnceWorkspaceAndTriangulationAreGone)
 {
   const ConstraintCase given = nestedLoops(10);
   const std::size_t before = account.held;

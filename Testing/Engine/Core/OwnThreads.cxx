@@ -155,6 +155,7 @@ TEST(OwnThreads, WorkInsideATaskOfOthers)
 TEST(OwnThreads, SeveralAtATime)
 {
   std::vector<std::thread> users;
+  users.reserve(4);
   for (int user = 0; user < 4; ++user)
   {
     users.emplace_back(

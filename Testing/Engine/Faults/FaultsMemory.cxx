@@ -4,47 +4,9 @@
 // nothing is thrown or leaked, and the object goes on as a new one would. This program's operator
 // new fails when told to.
 #include "FaultsSession.h"
-#include "OwnNew.h"
+#include "OwnMemory.h"
 
 #include <gtest/gtest.h>
-
-#include <atomic>
-#include <cstdlib>
-
-namespace
-{
-
-std::atomic<std::size_t> allocations{ 0 };
-std::atomic<std::size_t> failAt{ 0 };    ///< the allocation that fails; 0: none
-std::atomic<bool> andAllLater{ false };  ///< ... and those after it
-std::atomic<bool> watching{ false };     ///< is it the engine that allocates?
-std::atomic<std::ptrdiff_t> blocks{ 0 }; ///< in use
-
-/// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
-void (*volatile freeBlock)(void*) = std::free;
-
-} // namespace
-
-void* ahd::test::ownAllocate(std::size_t size, std::size_t alignment)
-{
-  const std::size_t number = watching ? ++allocations : 0;
-  const bool fails = failAt != 0 && (number == failAt || (andAllLater && number > failAt));
-  const std::size_t rounded = (std::max<std::size_t>(size, 1) + alignment - 1) / alignment *
-    alignment;
-  void* block = fails ? nullptr : std::aligned_alloc(alignment, rounded);
-  if (!block)
-  {
-    throw std::bad_alloc();
-  }
-  ++blocks;
-  return block;
-}
-
-void ahd::test::ownRelease(void* block)
-{
-  blocks -= block != nullptr;
-  freeBlock(block);
-}
 
 namespace ahd
 {
@@ -56,9 +18,9 @@ namespace
 /// Lets a call of the engine fail, and nothing else.
 Status callFailing(const Session::Call& call)
 {
-  watching = true;
+  account.countsNothing = false;
   const Status status = call();
-  watching = false;
+  account.countsNothing = true;
   return status;
 }
 
@@ -66,12 +28,14 @@ Status callFailing(const Session::Call& call)
 Status runFailing(Session& session, Engine& t, std::size_t k, Executor* executor)
 {
   t.reclaim();
-  allocations = 0;
-  failAt = k;
+  account.countsNothing = true;
+  account.allocations = 0;
+  account.failAt = k;
   Helpers helpers;
   helpers.executor = executor;
   const Status status = session.run(t, callFailing, helpers);
-  failAt = 0;
+  account.failAt = 0;
+  account.countsNothing = false;
   return status;
 }
 
@@ -79,18 +43,18 @@ Status runFailing(Session& session, Engine& t, std::size_t k, Executor* executor
 void expectSurvived(
   const ConstraintCase& given, const Options& options, std::size_t most, Executor* executor)
 {
-  const std::ptrdiff_t before = blocks;
+  const std::size_t before = account.blocks;
   {
     Engine fresh;
     Session expected(given, options);
     ASSERT_EQ(runFailing(expected, fresh, 0, executor), Status::Ok);
-    const std::size_t all = allocations;
+    const std::size_t all = account.allocations;
     ASSERT_GT(all, 50u) << "the engine no longer allocates through operator new";
     const std::size_t step = 1 + all / most;
     Engine reused;
     for (std::size_t k = 1; k <= all; k += step)
     {
-      andAllLater = k / step % 2 == 1;
+      account.failsOnce = k / step % 2 == 0;
       reused.release();
       Session session(given, options);
       const Status status = runFailing(session, reused, k, executor);
@@ -101,7 +65,7 @@ void expectSurvived(
       ASSERT_TRUE(again.bytes() == expected.bytes()) << "after allocation " << k;
     }
   }
-  EXPECT_EQ(blocks, before) << "something leaked";
+  EXPECT_EQ(account.blocks, before) << "something leaked";
 }
 
 void expectSurvivedUnderEverySetting(std::size_t most)

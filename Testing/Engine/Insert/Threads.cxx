@@ -297,7 +297,7 @@ TEST(Threads, FewPoints)
   }
 }
 
-TEST(Threads, OneTriangulatorWithManyExecutorsAndSizes)
+TEST(Threads, OneWorkspaceWithManyExecutorsAndSizes)
 {
   Engine reused;
   Random random(11);
@@ -347,7 +347,7 @@ TEST(Threads, AnExecutorForRunAndAnotherForWriting)
   }
 }
 
-TEST(Threads, TwoTriangulatorsAtOnce)
+TEST(Threads, TwoWorkspacesAtOnce)
 {
   const std::vector<Point> points = makePoints(Distribution::Cross, shared(100000), 14);
   const Outcome expected = runOn(nullptr, viewOf(points));

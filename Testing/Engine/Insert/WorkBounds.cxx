@@ -398,6 +398,8 @@ TEST(WorkBounds, Voronoi)
     const std::vector<Point> points = makePoints(d, n, 1);
     Engine engine;
     ASSERT_EQ(engine.run(viewOf(points), Options(), nullptr), Status::Ok);
+    ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
+    ASSERT_EQ(engine.made.makePointMap({}), Status::Ok);
     for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
     {
       Counter counter;

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <ostream>
 
@@ -70,6 +71,21 @@ TEST_P(PredicatesOn, OrientIsExactAtEveryStage)
     ASSERT_EQ(stages::orient2dUnbounded(a, b, c), expected) << i << "\n" << textOf(q);
     ASSERT_EQ(orient2dExact(a, b, c), expected) << i << "\n" << textOf(q);
     ASSERT_EQ(orient2d(a, b, c), expected) << i << "\n" << textOf(q);
+  }
+}
+
+TEST_P(PredicatesOn, FlatnessIsExactAtEveryStage)
+{
+  Cases source(GetParam().family);
+  for (int i = 0; i < cases(); ++i)
+  {
+    const Quadruple q = source.draw();
+    const Point &a = q[0], &b = q[1], &c = q[2];
+    const int expected = oracleFlatness(a, b, c);
+    ASSERT_TRUE(agrees(stages::flatnessByFilter(a, b, c), expected)) << i << "\n" << textOf(q);
+    ASSERT_TRUE(agrees(stages::flatnessOnGrid(a, b, c), expected)) << i << "\n" << textOf(q);
+    ASSERT_EQ(stages::flatnessUnbounded(a, b, c), expected) << i << "\n" << textOf(q);
+    ASSERT_EQ(isFlat(a, b, c), expected < 0) << i << "\n" << textOf(q);
   }
 }
 
@@ -167,6 +183,21 @@ TEST(Predicates, MinusZeroIsZero)
   EXPECT_EQ(inCircle(minus, right, { 1.0, 1.0 }, up), 0);
   EXPECT_EQ(
     inConflict(minus, right, { 1.0, 1.0 }, up), inConflict(zero, { 1, 0 }, { 1, 1 }, { 0, 1 }));
+}
+
+TEST(Predicates, FlatIsBeyondTwoToOne)
+{
+  const Point at{ 0, 0 };
+  for (const double scale : { 1.0, 3.0, 0.1, 0x1p-1000, 0x1p+1000 })
+  {
+    const Point left{ -4 * scale, 0 }, right{ 2 * scale, scale };
+    const Point further{ std::nextafter(right.x, HUGE_VAL), right.y };
+    EXPECT_FALSE(isFlat(right, left, at)) << "just as wide as it may be";
+    EXPECT_TRUE(isFlat(further, left, at)) << scale;
+    EXPECT_FALSE(isFlat({ 0, scale }, left, at)) << "a right angle";
+  }
+  EXPECT_TRUE(isFlat({ 1, 0 }, { -1, 0 }, at)) << "collinear, between the two";
+  EXPECT_FALSE(isFlat({ 1, 0 }, { 2, 0 }, at)) << "collinear, beyond";
 }
 
 TEST(Predicates, LargestAndSmallestNumbersTogether)

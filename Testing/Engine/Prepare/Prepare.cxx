@@ -316,7 +316,7 @@ TEST(Prepare, CellsOfAThousandCrossingsAreKept)
   Cells lines;
   for (int i = 0; i < 40; ++i)
   {
-    const std::int64_t k = 4 * i;
+    const std::int64_t k = 4 * std::int64_t(i);
     ends.insert(ends.end(),
       { Xyz{ { i + 0.5, -1, 0 } }, Xyz{ { i + 0.5, 41, 0 } }, Xyz{ { -1, i + 0.5, 0 } },
         Xyz{ { 41, i + 0.5, 0 } } });

@@ -104,12 +104,15 @@ inline std::string bytesOf(const PreparedInput& prepared)
     all += std::to_string(bytes) + ":";
     all.append(static_cast<const char*>(from), bytes);
   };
-  for (std::size_t i = 0; i < prepared.points().count; ++i)
+  const PointView& points = prepared.points();
+  points.doubles ? add(points.doubles, 3 * points.count * sizeof(double))
+                 : add(points.floats, 3 * points.count * sizeof(float));
+  std::vector<char> skipped(points.count);
+  for (std::size_t i = 0; i < points.count; ++i)
   {
-    const auto place = prepared.place(i);
-    add(place.data(), sizeof place);
-    all += prepared.points().skipped(i) ? 's' : 'p';
+    skipped[i] = points.skipped(i);
   }
+  add(skipped.data(), skipped.size());
   const ConstraintView chains = prepared.constraints();
   for (std::size_t k = 0; k < chains.chains; ++k)
   {

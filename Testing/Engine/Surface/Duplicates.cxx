@@ -6,7 +6,6 @@
 #include "Surface/Means.h"
 #include "Triangulate.h"
 
-#include "Executors.h"
 #include "Listeners.h"
 #include "OwnMemory.h"
 
@@ -230,31 +229,24 @@ TEST(Duplicates, InAPlaneTheMeanIsOneOfPositions)
   EXPECT_EQ(means[0].position, (Xyz{ { 3, 2, 5 } }));
 }
 
-TEST(Duplicates, AnyAskingCanCancelTheMeansAlsoWithThreads)
+TEST(Duplicates, AnyAskingCanCancelTheMeans)
 {
-  Crowd crowd(30000, 1); // some hundred at each place
+  const Crowd crowd(30000, 1); // some hundred at each place
+  const PointView inSpace = viewOf(crowd.points);
   Triangulation triangulation;
   make(crowd.view(), triangulation);
-  ThreadExecutor threads(3);
-  for (Executor* const executor :
-    { static_cast<Executor*>(nullptr), static_cast<Executor*>(&threads) })
+  std::vector<Mean> means;
+  Listener all;
+  ASSERT_EQ(findMeans(triangulation, 30000, inSpace, Context{ &all, nullptr }, means), Status::Ok);
+  EXPECT_EQ(means.size(), 36u);
+  for (std::size_t k = 1; k <= all.askings(); ++k)
   {
-    std::vector<Mean> means;
-    Listener all;
-    ASSERT_EQ(
-      findMeans(triangulation, 30000, viewOf(crowd.points), Context{ &all, executor }, means),
-      Status::Ok);
-    EXPECT_EQ(means.size(), 36u);
-    for (std::size_t k = 1; k <= all.askings(); ++k)
-    {
-      Triangulation fresh;
-      make(crowd.view(), fresh);
-      Listener listener(k);
-      EXPECT_EQ(
-        findMeans(fresh, 30000, viewOf(crowd.points), Context{ &listener, executor }, means),
-        Status::Cancelled)
-        << "asking " << k;
-    }
+    Triangulation fresh;
+    make(crowd.view(), fresh);
+    Listener listener(k);
+    EXPECT_EQ(
+      findMeans(fresh, 30000, inSpace, Context{ &listener, nullptr }, means), Status::Cancelled)
+      << "asking " << k;
   }
 }
 

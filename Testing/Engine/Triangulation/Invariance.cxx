@@ -183,7 +183,7 @@ TEST(InvarianceOfRandomPoints, TurnedTriangulationIsTheSame)
   EXPECT_EQ(reversed, expected);
 }
 
-TEST(InvarianceOfTriangulator, RunningAgainForgetsThePreviousRun)
+TEST(InvarianceOfTriangulation, RunningAgainForgetsThePreviousRun)
 {
   Engine engine;
   for (std::uint64_t seed = 0; seed < 3; ++seed)
@@ -202,7 +202,7 @@ TEST(InvarianceOfTriangulator, RunningAgainForgetsThePreviousRun)
   }
 }
 
-TEST(InvarianceOfTriangulator, IdsOf64BitsAreThoseOf32Bits)
+TEST(InvarianceOfTriangulation, IdsOf64BitsAreThoseOf32Bits)
 {
   const std::vector<Point> p = makePoints(Distribution::Mixed, 5000, 5);
   const Outcome expected = triangulate(p);

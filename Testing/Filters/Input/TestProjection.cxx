@@ -64,10 +64,12 @@ Xyz normalOf(const std::vector<Xyz>& points, const Triangle& t)
   return ahd::cross(u, v);
 }
 
+/// With the whole hull.
 std::vector<Triangle> triangulateFitted(const std::vector<Xyz>& points)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   filter->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+  filter->SetRimToConvexHull();
   auto cloud = makeCloud(points);
   filter->SetInputData(cloud);
   filter->Update();
@@ -214,6 +216,7 @@ TEST(Projection, GhostsAndOddPointsHaveNoSayInThePlane)
   WatchedFilter filter;
   filter->SetInputData(cloud);
   filter->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+  filter->SetRimToConvexHull();
   filter->Update();
   EXPECT_EQ(trianglesOf(filter->GetOutput()), expected);
   EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 1);
@@ -237,6 +240,7 @@ TEST(Projection, TransformedPointsAreTriangulatedWhereTheyWere)
       auto cloud = makeCloud(points, type);
       filter->SetInputData(cloud);
       filter->SetTransform(transform);
+      filter->SetRimToConvexHull();
       filter->SetProjectionPlaneMode(mode);
       for (int run = 0; run < 2; ++run)
       {
@@ -262,6 +266,7 @@ TEST(Projection, AFitTakesNoNoticeOfATransform)
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   filter->SetInputData(makeCloud(points));
   filter->SetTransform(transform);
+  filter->SetRimToConvexHull();
   filter->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
   filter->Update();
   EXPECT_EQ(trianglesOf(filter->GetOutput()), triangulateFitted(points));
@@ -275,6 +280,7 @@ TEST(Projection, ChangesOfTheTransformAreNoticed)
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   filter->SetInputData(makeCloud(points));
   filter->SetTransform(transform);
+  filter->SetRimToConvexHull();
   filter->Update();
   EXPECT_EQ(trianglesOf(filter->GetOutput()), triangulate(points));
   transform->Scale(1, 0.1, 1);
@@ -314,6 +320,7 @@ TEST(Projection, WhatTheTransformLosesIsRejected)
   WatchedFilter filter;
   filter->SetInputData(makeCloud(points));
   filter->SetTransform(transform);
+  filter->SetRimToConvexHull();
   filter->Update();
   EXPECT_EQ(trianglesOf(filter->GetOutput()), expected);
   EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 1);

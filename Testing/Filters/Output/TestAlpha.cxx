@@ -46,6 +46,16 @@ struct Shape
   Cells triangles, lines, verts;
 };
 
+/// Far enough for the outline to be convex here.
+void keepTheHull(vtkDelaunay2D* filter)
+{
+  filter->SetOffset(1000.0);
+}
+void keepTheHull(vtkAdaptiveHilbertDelaunay2D* filter)
+{
+  filter->SetRimToConvexHull();
+}
+
 /// What both have in common.
 template <typename Filter>
 vtkSmartPointer<vtkPolyData> run(vtkPolyData* points, double alpha, vtkAbstractTransform* transform)
@@ -54,7 +64,7 @@ vtkSmartPointer<vtkPolyData> run(vtkPolyData* points, double alpha, vtkAbstractT
   filter->SetInputData(points);
   filter->SetAlpha(alpha);
   filter->SetTolerance(0.0);
-  filter->SetOffset(1000.0); // far enough for vtkDelaunay2D's outline to be convex here
+  keepTheHull(filter);
   filter->SetTransform(transform);
   filter->SetProjectionPlaneMode(transform ? VTK_SET_TRANSFORM_PLANE : VTK_DELAUNAY_XY_PLANE);
   filter->Update();

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <string>
+#include <vector>
 
 using namespace ahdtest;
 
@@ -24,6 +26,49 @@ void setTime(vtkDataObject* data, double time)
   value->SetName("TimeValue");
   value->InsertNextValue(time);
   data->GetFieldData()->AddArray(value);
+}
+
+/// A filter whose source has two lines that cross, and the points for it.
+struct CrossedLine : Line
+{
+  CrossedLine()
+  {
+    vtkNew<vtkPolyData> crossing;
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+    lines->InsertNextCell({ vtkIdType(2), vtkIdType(3) });
+    crossing->SetLines(lines);
+    this->Source->Send(crossing);
+    this->Filter->SetSourceConnection(this->Source->GetOutputPort());
+  }
+
+  static vtkSmartPointer<vtkPolyData> makePoints()
+  {
+    return makeCloud({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }, { 3, 1, 0 } });
+  }
+
+  vtkNew<Relay> Source;
+};
+
+/// The names of the surface's field data in their order, for an input with field data of these names.
+std::vector<std::string> fieldsFor(Line& line, const std::vector<std::string>& names)
+{
+  auto cloud = CrossedLine::makePoints();
+  for (const std::string& name : names)
+  {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name.c_str());
+    cloud->GetFieldData()->AddArray(array);
+  }
+  line.Points->Send(cloud);
+  line.Filter->Update();
+  std::vector<std::string> found;
+  vtkFieldData* data = line.Surface()->GetFieldData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    found.push_back(data->GetArrayName(i));
+  }
+  return found;
 }
 
 double timeOf(vtkDataObject* data)
@@ -54,18 +99,10 @@ public:
 
 TEST(KeptStale, FieldDataAreThoseOfNow)
 {
-  Line line;
-  vtkNew<Relay> source;
-  vtkNew<vtkPolyData> crossing;
-  vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
-  lines->InsertNextCell({ vtkIdType(2), vtkIdType(3) });
-  crossing->SetLines(lines);
-  source->Send(crossing);
-  line.Filter->SetSourceConnection(source->GetOutputPort());
+  CrossedLine line;
   for (int step = 0; step < 4; ++step)
   {
-    auto cloud = makeCloud({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }, { 3, 1, 0 } });
+    auto cloud = CrossedLine::makePoints();
     setTime(cloud, step);
     EXPECT_EQ(line.Runs(cloud), step < 2);
     for (int port = 0; port < 3; ++port)
@@ -77,9 +114,27 @@ TEST(KeptStale, FieldDataAreThoseOfNow)
     EXPECT_EQ(idsOf(data, "NumberOfCrossings"), std::vector<vtkIdType>{ 1 });
     EXPECT_EQ(line.Filter->GetOutput(2)->GetFieldData()->GetNumberOfArrays(), 1);
   }
-  auto without = makeCloud({ { 0, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 }, { 2, 0, 0 }, { 3, 1, 0 } });
+  auto without = CrossedLine::makePoints();
   EXPECT_FALSE(line.Runs(without));
   EXPECT_EQ(timeOf(line.Surface()), -1);
+}
+
+TEST(KeptStale, FieldDataHaveTheOrderOfAFreshRun)
+{
+  const std::vector<std::vector<std::string>> inputs = { { "mine" }, { "Crossings", "mine" },
+    { "mine", "Crossings" }, { "NumberOfTriangles", "mine", "Crossings" } };
+  for (const auto& first : inputs) // for which it is kept
+  {
+    CrossedLine line;
+    fieldsFor(line, first);
+    fieldsFor(line, first);
+    for (const auto& then : inputs)
+    {
+      CrossedLine fresh;
+      EXPECT_EQ(fieldsFor(line, then), fieldsFor(fresh, then)) << first[0] << ", " << then[0];
+    }
+    EXPECT_EQ(line.Filter->GetNumberOfTriangulations(), 2);
+  }
 }
 
 TEST(KeptStale, BlocksWithTheSamePointsHaveTheirOwnFieldData)

@@ -2,6 +2,7 @@
 //
 // Progress is reported and never goes back; an abort at any time leaves nothing and breaks nothing.
 #include "FilterTestSupport.h"
+#include "Pipeline/vtkAHDProgress.h"
 #include "ProgressWatch.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +12,30 @@ using namespace ahdtest;
 namespace
 {
 constexpr std::size_t kCount = 100000;
+
+/// Seconds of a clock that the tests turn on.
+double now = 0.0;
+double clockOfTests()
+{
+  return now;
+}
+
+/// Counts how often it is asked whether to abort, once it was told to.
+class AskedFilter : public vtkAdaptiveHilbertDelaunay2D
+{
+public:
+  static AskedFilter* New() { VTK_STANDARD_NEW_BODY(AskedFilter); }
+  vtkTypeMacro(AskedFilter, vtkAdaptiveHilbertDelaunay2D);
+
+  int GetAbortExecute() override
+  {
+    const int abort = this->Superclass::GetAbortExecute();
+    this->AskedAfterwards += abort != 0 ? 1 : 0;
+    return abort;
+  }
+
+  int AskedAfterwards = 0;
+};
 }
 
 TEST(Progress, RisesFromZeroToOne)
@@ -60,5 +85,75 @@ TEST(Progress, AbortAnywhereLeavesAnEmptyOutputAndAReusableFilter)
     filter->Modified();
     filter->Update();
     EXPECT_TRUE(trianglesOf(filter->GetOutput()) == expected) << "after an abort at " << at;
+  }
+}
+
+TEST(Progress, ObserversHearTenTimesASecondWithoutProgress)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkNew<ProgressWatch> watch;
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.beginPhase(ahd::Phase::Split);
+  for (int i = 0; i < 1000; ++i)
+  {
+    now += 0.005;
+    EXPECT_TRUE(i % 2 == 0 ? progress.advance(ahd::Phase::Split, 0.0) : !progress.MustAbort());
+  }
+  EXPECT_GE(watch->Seen.size(), 50u) << "in five seconds";
+  EXPECT_LE(watch->Seen.size(), 100u) << "observers may be slow";
+  EXPECT_EQ(watch->Seen.back(), watch->Seen.front()) << "there was no progress";
+}
+
+TEST(Progress, MovesInEveryStageAndPhase)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkNew<ProgressWatch> watch;
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.SetStages({ 1.0, 0.0, 3.0 });
+  double before = -1.0;
+  for (int stage = 0; stage < 3; ++stage)
+  {
+    progress.NextStage();
+    for (int phase = 0; phase < 2 && stage != 1; ++phase)
+    {
+      progress.beginPhase(ahd::Phase::Outputs);
+      EXPECT_TRUE(progress.advance(ahd::Phase::Outputs, 1.0));
+      EXPECT_GT(watch->Seen.back(), before + 0.05) << "stage " << stage << ", phase " << phase;
+      before = watch->Seen.back();
+    }
+  }
+  progress.NextStage();
+  EXPECT_EQ(watch->Seen.back(), 1.0);
+}
+
+TEST(Progress, AnAbortEndsThePhaseItIsAskedForIn)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkAHDProgress progress(filter, clockOfTests);
+  EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
+  filter->SetAbortExecute(1);
+  EXPECT_FALSE(progress.advance(ahd::Phase::Insert, 0.6));
+  EXPECT_TRUE(progress.MustAbort());
+}
+
+/// Where the engine goes on after an abort, it goes on asking.
+TEST(Progress, AfterAnAbortNobodyAsksAgain)
+{
+  for (double at : { 0.02, 0.3, 0.5, 0.7, 0.9 })
+  {
+    vtkNew<AskedFilter> filter;
+    filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+    filter->SetNumberOfThreads(1);
+    filter->SetGenerateVoronoi(true);
+    filter->SetGenerateNeighbors(true);
+    vtkNew<ProgressWatch> watch;
+    watch->AbortAt = at;
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    filter->Update();
+    ASSERT_TRUE(watch->Aborted) << at;
+    EXPECT_GE(filter->AskedAfterwards, 1) << at;
+    EXPECT_LE(filter->AskedAfterwards, 4) << "work went on after the abort at " << at;
   }
 }

@@ -83,6 +83,7 @@ TEST(Settings, BeyondVtkDelaunay2DAreOff)
   EXPECT_EQ(filter->GetCrossingMode(), Filter::LEAVE_OUT);
   EXPECT_EQ(filter->GetFillRule(), Filter::ORIENTATION);
   EXPECT_EQ(filter->GetDuplicatePolicy(), Filter::FIRST);
+  EXPECT_EQ(filter->GetRim(), Filter::AUTOMATIC);
   EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_HULL);
   EXPECT_EQ(filter->GetMaximumEdgeLength(), 0.0);
   EXPECT_FALSE(filter->GetGenerateConstraintEdges());
@@ -98,6 +99,8 @@ TEST(Settings, BeyondVtkDelaunay2DAreOff)
   EXPECT_EQ(filter->GetFillRule(), Filter::EVEN_ODD);
   filter->SetDuplicatePolicy(9);
   EXPECT_EQ(filter->GetDuplicatePolicy(), Filter::MEAN_Z);
+  filter->SetRim(9);
+  EXPECT_EQ(filter->GetRim(), Filter::TRIMMED);
   filter->SetVoronoiClip(9);
   EXPECT_EQ(filter->GetVoronoiClip(), Filter::CLIP_TO_BOUNDS);
   filter->SetMaximumEdgeLength(-2.0);
@@ -162,6 +165,12 @@ TEST(Settings, NamedSettersSetWhatTheySay)
   EXPECT_EQ(filter->GetDuplicatePolicy(), 1);
   filter->SetDuplicatePolicyToFirst();
   EXPECT_EQ(filter->GetDuplicatePolicy(), 0);
+  filter->SetRimToTrimmed();
+  EXPECT_EQ(filter->GetRim(), 2);
+  filter->SetRimToConvexHull();
+  EXPECT_EQ(filter->GetRim(), 1);
+  filter->SetRimToAutomatic();
+  EXPECT_EQ(filter->GetRim(), 0);
   filter->SetVoronoiClipToBounds();
   EXPECT_EQ(filter->GetVoronoiClip(), 1);
   filter->SetVoronoiClipToHull();
@@ -262,19 +271,19 @@ TEST(Settings, AreAllPrinted)
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name :
-    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GeneratePointStatus",
-      "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve", "GenerateBoxes",
-      "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
-      "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
-      "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed", "SortSeconds", "InsertSeconds",
-      "OutputSeconds", "MemoryEstimate", "SourceMode", "CrossingMode", "FillRule", "Alpha",
-      "AlphaTris", "AlphaLines", "AlphaVerts", "MaximumEdgeLength", "ProjectionPlaneMode",
-      "Transform", "Tolerance", "DuplicatePolicy", "Offset", "BoundingTriangulation",
-      "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
-      "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
-      "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-      "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
+  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
+         "GeneratePointStatus", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
+         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
+         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
+         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
+         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate", "SourceMode",
+         "CrossingMode", "FillRule", "Alpha", "AlphaTris", "AlphaLines", "AlphaVerts",
+         "MaximumEdgeLength", "ProjectionPlaneMode", "Transform", "Tolerance", "Rim",
+         "NumberOfTrimmedTriangles", "DuplicatePolicy", "Offset", "BoundingTriangulation",
+         "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
+         "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
+         "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
+         "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }

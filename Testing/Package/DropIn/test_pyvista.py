@@ -79,6 +79,31 @@ class ParameterTest(unittest.TestCase):
         self.assertEqual(surface.array_names, ["height"])
         self.assertTrue(numpy.array_equal(surface["height"], mesh["height"]))
 
+    def test_a_grid_on_a_hill(self):
+        """PyVista's own test of delaunay_2d, for more seeds: 722 triangles, and not one that is a wall."""
+        for seed in range(20):
+            draw = numpy.random.default_rng(seed).uniform
+            x, y = (numpy.linspace(-200, 200, num=20) + draw(-5, 5, size=20) for _ in range(2))
+            x, y = numpy.meshgrid(x, y)
+            z = 100 * numpy.exp(-0.5 * ((x / 100) ** 2 + (y / 100) ** 2))
+            points = numpy.c_[x.ravel(), y.ravel(), z.ravel()]
+            self.assertEqual(pyvista.PolyData(points).delaunay_2d().n_cells, 722, seed)
+
+    def test_grids_have_no_walls(self):
+        """Elsewhere than in x, y: the triangles of the squares, and no others."""
+        noise = numpy.random.default_rng(0).random((10, 10))
+        for side, height in (
+            (4, lambda x, y: x * y % 3),
+            (10, lambda x, y: 0.1 * x),
+            (10, lambda x, y: (x + y) // (y + 1)),
+            (10, lambda x, y: x * y / 10),
+            (10, lambda x, y: noise[x, y]),
+        ):
+            points = [(x, y, height(x, y)) for x in range(side) for y in range(side)]
+            mesh = pyvista.PolyData(numpy.array(points, float))
+            for parameters in ({}, {"tol": 1e-3}):
+                self.assertEqual(mesh.delaunay_2d(**parameters).n_cells, 2 * (side - 1) ** 2)
+
     def test_offset(self):
         ours, theirs = self.both(scattered(100), offset=4.0)
         self.assertEqual(triangles(ours), triangles(theirs))

@@ -97,8 +97,7 @@ ConstraintCase edgesOfOthers(std::size_t n, std::size_t segments)
   result.points = makePoints(Distribution::Uniform, n, 13);
   Triangulation made;
   Workspace workspace;
-  triangulate(
-    PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), workspace, {}, made);
+  triangulate(PointView(&result.points[0].x, n / kStep, 2 * kStep), Options(), workspace, {}, made);
   std::vector<std::int64_t> triples(3 * made.report().triangles);
   made.writeTriangles(triples.data(), {});
   std::size_t taken = 0;
@@ -124,6 +123,44 @@ ConstraintCase randomSegments(std::size_t n, std::size_t segments)
   {
     const auto from = std::int64_t(random.below(n));
     result.constraints.addLine({ from, std::int64_t(random.below(n)) });
+  }
+  return result;
+}
+
+const std::vector<CrossingSegments>& crossingCases()
+{
+  // n segments of length l have about n^2 l^2 / pi crossings.
+  static const std::vector<CrossingSegments> kAll = {
+    { "10k-3k", 10000, 0.01, 0 },
+    { "10k-300k", 10000, 0.1, 0 },
+    { "100k-3k", 100000, 0.001, 0 },
+    { "100k-50k", 100000, 0.004, 0 },
+    { "100k-316k", 100000, 0.01, 0 },
+    { "200k-13k", 200000, 0.001, 0 },
+    { "100k-5k-in-1M", 100000, 0.0013, 800000 },
+  };
+  return kAll;
+}
+
+ConstraintCase crossingSegments(const CrossingSegments& shape, double scale)
+{
+  ConstraintCase result;
+  Random random(15);
+  const auto count = std::size_t(double(shape.segments) * scale);
+  const double length = shape.length / std::sqrt(scale);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const Point p{ random.unit(), random.unit() };
+    const double x = random.unit() - 0.5, y = random.unit() - 0.5;
+    const double norm = length / std::max(1e-9, std::sqrt(x * x + y * y));
+    const auto id = std::int64_t(result.points.size());
+    result.points.insert(result.points.end(), { p, { p.x + norm * x, p.y + norm * y } });
+    result.constraints.addLine({ id, id + 1 });
+  }
+  for (std::size_t i = std::size_t(double(shape.others) * scale); i != 0; --i)
+  {
+    const double x = random.unit();
+    result.points.push_back({ x, random.unit() });
   }
   return result;
 }

@@ -50,6 +50,22 @@ ConstraintCase edgesOfOthers(std::size_t n, std::size_t segments);
 /// n uniform points and segments between any two of them: nearly all cross others.
 ConstraintCase randomSegments(std::size_t n, std::size_t segments);
 
+/// What crossingSegments() makes.
+struct CrossingSegments
+{
+  const char* name;
+  std::size_t segments; ///< two points of its own each
+  double length;        ///< of each, in a unit square; any direction
+  std::size_t others;   ///< points that are no ends
+};
+
+/// Seven of them, for the comparison of splitting; the names tell segments and crossings.
+const std::vector<CrossingSegments>& crossingCases();
+
+/// Segments anywhere in the unit square. `scale` multiplies the numbers of segments and points: the
+/// lengths follow, so that as many cross per segment.
+ConstraintCase crossingSegments(const CrossingSegments& shape, double scale = 1.0);
+
 /// A segment from the left to the right through all of n uniform points, in no vertex.
 ConstraintCase segmentAcross(std::size_t n);
 

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BoxTree_h
+#define ahd_BoxTree_h
+
+#include "../Core/Progress.h"
+#include "Pieces.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace ahd
+{
+
+/// An axis-parallel box; one that is empty meets none.
+struct PieceBox
+{
+  static constexpr double kFar = std::numeric_limits<double>::infinity();
+
+  double xmin = kFar, ymin = kFar, xmax = -kFar, ymax = -kFar;
+
+  static PieceBox of(const Segment& s)
+  {
+    PieceBox box;
+    box.xmin = s.left.x;
+    box.xmax = s.right.x;
+    box.ymin = std::min(s.left.y, s.right.y);
+    box.ymax = std::max(s.left.y, s.right.y);
+    return box;
+  }
+  void add(const PieceBox& b)
+  {
+    xmin = std::min(xmin, b.xmin);
+    ymin = std::min(ymin, b.ymin);
+    xmax = std::max(xmax, b.xmax);
+    ymax = std::max(ymax, b.ymax);
+  }
+  /// Without branches: whether they meet is hard to foretell.
+  bool meets(const PieceBox& b) const
+  {
+    return (int(xmin <= b.xmax) & int(b.xmin <= xmax) & int(ymin <= b.ymax) &
+             int(b.ymin <= ymax)) != 0;
+  }
+};
+
+/// A run of pieces along the Hilbert curve of their middles, and boxes around each few successive
+/// ones, around each few successive boxes, and so on.
+class BoxTree
+{
+public:
+  static constexpr std::size_t kInLeaf = 8; ///< pieces in a box of level 0
+  static constexpr std::size_t kInNode = 4; ///< boxes in a box of the next level
+
+  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is to
+  /// be cancelled. Throws std::bad_alloc.
+  bool build(const Pieces& more, Pieces& pieces, Ticker& ticker);
+
+  /// Makes the boxes anew: around what is not dead. Returns false if the work is to be cancelled.
+  bool fit(const Pieces& pieces, Ticker& ticker);
+
+  bool empty() const { return first_ == last_; }
+  std::size_t top() const { return levels_.size() - 1; }
+  const PieceBox& box(std::size_t level, std::size_t node) const { return levels_[level][node]; }
+  /// One past the last child of a node; of level 0: past its last piece.
+  std::size_t childrenEnd(std::size_t level, std::size_t node) const
+  {
+    return level == 0 ? std::min(first_ + (node + 1) * kInLeaf, last_)
+                      : std::min((node + 1) * kInNode, levels_[level - 1].size());
+  }
+  std::size_t childrenBegin(std::size_t level, std::size_t node) const
+  {
+    return level == 0 ? first_ + node * kInLeaf : node * kInNode;
+  }
+
+private:
+  static bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
+
+  std::size_t first_ = 0, last_ = 0;
+  std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all
+};
+
+/// How much a BoxSearch may do before it gives up.
+struct BoxSearchLimits
+{
+  std::size_t steps;     ///< for nothing: an exact test of two pieces is some of them
+  std::size_t crossings; ///< that it finds
+};
+
+/// Finds pairs of pieces that cross, by the trees that they lie in.
+class BoxSearch
+{
+public:
+  enum class Outcome
+  {
+    Done,
+    GivenUp,
+    Cancelled
+  };
+
+  BoxSearch(const Pieces& pieces, const BoxSearchLimits& limits, Ticker& ticker,
+    std::vector<Crossing>& crossings)
+    : pieces_(pieces)
+    , stepsLeft_(limits.steps)
+    , mostCrossings_(limits.crossings)
+    , ticker_(ticker)
+    , crossings_(crossings)
+  {
+  }
+
+  /// Those of two pieces of one tree. Throws std::bad_alloc.
+  Outcome searchWithin(const BoxTree& tree);
+  /// Those of a piece of one tree with a piece of the other; dead pieces cross nothing.
+  Outcome searchBetween(const BoxTree& a, const BoxTree& b);
+
+private:
+  struct Node
+  {
+    const BoxTree* tree;
+    std::size_t level, number;
+
+    const PieceBox& box() const { return tree->box(level, number); }
+    std::size_t begin() const { return tree->childrenBegin(level, number); }
+    std::size_t end() const { return tree->childrenEnd(level, number); }
+  };
+
+  bool within(const Node& node);
+  bool between(const Node& a, const Node& b);
+  bool test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end);
+  bool count(std::size_t steps);
+  Outcome outcomeOf(bool done) const
+  {
+    return done ? Outcome::Done : isCancelled_ ? Outcome::Cancelled : Outcome::GivenUp;
+  }
+
+  const Pieces& pieces_;
+  std::size_t stepsLeft_;
+  std::size_t mostCrossings_;
+  Ticker& ticker_;
+  std::vector<Crossing>& crossings_;
+  bool isCancelled_ = false;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Hubs.h"
+
+#include "../Core/Chunks.h"
+#include "../Core/SortAsking.h"
+#include "../Predicates/Predicates.h"
+
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+namespace
+{
+
+/// Fewer are as well looked at one by one.
+constexpr std::size_t kLeastPairs = 64;
+constexpr std::size_t kLeastPieces = 16;
+/// Each is looked for among all pieces.
+constexpr std::size_t kMostHubs = 64;
+
+bool isWithin(const Segment& s, const Point& p)
+{
+  return lexicographicallyLess(s.left, p) && lexicographicallyLess(p, s.right) &&
+    p.y >= std::min(s.left.y, s.right.y) && p.y <= std::max(s.left.y, s.right.y) &&
+    orient2d(s.left, s.right, p) == 0;
+}
+
+/// The sine of the angle between two segments, wrong by less than 2^-49.
+double sineBetween(const Segment& s, const Segment& t)
+{
+  const double ux = s.right.x - s.left.x, uy = s.right.y - s.left.y;
+  const double vx = t.right.x - t.left.x, vy = t.right.y - t.left.y;
+  const double u = std::hypot(ux, uy), v = std::hypot(vx, vy);
+  return std::fabs((ux / u) * (vy / v) - (uy / u) * (vx / v));
+}
+
+} // namespace
+
+bool Hubs::add(const Pieces& pieces, const std::vector<Crossing>& crossings)
+{
+  std::vector<Point> places;
+  if (!listPlaces(pieces, crossings, places))
+  {
+    return false;
+  }
+  std::size_t tried = 0;
+  for (std::size_t begin = 0, end = 0; begin != places.size() && tried != kMostHubs; begin = end)
+  {
+    for (; end != places.size() && places[end] == places[begin]; ++end)
+    {
+      if (!ticker_.step())
+      {
+        return false;
+      }
+    }
+    if (end - begin >= kLeastPairs)
+    {
+      ++tried;
+      if (!makeHub(pieces, places[begin]))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// Where the pairs cross, if that is exactly so, sorted.
+bool Hubs::listPlaces(
+  const Pieces& pieces, const std::vector<Crossing>& crossings, std::vector<Point>& places)
+{
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const Segment& s = pieces[crossings[k].a].segment;
+      const Segment& t = pieces[crossings[k].b].segment;
+      const Point p = crossingOf(s, t);
+      if (isWithin(s, p) && isWithin(t, p))
+      {
+        places.push_back(p);
+      }
+    }
+  };
+  return inChunks(0, crossings.size(), ticker_, list) &&
+    sortAsking(places, ticker_, lexicographicallyLess);
+}
+
+/// Makes a hub of the place, unless it is one or is not clean.
+bool Hubs::makeHub(const Pieces& pieces, const Point& p)
+{
+  for (const Place& known : places_)
+  {
+    if (known.at == p)
+    {
+      return true;
+    }
+  }
+  Place place{ p, {}, {} };
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      if (!pieces[k].isDead && isWithin(pieces[k].segment, p))
+      {
+        place.pieces.push_back(static_cast<Index>(k));
+      }
+    }
+  };
+  if (!inChunks(0, pieces.size(), ticker_, list) || !sortByDirection(pieces, place))
+  {
+    return false;
+  }
+  if (place.pieces.size() >= kLeastPieces && isClean(pieces, place))
+  {
+    places_.push_back(std::move(place));
+  }
+  return true;
+}
+
+bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
+{
+  // Segments that pass through one place: seen from one of them, the right end of another tells.
+  const auto turn = [&](Index s, Index t)
+  {
+    return orient2d(
+      pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right);
+  };
+  if (!sortAsking(place.pieces, ticker_, [&](Index s, Index t) { return turn(s, t) > 0; }))
+  {
+    return false;
+  }
+  const auto begin = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      if (k == 0 || turn(place.pieces[k - 1], place.pieces[k]) != 0)
+      {
+        place.classes.push_back(k);
+      }
+    }
+  };
+  const bool all = inChunks(0, place.pieces.size(), ticker_, begin);
+  place.classes.push_back(place.pieces.size());
+  return all;
+}
+
+/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the last
+/// place in x and y; `reach` is more than that is for all ends together. At an angle whose sine is s
+/// it passes q by at a distance of s |q - p|. In the order of directions, modulo half a turn, the
+/// sine between two pieces is at least the smallest one between neighbours.
+bool Hubs::isClean(const Pieces& pieces, const Place& place) const
+{
+  double reach = 0.0, nearest = std::numeric_limits<double>::infinity();
+  for (const Index piece : place.pieces)
+  {
+    for (const Point& q : { pieces[piece].segment.left, pieces[piece].segment.right })
+    {
+      const double size = std::max(std::fabs(q.x), std::fabs(q.y));
+      reach = std::max(reach, 0x1p-50 * size + 0x1p-1000);
+      nearest = std::min(
+        nearest, std::max(std::fabs(q.x - place.at.x), std::fabs(q.y - place.at.y)));
+    }
+  }
+  const std::size_t directions = place.classes.size() - 1;
+  for (std::size_t k = 0; k != directions; ++k)
+  {
+    const Index s = place.pieces[place.classes[k]];
+    const Index t = place.pieces[place.classes[k + 1 == directions ? 0 : k + 1]];
+    if (!(sineBetween(pieces[s].segment, pieces[t].segment) > 0x1p-48 + 2.0 * reach / nearest))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
+{
+  std::vector<Cut> cuts;
+  for (const Place& place : places_)
+  {
+    const auto list = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        cuts.push_back({ place.pieces[k], place.at });
+      }
+    };
+    if (!inChunks(0, place.pieces.size(), ticker_, list))
+    {
+      return false;
+    }
+  }
+  const auto comesBefore = [](const Cut& a, const Cut& b)
+  { return a.piece != b.piece ? a.piece < b.piece : lexicographicallyLess(a.at, b.at); };
+  auto next = std::size_t(0);
+  const auto add = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      Part rest{ pieces[k].segment, static_cast<Index>(k) };
+      for (; next != cuts.size() && cuts[next].piece == k; ++next)
+      {
+        parts.push_back({ { rest.segment.left, cuts[next].at }, rest.piece });
+        rest.segment.left = cuts[next].at;
+      }
+      if (!pieces[k].isDead)
+      {
+        parts.push_back(rest);
+      }
+    }
+  };
+  parts.clear();
+  return sortAsking(cuts, ticker_, comesBefore) && inChunks(0, pieces.size(), ticker_, add);
+}
+
+bool Hubs::addCrossings(
+  const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted)
+{
+  for (const Place& place : places_)
+  {
+    const std::size_t count = place.pieces.size();
+    const auto firstOf = [&](std::size_t without, std::size_t end)
+    {
+      Index first = kNoIndex;
+      for (std::size_t k = 0; k != count; ++k)
+      {
+        const Index piece = place.pieces[k];
+        const bool counts = k < without || k >= end;
+        first = counts && (first == kNoIndex || pieces[piece].position < pieces[first].position)
+          ? piece
+          : first;
+      }
+      return first;
+    };
+    const Index first = firstOf(0, 0);
+    std::size_t pairs = count * (count - 1) / 2, begin = 0, end = 0;
+    for (std::size_t k = 0; k + 1 < place.classes.size(); ++k)
+    {
+      const std::size_t own = place.classes[k + 1] - place.classes[k];
+      pairs -= own * (own - 1) / 2;
+      for (std::size_t l = place.classes[k]; l != place.classes[k + 1]; ++l)
+      {
+        begin = place.pieces[l] == first ? place.classes[k] : begin;
+        end = place.pieces[l] == first ? place.classes[k + 1] : end;
+      }
+    }
+    const Index second = firstOf(begin, end);
+    const auto add = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        if (place.pieces[k] != first)
+        {
+          const bool isCollinear = k >= begin && k < end;
+          crossings.push_back({ place.pieces[k], isCollinear ? second : first });
+        }
+      }
+    };
+    unlisted += pairs - (count - 1);
+    if (!inChunks(0, count, ticker_, add))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace ahd

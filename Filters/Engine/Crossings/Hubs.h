@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Hubs_h
+#define ahd_Hubs_h
+
+#include "../Core/Progress.h"
+#include "Pieces.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// Places where many pieces cross exactly, such as the middle of a star of diameters: m of them have
+/// m (m - 1) / 2 pairs, which need not be looked at one by one.
+///
+/// A hub is a place with pieces that all pass exactly through it, and so cleanly that none of them
+/// rounds to an end of another (roundsTo()). So whatever pair of them is taken, it crosses there and
+/// asks for a point there, if the two are not collinear; as few pairs as name all pieces do. A piece
+/// cut at its hubs is the same segment in parts: nothing crosses it elsewhere than before, and nothing
+/// crosses at the hub any more.
+class Hubs
+{
+public:
+  /// A piece, or what is between two hubs of it.
+  struct Part
+  {
+    Segment segment;
+    Index piece;
+  };
+
+  explicit Hubs(Ticker& ticker)
+    : ticker_(ticker)
+  {
+  }
+
+  /// Looks where the crossings lie, which are some of those there are, and makes hubs of places with
+  /// many of them. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+  bool add(const Pieces& pieces, const std::vector<Crossing>& crossings);
+
+  std::size_t count() const { return places_.size(); }
+
+  /// Lists all pieces that are not dead, cut at the hubs.
+  bool listParts(const Pieces& pieces, std::vector<Part>& parts);
+
+  /// Adds crossings so that each piece is in one at each of its hubs, and in one with the first two
+  /// positions there. Tells how many more pairs cross there.
+  bool addCrossings(
+    const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted);
+
+private:
+  struct Cut
+  {
+    Index piece;
+    Point at;
+  };
+  struct Place
+  {
+    Point at;
+    std::vector<Index> pieces;   ///< by directions
+    std::vector<std::size_t> classes; ///< where those of one direction begin, and the end
+  };
+
+  bool listPlaces(const Pieces& pieces, const std::vector<Crossing>& crossings,
+    std::vector<Point>& places);
+  bool makeHub(const Pieces& pieces, const Point& p);
+  bool sortByDirection(const Pieces& pieces, Place& place);
+  bool isClean(const Pieces& pieces, const Place& place) const;
+
+  Ticker& ticker_;
+  std::vector<Place> places_;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_OrderDrawing_h
+#define ahd_OrderDrawing_h
+
+#include "../Core/Context.h"
+#include "../Result.h"
+
+#include <cstddef>
+
+namespace ahd
+{
+
+class Triangulation;
+
+/// Corners of a box.
+constexpr std::size_t kBoxCorners = 4;
+
+/// Where to write the insertion order as it is drawn. Id: a signed integer of 32 or 64 bits.
+template <typename Id>
+struct OrderDrawing
+{
+  double*
+    xyz;     ///< three numbers per point: the inserted ones in their order, then the boxes' corners
+  Id* ranks; ///< per point: its place in the order; -1 for corners
+  Id* ids;   ///< per point: its id; -1 for corners
+  int* levels; ///< per cell: -1 for the curve, if there is one; then the level of each box
+  Id* counts;  ///< per cell: the points that the curve passes; the distinct points in each box
+};
+
+/// Points that are drawn: report().inserted, and four for each of boxes().
+std::size_t drawnPointCount(const Triangulation& triangulation);
+
+/// Is there a curve to draw, as two points at least were inserted?
+bool hasCurve(const Triangulation& triangulation);
+
+/// Writes the drawing. Corners are counterclockwise from the lower left; their z is the lowest
+/// finite one of all points that have a place, 0 if there is none, so that it stays while the limit
+/// changes. Returns Ok or Cancelled. REQUIRES: points with a stride of 3, Options::keepOrder; with
+/// a curve only if hasCurve().
+template <typename Id>
+Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawing<Id>& drawing,
+  const Context& context);
+
+} // namespace ahd
+
+#endif

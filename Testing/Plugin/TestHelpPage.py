@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Help.md says what ParaView's help says, and the places in it that other pages send readers to are there."""
+
+import os
+import re
+import sys
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+DOCUMENTATION = os.path.join(ROOT, "Plugin", "Documentation")
+sys.path.insert(0, os.path.join(DOCUMENTATION, "Scripts"))
+
+import help_page
+from pluginsupport import check, check_equal
+
+
+def read(*names):
+    with open(os.path.join(ROOT, *names), encoding="utf-8") as file:
+        return file.read()
+
+
+def words(text):
+    return re.findall(r"[A-Za-z0-9]+", text)
+
+
+published = read("Plugin", "Documentation", "Help.md")
+check(published == help_page.markdown(), "Help.md is out of date: run Plugin/Documentation/Scripts/help_page.py")
+
+# Whatever the converter does, no word is lost.
+page = read("Plugin", "Documentation", "index.html").split("<body>")[1]
+seen = re.sub(r"<[^>]*>", "", page).replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&")
+told = re.sub(r"^\d+\. |!\[[^]]*\]\([^)]*\)|\]\([^)]*\)", "", published.split("-->")[1], flags=re.MULTILINE)
+check_equal(words(told), words(seen), "the words of Help.md")
+
+anchors = {re.sub(r"[^a-z0-9 -]", "", line.lower()).strip().replace(" ", "-")
+           for line in published.split("\n") if line.startswith("## ")}  # fmt: skip
+links = re.findall(r"\(Plugin/Documentation/Help\.md#([^)]*)\)", read("README.md"))
+check("coming-from-delaunay-2d" in links, "README.md does not lead to Coming from Delaunay 2D")
+for link in links:
+    check(link in anchors, "Help.md has no section %s" % link)
+check("Plugin/Documentation/index.html" not in read("README.md"), "README.md links to HTML, shown as source")
+for target in re.findall(r"\]\(([^)#]+)\)", published):
+    check(os.path.exists(os.path.join(DOCUMENTATION, target)), "Help.md leads to %s, which is not there" % target)
+print("passed: help page")
