@@ -190,8 +190,8 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   return 1;
 }
 
-void vtkAdaptiveHilbertDelaunay2D::Execute(vtkDataObject* input, vtkDataObject* source,
-  vtkAHDDataSets& data, const vtkAHDContext& context)
+void vtkAdaptiveHilbertDelaunay2D::Execute(
+  vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
   vtkAHDSettings settings;
   this->ReadSettings(settings);

@@ -165,7 +165,8 @@ public:
   ///@{
   /// What lines are that end where they begin: whose ends are one point, or have the same x and y
   /// in the plane of the triangulation. LINES, the default. LOOPS: the same as polygons, whose
-  /// outlines GIS readers give as lines; in the order of the constraints they come after the others.
+  /// outlines GIS readers give as lines; in the order of the constraints they come after the
+  /// others.
   vtkSetClampMacro(ClosedLines, int, LINES, LOOPS);
   vtkGetMacro(ClosedLines, int);
   void SetClosedLinesToLines() { this->SetClosedLines(LINES); }

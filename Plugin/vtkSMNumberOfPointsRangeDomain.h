@@ -9,9 +9,10 @@
  * @brief   whole numbers from 3 to the number of points of the input
  *
  * With such a range a property gets a slider in the panel, and an animation of it goes from end to
- * end, from the first number of points that may give a triangle. ParaView has ranges of array values, extents, levels and components, but none of this kind.
- * It needs a required property with the function "Input". It is no reason to change the property's
- * default, and other numbers may be typed (0 stands for all points).
+ * end, from the first number of points that may give a triangle. ParaView has ranges of array
+ * values, extents, levels and components, but none of this kind. It needs a required property with
+ * the function "Input". It is no reason to change the property's default, and other numbers may be
+ * typed (0 stands for all points).
  *
  *     <NumberOfPointsRangeDomain name="range">
  *       <RequiredProperties><Property name="Input" function="Input"/></RequiredProperties>

@@ -99,10 +99,11 @@ void vtkAHDMergedBlocks::WarnOfInput() const
     if (all.GetNumberOfUnfitMarks() > 0)
     {
       vtkWarningWithObjectMacro(this->Filter,
-        "In " << all.GetNumberOfUnfitMarks() << " blocks the point data array "
-              << vtkDataSetAttributes::GhostArrayName()
-              << " does not have one value for each of the points, or not of type unsigned char, so "
-                 "none of these points was skipped.");
+        "In "
+          << all.GetNumberOfUnfitMarks() << " blocks the point data array "
+          << vtkDataSetAttributes::GhostArrayName()
+          << " does not have one value for each of the points, or not of type unsigned char, so "
+             "none of these points was skipped.");
     }
   }
   else if (!vtkPointSet::SafeDownCast(this->GivenInput))

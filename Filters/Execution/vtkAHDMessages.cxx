@@ -109,13 +109,12 @@ void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
     ? std::string()
     : ", of which Tolerance merged " + std::to_string(report.MergedPoints) + " into others";
   vtkWarningWithObjectMacro(filter,
-    "There is no triangle, because " << (areFew ? "there are fewer than three distinct points: "
-                                                : "all distinct points are collinear: ")
-                                     << counts.inserted << " distinct points among "
-                                     << report.Points << merged << "."
-                                     << (report.AreOnOneLine ? "" : " They are not collinear in space. ")
-                                     << (report.AreOnOneLine ? "" : kOtherPlane)
-                                     << (report.AreOnOneLine ? "" : "."));
+    "There is no triangle, because "
+      << (areFew ? "there are fewer than three distinct points: "
+                 : "all distinct points are collinear: ")
+      << counts.inserted << " distinct points among " << report.Points << merged << "."
+      << (report.AreOnOneLine ? "" : " They are not collinear in space. ")
+      << (report.AreOnOneLine ? "" : kOtherPlane) << (report.AreOnOneLine ? "" : "."));
 }
 
 void WarnOfStacks(vtkAlgorithm* filter, const vtkAHDReport& report)
@@ -124,7 +123,8 @@ void WarnOfStacks(vtkAlgorithm* filter, const vtkAHDReport& report)
   {
     vtkWarningWithObjectMacro(filter,
       "" << report.Counts.duplicates << " of " << report.Points
-         << " points have the x and y of others and lie above or below them: of each stack one point "
+         << " points have the x and y of others and lie above or below them: of each stack one "
+            "point "
             "is in the surface (see DuplicatePolicy). "
          << kOtherPlane << "; of a volume mesh, triangulate one layer of points.");
   }

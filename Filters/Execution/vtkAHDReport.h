@@ -40,7 +40,7 @@ struct vtkAHDReport
   std::size_t PointsOffSurface = 0; ///< of the source, where it is to be laid on that of the input
   bool AreOnOneLine = true;         ///< found out if there is no triangle
   bool AreStacked = false;          ///< found out if most points are duplicates
-  bool IsDiagramInPlane = false; ///< although the points are not: there is no way back
+  bool IsDiagramInPlane = false;    ///< although the points are not: there is no way back
   std::array<double, ahd::kPhases> Seconds = {};
   int ThreadsUsed = 1;
 

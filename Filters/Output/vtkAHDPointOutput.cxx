@@ -301,8 +301,8 @@ void vtkAHDPointOutput::InterpolateOnSurface(
         const ahd::SurfacePlace& place = places[static_cast<std::size_t>(k)];
         for (int c = 0; c < array->GetNumberOfComponents() && place.isInside(); ++c)
         {
-          const double value = ahd::interpolate(place,
-            [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
+          const double value = ahd::interpolate(
+            place, [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
           array->SetComponent(this->InputCount + k, c, whole ? ToWhole(value, array) : value);
         }
       }

@@ -200,9 +200,9 @@ private:
 };
 
 /// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
-/// near points, adds bounding points, reads the constraints and splits them, in this order. The phases are Phase::Merge and, from the
-/// constraints on, Phase::Split. `out` is to be new. Returns Ok, Cancelled, OutOfMemory or
-/// TooManyPoints; unless Ok, `out` is not to be used.
+/// near points, adds bounding points, reads the constraints and splits them, in this order. The
+/// phases are Phase::Merge and, from the constraints on, Phase::Split. `out` is to be new. Returns
+/// Ok, Cancelled, OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
 /// The points that prepare() has to deal with, crossings excepted.

@@ -132,8 +132,8 @@ public:
 
   double operator()(Index id) const
   {
-    const auto mean = std::lower_bound(means_.begin(), means_.end(), id,
-      [](const Mean& m, Index i) { return m.id < i; });
+    const auto mean = std::lower_bound(
+      means_.begin(), means_.end(), id, [](const Mean& m, Index i) { return m.id < i; });
     return mean != means_.end() && mean->id == id ? mean->position[2] : points_.doubles[3 * id + 2];
   }
 

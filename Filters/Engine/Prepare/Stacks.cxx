@@ -127,7 +127,8 @@ Status findIfOnOneLine(const PointView& points, const Context& context, bool& is
       return all &&
         (lengthOf(line) == 0.0 ||
           forEach(points, ticker,
-            [&](const Vector3& p) { isSo = isSo && distanceFrom(line, halfWay(first, p)) < 1e-6; }));
+            [&](const Vector3& p)
+            { isSo = isSo && distanceFrom(line, halfWay(first, p)) < 1e-6; }));
     });
 }
 

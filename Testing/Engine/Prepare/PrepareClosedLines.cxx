@@ -73,8 +73,8 @@ TEST(PrepareClosedLines, AreLoopsWhereTheirEndsCoincide)
 
 TEST(PrepareClosedLines, WithoutOneNothingMoves)
 {
-  const Cells lines = { { 0, 1 }, { 1, 2, 3 }, { 0, 1, 0 }, { 4, 0 }, { 6, 1, 2, 6 }, { -1, 1, 2, -1 },
-    { 0, 1, 2, 9 } };
+  const Cells lines = { { 0, 1 }, { 1, 2, 3 }, { 0, 1, 0 }, { 4, 0 }, { 6, 1, 2, 6 },
+    { -1, 1, 2, -1 }, { 0, 1, 2, 9 } };
   PrepareCase given({}, kPoints, lines, { { 1, 2, 3 } });
   const Chains expected = chainsOf(given);
   given.request.closedLinesAreLoops = true;

@@ -73,7 +73,8 @@ TEST(PrepareHeights, WithoutATriangleAllKeepTheirOwn)
 {
   for (const std::size_t count : { 0, 2 })
   {
-    PrepareCase given({ kRoof.begin(), kRoof.begin() + std::ptrdiff_t(count) }, { { { 0, 0, 7 } } });
+    PrepareCase given(
+      { kRoof.begin(), kRoof.begin() + std::ptrdiff_t(count) }, { { { 0, 0, 7 } } });
     const PreparedInput out = laid(given);
     EXPECT_EQ(heightOf(out, 0), 7.0);
     EXPECT_EQ(out.outsideCount(), 1u);
@@ -143,7 +144,8 @@ TEST(PrepareHeights, InThePlaneOfAProjectionTheHeightIsAboveIt)
 
 TEST(PrepareHeights, CrossingsLieBetweenTheNewHeights)
 {
-  PrepareCase given(kRoof, { { { 3, 1, -9 } }, { { 5, 1, -9 } }, { { 4, 0.5, -9 } }, { { 4, 1.5, -9 } } },
+  PrepareCase given(kRoof,
+    { { { 3, 1, -9 } }, { { 5, 1, -9 } }, { { 4, 0.5, -9 } }, { { 4, 1.5, -9 } } },
     { { 0, 1 }, { 2, 3 } });
   given.request.split = true;
   const PreparedInput out = laid(given);

@@ -63,8 +63,8 @@ std::vector<GivenSegment> segmentsOf(const ConstraintView& constraints);
 /// vertex.
 std::vector<std::int32_t> verticesOf(const PointView& points);
 
-/// The same, but what has fewer than three vertices is no loop: an id without a vertex counts as one
-/// more.
+/// The same, but what has fewer than three vertices is no loop: an id without a vertex counts as
+/// one more.
 std::vector<GivenSegment> segmentsOf(
   const ConstraintView& constraints, const std::vector<std::int32_t>& vertices);
 
