@@ -3,6 +3,9 @@
 
 #include "../Predicates/Predicates.h"
 
+#include <algorithm>
+#include <array>
+
 namespace ahd
 {
 
@@ -39,43 +42,90 @@ Mesh::Halfedge SegmentWalk::firstToOneSide(Index from, Index to, int& side) cons
   }
 }
 
-/// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
-/// other side: less than half a turn, and never across infinity. Leaves `way` as it is if that
-/// takes more steps. Returns false if the caller wants to cancel.
+/// Takes one step around `from`, towards the way: less than half a turn, and never across infinity.
 ///
 ///          left
 ///         /    \          the way leaves by the edge between right and left
 ///     from --- right
-bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
+bool SegmentWalk::isFoundNext(Turn& turn, Index from, Index to, WayOut& way) const
 {
-  int side = 0;
-  Mesh::Halfedge out = firstToOneSide(from, to, side);
+  const bool isRight = turn.side < 0;
+  const Mesh::Halfedge following = isRight ? mesh_.nextAround(turn.out)
+                                           : mesh_.previousAround(turn.out);
+  const int side = sideOf(from, to, mesh_.destination(following));
   if (side == 0)
   {
-    way.edge = out;
+    way.edge = following;
+  }
+  else if (side != turn.side)
+  {
+    way.crossed = Mesh::next(isRight ? turn.out : following);
+  }
+  turn.out = following;
+  return way.isFound();
+}
+
+/// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
+/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns false if
+/// the caller wants to cancel.
+bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
+{
+  constexpr std::size_t kMany = 64;
+  Turn turn{ kNoIndex, 0 };
+  turn.out = firstToOneSide(from, to, turn.side);
+  if (turn.side == 0)
+  {
+    way.edge = turn.out;
     return true;
   }
-  const int begun = side;
-  for (std::size_t steps = 0; steps != mostSteps; ++steps)
+  for (std::size_t steps = 0; steps != std::min(mostSteps, kMany); ++steps)
   {
-    const Mesh::Halfedge following = begun < 0 ? mesh_.nextAround(out) : mesh_.previousAround(out);
-    side = sideOf(from, to, mesh_.destination(following));
-    if (side == 0)
+    if (isFoundNext(turn, from, to, way))
     {
-      way.edge = following;
       return true;
     }
-    if (side != begun)
-    {
-      way.crossed = Mesh::next(begun < 0 ? out : following);
-      return true;
-    }
-    out = following;
     if (!ticker_.step())
     {
       return false;
     }
   }
+  return mostSteps <= kMany || turnFromFans(from, to, way);
+}
+
+/// The same where it takes many steps, from the nearest edges that are remembered on both sides at a
+/// time: so the cost is that to the nearer one. What is found is remembered.
+bool SegmentWalk::turnFromFans(Index from, Index to, WayOut& way)
+{
+  std::array<Turn, 3> turns{};
+  std::size_t count = 1;
+  turns[0].out = firstToOneSide(from, to, turns[0].side);
+  for (const Mesh::Halfedge edge : fans_.find(from, to))
+  {
+    if (edge == kNoIndex)
+    {
+      continue;
+    }
+    const Index v = mesh_.destination(edge);
+    const int side = sideOf(from, to, v);
+    if (side != 0)
+    {
+      turns[count++] = { edge, side };
+    }
+    else if (v == to || isAhead(from, to, v))
+    {
+      way.edge = edge;
+      return true;
+    }
+  }
+  for (std::size_t k = 0; !isFoundNext(turns[k], from, to, way); k = k + 1 == count ? 0 : k + 1)
+  {
+    if (!ticker_.step())
+    {
+      return false;
+    }
+  }
+  fans_.remember(
+    from, way.edge != kNoIndex ? mesh_.destination(way.edge) : mesh_.origin(way.crossed));
   return true;
 }
 

@@ -3,6 +3,7 @@
 #define ahd_SegmentWalk_h
 
 #include "ConstrainedMesh.h"
+#include "Fans.h"
 
 #include <vector>
 
@@ -31,12 +32,14 @@ public:
   SegmentWalk(const ConstrainedMesh& mesh, Ticker& ticker)
     : mesh_(mesh)
     , ticker_(ticker)
+    , fans_(mesh)
   {
   }
 
   /// REQUIRES: two different vertices of the mesh. Throws std::bad_alloc.
-  /// Where one end has very many neighbours, the cost goes with those of the other end. A vertex
-  /// within the segment costs as many steps as it has neighbours.
+  /// Where one end has very many neighbours, the cost goes with those of the other end. For a vertex
+  /// within the segment with very many neighbours some are remembered: m segments through it cost
+  /// m log m steps.
   Outcome walk(Index a, Index b);
 
   /// Along the segment, from start(), which is one of its ends.
@@ -55,9 +58,18 @@ private:
     bool isFound() const { return (edge & crossed) != kNoIndex; }
   };
 
+  /// On the way around a vertex.
+  struct Turn
+  {
+    Mesh::Halfedge out; ///< an edge from the vertex
+    int side;           ///< on which side of the way it is
+  };
+
   Outcome walkFrom(Index from, Index end, WayOut way);
   bool chooseEnd(Index a, Index b, WayOut& way);
   bool findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
+  bool isFoundNext(Turn& turn, Index from, Index to, WayOut& way) const;
+  bool turnFromFans(Index from, Index to, WayOut& way);
   Mesh::Halfedge firstToOneSide(Index from, Index to, int& side) const;
   int sideOf(Index from, Index to, Index v) const;
   Mesh::Halfedge edgeNearby(Index from, Index to) const;
@@ -66,6 +78,7 @@ private:
 
   const ConstrainedMesh& mesh_;
   Ticker& ticker_;
+  Fans fans_;
   std::vector<Piece> pieces_;
   std::vector<Mesh::Halfedge> crossed_;
   Mesh::Halfedge blockedBy_ = kNoIndex;

@@ -25,6 +25,16 @@ struct CrossingPoint
   std::size_t chainB,
     segmentB; ///< the next one; a point on more than two names the first two found
   double alongB;
+
+  /// Two of them again, for what is interpolated: of the pairs that cross there the first one by
+  /// places, left end, then right end. Neither the order of the segments nor their directions have a
+  /// say.
+  struct Side
+  {
+    std::size_t chain, segment;
+    double along; ///< from the lexicographically smaller end to the other
+  };
+  Side lower, upper;
 };
 
 /// A segment of the input.
@@ -49,8 +59,8 @@ struct SplitConstraints
   /// from there; the last point of a line repeats that of the segment before it.
   std::vector<std::int64_t> segments;
 
-  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an end
-  /// of another one, or a point that was there already. Each once, ascending.
+  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an
+  /// end of another one, or a point that was there already. Each once, ascending.
   std::vector<SegmentName> bent;
 
   std::size_t crossings = 0;  ///< pairs of segments that crossed, those of all rounds together

@@ -123,10 +123,7 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
 {
   // Segments that pass through one place: seen from one of them, the right end of another tells.
   const auto turn = [&](Index s, Index t)
-  {
-    return orient2d(
-      pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right);
-  };
+  { return orient2d(pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right); };
   if (!sortAsking(place.pieces, ticker_, [&](Index s, Index t) { return turn(s, t) > 0; }))
   {
     return false;
@@ -146,10 +143,10 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
   return all;
 }
 
-/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the last
-/// place in x and y; `reach` is more than that is for all ends together. At an angle whose sine is s
-/// it passes q by at a distance of s |q - p|. In the order of directions, modulo half a turn, the
-/// sine between two pieces is at least the smallest one between neighbours.
+/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the
+/// last place in x and y; `reach` is more than that is for all ends together. At an angle whose
+/// sine is s it passes q by at a distance of s |q - p|. In the order of directions, modulo half a
+/// turn, the sine between two pieces is at least the smallest one between neighbours.
 bool Hubs::isClean(const Pieces& pieces, const Place& place) const
 {
   double reach = 0.0, nearest = std::numeric_limits<double>::infinity();
@@ -216,51 +213,63 @@ bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
   return sortAsking(cuts, ticker_, comesBefore) && inChunks(0, pieces.size(), ticker_, add);
 }
 
+/// A pair of those that are not collinear, the first one by `before`, an order of pieces. The second
+/// is the first one outside of the class of the first.
+template <typename Before>
+Hubs::Pair Hubs::firstPair(const Place& place, Before before) const
+{
+  Pair pair{ kNoIndex, kNoIndex, 0, 0 };
+  const auto isFirst = [&](Index piece, Index known)
+  { return known == kNoIndex || before(piece, known); };
+  for (std::size_t k = 0; k + 1 < place.classes.size(); ++k)
+  {
+    for (std::size_t l = place.classes[k]; l != place.classes[k + 1]; ++l)
+    {
+      if (isFirst(place.pieces[l], pair.first))
+      {
+        pair = { place.pieces[l], kNoIndex, place.classes[k], place.classes[k + 1] };
+      }
+    }
+  }
+  for (std::size_t l = 0; l != place.pieces.size(); ++l)
+  {
+    const bool isCollinear = l >= pair.begin && l < pair.end;
+    pair.second = !isCollinear && isFirst(place.pieces[l], pair.second) ? place.pieces[l]
+                                                                        : pair.second;
+  }
+  return pair;
+}
+
 bool Hubs::addCrossings(
   const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted)
 {
   for (const Place& place : places_)
   {
     const std::size_t count = place.pieces.size();
-    const auto firstOf = [&](std::size_t without, std::size_t end)
-    {
-      Index first = kNoIndex;
-      for (std::size_t k = 0; k != count; ++k)
-      {
-        const Index piece = place.pieces[k];
-        const bool counts = k < without || k >= end;
-        first = counts && (first == kNoIndex || pieces[piece].position < pieces[first].position)
-          ? piece
-          : first;
-      }
-      return first;
-    };
-    const Index first = firstOf(0, 0);
-    std::size_t pairs = count * (count - 1) / 2, begin = 0, end = 0;
-    for (std::size_t k = 0; k + 1 < place.classes.size(); ++k)
-    {
-      const std::size_t own = place.classes[k + 1] - place.classes[k];
-      pairs -= own * (own - 1) / 2;
-      for (std::size_t l = place.classes[k]; l != place.classes[k + 1]; ++l)
-      {
-        begin = place.pieces[l] == first ? place.classes[k] : begin;
-        end = place.pieces[l] == first ? place.classes[k + 1] : end;
-      }
-    }
-    const Index second = firstOf(begin, end);
+    const Pair pair = firstPair(
+      place, [&](Index s, Index t) { return pieces[s].position < pieces[t].position; });
+    const Pair byPlaces = firstPair(place,
+      [&](Index s, Index t) { return comesBefore(pieces[s].segment, pieces[t].segment); });
     const auto add = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t k = a; k != b; ++k)
       {
-        if (place.pieces[k] != first)
+        if (place.pieces[k] != pair.first)
         {
-          const bool isCollinear = k >= begin && k < end;
-          crossings.push_back({ place.pieces[k], isCollinear ? second : first });
+          const bool isCollinear = k >= pair.begin && k < pair.end;
+          crossings.push_back({ place.pieces[k], isCollinear ? pair.second : pair.first });
         }
       }
     };
-    unlisted += pairs - (count - 1);
-    if (!inChunks(0, count, ticker_, add))
+    crossings.push_back({ byPlaces.first, byPlaces.second });
+    std::size_t pairs = count * (count - 1) / 2;
+    for (std::size_t k = 0; k + 1 < place.classes.size(); ++k)
+    {
+      const std::size_t own = place.classes[k + 1] - place.classes[k];
+      pairs -= own * (own - 1) / 2;
+    }
+    unlisted += pairs - count;
+    if (!inChunks(0, count, ticker_, add) || !ticker_.step(2))
     {
       return false;
     }

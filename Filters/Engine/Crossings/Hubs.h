@@ -43,8 +43,9 @@ public:
   /// Lists all pieces that are not dead, cut at the hubs.
   bool listParts(const Pieces& pieces, std::vector<Part>& parts);
 
-  /// Adds crossings so that each piece is in one at each of its hubs, and in one with the first two
-  /// positions there. Tells how many more pairs cross there.
+  /// Adds crossings so that each piece is in one at each of its hubs, and that the first pair by
+  /// positions and the first one by places are there. Adds to `unlisted` how many more pairs cross at
+  /// the hubs: less than nothing, modulo 2^64, where one is listed twice.
   bool addCrossings(
     const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted);
 
@@ -61,6 +62,14 @@ private:
     std::vector<std::size_t> classes; ///< where those of one direction begin, and the end
   };
 
+  struct Pair
+  {
+    Index first, second;
+    std::size_t begin, end; ///< the class of the first
+  };
+
+  template <typename Before>
+  Pair firstPair(const Place& place, Before before) const;
   bool listPlaces(const Pieces& pieces, const std::vector<Crossing>& crossings,
     std::vector<Point>& places);
   bool makeHub(const Pieces& pieces, const Point& p);

@@ -26,6 +26,7 @@ public:
     Index id;             ///< of the point there; kNoIndex as long as it is not known
     Index endId, pointId; ///< smallest ids there, of ends of segments and of all points; or kNoIndex
     Index first, second;  ///< positions of the first two segments that cross there; or kNoIndex
+    Index lower, upper;   ///< and of the first two by their places; or kNoIndex
   };
 
   explicit PlaceTable(Ticker& ticker)
@@ -54,7 +55,7 @@ public:
     Index& slot = slots_[slotOf(p)];
     if (slot == kNoIndex)
     {
-      places_.push_back({ p, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex });
+      places_.push_back({ p, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex });
       slot = static_cast<Index>(places_.size() - 1);
     }
     number = slot;

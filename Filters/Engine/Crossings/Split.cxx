@@ -9,6 +9,7 @@
 #include "PlaceTable.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <utility>
 
@@ -31,6 +32,11 @@ struct Way
 {
   Point from;
   Point to;
+
+  Segment leftToRight() const
+  {
+    return lexicographicallyLess(from, to) ? Segment{ from, to } : Segment{ to, from };
+  }
 
   /// Does it pass a before b? REQUIRES: both are points on it, rounded, which is monotone in each
   /// coordinate; so they are in the order of both.
@@ -82,6 +88,8 @@ private:
   bool listPieces();
   bool split();
   bool meet(Crossing crossing);
+  void nameSegments(PlaceTable::Place& place, Index a, Index b) const;
+  bool comesBeforeByPlaces(std::array<Index, 2> pair, std::array<Index, 2> other) const;
   bool takeEnds(Index piece, Index other, bool& takesOne);
   bool findIds();
   bool findEnds();
@@ -104,6 +112,7 @@ private:
 
   std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
   bool isUsable(std::int64_t id) const;
+  CrossingPoint described(const PlaceTable::Place& place) const;
   Point at(std::int64_t id) const;
   Way wayOf(const SegmentName& name) const;
   SegmentName nameOf(Index position) const;
@@ -241,14 +250,7 @@ bool Splitter::meet(Crossing crossing)
   {
     return false;
   }
-  PlaceTable::Place& place = places_[number];
-  const auto segments = std::make_pair(
-    std::min(a.position, b.position), std::max(a.position, b.position));
-  if (segments < std::make_pair(place.first, place.second))
-  {
-    place.first = segments.first;
-    place.second = segments.second;
-  }
+  nameSegments(places_[number], a.position, b.position);
   for (const Index piece : { crossing.a, crossing.b })
   {
     const Segment& segment = pieces_[piece].segment;
@@ -258,6 +260,41 @@ bool Splitter::meet(Crossing crossing)
     }
   }
   return true;
+}
+
+/// Two segments cross at the place: they may be the first ones.
+void Splitter::nameSegments(PlaceTable::Place& place, Index a, Index b) const
+{
+  const bool isOnly = place.first == kNoIndex;
+  const std::pair<Index, Index> pair = std::minmax({ a, b });
+  if (pair < std::make_pair(place.first, place.second))
+  {
+    place.first = pair.first;
+    place.second = pair.second;
+  }
+  if (isOnly || comesBeforeByPlaces({ a, b }, { place.lower, place.upper }))
+  {
+    place.lower = a;
+    place.upper = b;
+  }
+}
+
+/// Does a pair of segments come before another one, by the places of their ends alone?
+bool Splitter::comesBeforeByPlaces(std::array<Index, 2> pair, std::array<Index, 2> other) const
+{
+  const auto endsOf = [&](const std::array<Index, 2>& positions)
+  {
+    std::array<Segment, 2> ends = { { wayOf(nameOf(positions[0])).leftToRight(),
+      wayOf(nameOf(positions[1])).leftToRight() } };
+    if (comesBefore(ends[1], ends[0]))
+    {
+      std::swap(ends[0], ends[1]);
+    }
+    return ends;
+  };
+  const auto ends = endsOf(pair), others = endsOf(other);
+  return comesBefore(ends[0], others[0]) ||
+    (!comesBefore(others[0], ends[0]) && comesBefore(ends[1], others[1]));
 }
 
 /// Lets a piece go through those ends of another one to which it rounds.
@@ -362,15 +399,40 @@ bool Splitter::addPoints()
     {
       PlaceTable::Place& place = places_[placeOf(sorted[k])];
       place.id = static_cast<Index>(points_.count + out_.points.size());
-      const SegmentName first = nameOf(place.first), second = nameOf(place.second);
-      const Way A = wayOf(first), B = wayOf(second);
-      out_.points.push_back({ place.at, first.chain, first.segment,
-        fractionOfWay(A.from, A.to, place.at), second.chain, second.segment,
-        fractionOfWay(B.from, B.to, place.at) });
+      out_.points.push_back(described(place));
     }
   };
   return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOfOwner, sorted) &&
     inChunks(0, sorted.size(), ticker_, add);
+}
+
+CrossingPoint Splitter::described(const PlaceTable::Place& place) const
+{
+  struct Named
+  {
+    SegmentName name;
+    Way way;
+  };
+  const auto named = [&](Index position)
+  {
+    const SegmentName name = nameOf(position);
+    return Named{ name, wayOf(name) };
+  };
+  const Named a = named(place.first), b = named(place.second);
+  const auto again = [&](Index position)
+  { return position == place.first ? a : position == place.second ? b : named(position); };
+  const Named lower = again(place.lower), upper = again(place.upper);
+  const auto along = [&](const Point& from, const Point& to)
+  { return fractionOfWay(from, to, place.at); };
+  const auto side = [&](const Named& n)
+  {
+    const Segment s = n.way.leftToRight();
+    return CrossingPoint::Side{ n.name.chain, n.name.segment, along(s.left, s.right) };
+  };
+  const bool inOrder = !comesBefore(upper.way.leftToRight(), lower.way.leftToRight());
+  return { place.at, a.name.chain, a.name.segment, along(a.way.from, a.way.to), b.name.chain,
+    b.name.segment, along(b.way.from, b.way.to), side(inOrder ? lower : upper),
+    side(inOrder ? upper : lower) };
 }
 
 /// Sorts by owners, then along them; equal ones are kept.

@@ -6,9 +6,9 @@
 
 #include <optional>
 
-/// The stages of orderAt, crossingOf and roundsTo (Segments.h). Those by filter, in double arithmetic,
-/// answer only where they are certain; the others always, and exactly. For Segments.cxx and
-/// its tests only.
+/// The stages of orderAt, crossingOf and roundsTo (Segments.h). Those by filter, in double
+/// arithmetic, answer only where they are certain; the others always, and exactly. For Segments.cxx
+/// and its tests only.
 namespace ahd::stages
 {
 

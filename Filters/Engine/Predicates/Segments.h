@@ -14,6 +14,13 @@ struct Segment
   Point right;
 };
 
+/// Order by left ends, then by right ends.
+inline bool comesBefore(const Segment& s, const Segment& t)
+{
+  return s.left == t.left ? lexicographicallyLess(s.right, t.right)
+                          : lexicographicallyLess(s.left, t.left);
+}
+
 // Segments are compared where a line meets them that is vertical, but turned counterclockwise by an
 // infinitesimal angle. So each point has a line of its own, the lines come in the lexicographic
 // order of the points, and a vertical segment is no exception: its lower end is the left one. All

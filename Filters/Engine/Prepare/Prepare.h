@@ -74,10 +74,12 @@ struct InputRequest
   bool split = false;    ///< split constraints where they cross
 };
 
-/// A point that was added at the crossing of two segments: between which others it lies.
+/// A point that was added at the crossing of two segments: between which others it lies. Segments
+/// and their ends are in the order of their places, so that neither the order of the constraints nor
+/// their directions have a say; of more than two segments it is the first two that cross there.
 struct CrossingOrigin
 {
-  std::array<Index, 4> ends;   ///< the first and the second end of either segment
+  std::array<Index, 4> ends;   ///< of either segment the smaller end, by x, then y, and the other
   std::array<double, 2> along; ///< the fraction of the way from the first end to the second
 };
 
@@ -171,6 +173,11 @@ public:
   /// The cells of the first thousand of them: the later one, the earlier one.
   const std::vector<std::array<std::int64_t, 2>>& crossingCells() const { return crossingCells_; }
 
+  /// Segments that were led through a vertex which is not exactly on them, and so bend; and the cell
+  /// of the first of these, if there is one.
+  std::size_t bentCount() const { return bentCount_; }
+  std::int64_t firstBentCell() const { return firstBentCell_; }
+
   /// Lets the crossings lie between the points that stand for the vertices at the ends of their
   /// segments: their heights follow. REQUIRES: a triangulation of these points.
   Status endCrossingsAtVertices(Triangulation& triangulation, const Context& context);
@@ -197,6 +204,8 @@ private:
   UnfitIds unfit_;
   std::vector<CrossingOrigin> crossings_;
   std::vector<std::array<std::int64_t, 2>> crossingCells_;
+  std::size_t bentCount_ = 0;
+  std::int64_t firstBentCell_ = 0;
 };
 
 /// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges

@@ -188,6 +188,8 @@ Status Preparation::split()
   {
     return status;
   }
+  out_.bentCount_ = split.bent.size();
+  out_.firstBentCell_ = split.bent.empty() ? 0 : out_.cellOf(split.bent.front().chain);
   if (!split.points.empty())
   {
     if (!copy(Phase::Split))
@@ -209,9 +211,10 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.crossings_.reserve(points.size());
   for (const CrossingPoint& p : points)
   {
-    const auto a = endsOf(p.chainA, p.segmentA);
-    const auto b = endsOf(p.chainB, p.segmentB);
-    out_.crossings_.push_back({ { { a[0], a[1], b[0], b[1] } }, { { p.alongA, p.alongB } } });
+    const auto a = endsOf(p.lower.chain, p.lower.segment);
+    const auto b = endsOf(p.upper.chain, p.upper.segment);
+    out_.crossings_.push_back(
+      { { { a[0], a[1], b[0], b[1] } }, { { p.lower.along, p.upper.along } } });
     if (out_.crossingCells_.size() < kMostCrossingCells)
     {
       out_.crossingCells_.push_back({ { out_.cellOf(p.chainB), out_.cellOf(p.chainA) } });
@@ -223,14 +226,17 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.findCrossingHeights();
 }
 
-/// The points at the ends of a segment. REQUIRES: there is such a segment, between points.
+/// The points at the ends of a segment, the lexicographically smaller end first. REQUIRES: there is
+/// such a segment, between points.
 std::array<Index, 2> Preparation::endsOf(std::size_t chain, std::size_t segment) const
 {
   const std::size_t begin = static_cast<std::size_t>(out_.offsets_[chain]);
   const std::size_t end = static_cast<std::size_t>(out_.offsets_[chain + 1]);
   const std::size_t first = begin + segment;
   const std::size_t second = first + 1 < end ? first + 1 : begin; // of a loop
-  return { { static_cast<Index>(out_.ids_[first]), static_cast<Index>(out_.ids_[second]) } };
+  const auto a = static_cast<Index>(out_.ids_[first]), b = static_cast<Index>(out_.ids_[second]);
+  const bool isForward = lexicographicallyLess(out_.points_[a], out_.points_[b]);
+  return { { isForward ? a : b, isForward ? b : a } };
 }
 
 } // namespace ahd

@@ -50,7 +50,8 @@ struct CrossedLine : Line
   vtkNew<Relay> Source;
 };
 
-/// The names of the surface's field data in their order, for an input with field data of these names.
+/// The names of the surface's field data in their order, for an input with field data of these
+/// names.
 std::vector<std::string> fieldsFor(Line& line, const std::vector<std::string>& names)
 {
   auto cloud = CrossedLine::makePoints();

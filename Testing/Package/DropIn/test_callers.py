@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""adaptivehilbertdelaunay.drop_in: what callers give its constructor, and what they do with observers."""
+
+import gc
+import unittest
+
+from adaptivehilbertdelaunay import drop_in
+from algorithmtests import run_tests
+from test_drop_in import cloud, wide
+from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkTriangleFilter
+
+
+class ConstructorTest(unittest.TestCase):
+    """Refused is what VTK refuses, with the same exception."""
+
+    ARGUMENTS = (((1,), {}), (("no address",), {}), ((None,), {}), ((1, 2), {}), ((), {"Alpha": 2}), ((), {"no": 1}))
+
+    @staticmethod
+    def outcome(maker, arguments, properties):
+        try:
+            return maker(*arguments, **properties) is not None
+        except (TypeError, ValueError) as error:
+            return type(error)
+
+    def test_arguments(self):
+        for arguments, properties in self.ARGUMENTS:
+            theirs = self.outcome(drop_in.original, arguments, properties)
+            self.assertIsNot(theirs, True, (arguments, properties))
+            self.assertIs(self.outcome(vtkDelaunay2D, arguments, properties), theirs, (arguments, properties))
+
+    def test_properties_where_vtk_takes_them(self):
+        """As VTK 9.4 and later do."""
+        properties = {"alpha": 2, "tolerance": 0.25}
+        theirs = self.outcome(drop_in.original, (), properties)
+        self.assertIs(self.outcome(vtkDelaunay2D, (), properties), theirs)
+        if theirs is True:
+            ours = vtkDelaunay2D(**properties)
+            self.assertEqual((ours.GetAlpha(), ours.GetTolerance()), (2, 0.25))
+
+
+class ObserverTest(unittest.TestCase):
+    """The filter's measures are no field data of the output, whatever the caller does with observers."""
+
+    @staticmethod
+    def fields(algorithm):
+        algorithm.Modified()
+        algorithm.Update()
+        data = algorithm.GetOutput().GetFieldData()
+        return [data.GetArrayName(i) for i in range(data.GetNumberOfArrays())]
+
+    def test_removing_observers_takes_off_those_of_the_caller_only(self):
+        removals = (
+            lambda algorithm: algorithm.RemoveAllObservers(),
+            lambda algorithm: algorithm.RemoveObservers("EndEvent"),
+            lambda algorithm: algorithm.RemoveObservers(vtkCommand.EndEvent),
+        )
+        for remove in removals:
+            ours, said = vtkDelaunay2D(), []
+            ours.SetInputData(cloud(wide(1)))
+            ours.AddObserver("EndEvent", lambda caller, event: said.append(event))
+            for _ in range(2):
+                remove(ours)
+                self.assertEqual(self.fields(ours), [])
+            self.assertEqual(said, [])
+
+    def test_other_observers_stay(self):
+        ours, said = vtkDelaunay2D(), []
+        ours.SetInputData(cloud(wide(1)))
+        for event in ("StartEvent", "EndEvent"):
+            ours.AddObserver(event, lambda caller, name: said.append(name))
+        ours.RemoveObservers("StartEvent")
+        self.assertEqual(self.fields(ours), [])
+        self.assertEqual(said, ["EndEvent"])
+
+    def test_callers_never_see_the_measures(self):
+        ours, seen = vtkDelaunay2D(), []
+        ours.SetInputData(cloud(wide(1)))
+
+        def look(caller, _event):
+            seen.append(caller.GetOutput().GetFieldData().GetNumberOfArrays())
+
+        ours.AddObserver("EndEvent", look)
+        self.fields(ours)
+        ours.RemoveAllObservers()
+        ours.AddObserver("ProgressEvent", lambda caller, event: None)
+        ours.RemoveObservers("EndEvent")
+        for _ in range(3):
+            ours.AddObserver("EndEvent", look)
+        self.fields(ours)
+        self.assertEqual(seen, [0] * 4)
+
+    def test_no_priority_above_0(self):
+        """VTK 9.7 calls an observer of such a priority without end, once Python holds the filter no longer."""
+        added = []
+
+        class Spy(vtkDelaunay2D):
+            def AddObserver(self, event, command, priority=0.0):
+                added.append((event, priority))
+                return super().AddObserver(event, command, priority)
+
+        Spy().RemoveAllObservers()
+        self.assertEqual(set(added), {("EndEvent", 0.0)})
+
+    def test_only_the_pipeline_knows_it_and_it_ends(self):
+        ours = vtkDelaunay2D()
+        ours.SetInputData(cloud(wide(1)))
+        end = vtkTriangleFilter()
+        end.SetInputConnection(ours.GetOutputPort())
+        del ours
+        gc.collect()
+        end.Update()
+        found = end.GetInputConnection(0, 0).GetProducer()
+        self.assertEqual(found.GetOutput().GetFieldData().GetNumberOfArrays(), 0)
+
+
+if __name__ == "__main__":
+    run_tests()
