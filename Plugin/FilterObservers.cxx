@@ -19,6 +19,22 @@
 
 namespace
 {
+/// Lets widgets show the numbers again: while Apply hands on what is in them they do not listen.
+void ShowNumbers(vtkSMProxy* proxy)
+{
+  auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(proxy->NewPropertyIterator());
+  for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
+  {
+    vtkSMProperty* property = properties->GetProperty();
+    const bool isNumber = property->FindDomain("vtkSMIntRangeDomain") ||
+      property->FindDomain("vtkSMDoubleRangeDomain");
+    if (isNumber && !property->GetInformationOnly())
+    {
+      property->InvokeEvent(vtkCommand::UncheckedPropertyModifiedEvent);
+    }
+  }
+}
+
 /// Observes one proxy: its data were updated.
 class FetchMeasures : public vtkCommand
 {
@@ -26,7 +42,9 @@ public:
   static FetchMeasures* New() { VTK_STANDARD_NEW_BODY(FetchMeasures); }
   void Execute(vtkObject* caller, unsigned long, void*) override
   {
-    vtkSMProxy::SafeDownCast(caller)->UpdatePropertyInformation();
+    auto* proxy = vtkSMProxy::SafeDownCast(caller);
+    proxy->UpdatePropertyInformation();
+    ShowNumbers(proxy);
   }
 };
 

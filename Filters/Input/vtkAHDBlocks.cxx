@@ -93,7 +93,7 @@ std::size_t vtkAHDBlocks::EstimateBytes() const
   {
     kibibytes += 1 +
       (this->HasCells() ? block->GetActualMemorySize()
-                                     : block->GetPointData()->GetActualMemorySize());
+                        : block->GetPointData()->GetActualMemorySize());
   }
   const std::size_t perPoint = 3 * sizeof(double) + 1; // a place and a mark
   return kibibytes * 1024 + static_cast<std::size_t>(this->Count) * perPoint;

@@ -28,8 +28,8 @@ public:
   enum class Kind
   {
     PointSets,
-    Sources,      ///< vtkPolyData, whose cells are merged too
-    SourcesByIds  ///< the same, the ids in the cells left as they are
+    Sources,     ///< vtkPolyData, whose cells are merged too
+    SourcesByIds ///< the same, the ids in the cells left as they are
   };
 
   explicit vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind = Kind::PointSets);

@@ -167,6 +167,7 @@ def test_measures_are_greyed():
     """information_only alone leaves a field in which one may type."""
     for name in MEASURES:
         hints = sm.GetProperty(name).GetHints()
+        check(hints, name + " can be edited in the panel")
         modes = [
             hints.GetNestedElement(i).GetAttribute("mode") for i in range(hints.GetNumberOfNestedElements())
         ]

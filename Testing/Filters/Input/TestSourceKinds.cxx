@@ -105,8 +105,9 @@ TEST(SourceKinds, WhatBlocksAreIsWhatTheirSumIs)
     block->GetPointData()->AddArray(shallow);
     blocks->SetBlock(static_cast<unsigned>(k), block);
     const vtkIdType begin = vtkIdType(points.size());
-    (k == 1 ? lines : polygons).push_back(k == 1 ? Chain{ begin, begin + 1, begin + 2 }
-                                                  : Chain{ begin, begin + 1, begin + 2, begin + 3 });
+    (k == 1 ? lines : polygons)
+      .push_back(k == 1 ? Chain{ begin, begin + 1, begin + 2 }
+                        : Chain{ begin, begin + 1, begin + 2, begin + 3 });
     points.insert(points.end(), ring.begin(), ring.end());
   }
   MapFilter parted(blocks), one(makeSource(lines, polygons, points));
@@ -192,7 +193,8 @@ TEST(SourceKinds, HeightsAndDataComeFromTheSurface)
   auto cloud = makeCloud(slope);
   cloud->GetPointData()->AddArray(depth);
   cloud->GetPointData()->AddArray(whole);
-  MapFilter filter(makeSource({ { 0, 1, 2 } }, {}, { { 0.5, 0.25, 0 }, { 8.25, 7.75, 0 }, { 20, 0, 5 } }));
+  MapFilter filter(
+    makeSource({ { 0, 1, 2 } }, {}, { { 0.5, 0.25, 0 }, { 8.25, 7.75, 0 }, { 20, 0, 5 } }));
   filter->SetInputData(cloud);
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetPoint(101)[2], 0.0);

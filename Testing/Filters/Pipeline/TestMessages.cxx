@@ -56,7 +56,8 @@ TEST(Messages, AWallIsToldOfTheBestFittingPlane)
     volume.push_back({ double(i % 4), double(i / 4 % 4), double(i / 16) });
     soup.push_back({ double(i % 4), double(i / 4 % 4), 7.0 });
   }
-  expectOneWarning(wall, { "no triangle", "collinear", "not collinear in space", "Best-Fitting Plane" });
+  expectOneWarning(
+    wall, { "no triangle", "collinear", "not collinear in space", "Best-Fitting Plane" });
   expectOneWarning(volume, { "24 of 40 points", "DuplicatePolicy", "Best-Fitting Plane" });
   WatchedFilter filter;
   filter->SetInputData(makeCloud(soup));
