@@ -100,6 +100,7 @@ private:
   bool makeChains();
   bool nameBent();
 
+  void addPiece(Piece piece);
   bool isBeside(Index position, const Point& p) const;
 
   template <typename WayOfOwner>
@@ -554,15 +555,27 @@ bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* 
     (whole.isForward ? next.rightId : next.leftId) = place.id;
     (whole.isForward ? rest.segment.left : rest.segment.right) = place.at;
     (whole.isForward ? rest.leftId : rest.rightId) = place.id;
-    more_.push_back(next);
+    addPiece(next);
     inserted_.push_back({ whole.position, placeOf(*item), place.id });
     if (place.id < points_.count + addedBefore_ && isBeside(whole.position, place.at))
     {
       bent_.push_back(whole.position);
     }
   }
-  more_.push_back(rest);
+  addPiece(rest);
   return true;
+}
+
+/// Where a piece is vertical, as others of its segment need not be, its left end may be another.
+void Splitter::addPiece(Piece piece)
+{
+  if (lexicographicallyLess(piece.segment.right, piece.segment.left))
+  {
+    std::swap(piece.segment.left, piece.segment.right);
+    std::swap(piece.leftId, piece.rightId);
+    piece.isForward = !piece.isForward;
+  }
+  more_.push_back(piece);
 }
 
 /// Is the place not exactly on the segment?
