@@ -52,8 +52,8 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
     for (std::size_t k = a; k != b; ++k)
     {
       const Segment& s = more[k].segment;
-      const std::uint64_t place = hilbertKey(grid.column(0.5 * s.left.x + 0.5 * s.right.x),
-        grid.row(0.5 * s.left.y + 0.5 * s.right.y));
+      const std::uint64_t place = hilbertKey(
+        grid.column(0.5 * s.left.x + 0.5 * s.right.x), grid.row(0.5 * s.left.y + 0.5 * s.right.y));
       keys[k] = packed(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(k));
     }
   };
@@ -139,20 +139,18 @@ BoxSearch::Outcome BoxSearch::searchWithin(const BoxTree& tree)
 
 BoxSearch::Outcome BoxSearch::searchBetween(const BoxTree& a, const BoxTree& b)
 {
-  return outcomeOf(
-    a.empty() || b.empty() || between({ &a, a.top(), 0 }, { &b, b.top(), 0 }));
+  return outcomeOf(a.empty() || b.empty() || between({ &a, a.top(), 0 }, { &b, b.top(), 0 }));
 }
 
 bool BoxSearch::count(std::size_t steps)
 {
   constexpr std::size_t kPerCrossing = 32;
   steps_ += steps;
-  if (steps_ > mostSteps_ + kPerCrossing * crossings_.size() ||
-    crossings_.size() > mostCrossings_)
+  if (steps_ > mostSteps_ + kPerCrossing * crossings_.size() || crossings_.size() > mostCrossings_)
   {
     return false;
   }
-  isCancelled_ = !ticker_.step(steps);
+  isCancelled_ = !ticker_.step(steps / 4 + 1); // each is a fraction of a step elsewhere
   return !isCancelled_;
 }
 

@@ -52,8 +52,8 @@ public:
   static constexpr std::size_t kInLeaf = 8; ///< pieces in a box of level 0
   static constexpr std::size_t kInNode = 4; ///< boxes in a box of the next level
 
-  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is to
-  /// be cancelled. Throws std::bad_alloc.
+  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is
+  /// to be cancelled. Throws std::bad_alloc.
   bool build(const Pieces& more, Pieces& pieces, Ticker& ticker);
 
   /// Makes the boxes anew: around what is not dead. Returns false if the work is to be cancelled.

@@ -27,8 +27,8 @@ struct CrossingPoint
   double alongB;
 
   /// Two of them again, for what is interpolated: of the pairs that cross there the first one by
-  /// places, left end, then right end. Neither the order of the segments nor their directions have a
-  /// say.
+  /// places, left end, then right end. Neither the order of the segments nor their directions have
+  /// a say.
   struct Side
   {
     std::size_t chain, segment;
@@ -59,8 +59,8 @@ struct SplitConstraints
   /// from there; the last point of a line repeats that of the segment before it.
   std::vector<std::int64_t> segments;
 
-  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an end
-  /// of another one, or a point that was there already. Each once, ascending.
+  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an
+  /// end of another one, or a point that was there already. Each once, ascending.
   std::vector<SegmentName> bent;
 
   std::size_t crossings = 0;  ///< pairs of segments that crossed, those of all rounds together
@@ -109,8 +109,8 @@ constexpr int kMostSplittingRounds = 16;
 /// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory, or
 /// TooManyPoints if there are more than kMaximumPoints, the added ones included, or more than
 /// 2^31 ids in the chains; unless Ok, `out` is not to be used. Cost: for n segments with k
-/// crossings n log^2 n + k log n steps a round at most; mostly one round splits and a second finds
-/// nothing.
+/// crossings n log^2 n + k log n steps a round at most, where k does not count pairs of those that
+/// pass exactly through one place; mostly one round splits, and the second finds nothing, quickly.
 Status splitAtCrossings(
   const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out);
 

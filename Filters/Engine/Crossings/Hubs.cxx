@@ -123,10 +123,7 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
 {
   // Segments that pass through one place: seen from one of them, the right end of another tells.
   const auto turn = [&](Index s, Index t)
-  {
-    return orient2d(
-      pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right);
-  };
+  { return orient2d(pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right); };
   if (!sortAsking(place.pieces, ticker_, [&](Index s, Index t) { return turn(s, t) > 0; }))
   {
     return false;
@@ -146,10 +143,10 @@ bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
   return all;
 }
 
-/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the last
-/// place in x and y; `reach` is more than that is for all ends together. At an angle whose sine is s
-/// it passes q by at a distance of s |q - p|. In the order of directions, modulo half a turn, the
-/// sine between two pieces is at least the smallest one between neighbours.
+/// Proof. A piece rounds to an end q of another if it comes as near to it as half a unit in the
+/// last place in x and y; `reach` is more than that is for all ends together. At an angle whose
+/// sine is s it passes q by at a distance of s |q - p|. In the order of directions, modulo half a
+/// turn, the sine between two pieces is at least the smallest one between neighbours.
 bool Hubs::isClean(const Pieces& pieces, const Place& place) const
 {
   double reach = 0.0, nearest = std::numeric_limits<double>::infinity();
@@ -216,8 +213,8 @@ bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
   return sortAsking(cuts, ticker_, comesBefore) && inChunks(0, pieces.size(), ticker_, add);
 }
 
-/// A pair of those that are not collinear, the first one by `before`, an order of pieces. The second
-/// is the first one outside of the class of the first.
+/// A pair of those that are not collinear, the first one by `before`, an order of pieces. The
+/// second is the first one outside of the class of the first.
 template <typename Before>
 Hubs::Pair Hubs::firstPair(const Place& place, Before before) const
 {
@@ -251,8 +248,8 @@ bool Hubs::addCrossings(
     const std::size_t count = place.pieces.size();
     const Pair pair = firstPair(
       place, [&](Index s, Index t) { return pieces[s].position < pieces[t].position; });
-    const Pair byPlaces = firstPair(place,
-      [&](Index s, Index t) { return comesBefore(pieces[s].segment, pieces[t].segment); });
+    const Pair byPlaces = firstPair(
+      place, [&](Index s, Index t) { return comesBefore(pieces[s].segment, pieces[t].segment); });
     const auto add = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t k = a; k != b; ++k)

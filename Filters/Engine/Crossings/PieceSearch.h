@@ -32,12 +32,14 @@ public:
   {
   }
 
-  /// Adds `more` to the pieces, in an order of its own, and finds what crosses. REQUIRES: the pieces are those that the calls before left, some of them
-  /// dead by now, and those that are not dead do not cross each other. Returns false if the work is
-  /// to be cancelled. Throws std::bad_alloc.
+  /// Adds `more` to the pieces, in an order of its own, and finds what crosses. REQUIRES: the
+  /// pieces are those that the calls before left, some of them dead by now, and those that are not
+  /// dead do not cross each other. Returns false if the work is to be cancelled. Throws
+  /// std::bad_alloc.
   ///
-  /// Cost: mostly the new pieces and those near them, and m log^2 m for m pieces through a hub. Where boxes tell too little apart, as among
-  /// long segments side by side, all pieces are searched by strips (SplitFind.h).
+  /// Cost: mostly the new pieces and those near them, and m log^2 m for m pieces through a hub.
+  /// Where boxes tell too little apart, as among long segments side by side, all pieces are
+  /// searched by strips (SplitFind.h).
   bool find(const Pieces& more, Pieces& pieces, FoundCrossings& found);
 
 private:

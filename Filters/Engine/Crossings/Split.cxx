@@ -130,11 +130,11 @@ private:
   Pieces more_;              ///< not searched yet
   FoundCrossings found_;
   PlaceTable places_;
-  std::size_t named_ = 0;               ///< so many places, the first, have ids
-  std::size_t addedBefore_ = 0;         ///< points added in the rounds before
-  std::vector<OnSegment> insertions_;   ///< this round's: by pieces
-  std::vector<Inserted> inserted_;      ///< in all rounds
-  std::vector<Index> bent_;             ///< positions
+  std::size_t named_ = 0;             ///< so many places, the first, have ids
+  std::size_t addedBefore_ = 0;       ///< points added in the rounds before
+  std::vector<OnSegment> insertions_; ///< this round's: by pieces
+  std::vector<Inserted> inserted_;    ///< in all rounds
+  std::vector<Index> bent_;           ///< positions
 };
 
 Status Splitter::run()
@@ -420,8 +420,9 @@ CrossingPoint Splitter::described(const PlaceTable::Place& place) const
     return Named{ name, wayOf(name) };
   };
   const Named a = named(place.first), b = named(place.second);
-  const auto again = [&](Index position)
-  { return position == place.first ? a : position == place.second ? b : named(position); };
+  const auto again = [&](Index position) {
+    return position == place.first ? a : position == place.second ? b : named(position);
+  };
   const Named lower = again(place.lower), upper = again(place.upper);
   const auto along = [&](const Point& from, const Point& to)
   { return fractionOfWay(from, to, place.at); };
@@ -611,8 +612,7 @@ bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
   };
   const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
   return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
-    inChunks(0, n, ticker_, name) &&
-    (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+    inChunks(0, n, ticker_, name) && (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
 }
 
 bool Splitter::makeChains()

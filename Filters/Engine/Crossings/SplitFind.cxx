@@ -234,8 +234,8 @@ bool Finder::report(Index s, Index t)
 
 } // namespace
 
-bool findCrossings(const RankedSegments& segments, Ticker& ticker,
-  std::vector<Crossing>& crossings, std::size_t most)
+bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
+  std::size_t most)
 {
   crossings.clear();
   Segments all(segments.ends.size());

@@ -27,8 +27,8 @@ struct RankedSegments
 };
 
 /// Finds all pairs of segments that have one point in common which is an end of neither, each pair
-/// once, in no particular order: a < b. Stops once it has found more than `most`. Returns false if the
-/// work is to be cancelled. Throws std::bad_alloc.
+/// once, in no particular order: a < b. Stops once it has found more than `most`. Returns false if
+/// the work is to be cancelled. Throws std::bad_alloc.
 ///
 /// After Balaban, "An optimal algorithm for finding segments intersections" (SCG 1995), his
 /// "intermediate" algorithm: strips between two ends are halved again and again. Of the segments
@@ -36,8 +36,8 @@ struct RankedSegments
 /// find the rungs they cross by going up and down from where they enter, and go on into the two
 /// halves of the strip, as far as they reach into them.
 /// Cost: n log^2 n + k log n steps for n segments with k crossings, whatever they are like.
-bool findCrossings(const RankedSegments& segments, Ticker& ticker,
-  std::vector<Crossing>& crossings, std::size_t most = std::size_t(-1));
+bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
+  std::size_t most = std::size_t(-1));
 
 } // namespace ahd
 
