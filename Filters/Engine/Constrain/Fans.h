@@ -11,8 +11,8 @@
 namespace ahd
 {
 
-/// Some neighbours of vertices that have very many, by their directions: places to begin at when one
-/// turns around such a vertex. An edge may have gone since it was remembered.
+/// Some neighbours of vertices that have very many, by their directions: places to begin at when
+/// one turns around such a vertex. An edge may have gone since it was remembered.
 class Fans
 {
 public:
@@ -24,8 +24,8 @@ public:
   /// Remembers an edge from the vertex `hub`. Throws std::bad_alloc.
   void remember(Index hub, Index neighbour);
 
-  /// Edges from `hub` to the neighbours that are remembered next to the direction of `to`, on either
-  /// side; kNoIndex where there is none, or none any more.
+  /// Edges from `hub` to the neighbours that are remembered next to the direction of `to`, on
+  /// either side; kNoIndex where there is none, or none any more.
   std::array<Mesh::Halfedge, 2> find(Index hub, Index to);
 
 private:

@@ -66,8 +66,8 @@ bool SegmentWalk::isFoundNext(Turn& turn, Index from, Index to, WayOut& way) con
 }
 
 /// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
-/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns false if
-/// the caller wants to cancel.
+/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns false
+/// if the caller wants to cancel.
 bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
 {
   constexpr std::size_t kMany = 64;
@@ -92,8 +92,8 @@ bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut
   return mostSteps <= kMany || turnFromFans(from, to, way);
 }
 
-/// The same where it takes many steps, from the nearest edges that are remembered on both sides at a
-/// time: so the cost is that to the nearer one. What is found is remembered.
+/// The same where it takes many steps, from the nearest edges that are remembered on both sides at
+/// a time: so the cost is that to the nearer one. What is found is remembered.
 bool SegmentWalk::turnFromFans(Index from, Index to, WayOut& way)
 {
   std::array<Turn, 3> turns{};

@@ -37,9 +37,9 @@ public:
   }
 
   /// REQUIRES: two different vertices of the mesh. Throws std::bad_alloc.
-  /// Where one end has very many neighbours, the cost goes with those of the other end. For a vertex
-  /// within the segment with very many neighbours some are remembered: m segments through it cost
-  /// m log m steps.
+  /// Where one end has very many neighbours, the cost goes with those of the other end. For a
+  /// vertex within the segment with very many neighbours some are remembered: m segments through it
+  /// cost m log m steps.
   Outcome walk(Index a, Index b);
 
   /// Along the segment, from start(), which is one of its ends.

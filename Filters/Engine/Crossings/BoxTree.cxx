@@ -144,12 +144,13 @@ BoxSearch::Outcome BoxSearch::searchBetween(const BoxTree& a, const BoxTree& b)
 
 bool BoxSearch::count(std::size_t steps)
 {
-  if (steps > stepsLeft_ || crossings_.size() > mostCrossings_)
+  constexpr std::size_t kPerCrossing = 32;
+  steps_ += steps;
+  if (steps_ > mostSteps_ + kPerCrossing * crossings_.size() || crossings_.size() > mostCrossings_)
   {
     return false;
   }
-  stepsLeft_ -= steps;
-  isCancelled_ = !ticker_.step(steps);
+  isCancelled_ = !ticker_.step(steps / 4 + 1); // each is a fraction of a step elsewhere
   return !isCancelled_;
 }
 

@@ -83,7 +83,7 @@ private:
 /// How much a BoxSearch may do before it gives up.
 struct BoxSearchLimits
 {
-  std::size_t steps;     ///< for nothing: an exact test of two pieces is some of them
+  std::size_t steps;     ///< for nothing: each crossing that is found allows some more
   std::size_t crossings; ///< that it finds
 };
 
@@ -101,7 +101,7 @@ public:
   BoxSearch(const Pieces& pieces, const BoxSearchLimits& limits, Ticker& ticker,
     std::vector<Crossing>& crossings)
     : pieces_(pieces)
-    , stepsLeft_(limits.steps)
+    , mostSteps_(limits.steps)
     , mostCrossings_(limits.crossings)
     , ticker_(ticker)
     , crossings_(crossings)
@@ -134,7 +134,8 @@ private:
   }
 
   const Pieces& pieces_;
-  std::size_t stepsLeft_;
+  std::size_t mostSteps_;
+  std::size_t steps_ = 0;
   std::size_t mostCrossings_;
   Ticker& ticker_;
   std::vector<Crossing>& crossings_;

@@ -27,8 +27,8 @@ struct CrossingPoint
   double alongB;
 
   /// Two of them again, for what is interpolated: of the pairs that cross there the first one by
-  /// places, left end, then right end. Neither the order of the segments nor their directions have a
-  /// say.
+  /// places, left end, then right end. Neither the order of the segments nor their directions have
+  /// a say.
   struct Side
   {
     std::size_t chain, segment;
@@ -109,8 +109,8 @@ constexpr int kMostSplittingRounds = 16;
 /// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory, or
 /// TooManyPoints if there are more than kMaximumPoints, the added ones included, or more than
 /// 2^31 ids in the chains; unless Ok, `out` is not to be used. Cost: for n segments with k
-/// crossings n log^2 n + k log n steps a round at most; mostly one round splits and a second finds
-/// nothing.
+/// crossings n log^2 n + k log n steps a round at most, where k does not count pairs of those that
+/// pass exactly through one place; mostly one round splits, and the second finds nothing, quickly.
 Status splitAtCrossings(
   const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out);
 

@@ -213,8 +213,8 @@ bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
   return sortAsking(cuts, ticker_, comesBefore) && inChunks(0, pieces.size(), ticker_, add);
 }
 
-/// A pair of those that are not collinear, the first one by `before`, an order of pieces. The second
-/// is the first one outside of the class of the first.
+/// A pair of those that are not collinear, the first one by `before`, an order of pieces. The
+/// second is the first one outside of the class of the first.
 template <typename Before>
 Hubs::Pair Hubs::firstPair(const Place& place, Before before) const
 {
@@ -248,8 +248,8 @@ bool Hubs::addCrossings(
     const std::size_t count = place.pieces.size();
     const Pair pair = firstPair(
       place, [&](Index s, Index t) { return pieces[s].position < pieces[t].position; });
-    const Pair byPlaces = firstPair(place,
-      [&](Index s, Index t) { return comesBefore(pieces[s].segment, pieces[t].segment); });
+    const Pair byPlaces = firstPair(
+      place, [&](Index s, Index t) { return comesBefore(pieces[s].segment, pieces[t].segment); });
     const auto add = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t k = a; k != b; ++k)

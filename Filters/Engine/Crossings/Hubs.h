@@ -11,14 +11,14 @@
 namespace ahd
 {
 
-/// Places where many pieces cross exactly, such as the middle of a star of diameters: m of them have
-/// m (m - 1) / 2 pairs, which need not be looked at one by one.
+/// Places where many pieces cross exactly, such as the middle of a star of diameters: m of them
+/// have m (m - 1) / 2 pairs, which need not be looked at one by one.
 ///
 /// A hub is a place with pieces that all pass exactly through it, and so cleanly that none of them
-/// rounds to an end of another (roundsTo()). So whatever pair of them is taken, it crosses there and
-/// asks for a point there, if the two are not collinear; as few pairs as name all pieces do. A piece
-/// cut at its hubs is the same segment in parts: nothing crosses it elsewhere than before, and nothing
-/// crosses at the hub any more.
+/// rounds to an end of another (roundsTo()). So whatever pair of them is taken, it crosses there
+/// and asks for a point there, if the two are not collinear; as few pairs as name all pieces do. A
+/// piece cut at its hubs is the same segment in parts: nothing crosses it elsewhere than before,
+/// and nothing crosses at the hub any more.
 class Hubs
 {
 public:
@@ -34,8 +34,8 @@ public:
   {
   }
 
-  /// Looks where the crossings lie, which are some of those there are, and makes hubs of places with
-  /// many of them. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+  /// Looks where the crossings lie, which are some of those there are, and makes hubs of places
+  /// with many of them. Returns false if the work is to be cancelled. Throws std::bad_alloc.
   bool add(const Pieces& pieces, const std::vector<Crossing>& crossings);
 
   std::size_t count() const { return places_.size(); }
@@ -44,10 +44,9 @@ public:
   bool listParts(const Pieces& pieces, std::vector<Part>& parts);
 
   /// Adds crossings so that each piece is in one at each of its hubs, and that the first pair by
-  /// positions and the first one by places are there. Adds to `unlisted` how many more pairs cross at
-  /// the hubs: less than nothing, modulo 2^64, where one is listed twice.
-  bool addCrossings(
-    const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted);
+  /// positions and the first one by places are there. Adds to `unlisted` how many more pairs cross
+  /// at the hubs: less than nothing, modulo 2^64, where one is listed twice.
+  bool addCrossings(const Pieces& pieces, std::vector<Crossing>& crossings, std::size_t& unlisted);
 
 private:
   struct Cut
@@ -58,7 +57,7 @@ private:
   struct Place
   {
     Point at;
-    std::vector<Index> pieces;   ///< by directions
+    std::vector<Index> pieces;        ///< by directions
     std::vector<std::size_t> classes; ///< where those of one direction begin, and the end
   };
 
@@ -70,8 +69,8 @@ private:
 
   template <typename Before>
   Pair firstPair(const Place& place, Before before) const;
-  bool listPlaces(const Pieces& pieces, const std::vector<Crossing>& crossings,
-    std::vector<Point>& places);
+  bool listPlaces(
+    const Pieces& pieces, const std::vector<Crossing>& crossings, std::vector<Point>& places);
   bool makeHub(const Pieces& pieces, const Point& p);
   bool sortByDirection(const Pieces& pieces, Place& place);
   bool isClean(const Pieces& pieces, const Place& place) const;

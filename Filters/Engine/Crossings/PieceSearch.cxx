@@ -17,13 +17,13 @@ struct SegmentEnd
   std::size_t half;
 };
 
-/// As many steps among boxes as take about the time of a search by strips; and more crossings than
-/// there are without hubs, mostly.
+/// Steps that take less time than a search by strips; and more crossings than there are without
+/// hubs, mostly.
 BoxSearchLimits limitsFor(std::size_t pieces)
 {
-  constexpr std::size_t kSteps = 16, kCrossings = 64;
+  constexpr std::size_t kCrossings = 64;
   const std::size_t bits = bitLength(pieces);
-  return { kSteps * bits * bits * pieces, kCrossings * pieces };
+  return { bits * bits * pieces, kCrossings * pieces };
 }
 
 bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegments& segments)

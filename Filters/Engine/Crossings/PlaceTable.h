@@ -23,10 +23,11 @@ public:
   struct Place
   {
     Point at;
-    Index id;             ///< of the point there; kNoIndex as long as it is not known
-    Index endId, pointId; ///< smallest ids there, of ends of segments and of all points; or kNoIndex
-    Index first, second;  ///< positions of the first two segments that cross there; or kNoIndex
-    Index lower, upper;   ///< and of the first two by their places; or kNoIndex
+    Index id; ///< of the point there; kNoIndex as long as it is not known
+    Index endId,
+      pointId;           ///< smallest ids there, of ends of segments and of all points; or kNoIndex
+    Index first, second; ///< positions of the first two segments that cross there; or kNoIndex
+    Index lower, upper;  ///< and of the first two by their places; or kNoIndex
   };
 
   explicit PlaceTable(Ticker& ticker)
@@ -39,10 +40,7 @@ public:
   std::size_t size() const { return places_.size(); }
 
   /// kNoIndex if it is not there.
-  Index find(const Point& p) const
-  {
-    return slots_.empty() ? kNoIndex : slots_[slotOf(p)];
-  }
+  Index find(const Point& p) const { return slots_.empty() ? kNoIndex : slots_[slotOf(p)]; }
 
   /// Adds the place unless it is there, and tells its number. Returns false if the work is to be
   /// cancelled. Throws std::bad_alloc.
@@ -55,7 +53,8 @@ public:
     Index& slot = slots_[slotOf(p)];
     if (slot == kNoIndex)
     {
-      places_.push_back({ p, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex });
+      places_.push_back(
+        { p, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex, kNoIndex });
       slot = static_cast<Index>(places_.size() - 1);
     }
     number = slot;

@@ -100,6 +100,7 @@ private:
   bool makeChains();
   bool nameBent();
 
+  void addPiece(Piece piece);
   bool isBeside(Index position, const Point& p) const;
 
   template <typename WayOfOwner>
@@ -129,11 +130,11 @@ private:
   Pieces more_;              ///< not searched yet
   FoundCrossings found_;
   PlaceTable places_;
-  std::size_t named_ = 0;               ///< so many places, the first, have ids
-  std::size_t addedBefore_ = 0;         ///< points added in the rounds before
-  std::vector<OnSegment> insertions_;   ///< this round's: by pieces
-  std::vector<Inserted> inserted_;      ///< in all rounds
-  std::vector<Index> bent_;             ///< positions
+  std::size_t named_ = 0;             ///< so many places, the first, have ids
+  std::size_t addedBefore_ = 0;       ///< points added in the rounds before
+  std::vector<OnSegment> insertions_; ///< this round's: by pieces
+  std::vector<Inserted> inserted_;    ///< in all rounds
+  std::vector<Index> bent_;           ///< positions
 };
 
 Status Splitter::run()
@@ -419,8 +420,9 @@ CrossingPoint Splitter::described(const PlaceTable::Place& place) const
     return Named{ name, wayOf(name) };
   };
   const Named a = named(place.first), b = named(place.second);
-  const auto again = [&](Index position)
-  { return position == place.first ? a : position == place.second ? b : named(position); };
+  const auto again = [&](Index position) {
+    return position == place.first ? a : position == place.second ? b : named(position);
+  };
   const Named lower = again(place.lower), upper = again(place.upper);
   const auto along = [&](const Point& from, const Point& to)
   { return fractionOfWay(from, to, place.at); };
@@ -554,15 +556,27 @@ bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* 
     (whole.isForward ? next.rightId : next.leftId) = place.id;
     (whole.isForward ? rest.segment.left : rest.segment.right) = place.at;
     (whole.isForward ? rest.leftId : rest.rightId) = place.id;
-    more_.push_back(next);
+    addPiece(next);
     inserted_.push_back({ whole.position, placeOf(*item), place.id });
     if (place.id < points_.count + addedBefore_ && isBeside(whole.position, place.at))
     {
       bent_.push_back(whole.position);
     }
   }
-  more_.push_back(rest);
+  addPiece(rest);
   return true;
+}
+
+/// Where a piece is vertical, as others of its segment need not be, its left end may be another.
+void Splitter::addPiece(Piece piece)
+{
+  if (lexicographicallyLess(piece.segment.right, piece.segment.left))
+  {
+    std::swap(piece.segment.left, piece.segment.right);
+    std::swap(piece.leftId, piece.rightId);
+    piece.isForward = !piece.isForward;
+  }
+  more_.push_back(piece);
 }
 
 /// Is the place not exactly on the segment?
@@ -598,8 +612,7 @@ bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
   };
   const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
   return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
-    inChunks(0, n, ticker_, name) &&
-    (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+    inChunks(0, n, ticker_, name) && (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
 }
 
 bool Splitter::makeChains()
