@@ -75,8 +75,8 @@ struct InputRequest
 };
 
 /// A point that was added at the crossing of two segments: between which others it lies. Segments
-/// and their ends are in the order of their places, so that neither the order of the constraints nor
-/// their directions have a say; of more than two segments it is the first two that cross there.
+/// and their ends are in the order of their places, so that neither the order of the constraints
+/// nor their directions have a say; of more than two segments it is the first two that cross there.
 struct CrossingOrigin
 {
   std::array<Index, 4> ends;   ///< of either segment the smaller end, by x, then y, and the other
@@ -173,8 +173,8 @@ public:
   /// The cells of the first thousand of them: the later one, the earlier one.
   const std::vector<std::array<std::int64_t, 2>>& crossingCells() const { return crossingCells_; }
 
-  /// Segments that were led through a vertex which is not exactly on them, and so bend; and the cell
-  /// of the first of these, if there is one.
+  /// Segments that were led through a vertex which is not exactly on them, and so bend; and the
+  /// cell of the first of these, if there is one.
   std::size_t bentCount() const { return bentCount_; }
   std::int64_t firstBentCell() const { return firstBentCell_; }
 
