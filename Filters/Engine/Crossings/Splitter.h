@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Splitter_h
+#define ahd_Splitter_h
+
+#include "../Core/Buffer.h"
+#include "Crossings.h"
+#include "PieceSearch.h"
+#include "PlaceTable.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace ahd
+{
+
+/// From where to where a segment runs.
+struct Way
+{
+  Point from;
+  Point to;
+
+  Segment leftToRight() const
+  {
+    return lexicographicallyLess(from, to) ? Segment{ from, to } : Segment{ to, from };
+  }
+
+  /// Does it pass a before b? REQUIRES: both are points on it, rounded, which is monotone in each
+  /// coordinate; so they are in the order of both.
+  bool isBefore(const Point& a, const Point& b) const
+  {
+    return a.x != b.x ? (a.x < b.x) == (from.x < to.x)
+                      : a.y != b.y && (a.y < b.y) == (from.y < to.y);
+  }
+};
+
+/// What lies on a segment or a piece: the number of that, and of a place. Sorted as packed numbers.
+using OnSegment = std::uint64_t;
+inline Index ownerOf(OnSegment item)
+{
+  return static_cast<Index>(item >> 32);
+}
+inline Index placeOf(OnSegment item)
+{
+  return static_cast<Index>(item);
+}
+
+/// A point that a segment is led through.
+struct Inserted
+{
+  Index position; ///< of the segment
+  Index place;
+  Index id;
+};
+
+/// One call of splitAtCrossings().
+class Splitter
+{
+public:
+  Splitter(
+    const PointView& points, const ConstraintView& chains, Ticker& ticker, SplitConstraints& out)
+    : points_(points)
+    , chains_(chains)
+    , ticker_(ticker)
+    , out_(out)
+    , first_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[0]))
+    , ids_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]) - first_)
+    , search_(ticker)
+    , places_(ticker)
+  {
+  }
+
+  Status run();
+
+private:
+  using WayOfOwner = std::function<Way(Index)>;
+
+  bool listPieces();
+  bool split();
+  bool meet(Crossing crossing);
+  void nameSegments(PlaceTable::Place& place, Index a, Index b) const;
+  bool comesBeforeByPlaces(std::array<Index, 2> pair, std::array<Index, 2> other) const;
+  bool takeEnds(Index piece, Index other, bool& takesOne);
+  bool findIds();
+  bool findEnds();
+  bool findPoints();
+  bool addPoints();
+  bool splitPieces();
+  bool splitPiece(Index piece, const OnSegment* begin, const OnSegment* end);
+  bool makeChains();
+  bool nameBent();
+
+  void addPiece(Piece piece);
+  bool isBeside(Index position, const Point& p) const;
+
+  bool sortGroups(const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
+  bool sortInserted(Buffer<OnSegment>& sorted);
+  bool sortOn(const Way& way, OnSegment* items, std::size_t count);
+  bool sortAlong(
+    const std::vector<OnSegment>& items, const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
+
+  std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
+  bool isUsable(std::int64_t id) const;
+  CrossingPoint described(const PlaceTable::Place& place) const;
+  Point at(std::int64_t id) const;
+  Way wayOf(const SegmentName& name) const;
+  SegmentName nameOf(Index position) const;
+
+  const PointView& points_;
+  const ConstraintView& chains_;
+  Ticker& ticker_;
+  SplitConstraints& out_;
+  std::size_t first_; ///< where the ids of the chains begin
+  std::size_t ids_;   ///< how many there are; positions are counted from first_
+  PieceSearch search_;
+  Pieces pieces_;
+  std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
+  Pieces more_;              ///< not searched yet
+  FoundCrossings found_;
+  PlaceTable places_;
+  std::size_t named_ = 0;             ///< so many places, the first, have ids
+  std::size_t addedBefore_ = 0;       ///< points added in the rounds before
+  std::vector<OnSegment> insertions_; ///< this round's: by pieces
+  std::vector<Inserted> inserted_;    ///< in all rounds
+  std::vector<Index> bent_;           ///< positions
+};
+
+} // namespace ahd
+
+#endif
