@@ -14,7 +14,6 @@ namespace test
 {
 namespace
 {
-
 /// What ids that are those of no point become.
 constexpr std::int64_t kNoPoint = -1;
 
