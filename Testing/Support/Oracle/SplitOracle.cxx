@@ -16,7 +16,6 @@ namespace
 {
 /// What ids that are those of no point become.
 constexpr std::int64_t kNoPoint = -1;
-
 /// Most ids in the chains. Tests of what is refused are compiled with fewer.
 #ifndef AHD_MOST_CHAIN_IDS
 #define AHD_MOST_CHAIN_IDS (std::size_t(1) << 31)
