@@ -20,6 +20,8 @@ using Face = CGAL::Constrained_triangulation_face_base_2<Kernel>;
 using Structure = CGAL::Triangulation_data_structure_2<Vertex, Face>;
 using Constrained = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
   CGAL::No_constraint_intersection_tag>;
+using Splitting =
+  CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 } // namespace
 
 struct CgalConstrained::Input
@@ -60,6 +62,23 @@ std::size_t CgalConstrained::triangulate(
     triangulation.insert_constraint(vertices[segment.first], vertices[segment.second]);
   }
   constrained();
+  return triangulation.number_of_faces();
+}
+
+std::size_t CgalConstrained::split() const
+{
+  Splitting triangulation;
+  triangulation.insert(input_->points.begin(), input_->points.end());
+  std::vector<Splitting::Vertex_handle> vertices(input_->points.size());
+  for (auto v = triangulation.finite_vertices_begin(); v != triangulation.finite_vertices_end();
+       ++v)
+  {
+    vertices[v->info()] = v;
+  }
+  for (const auto& segment : input_->segments)
+  {
+    triangulation.insert_constraint(vertices[segment.first], vertices[segment.second]);
+  }
   return triangulation.number_of_faces();
 }
 

@@ -27,6 +27,9 @@ public:
   std::size_t triangulate(
     const std::function<void()>& triangulated, const std::function<void()>& constrained) const;
 
+  /// The same with Exact_predicates_tag: a vertex is added where segments cross.
+  std::size_t split() const;
+
 private:
   struct Input;
   std::unique_ptr<Input> input_;

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace ahd
 {
@@ -305,9 +306,29 @@ TEST(Prepare, ALoopEndsWhereItBegan)
   given.request.split = true;
   const PreparedInput out = prepared(given);
   ASSERT_EQ(out.crossings().size(), 1u);
-  EXPECT_EQ(out.crossings()[0].ends, (std::array<Index, 4>{ { 3, 4, 2, 0 } }));
+  EXPECT_EQ(out.crossings()[0].ends, (std::array<Index, 4>{ { 0, 2, 4, 3 } }));
   EXPECT_EQ(out.place(5), (Xyz{ { 2, 2, 2 } }));
   EXPECT_EQ(idsOf(out), (Ids{ 3, 5, 4, 0, 1, 2, 5 }));
+}
+
+TEST(Prepare, HeightsDoNotDependOnOrderAndDirection)
+{
+  const std::vector<Xyz> source = { { { 0, 0, 0.1 } }, { { 3, 3, 0.7 } }, { { 0, 3, 0.3 } },
+    { { 3, 0, 1.9 } }, { { 0, 1.5, 2.2 } }, { { 3, 1.5, 0.9 } } };
+  std::vector<std::vector<std::int64_t>> lines = { { 0, 1 }, { 2, 3 }, { 4, 5 } };
+  std::set<double> heights;
+  for (int order = 0; order != 6; ++order)
+  {
+    std::rotate(lines.begin(), lines.begin() + 1, lines.end());
+    std::swap(lines[0][0], lines[0][1]);
+    PrepareCase given({}, source, { lines[0], lines[1], lines[2] }, {});
+    given.request.split = true;
+    const PreparedInput out = prepared(given);
+    ASSERT_EQ(out.crossings().size(), 1u);
+    heights.insert(out.place(6)[2]);
+    EXPECT_EQ(out.bentCount(), 0u);
+  }
+  EXPECT_EQ(heights.size(), 1u);
 }
 
 TEST(Prepare, CellsOfAThousandCrossingsAreKept)
