@@ -46,7 +46,7 @@ enum class Insertion
 };
 
 /// Alone: the mesh belongs to this kernel. Shared: others insert at the same time, each in a
-/// territory of its own (Insert/Parts.h says why that is safe). Then a cavity is carved only if
+/// territory of its own (Insert/Insert.h says why that is safe). Then a cavity is carved only if
 /// all its finite vertices are owned, and nothing is written before that is known.
 enum class Access
 {
