@@ -50,17 +50,10 @@ template <typename Number>
 bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* source)
 {
   vtkAHDProgress progress(source);
-  const vtkIdType step = std::max(kPiece, to.Count / 100); // observers may be slow
-  vtkIdType told = 0;
+  progress.beginPhase(ahd::Phase::Insert); // the one that is the whole
   for (vtkIdType begin = 0; begin < to.Count; begin += kPiece)
   {
-    if (begin >= told + step)
-    {
-      const ahd::ScopedFloatingPoint whateverItSets;
-      told = begin;
-      source->UpdateProgress(double(begin) / double(to.Count));
-    }
-    if (progress.MustAbort())
+    if (!progress.advance(ahd::Phase::Insert, double(begin) / double(to.Count)))
     {
       return false;
     }

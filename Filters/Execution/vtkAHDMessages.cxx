@@ -7,6 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataSetAttributes.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
 
@@ -168,7 +169,9 @@ void WarnOfRim(vtkAlgorithm* filter, const vtkAHDReport& report)
     return;
   }
   const bool isEmpty = counts.triangles == 0;
-  const int percent = static_cast<int>(100.0 * counts.trimmedArea + 0.5);
+  // NaN where areas are beyond all doubles
+  const double part = std::min(1.0, std::max(0.0, counts.trimmedArea));
+  const int percent = static_cast<int>(100.0 * part + 0.5);
   vtkWarningWithObjectMacro(filter,
     "" << (isEmpty ? "There is no triangle left: trimming" : "Trimming") << " the rim took "
        << (isEmpty ? "all " : "") << counts.trimmed << " of " << counts.triangles + counts.trimmed

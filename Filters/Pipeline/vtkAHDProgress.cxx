@@ -47,8 +47,8 @@ void vtkAHDProgress::SetStages(const std::vector<double>& weights)
 
 void vtkAHDProgress::NextStage()
 {
-  const double done = this->StageEnds[this->Stage];
-  this->Stage = std::min(this->Stage + 1, this->StageEnds.size() - 1);
+  const double done = this->StageEnd(this->Stage);
+  this->Stage = this->Stage + 1 < this->StageEnds.size() ? this->Stage + 1 : this->Stage;
   this->PhaseBegin = this->PhaseEnd = 0.0;
   this->MoveTo(done);
 }
@@ -105,8 +105,8 @@ void vtkAHDProgress::beginPhase(ahd::Phase phase)
 bool vtkAHDProgress::advance(ahd::Phase, double fraction)
 {
   const double inStage = this->PhaseBegin + fraction * (this->PhaseEnd - this->PhaseBegin);
-  const double begin = this->Stage == 0 ? 0.0 : this->StageEnds[this->Stage - 1];
-  const double whole = begin + inStage * (this->StageEnds[this->Stage] - begin);
+  const double begin = this->Stage == 0 ? 0.0 : this->StageEnd(this->Stage - 1);
+  const double whole = begin + inStage * (this->StageEnd(this->Stage) - begin);
   this->MoveTo(whole);
   return !this->MustAbort();
 }

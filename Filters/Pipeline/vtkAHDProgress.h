@@ -51,7 +51,12 @@ private:
 
   vtkAlgorithm* const Filter;
   const Clock Now;
-  std::vector<double> StageEnds = { 1.0 }; // as parts of the whole
+  double StageEnd(std::size_t stage) const
+  {
+    return this->StageEnds.empty() ? 1.0 : this->StageEnds[stage];
+  }
+
+  std::vector<double> StageEnds; // as parts of the whole; empty: there is one stage
   std::size_t Stage = 0;
   double PhaseBegin = 0.0; // as parts of the stage
   double PhaseEnd = 0.0;
