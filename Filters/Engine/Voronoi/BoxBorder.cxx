@@ -38,7 +38,7 @@ bool BoxBorder::isAhead(HalfEdge h, const Point& p, const Point& q) const
   return isAcute(p, diagram_.point(diagram_.origin(previousInTriangle(h))), q);
 }
 
-Piece BoxBorder::cut(HalfEdge h)
+ClippedEdge BoxBorder::cut(HalfEdge h)
 {
   const HalfEdge twin = diagram_.twin(h);
   const Point p = diagram_.point(diagram_.origin(h));
@@ -56,10 +56,10 @@ Piece BoxBorder::cut(HalfEdge h)
   }
   // Both ends outside: the middle, which is inside, lies between them, or the edge is outside.
   const bool comesFromBehind = twin == kNoHalfEdge || isAhead(twin, q, p);
-  return comesFromBehind && isAhead(h, p, q) ? chord(p, q) : Piece{};
+  return comesFromBehind && isAhead(h, p, q) ? chord(p, q) : ClippedEdge{};
 }
 
-Piece BoxBorder::chord(const Point& p, const Point& q)
+ClippedEdge BoxBorder::chord(const Point& p, const Point& q)
 {
   const CornerId from = crossing(q, p, kNoCorner);
   return { from, crossing(p, q, from) };

@@ -30,10 +30,10 @@ public:
     Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
 
   /// What is left of the bisector of p and q, without ends of its own.
-  Piece chord(const Point& p, const Point& q);
+  ClippedEdge chord(const Point& p, const Point& q);
 
 protected:
-  Piece cut(HalfEdge h) override;
+  ClippedEdge cut(HalfEdge h) override;
 
 private:
   bool mayFollow(Index site, const Point& from, const Point& to) const;

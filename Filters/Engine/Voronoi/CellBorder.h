@@ -19,7 +19,7 @@ constexpr CornerId kNoCorner = 0xFFFFFFFFu;
 /// What is left of an edge of the diagram inside the border: nothing, or from one corner to
 /// another. The edge between the cells of p and q is followed as who goes counterclockwise around
 /// p.
-struct Piece
+struct ClippedEdge
 {
   CornerId from = kNoCorner;
   CornerId to = kNoCorner;
@@ -27,7 +27,7 @@ struct Piece
   bool isEmpty() const { return from == kNoCorner; }
 };
 
-inline Piece turned(const Piece& piece)
+inline ClippedEdge turned(const ClippedEdge& piece)
 {
   return { piece.to, piece.from };
 }
@@ -52,7 +52,7 @@ public:
   bool isInside(std::size_t triangle) const { return inside_[triangle] != 0; }
 
   /// The edge that is dual to h, counterclockwise around the origin of h.
-  Piece piece(HalfEdge h)
+  ClippedEdge piece(HalfEdge h)
   {
     const HalfEdge twin = diagram_.twin(h);
     const bool isOwn = twin == kNoHalfEdge || h < twin;
@@ -62,7 +62,7 @@ public:
       return { centre(twin / 3), centre(h / 3) };
     }
     const auto found = cut_.find(own);
-    const Piece result = found != cut_.end() ? found->second : cut(own);
+    const ClippedEdge result = found != cut_.end() ? found->second : cut(own);
     if (found == cut_.end() && !result.isEmpty()) // most edges outside are quickly found to be
     {
       cut_.emplace(own, result);
@@ -108,7 +108,7 @@ protected:
 
   /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the
   /// two half-edges.
-  virtual Piece cut(HalfEdge h) = 0;
+  virtual ClippedEdge cut(HalfEdge h) = 0;
 
   CornerId centre(std::size_t triangle) const
   {
@@ -120,7 +120,7 @@ protected:
 
 private:
   Buffer<std::uint8_t> inside_; ///< of each triangle
-  std::unordered_map<HalfEdge, Piece> cut_;
+  std::unordered_map<HalfEdge, ClippedEdge> cut_;
 };
 
 } // namespace ahd

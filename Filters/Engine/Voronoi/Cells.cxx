@@ -210,11 +210,11 @@ bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
 
 bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker)
 {
-  Piece before;
+  ClippedEdge before;
   for (std::size_t i = 0; i < line.size(); ++i)
   {
-    const Piece after = i + 1 == line.size()
-      ? Piece{}
+    const ClippedEdge after = i + 1 == line.size()
+      ? ClippedEdge{}
       : border.chord(diagram_.point(line[i]), diagram_.point(line[i + 1]));
     addStrip(line[i], after, turned(before));
     before = after;
@@ -227,7 +227,7 @@ bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Tic
   return toOffsets(ticker) && copyBorderCells(ticker);
 }
 
-void CellWalk::addStrip(Index vertex, const Piece& first, const Piece& second)
+void CellWalk::addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second)
 {
   cell_.clear();
   append(vertex, first);
@@ -237,7 +237,7 @@ void CellWalk::addStrip(Index vertex, const Piece& first, const Piece& second)
 }
 
 /// One more edge of the cell.
-void CellWalk::append(Index vertex, const Piece& piece)
+void CellWalk::append(Index vertex, const ClippedEdge& piece)
 {
   if (piece.isEmpty())
   {

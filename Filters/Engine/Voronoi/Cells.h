@@ -54,8 +54,8 @@ private:
   template <typename Visit>
   bool turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit visit) const;
   bool turnAtBorder(Index vertex, Ticker& ticker);
-  void addStrip(Index vertex, const Piece& first, const Piece& second);
-  void append(Index vertex, const Piece& piece);
+  void addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second);
+  void append(Index vertex, const ClippedEdge& piece);
   void close(Index vertex, bool isOpen);
   void keep(Index vertex);
   void pad(Index vertex);

@@ -81,7 +81,7 @@ int HullBorder::side(std::size_t triangle, HalfEdge hullEdge) const
     diagram_.point(diagram_.origin(hullEdge)), diagram_.point(diagram_.target(hullEdge)));
 }
 
-Piece HullBorder::cut(HalfEdge h)
+ClippedEdge HullBorder::cut(HalfEdge h)
 {
   // From the triangle to the right, or infinity beyond the edge itself, to the one to the left.
   const HalfEdge twin = diagram_.twin(h);
@@ -103,7 +103,7 @@ Piece HullBorder::cut(HalfEdge h)
   }
   const CornerId from = crossing(h, rightEdge, kNoTriangle);
   const CornerId to = crossing(h, leftEdge, kNoTriangle);
-  return corner(from) == corner(to) ? Piece{ from, from } : Piece{ from, to };
+  return corner(from) == corner(to) ? ClippedEdge{ from, from } : ClippedEdge{ from, to };
 }
 
 /// Where the dual of h crosses the hull; `insideTriangle`: whose centre is the end that lies

@@ -30,7 +30,7 @@ public:
     Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
 
 protected:
-  Piece cut(HalfEdge h) override;
+  ClippedEdge cut(HalfEdge h) override;
 
 private:
   bool isBeyondNone(std::size_t triangle) const { return beyond_[triangle] == kNoHalfEdge; }
