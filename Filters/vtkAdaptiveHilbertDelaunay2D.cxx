@@ -239,7 +239,7 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
 bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
   const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  if (!this->KeepTriangulation || !context.TryRange(1, [](std::size_t, std::size_t) {}))
+  if (!this->KeepTriangulation || context.IsAborted())
   {
     this->Cache->Forget();
     return false;

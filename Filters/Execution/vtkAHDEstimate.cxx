@@ -105,7 +105,7 @@ bool vtkAHDExecution::FitsInMemory()
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
               : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));
-  this->UpdateEstimate();
+  this->Report.Estimate = static_cast<vtkTypeInt64>(bytes / 1024);
   this->Report.IsRefused = this->Report.Estimate > this->Report.Limit;
   if (this->Report.IsRefused)
   {

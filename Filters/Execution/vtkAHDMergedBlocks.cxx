@@ -3,6 +3,7 @@
 
 #include "Engine/Core/Memory.h"
 #include "Engine/Points/Points.h"
+#include "Execution/vtkAHDMessages.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 
@@ -47,9 +48,7 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
 {
   if (static_cast<std::size_t>(blocks.GetCount()) > ahd::kMaximumPoints)
   {
-    vtkErrorWithObjectMacro(this->Filter,
-      "" << blocks.GetCount() << " points are too many: at most " << ahd::kMaximumPoints
-         << " can be triangulated.");
+    vtkAHDSayTooManyPoints(this->Filter, static_cast<std::size_t>(blocks.GetCount()));
     return nullptr;
   }
   this->Bytes += blocks.EstimateBytes();

@@ -268,6 +268,13 @@ void WarnOfConstraints(
 }
 }
 
+void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count)
+{
+  vtkErrorWithObjectMacro(filter,
+    "" << count << " points are too many: at most " << ahd::kMaximumPoints
+       << " can be triangulated.");
+}
+
 void vtkAHDSayError(
   vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
 {
@@ -277,9 +284,7 @@ void vtkAHDSayError(
     case ahd::Status::Cancelled:
       return;
     case ahd::Status::TooManyPoints:
-      vtkErrorWithObjectMacro(filter,
-        "" << report.Points << " points are too many: at most " << ahd::kMaximumPoints
-           << " can be triangulated.");
+      vtkAHDSayTooManyPoints(filter, report.Points);
       return;
     case ahd::Status::TooManyBoxes:
       SayTooManyBoxes(filter, settings, report);

@@ -2,9 +2,14 @@
 #ifndef vtkAHDMessages_h
 #define vtkAHDMessages_h
 
+#include <cstddef>
+
 class vtkAlgorithm;
 struct vtkAHDReport;
 struct vtkAHDSettings;
+
+/// Says that so many points are more than the engine takes.
+void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count);
 
 /// Says in one error why an execution came to nothing, unless it was the user who cancelled.
 void vtkAHDSayError(

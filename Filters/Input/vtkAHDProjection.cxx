@@ -18,17 +18,6 @@ namespace
 {
 using Xyz = std::array<double, 3>;
 
-Xyz Read(const ahd::PointView& points, std::size_t i)
-{
-  if (points.doubles)
-  {
-    const double* p = points.doubles + 3 * i;
-    return { { p[0], p[1], p[2] } };
-  }
-  const float* p = points.floats + 3 * i;
-  return { { p[0], p[1], p[2] } };
-}
-
 /// A transform may make anything of a coordinate that is not finite, even a finite one.
 void Write(const Xyz& from, const double* to, double* xyz)
 {
@@ -52,7 +41,7 @@ bool vtkAHDProjection::project(const ahd::PointView& points, double* to, const a
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Xyz from = Read(points, i);
+        const Xyz from = points.place(i);
         Xyz place;
         this->Transform->InternalTransformPoint(from.data(), place.data());
         Write(from, place.data(), to + 3 * i);
@@ -70,7 +59,7 @@ bool vtkAHDProjection::ProjectInTurn(const ahd::PointView& points, double* to) c
   moved->SetDataTypeToDouble();
   for (std::size_t begin = 0; begin < points.count; begin += kPiece)
   {
-    if (!this->Context->TryRange(1, [](std::size_t, std::size_t) {}))
+    if (this->Context->IsAborted())
     {
       return false;
     }
@@ -78,7 +67,7 @@ bool vtkAHDProjection::ProjectInTurn(const ahd::PointView& points, double* to) c
     from->SetNumberOfPoints(static_cast<vtkIdType>(end - begin));
     for (std::size_t i = begin; i < end; ++i)
     {
-      from->SetPoint(static_cast<vtkIdType>(i - begin), Read(points, i).data());
+      from->SetPoint(static_cast<vtkIdType>(i - begin), points.place(i).data());
     }
     from->Modified();
     moved->Reset();
@@ -87,7 +76,7 @@ bool vtkAHDProjection::ProjectInTurn(const ahd::PointView& points, double* to) c
     {
       Xyz place;
       moved->GetPoint(static_cast<vtkIdType>(i - begin), place.data());
-      Write(Read(points, i), place.data(), to + 3 * i);
+      Write(points.place(i), place.data(), to + 3 * i);
     }
   }
   return true;

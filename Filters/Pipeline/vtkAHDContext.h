@@ -52,10 +52,13 @@ public:
     }
   }
 
+  /// Is the filter to abort?
+  bool IsAborted() const { return this->Progress.MustAbort(); }
+
   /// Throws vtkAHDStop if the filter is to abort.
   void StopIfAborted() const
   {
-    if (this->Progress.MustAbort())
+    if (this->IsAborted())
     {
       throw vtkAHDStop{ ahd::Status::Cancelled };
     }
@@ -83,7 +86,7 @@ public:
     std::atomic<bool> aborted{ false };
     const auto ask = [&]
     {
-      if (this->Progress.MustAbort())
+      if (this->IsAborted())
       {
         aborted = true;
       }

@@ -36,9 +36,30 @@ bool inChunksOf(std::size_t count, Ticker& ticker, const Work& work)
       });
 }
 
-/// The same for work(part, a, b) that finds something out: each task has a Part of its own, made by
-/// default, and part.merge(other) adds to what comes before what comes behind. `total` is a new
-/// Part. Throws std::bad_alloc.
+/// Calls work(a, b) for chunks [a, b) of [0, count), which take their time, in several tasks a
+/// thread, none for less than `least` items; what is done moves the fraction. Returns false if the
+/// work is to be cancelled.
+template <typename Work>
+bool inShares(
+  std::size_t count, Ticker& ticker, std::size_t perThread, std::size_t least, const Work& work)
+{
+  const std::size_t tasks = tasksFor(threadsOf(ticker), count, perThread, least);
+  return inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
+    {
+      const Share share(count, task, tasks);
+      return inChunks(share.begin, share.end, own,
+        [&](std::size_t a, std::size_t b)
+        {
+          work(a, b);
+          own.finished(b - a);
+        });
+    });
+}
+
+/// The same as inChunksOf for work(part, a, b) that finds something out: each task has a Part of
+/// its own, made by default, and part.merge(other) adds to what comes before what comes behind.
+/// `total` is a new Part. Throws std::bad_alloc.
 template <typename Part, typename Work>
 bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
 {

@@ -2,6 +2,7 @@
 #ifndef ahd_Points_h
 #define ahd_Points_h
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -67,6 +68,16 @@ struct PointView
   {
     return doubles ? Point{ doubles[i * stride], doubles[i * stride + 1] }
                    : Point{ floats[i * stride], floats[i * stride + 1] };
+  }
+
+  /// All three numbers of point i. REQUIRES: stride is 3.
+  std::array<double, 3> place(std::size_t i) const
+  {
+    if (doubles)
+    {
+      return { { doubles[3 * i], doubles[3 * i + 1], doubles[3 * i + 2] } };
+    }
+    return { { floats[3 * i], floats[3 * i + 1], floats[3 * i + 2] } };
   }
 
   /// Is point i to be left out on the caller's wish?

@@ -17,17 +17,6 @@ namespace
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Three numbers where a point is said to lie.
-Vector3 readPlace(const PointView& points, std::size_t i)
-{
-  if (points.doubles)
-  {
-    const double* p = points.doubles + 3 * i;
-    return { { p[0], p[1], p[2] } };
-  }
-  const float* p = points.floats + 3 * i;
-  return { { p[0], p[1], p[2] } };
-}
-
 /// Around places, in space; empty (low > high) around none.
 struct Box
 {
@@ -57,7 +46,7 @@ bool findBox(const PointView& points, Ticker& ticker, Box& box)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Vector3 p = readPlace(points, i);
+        const Vector3 p = points.place(i);
         if (std::isfinite(p[0]) && std::isfinite(p[1]) && !points.skipped(i))
         {
           part.add(0, p[0], p[0]);
@@ -87,7 +76,7 @@ bool projectAll(const PointView& points, const Plane& plane, double* to, Ticker&
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Vector3 from = readPlace(points, i);
+        const Vector3 from = points.place(i);
         const bool finite = from[0] * 0 + from[1] * 0 + from[2] * 0 == 0;
         const Vector3 place = plane.project(from);
         for (std::size_t k = 0; k < 3; ++k)
@@ -137,7 +126,7 @@ Status Preparation::open()
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Vector3 p = readPlace(request_.sourcePoints, i);
+        const Vector3 p = request_.sourcePoints.place(i);
         std::copy(p.begin(), p.end(), to + 3 * i);
       }
     });
@@ -162,7 +151,7 @@ bool Preparation::copy(Phase phase)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const Vector3 p = readPlace(points, i);
+        const Vector3 p = points.place(i);
         std::copy(p.begin(), p.end(), to + 3 * i);
       }
     });

@@ -84,13 +84,7 @@ void findOdd(
 
 std::array<double, 3> PreparedInput::place(std::size_t id) const
 {
-  if (points_.doubles)
-  {
-    const double* p = points_.doubles + 3 * id;
-    return { { p[0], p[1], p[2] } };
-  }
-  const float* p = points_.floats + 3 * id;
-  return { { p[0], p[1], p[2] } };
+  return points_.place(id);
 }
 
 ConstraintView PreparedInput::constraints() const

@@ -17,16 +17,6 @@ namespace ahd
 namespace
 {
 
-std::array<double, 3> placeOf(const PointView& points, std::size_t i)
-{
-  std::array<double, 3> place;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    place[k] = points.doubles ? points.doubles[3 * i + k] : double(points.floats[3 * i + k]);
-  }
-  return place;
-}
-
 struct Lowest
 {
   double z = std::numeric_limits<double>::infinity();
@@ -43,7 +33,7 @@ bool findLowestZ(const PointView& points, Ticker& ticker, double& z)
     {
       for (std::size_t i = a; i != b; ++i)
       {
-        const std::array<double, 3> p = placeOf(points, i);
+        const std::array<double, 3> p = points.place(i);
         const bool counts = !points.skipped(i) && std::isfinite(p[0]) && std::isfinite(p[1]) &&
           std::isfinite(p[2]);
         part.z = counts ? std::min(part.z, p[2]) : part.z;
@@ -62,7 +52,7 @@ bool drawInserted(const Triangulation& triangulation, const OrderDrawing<Id>& to
     {
       for (std::size_t i = a; i != b; ++i)
       {
-        const std::array<double, 3> p = placeOf(points, static_cast<std::size_t>(to.ids[i]));
+        const std::array<double, 3> p = points.place(static_cast<std::size_t>(to.ids[i]));
         std::copy(p.begin(), p.end(), to.xyz + 3 * i);
         to.ranks[i] = static_cast<Id>(i);
       }

@@ -3,7 +3,7 @@
 
 #include "../Core/Border.h"
 #include "../Core/Chunks.h"
-#include "../Core/Tasks.h"
+#include "../Core/Loops.h"
 #include "../Extract/Extractor.h"
 
 #include <algorithm>
@@ -19,18 +19,7 @@ namespace
 template <typename Write>
 bool writeInShares(std::size_t items, Ticker& ticker, Write write)
 {
-  const std::size_t tasks = tasksFor(threadsOf(ticker), items, 1, kChunk);
-  return inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      const Share share(items, task, tasks);
-      return inChunks(share.begin, share.end, own,
-        [&](std::size_t a, std::size_t b)
-        {
-          write(a, b);
-          own.finished(b - a);
-        });
-    });
+  return inShares(items, ticker, 1, kChunk, write);
 }
 
 } // namespace

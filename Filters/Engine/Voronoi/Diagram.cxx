@@ -2,7 +2,7 @@
 #include "Diagram.h"
 
 #include "../Core/Chunks.h"
-#include "../Core/Tasks.h"
+#include "../Core/Loops.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,20 +22,9 @@ constexpr std::uint32_t kMayJoin = 0xFFFFFFFEu;
 /// Calls work(begin, end) for pieces of the triangles, on all threads lent. Returns false if
 /// cancelled.
 template <typename Work>
-bool inShares(std::size_t triangles, Ticker& ticker, Work work)
+bool inTriangles(std::size_t triangles, Ticker& ticker, Work work)
 {
-  const std::size_t tasks = tasksFor(threadsOf(ticker), triangles, 8, 1 << 14);
-  return inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      const Share share(triangles, task, tasks);
-      return inChunks(share.begin, share.end, own,
-        [&](std::size_t begin, std::size_t end)
-        {
-          work(begin, end);
-          own.finished(end - begin);
-        });
-    });
+  return inShares(triangles, ticker, 8, 1 << 14, work);
 }
 
 } // namespace
@@ -43,7 +32,7 @@ bool inShares(std::size_t triangles, Ticker& ticker, Work work)
 bool Diagram::computeCentres(Ticker& ticker)
 {
   centres_.allocate(triangles());
-  return inShares(triangles(), ticker,
+  return inTriangles(triangles(), ticker,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t t = begin; t < end; ++t)
@@ -65,7 +54,7 @@ bool Diagram::joinCentres(Ticker& ticker)
       standIns_[t] = mayJoin(t) ? kMayJoin : kNobody;
     }
   };
-  if (!inShares(triangles(), ticker, look))
+  if (!inTriangles(triangles(), ticker, look))
   {
     return false;
   }
