@@ -260,7 +260,8 @@ AHD_API ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
  *   loop_ids       integer  (k) or (c, w)   points of closed chains, which bound what is kept.
  *                                           With several columns each row is a chain
  *   line_offsets   integer  (c + 1)         with one column: chain i has the ids from offset i
- *   loop_offsets   integer  (c + 1)         to offset i + 1, which is not in it; ascending
+ *   loop_offsets   integer  (c + 1)         to offset i + 1, which is not in it; ascending.
+ *                                           Without, the ids are one chain
  *   matrix         float64  (4, 4)          for AHD_PLANE_MATRIX: applied to (x, y, z, 1)
  *
  * real: AHD_FLOAT32 or AHD_FLOAT64. integer: AHD_INT32 or AHD_INT64. Ids that are no point's are
@@ -303,10 +304,11 @@ AHD_API ahd_status ahd_run(ahd_job* job);
 /* Ends the call that is at work; if there is none, the next one that can be cancelled. */
 AHD_API void ahd_cancel(ahd_job* job);
 
-/* Bytes of working memory that are kept for the next run. */
-AHD_API uint64_t ahd_kept_bytes(const ahd_job* job);
-/* Gives them and the result back to the system. Settings and input stay. */
-AHD_API ahd_status ahd_release(ahd_job* job);
+/* Bytes of working memory that are kept for the next run; those of a result not counted. */
+AHD_API uint64_t ahd_kept_bytes(ahd_job* job);
+/* Drops the result and keeps its memory for the next run, unless all that is kept would be more
+ * than `most` bytes: then it goes back to the system. Counts, settings and input stay. */
+AHD_API ahd_status ahd_release(ahd_job* job, uint64_t most);
 
 /* The plane that fits the input points best, without a run: (4, 4) numbers, row by row, that take
  * points to the plane (x, y) and their height above it. AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
