@@ -35,8 +35,7 @@ public:
 private:
   double z(Index i) const
   {
-    const std::size_t at = i * points_.stride + 2;
-    return points_.doubles ? points_.doubles[at] : double(points_.floats[at]);
+    return points_.z(i);
   }
 
   const PointView& points_;
