@@ -2,275 +2,27 @@
 """The C interface of the engine (Filters/Engine/Interface/ahd.h), as Python has it.
 
 A `Job` has the settings, the input and, after `run`, the result. Names of settings, arrays, counts and
-measures are those of the header, which says what they mean; so are the constants below. Arrays are NumPy's,
-what is wrong is an exception.
-
-The library is the one that the environment variable ADAPTIVEHILBERTDELAUNAY_LIBRARY names, else the one in
-the folder of this file. ImportError if there is none, or it is of another version.
+measures are those of the header, which says what they mean. Arrays are NumPy's, what is wrong is an exception.
+The constants, errors and functions of `_interface` can be had from here too.
 """
 
 from __future__ import annotations
 
 import ctypes
-import os
 import signal
-import sys
 import threading
 import weakref
 from types import FrameType
-from typing import Any, Callable, Dict, List, Optional, Tuple, Union
+from typing import Any, Callable, Dict, Optional, Tuple, Union
 
 import numpy as np
 
-#: The AHD_ABI_VERSION of the header that this file follows.
-ABI_VERSION = 1
+from ._interface import *  # noqa: F403
+from ._interface import (
+    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES, OK,
+    TYPES, Array, BadInput, C, Drawing, Fault, NotAvailable, OutOfMemory, Progress, Projection, names, status_name,
+)  # fmt: skip
 
-#: Names a library to be loaded in place of the one beside this file.
-LIBRARY_VARIABLE = "ADAPTIVEHILBERTDELAUNAY_LIBRARY"
-
-# How a call ended.
-OK, CANCELLED, TOO_MANY_POINTS, TOO_MANY_BOXES, OUT_OF_MEMORY, MEMORY_LIMIT = range(6)
-UNKNOWN_NAME, BAD_VALUE, BAD_ARRAY, NOT_AVAILABLE, BUSY, NO_JOB, FAILED = range(6, 13)
-
-# Types of numbers.
-FLOAT32, FLOAT64, INT32, INT64, UINT8 = range(1, 6)
-
-# What the library is doing.
-PHASES = ("merge", "split", "read", "sort", "insert", "constrain", "extract", "outputs")
-
-# Values of settings.
-ORDER_ADAPTIVE_HILBERT, ORDER_MULTI_GRID, ORDER_REGULAR_GRID, ORDER_AS_GIVEN = range(4)
-CONTROL_OFF, CONTROL_SINGLE_LEVEL, CONTROL_EVERY_LEVEL = range(3)
-DUPLICATES_FIRST, DUPLICATES_LOWEST_Z, DUPLICATES_HIGHEST_Z, DUPLICATES_MEAN_Z = range(4)
-IDS_OF_INPUT, IDS_OF_SOURCE = range(2)
-HEIGHTS_OWN, HEIGHTS_FROM_SURFACE = range(2)
-FILL_ORIENTATION, FILL_EVEN_ODD = range(2)
-PLANE_XY, PLANE_BEST_FIT, PLANE_MATRIX, PLANE_CALLBACK = range(4)
-RIM_AUTOMATIC, RIM_CONVEX_HULL, RIM_TRIMMED = range(3)
-CLIP_HULL, CLIP_BOUNDS = range(2)
-
-# What is no id in point_status.
-POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
-
-# Where a place lies.
-IN_TRIANGLE, ON_EDGE, ON_VERTEX, OUTSIDE, NOWHERE = range(5)
-
-# For Job.interpolate.
-AT_SURFACE, AT_CROSSINGS = 1, 2
-
-# Kinds of names, for names().
-INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES, OUTPUT_ARRAYS = range(6)
-
-_DTYPES = {FLOAT32: np.float32, FLOAT64: np.float64, INT32: np.int32, INT64: np.int64, UINT8: np.uint8}
-_TYPES = {np.dtype(dtype): number for number, dtype in _DTYPES.items()}
-
-# Arrays whose numbers have a type of their own; the others have ids or, "points", coordinates.
-_FIXED_DTYPES: Dict[str, Any] = {
-    name: np.float64
-    for name in (
-        "plane_points", "plane_matrix", "box_bounds", "voronoi_points", "surface_weights", "crossing_fractions",
-        "points",
-    )  # fmt: skip
-}
-_FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32)
-
-
-# --- Errors -------------------------------------------------------------------------------------------------
-
-
-class EngineError(Exception):
-    """What a call of the engine ended with. `status` is one of the constants above."""
-
-    status = FAILED
-
-    def __init__(self, message: str, status: Optional[int] = None) -> None:
-        super().__init__(message)
-        self.status = self.status if status is None else status
-
-
-class Cancelled(EngineError):
-    """The work was cancelled: by `Job.cancel`, or by what a progress function returned."""
-
-    status = CANCELLED
-
-
-class OutOfMemory(EngineError, MemoryError):
-    """There is not enough memory, or the memory limit allows less than is needed."""
-
-    status = OUT_OF_MEMORY
-
-
-class BadInput(EngineError, ValueError):
-    """A value, array or name that the engine does not take, or too many points."""
-
-    status = BAD_VALUE
-
-
-class NotAvailable(EngineError, RuntimeError):
-    """There is no result, or this was not asked for before the run; or the job is at work."""
-
-    status = NOT_AVAILABLE
-
-
-class Fault(EngineError, RuntimeError):
-    """A fault of the library."""
-
-
-_ERRORS = {
-    CANCELLED: Cancelled,
-    TOO_MANY_POINTS: BadInput,
-    TOO_MANY_BOXES: OutOfMemory,
-    OUT_OF_MEMORY: OutOfMemory,
-    MEMORY_LIMIT: OutOfMemory,
-    UNKNOWN_NAME: BadInput,
-    BAD_VALUE: BadInput,
-    BAD_ARRAY: BadInput,
-    NOT_AVAILABLE: NotAvailable,
-    BUSY: NotAvailable,
-}
-
-
-# --- The library --------------------------------------------------------------------------------------------
-
-
-class _Array(ctypes.Structure):
-    _fields_ = [
-        ("data", ctypes.c_void_p),
-        ("type", ctypes.c_int32),
-        ("columns", ctypes.c_int32),
-        ("rows", ctypes.c_int64),
-        ("row_stride", ctypes.c_int64),
-        ("column_stride", ctypes.c_int64),
-    ]
-
-
-class _Drawing(ctypes.Structure):
-    _fields_ = [(name, ctypes.c_void_p) for name in ("xyz", "ranks", "ids", "levels", "counts")]
-
-
-_Progress = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
-_Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_uint64)
-
-
-def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
-    """What each function returns and takes."""
-    job, name, status, pointer = ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_void_p
-    i32, i64, u32, u64, double = (
-        ctypes.c_int32, ctypes.c_int64, ctypes.c_uint32, ctypes.c_uint64, ctypes.c_double)  # fmt: skip
-    to = ctypes.POINTER
-    return {
-        "ahd_abi_version": (u32, []),
-        "ahd_version": (name, []),
-        "ahd_job_new": (job, []),
-        "ahd_job_free": (None, [job]),
-        "ahd_message": (name, [job]),
-        "ahd_set_int": (status, [job, name, i64]),
-        "ahd_set_double": (status, [job, name, double]),
-        "ahd_get_int": (status, [job, name, to(i64)]),
-        "ahd_get_double": (status, [job, name, to(double)]),
-        "ahd_set_array": (status, [job, name, to(_Array)]),
-        "ahd_set_projection": (status, [job, _Projection, pointer]),
-        "ahd_set_progress": (status, [job, _Progress, pointer]),
-        "ahd_estimate": (status, [job, to(u64)]),
-        "ahd_run": (status, [job]),
-        "ahd_cancel": (None, [job]),
-        "ahd_kept_bytes": (u64, [job]),
-        "ahd_release": (status, [job, u64]),
-        "ahd_fit_plane": (status, [job, pointer]),
-        "ahd_count": (status, [job, name, to(i64)]),
-        "ahd_measure": (status, [job, name, to(double)]),
-        "ahd_array_size": (status, [job, name, to(u64), to(u64)]),
-        "ahd_get_array": (status, [job, name, i32, pointer, u64]),
-        "ahd_draw_order": (status, [job, i32, to(_Drawing)]),
-        "ahd_interpolate": (status, [job, i32, pointer, i32]),
-        "ahd_locate": (status, [job, pointer, u64, pointer, pointer, pointer]),
-        "ahd_name": (name, [i32, u32]),
-        "ahd_status_name": (name, [status]),
-        "ahd_processors": (u32, []),
-        "ahd_available_memory": (u64, []),
-        "ahd_fingerprint": (None, [pointer, u64, u64, to(u64)]),
-    }
-
-
-def _file_name() -> str:
-    if sys.platform == "win32":
-        return "adaptivehilbertdelaunay.dll"
-    return "libadaptivehilbertdelaunay." + ("dylib" if sys.platform == "darwin" else "so")
-
-
-def library_path() -> str:
-    """Where the library is looked for."""
-    return os.environ.get(LIBRARY_VARIABLE) or os.path.join(os.path.dirname(os.path.abspath(__file__)), _file_name())
-
-
-def _load(path: str) -> ctypes.CDLL:
-    try:
-        library = ctypes.CDLL(path)
-    except OSError as error:
-        raise ImportError(
-            "adaptivehilbertdelaunay: its library cannot be loaded (%s). `pip install .` builds it; the variable %s "
-            "names another." % (error, LIBRARY_VARIABLE)
-        ) from error
-    try:
-        found = library.ahd_abi_version()
-    except AttributeError as error:
-        raise ImportError("%s is not the library of adaptivehilbertdelaunay" % path) from error
-    if found != ABI_VERSION:
-        raise ImportError(
-            "adaptivehilbertdelaunay: %s has version %d of the C interface, but version %d is needed"
-            % (path, found, ABI_VERSION)
-        )
-    for name, (result, arguments) in _signatures().items():
-        function = getattr(library, name)
-        function.restype, function.argtypes = result, arguments
-    return library
-
-
-_library = _load(library_path())  # CDLL: the GIL is released while a function of it is at work
-
-
-def version() -> str:
-    """The version of the project that the library was built from, like "1.0.0"."""
-    return str(_library.ahd_version().decode())
-
-
-def processors() -> int:
-    """Processors that this process may run on; at least 1."""
-    return int(_library.ahd_processors())
-
-
-def available_memory() -> int:
-    """Bytes that this process can still get without swapping."""
-    return int(_library.ahd_available_memory())
-
-
-def names(kind: int) -> List[str]:
-    """All names of one kind: INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES or OUTPUT_ARRAYS."""
-    found: List[str] = []
-    while True:
-        name = _library.ahd_name(kind, len(found))
-        if name is None:
-            return found
-        found.append(name.decode())
-
-
-def status_name(status: int) -> str:
-    """The name of a status in the header, like "AHD_BAD_VALUE"."""
-    return str(_library.ahd_status_name(status).decode())
-
-
-def fingerprint(array: np.ndarray, kind: int = 0) -> Tuple[int, int]:
-    """128 bits that differ, in practice always, where the numbers of the array or `kind` do. The array is not
-    copied where its numbers lie side by side, else in parts."""
-    made = (ctypes.c_uint64 * 2)(kind, 0)
-    rows = len(array) if array.flags.c_contiguous else 1 << 16
-    for begin in range(0, max(1, len(array)), max(1, rows)):
-        part = np.ascontiguousarray(array[begin : begin + rows])
-        _library.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)
-    return int(made[0]), int(made[1])
-
-
-# --- Interrupts ---------------------------------------------------------------------------------------------
 
 
 class _Interrupts:
@@ -334,8 +86,8 @@ def _on_projection(number: int, xyz: Any, count: int) -> int:
     return 0 if job._raised is None else 1
 
 
-_PROGRESS, _NO_PROGRESS = _Progress(_on_progress), _Progress()
-_PROJECTION, _NO_PROJECTION = _Projection(_on_projection), _Projection()
+_PROGRESS, _NO_PROGRESS = Progress(_on_progress), Progress()
+_PROJECTION, _NO_PROJECTION = Projection(_on_projection), Projection()
 
 _INTS = frozenset(names(INT_SETTINGS))
 _DOUBLES = frozenset(names(DOUBLE_SETTINGS))
@@ -357,30 +109,30 @@ class Job:
     """
 
     def __init__(self) -> None:
-        self._handle = _library.ahd_job_new()
+        self._handle = C.ahd_job_new()
         if not self._handle:
             raise OutOfMemory("there is no memory for a job")
-        weakref.finalize(self, _library.ahd_job_free, self._handle)
+        weakref.finalize(self, C.ahd_job_free, self._handle)
         self._arrays: Dict[str, np.ndarray] = {}  # what the library looks at
         self._progress: Optional[ProgressFunction] = None
         self._projection: Optional[ProjectionFunction] = None
         self._raised: Optional[BaseException] = None
         self._listens = False  # has the library been told of _PROGRESS?
-        _library.ahd_set_progress(self._handle, _NO_PROGRESS, id(self))
+        C.ahd_set_progress(self._handle, _NO_PROGRESS, id(self))
 
     # --- calls ---
 
     def _check(self, status: int) -> None:
         if status != OK:
-            message = _library.ahd_message(self._handle).decode() or status_name(status)
-            raise _ERRORS.get(status, Fault)(message, status)
+            message = C.ahd_message(self._handle).decode() or status_name(status)
+            raise ERRORS.get(status, Fault)(message, status)
 
     def _listen(self) -> None:
         """Callbacks take the GIL: there are none where nobody wants to know."""
         wanted = self._progress is not None or threading.current_thread() is threading.main_thread()
         if wanted != self._listens:
             function = _PROGRESS if wanted else _NO_PROGRESS
-            self._check(_library.ahd_set_progress(self._handle, function, id(self)))
+            self._check(C.ahd_set_progress(self._handle, function, id(self)))
             self._listens = wanted
 
     def _call(self, function: Any, *arguments: Any) -> None:
@@ -405,24 +157,24 @@ class Job:
         """Changes settings, whole numbers (True and False too) and others by their names."""
         for name, value in settings.items():
             if name in _DOUBLES:
-                self._check(_library.ahd_set_double(self._handle, name.encode(), float(value)))
+                self._check(C.ahd_set_double(self._handle, name.encode(), float(value)))
             else:
                 number = value.__index__() if hasattr(value, "__index__") else None
                 if number is None and name in _INTS:
                     raise TypeError("%s is a whole number, not %r" % (name, value))
                 if number is not None and not -(1 << 63) <= number < 1 << 63:
                     raise BadInput("%s: %d is out of range" % (name, number))
-                self._check(_library.ahd_set_int(self._handle, name.encode(), number or 0))
+                self._check(C.ahd_set_int(self._handle, name.encode(), number or 0))
 
     def get(self, name: str) -> Number:
         """The value of a setting."""
         value: Any
         if name in _DOUBLES:
             value = ctypes.c_double()
-            self._check(_library.ahd_get_double(self._handle, name.encode(), value))
+            self._check(C.ahd_get_double(self._handle, name.encode(), value))
         else:
             value = ctypes.c_int64()
-            self._check(_library.ahd_get_int(self._handle, name.encode(), value))
+            self._check(C.ahd_get_int(self._handle, name.encode(), value))
         return value.value  # type: ignore[no-any-return]
 
     # --- input ---
@@ -432,16 +184,16 @@ class Job:
         unchanged until another one takes its place. Any strides; the types are those of the header, in the
         machine's byte order, aligned."""
         if array is None:
-            self._check(_library.ahd_set_array(self._handle, name.encode(), None))
+            self._check(C.ahd_set_array(self._handle, name.encode(), None))
             self._arrays.pop(name, None)
             return
-        number = _TYPES.get(array.dtype)
+        number = TYPES.get(array.dtype)
         if number is None or not array.flags.aligned or array.ndim not in (1, 2):
             raise BadInput(
                 "%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY
             )
         flat = array.ndim == 1
-        given = _Array(
+        given = Array(
             array.ctypes.data if array.size else None,
             number,
             1 if flat else array.shape[1],
@@ -449,14 +201,14 @@ class Job:
             array.strides[0],
             array.itemsize if flat else array.strides[1],
         )
-        self._check(_library.ahd_set_array(self._handle, name.encode(), given))
+        self._check(C.ahd_set_array(self._handle, name.encode(), given))
         self._arrays[name] = array
 
     def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
         """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
         where they lie in the plane and their height above it. None takes it away."""
         function = _NO_PROJECTION if projection is None else _PROJECTION
-        self._check(_library.ahd_set_projection(self._handle, function, id(self)))
+        self._check(C.ahd_set_projection(self._handle, function, id(self)))
         self._projection = projection
 
     def set_progress(self, progress: Optional[ProgressFunction]) -> None:
@@ -469,29 +221,29 @@ class Job:
     def estimate(self) -> int:
         """Upper estimate of the bytes that `run` and the arrays that are announced take."""
         value = ctypes.c_uint64()
-        self._check(_library.ahd_estimate(self._handle, value))
+        self._check(C.ahd_estimate(self._handle, value))
         return value.value
 
     def run(self) -> None:
         """Triangulates. What was made before is gone."""
-        self._call(_library.ahd_run)
+        self._call(C.ahd_run)
 
     def cancel(self) -> None:
         """Ends the call that is at work, or else the next one. From any thread."""
-        _library.ahd_cancel(self._handle)
+        C.ahd_cancel(self._handle)
 
     def kept_bytes(self) -> int:
         """Bytes of working memory that are kept for the next run; those of a result not counted."""
-        return int(_library.ahd_kept_bytes(self._handle))
+        return int(C.ahd_kept_bytes(self._handle))
 
     def release(self, most: int = 0) -> None:
         """Drops the result. Its memory is kept for the next run, unless that would be more than `most` bytes."""
-        self._check(_library.ahd_release(self._handle, most))
+        self._check(C.ahd_release(self._handle, most))
 
     def fit_plane(self) -> np.ndarray:
         """The plane that fits the points best, without a run: (4, 4), see plane_matrix."""
         matrix = np.empty((4, 4))
-        self._call(_library.ahd_fit_plane, matrix.ctypes.data)
+        self._call(C.ahd_fit_plane, matrix.ctypes.data)
         return matrix
 
     # --- results ---
@@ -499,13 +251,13 @@ class Job:
     def count(self, name: str) -> int:
         """A count of the last run."""
         value = ctypes.c_int64()
-        self._check(_library.ahd_count(self._handle, name.encode(), value))
+        self._check(C.ahd_count(self._handle, name.encode(), value))
         return value.value
 
     def measure(self, name: str) -> float:
         """A measure of the last run."""
         value = ctypes.c_double()
-        self._check(_library.ahd_measure(self._handle, name.encode(), value))
+        self._check(C.ahd_measure(self._handle, name.encode(), value))
         return value.value
 
     def counts(self) -> Dict[str, int]:
@@ -519,7 +271,7 @@ class Job:
     def array_shape(self, name: str) -> Tuple[int, int]:
         """Rows and columns of an output array."""
         rows, columns = ctypes.c_uint64(), ctypes.c_uint64()
-        self._check(_library.ahd_array_size(self._handle, name.encode(), rows, columns))
+        self._check(C.ahd_array_size(self._handle, name.encode(), rows, columns))
         return rows.value, columns.value
 
     def array(self, name: str, dtype: Any = None, out: Optional[np.ndarray] = None) -> np.ndarray:
@@ -530,10 +282,10 @@ class Job:
         rows, columns = self.array_shape(name)
         if out is None:
             shape = (rows,) if columns == 1 else (rows, columns)
-            out = np.empty(shape, dtype or _FIXED_DTYPES.get(name, np.int32))
-        if not out.flags.c_contiguous or out.dtype not in _TYPES:
+            out = np.empty(shape, dtype or FIXED_DTYPES.get(name, np.int32))
+        if not out.flags.c_contiguous or out.dtype not in TYPES:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
-        self._call(_library.ahd_get_array, name.encode(), _TYPES[out.dtype], out.ctypes.data, out.size)
+        self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size)
         return out
 
     def draw_order(self, dtype: Any = np.int32) -> Dict[str, np.ndarray]:
@@ -546,8 +298,8 @@ class Job:
             "levels": np.empty(cells, np.int32),
             "counts": np.empty(cells, dtype),
         }
-        drawing = _Drawing(*(array.ctypes.data for array in made.values()))
-        self._call(_library.ahd_draw_order, _TYPES[np.dtype(dtype)], drawing)
+        drawing = Drawing(*(array.ctypes.data for array in made.values()))
+        self._call(C.ahd_draw_order, TYPES[np.dtype(dtype)], drawing)
         return made
 
     def interpolate(self, values: np.ndarray, where: int = AT_SURFACE | AT_CROSSINGS) -> None:
@@ -556,7 +308,7 @@ class Job:
         columns = 1 if values.ndim == 1 else values.shape[1]
         if values.dtype != np.float64 or not values.flags.c_contiguous or len(values) != self.count("points"):
             raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
-        self._call(_library.ahd_interpolate, where, values.ctypes.data, columns)
+        self._call(C.ahd_interpolate, where, values.ctypes.data, columns)
 
     def locate(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) int64, cells (k,) int64; see
@@ -566,5 +318,5 @@ class Job:
             raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
         count = len(xy)
         kinds, ids, cells = np.empty(count, np.int32), np.empty((count, 3), np.int64), np.empty(count, np.int64)
-        self._call(_library.ahd_locate, xy.ctypes.data, count, kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
+        self._call(C.ahd_locate, xy.ctypes.data, count, kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
         return kinds, ids, cells
