@@ -171,14 +171,23 @@ def _replace(old, new):
 
 
 class _Watch(importlib.abc.MetaPathFinder, importlib.abc.Loader):
-    """Replaces the class where a VTK is imported later: stands before the finders, and lets them load the module."""
+    """Replaces the class where a VTK is imported later: stands before the other finders, of which VTK's packages add
+    one themselves, and lets them load the modules."""
 
     def __init__(self):
         self._loaders = {}
 
+    def come_first(self):
+        self.go()
+        sys.meta_path.insert(0, self)
+
+    def go(self):
+        if self in sys.meta_path:
+            sys.meta_path.remove(self)
+
     def find_spec(self, name, path, target=None):
         """The spec that another finder has, to be loaded by this object."""
-        if name not in [package + MODULE for package in _vtk.PACKAGES]:
+        if name not in _vtk.PACKAGES and name not in [package + MODULE for package in _vtk.PACKAGES]:
             return None
         for finder in sys.meta_path:
             found = None if finder is self else finder.find_spec(name, path, target)
@@ -193,10 +202,13 @@ class _Watch(importlib.abc.MetaPathFinder, importlib.abc.Loader):
 
     def exec_module(self, module):
         """By the other loader; then the class is replaced, if it is to be."""
-        self._loaders[module.__name__].exec_module(module)
-        module.__spec__.loader = module.__loader__ = self._loaders.pop(module.__name__)
+        name = module.__name__
+        module.__spec__.loader = module.__loader__ = self._loaders.pop(name)
+        module.__loader__.exec_module(module)
         if _wanted[0]:
-            _replace(*_pair_of(module))
+            self.come_first()
+            if name.endswith(MODULE):
+                _replace(*_pair_of(module))
 
 
 def _pair_of(module):
@@ -218,8 +230,7 @@ def install():
     """Replaces VTK's vtkDelaunay2D in all loaded modules, of `vtkmodules` and of `cvista`, and in those that are loaded
     later. Importing this module does it."""
     _wanted[0] = True
-    if _watch not in sys.meta_path:
-        sys.meta_path.insert(0, _watch)
+    _watch.come_first()
     for package in _loaded():
         _replace(*_pair(package))
 
@@ -227,8 +238,7 @@ def install():
 def uninstall():
     """Puts VTK's vtkDelaunay2D back in all loaded modules. Filters that were made stay what they are."""
     _wanted[0] = False
-    if _watch in sys.meta_path:
-        sys.meta_path.remove(_watch)
+    _watch.go()
     for original, ours in _replaced.values():
         _replace(ours, original)
 

@@ -352,9 +352,8 @@ def make_class(backend):
     members = {"__new__": __new__, "__init__": __init__, "__doc__": ABOUT, "__module__": __name__.rsplit(".", 2)[0],
                "_backend": backend}
     members.update(settings.all_methods())
-    for setting in settings.SETTINGS:
-        members[settings.snake_case(setting.name)] = property(
-            members["Get" + setting.name], members["Set" + setting.name], doc=setting.about)
     made = type(NAME, (_Measures, _Executions, _Ports, _Transforms, _Names, base), members)
+    for name, member in settings.properties_of(made).items():
+        setattr(made, name, member)
     _statics(backend, made)
     return made

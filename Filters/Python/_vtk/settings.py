@@ -3,6 +3,7 @@
 GetXMinValue, GetXMaxValue."""
 
 import operator
+import re
 
 INT_MAX = 2**31 - 1
 INT64_MAX = 2**63 - 1
@@ -186,10 +187,23 @@ def all_methods():
     return made
 
 
+def properties_of(kind):
+    """VTK's properties for the methods SetX and GetX of a class, by name."""
+    made = {}
+    names = [setting.name for setting in SETTINGS] + list(MEASURES) + [
+        "Transform", "Source", "SourceData", "SourceConnection", "Input", "InputData", "Output"]
+    for name in names:
+        get, set_ = getattr(kind, "Get" + name, None), getattr(kind, "Set" + name, None)
+        if name in ("SourceData", "InputData"):
+            get = None  # what VTK's algorithms in Python call so is another thing
+        made[snake_case(name)] = property(get, set_, doc=(get or set_).__doc__)
+    return made
+
+
 def _renamed(name, now):
     return _method(name, lambda self, *given: getattr(self, now)(*given), "The old name of %s." % now)
 
 
 def snake_case(name):
     """The name of VTK's property for a setting: alpha_tris."""
-    return "".join("_" + c.lower() if c.isupper() and i else c.lower() for i, c in enumerate(name))
+    return re.sub(r"(?<=[a-z])(?=[A-Z])", "_", name).lower()
