@@ -8,6 +8,7 @@ package is not installed but on the path, `import adaptivehilbertdelaunay.pyvist
 import functools
 import importlib
 import inspect
+import sys
 import warnings
 
 import pyvista
@@ -56,7 +57,15 @@ class _Messages:
             if event == "ErrorEvent":
                 raise (MemoryError if "memory" in text else RuntimeError)(text)
         for _, text in self._said:
-            warnings.warn(text, DelaunayWarning, stacklevel=4)
+            warnings.warn(text, DelaunayWarning, stacklevel=_caller_of_this_file())
+
+
+def _caller_of_this_file():
+    """How many frames above the one that asks the first is whose code is elsewhere."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_code.co_filename == __file__:
+        level, frame = level + 1, frame.f_back
+    return level
 
 
 def _is_flat(mesh):
