@@ -12,7 +12,7 @@ import numpy
 import pyvista
 
 if not hasattr(pyvista, "register_dataset_accessor") or "found" not in sys.argv:
-    import adaptivehilbertdelaunay.pyvista  # with "found" PyVista finds it by its entry point
+    import adaptivehilbertdelaunay.pyvista  # noqa: F401 (with "found" PyVista finds it by its entry point)
 
 RUN = pyvista.PolyData(numpy.eye(3)).adaptive  # loads it
 
@@ -102,7 +102,8 @@ class DelaunayTest(unittest.TestCase):
         self.assertAlmostEqual(area(made), 91)
 
     def test_constraints_with_points_of_their_own(self):
-        lines = mesh_of([(-50, 500.5, 0), (1050, 500.5, 0), (500.5, -50, 0), (500.5, 1050, 0)], lines=[2, 0, 1, 2, 2, 3])
+        ends = [(-50, 500.5, 0), (1050, 500.5, 0), (500.5, -50, 0), (500.5, 1050, 0)]
+        lines = mesh_of(ends, lines=[2, 0, 1, 2, 2, 3])
         mesh = mesh_of(scattered(300))
         split = mesh.adaptive.delaunay_2d(constraints=lines, crossings="split", arrays=["regions", "constraint_edges"])
         self.assertEqual(split.n_points, 300 + 4 + 1)
