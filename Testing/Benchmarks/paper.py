@@ -123,7 +123,7 @@ def save(folder, data):
 
 
 def with_table(readme, data):
-    """The text of README.md with its table, between the marks, made from the data."""
+    """README.md with its table, between the marks, made from the data."""
     begin, end = (re.escape(mark) for mark in MARKS)
     inside = "\n\n".join((MARKS[0], report.readme_table(data), MARKS[1]))
     return re.sub(begin + ".*?" + end, lambda _: inside, readme, flags=re.DOTALL)

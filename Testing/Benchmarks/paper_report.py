@@ -298,6 +298,7 @@ def render(data):
     parts += failures_section(data)
     if here.all:
         parts += ["## In short", "\n".join(f"- {s}" for s in verdicts.in_short(here, paper, ablated, cgal))]
+        parts += [short_tables(data)]
     parts += [
         "## How it was measured",
         made_table(data["made"]),
@@ -324,9 +325,8 @@ def render(data):
     return "\n\n".join(part for part in parts if part) + "\n"
 
 
-def readme_table(data):
-    """The short tables of README.md: CGAL's total over that of each, at the largest size of the paper, and the
-    peers."""
+def short_tables(data):
+    """CGAL's total over that of each system, at the largest size of the paper, and a line of each peer."""
     here, paper = Rows(data["tables"]), paper_rows()
     common = [n for n in here.sizes if n in paper.sizes] or here.sizes
     if not common:
@@ -343,4 +343,10 @@ def readme_table(data):
     systems = [s for s in SYSTEMS if s != "CGAL"]
     rows = [[d.lower(), *(cell(d, s) for s in systems)] for d in DISTRIBUTIONS]
     ratios = table([f"{thousands(points)} points", *(title(s) for s in systems)], rows)
-    return "\n\n".join([ratios, *of_peers(data, "summary")])
+    told = "Times as fast as CGAL, cold, one core; here / in the paper's tables:"
+    return "\n\n".join([told, ratios, *of_peers(data, "summary")])
+
+
+def readme_table(data):
+    """The table of README.md: this filter beside vtkDelaunay2D."""
+    return "\n\n".join(of_peers(data, "first_page"))

@@ -42,4 +42,9 @@ for link in links:
 check("Plugin/Documentation/index.html" not in read("README.md"), "README.md links to HTML, shown as source")
 for target in re.findall(r"\]\(([^)#]+)\)", published):
     check(os.path.exists(os.path.join(DOCUMENTATION, target)), "Help.md leads to %s, which is not there" % target)
+
+first_page = read("README.md")
+check(len(first_page.split()) < 900, "README.md is too long for a first page: tables and details go to the docs")
+for target in re.findall(r"\]\(([^)#]+)", first_page):
+    check(os.path.exists(os.path.join(ROOT, target)), "README.md leads to %s, which is not there" % target)
 print("passed: help page")

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Does every promise of README.md have tests, and are they there?
+"""Does every promise of Guarantees.md have tests, and are they there?
 
   promises.py <folder of ctest>     the build folder, whose tests are listed by ctest
 
@@ -16,10 +16,9 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def promised():
-    """The promises of README.md: what is bold at the head of each item of their section."""
-    text = (HERE.parents[1] / "README.md").read_text()
-    section = re.search(r"^## What it guarantees$(.*?)(?=^## )", text, re.MULTILINE | re.DOTALL)
-    return re.findall(r"^- \*\*(.+?)\.\*\*", section.group(1), re.MULTILINE)
+    """The promises of Guarantees.md: what is bold at the head of each item."""
+    text = (HERE.parents[1] / "Plugin" / "Documentation" / "Guarantees.md").read_text()
+    return re.findall(r"^- \*\*(.+?)\.\*\*", text, re.MULTILINE)
 
 
 def rows():
@@ -45,7 +44,7 @@ def main():
     table = rows()
     known = tests_of(sys.argv[1])
     missing = [f"no row for the promise: {promise}" for promise in promised() if promise not in table]
-    missing += [f"a row for what README does not promise: {row}" for row in table if row not in promised()]
+    missing += [f"a row for what Guarantees.md does not promise: {row}" for row in table if row not in promised()]
     missing += [
         f"no such test: {test} ({promise})"
         for promise, tests in table.items()

@@ -6,8 +6,8 @@
 
 Each peer runs in a process of its own, on one core, cold; the call that triangulates is timed and measured
 inside the process, and its triangles are judged exactly (PeerJudge). peers.json is written after each run;
-what it has is not run again, unless --again is given. The module functions markdown(data) and
-summary(data) render it.
+what it has is not run again, unless --again is given. The module functions markdown(data),
+summary(data) and first_page(data) render it.
 """
 import argparse
 import concurrent.futures
@@ -27,7 +27,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import install
 import runs
 from catalogue import BY_NAME, INPUTS, PEERS, QUICK_INPUTS, REAL_FILES, Places
-from report import markdown, summary  # noqa: F401 (for those who import this file)
+from report import first_page, markdown, summary  # noqa: F401 (for those who import this file)
 
 FAILED = ("error", "memory", "crash")
 FINAL = ("ok",) + FAILED  # runs that are not repeated when the file is completed

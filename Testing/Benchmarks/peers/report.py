@@ -62,7 +62,7 @@ def markdown(data):
 
 
 def summary(data):
-    """A short table for README: of each peer how often it was right, how fast, and what it lost most."""
+    """A short table: of each peer how often it was right, how fast, and what it lost most."""
     results = Results(data)
     rows = []
     for peer in results.there:
@@ -80,6 +80,26 @@ def summary(data):
             f"{max(results.counts):,} points, one core; certified: exactly the Delaunay triangulation, whole:")
     columns = ["", "runs certified", limit, "most points lost", "time over ours, median of all that ended"]
     return told + "\n\n" + table(columns, rows)
+
+
+FIRST_PAGE = {"soundings.csv": "{:,} soundings along ship tracks", "Uniform|100000": "{:,} uniform random points",
+              "OnCircle|100000": "{:,} points on a circle"}
+
+
+def first_page(data, other="vtk97"):
+    """The table of README.md: a peer and this engine on three inputs, as far as both were run on them."""
+    results = Results(data)
+    rows = []
+    for key, words in FIRST_PAGE.items():
+        if not (results.run(other, key).get("verdict") and results.run(OURS, key).get("verdict")):
+            continue
+        row = [words.format(results.inputs[key]["points"])]
+        for peer in (other, OURS):
+            verdict = results.run(peer, key)["verdict"]
+            row += ["yes" if verdict["right"] else "no", duration(results.seconds(peer, key)), f"{verdict['lost']:,}"]
+        rows.append(row)
+    theirs = results.peers[other]["title"] if other in results.peers else other
+    return table(["", f"{theirs}: right", "time", "points lost", "here: right", "time", "points lost"], rows)
 
 
 def most_lost(results, peer):

@@ -270,6 +270,11 @@ class Reports(unittest.TestCase):
         self.assertIn("slow 30.0 %, wrong 0.1 %", text)
         self.assertIn("no measure of speed: slow.", text)
         self.assertNotIn("slow 4.00", text)
+        self.assertEqual(len(peers.first_page(data, "b").splitlines()), 2)  # none of its inputs was run
+        data["inputs"]["Uniform|100000"] = {"name": "Uniform", "size": 100000, "points": 100000}
+        data["runs"].update({"ours|Uniform|100000": ran(0.02, right), "b|Uniform|100000": ran(1.0, wrong)})
+        self.assertIn("| 100,000 uniform random points | no | 1 s | 10 | yes | 20 ms | 0 |",
+                      peers.first_page(data, "b"))
 
 
 if __name__ == "__main__":
