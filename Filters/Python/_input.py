@@ -299,6 +299,8 @@ class Request:
             matrix = np.asarray(plane)
             if matrix.shape != (4, 4) or matrix.dtype.kind not in "iuf":
                 raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
+            if not np.isfinite(matrix).all():
+                raise ValueError("plane: the matrix has numbers that are not finite")
             self.settings["plane"] = library.PLANE_MATRIX
             self.arrays["matrix"] = np.array(matrix, np.float64)
         if self.settings["bounding"] and self.settings["plane"] != library.PLANE_XY:

@@ -256,7 +256,7 @@ def fingerprint(array: np.ndarray, kind: int = 0) -> Tuple[int, int]:
     """128 bits that differ, in practice always, where the numbers of the array or `kind` do. The array is not
     copied where its numbers lie side by side, else in parts."""
     made = (ctypes.c_uint64 * 2)(kind, 0)
-    rows = len(array) if array.flags.c_contiguous else 1 << 16
+    rows = len(array) if array.flags.c_contiguous else 1 << 13
     for begin in range(0, max(1, len(array)), max(1, rows)):
         part = np.ascontiguousarray(array[begin : begin + rows])
         C.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)

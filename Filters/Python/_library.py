@@ -19,8 +19,8 @@ import numpy as np
 
 from ._interface import *  # noqa: F403
 from ._interface import (
-    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES, OK,
-    TYPES, Array, BadInput, C, Drawing, Fault, NotAvailable, OutOfMemory, Progress, Projection, names, status_name,
+    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
+    OK, TYPES, Array, BadInput, C, Drawing, Fault, NotAvailable, OutOfMemory, Progress, Projection, names, status_name,
 )  # fmt: skip
 
 
