@@ -37,11 +37,11 @@ struct VoronoiCells
 ///
 /// Contract. One cell per vertex. Which cells meet where, which edges cross the border and which
 /// corners of it a cell has are those of the exact diagram. Each coordinate of a corner, on the
-/// border too, is the exact one rounded once: no more than 0.501 units in the last place away, at any
-/// scale, and never across the border of the box. But circumcentres that differ by no more than 4
-/// units in the last place of their own coordinates or those of their triangle are one corner, one of
-/// them: so the cells of a lattice have no edges of length zero. Each cell has three corners at
-/// least; where vertices are so close that the corners of a cell cannot be told apart in double
+/// border too, is the exact one rounded once: no more than 0.501 units in the last place away, at
+/// any scale, and never across the border of the box. But circumcentres that differ by no more than
+/// 4 units in the last place of their own coordinates or those of their triangle are one corner,
+/// one of them: so the cells of a lattice have no edges of length zero. Each cell has three corners
+/// at least; where vertices are so close that the corners of a cell cannot be told apart in double
 /// precision, some coincide.
 /// On the hull its vertices are corners of their own cells, those on its straight edges too.
 /// Where all vertices are collinear, the hull has no area and there are no cells; the box is cut
