@@ -312,7 +312,9 @@ public:
   /// Put the Voronoi diagram of the vertices into output port 2: for each a convex counterclockwise
   /// polygon, with its point data as cell data and its id as "OriginalPointIds" (vtkIdTypeArray).
   /// Clipped at the convex hull (CLIP_TO_HULL, the default) or the bounding box of the vertices in
-  /// the plane. Corners are rounded to double precision. Constraints have no say. Off by default.
+  /// the plane. Corners are those of the exact polygons, rounded once to double precision; those
+  /// that differ by no more than 4 units in the last place may be one. Constraints have no say. Off
+  /// by default.
   vtkSetMacro(GenerateVoronoi, bool);
   vtkGetMacro(GenerateVoronoi, bool);
   vtkBooleanMacro(GenerateVoronoi, bool);
