@@ -210,6 +210,8 @@ void vtkAHDExecution::ReportOn(const Results& results)
   report.MergedPoints = points.merged().size();
   report.AddedPoints = points.addedCount();
   report.Crossings = points.crossings().size();
+  report.BentConstraints = points.bentCount();
+  report.FirstBentCell = points.firstBentCell();
   report.UnfitIds = points.unfitIds();
   report.Source = this->Input.GetSourceContent();
   report.PointsOffSurface = points.outsideCount();

@@ -246,6 +246,14 @@ void WarnOfConstraints(
          << loops.str());
     loops.str("");
   }
+  if (report.BentConstraints > 0)
+  {
+    const bool isOne = report.BentConstraints == 1;
+    vtkWarningWithObjectMacro(filter,
+      "" << report.BentConstraints << (isOne ? " segment" : " segments") << " of the source bend"
+         << (isOne ? "s" : "") << " by rounding, led through a point that is not exactly on "
+         << (isOne ? "it" : "them") << "; the first is in cell " << report.FirstBentCell << ".");
+  }
   if (report.UnfitIds.count > 0)
   {
     vtkWarningWithObjectMacro(filter,

@@ -33,6 +33,8 @@ struct vtkAHDReport
   std::size_t AddedPoints = 0;
   std::size_t Crossings = 0;                      ///< that were split
   std::array<std::int64_t, 2> FirstCrossing = {}; ///< cells: left out, crossed
+  std::size_t BentConstraints = 0;                ///< led through a vertex beside them
+  std::int64_t FirstBentCell = 0;                 ///< of these, if there are any
   ahd::UnfitIds UnfitIds;
   ahd::OddPoints OddPoints;
   bool MarksAreUnfit = false;
