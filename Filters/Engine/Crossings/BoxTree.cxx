@@ -2,7 +2,7 @@
 #include "BoxTree.h"
 
 #include "../Core/Chunks.h"
-#include "../Order/HilbertCurve.h"
+#include "../Order/HilbertKeys.h"
 #include "../Order/Quantise.h"
 #include "../Order/RadixSort.h"
 #include "../Predicates/Predicates.h"
@@ -49,12 +49,22 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
   const Grid grid(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
   const auto makeKeys = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t k = a; k != b; ++k)
+    std::uint32_t columns[kKeyBlock], rows[kKeyBlock];
+    for (std::size_t begin = a; begin != b;)
     {
-      const Segment& s = more[k].segment;
-      const std::uint64_t place = hilbertKey(
-        grid.column(0.5 * s.left.x + 0.5 * s.right.x), grid.row(0.5 * s.left.y + 0.5 * s.right.y));
-      keys[k] = packed(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(k));
+      const std::size_t count = std::min(kKeyBlock, b - begin);
+      for (std::size_t k = 0; k != count; ++k)
+      {
+        const Segment& s = more[begin + k].segment;
+        columns[k] = grid.column(0.5 * s.left.x + 0.5 * s.right.x);
+        rows[k] = grid.row(0.5 * s.left.y + 0.5 * s.right.y);
+      }
+      hilbertKeys(columns, rows, &keys[begin], count);
+      for (const std::size_t end = begin + count; begin != end; ++begin)
+      {
+        keys[begin] = packed(
+          static_cast<std::uint32_t>(keys[begin] >> 32), static_cast<std::uint32_t>(begin));
+      }
     }
   };
   const auto add = [&](std::size_t a, std::size_t b)

@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace ahd
@@ -47,6 +46,20 @@ inline Index placeOf(OnSegment item)
   return static_cast<Index>(item);
 }
 
+/// What lies on one piece: a range of what is sorted by pieces.
+struct OnPiece
+{
+  Index position; ///< of its segment
+  std::size_t begin, end;
+};
+
+/// One of them, in the order along a piece or segment.
+struct PlaceAlong
+{
+  Point at;
+  Index place;
+};
+
 /// A point that a segment is led through.
 struct Inserted
 {
@@ -75,35 +88,43 @@ public:
   Status run();
 
 private:
-  using WayOfOwner = std::function<Way(Index)>;
+  /// Where two pieces are led through: a place, or ends of theirs.
+  struct Meeting
+  {
+    bool isAtEnds;
+    Point at;
+  };
+  struct Named;
 
   bool listPieces();
   bool split();
-  bool meet(Crossing crossing);
+  Meeting meetingOf(Crossing crossing) const;
+  bool meet(Crossing crossing, const Meeting& meeting);
   void nameSegments(PlaceTable::Place& place, Index a, Index b) const;
   bool comesBeforeByPlaces(std::array<Index, 2> pair, std::array<Index, 2> other) const;
-  bool takeEnds(Index piece, Index other, bool& takesOne);
+  bool takeEnds(Index piece, Index other);
   bool findIds();
   bool findEnds();
   bool findPoints();
-  bool addPoints();
+  bool sortInsertions();
+  bool listOnPieces();
+  bool reserveForPieces();
   bool splitPieces();
-  bool splitPiece(Index piece, const OnSegment* begin, const OnSegment* end);
+  bool splitPiece(const OnPiece& on);
+  void addPointsOn(Index position);
   bool makeChains();
   bool nameBent();
 
   void addPiece(Piece piece);
   bool isBeside(Index position, const Point& p) const;
 
-  bool sortGroups(const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
-  bool sortInserted(Buffer<OnSegment>& sorted);
-  bool sortOn(const Way& way, OnSegment* items, std::size_t count);
-  bool sortAlong(
-    const std::vector<OnSegment>& items, const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
+  bool sortInserted();
+  bool sortAlong(const Way& way, const OnSegment* items, std::size_t count);
 
   std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
   bool isUsable(std::int64_t id) const;
-  CrossingPoint described(const PlaceTable::Place& place) const;
+  Named named(Index position) const;
+  CrossingPoint described(const PlaceTable::Place& place, const Named& first) const;
   Point at(std::int64_t id) const;
   Way wayOf(const SegmentName& name) const;
   SegmentName nameOf(Index position) const;
@@ -123,7 +144,10 @@ private:
   std::size_t named_ = 0;             ///< so many places, the first, have ids
   std::size_t addedBefore_ = 0;       ///< points added in the rounds before
   std::vector<OnSegment> insertions_; ///< this round's: by pieces
-  std::vector<Inserted> inserted_;    ///< in all rounds
+  Buffer<OnSegment> sorted_;          ///< these, sorted
+  std::vector<OnPiece> onPieces_;     ///< in the order of the segments, then along them
+  std::vector<PlaceAlong> along_;     ///< what is on one of them
+  std::vector<Inserted> inserted_;    ///< in all rounds, those of one as in onPieces_
   std::vector<Index> bent_;           ///< positions
 };
 
