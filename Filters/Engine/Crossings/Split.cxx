@@ -18,6 +18,9 @@ namespace
 #endif
 constexpr std::size_t kMostIds = AHD_MOST_CHAIN_IDS;
 
+/// Pairs that are allowed for each place that is. A pair takes a tenth of the memory.
+constexpr std::size_t kPairsPerPlace = 4;
+
 } // namespace
 
 Status Splitter::run()
@@ -31,6 +34,8 @@ Status Splitter::run()
   {
     return Status::Cancelled;
   }
+  std::size_t mostPairs = most_ > std::size_t(-1) / kPairsPerPlace ? std::size_t(-1)
+                                                                   : kPairsPerPlace * most_;
   for (;; ++out_.rounds)
   {
     if (ids_ + inserted_.size() > kMostIds || pieces_.size() + more_.size() >= kNoIndex ||
@@ -38,9 +43,13 @@ Status Splitter::run()
     {
       return Status::TooManyPoints;
     }
-    if (!search_.find(more_, pieces_, found_))
+    if (!search_.find(more_, pieces_, mostPairs, found_))
     {
       return Status::Cancelled;
+    }
+    if (found_.listed.size() > mostPairs)
+    {
+      return Status::TooManyCrossings;
     }
     if (found_.count() == 0 || out_.rounds == kMostSplittingRounds)
     {
@@ -48,10 +57,11 @@ Status Splitter::run()
       return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
     more_.clear();
+    mostPairs -= found_.listed.size();
     out_.crossings += found_.count();
     if (!split())
     {
-      return Status::Cancelled;
+      return places_.size() > most_ ? Status::TooManyCrossings : Status::Cancelled;
     }
   }
 }
@@ -98,6 +108,7 @@ bool Splitter::listPieces()
 
 // --------------------------------------------------------------------------- splitting, one round
 
+/// Returns false if the work is to be cancelled, or if there are too many places.
 bool Splitter::split()
 {
   constexpr std::size_t kBlock = 64; // whose slots in the table are fetched while it is worked on
@@ -123,6 +134,10 @@ bool Splitter::split()
       {
         return false;
       }
+    }
+    if (places_.size() > most_)
+    {
+      return false;
     }
     begin = end;
   }
@@ -181,15 +196,21 @@ bool Splitter::takeEnds(Index piece, Index other)
   return true;
 }
 
-Status splitAtCrossings(
-  const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out)
+Status splitAtCrossings(const PointView& points, const ConstraintView& chains, Progress* progress,
+  SplitConstraints& out, std::size_t mostCrossings)
 {
   return withoutThrowing(
     [&]
     {
       Ticker ticker(progress, Phase::Split, 0);
-      return Splitter(points, chains, ticker, out).run();
+      return Splitter(points, chains, ticker, out, mostCrossings).run();
     });
+}
+
+std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings)
+{
+  constexpr std::size_t kPerSegment = 400, kPerCrossing = 1200;
+  return kPerSegment * segments + kPerCrossing * crossings;
 }
 
 } // namespace ahd

@@ -72,14 +72,15 @@ struct Inserted
 class Splitter
 {
 public:
-  Splitter(
-    const PointView& points, const ConstraintView& chains, Ticker& ticker, SplitConstraints& out)
+  Splitter(const PointView& points, const ConstraintView& chains, Ticker& ticker,
+    SplitConstraints& out, std::size_t mostCrossings)
     : points_(points)
     , chains_(chains)
     , ticker_(ticker)
     , out_(out)
     , first_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[0]))
     , ids_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]) - first_)
+    , most_(mostCrossings)
     , search_(ticker)
     , places_(ticker)
   {
@@ -135,6 +136,7 @@ private:
   SplitConstraints& out_;
   std::size_t first_; ///< where the ids of the chains begin
   std::size_t ids_;   ///< how many there are; positions are counted from first_
+  std::size_t most_;  ///< places that there may be
   PieceSearch search_;
   Pieces pieces_;
   std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
