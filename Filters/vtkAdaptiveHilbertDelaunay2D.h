@@ -327,12 +327,14 @@ public:
   ///@{
   /// Of the last execution; 0 if it was aborted or ended in an error. Points merged by Tolerance;
   /// points added; distinct edges that are constraints, those of dropped triangles included;
-  /// segments left out as they cross others (SPLIT: points added); all segments left out; loops
-  /// that bound nothing; triangles that Rim took away. Wall-clock seconds for the constraints.
+  /// segments left out as they cross others (SPLIT: points added); segments that SPLIT led through
+  /// a vertex that is not exactly on them; all segments left out; loops that bound nothing;
+  /// triangles that Rim took away. Wall-clock seconds for the constraints.
   vtkGetMacro(NumberOfMergedPoints, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
   vtkGetMacro(NumberOfConstraintEdges, vtkIdType);
   vtkGetMacro(NumberOfCrossings, vtkIdType);
+  vtkGetMacro(NumberOfBentConstraints, vtkIdType);
   vtkGetMacro(NumberOfConstraintsLeftOut, vtkIdType);
   vtkGetMacro(NumberOfUnfilledLoops, vtkIdType);
   vtkGetMacro(NumberOfTrimmedTriangles, vtkIdType);
@@ -379,6 +381,7 @@ protected:
   vtkIdType NumberOfAddedPoints = 0;
   vtkIdType NumberOfConstraintEdges = 0;
   vtkIdType NumberOfCrossings = 0;
+  vtkIdType NumberOfBentConstraints = 0;
   vtkIdType NumberOfConstraintsLeftOut = 0;
   vtkIdType NumberOfUnfilledLoops = 0;
   vtkIdType NumberOfTrimmedTriangles = 0;

@@ -271,19 +271,20 @@ TEST(Settings, AreAllPrinted)
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
-         "GeneratePointStatus", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
-         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
-         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
-         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate", "SourceMode",
-         "CrossingMode", "FillRule", "Alpha", "AlphaTris", "AlphaLines", "AlphaVerts",
-         "MaximumEdgeLength", "ProjectionPlaneMode", "Transform", "Tolerance", "Rim",
-         "NumberOfTrimmedTriangles", "DuplicatePolicy", "Offset", "BoundingTriangulation",
-         "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
-         "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
-         "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-         "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
+  for (const char* name :
+    { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork", "GeneratePointStatus",
+      "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve", "GenerateBoxes",
+      "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted", "NumberOfDuplicates",
+      "NumberOfRejectedPoints", "NumberOfSkippedPoints", "NumberOfTriangles", "NP", "NR",
+      "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed", "SortSeconds", "InsertSeconds",
+      "OutputSeconds", "MemoryEstimate", "SourceMode", "CrossingMode", "FillRule", "Alpha",
+      "AlphaTris", "AlphaLines", "AlphaVerts", "MaximumEdgeLength", "ProjectionPlaneMode",
+      "Transform", "Tolerance", "Rim", "NumberOfTrimmedTriangles", "DuplicatePolicy", "Offset",
+      "BoundingTriangulation", "RandomPointInsertion", "UseHilbertSorter",
+      "GenerateConstraintEdges", "GenerateRegionIds", "GenerateNeighbors", "GenerateVoronoi",
+      "VoronoiClip", "NumberOfMergedPoints", "NumberOfAddedPoints", "NumberOfConstraintEdges",
+      "NumberOfCrossings", "NumberOfBentConstraints", "NumberOfConstraintsLeftOut",
+      "NumberOfUnfilledLoops", "ConstrainSeconds" })
   {
     EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
   }
