@@ -3,12 +3,18 @@
 // Properties: their ranges, and that none of them changes the result or is changed by a run.
 #include "FilterTestSupport.h"
 
+#include "vtkPlanarPointSource.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace ahdtest;
 using Filter = vtkAdaptiveHilbertDelaunay2D;
@@ -266,26 +272,46 @@ TEST(Settings, TimesAreTaken)
   EXPECT_GT(filter->GetOutputSeconds(), 0.0);
 }
 
+/// The settings and measures that a class declares: what a vtkGetMacro of its header names.
+std::vector<std::string> gettersOf(const std::string& className)
+{
+  std::ifstream file(std::string(AHD_FILTERS_DIRECTORY "/") + className + ".h");
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::regex getter("vtkGet(Object)?Macro\\((\\w+),");
+  std::vector<std::string> names;
+  for (std::sregex_iterator i(text.begin(), text.end(), getter), end; i != end; ++i)
+  {
+    names.push_back((*i)[2]);
+  }
+  return names;
+}
+
 TEST(Settings, AreAllPrinted)
 {
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
-         "GeneratePointStatus", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
-         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
-         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
-         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate", "SourceMode",
-         "CrossingMode", "FillRule", "Alpha", "AlphaTris", "AlphaLines", "AlphaVerts",
-         "MaximumEdgeLength", "ProjectionPlaneMode", "Transform", "Tolerance", "Rim",
-         "NumberOfTrimmedTriangles", "DuplicatePolicy", "Offset", "BoundingTriangulation",
-         "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
-         "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
-         "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-         "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
+  std::vector<std::string> names = gettersOf("vtkAdaptiveHilbertAlgorithm");
+  ASSERT_GT(names.size(), 25u) << "the superclass's header was not read";
+  const std::vector<std::string> own = gettersOf("vtkAdaptiveHilbertDelaunay2D");
+  ASSERT_GT(own.size(), 25u) << "the class's header was not read";
+  names.insert(names.end(), own.begin(), own.end());
+  for (const std::string& name : names)
   {
-    EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
+    EXPECT_NE(text.str().find(" " + name + ": "), std::string::npos) << name;
+  }
+}
+
+TEST(Settings, OfTheSourceAreAllPrinted)
+{
+  vtkNew<vtkPlanarPointSource> source;
+  std::ostringstream text;
+  source->Print(text);
+  const std::vector<std::string> names = gettersOf("vtkPlanarPointSource");
+  ASSERT_FALSE(names.empty());
+  for (const std::string& name : names)
+  {
+    EXPECT_NE(text.str().find(" " + name + ": "), std::string::npos) << name;
   }
 }
 
