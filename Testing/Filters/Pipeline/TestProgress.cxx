@@ -105,6 +105,44 @@ TEST(Progress, ObserversHearTenTimesASecondWithoutProgress)
   EXPECT_EQ(watch->Seen.back(), watch->Seen.front()) << "there was no progress";
 }
 
+TEST(Progress, ObserversHearOfEachHundredthOnce)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkNew<ProgressWatch> watch;
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.beginPhase(ahd::Phase::Insert);
+  for (int i = 1; i <= 100000; ++i)
+  {
+    EXPECT_TRUE(progress.advance(ahd::Phase::Insert, i / 100000.0));
+  }
+  EXPECT_GE(watch->Seen.size(), 98u);
+  EXPECT_LE(watch->Seen.size(), 101u) << "observers may be slow";
+  const std::size_t before = watch->Seen.size();
+  EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
+  EXPECT_EQ(watch->Seen.size(), before) << "the bar went back";
+}
+
+TEST(Progress, TheTimeOfAPhaseIsFromItsBeginningToTheNext)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkAHDProgress progress(filter, clockOfTests);
+  now += 1.0; // before the first
+  progress.beginPhase(ahd::Phase::Read);
+  now += 2.0;
+  progress.beginPhase(ahd::Phase::Outputs);
+  now += 4.0;
+  progress.Finish();
+  now += 8.0; // of no phase
+  progress.beginPhase(ahd::Phase::Outputs);
+  now += 16.0;
+  progress.Finish();
+  progress.Finish();
+  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Read), 2.0);
+  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Outputs), 20.0);
+  EXPECT_EQ(progress.GetSeconds(ahd::Phase::Insert), 0.0);
+}
+
 TEST(Progress, MovesInEveryStageAndPhase)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
