@@ -99,6 +99,7 @@ bool Splitter::listPieces()
 
 bool Splitter::split()
 {
+  constexpr std::size_t kStepsOfMeeting = 64; // four exact tests, and a place that is rounded once
   insertions_.clear();
   if (!places_.reserve(places_.size() + found_.listed.size()))
   {
@@ -106,7 +107,7 @@ bool Splitter::split()
   }
   for (const Crossing& crossing : found_.listed)
   {
-    if (!meet(crossing) || !ticker_.step())
+    if (!meet(crossing) || !ticker_.step(kStepsOfMeeting))
     {
       return false;
     }

@@ -25,6 +25,9 @@ struct Strip
   Index end;
 };
 
+/// What the order of two segments counts, which may be an exact one.
+constexpr std::size_t kStepsOfOrder = 16;
+
 class Finder
 {
 public:
@@ -179,7 +182,7 @@ bool Finder::makeLadder(Segments& spanning, Segments& others, const Strip& strip
     (fits ? ladder : others).push_back(s);
     top = fits ? s : top;
     goingOn = fits && endsAfter(s, strip.end) ? s : goingOn;
-    if (!ticker_.step())
+    if (!ticker_.step(kStepsOfOrder))
     {
       return false;
     }
@@ -206,7 +209,7 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
     {
       break;
     }
-    if (!(order > 0 ? report(s, *rung) : ticker_.step()))
+    if (!(order > 0 ? report(s, *rung) : ticker_.step(kStepsOfOrder)))
     {
       return false;
     }
@@ -218,18 +221,18 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
     {
       break;
     }
-    if (!(order < 0 ? report(s, *std::prev(rung)) : ticker_.step()))
+    if (!(order < 0 ? report(s, *std::prev(rung)) : ticker_.step(kStepsOfOrder)))
     {
       return false;
     }
   }
-  return ticker_.step();
+  return ticker_.step(kStepsOfOrder);
 }
 
 bool Finder::report(Index s, Index t)
 {
   crossings_.push_back({ std::min(s, t), std::max(s, t) });
-  return ticker_.step() && crossings_.size() <= most_;
+  return ticker_.step(kStepsOfOrder) && crossings_.size() <= most_;
 }
 
 } // namespace

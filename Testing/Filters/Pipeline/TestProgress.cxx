@@ -5,7 +5,13 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "ProgressWatch.h"
 
+#include "vtkCallbackCommand.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <map>
 
 using namespace ahdtest;
 
@@ -36,6 +42,45 @@ public:
 
   int AskedAfterwards = 0;
 };
+
+/// Counts how often it is asked at each place of the bar.
+class WorkingFilter : public vtkAdaptiveHilbertDelaunay2D
+{
+public:
+  static WorkingFilter* New() { VTK_STANDARD_NEW_BODY(WorkingFilter); }
+  vtkTypeMacro(WorkingFilter, vtkAdaptiveHilbertDelaunay2D);
+
+  int GetAbortExecute() override
+  {
+    ++this->All;
+    ++this->At[this->GetProgress()];
+    return this->Superclass::GetAbortExecute();
+  }
+
+  /// The part of all askings in which the bar stood still.
+  double GetStandstill() const
+  {
+    int most = 0;
+    for (const auto& place : this->At)
+    {
+      most = std::max(most, place.second);
+    }
+    return double(most) / this->All;
+  }
+
+  std::map<double, int> At;
+  int All = 0;
+};
+}
+
+TEST(Progress, TheBarMovesWhileTheDiagramIsMade)
+{
+  vtkNew<WorkingFilter> filter;
+  filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+  filter->SetNumberOfThreads(1);
+  filter->GenerateVoronoiOn();
+  filter->Update();
+  EXPECT_LT(filter->GetStandstill(), 0.25);
 }
 
 TEST(Progress, RisesFromZeroToOne)
@@ -121,6 +166,29 @@ TEST(Progress, ObserversHearOfEachHundredthOnce)
   const std::size_t before = watch->Seen.size();
   EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
   EXPECT_EQ(watch->Seen.size(), before) << "the bar went back";
+}
+
+TEST(Progress, TheRoundingThatAnObserverSetsEndsWithIt)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  bool told = false;
+  const auto roundUp = [](vtkObject*, unsigned long, void* data, void*)
+  {
+    *static_cast<bool*>(data) = true;
+    std::fesetround(FE_UPWARD);
+  };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(roundUp);
+  observer->SetClientData(&told);
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.beginPhase(ahd::Phase::Insert);
+  EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
+  EXPECT_TRUE(told);
+  volatile double tiny = 1e-30;
+  const double sum = 1.0 + tiny;
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(sum, 1.0);
 }
 
 TEST(Progress, TheTimeOfAPhaseIsFromItsBeginningToTheNext)
