@@ -103,8 +103,8 @@ bool isCertain(Border border, const Quadruple& q)
   }
 }
 
-/// Where b is to lie for the angle at c to be as wide as that of the last triangle that is not flat:
-/// along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
+/// Where b is to lie for the angle at c to be as wide as that of the last triangle that is not
+/// flat: along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
 Point atTheLimitOfFlatness(const Point& a, const Point& c)
 {
   const double x = a.x - c.x, y = a.y - c.y;
