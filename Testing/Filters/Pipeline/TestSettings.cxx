@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Properties: their ranges, and that none of them changes the result or is changed by a run.
+#include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 
+#include "vtkFieldData.h"
 #include "vtkPlanarPointSource.h"
 #include "vtkTransform.h"
 
@@ -211,6 +213,36 @@ TEST(Settings, NoneChangesTheResult)
       }
     }
   }
+}
+
+TEST(Settings, CountsOfASplitAreFieldDataAndAreGoneAfterAnError)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } }));
+  filter->SetSourceData(makeSource({ { 0, 2 }, { 1, 3 } }, {}));
+  filter->SetCrossingModeToSplit();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfCrossings(), 1);
+  EXPECT_EQ(filter->GetNumberOfConstraintsLeftOut(), 0);
+  auto* counts = filter->GetOutput()->GetFieldData();
+  EXPECT_EQ(counts->GetArray("NumberOfCrossings")->GetTuple1(0), 1.0);
+  EXPECT_EQ(counts->GetArray("NumberOfConstraintsLeftOut")->GetTuple1(0), 0.0);
+  filter->SetMemoryLimit(1);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_EQ(filter->GetNumberOfCrossings(), 0);
+}
+
+TEST(Settings, OffsetIsHowFarTheBoundingTriangulationReaches)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(100, 1000)));
+  filter->BoundingTriangulationOn();
+  filter->Update();
+  const double near = filter->GetOutput()->GetLength();
+  filter->SetOffset(3.0);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetLength(), 2.0 * near);
 }
 
 TEST(Settings, AreReadAndNeverWrittenByARun)
