@@ -142,17 +142,15 @@ BoxSearch::Outcome BoxSearch::searchBetween(const BoxTree& a, const BoxTree& b)
   return outcomeOf(a.empty() || b.empty() || between({ &a, a.top(), 0 }, { &b, b.top(), 0 }));
 }
 
-bool BoxSearch::count(std::size_t steps, std::size_t tests)
+bool BoxSearch::count(std::size_t steps)
 {
   constexpr std::size_t kPerCrossing = 32;
-  constexpr std::size_t kStepsOfTest = 16; // it may be an exact one
   steps_ += steps;
   if (steps_ > mostSteps_ + kPerCrossing * crossings_.size() || crossings_.size() > mostCrossings_)
   {
     return false;
   }
-  // each step is a fraction of one elsewhere
-  isCancelled_ = !ticker_.step(steps / 4 + 1 + kStepsOfTest * tests);
+  isCancelled_ = !ticker_.step(steps / 4 + 1); // each is a fraction of a step elsewhere
   return !isCancelled_;
 }
 
@@ -220,7 +218,7 @@ bool BoxSearch::between(const Node& a, const Node& b)
 bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end)
 {
   constexpr std::size_t kExactTest = 8;
-  std::size_t steps = end - begin, tests = 0;
+  std::size_t steps = end - begin;
   for (std::size_t k = begin; k != end; ++k)
   {
     const Piece& b = pieces_[k];
@@ -228,7 +226,6 @@ bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std
     {
       continue;
     }
-    ++tests;
     if (!cross(a.segment, b.segment))
     {
       steps += kExactTest;
@@ -239,7 +236,7 @@ bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std
         { static_cast<Index>(&a - pieces_.data()), static_cast<Index>(&b - pieces_.data()) });
     }
   }
-  return count(steps, tests);
+  return count(steps);
 }
 
 } // namespace ahd

@@ -127,7 +127,7 @@ private:
   bool within(const Node& node);
   bool between(const Node& a, const Node& b);
   bool test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end);
-  bool count(std::size_t steps, std::size_t tests = 0);
+  bool count(std::size_t steps);
   Outcome outcomeOf(bool done) const
   {
     return done ? Outcome::Done : isCancelled_ ? Outcome::Cancelled : Outcome::GivenUp;

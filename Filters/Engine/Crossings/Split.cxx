@@ -99,7 +99,6 @@ bool Splitter::listPieces()
 
 bool Splitter::split()
 {
-  constexpr std::size_t kStepsOfMeeting = 64; // four exact tests, and a place that is rounded once
   insertions_.clear();
   if (!places_.reserve(places_.size() + found_.listed.size()))
   {
@@ -107,7 +106,7 @@ bool Splitter::split()
   }
   for (const Crossing& crossing : found_.listed)
   {
-    if (!meet(crossing) || !ticker_.step(kStepsOfMeeting))
+    if (!meet(crossing) || !ticker_.step())
     {
       return false;
     }

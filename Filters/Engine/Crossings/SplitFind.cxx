@@ -25,9 +25,6 @@ struct Strip
   Index end;
 };
 
-/// What the order of two segments counts, which may be an exact one.
-constexpr std::size_t kStepsOfOrder = 16;
-
 class Finder
 {
 public:
@@ -182,7 +179,7 @@ bool Finder::makeLadder(Segments& spanning, Segments& others, const Strip& strip
     (fits ? ladder : others).push_back(s);
     top = fits ? s : top;
     goingOn = fits && endsAfter(s, strip.end) ? s : goingOn;
-    if (!ticker_.step(kStepsOfOrder))
+    if (!ticker_.step())
     {
       return false;
     }
@@ -209,7 +206,7 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
     {
       break;
     }
-    if (!(order > 0 ? report(s, *rung) : ticker_.step(kStepsOfOrder)))
+    if (!(order > 0 ? report(s, *rung) : ticker_.step()))
     {
       return false;
     }
@@ -221,18 +218,18 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
     {
       break;
     }
-    if (!(order < 0 ? report(s, *std::prev(rung)) : ticker_.step(kStepsOfOrder)))
+    if (!(order < 0 ? report(s, *std::prev(rung)) : ticker_.step()))
     {
       return false;
     }
   }
-  return ticker_.step(kStepsOfOrder);
+  return ticker_.step();
 }
 
 bool Finder::report(Index s, Index t)
 {
   crossings_.push_back({ std::min(s, t), std::max(s, t) });
-  return ticker_.step(kStepsOfOrder) && crossings_.size() <= most_;
+  return ticker_.step() && crossings_.size() <= most_;
 }
 
 } // namespace

@@ -385,8 +385,7 @@ TEST(WorkBounds, Crossings)
     const ConstraintView chains = given.constraints.view();
     ASSERT_EQ(splitAtCrossings(given.view(), chains, &counter, split), Status::Ok);
     const std::size_t size = std::size_t(chains.offsets[chains.chains]) + split.crossings;
-    // a test of two segments counts as 16 steps, as it may be an exact one
-    EXPECT_LE(counter.steps(Phase::Split), 12.0 * nLogN(size) * std::log2(double(size))) << name;
+    EXPECT_LE(counter.steps(Phase::Split), 8.0 * nLogN(size) * std::log2(double(size))) << name;
   }
 }
 
