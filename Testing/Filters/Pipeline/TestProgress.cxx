@@ -83,6 +83,30 @@ TEST(Progress, TheBarMovesWhileTheDiagramIsMade)
   EXPECT_LT(filter->GetStandstill(), 0.25);
 }
 
+/// Places one by one on the surface: each is a walk through many triangles, which asks on its way.
+TEST(Progress, AbortsAreHeardWhileHeightsAreLookedUp)
+{
+  const auto points = latticePoints(2000, 1000000);
+  const auto askings = [&points](int heights)
+  {
+    vtkNew<WorkingFilter> filter;
+    filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+    vtkNew<vtkPolyData> source;
+    source->ShallowCopy(makeCloud(points));
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+    source->SetLines(lines);
+    filter->SetSourceData(source);
+    filter->SetSourceModeToCoordinates();
+    filter->SetSourceHeights(heights);
+    filter->SetNumberOfThreads(1);
+    filter->Update();
+    return filter->All;
+  };
+  const int without = askings(vtkAdaptiveHilbertDelaunay2D::OWN);
+  EXPECT_GT(askings(vtkAdaptiveHilbertDelaunay2D::FROM_SURFACE), 2 * without + 150);
+}
+
 TEST(Progress, RisesFromZeroToOne)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
