@@ -215,6 +215,7 @@ bool Kernel<kCount, kAccess>::conflicts(Index a, Index b, Index c, Index p)
   {
     return conflictsWithGhost(b, c, p);
   }
+  spendOnExact();
   if (kCount)
   {
     ++work_.exactInCircle;
@@ -231,6 +232,7 @@ bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
   const Point& a = xy_[from];
   const Point& b = xy_[to];
   const Point& q = xy_[p];
+  spendOnExact();
   const int side = orient2d(a, b, q);
   if (side != 0)
   {
@@ -242,6 +244,7 @@ bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
 template <bool kCount, Access kAccess>
 int Kernel<kCount, kAccess>::orientation(Index a, Index b, Index p)
 {
+  spendOnExact();
   if (kCount)
   {
     ++work_.exactOrient;

@@ -128,6 +128,9 @@ private:
 
   static constexpr bool kShared = kAccess == Access::Shared;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
+  /// An exact answer counts as so many steps. At the ends of the exponent range it may take 500
+  /// times as long as one; where it takes as long as two, as on lattices, asking costs nothing yet.
+  static constexpr std::size_t kStepsOfExact = 16;
   static constexpr std::size_t kMostOpenEdges = 64;
   static constexpr std::size_t kPointsAhead = 4; ///< whose fresh slots are fetched
   static constexpr std::size_t kMostDeferredWrites = kShared ? 2 * kMostOpenEdges : 1;
@@ -287,6 +290,8 @@ private:
   /// One bounded step is about to be taken. False: the caller wants to cancel.
   bool spend() { return --budget_ != 0 || refill(); }
   bool refill();
+  /// An exact answer is about to be asked for, within a step.
+  void spendOnExact() { budget_ -= budget_ > kStepsOfExact ? kStepsOfExact : budget_ - 1; }
 
   static double guardFor(const Bounds& bounds)
   {
