@@ -72,6 +72,7 @@ void vtkAHDExecution::SetStages() const
     weight(settings.GenerateRegionIds, 1.0) + weight(settings.GenerateNeighbors, 0.9);
   this->Context.SetStages({ //
     0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
+      weight(settings.HeightsFromSurface, 1.5) +
       weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
     1.0,                                                                         // Triangulate
     weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells

@@ -99,6 +99,7 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
       prefetchForRead(&more[static_cast<Index>(keys[std::min(k + kAhead, n - 1)])]);
       pieces.push_back(more[static_cast<Index>(keys[k])]);
     }
+    ticker.finished(SplitUnits::kInTree * (b - a));
   };
   pieces.reserve(pieces.size() + n);
   return inChunks(0, n, ticker, makeKeys) && sortPacked(keys, n, ticker) &&
@@ -228,6 +229,10 @@ bool BoxSearch::within(const Node& node)
         return false;
       }
     }
+  }
+  if (node.level == 0)
+  {
+    ticker_.finished(SplitUnits::kSearched * (end - begin));
   }
   return count(end - begin);
 }

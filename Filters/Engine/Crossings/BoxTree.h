@@ -13,6 +13,14 @@
 namespace ahd
 {
 
+/// What an id of the chains counts in the progress of splitting, step by step; all rounds but the
+/// first go on beyond it.
+struct SplitUnits
+{
+  static constexpr std::size_t kListed = 1, kInTree = 1, kSearched = 3, kSplit = 2, kWritten = 1;
+  static constexpr std::size_t kAll = kListed + kInTree + kSearched + kSplit + kWritten;
+};
+
 /// An axis-parallel box; one that is empty meets none.
 struct PieceBox
 {

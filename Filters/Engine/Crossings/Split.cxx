@@ -95,6 +95,7 @@ bool Splitter::listPieces()
           more_.push_back({ { q, p }, j, i, position, false, false });
         }
       }
+      ticker_.finished(SplitUnits::kListed * (b - a));
     };
     const std::size_t closing = chain < chains_.lines && begin != end ? 1 : 0;
     if (!inChunks(begin, end - closing, ticker_, list) || !ticker_.step())
@@ -202,7 +203,10 @@ Status splitAtCrossings(const PointView& points, const ConstraintView& chains, P
   return withoutThrowing(
     [&]
     {
-      Ticker ticker(progress, Phase::Split, 0);
+      const std::size_t ids = chains.chains == 0
+        ? 0
+        : std::size_t(chains.offsets[chains.chains] - chains.offsets[0]);
+      Ticker ticker(progress, Phase::Split, SplitUnits::kAll * ids);
       return Splitter(points, chains, ticker, out, mostCrossings).run();
     });
 }

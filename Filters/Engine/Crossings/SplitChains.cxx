@@ -80,8 +80,10 @@ bool Splitter::splitPieces()
   {
     return false;
   }
+  const std::size_t units = SplitUnits::kSplit * ids_ / std::max<std::size_t>(1, onPieces_.size());
   for (const OnPiece& on : onPieces_)
   {
+    ticker_.finished(units);
     constexpr std::size_t kMostFetched = 64;
     if (&on != &onPieces_.back())
     {
@@ -263,6 +265,7 @@ bool Splitter::makeChains()
           return false;
         }
       }
+      ticker_.finished(SplitUnits::kWritten);
       if (!ticker_.step())
       {
         return false;

@@ -16,7 +16,7 @@ namespace ahd
 namespace
 {
 
-/// Lets a triangulation be a part of the phase Merge.
+/// Lets a triangulation be a part of the phase Merge: each of its phases as much of that as any.
 class WithinMerge : public Progress
 {
 public:
@@ -24,7 +24,10 @@ public:
     : caller_(caller)
   {
   }
-  bool advance(Phase, double) override { return caller_.advance(Phase::Merge, 0.0); }
+  bool advance(Phase phase, double fraction) override
+  {
+    return caller_.advance(Phase::Merge, (double(phase) + fraction) / double(kPhases));
+  }
 
 private:
   Progress& caller_;

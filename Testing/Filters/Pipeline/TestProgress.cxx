@@ -83,6 +83,56 @@ TEST(Progress, TheBarMovesWhileTheDiagramIsMade)
   EXPECT_LT(filter->GetStandstill(), 0.25);
 }
 
+/// A lattice of so many columns and rows, a line in each row, and two that cross in every seventh
+/// of its squares.
+vtkSmartPointer<vtkPolyData> crossedLattice(int size, double spacing)
+{
+  std::vector<Xyz> points;
+  vtkNew<vtkCellArray> lines;
+  for (int i = 0; i < size * size; ++i)
+  {
+    points.push_back({ spacing * (i % size), spacing * (i / size), 0.0 });
+    if (i % size + 1 < size)
+    {
+      lines->InsertNextCell({ vtkIdType(i), vtkIdType(i + 1) });
+    }
+    if (i % 7 == 0 && i % size + 1 < size && i / size + 1 < size)
+    {
+      lines->InsertNextCell({ vtkIdType(i), vtkIdType(i + size + 1) });
+      lines->InsertNextCell({ vtkIdType(i + 1), vtkIdType(i + size) });
+    }
+  }
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  source->ShallowCopy(makeCloud(points));
+  source->SetLines(lines);
+  return source;
+}
+
+TEST(Progress, TheBarMovesWhileLinesAreSplit)
+{
+  vtkNew<WorkingFilter> filter;
+  auto lattice = crossedLattice(300, 1.0);
+  filter->SetInputData(lattice);
+  filter->SetSourceData(lattice);
+  filter->SetCrossingModeToSplit();
+  filter->SetNumberOfThreads(1);
+  filter->Update();
+  EXPECT_GT(filter->GetNumberOfCrossings(), 100);
+  EXPECT_LT(filter->GetStandstill(), 0.25);
+}
+
+TEST(Progress, TheBarMovesWhileTheSurfaceForHeightsIsMade)
+{
+  vtkNew<WorkingFilter> filter;
+  filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+  filter->SetSourceData(crossedLattice(20, 40000.5));
+  filter->SetSourceModeToCoordinates();
+  filter->SetSourceHeights(vtkAdaptiveHilbertDelaunay2D::FROM_SURFACE);
+  filter->SetNumberOfThreads(1);
+  filter->Update();
+  EXPECT_LT(filter->GetStandstill(), 0.25);
+}
+
 /// Places one by one on the surface: each is a walk through many triangles, which asks on its way.
 TEST(Progress, AbortsAreHeardWhileHeightsAreLookedUp)
 {
