@@ -51,18 +51,31 @@ bool areAllFinite(const Number* begin, const Number* end)
   return x + y + z == 0;
 }
 
-/// Looks at the points [begin, end).
-template <typename Number>
-void findOdd(
-  const Number* xyz, const PointView& points, std::size_t begin, std::size_t end, Found& found)
+/// The same for points that are not three numbers in a row.
+bool areAllFinite(const PointView& points, std::size_t begin, std::size_t end)
 {
-  if (areAllFinite(xyz + 3 * begin, xyz + 3 * end))
+  double sum = 0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::array<double, 3> p = points.place(i);
+    sum += p[0] * 0 + p[1] * 0 + p[2] * 0;
+  }
+  return sum == 0;
+}
+
+/// Looks at the points [begin, end).
+void findOdd(const PointView& points, std::size_t begin, std::size_t end, Found& found)
+{
+  const bool areRows = points.stride == 3 && !points.isFlat;
+  if (!areRows         ? areAllFinite(points, begin, end)
+      : points.doubles ? areAllFinite(points.doubles + 3 * begin, points.doubles + 3 * end)
+                       : areAllFinite(points.floats + 3 * begin, points.floats + 3 * end))
   {
     return;
   }
   for (std::size_t i = begin; i < end; ++i)
   {
-    const Number* p = xyz + 3 * i;
+    const std::array<double, 3> p = points.place(i);
     if (points.skipped(i))
     {
       continue;
@@ -198,10 +211,7 @@ Status findOddPoints(const PointView& points, const Context& context, OddPoints&
       Found found;
       const bool all = gather(points.count, ticker, found,
         [&points](Found& part, std::size_t begin, std::size_t end)
-        {
-          points.doubles ? findOdd(points.doubles, points, begin, end, part)
-                         : findOdd(points.floats, points, begin, end, part);
-        });
+        { findOdd(points, begin, end, part); });
       const bool isNone = found.firstNotFinite == Found().firstNotFinite;
       odd.firstNotFinite = isNone ? 0 : found.firstNotFinite;
       odd.oddZ = found.oddZ;

@@ -40,12 +40,11 @@ public:
 
   /// Writes three numbers for each point: its place in the plane, and its height above it; three
   /// NaN for a point with a coordinate that is not finite. `to` may be where the points are.
-  /// Returns false if cancelled; throws std::bad_alloc at most. REQUIRES: points.stride is 3.
+  /// Returns false if cancelled; throws std::bad_alloc at most.
   virtual bool project(const PointView& points, double* to, const Context& context) const = 0;
 };
 
-/// What is to be triangulated, and what is to be done to it before. All views have a stride of 3:
-/// x, y, z.
+/// What is to be triangulated, and what is to be done to it before.
 struct InputRequest
 {
   PointView points;       ///< of the input, those to be left out marked
@@ -143,7 +142,7 @@ public:
   PreparedInput(const PreparedInput&) = delete;
   PreparedInput& operator=(const PreparedInput&) = delete;
 
-  /// All points: x and y in the plane of the triangulation, and what is above it; stride 3.
+  /// All points: x and y in the plane of the triangulation, and what is above it.
   const PointView& points() const { return points_; }
   std::size_t inputCount() const { return inputCount_; }
   std::size_t sourceCount() const { return sourceCount_; }
@@ -237,7 +236,7 @@ struct OddPoints
   std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
 };
 
-/// One pass over points of stride 3, those left out excepted. The phase is Phase::Extract. Returns
+/// One pass over points, those left out excepted. The phase is Phase::Extract. Returns
 /// Ok, Cancelled or OutOfMemory.
 Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd);
 
