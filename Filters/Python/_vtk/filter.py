@@ -4,7 +4,7 @@
 import weakref
 
 from .. import _library as engine
-from . import messages, settings
+from . import messages, package_of, settings
 from .arrays import coordinates, ghost_marks, new_array
 from .blocks import Merged
 from .cache import OutputCache
@@ -160,6 +160,15 @@ class _Ports:
                 vector.GetInformationObject(i).Set(exact, 1)
         return 1
 
+    def SetInputDataObject(self, *given):
+        """SetInputDataObject(data) or SetInputDataObject(port, data): the input, without a pipeline. TypeError for data
+        of another VTK than the filter's."""
+        package = package_of(given[-1]) if given else None
+        if package not in (None, self._backend.package):
+            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
+                package, self._backend.package, package))
+        super().SetInputDataObject(*given)
+
     def SetInputData(self, *given):
         """SetInputData(data) or SetInputData(port, data): the input, without a pipeline."""
         self.SetInputDataObject(*given)
@@ -187,8 +196,8 @@ class _Ports:
         self.GetExecutive().SetOutputData(0, output)
 
     def SetSourceData(self, source):
-        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what is
-        kept; None: none."""
+        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
+        is kept; None: none."""
         if source is not None and not isinstance(source, self._backend.vtkPolyData):
             raise TypeError("SetSourceData argument 1: a vtkPolyData of %s is required, not %s" % (
                 self._backend.package, type(source).__name__))
