@@ -164,13 +164,13 @@ def delaunay(
     >>> made.triangles.shape, made.edges.shape, sorted(made.hull.tolist())
     ((6, 3), (11, 2), [0, 1, 2, 3])
 
-    A constraint, and a hole:
+    A constraint; an outline with a notch:
 
     >>> delaunay(square, segments=[(0, 2)]).constraint_edges
     array([[0, 2]], dtype=int32)
-    >>> ring = delaunay(square, loops=[(0, 1, 2, 3), (0, 4, 3)])
-    >>> len(ring.triangles), ring.boundary.shape
-    (5, (6, 2))
+    >>> notched = delaunay(square, loops=[(0, 1, 2, 3, 4)])
+    >>> len(notched.triangles), notched.boundary.shape
+    (5, (5, 2))
     """
     given = {name: value for name, value in locals().items() if name in DEFAULTS}
     chains = {"segments": segments, "lines": lines, "loops": loops}

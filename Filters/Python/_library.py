@@ -24,7 +24,6 @@ from ._interface import (
 )  # fmt: skip
 
 
-
 class _Interrupts:
     """While it is entered, what the handler of SIGINT raises is put aside and cancels the work of a job.
 
@@ -189,9 +188,7 @@ class Job:
             return
         number = TYPES.get(array.dtype)
         if number is None or not array.flags.aligned or array.ndim not in (1, 2):
-            raise BadInput(
-                "%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY
-            )
+            raise BadInput("%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY)
         flat = array.ndim == 1
         given = Array(
             array.ctypes.data if array.size else None,

@@ -49,6 +49,25 @@ class Triangulation:
 
     Several threads may use one triangulation. It can be pickled: with its input and what has been made. `copy.copy`
     gives itself, `copy.deepcopy` one with points of its own.
+
+    Examples
+    --------
+    >>> from adaptivehilbertdelaunay import Kind, delaunay
+    >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]])
+    >>> made
+    <Triangulation of 5 points: 4 triangles>
+    >>> made.triangles
+    array([[0, 4, 3],
+           [0, 1, 4],
+           [4, 2, 3],
+           [4, 1, 2]], dtype=int32)
+    >>> made.neighbors[0]
+    array([ 1,  2, -1], dtype=int32)
+    >>> where = made.locate([[2, 1], [1, 2], [5, 5]])
+    >>> where.triangle, [Kind(kind).name for kind in where.kind]
+    (array([ 1,  0, -1], dtype=int32), ['IN_TRIANGLE', 'ON_VERTEX', 'OUTSIDE'])
+    >>> made.counts["inserted"], made.counts["duplicates"]
+    (5, 0)
     """
 
     _job: Optional[library.Job]
@@ -214,12 +233,7 @@ class Triangulation:
         """(e, 2) int: the edges of the triangles, each once, as it runs around the first triangle that has it, in the
         order of these."""
 
-        def make() -> np.ndarray:
-            beyond = self.neighbors
-            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
-            return self._edges_where((beyond < 0) | (beyond > here))
-
-        made: np.ndarray = self._made("edges", make)
+        made: np.ndarray = self._made("edges", lambda: self._edges_where(self._is_first()))
         return made
 
     @property
@@ -228,6 +242,11 @@ class Triangulation:
         triangles."""
         made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
         return made
+
+    def _is_first(self) -> np.ndarray:
+        """(t, 3): is the triangle the first of those that have the edge?"""
+        beyond = self.neighbors
+        return (beyond < 0) | (beyond > np.arange(len(beyond), dtype=beyond.dtype)[:, None])
 
     def _edges_where(self, chosen: np.ndarray) -> np.ndarray:
         triangle, corner = np.nonzero(chosen)
@@ -249,7 +268,7 @@ class Triangulation:
             status = self.point_status
             ids = np.flatnonzero(status == np.arange(len(status))).astype(self._dtype)
             places = np.ascontiguousarray(self.plane_points[ids, :2])
-            whole = Triangulation(_plain_request(places), self._dtype, (), None)
+            whole = Triangulation(Request(places, None, None, {}, "xy", DEFAULTS), self._dtype, (), None)
             found: np.ndarray = ids[whole.hull]
             return found
         follower = dict(self.boundary.tolist())
@@ -275,12 +294,9 @@ class Triangulation:
     def constraint_edges(self) -> np.ndarray:
         """(c, 2) int: the edges of the triangles that are constraints, each once, as in `edges`."""
 
-        def make() -> np.ndarray:
-            beyond = self.neighbors
-            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
-            return self._edges_where(self.is_constraint & ((beyond < 0) | (beyond > here)))
-
-        made: np.ndarray = self._made("constraint_edges_ids", make)
+        made: np.ndarray = self._made(
+            "constraint_edges_ids", lambda: self._edges_where(self.is_constraint & self._is_first())
+        )
         return made
 
     @property
@@ -391,6 +407,13 @@ class Triangulation:
         Voronoi
             One cell for each vertex, by ascending smallest id of the points at its place. Collinear vertices have no
             cells in their hull, and strips in a bounding box that has an area.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> diagram = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]]).voronoi()
+        >>> len(diagram), diagram.sites.tolist(), diagram[4].tolist()
+        (5, [0, 1, 2, 3, 4], [[2.0, 4.0], [0.0, 2.0], [2.0, 0.0], [4.0, 2.0]])
         """
         number = self._request.settings["voronoi_clip"]
         if clip is not None:
@@ -473,8 +496,3 @@ class Triangulation:
         for made in self._cached.values():
             for array in _arrays_of(made):
                 _frozen(array)
-
-
-def _plain_request(points: np.ndarray) -> Request:
-    """Points and default settings."""
-    return Request(points, None, None, {}, "xy", DEFAULTS)

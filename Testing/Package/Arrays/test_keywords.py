@@ -38,7 +38,14 @@ class ConstraintTest(KeywordTest):
     def test_segments_lines_loops(self):
         points = cloud(21)
         hull = delaunay(points).hull
-        made = delaunay(points, segments=[hull[[0, 2]]], lines=[hull[2:5], hull[4:]], loops=[hull[[1, 4, 7]]], fill_rule="even_odd", crossings="split")
+        made = delaunay(
+            points,
+            segments=[hull[[0, 2]]],
+            lines=[hull[2:5], hull[4:]],
+            loops=[hull[[1, 4, 7]]],
+            fill_rule="even_odd",
+            crossings="split",
+        )
         places = made.points
         self.assertEqual(complaints(places, made.triangles, made.neighbors, made.is_constraint), [])
         self.assertEqual(len(edges(made)) > 5, True)
@@ -216,7 +223,12 @@ class PointTest(KeywordTest):
     def test_duplicates(self):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            for rule, vertex, height in (("first", 0, 5), ("lowest_z", 3, 3), ("highest_z", 4, 9), ("mean_z", 0, 17 / 3)):
+            for rule, vertex, height in (
+                ("first", 0, 5),
+                ("lowest_z", 3, 3),
+                ("highest_z", 4, 9),
+                ("mean_z", 0, 17 / 3),
+            ):
                 made = delaunay(self.HEIGHTS, duplicates=rule)
                 self.assertEqual(set(made.triangles[0]), {vertex, 1, 2}, rule)
                 self.assertEqual(made.points[vertex, 2], height)
@@ -301,8 +313,8 @@ class InsertionTest(KeywordTest):
         for settings in (
             {"insertion_order": "adaptive_hilbert", "control_points": "off"}, {"insertion_order": "multi_grid"},
             {"insertion_order": "regular_grid"}, {"insertion_order": "as_given"}, {"nmax": 1}, {"nmax": 2**31 - 1},
-            {"control_points": "single_level", "gene_rotation": False}, {"count_work": True}, {"threads": 1}, {"threads": 3},
-            {"insertion_limit": 500},
+            {"control_points": "single_level", "gene_rotation": False}, {"count_work": True},
+            {"threads": 1}, {"threads": 3}, {"insertion_limit": 500},
         ):  # fmt: skip
             made = delaunay(points, **settings)
             np.testing.assert_array_equal(made.triangles, expected.triangles, str(settings))

@@ -130,8 +130,9 @@ class DelaunayTest(unittest.TestCase):
 
 class ObjectTest(unittest.TestCase):
     ARRAYS = (
-        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles", "neighbors",
-        "edges", "boundary", "hull", "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
+        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles",
+        "neighbors", "edges", "boundary", "hull",
+        "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
         "crossing_ends", "crossing_fractions", "order", "insertion_ranks", "plane_matrix",
     )  # fmt: skip
 
@@ -159,7 +160,16 @@ class ObjectTest(unittest.TestCase):
 
     def test_wanted_is_what_is_made_later(self):
         points, loops = cloud(12), [[0, 1, 2, 3], [4, 5, 6]]
-        names = ("neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi")
+        names = (
+            "neighbors",
+            "constraint_edges",
+            "regions",
+            "point_status",
+            "insertion_ranks",
+            "order",
+            "boxes",
+            "voronoi",
+        )
         later = delaunay(points, loops=loops, crossings="split", alpha=0.2)
         self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=names), later)
         for name in names:
