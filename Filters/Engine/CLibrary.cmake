@@ -34,6 +34,9 @@ if (SKBUILD)
   install(TARGETS AdaptiveHilbertDelaunayC
     LIBRARY DESTINATION adaptivehilbertdelaunay
     RUNTIME DESTINATION adaptivehilbertdelaunay)
+  install(DIRECTORY "${CMAKE_CURRENT_LIST_DIR}/../Python/" DESTINATION adaptivehilbertdelaunay
+    FILES_MATCHING PATTERN "*.py" PATTERN "py.typed"
+    PATTERN "__pycache__" EXCLUDE PATTERN "_compiled.py" EXCLUDE) # which needs a VTK of its own
   return ()
 endif ()
 

@@ -5,8 +5,9 @@
 
     from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource    # for VTK
 
-The first needs NumPy alone. The second, a VTK filter and a source of point sets, link the VTK they were built
-with: with another version their import raises ImportError.
+The first needs NumPy alone. The second are a VTK filter and a source of point sets: the classes that were compiled
+with VTK, where they were and Python has that VTK (its first two numbers decide); else the filter is the same class in
+Python, over `vtkmodules` or `cvista`, the one that is imported; the source is compiled only. ImportError without VTK.
 
 Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`.
 """
@@ -33,13 +34,11 @@ __all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Vor
 
 
 def __getattr__(name: str) -> Any:
-    if name in _ARRAYS:
-        module = "_arrays"
-    elif name in _CLASSES:
-        module = "_compiled"
-    else:
+    if name in _CLASSES:  # which one depends on the VTK in use, so it is found out each time
+        return importlib.import_module("._vtk", __name__).vtk_class(name)
+    if name not in _ARRAYS:
         raise AttributeError("module %r has no attribute %r" % (__name__, name))
-    found = getattr(importlib.import_module("." + module, __name__), name)
+    found = getattr(importlib.import_module("._arrays", __name__), name)
     globals()[name] = found
     return found
 
