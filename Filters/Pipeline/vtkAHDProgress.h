@@ -14,9 +14,9 @@ class vtkAlgorithm;
  * The engine's Progress for a VTK filter: reports to vtkAlgorithm::UpdateProgress, cancels when the
  * filter is to abort, and takes the time of each phase.
  *
- * An execution consists of stages (Engine/Core/Stages.h); the bar moves with each phase. Observers hear of each hundredth, and where there is none
- * for a twelfth of a second, of the same fraction again: so that they can draw and abort. They may
- * be slow, so they hear of no more.
+ * An execution consists of stages (Engine/Core/Stages.h); the bar moves with each phase. Observers
+ * hear of each hundredth, and where there is none for a twelfth of a second, of the same fraction
+ * again: so that they can draw and abort. They may be slow, so they hear of no more.
  */
 class vtkAHDProgress : public ahd::Progress
 {

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JobArrays.h"
 
-#include "../Core/Border.h"
-#include "../Core/Loops.h"
 #include "../Surface/CellArrays.h"
+#include "JobWriters.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -16,16 +15,6 @@ namespace ahd
 namespace
 {
 
-/// Where an array is to be written, and as what.
-struct Target
-{
-  std::int32_t type;
-  void* out;
-  const Context& context;
-
-  double* doubles() const { return static_cast<double*>(out); }
-};
-
 constexpr unsigned bitOf(std::int32_t type)
 {
   return 1u << type;
@@ -33,52 +22,6 @@ constexpr unsigned bitOf(std::int32_t type)
 constexpr unsigned kId = bitOf(AHD_INT32) | bitOf(AHD_INT64);
 constexpr unsigned kReal = bitOf(AHD_FLOAT32) | bitOf(AHD_FLOAT64);
 constexpr unsigned kDouble = bitOf(AHD_FLOAT64);
-constexpr std::size_t kMostCrossingRows = 1000;
-
-/// Calls work(pointer to ids of the type).
-template <typename Work>
-Status withIds(const Target& to, const Work& work)
-{
-  return to.type == AHD_INT32 ? work(static_cast<std::int32_t*>(to.out))
-                              : work(static_cast<std::int64_t*>(to.out));
-}
-
-/// Calls write(i) for all i in [0, count), on the threads there are.
-template <typename Write>
-Status forEach(std::size_t count, const Context& context, const Write& write)
-{
-  return unlessCancelled(
-    [&]
-    {
-      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      return inChunksOf(count, ticker,
-        [&write](std::size_t begin, std::size_t end)
-        {
-          for (std::size_t i = begin; i < end; ++i)
-          {
-            write(i);
-          }
-        });
-    });
-}
-
-/// Writes value(i) to place i, for all i in [0, count).
-template <typename Value>
-Status fillIds(std::size_t count, const Target& to, const Value& value)
-{
-  return withIds(to,
-    [&](auto* ids)
-    {
-      using Id = std::remove_pointer_t<decltype(ids)>;
-      return forEach(count, to.context, [&](std::size_t i) { ids[i] = static_cast<Id>(value(i)); });
-    });
-}
-
-template <typename Value>
-Status fillDoubles(std::size_t count, const Target& to, const Value& value)
-{
-  return forEach(count, to.context, [&](std::size_t i) { to.doubles()[i] = value(i); });
-}
 
 // --- What each array is ---
 
@@ -223,115 +166,6 @@ Status writeRanks(JobResult& m, const Target& to)
     to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
 }
 
-Status writeBoxBounds(JobResult& m, const Target& to)
-{
-  return forEach(m.triangulation.boxes().size(), to.context,
-    [&](std::size_t i)
-    {
-      const GridBox& box = m.triangulation.boxes()[i];
-      const double bounds[] = { box.xmin, box.xmax, box.ymin, box.ymax };
-      std::copy(std::begin(bounds), std::end(bounds), to.doubles() + 4 * i);
-    });
-}
-
-Status writeBoxLevels(JobResult& m, const Target& to)
-{
-  return fillIds(m.triangulation.boxes().size(), to,
-    [&m](std::size_t i) { return m.triangulation.boxes()[i].level; });
-}
-
-Status writeBoxCounts(JobResult& m, const Target& to)
-{
-  return fillIds(m.triangulation.boxes().size(), to,
-    [&m](std::size_t i) { return m.triangulation.boxes()[i].count; });
-}
-
-Status writeVoronoiPoints(JobResult& m, const Target& to)
-{
-  return fillDoubles(2 * m.voronoi.points.size(), to,
-    [&m](std::size_t i)
-    { return i % 2 == 0 ? m.voronoi.points[i / 2].x : m.voronoi.points[i / 2].y; });
-}
-
-template <std::vector<std::int32_t> VoronoiCells::*part>
-Status writeVoronoiPart(JobResult& m, const Target& to)
-{
-  const std::vector<std::int32_t>& numbers = m.voronoi.*part;
-  // without cells there is not even the first offset
-  const bool lacksFirst = numbers.empty() && part == &VoronoiCells::offsets;
-  return fillIds(lacksFirst ? 1 : numbers.size(), to,
-    [&](std::size_t i) { return lacksFirst ? 0 : numbers[i]; });
-}
-
-Status writeMerged(JobResult& m, const Target& to)
-{
-  return fillIds(2 * m.points.merged().size(), to,
-    [&m](std::size_t i)
-    {
-      const MergedPoint& pair = m.points.merged()[i / 2];
-      return i % 2 == 0 ? pair.id : pair.keptId;
-    });
-}
-
-Status writeSurfaceCorners(JobResult& m, const Target& to)
-{
-  return fillIds(3 * m.points.surfacePlaces().size(), to,
-    [&m](std::size_t i) { return m.points.surfacePlaces()[i / 3].corners[i % 3]; });
-}
-
-Status writeSurfaceWeights(JobResult& m, const Target& to)
-{
-  return fillDoubles(3 * m.points.surfacePlaces().size(), to,
-    [&m](std::size_t i) { return m.points.surfacePlaces()[i / 3].weights[i % 3]; });
-}
-
-Status writeCrossingEnds(JobResult& m, const Target& to)
-{
-  return fillIds(4 * m.points.crossings().size(), to,
-    [&m](std::size_t i) { return m.points.crossings()[i / 4].ends[i % 4]; });
-}
-
-Status writeCrossingFractions(JobResult& m, const Target& to)
-{
-  return fillDoubles(2 * m.points.crossings().size(), to,
-    [&m](std::size_t i) { return m.points.crossings()[i / 2].along[i % 2]; });
-}
-
-std::size_t crossingRows(const JobResult& m)
-{
-  return std::min(kMostCrossingRows,
-    m.points.crossingCells().size() + m.triangulation.constraints().leftOut.size());
-}
-
-Status writeCrossingCells(JobResult& m, const Target& to)
-{
-  const std::size_t split = m.points.crossingCells().size();
-  return fillIds(2 * crossingRows(m), to,
-    [&](std::size_t i)
-    {
-      if (i / 2 < split)
-      {
-        return m.points.crossingCells()[i / 2][i % 2];
-      }
-      const LeftOut& out = m.triangulation.constraints().leftOut[i / 2 - split];
-      return m.points.cellOf(i % 2 == 0 ? out.chain : out.otherChain);
-    });
-}
-
-Status writeLeftOut(JobResult& m, const Target& to)
-{
-  const std::vector<LeftOut>& all = m.triangulation.constraints().leftOut;
-  return fillIds(4 * all.size(), to,
-    [&](std::size_t i)
-    {
-      const LeftOut& out = all[i / 4];
-      return i % 4 == 0 ? m.points.cellOf(out.chain)
-        : i % 4 == 1    ? std::int64_t(out.segment)
-        : i % 4 == 2    ? m.points.cellOf(out.otherChain)
-                        : std::int64_t(out.otherSegment);
-    });
-}
-
 // --- The table ---
 
 /// What is to be asked for before the run; empty if it was or need not be.
@@ -430,11 +264,11 @@ constexpr Row kRows[] = {
   { "voronoi_points", kDouble, 2, [](const JobResult& m) { return m.voronoi.points.size(); },
     writeVoronoiPoints, kVoronoi, lacksVoronoi },
   { "voronoi_offsets", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size() + 1; },
-    writeVoronoiPart<&VoronoiCells::offsets>, kVoronoi, lacksVoronoi },
+    writeVoronoiOffsets, kVoronoi, lacksVoronoi },
   { "voronoi_corners", kId, 1, [](const JobResult& m) { return m.voronoi.corners.size(); },
-    writeVoronoiPart<&VoronoiCells::corners>, kVoronoi, lacksVoronoi },
+    writeVoronoiCorners, kVoronoi, lacksVoronoi },
   { "voronoi_sites", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size(); },
-    writeVoronoiPart<&VoronoiCells::sites>, kVoronoi, lacksVoronoi },
+    writeVoronoiSites, kVoronoi, lacksVoronoi },
   { "merged", kId, 2, [](const JobResult& m) { return m.points.merged().size(); }, writeMerged,
     kArrays, lacksNothing },
   { "surface_corners", kId, 3, placeCount, writeSurfaceCorners, kArrays, lacksNothing },

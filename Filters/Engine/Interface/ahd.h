@@ -277,7 +277,8 @@ typedef struct ahd_array
   int64_t column_stride; /* bytes from column to column; the same */
 } ahd_array;
 
-/* Null in place of an array takes it away. There is no result any more. AHD_UNKNOWN_NAME, AHD_BAD_ARRAY. */
+/* Null in place of an array takes it away. There is no result any more. AHD_UNKNOWN_NAME,
+ * AHD_BAD_ARRAY. */
 AHD_API ahd_status ahd_set_array(ahd_job* job, const char* name, const ahd_array* array);
 
 /* Moves points (x, y, z each) in place: to where they lie in the plane, and their height above it.

@@ -33,10 +33,7 @@ public:
   }
 
 private:
-  double z(Index i) const
-  {
-    return points_.z(i);
-  }
+  double z(Index i) const { return points_.z(i); }
 
   const PointView& points_;
   bool isHighest_;

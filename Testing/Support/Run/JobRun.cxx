@@ -55,8 +55,9 @@ void JobRun::setPoints(const PointView& points)
   }
   note(ahd_set_array(job_, "points", &array));
   const ahd_array marks = { points.skip, AHD_UINT8, 1, array.rows, 1, 1 };
-  note(ahd_set_array(job_, "skip", points.skip ? &marks : nullptr));
-  set("skip_mask", std::int64_t(points.skipMask));
+  const bool canSkip = points.skip && points.skipMask != 0;
+  note(ahd_set_array(job_, "skip", canSkip ? &marks : nullptr));
+  set("skip_mask", std::int64_t(canSkip ? points.skipMask : 0xFF));
 }
 
 void JobRun::setConstraints(const ConstraintView& constraints)
