@@ -8,11 +8,12 @@ from typing import Any, Callable, Optional, Sequence, Union
 import numpy as np
 
 from ._input import DEFAULTS, Plane, Request
+from ._library import release_memory
 from ._results import Boxes, Kind, Location, Voronoi
 from ._triangulation import WANTED, Triangulation
 from ._warnings import DelaunayWarning, warn
 
-__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay"]
+__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
 
 
 def delaunay(

@@ -198,7 +198,7 @@ class ObjectTest(unittest.TestCase):
         self.assertEqual(len(twins[1].voronoi("bounds")), 200)
 
     def test_points_that_were_changed_are_noticed(self):
-        for view in (lambda points: points, lambda points: points[::2, ::-1]):
+        for view in (lambda points: points, lambda points: points[::2, ::-1], memoryview):
             points = cloud(15, 200000)
             made = delaunay(view(points), threads=1)
             triangles = made.triangles.copy()
@@ -209,6 +209,24 @@ class ObjectTest(unittest.TestCase):
             np.testing.assert_array_equal(made.triangles, triangles)
             points[100000, 1] = cloud(15, 200000)[100000, 1]
             self.assertEqual(made.neighbors.shape, triangles.shape)
+
+    def test_any_change_is_noticed(self):
+        """One bit anywhere, rows that change places; in every layout and type."""
+        shapes = ((3, 2, np.float64), (9001, 2, np.float32), (20000, 3, np.float32), (30000, 3, np.float64))
+        for count, columns, dtype in shapes:
+            points = cloud(18, count, columns, dtype)
+            for view in (points, points[::-1, :2]):
+                made = delaunay(view)
+                for row in {0, count // 2, count - 1, min(count - 1, 8192)}:
+                    for column in range(view.shape[1]):
+                        before = view[row, column]
+                        view[row, column] = np.nextafter(before, dtype(2))
+                        self.assertRaises(RuntimeError, made._engine)
+                        view[row, column] = before
+                view[[0, count - 1]] = view[[count - 1, 0]]
+                self.assertRaises(RuntimeError, made._engine)
+                view[[0, count - 1]] = view[[count - 1, 0]]
+                self.assertEqual(made.neighbors.shape, made.triangles.shape)
 
     def test_located_goes_on_after_a_change(self):
         points = cloud(16)

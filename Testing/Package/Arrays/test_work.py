@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 from adaptivehilbertdelaunay import _library as library
-from adaptivehilbertdelaunay import delaunay
+from adaptivehilbertdelaunay import delaunay, release_memory
 from arraysupport import SQUARE, cloud
 
 # Interrupts itself while the engine is at work in the main thread, and tells how that ended.
@@ -160,6 +160,80 @@ class CallbackTest(unittest.TestCase):
         with self.assertWarnsRegex(UserWarning, "no finite place in the plane"):
             made = delaunay(SQUARE, plane=lambda xyz: np.where(xyz[:, :1] > 3, np.nan, xyz))
         self.assertEqual(made.counts["not_finite"], 2)
+
+
+class MemoryTest(unittest.TestCase):
+    def setUp(self):
+        release_memory()
+
+    def test_memory_waits_for_the_next_call(self):
+        points = cloud(56, 20000)
+        made = delaunay(points)
+        self.assertEqual(library._spare, [])
+        del made
+        (spare,) = library._spare
+        self.assertTrue(20000 * 40 < spare.kept_bytes() <= library.REUSE_LIMIT)
+        made = delaunay(points)
+        self.assertEqual(library._spare, [])
+        self.assertIs(made._job, spare)
+        two = [delaunay(points), delaunay(points)]
+        del made, two
+        self.assertEqual(len(library._spare), 1)
+        release_memory()
+        self.assertEqual(library._spare, [])
+
+    def test_what_is_too_much_is_not_kept(self):
+        self.addCleanup(setattr, library, "REUSE_LIMIT", library.REUSE_LIMIT)
+        library.REUSE_LIMIT = 1000
+        delaunay(cloud(57, 20000))
+        self.assertEqual([job.kept_bytes() for job in library._spare], [0])
+
+    def test_nothing_else_is_kept(self):
+        points = cloud(58, 300, 3)
+        expected = delaunay(points).triangles
+        delaunay(points, source_points=cloud(59, 9), loops=[0, 1, 2], skip=np.arange(300) % 2 == 0, alpha=0.1, nmax=3,
+                 plane=lambda xyz: xyz[:, [1, 2, 0]], duplicates="mean_z", want=("boxes", "voronoi"), threads=2,
+                 progress=lambda phase, done: None, voronoi_clip="bounds", count_work=True)  # fmt: skip
+        (job,) = library._spare
+        self.assertEqual({name: job.get(name) for name in library.defaults()}, library.defaults())
+        self.assertEqual((job._arrays, job._progress, job._projection), ({}, None, None))
+        made = delaunay(points)
+        self.assertIs(made._job, job)
+        np.testing.assert_array_equal(made.triangles, expected)
+        self.assertEqual(made.measures["np"], -1)
+
+    def test_after_an_error(self):
+        points = cloud(60, 300)
+        for keywords in ({"memory_limit": 1}, {"plane": lambda xyz: 1 / 0}, {"progress": lambda phase, done: 1 / 0}):
+            with self.assertRaises((MemoryError, ZeroDivisionError)):
+                delaunay(points, **keywords)
+            self.assertEqual(len(delaunay(points).hull), len(delaunay(points, threads=1).hull))
+
+    @unittest.skipUnless(hasattr(os, "fork"), "POSIX only")
+    def test_forks(self):
+        """What a process has before it forks does not hinder the one that begins there."""
+        script = (
+            "import os, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "points = numpy.random.default_rng(1).random((50000, 2))\n"
+            "made = delaunay(points, threads=3)\ndelaunay(points, threads=3)\n"
+            "child = os.fork()\n"
+            "same = (delaunay(points, threads=3).neighbors == made.neighbors).all()\n"
+            "if child == 0:\n    os._exit(7 if same else 1)\n"
+            "print(same, os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.stdout, done.returncode), ("True 7\n", 0), done.stderr)
+
+    def test_the_end_of_a_program(self):
+        """Triangulations that live until the end, or are made there, do no harm."""
+        script = (
+            "import atexit, sys, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "points = numpy.random.default_rng(1).random((1000, 2))\n"
+            "atexit.register(lambda: print(made.neighbors.shape == delaunay(points).triangles.shape))\n"
+            "made = delaunay(points)\nmade.itself = made\nsys.kept = delaunay(points)\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("True\n", "", 0))
 
 
 class ThreadTest(unittest.TestCase):
