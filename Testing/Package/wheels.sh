@@ -44,7 +44,8 @@ make_tools() {
 wrap() {
   local name=$1
   shift
-  printf '#!/bin/sh\nexec "%s" -m ziglang %s "$@"\n' "$tools/bin/python" "$*" >"$folder/bin/$name"
+  printf '#!/bin/sh\nexport ZIG_GLOBAL_CACHE_DIR="%s"\nexec "%s" -m ziglang %s "$@"\n' \
+    "$folder/zig" "$tools/bin/python" "$*" >"$folder/bin/$name"
   chmod +x "$folder/bin/$name"
 }
 
