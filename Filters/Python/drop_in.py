@@ -26,7 +26,7 @@ import sys
 
 from . import _vtk
 
-__all__ = ["install", "installed", "original", "suspended", "uninstall", "vtkDelaunay2D"]
+__all__ = ["install", "installed", "suspended", "uninstall"]  # original and vtkDelaunay2D by __getattr__
 
 MODULE = ".vtkFiltersCore"  # that has the class, in each VTK
 

@@ -100,6 +100,20 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
     return algorithm, _Messages(algorithm, package)
 
 
+def _set(algorithm, **settings):
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(value)
+
+
+def _arrays_to_add(names):
+    """Settings of the filter, for the names of arrays."""
+    names = [names] if isinstance(names, str) else list(names)
+    for name in names:
+        if name not in ARRAYS:
+            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAYS))))
+    return {"Generate" + ARRAYS[name]: True for name in names}
+
+
 def _give_source(algorithm, edge_source, constraints):
     if edge_source is not None and constraints is not None:
         raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
@@ -130,12 +144,18 @@ def _taken(output):
     return made
 
 
+def _into(mesh, made, inplace):
+    if not inplace:
+        return made
+    mesh.copy_from(made, deep=False)
+    return mesh
+
+
 def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False, edge_source=None, progress_bar=False,
                 *, constraints=None, crossings="leave_out", closed_lines="loops", fill_rule="even_odd", heights="own",
-                plane="auto", rim="auto", duplicates="first", max_edge_length=0.0, arrays=(), threads=0, memory_limit=0):
-    """Triangulate the points of a mesh: exact, whole, in any number.
-
-    The first arguments are those of PyVista's ``delaunay_2d``, in its order.
+                plane="auto", rim="auto", duplicates="first", max_edge_length=0.0, arrays=(), threads=0,
+                memory_limit=0):
+    """Triangulate the points of a mesh, exactly; the first arguments are PyVista's, in its order.
 
     Parameters
     ----------
@@ -167,11 +187,12 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     heights : {"own", "surface"}
         Which z the points of `constraints` have: their own, or that of the surface of the mesh's points.
     plane : {"auto", "fit", "xy"} or vtkAbstractTransform
-        In which plane to triangulate: the best fitting one ("fit"), x and y ("xy"), x and y of the points as a transform
-        moves them; "auto": x and y if all z are the same, else the best fitting one. The points stay where they are.
+        In which plane to triangulate: the best fitting one ("fit"), x and y ("xy"), x and y of the points as a
+        transform moves them; "auto": x and y if all z are the same, else the best fitting one. The points stay where
+        they are.
     rim : {"auto", "hull", "trimmed"}
-        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it; "auto": to
-        the hull in x, y, else trimmed, as these would stand as walls.
+        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it; "auto":
+        to the hull in x, y, else trimmed, as these would stand as walls.
     duplicates : {"first", "lowest", "highest", "mean"}
         Which of several points at one place in the plane is in the surface: the one of smallest id, that of lowest or
         highest z, the one of smallest id at the mean of all z.
@@ -191,43 +212,24 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
 
     Raises
     ------
-    MemoryError
-        There is not enough memory, or `memory_limit` allows less than is needed.
-    RuntimeError
-        There are more than 2^28 - 2 points.
-    TypeError, ValueError
-        An argument is none of those above.
+    MemoryError: not enough memory, or `memory_limit` allows less. RuntimeError: more than 2^28 - 2 points.
+    TypeError, ValueError: an argument is none of those above.
 
     Warns
     -----
-    adaptivehilbertdelaunay.DelaunayWarning
-        Of points that are not finite, constraints that are left out, no triangle and the like, with numbers.
+    DelaunayWarning: points that are not finite, constraints that are left out, no triangle and the like, with numbers.
     """
-    algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
-    algorithm.SetAlpha(alpha)
-    algorithm.AlphaLinesOff()
-    algorithm.AlphaVertsOff()
-    algorithm.SetOffset(offset)
-    algorithm.SetBoundingTriangulation(int(bool(bound)))
-    algorithm.SetMaximumEdgeLength(max_edge_length)
-    _give_source(algorithm, edge_source, constraints)
-    algorithm.SetCrossingMode(_number_of(crossings, CROSSINGS, "crossings"))
-    algorithm.SetClosedLines(_number_of(closed_lines, CLOSED_LINES, "closed_lines"))
-    algorithm.SetFillRule(_number_of(fill_rule, FILL_RULES, "fill_rule"))
-    algorithm.SetSourceHeights(_number_of(heights, HEIGHTS, "heights"))
-    algorithm.SetRim(_number_of(rim, RIMS, "rim"))
-    for name in [arrays] if isinstance(arrays, str) else arrays:
-        if name not in ARRAYS:
-            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAYS))))
-        getattr(algorithm, "SetGenerate" + ARRAYS[name])(True)
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
+    algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
+    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, Offset=offset, BoundingTriangulation=int(bool(bound)),
+         MaximumEdgeLength=max_edge_length, CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
+         ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
+         FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
+         SourceHeights=_number_of(heights, HEIGHTS, "heights"), **_arrays_to_add(arrays))
+    _give_source(algorithm, edge_source, constraints)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
-    made = _taken(algorithm.GetOutput())
-    if inplace:
-        mesh.copy_from(made, deep=False)
-        return mesh
-    return made
+    return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
 
 def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", threads=0, memory_limit=0,
@@ -251,13 +253,11 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", 
 
     Raises
     ------
-    MemoryError, RuntimeError, TypeError, ValueError
-        As `delaunay_2d`.
+    MemoryError, RuntimeError, TypeError, ValueError: as `delaunay_2d`.
 
     Warns
     -----
-    adaptivehilbertdelaunay.DelaunayWarning
-        As `delaunay_2d`.
+    DelaunayWarning: as `delaunay_2d`.
     """
     algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
     algorithm.GenerateVoronoiOn()

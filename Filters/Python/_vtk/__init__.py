@@ -45,10 +45,12 @@ class Backend:
 
 
 def package_of(thing):
-    """Which VTK an object or a class is of, "vtkmodules" or "cvista"; None if it is of neither."""
-    for kind in (thing if isinstance(thing, type) else type(thing)).__mro__:
-        package = kind.__module__.split(".", 1)[0]
-        if package in PACKAGES:
+    """Which VTK an object or a class is of, "vtkmodules" or "cvista"; None if it is of neither. By its superclass: what
+    classes of cvista call their module is not always true."""
+    kind = thing if isinstance(thing, type) else type(thing)
+    for package in PACKAGES:
+        core = sys.modules.get(package + ".vtkCommonCore")
+        if core is not None and issubclass(kind, core.vtkObjectBase):
             return package
     return None
 

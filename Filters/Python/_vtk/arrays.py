@@ -3,17 +3,17 @@
 
 import numpy
 
-_FLOATS = {10: numpy.float32, 11: numpy.float64}  # VTK_FLOAT, VTK_DOUBLE
+# Of VTK's types whole numbers with a sign, without one, floating-point numbers; VTK_ID_TYPE is 12.
+_NUMBERS = {2: "i", 3: "u", 4: "i", 5: "u", 6: "i", 7: "u", 8: "i", 9: "u", 10: "f", 11: "f", 12: "i", 15: "i", 16: "i",
+            17: "u"}
+_FLOATS = (10, 11)  # VTK_FLOAT, VTK_DOUBLE
 GHOSTS = "vtkGhostType"
 
 
 def view(data):
     """The numbers of a vtkDataArray where they lie: (n,), or (n, c) with several components. REQUIRES: standard memory
     layout."""
-    number = numpy.dtype({
-        2: numpy.int8, 15: numpy.int8, 3: numpy.uint8, 4: numpy.int16, 5: numpy.uint16, 6: numpy.int32, 7: numpy.uint32,
-        8: numpy.dtype("l"), 9: numpy.dtype("L"), 10: numpy.float32, 11: numpy.float64,
-        12: numpy.dtype("i%d" % data.GetDataTypeSize()), 16: numpy.int64, 17: numpy.uint64}[data.GetDataType()])
+    number = numpy.dtype("%s%d" % (_NUMBERS[data.GetDataType()], data.GetDataTypeSize()))
     count, components = data.GetNumberOfTuples(), data.GetNumberOfComponents()
     if count * components == 0:
         return numpy.empty((count, components) if components > 1 else count, number)
@@ -22,7 +22,8 @@ def view(data):
 
 
 def is_viewable(data):
-    return bool(data.HasStandardMemoryLayout()) and data.GetDataType() in (2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 15, 16, 17)
+    """Do its numbers lie in memory one after the other?"""
+    return bool(data.HasStandardMemoryLayout()) and data.GetDataType() in _NUMBERS
 
 
 def new_array(kind, count, components=1, name=None):

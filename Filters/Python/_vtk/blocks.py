@@ -148,8 +148,9 @@ class Merged:
                 return blocks.merge()
         except MemoryError:
             pass
-        self.speaker.error("Merging blocks of %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed." % (
-            blocks.count, needed, "MemoryLimit allows " if self.limit else "there are ", limit))
+        self.speaker.error(
+            "Merging blocks of %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed." % (
+                blocks.count, needed, "MemoryLimit allows " if self.limit else "there are ", limit))
         return None
 
     def warn(self):

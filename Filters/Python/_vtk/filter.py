@@ -187,8 +187,8 @@ class _Ports:
         self.GetExecutive().SetOutputData(0, output)
 
     def SetSourceData(self, source):
-        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what is
-        kept; None: none."""
+        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
+        is kept; None: none."""
         if source is not None and not isinstance(source, self._backend.vtkPolyData):
             raise TypeError("SetSourceData argument 1: a vtkPolyData of %s is required, not %s" % (
                 self._backend.package, type(source).__name__))

@@ -55,8 +55,8 @@ def error_text(status, job, values, more):
     if status == engine.TOO_MANY_BOXES:
         return (
             "The grid of %d points has more than %d boxes, and putting out more may take more memory than %s%d KiB. "
-            "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit (in "
-            "KiB) to allow more." % (
+            "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit "
+            "(in KiB) to allow more." % (
                 points, job.count("most_boxes"), "MemoryLimit allows, " if limited else "there is, ", allowed))
     if status == engine.MEMORY_LIMIT:
         return (
@@ -97,15 +97,16 @@ def _of_points(job, _values, found):
             job.count("not_finite"), points, "they have no finite place in the plane of the triangulation"
             if found.is_projected else "their x or y is NaN or infinite", job.count("first_not_finite"))
     if job.count("odd_z"):
-        yield ("%d of %d points have a z that is NaN or infinite. They are part of the triangulation, which is computed "
-               "in x and y, but cannot be drawn." % (job.count("odd_z"), points))
+        yield ("%d of %d points have a z that is NaN or infinite. They are part of the triangulation, which is "
+               "computed in x and y, but cannot be drawn." % (job.count("odd_z"), points))
 
 
 def _of_no_triangle(job, found):
     inserted, beyond = job.count("inserted"), job.count("beyond_limit")
     if beyond:
-        return ("There is no triangle yet, because InsertionLimit has only the first %d of %d distinct points inserted, "
-                "%s" % (inserted, inserted + beyond, "fewer than three." if inserted < 3 else "and these are collinear."))
+        return ("There is no triangle yet, because InsertionLimit has only the first %d of %d distinct points "
+                "inserted, %s" % (
+                    inserted, inserted + beyond, "fewer than three." if inserted < 3 else "and these are collinear."))
     merged = job.count("merged_points")
     looked = not found.is_projected
     return "There is no triangle, because %s%d distinct points among %d%s.%s" % (
@@ -117,7 +118,7 @@ def _of_no_triangle(job, found):
 def _of_cells(job, values, found):
     triangles, delaunay = job.count("kept_triangles"), job.count("delaunay_triangles")
     if found.diagram_in_plane:
-        yield ("The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to the points.")
+        yield "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to the points."
     if triangles and not found.cells:
         yield ("None of %d triangles is put out, and nothing else: Alpha, its switches and MaximumEdgeLength leave "
                "nothing." % triangles)
@@ -177,8 +178,8 @@ def _of_constraints(job, values, _found):
         loops = ""
     missing = job.count("segments_without_vertex")
     if job.count("unfit_ids"):
-        yield ("%d%s of the source are no constraints: %d of the ids in its cells are not those of points, the first is "
-               "%d in cell %d. They refer to the points of %s%s" % (
+        yield ("%d%s of the source are no constraints: %d of the ids in its cells are not those of points, the first "
+               "is %d in cell %d. They refer to the points of %s%s" % (
                    missing, of_all, job.count("unfit_ids"), job.count("first_unfit_id"), job.count("first_unfit_cell"),
                    "the source." if values["SourceMode"] else "the input (see SourceMode).", loops))
     elif missing and job.count("delaunay_triangles"):

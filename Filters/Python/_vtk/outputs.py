@@ -5,7 +5,8 @@ import math
 
 import numpy
 
-from .arrays import (GHOSTS, cell_array, coordinates, id_list, new_array, remove_arrays_of_one_name, replace_array, view)
+from .arrays import (GHOSTS, cell_array, coordinates, id_list, new_array, remove_arrays_of_one_name, replace_array,
+                     view)
 from .pointdata import PointData
 
 IDS_NAME = "OriginalPointIds"

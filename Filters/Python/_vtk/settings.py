@@ -11,15 +11,16 @@ DOUBLE_MAX = 1.0e299  # VTK_DOUBLE_MAX
 
 
 class Setting:
-    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64 or double. `least`, `most`: what values
-    are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does, for docstrings."""
+    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64 or double. `least`, `most`: what
+    values are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does."""
 
     def __init__(self, name, kind, default, about, least=None, most=None, names=()):
         self.name, self.kind, self.default, self.about, self.names = name, kind, default, about, names
         self.least, self.most = (0, len(names) - 1) if kind == "enum" and most is None else (least, most)
 
     def convert(self, value, now):
-        """The value as the setting has it. TypeError for what is none, OverflowError for what VTK's type cannot hold."""
+        """The value as the setting has it. TypeError for what is none, OverflowError for what VTK's type cannot
+        hold."""
         if self.kind == "bool":
             return bool(value)
         if self.kind == "double":
@@ -69,7 +70,8 @@ INSERTION = (
     Setting("NumberOfThreads", "int", 0, "How many threads work; 0: one for each processor, as vtkSMPTools allows."
             + CHANGES_TIME, 0, 1024),
     Setting("ReuseLimit", "int64", 262144, "The most working memory kept for the next execution, KiB.", 0, INT64_MAX),
-    Setting("KeepTriangulation", "bool", True, "Pass on the triangles of the last execution where nothing has changed."),
+    Setting("KeepTriangulation", "bool", True,
+            "Pass on the triangles of the last execution where nothing has changed."),
 )
 
 SURFACE = (
@@ -79,7 +81,8 @@ SURFACE = (
             names=("LeaveOut", "Split")),
     Setting("ClosedLines", "enum", 0, "What lines are that end where they begin: lines, or loops as polygons are.",
             names=("Lines", "Loops")),
-    Setting("SourceHeights", "enum", 0, "Which z the points of the source have: their own, or that of the input's surface.",
+    Setting("SourceHeights", "enum", 0,
+            "Which z the points of the source have: their own, or that of the input's surface.",
             names=("Own", "FromSurface")),
     Setting("FillRule", "enum", 0, "What loops keep: what is on their left, or inside an odd number of them.",
             names=("Orientation", "EvenOdd")),
@@ -88,14 +91,15 @@ SURFACE = (
     Setting("AlphaLines", "flag", 1, "With Alpha, put out edges of no triangle that is put out."),
     Setting("AlphaVerts", "flag", 1, "With Alpha, put out points of neither."),
     Setting("MaximumEdgeLength", "double", 0.0, "The longest edge in the plane; 0: no limit.", 0.0, DOUBLE_MAX),
-    Setting("ProjectionPlaneMode", "enum", 0, "The plane of the triangulation: 0: x, y; 1: by Transform; 2: best fitting.",
-            0, 2),
+    Setting("ProjectionPlaneMode", "enum", 0,
+            "The plane of the triangulation: 0: x, y; 1: by Transform; 2: best fitting.", 0, 2),
     Setting("Rim", "enum", 0, "How far the surface reaches where no loop bounds it.",
             names=("Automatic", "ConvexHull", "Trimmed")),
     Setting("Tolerance", "double", 0.0, "Merge points nearer than this part of the diagonal of all.", 0.0, 1.0),
     Setting("DuplicatePolicy", "enum", 0, "Which of several points at one place is the vertex.",
             names=("First", "LowestZ", "HighestZ", "MeanZ")),
-    Setting("Offset", "double", 1.0, "How far out the points of BoundingTriangulation lie, in diagonals.", 0.75, DOUBLE_MAX),
+    Setting("Offset", "double", 1.0, "How far out the points of BoundingTriangulation lie, in diagonals.", 0.75,
+            DOUBLE_MAX),
     Setting("BoundingTriangulation", "flag", 0, "Add vtkDelaunay2D's eight bounding points."),
     Setting("MergeBlocks", "bool", False, "Triangulate the points of all blocks together."),
     Setting("GenerateVoronoi", "bool", False, "Put the Voronoi diagram into output port 2."),

@@ -5,7 +5,8 @@ import gc
 import os
 import threading
 
-from classtests import Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source, triangles, vtk
+from classtests import (Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
+                        triangles, vtk)
 
 execution = vtk("vtkCommonExecutionModel")
 
@@ -79,7 +80,8 @@ class PipelineTest(Case):
         self.assertGreater(found.GetNumberOfTriangles(), 50)
 
     def test_outputs_outlive_it(self):
-        algorithm, _ = run(cloud(scattered(80)), GenerateVoronoi=True, GenerateNeighbors=True, BoundingTriangulation=True)
+        settings = {"GenerateVoronoi": True, "GenerateNeighbors": True, "BoundingTriangulation": True}
+        algorithm, _ = run(cloud(scattered(80)), **settings)
         surface, diagram = algorithm.GetOutput(), algorithm.GetOutput(2)
         expected = triangles(surface), surface.GetPoint(85), diagram.GetPoint(7)
         del algorithm, _

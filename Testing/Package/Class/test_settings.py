@@ -46,8 +46,9 @@ def described():
             if not name.startswith("Get"):
                 answer = getattr(algorithm, "Get" + setting)()
             answers[name] = answer
-    return {"settings": settings, "constants": constants, "answers": answers, "methods": sorted(
-        name for name in own_names() if callable(getattr(Filter, name)) and not isinstance(getattr(Filter, name), type))}
+    methods = [name for name in own_names() if callable(getattr(Filter, name))
+               and not isinstance(getattr(Filter, name), type)]
+    return {"settings": settings, "constants": constants, "answers": answers, "methods": sorted(methods)}
 
 
 class SettingsTest(Case):
