@@ -3,6 +3,7 @@
 
 import inspect
 import math
+import re
 import unittest
 import warnings
 
@@ -407,12 +408,18 @@ class OutputTest(KeywordTest):
         self.assertGreater(len(told), 20)
 
     def test_all_keywords_are_here(self):
-        """Each is in a test of this file, and in the docstring."""
+        """Each is in a test of this file, and in the docstring with its default."""
         with open(__file__, encoding="utf-8") as file:
             text = file.read()
-        for name in list(inspect.signature(delaunay).parameters)[1:]:
+        documented = inspect.getdoc(delaunay)
+        for name, parameter in list(inspect.signature(delaunay).parameters.items())[1:]:
             self.assertTrue(name + "=" in text or '"%s":' % name in text, name)
-            self.assertIn("\n    %s : " % name, delaunay.__doc__)
+            said = re.search("^%s : .*?(?:, default (.*)|, optional)$" % name, documented, re.MULTILINE)
+            self.assertTrue(said, name)
+            if said.group(1):
+                self.assertEqual(eval(said.group(1), {"numpy": np}), parameter.default, name)
+            else:
+                self.assertIn(parameter.default, (None, ()), name)
 
     def test_offset_of_a_point(self):
         """A single point has no diagonal."""
