@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterable, Mapping, Optional, Tuple
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request, checksum
+from ._input import CHOICES, DEFAULTS, Request, checksum, near_each_other
 from ._made import Made, frozen
 from ._results import Boxes, Location, Voronoi, chained
 
@@ -395,10 +395,14 @@ class Triangulation(Made):
         with self._lock:
             # The first time the engine makes tables of its own, and reads no points after that.
             job = self._job if self._hasPlaces and self._job is not None else self._engine()
-            kinds, ids, cells = job.locate(given)
+            places = np.asarray(given, np.float64)
+            order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
+            found = job.locate(places[order])  # each is looked for from the one before it
             self._hasPlaces = True
+        kinds, corners, cells = (np.empty_like(array) for array in found)
+        kinds[order], corners[order], cells[order] = found
         triangles = np.where(cells < 0, -1, cells - self._others)
-        return Location(kinds, triangles.astype(self._dtype), ids.astype(self._dtype))
+        return Location(kinds, triangles.astype(self._dtype), corners.astype(self._dtype))
 
     @property
     def counts(self) -> Mapping[str, int]:

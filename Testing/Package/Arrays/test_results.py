@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 from adaptivehilbertdelaunay import Kind, delaunay
+from adaptivehilbertdelaunay._input import near_each_other
 from arraysupport import SQUARE, cloud, complaints, hull_of, integers, lattice, orient, twice_area
 
 
@@ -85,8 +86,25 @@ class DelaunayTest(unittest.TestCase):
             named = set(corners[corners >= 0].tolist())
             self.assertEqual(len(named), 3 - on)
             self.assertLessEqual(named, set(ids.tolist()))
+        turn = np.random.default_rng(19).permutation(len(places))
+        for array, turned in zip(found, made.locate(places[turn])):
+            np.testing.assert_array_equal(array[turn], turned)
+        for place, kind in ([1e308, -1e308], 3), ([-1e308, 1e308], 3), ([2.5, 2.4], 0), ([5e-324, 0.5], 0):
+            both = made.locate([place, [1e308, 1e308], place, [-1e308, 0]])
+            self.assertEqual((both.kind[0], both.kind[2]), (kind, kind))
+        self.assertEqual(made.locate(np.empty((0, 2))).corners.shape, (0, 3))
         with self.assertWarns(UserWarning):
             self.assertEqual(delaunay(SQUARE[:2]).locate([[0, 0]]).kind[0], Kind.NOWHERE)
+
+    def test_places_are_looked_for_along_a_curve(self):
+        """So that each is near the one before it: a walk through all triangles for each would take too many steps."""
+        places = cloud(20, 4000)
+        order = near_each_other(places)
+        self.assertEqual(sorted(order), list(range(4000)))
+        steps = np.hypot(*np.diff(places[order], axis=0).T)
+        self.assertLess(steps.sum(), 4 * np.sqrt(4000))  # about 2000 in the order given
+        for strange in (np.full((3, 2), np.nan), np.full((3, 2), 7.0), [[np.inf, 1e308], [0, -1e308], [-np.inf, 0]]):
+            self.assertEqual(sorted(near_each_other(np.array(strange))), [0, 1, 2])
 
     def test_voronoi(self):
         """Cells are convex, add up to the hull (or the box), and are nearest to their sites."""
@@ -185,7 +203,7 @@ class ObjectTest(unittest.TestCase):
 
     def test_copies_and_pickles(self):
         points = cloud(14)
-        made = delaunay(points, segments=[(0, 1), (2, 3)], plane="best_fit")
+        made = delaunay(points, segments=[(0, 1), (0, 3)], plane="best_fit")
         self.assertIs(copy.copy(made), made)
         twins = [copy.deepcopy(made), pickle.loads(pickle.dumps(made))]
         self.every(made)

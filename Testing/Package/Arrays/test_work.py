@@ -191,7 +191,7 @@ class MemoryTest(unittest.TestCase):
     def test_nothing_else_is_kept(self):
         points = cloud(58, 300, 3)
         expected = delaunay(points).triangles
-        delaunay(points, source_points=cloud(59, 9), loops=[0, 1, 2], skip=np.arange(300) % 2 == 0, alpha=0.1, nmax=3,
+        delaunay(points, source_points=cloud(59, 9), lines=[0, 1, 2], skip=np.arange(300) % 2 == 0, alpha=0.1, nmax=3,
                  plane=lambda xyz: xyz[:, [1, 2, 0]], duplicates="mean_z", want=("boxes", "voronoi"), threads=2,
                  progress=lambda phase, done: None, voronoi_clip="bounds", count_work=True)  # fmt: skip
         (job,) = library._spare
