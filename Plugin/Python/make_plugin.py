@@ -83,8 +83,8 @@ def plugin():
     """The text of the plugin."""
     found, up_to_points = proxies()
     listed = "".join(
-        "    (\n        %r,\n        %r,\n        %r,\n        %s,\n    ),\n" % (group, tag, attributes, literal(inside))
-        for group, tag, attributes, inside in found
+        "    (\n        %r,\n        %r,\n        %r,\n        %s,\n    ),\n" % (*named, literal(inside))
+        for *named, inside in found
     )
     values = {"VERSION": '"%s"' % version(), "PROXIES": "[\n%s]" % listed, "UP_TO_POINTS": repr(up_to_points)}
     text = TEMPLATE.read_text(encoding="utf-8")
