@@ -441,12 +441,13 @@ class _OfParaView:
         )
 
 
-def _declare(group, tag, attributes, inside):
-    """Makes what ParaView looks for in this module: the class of a proxy, with its description."""
+def _declare(works, group, tag, attributes, inside):
+    """Makes what ParaView looks for in this module: the class of a proxy, with its description. Where nothing works,
+    only what nobody sees, as ParaView 6 complains of a plugin without any."""
     name, vtk_class = attributes["name"], attributes.get("class")
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
-    elif _data_are_elsewhere() or _has(vtk_class):  # in Python there is no PlanarPointSource
+    elif works and (_data_are_elsewhere() or _has(vtk_class)):  # in Python there is no PlanarPointSource
         made = type(name, (_Driver,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)
@@ -455,17 +456,18 @@ def _declare(group, tag, attributes, inside):
 
 
 def _load():
-    if _is_compiled_one_loaded():
-        vtkOutputWindow.GetInstance().DisplayWarningText(
+    window, wrong = vtkOutputWindow.GetInstance(), ""
+    there_already = _is_compiled_one_loaded()
+    if there_already:
+        window.DisplayWarningText(
             "The compiled plugin AdaptiveHilbertDelaunay is loaded already. The one in Python adds nothing to it.\n"
         )
-        return
-    wrong = "" if _data_are_elsewhere() else _what_is_wrong()
+    elif not _data_are_elsewhere():
+        wrong = _what_is_wrong()
     if wrong:
-        vtkOutputWindow.GetInstance().DisplayErrorText(wrong + "\n")
-    else:
-        for proxy in PROXIES:
-            _declare(*proxy)
+        window.DisplayErrorText(wrong + "\n")
+    for proxy in PROXIES:
+        _declare(not wrong and not there_already, *proxy)
     if _is_client():
         manager = vtkSMProxyManager.GetProxyManager()
         manager.AddObserver("RegisterEvent", _was_registered)

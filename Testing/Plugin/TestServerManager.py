@@ -6,6 +6,7 @@ import re
 
 from paraview.simple import *
 from paraview import servermanager
+from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 from pluginsupport import *
 
@@ -243,10 +244,10 @@ def vtk_class():
 
 
 def own_methods(cls, prefix):
-    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, choices
-    (SetXToY) left out."""
-    base = next(c for c in cls.__mro__ if c.__name__ == "vtkPolyDataAlgorithm")
-    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not hasattr(base, m)}
+    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, nor VTK's superclass in
+    Python, choices (SetXToY) left out."""
+    bases = [c for c in cls.__mro__ if c.__name__ == "VTKPythonAlgorithmBase"] + [vtkPolyDataAlgorithm]
+    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not any(hasattr(b, m) for b in bases)}
     return {n for n in names if not re.search(r"(To[A-Z]|MinValue$|MaxValue$)", n)}
 
 
