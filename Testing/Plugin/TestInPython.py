@@ -84,6 +84,7 @@ def test_the_package_lies_beside_it():
 
 def check_refusal(printed, *pieces):
     check("found:\n" in printed, "there is a filter that cannot work")
+    check("Failed to load" not in printed, "ParaView complains, too")
     lines = [line for line in printed.splitlines() if SAYS in line]
     check_equal(len(lines), 1, "messages")
     for piece in pieces + ("unzip the wheel",):
