@@ -63,7 +63,6 @@ struct Options
   /// Keep the boxes of the grid, for Triangulation::boxes. AsGiven has none.
   bool keepBoxes = false;
 
-  /// z is the third number of a point. REQUIRES, but for FirstId: PointView::stride is 3.
   Representative representative = Representative::FirstId;
 
   /// A run that would have to keep more boxes ends with Status::TooManyBoxes, before it inserts.

@@ -2,6 +2,7 @@
 #
 # What the engine consists of and how it is compiled, said once. Sets
 #   ahd_engine_sources   absolute paths: every .cxx file below this directory
+#   ahd_engine_version   the version of the project
 #   ahd_engine_headers   the headers of its C++ interface, relative to this directory, to be installed
 #   ahd_engine_options   compile options without which the predicates are not exact
 #   ahd_engine_warnings  what the compiler is asked to warn of
@@ -10,10 +11,16 @@ file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Progress.h
-  Core/Threads.h
+  Core/Stages.h Core/Threads.h
   Crossings/Crossings.h Merge/Merge.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
   Surface/CellArrays.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/Selection.h Surface/Vectors.h
-  Triangulation/Triangulation.h Voronoi/Voronoi.h)
+  Interface/ahd.h Triangulation/Triangulation.h Voronoi/Voronoi.h)
+
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../CMakeLists.txt" ahd_engine_version
+  REGEX "^project\\(AdaptiveHilbertDelaunay VERSION ")
+string(REGEX REPLACE "^[^0-9]*([0-9.]+).*" "\\1" ahd_engine_version "${ahd_engine_version}")
+set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.cxx" PROPERTIES
+  COMPILE_DEFINITIONS "AHD_VERSION=\"${ahd_engine_version}\"")
 
 # The error bounds of the predicates are derived for products and sums that are each rounded. A
 # compiler that contracts a * b + c into one fused operation gives results of neither kind.

@@ -3,6 +3,7 @@
 #define vtkAHDProgress_h
 
 #include "Engine/Core/Progress.h"
+#include "Engine/Core/Stages.h"
 
 #include <array>
 #include <vector>
@@ -13,10 +14,9 @@ class vtkAlgorithm;
  * The engine's Progress for a VTK filter: reports to vtkAlgorithm::UpdateProgress, cancels when the
  * filter is to abort, and takes the time of each phase.
  *
- * An execution consists of stages, whose weights are about their times. Within a stage the engine
- * begins phases; the bar moves with each. Observers hear of each hundredth, and where there is none
- * for a twelfth of a second, of the same fraction again: so that they can draw and abort. They may
- * be slow, so they hear of no more.
+ * An execution consists of stages (Engine/Core/Stages.h); the bar moves with each phase. Observers
+ * hear of each hundredth, and where there is none for a twelfth of a second, of the same fraction
+ * again: so that they can draw and abort. They may be slow, so they hear of no more.
  */
 class vtkAHDProgress : public ahd::Progress
 {
@@ -51,15 +51,7 @@ private:
 
   vtkAlgorithm* const Filter;
   const Clock Now;
-  double StageEnd(std::size_t stage) const
-  {
-    return this->StageEnds.empty() ? 1.0 : this->StageEnds[stage];
-  }
-
-  std::vector<double> StageEnds; // as parts of the whole; empty: there is one stage
-  std::size_t Stage = 0;
-  double PhaseBegin = 0.0; // as parts of the stage
-  double PhaseEnd = 0.0;
+  ahd::Stages Stages;
   double Shown = 0.0;                            // what observers were told last
   double ToldAt = 0.0;                           // when
   std::array<double, ahd::kPhases> Seconds = {}; // of each phase

@@ -1,23 +1,47 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Exact 2D Delaunay triangulation of large point sets, as a VTK filter, and a source of such sets.
+"""Exact 2D Delaunay triangulation of large point sets.
 
-    from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource
+    from adaptivehilbertdelaunay import delaunay                     # NumPy arrays in, arrays out
 
-The package links the VTK it was built with: `vtkmodules` found by Python must be that one. With another
-version the import raises ImportError.
+    from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource    # for VTK
+
+The first needs NumPy alone. The second are a VTK filter and a source of point sets: the classes that were compiled
+with VTK, where they were and Python has that VTK (its first two numbers decide); else the filter is the same class in
+Python, over `vtkmodules` or `cvista`, the one that is imported; the source is compiled only. ImportError without VTK.
 
 Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`.
 """
 
-from vtkmodules.vtkCommonCore import vtkVersion as _vtkVersion
+from __future__ import annotations
 
-_BUILT_FOR = "@VTK_VERSION@"  # CMake writes it here
+import importlib
+from typing import TYPE_CHECKING, Any, List
 
-# Loading a second VTK into the process would crash it.
-if _vtkVersion.GetVTKVersion() != _BUILT_FOR:
-    raise ImportError(
-        "adaptivehilbertdelaunay was built for VTK %s, but Python found VTK %s"
-        % (_BUILT_FOR, _vtkVersion.GetVTKVersion())
-    )
+if TYPE_CHECKING:
+    from ._arrays import Boxes as Boxes
+    from ._arrays import DelaunayWarning as DelaunayWarning
+    from ._arrays import Kind as Kind
+    from ._arrays import Location as Location
+    from ._arrays import Triangulation as Triangulation
+    from ._arrays import Voronoi as Voronoi
+    from ._arrays import delaunay as delaunay
 
-from .AdaptiveHilbertDelaunayFilters import *  # noqa: E402
+# Modules are loaded when a name of theirs is first asked for: arrays need no VTK, and VTK no arrays.
+_ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay")
+_CLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkAdaptiveHilbertDelaunay2D", "vtkPlanarPointSource")
+
+__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay"]
+
+
+def __getattr__(name: str) -> Any:
+    if name in _CLASSES:  # which one depends on the VTK in use, so it is found out each time
+        return importlib.import_module("._vtk", __name__).vtk_class(name)
+    if name not in _ARRAYS:
+        raise AttributeError("module %r has no attribute %r" % (__name__, name))
+    found = getattr(importlib.import_module("._arrays", __name__), name)
+    globals()[name] = found
+    return found
+
+
+def __dir__() -> List[str]:
+    return sorted({*globals(), *_ARRAYS, *_CLASSES})

@@ -3,8 +3,8 @@
 
     import adaptivehilbertdelaunay.drop_in
 
-From then on `vtkmodules.vtkFiltersCore.vtkDelaunay2D` is the class vtkDelaunay2D of this module. Modules
-that have taken the name from there before get the new class too, whatever they call it: `vtk`,
+From then on `vtkmodules.vtkFiltersCore.vtkDelaunay2D`, and that of `cvista`, is the class vtkDelaunay2D of this
+module. Modules that have taken the name from there before get the new class too, whatever they call it: `vtk`,
 `vtkmodules.all`, PyVista, your own `from vtkmodules.vtkFiltersCore import vtkDelaunay2D`. So it makes no
 difference whether this import comes first or last, as long as it comes before the filter is made.
 
@@ -20,26 +20,18 @@ README.md beside the source of this file says in what the two classes differ.
 """
 
 import contextlib
+import importlib
+import importlib.abc
 import sys
 
-from vtkmodules import vtkFiltersCore
-from vtkmodules.vtkCommonCore import vtkCommand
+from . import _vtk
 
-from . import vtkAdaptiveHilbertDelaunay2D
+__all__ = ["install", "installed", "suspended", "uninstall"]  # original and vtkDelaunay2D by __getattr__
 
-__all__ = ["install", "installed", "original", "suspended", "uninstall", "vtkDelaunay2D"]
+MODULE = ".vtkFiltersCore"  # that has the class, in each VTK
 
-#: VTK's own class, whatever is installed.
-original = vtkFiltersCore.vtkDelaunay2D
-
-
-class _SaysYesToOriginals(type):
-    """Makes isinstance true for filters of the original class, made before it was replaced."""
-
-    def __instancecheck__(cls, instance):
-        return super().__instancecheck__(instance) or (
-            cls is vtkDelaunay2D and isinstance(instance, original)
-        )
+_replaced = {}  # by VTK, "vtkmodules" or "cvista": its own class, and the one in its place
+_wanted = [False]  # is the original to be replaced where a VTK is imported from now on?
 
 
 def _pass_field_data(given, made):
@@ -57,10 +49,8 @@ def _forget_measures(algorithm, _event):
     _pass_field_data(algorithm.GetInputDataObject(0, 0), algorithm.GetOutputDataObject(0))
 
 
-class vtkDelaunay2D(vtkAdaptiveHilbertDelaunay2D, metaclass=_SaysYesToOriginals):
-    """vtkAdaptiveHilbertDelaunay2D in the clothes of vtkDelaunay2D.
-
-    What is different from vtkAdaptiveHilbertDelaunay2D:
+class _Clothes:
+    """What is different from vtkAdaptiveHilbertDelaunay2D:
     - Tolerance is 1e-5 to begin with, as in vtkDelaunay2D: a fraction of the diagonal of the bounding box,
       here in the triangulation plane; points nearer to another than that are merged, and GetNumberOfMergedPoints
       says how many;
@@ -73,8 +63,8 @@ class vtkDelaunay2D(vtkAdaptiveHilbertDelaunay2D, metaclass=_SaysYesToOriginals)
     """
 
     def __new__(cls, *arguments, **properties):
-        if cls is vtkDelaunay2D:
-            original(*arguments, **properties)  # VTK looks at the arguments of its own classes only
+        if cls is cls._made:
+            cls._original(*arguments, **properties)  # VTK looks at the arguments of its own classes only
         made = super().__new__(cls, *arguments, **properties)
         made.SetTolerance(1e-5)
         made._watch()
@@ -95,12 +85,12 @@ class vtkDelaunay2D(vtkAdaptiveHilbertDelaunay2D, metaclass=_SaysYesToOriginals)
     def RemoveObservers(self, event, *command):
         """Takes off the observers of this event that were added, or those with this command."""
         super().RemoveObservers(event, *command)
-        if not command and event in ("EndEvent", vtkCommand.EndEvent):
+        if not command and event in ("EndEvent", self._end_event):
             self._watch()
 
     def NewInstance(self):
         """A new filter with default settings."""
-        return vtkDelaunay2D()
+        return self._made()
 
     def GetClassName(self):
         """ "vtkDelaunay2D"."""
@@ -110,24 +100,60 @@ class vtkDelaunay2D(vtkAdaptiveHilbertDelaunay2D, metaclass=_SaysYesToOriginals)
         """1 if this is what vtkDelaunay2D is or what vtkAdaptiveHilbertDelaunay2D is, else 0."""
         return int(name == "vtkDelaunay2D" or super().IsA(name))
 
-    @staticmethod
-    def IsTypeOf(name):
-        """1 if vtkDelaunay2D or vtkAdaptiveHilbertDelaunay2D is or derives from the named class, else 0."""
-        return int(name == "vtkDelaunay2D" or vtkAdaptiveHilbertDelaunay2D.IsTypeOf(name))
-
-    @staticmethod
-    def SafeDownCast(instance):
-        """The argument if it is a vtkDelaunay2D, be it the original or this one, else None."""
-        return instance if isinstance(instance, vtkDelaunay2D) else None
-
     def GetNumberOfGenerationsFromBase(self, name):
         """How many classes vtkDelaunay2D is derived from the named one; negative if it is not."""
         return self.GetNumberOfGenerationsFromBaseType(name)
 
-    @staticmethod
-    def GetNumberOfGenerationsFromBaseType(name):
+    @classmethod
+    def IsTypeOf(cls, name):
+        """1 if vtkDelaunay2D or vtkAdaptiveHilbertDelaunay2D is or derives from the named class, else 0."""
+        return int(name == "vtkDelaunay2D" or cls._base.IsTypeOf(name))
+
+    @classmethod
+    def SafeDownCast(cls, instance):
+        """The argument if it is a vtkDelaunay2D, be it the original or this one, else None."""
+        return instance if isinstance(instance, cls._made) else None
+
+    @classmethod
+    def GetNumberOfGenerationsFromBaseType(cls, name):
         """How many classes vtkDelaunay2D is derived from the named one; negative if it is not."""
-        return original.GetNumberOfGenerationsFromBaseType(name)
+        return cls._original.GetNumberOfGenerationsFromBaseType(name)
+
+
+class _SaysYesToOriginals(type):
+    """Makes isinstance true for filters of the original class, made before it was replaced."""
+
+    def __instancecheck__(cls, instance):
+        return super().__instancecheck__(instance) or (
+            cls is cls._made and isinstance(instance, cls._original))
+
+
+def _make(package, original):
+    """The class that takes the place of a VTK's own."""
+    base = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)
+    about = "vtkAdaptiveHilbertDelaunay2D in the clothes of vtkDelaunay2D.\n\n    " + _Clothes.__doc__
+    members = {
+        "__doc__": about, "__module__": __name__, "_original": original, "_base": base,
+        "_end_event": importlib.import_module(package + ".vtkCommonCore").vtkCommand.EndEvent}
+    made = _SaysYesToOriginals("vtkDelaunay2D", (_Clothes, base), members)
+    made._made = made
+    return made
+
+
+def _pair(package):
+    """A VTK's own class, and the one in its place. Imports that VTK."""
+    if package not in _replaced:
+        original = importlib.import_module(package + MODULE).vtkDelaunay2D
+        if package not in _replaced:  # the import may have seen to it
+            _replaced[package] = original, _make(package, original)
+    return _replaced[package]
+
+
+def __getattr__(name):
+    """`original`: the class of the VTK in use, whatever is installed; `vtkDelaunay2D`: the one for its place."""
+    if name in ("original", "vtkDelaunay2D"):
+        return _pair(_vtk.package_in_use())[name == "vtkDelaunay2D"]
+    raise AttributeError("module %r has no attribute %r" % (__name__, name))
 
 
 def _replace(old, new):
@@ -144,28 +170,91 @@ def _replace(old, new):
                 names[name] = new
 
 
+class _Watch(importlib.abc.MetaPathFinder, importlib.abc.Loader):
+    """Replaces the class where a VTK is imported later: stands before the other finders, of which VTK's packages add
+    one themselves, and lets them load the modules."""
+
+    def __init__(self):
+        self._loaders = {}
+
+    def come_first(self):
+        self.go()
+        sys.meta_path.insert(0, self)
+
+    def go(self):
+        if self in sys.meta_path:
+            sys.meta_path.remove(self)
+
+    def find_spec(self, name, path, target=None):
+        """The spec that another finder has, to be loaded by this object."""
+        if name not in _vtk.PACKAGES and name not in [package + MODULE for package in _vtk.PACKAGES]:
+            return None
+        for finder in sys.meta_path:
+            found = None if finder is self else finder.find_spec(name, path, target)
+            if found is not None and found.loader is not None:
+                self._loaders[name], found.loader = found.loader, self
+                return found
+        return None
+
+    def create_module(self, spec):
+        """By the other loader."""
+        return self._loaders[spec.name].create_module(spec)
+
+    def exec_module(self, module):
+        """By the other loader; then the class is replaced, if it is to be."""
+        name = module.__name__
+        module.__spec__.loader = module.__loader__ = self._loaders.pop(name)
+        module.__loader__.exec_module(module)
+        if _wanted[0]:
+            self.come_first()
+            if name.endswith(MODULE):
+                _replace(*_pair_of(module))
+
+
+def _pair_of(module):
+    package = module.__name__.split(".", 1)[0]
+    if package not in _replaced:
+        _replaced[package] = module.vtkDelaunay2D, _make(package, module.vtkDelaunay2D)
+    return _replaced[package]
+
+
+_watch = _Watch()
+
+
+def _loaded():
+    """The VTKs whose module with the class is there."""
+    return [package for package in _vtk.PACKAGES if package + MODULE in sys.modules]
+
+
 def install():
-    """Replaces VTK's vtkDelaunay2D in all loaded modules. Importing this module does it."""
-    _replace(original, vtkDelaunay2D)
+    """Replaces VTK's vtkDelaunay2D in all loaded modules, of `vtkmodules` and of `cvista`, and in those that are loaded
+    later. Importing this module does it."""
+    _wanted[0] = True
+    _watch.come_first()
+    for package in _loaded():
+        _replace(*_pair(package))
 
 
 def uninstall():
     """Puts VTK's vtkDelaunay2D back in all loaded modules. Filters that were made stay what they are."""
-    _replace(vtkDelaunay2D, original)
+    _wanted[0] = False
+    _watch.go()
+    for original, ours in _replaced.values():
+        _replace(ours, original)
 
 
 def installed():
     """Is VTK's vtkDelaunay2D replaced at the moment?"""
-    return vtkFiltersCore.vtkDelaunay2D is vtkDelaunay2D
+    return _wanted[0]
 
 
 @contextlib.contextmanager
 def suspended():
-    """VTK's vtkDelaunay2D is back inside a `with` block; afterwards all is as it was before."""
+    """VTK's vtkDelaunay2D is back inside a `with` block; afterwards all is as it was before. Gives the original."""
     was_installed = installed()
     uninstall()
     try:
-        yield original
+        yield _pair(_vtk.package_in_use())[0]
     finally:
         if was_installed:
             install()

@@ -2,12 +2,15 @@
 #
 # Configures, builds and runs the engine's tests under sanitizers:
 #   cmake -DSOURCE=Testing/Engine -DBINARY=<build> -DSETTINGS=-DAHD_SANITIZE=<sanitizers>[;...]
-#         [-DGENERATOR=..] [-DCOMPILER=..] [-DLAUNCHER=..] -P sanitize.cmake
+#         [-DGENERATOR=..] [-DCOMPILER=..] [-DC_COMPILER=..] [-DLAUNCHER=..] -P sanitize.cmake
 cmake_host_system_information(RESULT cores QUERY NUMBER_OF_LOGICAL_CORES)
 
 set(settings ${SETTINGS})
 if (COMPILER)
   list(APPEND settings "-DCMAKE_CXX_COMPILER=${COMPILER}")
+endif ()
+if (C_COMPILER)
+  list(APPEND settings "-DCMAKE_C_COMPILER=${C_COMPILER}")
 endif ()
 if (LAUNCHER)
   list(APPEND settings "-DCMAKE_CXX_COMPILER_LAUNCHER=${LAUNCHER}")

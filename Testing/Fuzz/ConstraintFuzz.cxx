@@ -7,6 +7,7 @@
 // byte; and the Voronoi diagram of the points.
 #include "ConstrainedRun.h"
 #include "ConstraintOracle.h"
+#include "JobJudge.h"
 #include "Judge.h"
 #include "PartJudges.h"
 
@@ -234,6 +235,7 @@ void fuzzConstraints(const FuzzCase& given)
     "nothing crosses once split", given);
   expectAsDefined(prepared, filled);
   expectTheSame(prepared, filled);
+  expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });
   if (given.layoutBit(7))
   {
     expectDiagram(prepared);

@@ -3,7 +3,8 @@
 // Bytes become points and settings (FuzzCase.h), the engine triangulates them, and the certifier
 // has the last word; small sets go through the oracle too. Then whatever may not change the result
 // is changed: settings, threads, the order and layout of the points, a run cancelled or without
-// memory before.
+// memory before, the door: the C interface, with all that it has.
+#include "JobJudge.h"
 #include "Judge.h"
 
 #include <algorithm>
@@ -352,6 +353,8 @@ void fuzzEngine(const FuzzCase& given)
   expectExtras(first, engine);
   expectSameWhenShuffled(first, engine);
   expectTrouble(first, engine);
+  expectSameThroughC(
+    given, { first.layout.view(), ConstraintView(), FillRule::Orientation, first.outcome.triples });
 }
 
 } // namespace fuzz

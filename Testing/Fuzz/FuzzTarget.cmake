@@ -34,6 +34,8 @@ endif ()
 set(ahd_fuzz_quiet -O1)
 
 add_library(ahd_fuzz_engine STATIC ${ahd_engine_sources})
+set_source_files_properties("${ahd_fuzz_engine_dir}/Interface/ahd.cxx" PROPERTIES
+  COMPILE_DEFINITIONS "AHD_VERSION=\"${ahd_engine_version}\"")
 target_compile_features(ahd_fuzz_engine PUBLIC cxx_std_17)
 target_compile_options(ahd_fuzz_engine PRIVATE
   ${ahd_fuzz_watched} ${ahd_engine_options} -Wno-ignored-optimization-argument)
@@ -42,8 +44,8 @@ target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_fuzz_engine_dir}")
 set(ahd_fuzz_support_sources)
 foreach (name IN ITEMS Certify/CertifiedMesh Certify/Certifier Certify/ConstraintCertifier
     Certify/ExactSigns Certify/MeshWalk Oracle/ConstraintFill Oracle/ConstraintOracle
-    Oracle/ConstraintOracleKept Oracle/Oracle Points/ConstraintMakers Points/ConstraintSets
-    Points/Corpus Points/SmallConstraintCases Run/ConstrainedRun Run/EngineRun Run/Executors)
+    Oracle/ConstraintOracleKept Oracle/Oracle Oracle/VoronoiOracle Points/ConstraintMakers Points/ConstraintSets
+    Points/Corpus Points/SmallConstraintCases Run/ConstrainedRun Run/EngineRun Run/Executors Run/JobRun)
   list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
 endforeach ()
 add_library(ahd_fuzz_support STATIC

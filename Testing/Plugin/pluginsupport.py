@@ -72,6 +72,7 @@ CONSTRAINT_COUNTS = [
     "NumberOfAddedPoints",
     "NumberOfConstraintEdges",
     "NumberOfCrossings",
+    "NumberOfBentConstraints",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
     "NumberOfTrimmedTriangles",

@@ -33,11 +33,7 @@ public:
   }
 
 private:
-  double z(Index i) const
-  {
-    const std::size_t at = i * points_.stride + 2;
-    return points_.doubles ? points_.doubles[at] : double(points_.floats[at]);
-  }
+  double z(Index i) const { return points_.z(i); }
 
   const PointView& points_;
   bool isHighest_;

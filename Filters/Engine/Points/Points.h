@@ -47,7 +47,8 @@ inline bool isFinite(const Point& p)
 }
 
 /// The caller's points, looked at where they are: x, y of point i are the first two numbers at
-/// data + i * stride. Widening float to double is exact.
+/// data + i * stride, z is the third one unless the points are flat. Widening float to double is
+/// exact.
 struct PointView
 {
   PointView() = default;
@@ -55,12 +56,14 @@ struct PointView
     : doubles(data)
     , count(pointCount)
     , stride(numbersPerPoint)
+    , isFlat(numbersPerPoint < 3)
   {
   }
   PointView(const float* data, std::size_t pointCount, std::size_t numbersPerPoint)
     : floats(data)
     , count(pointCount)
     , stride(numbersPerPoint)
+    , isFlat(numbersPerPoint < 3)
   {
   }
 
@@ -70,14 +73,16 @@ struct PointView
                    : Point{ floats[i * stride], floats[i * stride + 1] };
   }
 
-  /// All three numbers of point i. REQUIRES: stride is 3.
+  /// x, y and z of point i.
   std::array<double, 3> place(std::size_t i) const
   {
-    if (doubles)
-    {
-      return { { doubles[3 * i], doubles[3 * i + 1], doubles[3 * i + 2] } };
-    }
-    return { { floats[3 * i], floats[3 * i + 1], floats[3 * i + 2] } };
+    const Point p = (*this)[i];
+    return { { p.x, p.y, z(i) } };
+  }
+  double z(std::size_t i) const
+  {
+    const std::size_t at = i * stride + 2;
+    return isFlat ? 0.0 : doubles ? doubles[at] : double(floats[at]);
   }
 
   /// Is point i to be left out on the caller's wish?
@@ -87,6 +92,7 @@ struct PointView
   const float* floats = nullptr;
   std::size_t count = 0;
   std::size_t stride = 2;
+  bool isFlat = true; ///< z is 0, whatever lies behind x and y
 
   /// One byte per point or null; a point with a bit of skipMask set is left out.
   const unsigned char* skip = nullptr;

@@ -107,7 +107,6 @@ Status Preparation::run()
 Status Preparation::open()
 {
   out_.points_ = request_.points;
-  out_.points_.stride = 3;
   out_.inputCount_ = request_.points.count;
   out_.sourceCount_ = request_.sourcePoints.count;
   const std::size_t count = out_.sourceCount_;
@@ -155,9 +154,18 @@ bool Preparation::copy(Phase phase)
         std::copy(p.begin(), p.end(), to + 3 * i);
       }
     });
-  points.floats = nullptr;
-  points.doubles = to;
+  look(to);
   return all;
+}
+
+/// Lets the points be the copy.
+void Preparation::look(const double* places)
+{
+  PointView& points = out_.points_;
+  points.floats = nullptr;
+  points.doubles = places;
+  points.stride = 3;
+  points.isFlat = false;
 }
 
 /// Adds points, none of them to be left out, and returns where their places are to be written.
@@ -186,8 +194,7 @@ double* Preparation::add(std::size_t count)
   out_.places_.reserve(3 * after);
   out_.places_.resize(3 * after);
   points.count = after;
-  points.floats = nullptr;
-  points.doubles = out_.places_.data();
+  look(out_.places_.data());
   return out_.places_.data() + 3 * before;
 }
 

@@ -17,8 +17,6 @@ namespace
 
 /// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
 constexpr std::size_t kBytesToMerge = 140;
-/// splitAtCrossings's, for each segment.
-constexpr std::size_t kBytesToSplit = 400;
 
 bool isProjected(const InputRequest& request)
 {
@@ -53,18 +51,31 @@ bool areAllFinite(const Number* begin, const Number* end)
   return x + y + z == 0;
 }
 
-/// Looks at the points [begin, end).
-template <typename Number>
-void findOdd(
-  const Number* xyz, const PointView& points, std::size_t begin, std::size_t end, Found& found)
+/// The same for points that are not three numbers in a row.
+bool areAllFinite(const PointView& points, std::size_t begin, std::size_t end)
 {
-  if (areAllFinite(xyz + 3 * begin, xyz + 3 * end))
+  double sum = 0;
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    const std::array<double, 3> p = points.place(i);
+    sum += p[0] * 0 + p[1] * 0 + p[2] * 0;
+  }
+  return sum == 0;
+}
+
+/// Looks at the points [begin, end).
+void findOdd(const PointView& points, std::size_t begin, std::size_t end, Found& found)
+{
+  const bool areRows = points.stride == 3 && !points.isFlat;
+  if (!areRows         ? areAllFinite(points, begin, end)
+      : points.doubles ? areAllFinite(points.doubles + 3 * begin, points.doubles + 3 * end)
+                       : areAllFinite(points.floats + 3 * begin, points.floats + 3 * end))
   {
     return;
   }
   for (std::size_t i = begin; i < end; ++i)
   {
-    const Number* p = xyz + 3 * i;
+    const std::array<double, 3> p = points.place(i);
     if (points.skipped(i))
     {
       continue;
@@ -178,7 +189,7 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
     const std::size_t chains = request.lines.cells + request.polygons.cells;
     bytes += (segments + chains) * sizeof(std::int64_t) +
       (request.closedLinesAreLoops ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
-      (request.split ? segments * kBytesToSplit : 0);
+      (request.split ? splitMemoryEstimate(segments, 0) : 0);
   }
   if (request.heightsFromSurface)
   {
@@ -200,10 +211,7 @@ Status findOddPoints(const PointView& points, const Context& context, OddPoints&
       Found found;
       const bool all = gather(points.count, ticker, found,
         [&points](Found& part, std::size_t begin, std::size_t end)
-        {
-          points.doubles ? findOdd(points.doubles, points, begin, end, part)
-                         : findOdd(points.floats, points, begin, end, part);
-        });
+        { findOdd(points, begin, end, part); });
       const bool isNone = found.firstNotFinite == Found().firstNotFinite;
       odd.firstNotFinite = isNone ? 0 : found.firstNotFinite;
       odd.oddZ = found.oddZ;

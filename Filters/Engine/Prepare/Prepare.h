@@ -40,12 +40,11 @@ public:
 
   /// Writes three numbers for each point: its place in the plane, and its height above it; three
   /// NaN for a point with a coordinate that is not finite. `to` may be where the points are.
-  /// Returns false if cancelled; throws std::bad_alloc at most. REQUIRES: points.stride is 3.
+  /// Returns false if cancelled; throws std::bad_alloc at most.
   virtual bool project(const PointView& points, double* to, const Context& context) const = 0;
 };
 
-/// What is to be triangulated, and what is to be done to it before. All views have a stride of 3:
-/// x, y, z.
+/// What is to be triangulated, and what is to be done to it before.
 struct InputRequest
 {
   PointView points;       ///< of the input, those to be left out marked
@@ -72,6 +71,9 @@ struct InputRequest
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
   double offset = 1.0;   ///< how far out they lie
   bool split = false;    ///< split constraints where they cross
+  /// A run that would have to split in more places (splitAtCrossings()) ends with
+  /// Status::TooManyCrossings, before it does.
+  std::size_t mostCrossings = std::size_t(-1);
 };
 
 /// A point that was added at the crossing of two segments: between which others it lies. Segments
@@ -140,7 +142,7 @@ public:
   PreparedInput(const PreparedInput&) = delete;
   PreparedInput& operator=(const PreparedInput&) = delete;
 
-  /// All points: x and y in the plane of the triangulation, and what is above it; stride 3.
+  /// All points: x and y in the plane of the triangulation, and what is above it.
   const PointView& points() const { return points_; }
   std::size_t inputCount() const { return inputCount_; }
   std::size_t sourceCount() const { return sourceCount_; }
@@ -211,7 +213,8 @@ private:
 /// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
 /// near points, adds bounding points, reads the constraints and splits them, in this order. The
 /// phases are Phase::Merge and, from the constraints on, Phase::Split. `out` is to be new. Returns
-/// Ok, Cancelled, OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
+/// Ok, Cancelled, OutOfMemory, TooManyPoints or TooManyCrossings; unless Ok, `out` is not to be
+/// used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
 /// The points that prepare() has to deal with, crossings excepted.
@@ -220,8 +223,9 @@ std::size_t expectedPoints(const InputRequest& request);
 /// Segments that the source asks for, at most.
 std::size_t segmentsOf(const InputRequest& request);
 
-/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before,
-/// and for a triangulation of the input with its tables (heightsFromSurface), which it gives back.
+/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before
+/// (splitMemoryEstimate() has their share, most of which is given back again), and for a
+/// triangulation of the input with its tables (heightsFromSurface), which it gives back.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
 /// What is worth a warning.
@@ -232,7 +236,7 @@ struct OddPoints
   std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
 };
 
-/// One pass over points of stride 3, those left out excepted. The phase is Phase::Extract. Returns
+/// One pass over points, those left out excepted. The phase is Phase::Extract. Returns
 /// Ok, Cancelled or OutOfMemory.
 Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd);
 

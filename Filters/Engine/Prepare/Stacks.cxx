@@ -25,9 +25,7 @@ bool forEach(const PointView& points, Ticker& ticker, const Work& work)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        const auto at = [&points, i](std::size_t k)
-        { return points.doubles ? points.doubles[3 * i + k] : double(points.floats[3 * i + k]); };
-        const Vector3 p = { { at(0), at(1), at(2) } };
+        const Vector3 p = points.place(i);
         if (!points.skipped(i) && p[0] * 0 + p[1] * 0 + p[2] * 0 == 0)
         {
           work(p);

@@ -16,8 +16,7 @@ namespace
 
 double coordinate(const PointView& points, std::size_t i, std::size_t k)
 {
-  const std::size_t at = i * points.stride + k;
-  return points.doubles ? points.doubles[at] : double(points.floats[at]);
+  return points.place(i)[k];
 }
 
 /// One call of findMeans(), when the tables are made. What returns a bool returns false if the work

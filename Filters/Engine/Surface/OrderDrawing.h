@@ -35,7 +35,7 @@ bool hasCurve(const Triangulation& triangulation);
 
 /// Writes the drawing. Corners are counterclockwise from the lower left; their z is the lowest
 /// finite one of all points that have a place, 0 if there is none, so that it stays while the limit
-/// changes. Returns Ok or Cancelled. REQUIRES: points with a stride of 3, Options::keepOrder; with
+/// changes. Returns Ok or Cancelled. REQUIRES: Options::keepOrder; with
 /// a curve only if hasCurve().
 template <typename Id>
 Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawing<Id>& drawing,

@@ -30,7 +30,7 @@ class Plane
 {
 public:
   /// Fits. Points that are left out or have a coordinate that is not finite do not count; without
-  /// any others the plane is z = 0. Returns Ok, Cancelled or OutOfMemory. REQUIRES: a stride of 3.
+  /// any others the plane is z = 0. Returns Ok, Cancelled or OutOfMemory.
   Status fit(const PointView& points, const Context& context);
 
   /// Unit vectors at right angles to each other, right handed in this order.

@@ -150,11 +150,7 @@ bool Fitting::visitAll(Part& total, const Visit& visit)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        Xyz p;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-          p[k] = points_.doubles ? points_.doubles[3 * i + k] : double(points_.floats[3 * i + k]);
-        }
+        const Xyz p = points_.place(i);
         if (p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !points_.skipped(i))
         {
           visit(part, p);

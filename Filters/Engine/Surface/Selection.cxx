@@ -126,15 +126,7 @@ bool Selecting::isTooLong(Index a, Index b) const
 /// Where the user sees it.
 Vector3 Selecting::placeOf(Index vertex) const
 {
-  const PointView& points = points_.inSpace;
-  const std::size_t first = points.stride * triangulation_.pointOf(vertex);
-  if (points.doubles)
-  {
-    const double* p = points.doubles + first;
-    return { { p[0], p[1], p[2] } };
-  }
-  const float* p = points.floats + first;
-  return { { p[0], p[1], p[2] } };
+  return points_.inSpace.place(triangulation_.pointOf(vertex));
 }
 
 bool Selecting::markUsed(Ticker& ticker)

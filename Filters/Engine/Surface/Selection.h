@@ -46,7 +46,7 @@ struct SizeLimits
 /// collinear, the edges are those from one to the next. A length that is NaN, because the third
 /// coordinate of a point is, drops no triangle and makes no line.
 ///
-/// `inSpace`: the same points where the user sees them, stride 3. Makes the tables it needs.
+/// `inSpace`: the same points where the user sees them. Makes the tables it needs.
 /// Returns Ok, Cancelled or OutOfMemory; unless Ok, `out` is not to be used.
 struct PointsToMeasure
 {

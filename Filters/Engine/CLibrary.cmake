@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The C interface as a shared library, AdaptiveHilbertDelaunay::C: libadaptivehilbertdelaunay, which
+# exports the functions of Interface/ahd.h and nothing else. REQUIRES: the engine's target.
+#
+# Built on its own it is installed with its header; built by scikit-build-core (pyproject.toml) it goes
+# into the Python package.
+add_library(AdaptiveHilbertDelaunayC SHARED "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.cxx")
+add_library(AdaptiveHilbertDelaunay::C ALIAS AdaptiveHilbertDelaunayC)
+set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES
+  EXPORT_NAME               C
+  OUTPUT_NAME               adaptivehilbertdelaunay
+  CXX_VISIBILITY_PRESET     hidden
+  VISIBILITY_INLINES_HIDDEN ON)
+target_compile_definitions(AdaptiveHilbertDelaunayC PRIVATE AHD_BUILDING_LIBRARY)
+target_compile_options(AdaptiveHilbertDelaunayC PRIVATE
+  ${ahd_engine_options} ${ahd_engine_warnings} ${ahd_engine_errors})
+target_include_directories(AdaptiveHilbertDelaunayC INTERFACE
+  "$<BUILD_INTERFACE:${CMAKE_CURRENT_LIST_DIR}/Interface>"
+  "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/adaptivehilbertdelaunay/Engine/Interface>")
+target_link_libraries(AdaptiveHilbertDelaunayC PRIVATE AdaptiveHilbertDelaunayEngine)
+
+# Whatever templates of the standard library make visible stays inside.
+if (APPLE)
+  target_link_options(AdaptiveHilbertDelaunayC PRIVATE "LINKER:-exported_symbol,_ahd_*")
+elseif (UNIX)
+  set(ahd_exports "${CMAKE_CURRENT_LIST_DIR}/Interface/exports.map")
+  target_link_options(AdaptiveHilbertDelaunayC PRIVATE
+    "LINKER:--version-script=${ahd_exports}" "LINKER:--no-undefined")
+  set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES LINK_DEPENDS "${ahd_exports}")
+endif ()
+
+if (SKBUILD)
+  install(TARGETS AdaptiveHilbertDelaunayC
+    LIBRARY DESTINATION adaptivehilbertdelaunay
+    RUNTIME DESTINATION adaptivehilbertdelaunay)
+  install(DIRECTORY "${CMAKE_CURRENT_LIST_DIR}/../Python/" DESTINATION adaptivehilbertdelaunay
+    FILES_MATCHING PATTERN "*.py" PATTERN "py.typed"
+    PATTERN "__pycache__" EXCLUDE PATTERN "_compiled.py" EXCLUDE) # which needs a VTK of its own
+  return ()
+endif ()
+
+file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.h" ahd_abi_version REGEX "define AHD_ABI_VERSION")
+string(REGEX REPLACE "[^0-9]" "" ahd_abi_version "${ahd_abi_version}")
+set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES
+  VERSION   "${ahd_engine_version}"
+  SOVERSION "${ahd_abi_version}")
+if (CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
+  install(TARGETS AdaptiveHilbertDelaunayC
+    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
+  install(FILES "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.h"
+    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/adaptivehilbertdelaunay/Engine/Interface")
+endif ()

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Clock_h
+#define ahd_Clock_h
+
+namespace ahd
+{
+
+/// Seconds from some beginning, by a clock that is never set. For the C interface, which measures
+/// phases for callers that cannot; the rest of the engine reads no clock.
+double steadySeconds();
+
+} // namespace ahd
+
+#endif

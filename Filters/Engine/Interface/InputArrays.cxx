@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputArrays.h"
+
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <string>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr unsigned bitOf(std::int32_t type)
+{
+  return type >= AHD_FLOAT32 && type <= AHD_UINT8 ? 1u << type : 0u;
+}
+
+constexpr unsigned kReal = bitOf(AHD_FLOAT32) | bitOf(AHD_FLOAT64);
+constexpr unsigned kInteger = bitOf(AHD_INT32) | bitOf(AHD_INT64);
+constexpr std::int32_t kManyColumns = std::numeric_limits<std::int32_t>::max();
+
+struct Row
+{
+  const char* name;
+  unsigned types;
+  std::int32_t leastColumns, mostColumns;
+  const char* wanted;
+};
+
+// in the order of InputArray
+constexpr Row kRows[] = {
+  { "points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
+  { "skip", bitOf(AHD_UINT8), 1, 1, "AHD_UINT8, of one column" },
+  { "source_points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
+  { "line_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "loop_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
+  { "line_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "loop_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
+  { "matrix", bitOf(AHD_FLOAT64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
+};
+static_assert(sizeof(kRows) / sizeof(kRows[0]) == kInputArrays, "a row for each");
+
+std::string quoted(InputArray array)
+{
+  return "\"" + std::string(kRows[std::size_t(array)].name) + "\"";
+}
+
+/// Would the distance of its first number from its last be no number of bytes?
+bool isTooLarge(const ahd_array& array)
+{
+  constexpr double kMost = 0x1p62;
+  constexpr double kMostNumbers = 0x1p48; // what is estimated for them stays a number
+  const auto span = [](std::int64_t count, std::int64_t stride)
+  { return double(count) * (stride < 0 ? -double(stride) : double(stride)); };
+  return double(array.rows) * double(array.columns) > kMostNumbers ||
+    span(array.rows, array.row_stride) + span(array.columns, array.column_stride) > kMost;
+}
+
+/// What is wrong with it; empty if nothing is.
+std::string faultOf(const Row& row, const ahd_array& array)
+{
+  if ((bitOf(array.type) & row.types) == 0 || array.columns < row.leastColumns ||
+    array.columns > row.mostColumns)
+  {
+    return "is to be " + std::string(row.wanted) + ", not of type " + std::to_string(array.type) +
+      " with " + std::to_string(array.columns) + " columns.";
+  }
+  if (array.rows < 0 || isTooLarge(array))
+  {
+    return "has " + std::to_string(array.rows) + " rows, or strides beyond all memory.";
+  }
+  if (row.leastColumns == 4 && array.rows != 4)
+  {
+    return "is to have 4 rows, not " + std::to_string(array.rows) + ".";
+  }
+  return array.rows > 0 && !array.data ? "has rows, but its data is null." : std::string();
+}
+
+} // namespace
+
+void InputArrays::set(const char* name, const ahd_array* array)
+{
+  const Row* const row = std::find_if(std::begin(kRows), std::end(kRows),
+    [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
+  if (row == std::end(kRows))
+  {
+    refuse(
+      AHD_UNKNOWN_NAME, "There is no input array \"" + std::string(name ? name : "(null)") + "\".");
+  }
+  const std::string fault = array ? faultOf(*row, *array) : std::string();
+  if (!fault.empty())
+  {
+    refuse(AHD_BAD_ARRAY, "\"" + std::string(name) + "\" " + fault);
+  }
+  arrays_[std::size_t(row - kRows)] = array ? *array : ahd_array();
+}
+
+const char* InputArrays::name(std::size_t number)
+{
+  return number < kInputArrays ? kRows[number].name : nullptr;
+}
+
+void InputArrays::count(InputRequest& request) const
+{
+  request.points.count = static_cast<std::size_t>((*this)[InputArray::Points].rows);
+  request.sourcePoints.count = static_cast<std::size_t>((*this)[InputArray::SourcePoints].rows);
+  if (has(InputArray::Skip) && (*this)[InputArray::Skip].rows != (*this)[InputArray::Points].rows)
+  {
+    refuse(AHD_BAD_ARRAY,
+      "\"skip\" has " + std::to_string((*this)[InputArray::Skip].rows) + " rows, and \"points\" " +
+        std::to_string((*this)[InputArray::Points].rows) + ".");
+  }
+  countCells(InputArray::LineIds, InputArray::LineOffsets, request.lines);
+  countCells(InputArray::LoopIds, InputArray::LoopOffsets, request.polygons);
+}
+
+void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsView& cells) const
+{
+  const ahd_array& ids = (*this)[idArray];
+  const ahd_array& offsets = (*this)[offsetArray];
+  cells = CellsView();
+  cells.ids = static_cast<std::size_t>(ids.rows) * static_cast<std::size_t>(ids.columns);
+  if (has(offsetArray))
+  {
+    if (!has(idArray) || ids.columns != 1 || (offsets.rows == 0 && ids.rows > 0))
+    {
+      refuse(AHD_BAD_ARRAY,
+        quoted(offsetArray) + " is for " + quoted(idArray) + " of one column, and has a row more " +
+          "than there are chains.");
+    }
+    cells.cells = static_cast<std::size_t>(std::max<std::int64_t>(1, offsets.rows) - 1);
+  }
+  else
+  {
+    cells.cells = ids.columns > 1 ? static_cast<std::size_t>(ids.rows) : cells.ids > 0 ? 1 : 0;
+  }
+  cells.cells = cells.ids > 0 ? cells.cells : 0;
+}
+
+std::array<double, 16> InputArrays::matrix() const
+{
+  const ahd_array& array = (*this)[InputArray::Matrix];
+  std::array<double, 16> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const auto* row = static_cast<const unsigned char*>(array.data) +
+      static_cast<std::int64_t>(i / 4) * array.row_stride;
+    std::memcpy(
+      &numbers[i], row + static_cast<std::int64_t>(i % 4) * array.column_stride, sizeof(double));
+  }
+  return numbers;
+}
+
+} // namespace ahd

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_InputArrays_h
+#define ahd_InputArrays_h
+
+#include "../Core/Context.h"
+#include "../Prepare/Prepare.h"
+#include "ahd.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// In the order of the table in InputArrays.cxx.
+enum class InputArray : std::size_t
+{
+  Points,
+  Skip,
+  SourcePoints,
+  LineIds,
+  LoopIds,
+  LineOffsets,
+  LoopOffsets,
+  Matrix
+};
+constexpr std::size_t kInputArrays = std::size_t(InputArray::Matrix) + 1;
+
+/// The arrays that a job was given, looked at where they are. What is wrong with one is refused.
+class InputArrays
+{
+public:
+  /// Null in place of the array takes it away.
+  void set(const char* name, const ahd_array* array);
+
+  /// Null past the last.
+  static const char* name(std::size_t number);
+
+  const ahd_array& operator[](InputArray array) const { return arrays_[std::size_t(array)]; }
+  bool has(InputArray array) const { return (*this)[array].type != 0; }
+
+  /// Sets the counts of points, cells and ids; looks at no number. Refuses what does not fit
+  /// together.
+  void count(InputRequest& request) const;
+
+  /// Bytes of the copies that OpenInput makes.
+  std::size_t copiedBytes() const;
+
+  /// Row by row. REQUIRES: has(InputArray::Matrix).
+  std::array<double, 16> matrix() const;
+
+private:
+  void countCells(InputArray ids, InputArray offsets, CellsView& cells) const;
+
+  std::array<ahd_array, kInputArrays> arrays_ = {};
+};
+
+/// The arrays as the engine looks at them; with copies of those that it cannot look at where they
+/// are. Moved, its views stay good.
+class OpenInput
+{
+public:
+  /// Opens points, source points and marks; throws std::bad_alloc, and refuses if cancelled.
+  void openPoints(const InputArrays& arrays, const Context& context);
+  /// Opens lines and loops, and refuses offsets that do not ascend within the ids.
+  void openCells(const InputArrays& arrays, const Context& context);
+
+  PointView points;
+  PointView sourcePoints;
+  CellsView lines;
+  CellsView loops;
+
+private:
+  struct Copies
+  {
+    std::vector<double> doubles;
+    std::vector<float> floats;
+  };
+  struct CellCopies
+  {
+    std::vector<std::int32_t> offsets32, ids32;
+    std::vector<std::int64_t> offsets64, ids64;
+  };
+  static PointView open(const ahd_array& array, Copies& copies, const Context& context);
+  static CellsView open(const InputArrays& arrays, InputArray ids, InputArray offsets,
+    CellCopies& copies, const Context& context);
+
+  Copies pointCopies_, sourceCopies_;
+  std::vector<unsigned char> marks_;
+  CellCopies lineCopies_, loopCopies_;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Job_h
+#define ahd_Job_h
+
+#include "../Core/Threads.h"
+#include "../Prepare/Prepare.h"
+#include "../Surface/Selection.h"
+#include "../Triangulate.h"
+#include "../Voronoi/Voronoi.h"
+#include "InputArrays.h"
+#include "JobProgress.h"
+#include "JobSettings.h"
+#include "SpacePoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ahd
+{
+
+/// What a run made. Each part is a function of those before it.
+struct JobResult
+{
+  JobSettings settings; ///< as they were
+  std::array<double, 16> matrix = {};
+  OpenInput input;
+  PreparedInput points;
+  Triangulation triangulation;
+  VoronoiCells voronoi;
+  std::unique_ptr<SpacePoints> space; ///< made when first wanted
+  bool isSelected = false;            ///< else `selection` stands for all triangles
+  Selection selection;
+  std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
+  std::size_t delaunayTriangles = 0;
+  OddPoints oddPoints;
+  bool areOnOneLine = false;
+  bool areStacked = false;
+
+  std::size_t triangleCount() const
+  {
+    return isSelected ? selection.keptCount : triangulation.report().triangles;
+  }
+  std::size_t cellCount() const
+  {
+    return selection.vertices.size() + selection.lines.size() / 2 + triangleCount();
+  }
+  /// Makes them. Refuses if that is cancelled.
+  const PointView& spacePoints(const Context& context);
+};
+
+/// What is known of a run, whether it succeeds or not.
+struct JobSizes
+{
+  std::size_t points = 0;
+  std::size_t segments = 0;
+  std::size_t crossings = 0;
+  std::size_t boxes = 0;
+  std::size_t estimate = 0; ///< bytes
+  std::size_t allowed = 0;  ///< bytes
+  std::size_t mostBoxes = 0;
+  std::size_t mostCrossings = 0;
+  unsigned threadsUsed = 0;
+};
+
+/// Upper estimate of the bytes that so many boxes take, drawn and kept.
+std::size_t boxBytes(std::size_t boxes);
+
+/// Row by row, what takes points to the plane and their height above it.
+void writeMatrix(const Plane& plane, double* matrix);
+
+/// All that is behind an ahd_job: settings and input; the run, which is the engine's calls in their
+/// order; the result. What cannot be done is refused (Refusal.h).
+class Job
+{
+public:
+  // The stages of a run and of what is written afterwards, for JobProgress::reach.
+  enum Stage : std::size_t
+  {
+    Preparing = 1,
+    Triangulating,
+    MakingVoronoi,
+    Constraining,
+    WritingCells,
+    WritingArrays,
+    WritingVoronoi,
+    DrawingOrder
+  };
+
+  JobSettings settings;
+  InputArrays arrays;
+  JobProgress progress;
+
+  void setProjection(ahd_projection projection, void* user);
+
+  std::size_t estimate() const;
+  void run();
+  std::size_t keptBytes() const { return workspace_.bytes(); }
+  void release(std::size_t most);
+  void fitPlane(double* matrix);
+
+  /// Refuses if there is none.
+  JobResult& result();
+  const JobSizes& sizes() const { return sizes_; }
+
+  /// What was made of the input before is gone with it, as it looks at it.
+  void setArray(const char* name, const ahd_array* array)
+  {
+    arrays.set(name, array);
+    release(std::size_t(-1));
+  }
+
+  /// Calls work(context), with the threads that the settings ask for.
+  template <typename Work>
+  void withThreads(const Work& work)
+  {
+    const std::int64_t wished = settings[IntSetting::Threads];
+    Threads threads(wished > 0 ? static_cast<unsigned>(wished) : availableProcessors());
+    const NoteThreads noted = { threads, sizes_ };
+    work(Context{ &progress, &threads });
+  }
+
+private:
+  struct NoteThreads
+  {
+    const Threads& threads;
+    JobSizes& sizes;
+    ~NoteThreads() { sizes.threadsUsed = std::max(sizes.threadsUsed, threads.used()); }
+  };
+
+  void runWith(const Context& context);
+  InputRequest request() const;
+  JobSizes expected(const InputRequest& request) const;
+  void checkMemory();
+  std::size_t mostCrossings() const;
+  void setStages();
+  void prepare(JobResult& made, InputRequest& request, const Context& context);
+  void triangulate(JobResult& made, const Context& context);
+  void constrain(JobResult& made, const Context& context);
+  void select(JobResult& made, const Context& context);
+  void findStacks(JobResult& made, const Context& context);
+  std::size_t estimate(const JobSizes& sizes) const;
+  std::size_t estimateTables(const JobSizes& sizes) const;
+  std::size_t estimateArrays(const JobSizes& sizes) const;
+
+  ahd_projection projection_ = nullptr;
+  void* projectionUser_ = nullptr;
+  Workspace workspace_;
+  std::unique_ptr<JobResult> result_;
+  JobSizes sizes_;
+};
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JobArrays.h"
+
+#include "../Surface/CellArrays.h"
+#include "JobWriters.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+#include <string>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr unsigned bitOf(std::int32_t type)
+{
+  return 1u << type;
+}
+constexpr unsigned kId = bitOf(AHD_INT32) | bitOf(AHD_INT64);
+constexpr unsigned kReal = bitOf(AHD_FLOAT32) | bitOf(AHD_FLOAT64);
+constexpr unsigned kDouble = bitOf(AHD_FLOAT64);
+
+// --- What each array is ---
+
+Status writeTriangles(JobResult& m, const Target& to)
+{
+  return withIds(to,
+    [&](auto* ids)
+    {
+      return m.isSelected ? writeSelected(m.triangulation, m.selection, ids, to.context)
+                          : m.triangulation.writeTriangles(ids, to.context);
+    });
+}
+
+Status writeLines(JobResult& m, const Target& to)
+{
+  return fillIds(
+    m.selection.lines.size(), to, [&m](std::size_t i) { return m.selection.lines[i]; });
+}
+
+Status writeVertices(JobResult& m, const Target& to)
+{
+  return fillIds(
+    m.selection.vertices.size(), to, [&m](std::size_t i) { return m.selection.vertices[i]; });
+}
+
+Status writeNeighborIds(JobResult& m, const Target& to)
+{
+  return withIds(
+    to, [&](auto* ids) { return writeNeighbors(m.triangulation, m.selection, ids, to.context); });
+}
+
+Status writeConstraintBits(JobResult& m, const Target& to)
+{
+  return writeConstraintEdges(
+    m.triangulation, m.selection, static_cast<std::uint8_t*>(to.out), to.context);
+}
+
+Status writeRegionIds(JobResult& m, const Target& to)
+{
+  return withIds(
+    to, [&](auto* ids) { return writeRegions(m.triangulation, m.selection, ids, to.context); });
+}
+
+Status writePoints(JobResult& m, const Target& to)
+{
+  const PointView& points = m.spacePoints(to.context);
+  const auto write = [&points](auto* xyz, std::size_t i)
+  {
+    using Number = std::remove_pointer_t<decltype(xyz)>;
+    const std::array<double, 3> p = points.place(i);
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      xyz[3 * i + k] = static_cast<Number>(p[k]);
+    }
+  };
+  auto* const floats = static_cast<float*>(to.out);
+  return forEach(points.count, to.context,
+    [&](std::size_t i) { to.type == AHD_FLOAT32 ? write(floats, i) : write(to.doubles(), i); });
+}
+
+Status writePlanePoints(JobResult& m, const Target& to)
+{
+  const PointView& points = m.points.points();
+  return forEach(points.count, to.context,
+    [&](std::size_t i)
+    {
+      const std::array<double, 3> p = points.place(i);
+      std::copy(p.begin(), p.end(), to.doubles() + 3 * i);
+    });
+}
+
+Status writePlaneMatrix(JobResult& m, const Target& to)
+{
+  const std::int64_t plane = m.settings[IntSetting::Plane];
+  if (plane == AHD_PLANE_MATRIX)
+  {
+    std::copy(m.matrix.begin(), m.matrix.end(), to.doubles());
+  }
+  else
+  {
+    writeMatrix(m.points.plane(), to.doubles()); // x, y where none was fitted
+  }
+  return Status::Ok;
+}
+
+Status writeStatus(JobResult& m, const Target& to)
+{
+  return withIds(to,
+    [&](auto* ids)
+    {
+      const Status status = m.triangulation.writePointStatus(ids, to.context);
+      if (status == Status::Ok)
+      {
+        for (const MergedPoint& merged : m.points.merged())
+        {
+          ids[merged.id] = ids[merged.keptId];
+        }
+      }
+      return status;
+    });
+}
+
+Status writeVertexOfPoint(JobResult& m, const Target& to)
+{
+  const Status status = m.triangulation.makePointMap(to.context);
+  if (status != Status::Ok)
+  {
+    return status;
+  }
+  const auto vertexOf = [&m](std::size_t i)
+  {
+    const Index vertex = m.triangulation.vertexOf(i);
+    return vertex == kNoIndex ? std::int64_t(-1) : std::int64_t(vertex);
+  };
+  const Status written = fillIds(m.points.points().count, to, vertexOf);
+  return written != Status::Ok ? written
+                               : withIds(to,
+                                   [&m](auto* ids)
+                                   {
+                                     for (const MergedPoint& merged : m.points.merged())
+                                     {
+                                       ids[merged.id] = ids[merged.keptId];
+                                     }
+                                     return Status::Ok;
+                                   });
+}
+
+Status writePointOfVertex(JobResult& m, const Target& to)
+{
+  return fillIds(m.triangulation.vertexCount(), to,
+    [&m](std::size_t i) { return m.triangulation.pointOf(static_cast<Index>(i)); });
+}
+
+Status writeOrder(JobResult& m, const Target& to)
+{
+  return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); });
+}
+
+Status writeRanks(JobResult& m, const Target& to)
+{
+  return withIds(
+    to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
+}
+
+// --- The table ---
+
+/// What is to be asked for before the run; empty if it was or need not be.
+using Lack = std::string;
+
+Lack lacksNothing(const JobResult&)
+{
+  return Lack();
+}
+
+Lack lacksOrder(const JobResult& m)
+{
+  return m.settings.options().keepOrder ? Lack() : "\"want_order\"";
+}
+
+Lack lacksBoxes(const JobResult& m)
+{
+  return m.settings.is(IntSetting::WantBoxes) ? Lack() : "\"want_boxes\"";
+}
+
+Lack lacksVoronoi(const JobResult& m)
+{
+  return m.settings.is(IntSetting::WantVoronoi) ? Lack() : "\"want_voronoi\"";
+}
+
+Lack lacksMatrix(const JobResult& m)
+{
+  return m.settings[IntSetting::Plane] == AHD_PLANE_CALLBACK ? "another \"plane\"" : Lack();
+}
+
+struct Row
+{
+  const char* name;
+  unsigned types;
+  std::size_t columns;
+  std::size_t (*rows)(const JobResult&);
+  Status (*write)(JobResult&, const Target&);
+  Job::Stage stage;
+  Lack (*lacks)(const JobResult&);
+};
+
+std::size_t pointCount(const JobResult& m)
+{
+  return m.points.points().count;
+}
+
+std::size_t boxCount(const JobResult& m)
+{
+  return m.triangulation.boxes().size();
+}
+
+std::size_t cellCount(const JobResult& m)
+{
+  return m.cellCount();
+}
+
+std::size_t crossingCount(const JobResult& m)
+{
+  return m.points.crossings().size();
+}
+
+std::size_t placeCount(const JobResult& m)
+{
+  return m.points.surfacePlaces().size();
+}
+
+constexpr auto kCells = Job::WritingCells;
+constexpr auto kArrays = Job::WritingArrays;
+constexpr auto kVoronoi = Job::WritingVoronoi;
+
+constexpr Row kRows[] = {
+  { "triangles", kId, 3, [](const JobResult& m) { return m.triangleCount(); }, writeTriangles,
+    kCells, lacksNothing },
+  { "lines", kId, 2, [](const JobResult& m) { return m.selection.lines.size() / 2; }, writeLines,
+    kCells, lacksNothing },
+  { "vertices", kId, 1, [](const JobResult& m) { return m.selection.vertices.size(); },
+    writeVertices, kCells, lacksNothing },
+  { "neighbors", kId, 3, cellCount, writeNeighborIds, kArrays, lacksNothing },
+  { "constraint_edges", bitOf(AHD_UINT8), 1, cellCount, writeConstraintBits, kArrays,
+    lacksNothing },
+  { "regions", kId, 1, cellCount, writeRegionIds, kArrays, lacksNothing },
+  { "points", kReal, 3, pointCount, writePoints, kCells, lacksNothing },
+  { "plane_points", kDouble, 3, pointCount, writePlanePoints, kCells, lacksNothing },
+  { "plane_matrix", kDouble, 4, [](const JobResult&) { return std::size_t(4); }, writePlaneMatrix,
+    kCells, lacksMatrix },
+  { "point_status", kId, 1, pointCount, writeStatus, kArrays, lacksNothing },
+  { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kArrays, lacksNothing },
+  { "point_of_vertex", kId, 1, [](const JobResult& m) { return m.triangulation.vertexCount(); },
+    writePointOfVertex, kArrays, lacksNothing },
+  { "order", kId, 1, [](const JobResult& m) { return m.triangulation.report().inserted; },
+    writeOrder, kArrays, lacksOrder },
+  { "insertion_ranks", kId, 1, pointCount, writeRanks, kArrays, lacksOrder },
+  { "box_bounds", kDouble, 4, boxCount, writeBoxBounds, kArrays, lacksBoxes },
+  { "box_levels", bitOf(AHD_INT32), 1, boxCount, writeBoxLevels, kArrays, lacksBoxes },
+  { "box_counts", kId, 1, boxCount, writeBoxCounts, kArrays, lacksBoxes },
+  { "voronoi_points", kDouble, 2, [](const JobResult& m) { return m.voronoi.points.size(); },
+    writeVoronoiPoints, kVoronoi, lacksVoronoi },
+  { "voronoi_offsets", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size() + 1; },
+    writeVoronoiOffsets, kVoronoi, lacksVoronoi },
+  { "voronoi_corners", kId, 1, [](const JobResult& m) { return m.voronoi.corners.size(); },
+    writeVoronoiCorners, kVoronoi, lacksVoronoi },
+  { "voronoi_sites", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size(); },
+    writeVoronoiSites, kVoronoi, lacksVoronoi },
+  { "merged", kId, 2, [](const JobResult& m) { return m.points.merged().size(); }, writeMerged,
+    kArrays, lacksNothing },
+  { "surface_corners", kId, 3, placeCount, writeSurfaceCorners, kArrays, lacksNothing },
+  { "surface_weights", kDouble, 3, placeCount, writeSurfaceWeights, kArrays, lacksNothing },
+  { "crossing_ends", kId, 4, crossingCount, writeCrossingEnds, kArrays, lacksNothing },
+  { "crossing_fractions", kDouble, 2, crossingCount, writeCrossingFractions, kArrays,
+    lacksNothing },
+  { "crossing_cells", kId, 2, crossingRows, writeCrossingCells, kArrays, lacksNothing },
+  { "left_out", kId, 4,
+    [](const JobResult& m) { return m.triangulation.constraints().leftOut.size(); }, writeLeftOut,
+    kArrays, lacksNothing },
+};
+
+const Row& rowOf(Job& job, const char* name)
+{
+  const Row* const row = std::find_if(std::begin(kRows), std::end(kRows),
+    [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
+  if (row == std::end(kRows))
+  {
+    refuse(AHD_UNKNOWN_NAME,
+      "There is no output array \"" + std::string(name ? name : "(null)") + "\".");
+  }
+  const Lack lack = row->lacks(job.result());
+  if (!lack.empty())
+  {
+    refuse(AHD_NOT_AVAILABLE,
+      "There is no \"" + std::string(name) + "\" without " + lack + " before the run.");
+  }
+  return *row;
+}
+
+} // namespace
+
+ArrayShape shapeOf(Job& job, const char* name)
+{
+  const Row& row = rowOf(job, name);
+  return { row.rows(job.result()), row.columns };
+}
+
+void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity)
+{
+  const Row& row = rowOf(job, name);
+  JobResult& made = job.result();
+  const std::size_t numbers = row.rows(made) * row.columns;
+  if (type < AHD_FLOAT32 || type > AHD_UINT8 || (bitOf(type) & row.types) == 0)
+  {
+    refuse(AHD_BAD_ARRAY,
+      "\"" + std::string(name) + "\" cannot be written as type " + std::to_string(type) + ".");
+  }
+  if (capacity < numbers || (numbers > 0 && !out))
+  {
+    refuse(AHD_BAD_ARRAY,
+      "\"" + std::string(name) + "\" has " + std::to_string(numbers) +
+        " numbers, and there is room for " + std::to_string(out ? capacity : 0) + ".");
+  }
+  if (numbers == 0)
+  {
+    return;
+  }
+  job.progress.reach(row.stage);
+  job.withThreads([&](const Context& context) { check(row.write(made, { type, out, context })); });
+}
+
+const char* outputArrayName(std::size_t number)
+{
+  return number < std::size(kRows) ? kRows[number].name : nullptr;
+}
+
+} // namespace ahd

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobArrays_h
+#define ahd_JobArrays_h
+
+#include "Job.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+struct ArrayShape
+{
+  std::size_t rows = 0;
+  std::size_t columns = 1;
+};
+
+// Output arrays of a job by name. What is unknown, of another type or larger than the room for it,
+// or not there, is refused.
+ArrayShape shapeOf(Job& job, const char* name);
+void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity);
+
+/// Null past the last.
+const char* outputArrayName(std::size_t number);
+
+void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing);
+void interpolate(Job& job, std::int32_t where, double* values, std::int32_t columns);
+
+/// Where to write what locate() finds: of each place one number, three, one.
+struct Places
+{
+  std::int32_t* kinds;
+  std::int64_t* ids;
+  std::int64_t* cells; ///< may be null
+};
+void locate(Job& job, const double* xy, std::size_t count, const Places& out);
+
+} // namespace ahd
+
+#endif

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobCounts_h
+#define ahd_JobCounts_h
+
+#include "Job.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+// Counts and measures of a job by name. What is unknown, or there is no result for, is refused.
+std::int64_t countOf(Job& job, const char* name);
+double measureOf(Job& job, const char* name);
+
+/// Null past the last.
+const char* countName(std::size_t number);
+const char* measureName(std::size_t number);
+
+} // namespace ahd
+
+#endif

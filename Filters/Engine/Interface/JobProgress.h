@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobProgress_h
+#define ahd_JobProgress_h
+
+#include "../Core/Progress.h"
+#include "../Core/Stages.h"
+#include "ahd.h"
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// What a job tells its caller and asks it for: the callback hears of phases, of each hundredth and
+/// at least ten times a second, and may cancel; so may another thread. Takes the time of each
+/// phase.
+class JobProgress : public Progress
+{
+public:
+  void setCallback(ahd_progress callback, void* user);
+
+  /// A run begins, of stages with these weights.
+  void beginRun(const std::vector<double>& weights);
+  /// A call begins: nobody has cancelled it yet, but by cancel().
+  void beginCall();
+  /// It is over, and with it the time of the last phase. `isCancelled`: it did what cancel() asked.
+  void endCall(bool isCancelled);
+  /// Begins the stage of this number, from 1, unless it or a later one has begun.
+  void reach(std::size_t stage);
+
+  void beginPhase(Phase phase) override;
+  bool advance(Phase phase, double fraction) override;
+
+  /// From any thread.
+  void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+  /// Since the run began.
+  double seconds(Phase phase) const { return seconds_[std::size_t(phase)]; }
+
+private:
+  void finishPhase();
+  void tell();
+
+  ahd_progress callback_ = nullptr;
+  void* user_ = nullptr;
+  Stages stages_;
+  std::array<double, kPhases> seconds_ = {};
+  bool inPhase_ = false;
+  Phase phase_ = Phase::Merge;
+  double begun_ = 0.0;   ///< the phase
+  double done_ = 0.0;    ///< of the whole
+  double told_ = 0.0;    ///< what the callback heard last,
+  double toldAt_ = 0.0;  ///< and when
+  bool stopped_ = false; ///< by the callback
+  std::atomic<bool> cancelled_{ false };
+};
+
+} // namespace ahd
+
+#endif

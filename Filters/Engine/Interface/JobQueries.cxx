@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is asked of a result beside its arrays: the order as it is drawn, values at points between
+// others, where places lie.
+#include "JobArrays.h"
+
+#include "../Core/Border.h"
+#include "../Core/Loops.h"
+#include "../Surface/OrderDrawing.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <string>
+
+namespace ahd
+{
+namespace
+{
+
+template <typename Id>
+Status draw(JobResult& made, const ahd_drawing& drawing, const Context& context)
+{
+  OrderDrawing<Id> to;
+  to.xyz = drawing.xyz;
+  to.ranks = static_cast<Id*>(drawing.ranks);
+  to.ids = static_cast<Id*>(drawing.ids);
+  to.levels = drawing.levels;
+  to.counts = static_cast<Id*>(drawing.counts);
+  const bool withCurve = made.settings.is(IntSetting::WantCurve) && hasCurve(made.triangulation);
+  return ahd::drawOrder(made.triangulation, withCurve, to, context);
+}
+
+/// The numbers of the cells that triangles are put out as.
+Status numberCells(JobResult& made, const Context& context)
+{
+  return unlessCancelled(
+    [&]
+    {
+      const std::size_t count = made.triangulation.triangleCount();
+      std::vector<std::int32_t> cellOf(count, -1);
+      auto cell = static_cast<std::int32_t>(made.cellCount() - made.triangleCount());
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      const bool all = inChunks(0, count, ticker,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const bool isOut = made.isSelected ? made.selection.kept[i] != 0
+                                               : made.triangulation.isKept(i);
+            cellOf[i] = isOut ? cell++ : -1;
+          }
+        });
+      made.cellOf = all ? std::move(cellOf) : std::vector<std::int32_t>();
+      return all;
+    });
+}
+
+/// One call of locate().
+class Locating
+{
+public:
+  explicit Locating(const JobResult& made)
+    : made_(made)
+    , triangulation_(made.triangulation)
+  {
+  }
+
+  void operator()(const Point& place, std::size_t i, const Places& out)
+  {
+    const Location found = triangulation_.locate(place, hint_);
+    out.kinds[i] = kindOf(found.kind);
+    std::int64_t* const ids = out.ids + 3 * i;
+    std::fill_n(ids, 3, std::int64_t(-1));
+    std::int64_t cell = -1;
+    switch (found.kind)
+    {
+      case Location::InTriangle:
+        writeCorners(found.halfEdge, 3, ids);
+        cell = cellOf(found.halfEdge);
+        break;
+      case Location::OnEdge:
+        writeCorners(found.halfEdge, 2, ids);
+        cell = cellOf(found.halfEdge);
+        cell = cell < 0 ? cellOf(triangulation_.twin(found.halfEdge)) : cell;
+        break;
+      case Location::OnVertex:
+        writeCorners(found.halfEdge, 1, ids);
+        cell = cellAround(found.halfEdge);
+        break;
+      default:
+        break;
+    }
+    hint_ = found.halfEdge == kNoHalfEdge ? hint_ : found.halfEdge / 3;
+    if (out.cells)
+    {
+      out.cells[i] = cell;
+    }
+  }
+
+private:
+  static std::int32_t kindOf(Location::Kind kind)
+  {
+    return kind == Location::InTriangle ? AHD_IN_TRIANGLE
+      : kind == Location::OnEdge        ? AHD_ON_EDGE
+      : kind == Location::OnVertex      ? AHD_ON_VERTEX
+      : kind == Location::Outside       ? AHD_OUTSIDE
+                                        : AHD_NOWHERE;
+  }
+
+  void writeCorners(HalfEdge h, int count, std::int64_t* ids) const
+  {
+    for (int k = 0; k < count; ++k, h = nextInTriangle(h))
+    {
+      ids[k] = triangulation_.pointOf(triangulation_.origin(h));
+    }
+  }
+
+  std::int64_t cellOf(HalfEdge h) const
+  {
+    return h == kNoHalfEdge ? -1 : std::int64_t(made_.cellOf[h / 3]);
+  }
+
+  /// Of a triangle around the vertex where the half-edge, its first, begins.
+  std::int64_t cellAround(HalfEdge first) const
+  {
+    HalfEdge h = first;
+    std::int64_t cell = -1;
+    do
+    {
+      cell = cellOf(h);
+      h = triangulation_.nextAround(h);
+    } while (cell < 0 && h != kNoHalfEdge && h != first);
+    return cell;
+  }
+
+  const JobResult& made_;
+  const Triangulation& triangulation_;
+  std::size_t hint_ = 0; ///< places follow each other
+};
+
+} // namespace
+
+void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing)
+{
+  JobResult& made = job.result();
+  if (!made.settings.drawsOrder())
+  {
+    refuse(AHD_NOT_AVAILABLE,
+      "The order can be drawn with \"want_curve\" or \"want_boxes\" before the run.");
+  }
+  if ((type != AHD_INT32 && type != AHD_INT64) || !drawing.xyz || !drawing.ranks || !drawing.ids ||
+    !drawing.levels || !drawing.counts)
+  {
+    refuse(AHD_BAD_ARRAY,
+      "The order is drawn with ids of type AHD_INT32 or AHD_INT64, into arrays that are not null.");
+  }
+  job.progress.reach(Job::DrawingOrder);
+  job.withThreads(
+    [&](const Context& context)
+    {
+      check(type == AHD_INT32 ? draw<std::int32_t>(made, drawing, context)
+                              : draw<std::int64_t>(made, drawing, context));
+    });
+}
+
+void interpolate(Job& job, std::int32_t where, double* values, std::int32_t columns)
+{
+  const JobResult& made = job.result();
+  if (where < AHD_AT_SURFACE || where > (AHD_AT_SURFACE | AHD_AT_CROSSINGS))
+  {
+    refuse(AHD_BAD_VALUE,
+      "Values are interpolated at AHD_AT_SURFACE, AHD_AT_CROSSINGS or both, not " +
+        std::to_string(where) + ".");
+  }
+  if (columns < 0 || (columns > 0 && !values))
+  {
+    refuse(
+      AHD_BAD_ARRAY, "The values are null, or their columns are " + std::to_string(columns) + ".");
+  }
+  const ScopedFloatingPoint asAssumed;
+  if ((where & AHD_AT_SURFACE) != 0)
+  {
+    interpolateAtSurface(made.points, values, static_cast<std::size_t>(columns));
+  }
+  if ((where & AHD_AT_CROSSINGS) != 0)
+  {
+    interpolateAtCrossings(made.points, values, static_cast<std::size_t>(columns), 0);
+  }
+}
+
+void locate(Job& job, const double* xy, std::size_t count, const Places& out)
+{
+  JobResult& made = job.result();
+  if (count > 0 && (!xy || !out.kinds || !out.ids))
+  {
+    refuse(AHD_BAD_ARRAY, "The places, or where their kinds or ids are to be written, are null.");
+  }
+  job.withThreads(
+    [&](const Context& context)
+    {
+      check(made.triangulation.makeNeighbors(context));
+      if (made.cellOf.empty())
+      {
+        check(numberCells(made, context));
+      }
+      check(unlessCancelled(
+        [&]
+        {
+          constexpr std::size_t kStepsPerPlace = 64;
+          Locating locating(made);
+          Ticker ticker(context.progress, Phase::Outputs, count);
+          bool goesOn = ticker.ask();
+          for (std::size_t i = 0; i < count && goesOn; ++i)
+          {
+            locating({ xy[2 * i], xy[2 * i + 1] }, i, out);
+            ticker.finished(1);
+            goesOn = ticker.step(kStepsPerPlace);
+          }
+          return goesOn;
+        }));
+    });
+}
+
+} // namespace ahd

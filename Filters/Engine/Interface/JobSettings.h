@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobSettings_h
+#define ahd_JobSettings_h
+
+#include "../Constraints.h"
+#include "../Options.h"
+#include "../Surface/Selection.h"
+#include "../Voronoi/Voronoi.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// In the order of the table in JobSettings.cxx.
+enum class IntSetting : std::size_t
+{
+  InsertionOrder,
+  Nmax,
+  ControlPoints,
+  GeneRotation,
+  CountWork,
+  InsertionLimit,
+  Duplicates,
+  SkipMask,
+  CellIds,
+  FirstCell,
+  ClosedLines,
+  SplitCrossings,
+  SourceHeights,
+  FillRule,
+  Plane,
+  Rim,
+  Bounding,
+  AlphaTriangles,
+  AlphaLines,
+  AlphaVertices,
+  VoronoiClip,
+  WantVoronoi,
+  WantOrder,
+  WantBoxes,
+  WantCurve,
+  WantPointStatus,
+  WantInsertionRanks,
+  WantConstraintEdges,
+  WantRegions,
+  WantNeighbors,
+  Threads,
+  MemoryLimit,
+  OtherMemory
+};
+constexpr std::size_t kIntSettings = std::size_t(IntSetting::OtherMemory) + 1;
+
+enum class DoubleSetting : std::size_t
+{
+  Tolerance,
+  Offset,
+  Alpha,
+  MaximumEdgeLength
+};
+constexpr std::size_t kDoubleSettings = std::size_t(DoubleSetting::MaximumEdgeLength) + 1;
+
+/// The settings of a job by name, and what follows from them. What is unknown or out of range is
+/// refused.
+class JobSettings
+{
+public:
+  JobSettings();
+
+  void set(const char* name, std::int64_t value);
+  void set(const char* name, double value);
+  void get(const char* name, std::int64_t& value) const;
+  void get(const char* name, double& value) const;
+
+  /// Null past the last.
+  static const char* intName(std::size_t number);
+  static const char* doubleName(std::size_t number);
+
+  std::int64_t operator[](IntSetting setting) const { return ints_[std::size_t(setting)]; }
+  double operator[](DoubleSetting setting) const { return doubles_[std::size_t(setting)]; }
+  bool is(IntSetting setting) const { return (*this)[setting] != 0; }
+
+  /// But for Options::mostBoxes.
+  Options options() const;
+  SizeLimits limits() const;
+  ahd::FillRule fillRule() const { return ahd::FillRule((*this)[IntSetting::FillRule]); }
+  ahd::VoronoiClip voronoiClip() const
+  {
+    return ahd::VoronoiClip((*this)[IntSetting::VoronoiClip]);
+  }
+  bool showsMeans() const;
+  /// Is the plane another than x, y?
+  bool isProjected() const { return is(IntSetting::Plane); }
+  bool addsBounding() const { return is(IntSetting::Bounding) && !isProjected(); }
+  bool limitsSize() const;
+  bool trimsRim() const;
+  /// May ahd_draw_order() be called?
+  bool drawsOrder() const { return is(IntSetting::WantBoxes) || is(IntSetting::WantCurve); }
+
+private:
+  std::array<std::int64_t, kIntSettings> ints_;
+  std::array<double, kDoubleSettings> doubles_;
+};
+
+} // namespace ahd
+
+#endif

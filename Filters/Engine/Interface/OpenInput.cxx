@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Input arrays as views; the implementation of OpenInput and of InputArrays::copiedBytes.
+#include "../Core/Loops.h"
+#include "InputArrays.h"
+#include "Refusal.h"
+
+#include <cstring>
+#include <string>
+
+namespace ahd
+{
+namespace
+{
+
+std::size_t sizeOf(std::int32_t type)
+{
+  return type == AHD_UINT8 ? 1 : type == AHD_FLOAT32 || type == AHD_INT32 ? 4 : 8;
+}
+
+bool isAligned(const ahd_array& array)
+{
+  return reinterpret_cast<std::uintptr_t>(array.data) % sizeOf(array.type) == 0;
+}
+
+/// Can points be looked at where they are?
+bool areViewable(const ahd_array& array)
+{
+  const auto size = static_cast<std::int64_t>(sizeOf(array.type));
+  return array.rows == 0 ||
+    (isAligned(array) && array.column_stride == size && array.row_stride > 0 &&
+      array.row_stride % size == 0);
+}
+
+/// Is there one number behind the other?
+bool isContiguous(const ahd_array& array)
+{
+  const auto size = static_cast<std::int64_t>(sizeOf(array.type));
+  return array.rows == 0 ||
+    (isAligned(array) && (array.columns == 1 || array.column_stride == size) &&
+      array.row_stride == size * array.columns);
+}
+
+const unsigned char* at(const ahd_array& array, std::size_t row, std::size_t column)
+{
+  return static_cast<const unsigned char*>(array.data) +
+    static_cast<std::int64_t>(row) * array.row_stride +
+    static_cast<std::int64_t>(column) * array.column_stride;
+}
+
+template <typename Number>
+Number read(const ahd_array& array, std::size_t row, std::size_t column)
+{
+  Number number;
+  std::memcpy(&number, at(array, row, column), sizeof(Number));
+  return number;
+}
+
+std::int64_t readInteger(const ahd_array& array, std::size_t row, std::size_t column)
+{
+  return array.type == AHD_INT32 ? read<std::int32_t>(array, row, column)
+                                 : read<std::int64_t>(array, row, column);
+}
+
+/// Calls work(begin, end) for chunks of the rows.
+template <typename Work>
+void forRows(std::size_t rows, const Context& context, const Work& work)
+{
+  Ticker ticker(context.progress, Phase::Merge, 0, context.executor);
+  check(inChunksOf(rows, ticker, work) ? Status::Ok : Status::Cancelled);
+}
+
+template <typename Number>
+const Number* copyPoints(const ahd_array& array, std::vector<Number>& to, const Context& context)
+{
+  const std::size_t rows = static_cast<std::size_t>(array.rows);
+  const std::size_t columns = static_cast<std::size_t>(array.columns);
+  to.resize(rows * columns);
+  forRows(rows, context,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        for (std::size_t k = 0; k < columns; ++k)
+        {
+          to[columns * i + k] = read<Number>(array, i, k);
+        }
+      }
+    });
+  return to.data();
+}
+
+/// All ids or offsets one behind the other.
+template <typename Id>
+const Id* copyIds(const ahd_array& array, std::vector<Id>& to, const Context& context)
+{
+  const std::size_t rows = static_cast<std::size_t>(array.rows);
+  const std::size_t columns = static_cast<std::size_t>(array.columns);
+  to.resize(rows * columns);
+  forRows(rows, context,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        for (std::size_t k = 0; k < columns; ++k)
+        {
+          to[columns * i + k] = static_cast<Id>(readInteger(array, i, k));
+        }
+      }
+    });
+  return to.data();
+}
+
+/// The array where it is, or a copy.
+template <typename Id>
+const Id* idsOf(const ahd_array& array, std::vector<Id>& copy, const Context& context)
+{
+  const bool isOfType = sizeOf(array.type) == sizeof(Id);
+  return isOfType && isContiguous(array) ? static_cast<const Id*>(array.data)
+                                         : copyIds(array, copy, context);
+}
+
+/// Offsets of so many cells of the same size.
+template <typename Id>
+const Id* evenOffsets(
+  std::size_t cells, std::size_t size, std::vector<Id>& to, const Context& context)
+{
+  to.resize(cells + 1);
+  forRows(cells + 1, context,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        to[i] = static_cast<Id>(i * size);
+      }
+    });
+  return to.data();
+}
+
+/// The first cell whose ids are not among those there are.
+struct Misplaced
+{
+  std::size_t cell = std::size_t(-1);
+
+  void merge(const Misplaced& other) { cell = std::min(cell, other.cell); }
+};
+
+template <typename Id>
+void checkOffsets(
+  const Id* offsets, const CellsView& cells, const char* name, const Context& context)
+{
+  Ticker ticker(context.progress, Phase::Merge, 0, context.executor);
+  Misplaced found;
+  const bool all = gather(cells.cells, ticker, found,
+    [&](Misplaced& part, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end && part.cell > i; ++i)
+      {
+        const bool isFit = offsets[i] >= 0 && offsets[i] <= offsets[i + 1] &&
+          static_cast<std::uint64_t>(offsets[i + 1]) <= cells.ids;
+        part.cell = isFit ? part.cell : i;
+      }
+    });
+  check(all ? Status::Ok : Status::Cancelled);
+  if (found.cell < cells.cells)
+  {
+    const std::size_t i = found.cell;
+    refuse(AHD_BAD_ARRAY,
+      "\"" + std::string(name) + "\" has " + std::to_string(offsets[i]) + " and " +
+        std::to_string(offsets[i + 1]) + " for chain " + std::to_string(i) + ": they are to " +
+        "ascend from 0 to the " + std::to_string(cells.ids) + " ids.");
+  }
+}
+
+/// Ids and offsets have one type: 32 bits if both are so.
+bool areShort(const ahd_array& ids, const ahd_array& offsets)
+{
+  constexpr std::int64_t kMost = 0x7FFFFFFF;
+  const bool fit = offsets.type == AHD_INT32 ||
+    (offsets.type == 0 && ids.rows <= kMost / ids.columns);
+  return ids.type == AHD_INT32 && fit;
+}
+
+template <typename Id>
+void openCells(const InputArrays& arrays, InputArray idArray, InputArray offsetArray,
+  std::vector<Id>& offsetCopy, std::vector<Id>& idCopy, CellsView& cells, const Context& context,
+  const Id*& offsets, const Id*& ids)
+{
+  ids = idsOf(arrays[idArray], idCopy, context);
+  if (!arrays.has(offsetArray))
+  {
+    offsets = evenOffsets<Id>(cells.cells, cells.ids / cells.cells, offsetCopy, context);
+    return;
+  }
+  offsets = idsOf(arrays[offsetArray], offsetCopy, context);
+  checkOffsets(offsets, cells, InputArrays::name(std::size_t(offsetArray)), context);
+}
+
+std::size_t copiedBytesOf(const ahd_array& ids, const ahd_array& offsets)
+{
+  if (ids.type == 0 || ids.rows == 0)
+  {
+    return 0;
+  }
+  const std::size_t size = areShort(ids, offsets) ? 4 : 8;
+  const auto bytesOf = [size](const ahd_array& array)
+  {
+    const bool isThere = sizeOf(array.type) == size && isContiguous(array);
+    return isThere
+      ? 0
+      : size * static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns);
+  };
+  const std::size_t made = ids.columns > 1 ? static_cast<std::size_t>(ids.rows) + 1 : 2;
+  return bytesOf(ids) + (offsets.type == 0 ? size * made : bytesOf(offsets));
+}
+
+} // namespace
+
+std::size_t InputArrays::copiedBytes() const
+{
+  const InputArrays& own = *this;
+  std::size_t bytes = copiedBytesOf(own[InputArray::LineIds], own[InputArray::LineOffsets]) +
+    copiedBytesOf(own[InputArray::LoopIds], own[InputArray::LoopOffsets]);
+  for (const InputArray points : { InputArray::Points, InputArray::SourcePoints })
+  {
+    const ahd_array& array = own[points];
+    bytes += has(points) && !areViewable(array)
+      ? static_cast<std::size_t>(array.rows * array.columns) * sizeOf(array.type)
+      : 0;
+  }
+  const ahd_array& skip = own[InputArray::Skip];
+  return bytes + (isContiguous(skip) ? 0 : static_cast<std::size_t>(skip.rows));
+}
+
+PointView OpenInput::open(const ahd_array& array, Copies& copies, const Context& context)
+{
+  PointView view;
+  view.count = static_cast<std::size_t>(array.rows);
+  view.isFlat = array.columns != 3;
+  view.stride = static_cast<std::size_t>(array.columns == 3 ? 3 : 2);
+  const bool isDouble = array.type != AHD_FLOAT32;
+  if (areViewable(array))
+  {
+    view.stride = array.rows == 0 ? view.stride
+                                  : static_cast<std::size_t>(array.row_stride) / sizeOf(array.type);
+    view.doubles = isDouble ? static_cast<const double*>(array.data) : nullptr;
+    view.floats = isDouble ? nullptr : static_cast<const float*>(array.data);
+    return view;
+  }
+  view.doubles = isDouble ? copyPoints(array, copies.doubles, context) : nullptr;
+  view.floats = isDouble ? nullptr : copyPoints(array, copies.floats, context);
+  return view;
+}
+
+void OpenInput::openPoints(const InputArrays& arrays, const Context& context)
+{
+  points = open(arrays[InputArray::Points], pointCopies_, context);
+  sourcePoints = open(arrays[InputArray::SourcePoints], sourceCopies_, context);
+  const ahd_array& skip = arrays[InputArray::Skip];
+  if (!arrays.has(InputArray::Skip) || points.count == 0)
+  {
+    return;
+  }
+  points.skip = static_cast<const unsigned char*>(skip.data);
+  if (!isContiguous(skip))
+  {
+    marks_.resize(points.count);
+    forRows(points.count, context,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          marks_[i] = *at(skip, i, 0);
+        }
+      });
+    points.skip = marks_.data();
+  }
+}
+
+void OpenInput::openCells(const InputArrays& arrays, const Context& context)
+{
+  lines = open(arrays, InputArray::LineIds, InputArray::LineOffsets, lineCopies_, context);
+  loops = open(arrays, InputArray::LoopIds, InputArray::LoopOffsets, loopCopies_, context);
+}
+
+CellsView OpenInput::open(const InputArrays& arrays, InputArray ids, InputArray offsets,
+  CellCopies& copies, const Context& context)
+{
+  InputRequest counts;
+  arrays.count(counts);
+  CellsView cells = ids == InputArray::LineIds ? counts.lines : counts.polygons;
+  if (cells.ids == 0)
+  {
+    return cells;
+  }
+  areShort(arrays[ids], arrays[offsets])
+    ? ahd::openCells(arrays, ids, offsets, copies.offsets32, copies.ids32, cells, context,
+        cells.offsets32, cells.ids32)
+    : ahd::openCells(arrays, ids, offsets, copies.offsets64, copies.ids64, cells, context,
+        cells.offsets64, cells.ids64);
+  return cells;
+}
+
+} // namespace ahd

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_SpacePoints_h
+#define ahd_SpacePoints_h
+
+#include "../Core/Context.h"
+#include "../Points/Points.h"
+#include "../Prepare/Prepare.h"
+#include "../Result.h"
+#include "../Triangulation/Triangulation.h"
+
+#include <vector>
+
+namespace ahd
+{
+
+/// The output points where the user sees them: in space, those that were added included, each place
+/// of several points at their mean if that is wanted.
+///
+/// Without added points and means they are the input's own, looked at where they are; without added
+/// points a copy of the same type; else doubles. What lies between other points follows them:
+/// source points laid on the surface and crossings, in AHD_PLANE_XY in z only.
+class SpacePoints
+{
+public:
+  /// `input` and `source`: as they were prepared. Makes the tables of the triangulation that it
+  /// needs. Returns Ok, Cancelled or OutOfMemory; unless Ok, this is not to be used.
+  Status make(const PointView& input, const PointView& source, const PreparedInput& points,
+    const Context& context);
+  /// Moves places of several points to their mean.
+  Status showMeans(
+    const PreparedInput& points, Triangulation& triangulation, const Context& context);
+
+  const PointView& view() const { return view_; }
+
+private:
+  template <typename Number>
+  bool copy(std::vector<Number>& to, const Context& context);
+
+  PointView view_;
+  std::vector<double> doubles_;
+  std::vector<float> floats_;
+};
+
+/// Replaces `columns` values of points that lie between others by what linear interpolation gives.
+void interpolateAtSurface(const PreparedInput& points, double* values, std::size_t columns);
+void interpolateAtCrossings(
+  const PreparedInput& points, double* values, std::size_t columns, std::size_t firstColumn);
+
+} // namespace ahd
+
+#endif

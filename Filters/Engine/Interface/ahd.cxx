@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The border of the C interface: checks handles and pointers, catches what is thrown, keeps what it
+// says.
+#include "ahd.h"
+
+#include "../Core/Fingerprint.h"
+#include "../Core/Memory.h"
+#include "Job.h"
+#include "JobArrays.h"
+#include "JobCounts.h"
+#include "Refusal.h"
+
+#include <atomic>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+#ifndef AHD_VERSION
+#error "AHD_VERSION, the version of the project, is defined by Sources.cmake"
+#endif
+
+struct ahd_job
+{
+  ahd::Job job;
+  std::string message;
+  const char* said = ""; ///< the message, or what to say without memory for it
+  std::atomic<bool> isBusy{ false };
+};
+
+namespace
+{
+
+/// Says why the call failed.
+void say(ahd_job& job, std::string&& text)
+{
+  job.message = std::move(text);
+  job.said = job.message.c_str();
+}
+
+/// Calls work(the job); what it throws becomes a status and a message.
+template <typename Work>
+ahd_status guarded(ahd_job& job, const Work& work)
+{
+  job.said = "";
+  try
+  {
+    work(job.job);
+    return AHD_OK;
+  }
+  catch (ahd::Refusal& refusal)
+  {
+    say(job, std::move(refusal.text));
+    return refusal.status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    job.said = "Out of memory.";
+    return AHD_OUT_OF_MEMORY;
+  }
+  catch (const std::length_error&)
+  {
+    job.said = "Out of memory.";
+    return AHD_OUT_OF_MEMORY;
+  }
+  catch (...)
+  {
+    job.said = "A fault of the library.";
+    return AHD_FAILED;
+  }
+}
+
+template <typename Work>
+ahd_status call(ahd_job* job, const Work& work)
+{
+  if (!job)
+  {
+    return AHD_NO_JOB;
+  }
+  if (job->isBusy.exchange(true))
+  {
+    return AHD_BUSY;
+  }
+  job->job.progress.beginCall();
+  const ahd_status status = guarded(*job, work);
+  job->job.progress.endCall(status == AHD_CANCELLED);
+  job->isBusy = false;
+  return status;
+}
+
+void mustHave(const void* pointer, const char* what)
+{
+  if (!pointer)
+  {
+    ahd::refuse(AHD_BAD_ARRAY, "The pointer to the " + std::string(what) + " is null.");
+  }
+}
+
+} // namespace
+
+uint32_t ahd_abi_version(void)
+{
+  return AHD_ABI_VERSION;
+}
+
+const char* ahd_version(void)
+{
+  return AHD_VERSION;
+}
+
+ahd_job* ahd_job_new(void)
+{
+  try
+  {
+    return new ahd_job;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+
+void ahd_job_free(ahd_job* job)
+{
+  delete job;
+}
+
+const char* ahd_message(const ahd_job* job)
+{
+  return job ? job->said : "The job is a null pointer.";
+}
+
+ahd_status ahd_set_int(ahd_job* job, const char* name, int64_t value)
+{
+  return call(job, [=](ahd::Job& own) { own.settings.set(name, value); });
+}
+
+ahd_status ahd_set_double(ahd_job* job, const char* name, double value)
+{
+  return call(job, [=](ahd::Job& own) { own.settings.set(name, value); });
+}
+
+ahd_status ahd_get_int(ahd_job* job, const char* name, int64_t* value)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(value, "value");
+      own.settings.get(name, *value);
+    });
+}
+
+ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(value, "value");
+      own.settings.get(name, *value);
+    });
+}
+
+ahd_status ahd_set_array(ahd_job* job, const char* name, const ahd_array* array)
+{
+  return call(job, [=](ahd::Job& own) { own.setArray(name, array); });
+}
+
+ahd_status ahd_set_projection(ahd_job* job, ahd_projection projection, void* user)
+{
+  return call(job, [=](ahd::Job& own) { own.setProjection(projection, user); });
+}
+
+ahd_status ahd_set_progress(ahd_job* job, ahd_progress progress, void* user)
+{
+  return call(job, [=](ahd::Job& own) { own.progress.setCallback(progress, user); });
+}
+
+ahd_status ahd_estimate(ahd_job* job, uint64_t* bytes)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(bytes, "bytes");
+      *bytes = own.estimate();
+    });
+}
+
+ahd_status ahd_run(ahd_job* job)
+{
+  return call(job, [](ahd::Job& own) { own.run(); });
+}
+
+void ahd_cancel(ahd_job* job)
+{
+  if (job)
+  {
+    job->job.progress.cancel();
+  }
+}
+
+uint64_t ahd_kept_bytes(ahd_job* job)
+{
+  uint64_t bytes = 0;
+  call(job, [&bytes](ahd::Job& own) { bytes = own.keptBytes(); });
+  return bytes;
+}
+
+ahd_status ahd_release(ahd_job* job, uint64_t most)
+{
+  return call(job, [=](ahd::Job& own) { own.release(static_cast<std::size_t>(most)); });
+}
+
+ahd_status ahd_fit_plane(ahd_job* job, double matrix[16])
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(matrix, "matrix");
+      own.fitPlane(matrix);
+    });
+}
+
+ahd_status ahd_count(ahd_job* job, const char* name, int64_t* value)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(value, "value");
+      *value = ahd::countOf(own, name);
+    });
+}
+
+ahd_status ahd_measure(ahd_job* job, const char* name, double* value)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(value, "value");
+      *value = ahd::measureOf(own, name);
+    });
+}
+
+ahd_status ahd_array_size(ahd_job* job, const char* name, uint64_t* rows, uint64_t* columns)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(rows, "rows");
+      mustHave(columns, "columns");
+      const ahd::ArrayShape shape = ahd::shapeOf(own, name);
+      *rows = shape.rows;
+      *columns = shape.columns;
+    });
+}
+
+ahd_status ahd_get_array(ahd_job* job, const char* name, int32_t type, void* out, uint64_t capacity)
+{
+  return call(job, [=](ahd::Job& own) { ahd::writeArray(own, name, type, out, capacity); });
+}
+
+ahd_status ahd_draw_order(ahd_job* job, int32_t type, const ahd_drawing* drawing)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(drawing, "drawing");
+      ahd::drawOrder(own, type, *drawing);
+    });
+}
+
+ahd_status ahd_interpolate(ahd_job* job, int32_t where, double* values, int32_t columns)
+{
+  return call(job, [=](ahd::Job& own) { ahd::interpolate(own, where, values, columns); });
+}
+
+ahd_status ahd_locate(
+  ahd_job* job, const double* xy, uint64_t count, int32_t* kinds, int64_t* ids, int64_t* cells)
+{
+  return call(job,
+    [=](ahd::Job& own) {
+      ahd::locate(own, xy, static_cast<std::size_t>(count), { kinds, ids, cells });
+    });
+}
+
+const char* ahd_name(int32_t kind, uint32_t number)
+{
+  switch (kind)
+  {
+    case AHD_INT_SETTINGS:
+      return ahd::JobSettings::intName(number);
+    case AHD_DOUBLE_SETTINGS:
+      return ahd::JobSettings::doubleName(number);
+    case AHD_INPUT_ARRAYS:
+      return ahd::InputArrays::name(number);
+    case AHD_COUNTS:
+      return ahd::countName(number);
+    case AHD_MEASURES:
+      return ahd::measureName(number);
+    case AHD_OUTPUT_ARRAYS:
+      return ahd::outputArrayName(number);
+    default:
+      return nullptr;
+  }
+}
+
+const char* ahd_status_name(ahd_status status)
+{
+  static const char* const kNames[] = { "AHD_OK", "AHD_CANCELLED", "AHD_TOO_MANY_POINTS",
+    "AHD_TOO_MANY_BOXES", "AHD_OUT_OF_MEMORY", "AHD_MEMORY_LIMIT", "AHD_TOO_MANY_CROSSINGS",
+    "AHD_UNKNOWN_NAME", "AHD_BAD_VALUE", "AHD_BAD_ARRAY", "AHD_NOT_AVAILABLE", "AHD_BUSY",
+    "AHD_NO_JOB", "AHD_FAILED" };
+  return status >= AHD_OK && status <= AHD_FAILED ? kNames[status] : "?";
+}
+
+uint32_t ahd_processors(void)
+{
+  return ahd::availableProcessors();
+}
+
+uint64_t ahd_available_memory(void)
+{
+  return ahd::availableMemory();
+}
+
+void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2])
+{
+  const auto* const begin = static_cast<const unsigned char*>(bytes);
+  const std::size_t words = static_cast<std::size_t>(count) / ahd::FingerprintSum::kWord;
+  ahd::FingerprintSum sum;
+  sum.add(begin, 0, words, words);
+  const ahd::Fingerprint found = sum.finish(begin, static_cast<std::size_t>(count), kind);
+  out[0] = found[0];
+  out[1] = found[1];
+}

@@ -1,0 +1,336 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What callers of `delaunay` give, as arrays and settings of a job. What cannot be used is named."""
+
+from __future__ import annotations
+
+import operator
+from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _library as library
+
+Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
+Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
+
+#: Settings that have names for values: those that Python callers use, in the order of the header's numbers.
+CHOICES: Mapping[str, Tuple[str, ...]] = {
+    "insertion_order": ("adaptive_hilbert", "multi_grid", "regular_grid", "as_given"),
+    "control_points": ("off", "single_level", "every_level"),
+    "duplicates": ("first", "lowest_z", "highest_z", "mean_z"),
+    "crossings": ("leave_out", "split"),
+    "source_heights": ("own", "surface"),
+    "fill_rule": ("orientation", "even_odd"),
+    "rim": ("automatic", "convex_hull", "trimmed"),
+    "voronoi_clip": ("hull", "bounds"),
+}
+FLAGS = ("gene_rotation", "count_work", "closed_lines_are_loops", "bounding")
+WHOLE = {  # least and most
+    "nmax": (1, 2**31 - 1),
+    "insertion_limit": (0, 2**63 - 1),
+    "threads": (0, 1024),
+    "memory_limit": (0, 2**62),
+}
+REAL = {
+    "tolerance": (0.0, 1.0),
+    "offset": (0.75, 1.7e308),
+    "alpha": (0.0, np.inf),
+    "maximum_edge_length": (0.0, np.inf),
+}
+
+#: What the keywords are that are one number or word each.
+DEFAULTS: Mapping[str, Any] = {
+    "crossings": "leave_out",
+    "fill_rule": "even_odd",
+    "closed_lines_are_loops": False,
+    "source_heights": "own",
+    "rim": "automatic",
+    "duplicates": "first",
+    "tolerance": 0.0,
+    "alpha": 0.0,
+    "maximum_edge_length": 0.0,
+    "bounding": False,
+    "offset": 1.0,
+    "insertion_order": "adaptive_hilbert",
+    "nmax": 50,
+    "control_points": "every_level",
+    "gene_rotation": True,
+    "insertion_limit": 0,
+    "count_work": False,
+    "voronoi_clip": "hull",
+    "threads": 0,
+    "memory_limit": 0,
+}
+
+# Where the C interface has another name.
+_NAMES_IN_C = {"crossings": "split_crossings", "closed_lines_are_loops": "closed_lines"}
+
+
+def _refused(name: str, value: Any, wanted: str) -> str:
+    text = repr(value)
+    return "%s is to be %s, not %s" % (name, wanted, text if len(text) <= 60 else text[:57] + "...")
+
+
+def _choice(name: str, value: Any) -> int:
+    among = CHOICES[name]
+    if not isinstance(value, str) or value not in among:
+        kind = ValueError if isinstance(value, str) else TypeError
+        raise kind(_refused(name, value, "one of " + ", ".join(map(repr, among))))
+    return among.index(value)
+
+
+def _flag(name: str, value: Any) -> int:
+    if not isinstance(value, (bool, np.bool_)):
+        raise TypeError(_refused(name, value, "True or False"))
+    return int(value)
+
+
+def _whole(name: str, value: Any) -> int:
+    least, most = WHOLE[name]
+    wanted = "a whole number from %d to %d" % (least, most)
+    if isinstance(value, (bool, np.bool_)):
+        raise TypeError(_refused(name, value, wanted))
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(_refused(name, value, wanted)) from None
+    if not least <= number <= most:
+        raise ValueError(_refused(name, value, wanted))
+    return number
+
+
+def _real(name: str, value: Any) -> float:
+    least, most = REAL[name]
+    wanted = "a number from %g to %g" % (least, most)
+    if isinstance(value, (str, bytes, bool, np.bool_)):
+        raise TypeError(_refused(name, value, wanted))
+    try:
+        number = float(value)
+    except (TypeError, ValueError):
+        raise TypeError(_refused(name, value, wanted)) from None
+    except OverflowError:
+        raise ValueError(_refused(name, value, wanted)) from None
+    if not least <= number <= most:  # NaN neither
+        raise ValueError(_refused(name, value, wanted))
+    return number
+
+
+def settings_of(given: Mapping[str, Any]) -> Dict[str, Union[int, float]]:
+    """The settings of a job for keywords that are one number or word each."""
+    made: Dict[str, Union[int, float]] = {}
+    for name, value in given.items():
+        convert: Callable[[str, Any], Union[int, float]] = (
+            _choice if name in CHOICES else _flag if name in FLAGS else _whole if name in WHOLE else _real
+        )
+        made[_NAMES_IN_C.get(name, name)] = convert(name, value)
+    return made
+
+
+# --- Arrays -------------------------------------------------------------------------------------------------
+
+
+def points_of(name: str, given: Any) -> np.ndarray:
+    """(n, 2 or 3) float32 or float64, the given array itself if it is that: any strides, but in the machine's
+    byte order and aligned."""
+    if isinstance(given, np.ma.MaskedArray):
+        raise TypeError("%s are a masked array, whose mask would be lost: give it as `skip`" % name)
+    points = np.asarray(given)
+    if points.size == 0 and points.ndim == 1:
+        points = points.reshape(0, 2)
+    if points.ndim != 2 or points.shape[1] not in (2, 3):
+        raise ValueError("%s are to be of shape (n, 2) or (n, 3), not %s" % (name, points.shape))
+    if points.dtype.kind not in "biuf" and points.size:
+        raise TypeError("%s are to be real numbers, not of type %s" % (name, points.dtype))
+    isReady = points.dtype in (np.float32, np.float64) and points.dtype.isnative and points.flags.aligned
+    return points if isReady else np.array(points, np.float64)
+
+
+def skip_of(given: Any, count: int) -> np.ndarray:
+    """(count,) uint8, not 0 where a point is to be left out."""
+    if isinstance(given, np.ma.MaskedArray):
+        raise TypeError("skip is a masked array, whose mask would be lost")
+    marks = np.asarray(given)
+    if marks.shape != (count,):
+        raise ValueError("skip is to have one value for each of %d points, not the shape %s" % (count, marks.shape))
+    if marks.dtype == np.bool_:
+        return marks.view(np.uint8)
+    if marks.dtype == np.uint8:
+        return marks
+    if marks.size == 0:
+        return np.zeros(0, np.uint8)
+    raise TypeError("skip is to be of type bool or uint8, not %s" % marks.dtype)
+
+
+def _ids(name: str, given: Any) -> np.ndarray:
+    """int32 or int64 of any shape."""
+    if isinstance(given, np.ma.MaskedArray):
+        raise TypeError("%s: a masked array, whose mask would be lost" % name)
+    ids = np.asarray(given)
+    if ids.size == 0:
+        return ids.astype(np.int64)
+    if ids.dtype.kind not in "iu":
+        raise TypeError("%s are to be whole numbers, the ids of points, not of type %s" % (name, ids.dtype))
+    if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and ids.max() > 2**63 - 1:
+        raise ValueError("%s: %d is no point" % (name, ids.max()))
+    isReady = ids.dtype in (np.int32, np.int64) and ids.dtype.isnative and ids.flags.aligned
+    return ids if isReady else ids.astype(np.int64)
+
+
+def chains_of(name: str, given: Any) -> Chains:
+    """One chain (a list of ids), many of one length (rows of an array), or a sequence of chains."""
+    if not isinstance(given, np.ndarray) or given.dtype == object:
+        given = list(given) if hasattr(given, "__iter__") else given
+        if isinstance(given, list) and given and all(np.ndim(chain) == 1 for chain in given):
+            if len({len(chain) for chain in given}) > 1 or 0 in map(len, given):
+                return _joined([_ids("%s[%d]" % (name, k), chain) for k, chain in enumerate(given)])
+    ids = _ids(name, given)
+    if ids.ndim == 1:
+        return ids, np.array([0, len(ids)], np.int64) if len(ids) else np.zeros(1, np.int64)
+    if ids.ndim != 2:
+        raise ValueError("%s are to be a chain of ids, rows of an array, or a sequence of chains" % name)
+    return (ids, None) if ids.shape[1] > 1 else _joined(list(ids))
+
+
+def segments_of(name: str, given: Any) -> Chains:
+    """(m, 2)."""
+    ids = _ids(name, given)
+    if ids.ndim == 1 and ids.size == 0:
+        ids = ids.reshape(0, 2)
+    if ids.ndim != 2 or ids.shape[1] != 2:
+        raise ValueError("%s are to be of shape (m, 2), not %s" % (name, ids.shape))
+    return ids, None
+
+
+def _joined(chains: Sequence[np.ndarray]) -> Chains:
+    offsets = np.zeros(len(chains) + 1, np.int64)
+    np.cumsum([len(chain) for chain in chains], out=offsets[1:])
+    return np.concatenate([np.asarray(chain, np.int64) for chain in chains] or [np.zeros(0, np.int64)]), offsets
+
+
+def appended(first: Chains, second: Chains) -> Chains:
+    """The chains of both."""
+    parts = [list(ids) if offsets is None else np.split(ids, offsets[1:-1]) for ids, offsets in (first, second)]
+    return _joined([chain for part in parts for chain in part])
+
+
+def check_ids(name: str, chains: Chains, count: int, whose: str) -> None:
+    """ValueError if an id is that of no point."""
+    ids, offsets = chains
+    if not ids.size or (ids.min() >= 0 and ids.max() < count):
+        return
+    place = int(np.flatnonzero(((ids < 0) | (ids >= count)).ravel())[0])
+    if offsets is None:
+        chain = place // ids.shape[1]
+    else:
+        chain = int(np.searchsorted(offsets, place, "right")) - 1
+    raise ValueError(
+        "%s[%d] names point %d, but there are %d points%s" % (name, chain, ids.ravel()[place], count, whose)
+    )
+
+
+# --- All of it ----------------------------------------------------------------------------------------------
+
+
+class Request:
+    """Settings and arrays of a job. Never changes once it is made."""
+
+    def __init__(
+        self,
+        points: Any,
+        skip: Any,
+        source_points: Any,
+        chains: Mapping[str, Any],
+        plane: Plane,
+        settings: Mapping[str, Any],
+    ) -> None:
+        self.points = points_of("points", points)
+        self.isCopy = not np.may_share_memory(self.points, points) if isinstance(points, np.ndarray) else True
+        self.settings = settings_of(settings)
+        self.arrays: Dict[str, np.ndarray] = {"points": self.points}
+        self.projection: Optional[Callable[[np.ndarray], None]] = None
+        if skip is not None:
+            self.arrays["skip"] = skip_of(skip, len(self.points))
+        if source_points is not None:
+            self.arrays["source_points"] = points_of("source_points", source_points)
+            self.settings["cell_ids"] = library.IDS_OF_SOURCE
+        elif self.settings["source_heights"] != library.HEIGHTS_OWN:
+            raise ValueError("source_heights='surface' is for source_points, and there are none")
+        self._take_chains(chains)
+        self._take_plane(plane)
+
+    @property
+    def columns(self) -> int:
+        """2, or 3 if a point was given three numbers."""
+        source = self.arrays.get("source_points")
+        return max(int(array.shape[1]) for array in (self.points, source) if array is not None)
+
+    def _take_chains(self, given: Mapping[str, Any]) -> None:
+        source = self.arrays.get("source_points")
+        count, whose = (len(self.points), "") if source is None else (len(source), " in source_points")
+        lines: Optional[Chains] = None
+        for name, value in given.items():
+            if value is None:
+                continue
+            chains = segments_of(name, value) if name == "segments" else chains_of(name, value)
+            check_ids(name, chains, count, whose)
+            if name == "loops":
+                self._set_chains("loop", chains)
+            else:
+                lines = chains if lines is None else appended(lines, chains)
+        if lines is not None:
+            self._set_chains("line", lines)
+
+    def _set_chains(self, kind: str, chains: Chains) -> None:
+        ids, offsets = chains
+        if ids.size:
+            self.arrays[kind + "_ids"] = ids
+            if offsets is not None:
+                self.arrays[kind + "_offsets"] = offsets
+
+    def _take_plane(self, plane: Plane) -> None:
+        if isinstance(plane, str):
+            if plane not in ("xy", "best_fit"):
+                raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
+            self.settings["plane"] = library.PLANE_XY if plane == "xy" else library.PLANE_BEST_FIT
+        elif callable(plane):
+            self.settings["plane"] = library.PLANE_CALLBACK
+            self.projection = Projection(plane)
+        else:
+            matrix = np.asarray(plane)
+            if matrix.shape != (4, 4) or matrix.dtype.kind not in "iuf":
+                raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
+            if not np.isfinite(matrix).all():
+                raise ValueError("plane: the matrix has numbers that are not finite")
+            self.settings["plane"] = library.PLANE_MATRIX
+            self.arrays["matrix"] = np.array(matrix, np.float64)
+        if self.settings["bounding"] and self.settings["plane"] != library.PLANE_XY:
+            raise ValueError("bounding points are added in the plane 'xy' only")
+
+    def job(self, wanted: Sequence[str]) -> library.Job:
+        """A job that is ready to run, with these arrays announced."""
+        job = library.Job()
+        job.set(**self.settings)
+        job.set(**{"want_" + name: 1 for name in wanted})
+        for name, array in self.arrays.items():
+            job.set_array(name, array)
+        if self.projection is not None:
+            job.set_projection(self.projection)
+        return job
+
+
+class Projection:
+    """A caller's function of points as a job calls it."""
+
+    def __init__(self, function: Callable[[np.ndarray], Optional[np.ndarray]]) -> None:
+        self.function = function
+
+    def __call__(self, xyz: np.ndarray) -> None:
+        moved = self.function(xyz)
+        if moved is not None and moved is not xyz:
+            moved = np.asarray(moved)
+            if moved.shape != xyz.shape:
+                raise ValueError(
+                    "plane: the function returned an array of shape %s for points of shape %s"
+                    % (moved.shape, xyz.shape)
+                )
+            xyz[...] = moved

@@ -1,0 +1,264 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The shared library of the engine's C interface (Filters/Engine/Interface/ahd.h): found, loaded and declared.
+Constants have the names of the header without AHD_.
+
+The library is the one that the environment variable ADAPTIVEHILBERTDELAUNAY_LIBRARY names, else the one in
+the folder of this file. ImportError if there is none, or it is of another version.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import sys
+from typing import Any, Dict, List, Optional, Tuple
+
+import numpy as np
+
+#: The AHD_ABI_VERSION of the header that this file follows.
+ABI_VERSION = 1
+
+#: Names a library to be loaded in place of the one beside this file.
+LIBRARY_VARIABLE = "ADAPTIVEHILBERTDELAUNAY_LIBRARY"
+
+# How a call ended.
+OK, CANCELLED, TOO_MANY_POINTS, TOO_MANY_BOXES, OUT_OF_MEMORY, MEMORY_LIMIT, TOO_MANY_CROSSINGS = range(7)
+UNKNOWN_NAME, BAD_VALUE, BAD_ARRAY, NOT_AVAILABLE, BUSY, NO_JOB, FAILED = range(7, 14)
+
+# Types of numbers.
+FLOAT32, FLOAT64, INT32, INT64, UINT8 = range(1, 6)
+
+# What the library is doing.
+PHASES = ("merge", "split", "read", "sort", "insert", "constrain", "extract", "outputs")
+
+# Values of settings.
+ORDER_ADAPTIVE_HILBERT, ORDER_MULTI_GRID, ORDER_REGULAR_GRID, ORDER_AS_GIVEN = range(4)
+CONTROL_OFF, CONTROL_SINGLE_LEVEL, CONTROL_EVERY_LEVEL = range(3)
+DUPLICATES_FIRST, DUPLICATES_LOWEST_Z, DUPLICATES_HIGHEST_Z, DUPLICATES_MEAN_Z = range(4)
+IDS_OF_INPUT, IDS_OF_SOURCE = range(2)
+HEIGHTS_OWN, HEIGHTS_FROM_SURFACE = range(2)
+FILL_ORIENTATION, FILL_EVEN_ODD = range(2)
+PLANE_XY, PLANE_BEST_FIT, PLANE_MATRIX, PLANE_CALLBACK = range(4)
+RIM_AUTOMATIC, RIM_CONVEX_HULL, RIM_TRIMMED = range(3)
+CLIP_HULL, CLIP_BOUNDS = range(2)
+
+# What is no id in point_status.
+POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
+
+# Where a place lies.
+IN_TRIANGLE, ON_EDGE, ON_VERTEX, OUTSIDE, NOWHERE = range(5)
+
+# For Job.interpolate.
+AT_SURFACE, AT_CROSSINGS = 1, 2
+
+# Kinds of names, for names().
+INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES, OUTPUT_ARRAYS = range(6)
+
+DTYPES = {FLOAT32: np.float32, FLOAT64: np.float64, INT32: np.int32, INT64: np.int64, UINT8: np.uint8}
+TYPES = {np.dtype(dtype): number for number, dtype in DTYPES.items()}
+
+# Arrays whose numbers have a type of their own; the others have ids or, "points", coordinates.
+FIXED_DTYPES: Dict[str, Any] = {
+    name: np.float64
+    for name in (
+        "plane_points", "plane_matrix", "box_bounds", "voronoi_points", "surface_weights", "crossing_fractions",
+        "points",
+    )  # fmt: skip
+}
+FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32)
+
+
+# --- Errors -------------------------------------------------------------------------------------------------
+
+
+class EngineError(Exception):
+    """What a call of the engine ended with. `status` is one of the constants above."""
+
+    status = FAILED
+
+    def __init__(self, message: str, status: Optional[int] = None) -> None:
+        super().__init__(message)
+        self.status = self.status if status is None else status
+
+
+class Cancelled(EngineError):
+    """The work was cancelled: by `Job.cancel`, or by what a progress function returned."""
+
+    status = CANCELLED
+
+
+class OutOfMemory(EngineError, MemoryError):
+    """There is not enough memory, or the memory limit allows less than is needed."""
+
+    status = OUT_OF_MEMORY
+
+
+class BadInput(EngineError, ValueError):
+    """A value, array or name that the engine does not take, or too many points."""
+
+    status = BAD_VALUE
+
+
+class NotAvailable(EngineError, RuntimeError):
+    """There is no result, or this was not asked for before the run; or the job is at work."""
+
+    status = NOT_AVAILABLE
+
+
+class Fault(EngineError, RuntimeError):
+    """A fault of the library."""
+
+
+ERRORS = {
+    CANCELLED: Cancelled,
+    TOO_MANY_POINTS: BadInput,
+    TOO_MANY_BOXES: OutOfMemory,
+    OUT_OF_MEMORY: OutOfMemory,
+    MEMORY_LIMIT: OutOfMemory,
+    TOO_MANY_CROSSINGS: OutOfMemory,
+    UNKNOWN_NAME: BadInput,
+    BAD_VALUE: BadInput,
+    BAD_ARRAY: BadInput,
+    NOT_AVAILABLE: NotAvailable,
+    BUSY: NotAvailable,
+}
+
+
+# --- The library --------------------------------------------------------------------------------------------
+
+
+class Array(ctypes.Structure):
+    _fields_ = [
+        ("data", ctypes.c_void_p),
+        ("type", ctypes.c_int32),
+        ("columns", ctypes.c_int32),
+        ("rows", ctypes.c_int64),
+        ("row_stride", ctypes.c_int64),
+        ("column_stride", ctypes.c_int64),
+    ]
+
+
+class Drawing(ctypes.Structure):
+    _fields_ = [(name, ctypes.c_void_p) for name in ("xyz", "ranks", "ids", "levels", "counts")]
+
+
+Progress = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
+Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_uint64)
+
+
+def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
+    """What each function returns and takes."""
+    job, name, status, pointer = ctypes.c_void_p, ctypes.c_char_p, ctypes.c_int32, ctypes.c_void_p
+    i32, i64, u32, u64, double = (
+        ctypes.c_int32, ctypes.c_int64, ctypes.c_uint32, ctypes.c_uint64, ctypes.c_double)  # fmt: skip
+    to = ctypes.POINTER
+    return {
+        "ahd_abi_version": (u32, []),
+        "ahd_version": (name, []),
+        "ahd_job_new": (job, []),
+        "ahd_job_free": (None, [job]),
+        "ahd_message": (name, [job]),
+        "ahd_set_int": (status, [job, name, i64]),
+        "ahd_set_double": (status, [job, name, double]),
+        "ahd_get_int": (status, [job, name, to(i64)]),
+        "ahd_get_double": (status, [job, name, to(double)]),
+        "ahd_set_array": (status, [job, name, to(Array)]),
+        "ahd_set_projection": (status, [job, Projection, pointer]),
+        "ahd_set_progress": (status, [job, Progress, pointer]),
+        "ahd_estimate": (status, [job, to(u64)]),
+        "ahd_run": (status, [job]),
+        "ahd_cancel": (None, [job]),
+        "ahd_kept_bytes": (u64, [job]),
+        "ahd_release": (status, [job, u64]),
+        "ahd_fit_plane": (status, [job, pointer]),
+        "ahd_count": (status, [job, name, to(i64)]),
+        "ahd_measure": (status, [job, name, to(double)]),
+        "ahd_array_size": (status, [job, name, to(u64), to(u64)]),
+        "ahd_get_array": (status, [job, name, i32, pointer, u64]),
+        "ahd_draw_order": (status, [job, i32, to(Drawing)]),
+        "ahd_interpolate": (status, [job, i32, pointer, i32]),
+        "ahd_locate": (status, [job, pointer, u64, pointer, pointer, pointer]),
+        "ahd_name": (name, [i32, u32]),
+        "ahd_status_name": (name, [status]),
+        "ahd_processors": (u32, []),
+        "ahd_available_memory": (u64, []),
+        "ahd_fingerprint": (None, [pointer, u64, u64, to(u64)]),
+    }
+
+
+def _file_name() -> str:
+    if sys.platform == "win32":
+        return "adaptivehilbertdelaunay.dll"
+    return "libadaptivehilbertdelaunay." + ("dylib" if sys.platform == "darwin" else "so")
+
+
+def library_path() -> str:
+    """Where the library is looked for."""
+    return os.environ.get(LIBRARY_VARIABLE) or os.path.join(os.path.dirname(os.path.abspath(__file__)), _file_name())
+
+
+def _load(path: str) -> ctypes.CDLL:
+    try:
+        library = ctypes.CDLL(path)
+    except OSError as error:
+        raise ImportError(
+            "adaptivehilbertdelaunay: its library cannot be loaded (%s). `pip install .` builds it; the variable %s "
+            "names another." % (error, LIBRARY_VARIABLE)
+        ) from error
+    try:
+        found = library.ahd_abi_version()
+    except AttributeError as error:
+        raise ImportError("%s is not the library of adaptivehilbertdelaunay" % path) from error
+    if found != ABI_VERSION:
+        raise ImportError(
+            "adaptivehilbertdelaunay: %s has version %d of the C interface, but version %d is needed"
+            % (path, found, ABI_VERSION)
+        )
+    for name, (result, arguments) in _signatures().items():
+        function = getattr(library, name)
+        function.restype, function.argtypes = result, arguments
+    return library
+
+
+C = _load(library_path())  # CDLL: the GIL is released while a function of it is at work
+
+
+def version() -> str:
+    """The version of the project that the library was built from, like "1.0.0"."""
+    return str(C.ahd_version().decode())
+
+
+def processors() -> int:
+    """Processors that this process may run on; at least 1."""
+    return int(C.ahd_processors())
+
+
+def available_memory() -> int:
+    """Bytes that this process can still get without swapping."""
+    return int(C.ahd_available_memory())
+
+
+def names(kind: int) -> List[str]:
+    """All names of one kind: INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES or OUTPUT_ARRAYS."""
+    found: List[str] = []
+    while True:
+        name = C.ahd_name(kind, len(found))
+        if name is None:
+            return found
+        found.append(name.decode())
+
+
+def status_name(status: int) -> str:
+    """The name of a status in the header, like "AHD_BAD_VALUE"."""
+    return str(C.ahd_status_name(status).decode())
+
+
+def fingerprint(array: np.ndarray, kind: int = 0) -> Tuple[int, int]:
+    """128 bits that differ, in practice always, where the numbers of the array or `kind` do. The array is not
+    copied where its numbers lie side by side, else in parts."""
+    made = (ctypes.c_uint64 * 2)(kind, 0)
+    rows = len(array) if array.flags.c_contiguous else 1 << 13
+    for begin in range(0, max(1, len(array)), max(1, rows)):
+        part = np.ascontiguousarray(array[begin : begin + rows])
+        C.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)
+    return int(made[0]), int(made[1])

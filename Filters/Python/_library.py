@@ -1,0 +1,322 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The C interface of the engine (Filters/Engine/Interface/ahd.h), as Python has it.
+
+A `Job` has the settings, the input and, after `run`, the result. Names of settings, arrays, counts and
+measures are those of the header, which says what they mean. Arrays are NumPy's, what is wrong is an exception.
+The constants, errors and functions of `_interface` can be had from here too.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import signal
+import threading
+import weakref
+from types import FrameType
+from typing import Any, Callable, Dict, Optional, Tuple, Union
+
+import numpy as np
+
+from ._interface import *  # noqa: F403
+from ._interface import (
+    AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
+    OK, TYPES, Array, BadInput, C, Drawing, Fault, NotAvailable, OutOfMemory, Progress, Projection, names, status_name,
+)  # fmt: skip
+
+
+
+class _Interrupts:
+    """While it is entered, what the handler of SIGINT raises is put aside and cancels the work of a job.
+
+    Python runs the handler when a callback begins, before its first line: an exception from there would be
+    printed by ctypes and lost. Only the main thread runs handlers, so others need none of this.
+    """
+
+    def __init__(self, job: Job) -> None:
+        self._job = job
+        self._handler: Any = None
+
+    def __enter__(self) -> None:
+        handler = signal.getsignal(signal.SIGINT)
+        if not callable(handler) or threading.current_thread() is not threading.main_thread():
+            return
+        try:
+            signal.signal(signal.SIGINT, self._interrupt)
+            self._handler = handler
+        except ValueError:  # an interpreter beside the main one: it runs no handlers
+            pass
+
+    def __exit__(self, *_: Any) -> None:
+        if self._handler is not None:
+            signal.signal(signal.SIGINT, self._handler)
+
+    def _interrupt(self, number: int, frame: Optional[FrameType]) -> None:
+        try:
+            self._handler(number, frame)
+        except BaseException as error:
+            self._job._raised = error
+
+
+# --- Jobs ---------------------------------------------------------------------------------------------------
+
+ProgressFunction = Callable[[int, float], Any]
+ProjectionFunction = Callable[[np.ndarray], Any]
+Number = Union[int, float]
+
+_at_work: Dict[int, Job] = {}  # by number: who is told by the callbacks
+
+
+def _on_progress(number: int, phase: int, fraction: float) -> int:
+    job = _at_work[number]
+    try:
+        if job._raised is None and job._progress is not None and job._progress(phase, fraction):
+            return 1
+    except BaseException as error:
+        job._raised = error
+    return 0 if job._raised is None else 1
+
+
+def _on_projection(number: int, xyz: Any, count: int) -> int:
+    job = _at_work[number]
+    try:
+        if job._raised is None and job._projection is not None:
+            job._projection(np.ctypeslib.as_array(xyz, shape=(count, 3)))
+    except BaseException as error:
+        job._raised = error
+    return 0 if job._raised is None else 1
+
+
+_PROGRESS, _NO_PROGRESS = Progress(_on_progress), Progress()
+_PROJECTION, _NO_PROJECTION = Projection(_on_projection), Projection()
+
+_INTS = frozenset(names(INT_SETTINGS))
+_DOUBLES = frozenset(names(DOUBLE_SETTINGS))
+
+
+class Job:
+    """Settings, input, and what was made of them; see ahd_job in the header.
+
+    For one thread at a time; several jobs may be at work in several threads at once. `cancel` alone may be
+    called by another thread, or from a callback.
+
+    What a callback raises cancels the call and is raised by it, and so is KeyboardInterrupt: Ctrl-C works
+    while the library does.
+
+    Raises
+    ------
+    BadInput (a ValueError), OutOfMemory (a MemoryError), Cancelled, NotAvailable and Fault (RuntimeErrors):
+    all are EngineErrors and have a `status`.
+    """
+
+    def __init__(self) -> None:
+        self._handle = C.ahd_job_new()
+        if not self._handle:
+            raise OutOfMemory("there is no memory for a job")
+        weakref.finalize(self, C.ahd_job_free, self._handle)
+        self._arrays: Dict[str, np.ndarray] = {}  # what the library looks at
+        self._progress: Optional[ProgressFunction] = None
+        self._projection: Optional[ProjectionFunction] = None
+        self._raised: Optional[BaseException] = None
+        self._listens = False  # has the library been told of _PROGRESS?
+        C.ahd_set_progress(self._handle, _NO_PROGRESS, id(self))
+
+    # --- calls ---
+
+    def _check(self, status: int) -> None:
+        if status != OK:
+            message = C.ahd_message(self._handle).decode() or status_name(status)
+            raise ERRORS.get(status, Fault)(message, status)
+
+    def _listen(self) -> None:
+        """Callbacks take the GIL: there are none where nobody wants to know."""
+        wanted = self._progress is not None or threading.current_thread() is threading.main_thread()
+        if wanted != self._listens:
+            function = _PROGRESS if wanted else _NO_PROGRESS
+            self._check(C.ahd_set_progress(self._handle, function, id(self)))
+            self._listens = wanted
+
+    def _call(self, function: Any, *arguments: Any) -> None:
+        """A call that may take long."""
+        if id(self) in _at_work:
+            raise NotAvailable("the job is at work", BUSY)
+        self._listen()
+        _at_work[id(self)] = self
+        try:
+            with _Interrupts(self):
+                status = function(self._handle, *arguments)
+        finally:
+            del _at_work[id(self)]
+            raised, self._raised = self._raised, None
+        if raised is not None:
+            raise raised
+        self._check(status)
+
+    # --- settings ---
+
+    def set(self, **settings: Number) -> None:
+        """Changes settings, whole numbers (True and False too) and others by their names."""
+        for name, value in settings.items():
+            if name in _DOUBLES:
+                self._check(C.ahd_set_double(self._handle, name.encode(), float(value)))
+            else:
+                number = value.__index__() if hasattr(value, "__index__") else None
+                if number is None and name in _INTS:
+                    raise TypeError("%s is a whole number, not %r" % (name, value))
+                if number is not None and not -(1 << 63) <= number < 1 << 63:
+                    raise BadInput("%s: %d is out of range" % (name, number))
+                self._check(C.ahd_set_int(self._handle, name.encode(), number or 0))
+
+    def get(self, name: str) -> Number:
+        """The value of a setting."""
+        value: Any
+        if name in _DOUBLES:
+            value = ctypes.c_double()
+            self._check(C.ahd_get_double(self._handle, name.encode(), value))
+        else:
+            value = ctypes.c_int64()
+            self._check(C.ahd_get_int(self._handle, name.encode(), value))
+        return value.value  # type: ignore[no-any-return]
+
+    # --- input ---
+
+    def set_array(self, name: str, array: Optional[np.ndarray]) -> None:
+        """An input array of one or two dimensions; None takes it away. It is not copied: it is to stay
+        unchanged until another one takes its place. Any strides; the types are those of the header, in the
+        machine's byte order, aligned."""
+        if array is None:
+            self._check(C.ahd_set_array(self._handle, name.encode(), None))
+            self._arrays.pop(name, None)
+            return
+        number = TYPES.get(array.dtype)
+        if number is None or not array.flags.aligned or array.ndim not in (1, 2):
+            raise BadInput(
+                "%s: an array of %d dimensions and type %s" % (name, array.ndim, array.dtype.str), BAD_ARRAY
+            )
+        flat = array.ndim == 1
+        given = Array(
+            array.ctypes.data if array.size else None,
+            number,
+            1 if flat else array.shape[1],
+            array.shape[0],
+            array.strides[0],
+            array.itemsize if flat else array.strides[1],
+        )
+        self._check(C.ahd_set_array(self._handle, name.encode(), given))
+        self._arrays[name] = array
+
+    def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
+        """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
+        where they lie in the plane and their height above it. None takes it away."""
+        function = _NO_PROJECTION if projection is None else _PROJECTION
+        self._check(C.ahd_set_projection(self._handle, function, id(self)))
+        self._projection = projection
+
+    def set_progress(self, progress: Optional[ProgressFunction]) -> None:
+        """A function that is told the phase, a number of PHASES, and the fraction that is done, 0 to 1, by the
+        thread that makes the call; what it returns cancels if it is true. None: nobody is told."""
+        self._progress = progress
+
+    # --- running ---
+
+    def estimate(self) -> int:
+        """Upper estimate of the bytes that `run` and the arrays that are announced take."""
+        value = ctypes.c_uint64()
+        self._check(C.ahd_estimate(self._handle, value))
+        return value.value
+
+    def run(self) -> None:
+        """Triangulates. What was made before is gone."""
+        self._call(C.ahd_run)
+
+    def cancel(self) -> None:
+        """Ends the call that is at work, or else the next one. From any thread."""
+        C.ahd_cancel(self._handle)
+
+    def kept_bytes(self) -> int:
+        """Bytes of working memory that are kept for the next run; those of a result not counted."""
+        return int(C.ahd_kept_bytes(self._handle))
+
+    def release(self, most: int = 0) -> None:
+        """Drops the result. Its memory is kept for the next run, unless that would be more than `most` bytes."""
+        self._check(C.ahd_release(self._handle, most))
+
+    def fit_plane(self) -> np.ndarray:
+        """The plane that fits the points best, without a run: (4, 4), see plane_matrix."""
+        matrix = np.empty((4, 4))
+        self._call(C.ahd_fit_plane, matrix.ctypes.data)
+        return matrix
+
+    # --- results ---
+
+    def count(self, name: str) -> int:
+        """A count of the last run."""
+        value = ctypes.c_int64()
+        self._check(C.ahd_count(self._handle, name.encode(), value))
+        return value.value
+
+    def measure(self, name: str) -> float:
+        """A measure of the last run."""
+        value = ctypes.c_double()
+        self._check(C.ahd_measure(self._handle, name.encode(), value))
+        return value.value
+
+    def counts(self) -> Dict[str, int]:
+        """All counts of the last run."""
+        return {name: self.count(name) for name in names(COUNTS)}
+
+    def measures(self) -> Dict[str, float]:
+        """All measures of the last run."""
+        return {name: self.measure(name) for name in names(MEASURES)}
+
+    def array_shape(self, name: str) -> Tuple[int, int]:
+        """Rows and columns of an output array."""
+        rows, columns = ctypes.c_uint64(), ctypes.c_uint64()
+        self._check(C.ahd_array_size(self._handle, name.encode(), rows, columns))
+        return rows.value, columns.value
+
+    def array(self, name: str, dtype: Any = None, out: Optional[np.ndarray] = None) -> np.ndarray:
+        """An output array: of shape (rows,) if it is a list, else (rows, columns).
+
+        `dtype`: int32, the default, or int64 for ids; float64, the default, or float32 for "points"; others have
+        one type only. `out`: an array to be written, C-contiguous, of the right type and with room enough."""
+        rows, columns = self.array_shape(name)
+        if out is None:
+            shape = (rows,) if columns == 1 else (rows, columns)
+            out = np.empty(shape, dtype or FIXED_DTYPES.get(name, np.int32))
+        if not out.flags.c_contiguous or out.dtype not in TYPES:
+            raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
+        self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size)
+        return out
+
+    def draw_order(self, dtype: Any = np.int32) -> Dict[str, np.ndarray]:
+        """The insertion order as it is drawn: arrays xyz, ranks, ids, levels, counts as in ahd_drawing."""
+        points, cells = self.count("drawn_points"), self.count("drawn_cells")
+        made = {
+            "xyz": np.empty((points, 3)),
+            "ranks": np.empty(points, dtype),
+            "ids": np.empty(points, dtype),
+            "levels": np.empty(cells, np.int32),
+            "counts": np.empty(cells, dtype),
+        }
+        drawing = Drawing(*(array.ctypes.data for array in made.values()))
+        self._call(C.ahd_draw_order, TYPES[np.dtype(dtype)], drawing)
+        return made
+
+    def interpolate(self, values: np.ndarray, where: int = AT_SURFACE | AT_CROSSINGS) -> None:
+        """Point data of points that lie between others, in place: `values` has one row of float64 for each
+        output point, C-contiguous. See ahd_interpolate."""
+        columns = 1 if values.ndim == 1 else values.shape[1]
+        if values.dtype != np.float64 or not values.flags.c_contiguous or len(values) != self.count("points"):
+            raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
+        self._call(C.ahd_interpolate, where, values.ctypes.data, columns)
+
+    def locate(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) int64, cells (k,) int64; see
+        ahd_locate."""
+        xy = np.ascontiguousarray(places, np.float64)
+        if xy.ndim != 2 or xy.shape[1] != 2:
+            raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
+        count = len(xy)
+        kinds, ids, cells = np.empty(count, np.int32), np.empty((count, 3), np.int64), np.empty(count, np.int64)
+        self._call(C.ahd_locate, xy.ctypes.data, count, kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
+        return kinds, ids, cells

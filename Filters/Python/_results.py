@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Arrays that belong together, as a Triangulation gives them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Iterator, NamedTuple
+
+import numpy as np
+
+from . import _library as library
+
+
+@dataclass(frozen=True)
+class Voronoi:
+    """The Voronoi diagram of the vertices: cell `i` is what is nearer to point `sites[i]` than to any other.
+
+    Attributes
+    ----------
+    points : (p, 2) float64
+        Corners of the cells, in the plane of the triangulation, in the unit of the points; each shared by the cells
+        that meet there.
+    offsets : (c + 1,) int
+        Cell `i` has the corners ``corners[offsets[i]:offsets[i + 1]]``, three at least, counterclockwise.
+    corners : (k,) int
+        Rows of `points`.
+    sites : (c,) int
+        The ids of the points that the cells belong to. A row of `points` of the triangulation.
+    """
+
+    points: np.ndarray
+    offsets: np.ndarray
+    corners: np.ndarray
+    sites: np.ndarray
+
+    def __len__(self) -> int:
+        return len(self.sites)
+
+    def __iter__(self) -> Iterator[np.ndarray]:
+        return (self[i] for i in range(len(self)))
+
+    def __getitem__(self, i: int) -> np.ndarray:
+        """The corners of cell `i`, (k, 2)."""
+        if not -len(self) <= i < len(self):
+            raise IndexError("cell %d of %d" % (i, len(self)))
+        i %= len(self)
+        found: np.ndarray = self.points[self.corners[self.offsets[i] : self.offsets[i + 1]]]
+        return found
+
+
+class Boxes(NamedTuple):
+    """Boxes of the grid that are not divided, in the order in which the insertion visits them."""
+
+    bounds: np.ndarray  #: (b, 4) float64: xmin, xmax, ymin, ymax
+    levels: np.ndarray  #: (b,) int32: the number of divisions that made it
+    counts: np.ndarray  #: (b,) int: the distinct points in it
+
+
+class Kind(IntEnum):
+    """How a place lies in a triangulation."""
+
+    IN_TRIANGLE = library.IN_TRIANGLE  #: inside of a triangle
+    ON_EDGE = library.ON_EDGE  #: between the ends of an edge
+    ON_VERTEX = library.ON_VERTEX
+    OUTSIDE = library.OUTSIDE  #: of the convex hull
+    NOWHERE = library.NOWHERE  #: the place is not finite, or there are no triangles
+
+
+class Location(NamedTuple):
+    """Where places lie."""
+
+    kind: np.ndarray  #: (k,) int32: a Kind for each place
+    triangle: np.ndarray  #: (k,) int: the row of a triangle that has the place in it or on its border; -1: none
+    corners: np.ndarray  #: (k, 3) int: ids of the triangle's corners, the edge's ends or the vertex; the rest is -1

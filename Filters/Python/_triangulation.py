@@ -1,0 +1,480 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What `delaunay` gives back."""
+
+from __future__ import annotations
+
+import threading
+from types import MappingProxyType
+from typing import Any, Dict, Iterable, Mapping, Optional, Set, Tuple
+
+import numpy as np
+
+from . import _library as library
+from ._input import CHOICES, DEFAULTS, Request
+from ._results import Boxes, Location, Voronoi
+
+#: Attributes that `delaunay` can be asked to make at once.
+WANTED = (
+    "neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi"
+)  # fmt: skip
+# Those that a run makes only if it was told before.
+_TOLD_BEFORE = frozenset(("insertion_ranks", "order", "boxes", "voronoi"))
+
+
+def _frozen(array: np.ndarray) -> np.ndarray:
+    array.flags.writeable = False
+    return array
+
+
+def _arrays_of(made: Any) -> Iterable[np.ndarray]:
+    if isinstance(made, Voronoi):
+        return made.points, made.offsets, made.corners, made.sites
+    return made if isinstance(made, Boxes) else (made,)
+
+
+def _view(array: np.ndarray) -> np.ndarray:
+    return _frozen(array.view())
+
+
+class Triangulation:
+    """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
+
+    Ids are rows of `points`. Everything is a function of the points, constraints and settings that it was made of,
+    the same to the byte for any number of threads and on any machine.
+
+    What is not there yet when it is asked for is made then, and kept: `triangles` and `counts` are always there, what
+    the keyword `want` of `delaunay` named as well. For that the triangulation keeps the engine's memory, about 100
+    bytes per point, until it is gone or `release` is called, and it reads the points that it was given: they
+    are not to be changed. If they were, it says so (RuntimeError) rather than give what does not fit.
+
+    Several threads may use one triangulation. It can be pickled: with its input and what has been made. `copy.copy`
+    gives itself, `copy.deepcopy` one with points of its own.
+    """
+
+    _job: Optional[library.Job]
+    _told: Set[str]  # what the job was told before it ran
+    _hasPlaces: bool  # has the job read the points for the last time?
+    _cached: Dict[str, Any]  # what has been made
+    _fingerprint: Optional[Tuple[int, int]]  # of points that the caller can change
+    _counts: Dict[str, int]
+    _measures: Dict[str, float]
+
+    def __init__(self, request: Request, id_dtype: Any, wanted: Tuple[str, ...], progress: Any) -> None:
+        self._start(request, id_dtype)
+        job = self._run(set(wanted), progress)
+        self._counts, self._measures = job.counts(), job.measures()
+        self._cached["triangles"] = _frozen(job.array("triangles", self._dtype))
+        for name in wanted:
+            self.voronoi() if name == "voronoi" else getattr(self, name)
+        job.set_progress(None)
+        if not request.isCopy:
+            self._fingerprint = library.fingerprint(request.points)
+
+    def _start(self, request: Request, id_dtype: Any) -> None:
+        self._request = request
+        self._dtype = np.dtype(id_dtype)
+        self._lock = threading.RLock()
+        self._job = None
+        self._told = set()
+        self._hasPlaces = False
+        self._cached = {}
+        self._fingerprint = None
+
+    # --- the engine ---
+
+    def _run(self, told: Set[str], progress: Any = None) -> library.Job:
+        """A new job that has run, in place of the one there was."""
+        self._job, self._hasPlaces = None, False
+        job = self._request.job(sorted(told))
+        if progress is not None:
+            job.set_progress(lambda phase, fraction: progress(library.PHASES[phase], fraction) and None)
+        job.run()
+        self._job, self._told = job, told
+        return job
+
+    def _engine(self, name: str = "") -> library.Job:
+        """The job, told of this before it ran. REQUIRES: the lock."""
+        if self._fingerprint is not None and library.fingerprint(self._request.points) != self._fingerprint:
+            raise RuntimeError("the points were changed after they were triangulated: triangulate them again")
+        tell = {name} & _TOLD_BEFORE
+        if self._job is None or not tell <= self._told:
+            return self._run((self._told | tell) & _TOLD_BEFORE)
+        return self._job
+
+    def _made(self, name: str, make: Any) -> Any:
+        found = self._cached.get(name)
+        if found is None:
+            with self._lock:
+                found = self._cached.get(name)
+                if found is None:
+                    found = self._cached[name] = make()
+        return found
+
+    def _array(self, name: str, dtype: Any = None, told: str = "") -> np.ndarray:
+        """An output array of the engine."""
+        made: np.ndarray = self._made(name, lambda: _frozen(self._engine(told).array(name, dtype or self._dtype)))
+        return made
+
+    def _of_triangles(self, name: str, dtype: Any = None) -> np.ndarray:
+        """Rows of an array of cells that are triangles."""
+
+        def make() -> np.ndarray:
+            cells = self._engine(name).array(name, dtype or self._dtype)
+            return _frozen(cells[self._others :]) if self._others else _frozen(cells)
+
+        made: np.ndarray = self._made(name, make)
+        return made
+
+    @property
+    def _others(self) -> int:
+        """Cells that come before the triangles."""
+        return self._counts["lines"] + self._counts["vertices"]
+
+    def release(self) -> None:
+        """Gives the engine's memory back. What has been made stays; what is asked for later is made by triangulating
+        once more."""
+        with self._lock:
+            self._job = None
+
+    # --- points ---
+
+    @property
+    def points(self) -> np.ndarray:
+        """(n, 2) or (n, 3) float32 or float64: the points that ids refer to. Those that were given, not copied; or,
+        where points are added (source points, bounding points, crossings, in this order behind the others) or moved
+        (duplicates='mean_z'), a copy in float64."""
+
+        def make() -> np.ndarray:
+            request = self._request
+            if not self._counts["added_points"] and request.settings["duplicates"] != library.DUPLICATES_MEAN_Z:
+                return _view(request.points)
+            return _frozen(self._engine().array("points", np.float64)[:, : request.columns])
+
+        made: np.ndarray = self._made("points", make)
+        return made
+
+    @property
+    def plane_points(self) -> np.ndarray:
+        """(n, 3) float64: all points in the plane of the triangulation, x and y, and the height above it."""
+        return self._array("plane_points", np.float64)
+
+    @property
+    def plane_matrix(self) -> np.ndarray:
+        """(4, 4) float64: what takes a point (x, y, z, 1) to its place in the plane. NotAvailable, a RuntimeError,
+        where the plane is a function."""
+        return self._array("plane_matrix", np.float64)
+
+    @property
+    def point_status(self) -> np.ndarray:
+        """(n,) int: what became of each point. Its own id: it is a vertex. Another id: that of the vertex that stands
+        for it, a duplicate or merged point. -1: x or y is not finite. -2: it was not inserted (skipped, or beyond
+        insertion_limit)."""
+        return self._array("point_status")
+
+    @property
+    def vertex_of_point(self) -> np.ndarray:
+        """(n,) int: the vertex at each point's place, numbered from 0 in canonical order without gaps; -1: none. For
+        arrays with one value per vertex; `point_of_vertex` is the way back."""
+        return self._array("vertex_of_point")
+
+    @property
+    def point_of_vertex(self) -> np.ndarray:
+        """(v,) int: the id of the point that stands for each vertex, those beyond insertion_limit included."""
+        return self._array("point_of_vertex")
+
+    @property
+    def merged(self) -> np.ndarray:
+        """(m, 2) int: points that `tolerance` merged, and the points into which."""
+        return self._array("merged")
+
+    # --- cells ---
+
+    @property
+    def triangles(self) -> np.ndarray:
+        """(t, 3) int: the ids of the corners, counterclockwise in the plane, in canonical order."""
+        made: np.ndarray = self._cached["triangles"]
+        return made
+
+    @property
+    def neighbors(self) -> np.ndarray:
+        """(t, 3) int: ``neighbors[i, k]`` is the triangle behind the edge of triangle `i` from its corner `k` to the
+        next one; -1: none. (In `scipy.spatial.Delaunay` it is the one behind the edge opposite of corner `k`.)"""
+
+        def make() -> np.ndarray:
+            rows = self._engine().array("neighbors", self._dtype)[self._others :]
+            if self._others:
+                rows = np.where(rows >= self._others, rows - self._dtype.type(self._others), self._dtype.type(-1))
+            return _frozen(rows)
+
+        made: np.ndarray = self._made("neighbors", make)
+        return made
+
+    @property
+    def edges(self) -> np.ndarray:
+        """(e, 2) int: the edges of the triangles, each once, as it runs around the first triangle that has it, in the
+        order of these."""
+
+        def make() -> np.ndarray:
+            beyond = self.neighbors
+            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
+            return self._edges_where((beyond < 0) | (beyond > here))
+
+        made: np.ndarray = self._made("edges", make)
+        return made
+
+    @property
+    def boundary(self) -> np.ndarray:
+        """(b, 2) int: the edges that have a triangle on one side only, which is on their left, in the order of the
+        triangles."""
+        made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
+        return made
+
+    def _edges_where(self, chosen: np.ndarray) -> np.ndarray:
+        triangle, corner = np.nonzero(chosen)
+        return _frozen(np.stack((self.triangles[triangle, corner], self.triangles[triangle, (corner + 1) % 3]), axis=1))
+
+    @property
+    def hull(self) -> np.ndarray:
+        """(h,) int: the ids of the vertices on the boundary of the convex hull of all, counterclockwise, those on its
+        straight edges included; empty where all vertices are collinear. The hull, too, where loops, alpha, lengths
+        or the rim leave less than it in triangles: `boundary` is what bounds these."""
+        made: np.ndarray = self._made("hull", lambda: _frozen(self._find_hull()))
+        return made
+
+    def _find_hull(self) -> np.ndarray:
+        counts = self._counts
+        if counts["delaunay_triangles"] == 0:
+            return np.empty(0, self._dtype)
+        if len(self.triangles) < counts["delaunay_triangles"]:
+            status = self.point_status
+            ids = np.flatnonzero(status == np.arange(len(status))).astype(self._dtype)
+            places = np.ascontiguousarray(self.plane_points[ids, :2])
+            whole = Triangulation(_plain_request(places), self._dtype, (), None)
+            found: np.ndarray = ids[whole.hull]
+            return found
+        follower = dict(self.boundary.tolist())
+        first = int(self.boundary[0, 0])
+        chain = [first]
+        while follower[chain[-1]] != first:
+            chain.append(follower[chain[-1]])
+        return np.array(chain, self._dtype)
+
+    @property
+    def lines(self) -> np.ndarray:
+        """(l, 2) int: with `alpha`, edges of triangles that are all too large, not longer than twice alpha."""
+        return self._array("lines")
+
+    @property
+    def vertices(self) -> np.ndarray:
+        """(v,) int: with `alpha`, points that are in no triangle and on no line."""
+        return self._array("vertices")
+
+    # --- constraints ---
+
+    @property
+    def constraint_edges(self) -> np.ndarray:
+        """(c, 2) int: the edges of the triangles that are constraints, each once, as in `edges`."""
+
+        def make() -> np.ndarray:
+            beyond = self.neighbors
+            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
+            return self._edges_where(self.is_constraint & ((beyond < 0) | (beyond > here)))
+
+        made: np.ndarray = self._made("constraint_edges_ids", make)
+        return made
+
+    @property
+    def is_constraint(self) -> np.ndarray:
+        """(t, 3) bool: is the edge of a triangle from corner `k` to the next one a constraint?"""
+
+        def make() -> np.ndarray:
+            bits = self._of_triangles("constraint_edges", np.uint8)
+            return _frozen((bits[:, None] & np.array([1, 2, 4], np.uint8)) != 0)
+
+        made: np.ndarray = self._made("is_constraint", make)
+        return made
+
+    @property
+    def regions(self) -> np.ndarray:
+        """(t,) int: triangles with one number are those between which a way crosses no constraint; numbered from 0 in
+        the order of the triangles."""
+        return self._of_triangles("regions")
+
+    @property
+    def left_out(self) -> np.ndarray:
+        """(o, 4) int: segments that were left out as they cross earlier ones: chain and segment of each, and of the
+        one it crosses first. Chains are numbered from 0: segments, lines, loops; segments from 0 within each."""
+        return self._array("left_out")
+
+    @property
+    def crossing_ends(self) -> np.ndarray:
+        """(x, 4) int: for each point that crossings='split' added, the last x of `points`: the ends of the two segments
+        that cross there."""
+        return self._array("crossing_ends")
+
+    @property
+    def crossing_fractions(self) -> np.ndarray:
+        """(x, 2) float64: where that is on the two segments, from 0, their first end, to 1."""
+        return self._array("crossing_fractions", np.float64)
+
+    def interpolate(self, values: Any) -> np.ndarray:
+        """Values for all points, also for those that were added.
+
+        Parameters
+        ----------
+        values : (m,) or (m, k) array of real numbers
+            One row for each point that was given: `points` and then, if there are any, `source_points`. NaN may be
+            among them.
+
+        Returns
+        -------
+        (n,) or (n, k) float64
+            The same, and: at crossings the mean of linear interpolation along both segments; with
+            source_heights='surface', at source points, in place of their own, what linear interpolation on the
+            surface gives; NaN at bounding points.
+        """
+        given = np.asarray(values)
+        count = self._counts["input_points"] + self._counts["source_points"]
+        if given.ndim not in (1, 2) or len(given) != count:
+            raise ValueError("values are to have a row for each of %d points, not the shape %s" % (count, given.shape))
+        if given.dtype.kind not in "biuf":
+            raise TypeError("values are to be real numbers, not of type %s" % given.dtype)
+        made = np.full((self._counts["points"],) + given.shape[1:], np.nan)
+        made[:count] = given
+        if made.size:
+            with self._lock:
+                self._engine().interpolate(made)
+        return made
+
+    # --- insertion ---
+
+    @property
+    def order(self) -> np.ndarray:
+        """(v,) int: the ids of the vertices in the order in which they were inserted."""
+        return self._array("order", told="order")
+
+    @property
+    def insertion_ranks(self) -> np.ndarray:
+        """(n,) int: the place of each point in that order, those beyond insertion_limit included; -1: in none."""
+        return self._array("insertion_ranks", told="insertion_ranks")
+
+    @property
+    def boxes(self) -> Boxes:
+        """The boxes of the grid along which the insertion order runs; none with 'as_given'."""
+
+        def make() -> Boxes:
+            job = self._engine("boxes")
+            return Boxes(
+                _frozen(job.array("box_bounds")),
+                _frozen(job.array("box_levels")),
+                _frozen(job.array("box_counts", self._dtype)),
+            )
+
+        made: Boxes = self._made("boxes", make)
+        return made
+
+    # --- questions ---
+
+    def voronoi(self, clip: Optional[str] = None) -> Voronoi:
+        """The Voronoi diagram of the vertices. Constraints and dropped triangles have no say in it.
+
+        Which cells meet where is exact, as the triangles are; corners are rounded to float64.
+
+        Parameters
+        ----------
+        clip : {'hull', 'bounds'}, optional
+            Where the outer cells end: at the convex hull of the vertices or at their bounding box. Default: the
+            `voronoi_clip` that the triangulation was made with, 'hull' if none was.
+
+        Returns
+        -------
+        Voronoi
+            One cell for each vertex, by ascending smallest id of the points at its place. Collinear vertices have no
+            cells in their hull, and strips in a bounding box that has an area.
+        """
+        number = self._request.settings["voronoi_clip"]
+        if clip is not None:
+            if clip not in CHOICES["voronoi_clip"]:
+                raise ValueError("clip is to be 'hull' or 'bounds', not %r" % (clip,))
+            number = CHOICES["voronoi_clip"].index(clip)
+        made: Voronoi = self._made("voronoi %d" % number, lambda: self._make_voronoi(int(number)))
+        return made
+
+    def _make_voronoi(self, clip: int) -> Voronoi:
+        if clip == self._request.settings["voronoi_clip"]:
+            job = self._engine("voronoi")
+        else:
+            self._engine()
+            job = self._request.job(["voronoi"])
+            job.set(voronoi_clip=clip)
+            job.run()
+        return Voronoi(
+            _frozen(job.array("voronoi_points")),
+            *(_frozen(job.array("voronoi_" + name, self._dtype)) for name in ("offsets", "corners", "sites")),
+        )
+
+    def locate(self, places: Any) -> Location:
+        """Where places lie in the triangulation; exact.
+
+        Parameters
+        ----------
+        places : (k, 2) array of real numbers
+            Places in the plane of the triangulation, in the unit of the points. They may be anywhere, and NaN.
+
+        Returns
+        -------
+        Location
+            Where triangles were dropped (by loops, alpha, ...), `kind` and
+            `corners` are those of the whole triangulation, and `triangle` is -1.
+        """
+        given = np.asarray(places)
+        if given.ndim != 2 or given.shape[1] != 2:
+            raise ValueError("places are to be of shape (k, 2), not %s" % (given.shape,))
+        if given.dtype.kind not in "biuf" and given.size:
+            raise TypeError("places are to be real numbers, not of type %s" % given.dtype)
+        with self._lock:
+            # The first time the engine makes tables of its own, and reads no points after that.
+            job = self._job if self._hasPlaces and self._job is not None else self._engine()
+            kinds, ids, cells = job.locate(given)
+            self._hasPlaces = True
+        triangles = np.where(cells < 0, -1, cells - self._others)
+        return Location(kinds, triangles.astype(self._dtype), ids.astype(self._dtype))
+
+    @property
+    def counts(self) -> Mapping[str, int]:
+        """What was counted, by name: points, inserted, duplicates, not_finite, skipped, merged_points, beyond_limit,
+        added_points, triangles, constraint_edges, segments_crossing, unfilled_loops, ...; the C interface
+        (``Filters/Engine/Interface/ahd.h``) describes all."""
+        return MappingProxyType(self._counts)
+
+    @property
+    def measures(self) -> Mapping[str, float]:
+        """What was measured, by name: np and nr (-1 without count_work), trimmed_area, the seconds of each phase."""
+        return MappingProxyType(self._measures)
+
+    # --- as an object ---
+
+    def __repr__(self) -> str:
+        return "<Triangulation of %d points: %d triangles>" % (self._counts["points"], len(self.triangles))
+
+    def __copy__(self) -> Triangulation:
+        return self
+
+    def __getstate__(self) -> Dict[str, Any]:
+        names = ("_request", "_dtype", "_cached", "_counts", "_measures")
+        with self._lock:
+            cached = {name: made for name, made in self._cached.items() if name != "points"}
+            return {**{name: getattr(self, name) for name in names}, "_cached": cached}
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self._start(state["_request"], state["_dtype"])
+        self.__dict__.update(state)
+        self._request.isCopy = True  # nobody else has these points
+        for made in self._cached.values():
+            for array in _arrays_of(made):
+                _frozen(array)
+
+
+def _plain_request(points: np.ndarray) -> Request:
+    """Points and default settings."""
+    return Request(points, None, None, {}, "xy", DEFAULTS)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkAdaptiveHilbertDelaunay2D in Python, over whichever VTK a process uses: `vtkmodules` (VTK's wheels, Debian,
+ParaView) or `cvista`.
+
+The engine is called through its C interface; nothing is compiled against VTK. Methods, outputs, messages and results
+are those of the compiled class.
+"""
+
+import importlib
+import importlib.util
+import sys
+
+PACKAGES = ("vtkmodules", "cvista")
+
+COMPILED = "_compiled"  # the module of the classes that were compiled with VTK
+_PYTHON = ("vtkAdaptiveHilbertDelaunay2D",)  # what there is in Python
+
+_classes = {}
+
+
+class Backend:
+    """One VTK: its classes as attributes, looked up when they are asked for."""
+
+    MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkCommonTransforms")
+
+    def __init__(self, package):
+        self.package = package
+
+    def __getattr__(self, name):
+        for module in self.MODULES:
+            found = getattr(importlib.import_module(self.package + "." + module), name, None)
+            if found is not None:
+                setattr(self, name, found)
+                return found
+        raise AttributeError("%s has no %s" % (self.package, name))
+
+    def algorithm_base(self):
+        """VTK's superclass of algorithms in Python."""
+        return importlib.import_module(self.package + ".util.vtkAlgorithm").VTKPythonAlgorithmBase
+
+    def controller(self):
+        """VTK's global vtkMultiProcessController; None where nobody has loaded that module."""
+        module = sys.modules.get(self.package + ".vtkParallelCore")
+        return module.vtkMultiProcessController.GetGlobalController() if module else None
+
+
+def package_of(thing):
+    """Which VTK an object or a class is of, "vtkmodules" or "cvista"; None if it is of neither. By its superclass: what
+    classes of cvista call their module is not always true."""
+    kind = thing if isinstance(thing, type) else type(thing)
+    for package in PACKAGES:
+        core = sys.modules.get(package + ".vtkCommonCore")
+        if core is not None and issubclass(kind, core.vtkObjectBase):
+            return package
+    return None
+
+
+def package_in_use():
+    """The VTK that is imported; PyVista's, if both are; if none is, the one that is installed, `vtkmodules` first.
+    ImportError if there is none."""
+    imported = [package for package in PACKAGES if package in sys.modules]
+    if len(imported) > 1 and "pyvista" in sys.modules:
+        of_pyvista = package_of(sys.modules["pyvista"].PolyData)
+        imported = [of_pyvista] if of_pyvista else imported
+    installed = imported or [package for package in PACKAGES if importlib.util.find_spec(package)]
+    if not installed:
+        raise ImportError("vtkAdaptiveHilbertDelaunay2D needs VTK, and Python finds none: pip install vtk")
+    return installed[0]
+
+
+def python_class(package=None):
+    """vtkAdaptiveHilbertDelaunay2D over this VTK ("vtkmodules" or "cvista"; None: the one in use), the same class each
+    time. ImportError if it is not installed."""
+    package = package or package_in_use()
+    if package not in PACKAGES:
+        raise ValueError("no VTK that is known here: %r; there are %s" % (package, " and ".join(PACKAGES)))
+    if package not in _classes:
+        from . import filter as _filter
+
+        _classes[package] = _filter.make_class(Backend(package))
+    return _classes[package]
+
+
+def vtk_class(name, package=None):
+    """A class of this package by VTK's name, over this VTK (None: the one in use): the compiled one where it was built
+    with that VTK, else the one in Python. ImportError if there is neither."""
+    package = package or package_in_use()
+    if package == "vtkmodules":
+        try:
+            return getattr(importlib.import_module("..%s" % COMPILED, __name__), name)
+        except ImportError as error:
+            refused = error
+    else:
+        refused = None
+    if name in _PYTHON:
+        try:
+            return python_class(package)
+        except ImportError as error:
+            raise refused if refused and not isinstance(refused, ModuleNotFoundError) else error
+    raise refused or ImportError("%s is compiled with VTK only; here it is not" % name)

@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""VTK's arrays and NumPy's, without copies where VTK's numbers lie one after the other."""
+
+import numpy
+
+# Of VTK's types whole numbers with a sign, without one, floating-point numbers; VTK_ID_TYPE is 12.
+_NUMBERS = {2: "i", 3: "u", 4: "i", 5: "u", 6: "i", 7: "u", 8: "i", 9: "u", 10: "f", 11: "f", 12: "i", 15: "i", 16: "i",
+            17: "u"}
+_FLOATS = (10, 11)  # VTK_FLOAT, VTK_DOUBLE
+GHOSTS = "vtkGhostType"
+
+
+def view(data):
+    """The numbers of a vtkDataArray where they lie: (n,), or (n, c) with several components. REQUIRES: standard memory
+    layout."""
+    number = numpy.dtype("%s%d" % (_NUMBERS[data.GetDataType()], data.GetDataTypeSize()))
+    count, components = data.GetNumberOfTuples(), data.GetNumberOfComponents()
+    if count * components == 0:
+        return numpy.empty((count, components) if components > 1 else count, number)
+    numbers = numpy.frombuffer(data, number, count * components)
+    return numbers.reshape(count, components) if components > 1 else numbers
+
+
+def is_viewable(data):
+    """Do its numbers lie in memory one after the other?"""
+    return bool(data.HasStandardMemoryLayout()) and data.GetDataType() in _NUMBERS
+
+
+def new_array(kind, count, components=1, name=None):
+    """A VTK array of this class and a view of its numbers, to be written. MemoryError."""
+    made = kind()
+    made.SetNumberOfComponents(components)
+    if name is not None:
+        made.SetName(name)
+    reserve = getattr(made, "ReserveValues", made.Allocate)  # VTK 9.7 has another name for it
+    if count and not reserve(count * components):
+        raise MemoryError
+    made.SetNumberOfTuples(count)
+    return made, view(made)
+
+
+def must_be_converted(points):
+    """Are these vtkPoints neither floats nor doubles, point after point in memory?"""
+    return bool(points and points.GetNumberOfPoints()) and not (
+        points.GetData().GetDataType() in _FLOATS and points.GetData().HasStandardMemoryLayout())
+
+
+def coordinates(backend, points):
+    """Of vtkPoints or None: (n, 3), where they lie if they are floats or doubles."""
+    if points is None or points.GetNumberOfPoints() == 0:
+        return numpy.empty((0, 3))
+    data = points.GetData()
+    if must_be_converted(points):
+        converted = backend.vtkDoubleArray()
+        converted.DeepCopy(data)
+        data = converted
+    return view(data)
+
+
+def ghost_marks(given):
+    """Of a vtkPointSet: one number for each point, or None where the array does not fit; and whether there is one
+    that does not."""
+    data = given.GetPointData()
+    marks = data.GetAbstractArray(GHOSTS)
+    count = given.GetNumberOfPoints()
+    if marks is None or count == 0:
+        return None, False
+    fits = marks.IsA("vtkUnsignedCharArray") and marks.GetNumberOfComponents() == 1 and (
+        marks.GetNumberOfTuples() == count)
+    return (view(marks), False) if fits else (None, True)
+
+
+def ids_of(backend, cells):
+    """Offsets and ids of a vtkCellArray; (None, None) where no cell has a point."""
+    if cells is None or cells.GetNumberOfConnectivityIds() == 0:
+        return None, None
+    found = []
+    for data in (cells.GetOffsetsArray(), cells.GetConnectivityArray()):
+        if not (is_viewable(data) and data.GetDataTypeSize() in (4, 8)):
+            copy = backend.vtkTypeInt64Array()
+            copy.DeepCopy(data)
+            data = copy
+        numbers = view(data)
+        found.append(numbers.view(numpy.int64 if numbers.itemsize == 8 else numpy.int32))
+    return found
+
+
+def remove_arrays_of_one_name(data):
+    """Of several arrays of one name only the last stays, as it does where VTK passes them on."""
+    i = data.GetNumberOfArrays() - 1
+    while i >= 0:
+        name = data.GetArrayName(i)
+        for k in range(i - 1, -1, -1):
+            if name and data.GetArrayName(k) == name:
+                data.RemoveArray(k)
+                i -= 1
+        i -= 1
+
+
+def replace_array(data, made):
+    """In place of one that has its name, which ceases to be normals, ids or whatever else it was."""
+    data.RemoveArray(made.GetName())
+    data.AddArray(made)
+
+
+def id_list(backend, numbers):
+    """A vtkIdList of these, filled by VTK."""
+    offsets, write = new_array(backend.vtkTypeInt64Array, 2)
+    write[:] = 0, len(numbers)
+    ids, write = new_array(backend.vtkTypeInt64Array, len(numbers))
+    write[:] = numbers
+    cells = backend.vtkCellArray()
+    cells.SetData(offsets, ids)
+    made = backend.vtkIdList()
+    cells.GetCellAtId(0, made)
+    return made
+
+
+def cell_array(backend, ids, size):
+    """A vtkCellArray of cells with `size` points each, of a VTK array of ids of 32 bits."""
+    count = ids.GetNumberOfTuples() * ids.GetNumberOfComponents() // size
+    offsets, write = new_array(backend.vtkTypeInt32Array, count + 1)
+    write[:] = numpy.arange(0, size * count + 1, size, dtype=numpy.int32) if size else 0
+    ids.SetNumberOfComponents(1)
+    made = backend.vtkCellArray()
+    made.SetData(offsets, ids)
+    return made

@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Blocks of a composite data set as one: Filters/Input/vtkAHDBlocks.h and Filters/Execution/vtkAHDMergedBlocks.h."""
+
+from .. import _library as engine
+from . import messages
+from .arrays import GHOSTS, ghost_marks, new_array, remove_arrays_of_one_name
+
+MOST_POINTS = 2**28 - 2
+
+
+class Blocks:
+    """The blocks that have points, in the order of the data set's iterator. `with_cells`: of a source, whose blocks are
+    vtkPolyData. Others are counted."""
+
+    def __init__(self, backend, given, with_cells=False, ids_stay=False):
+        self.backend, self.with_cells, self.ids_stay = backend, with_cells, ids_stay
+        self.blocks, self.others, self.first_other, self.unfit_marks = [], 0, None, 0
+        kind = backend.vtkPolyData if with_cells else backend.vtkPointSet
+        iterator = given.NewIterator()
+        iterator.InitTraversal()
+        while not iterator.IsDoneWithTraversal():
+            self._take(iterator.GetCurrentDataObject(), kind)
+            iterator.GoToNextItem()
+        self.count = sum(block.GetNumberOfPoints() for block in self.blocks)
+
+    def _take(self, block, kind):
+        if isinstance(block, kind):
+            if block.GetNumberOfPoints() or (self.with_cells and block.GetNumberOfCells()):
+                self.blocks.append(block)
+                self.unfit_marks += ghost_marks(block)[1]
+        elif block is not None:
+            self.first_other = self.first_other or block.GetClassName()
+            self.others += 1
+
+    def estimate_bytes(self):
+        kibibytes = 1 + sum(
+            1 + (block if self.with_cells else block.GetPointData()).GetActualMemorySize() for block in self.blocks)
+        return kibibytes * 1024 + self.count * 25
+
+    def merge(self):
+        """One vtkPolyData of all. MemoryError."""
+        vtk = self.backend
+        merged, points = vtk.vtkPolyData(), vtk.vtkPoints()
+        floats = all(block.GetNumberOfPoints() == 0 or block.GetPoints().GetDataType() == vtk.VTK_FLOAT
+                     for block in self.blocks)
+        places, _ = new_array(vtk.vtkFloatArray if floats else vtk.vtkDoubleArray, self.count, 3)
+        begin = 0
+        for block in self.blocks:
+            count = block.GetNumberOfPoints()
+            if count:
+                places.InsertTuples(begin, count, 0, block.GetPoints().GetData())
+            begin += count
+        points.SetData(places)
+        merged.SetPoints(points)
+        self._merge_point_data(merged.GetPointData())
+        if self.with_cells:
+            self._merge_cells(merged)
+        return merged
+
+    def _merge_cells(self, merged):
+        for kind in ("Verts", "Lines", "Polys", "Strips"):
+            cells, begin = self.backend.vtkCellArray(), 0
+            for block in self.blocks:
+                cells.Append(getattr(block, "Get" + kind)(), begin)
+                begin += 0 if self.ids_stay else block.GetNumberOfPoints()
+            getattr(merged, "Set" + kind)(cells)
+
+    def _merge_point_data(self, all_):
+        """The arrays that all blocks have, by name, type and number of components, with a value for each point."""
+        marked = any(ghost_marks(block)[0] is not None for block in self.blocks)
+        data = [self._usable(block, marked) for block in self.blocks]
+        if not data:
+            return
+        for i in range(data[0].GetNumberOfArrays()):
+            members = self._everywhere(data, data[0].GetAbstractArray(i))
+            if members is None:
+                continue
+            made = members[0].NewInstance()
+            made.SetName(members[0].GetName())
+            made.SetNumberOfComponents(members[0].GetNumberOfComponents())
+            made.SetNumberOfTuples(self.count)
+            begin = 0
+            for member in members:
+                made.InsertTuples(begin, member.GetNumberOfTuples(), 0, member)
+                begin += member.GetNumberOfTuples()
+            index = all_.AddArray(made)
+            uses = [part.IsArrayAnAttribute(self._index(part, made.GetName())) for part in data]
+            if uses[0] >= 0 and uses.count(uses[0]) == len(uses):
+                all_.SetActiveAttribute(index, uses[0])
+
+    @staticmethod
+    def _index(data, name):
+        return next(i for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i) == name)
+
+    @staticmethod
+    def _everywhere(data, first):
+        """The array of this name in each, if all have it and are alike."""
+        if not first.GetName():
+            return None
+        members = [part.GetAbstractArray(first.GetName()) for part in data]
+        alike = all(member is not None and member.GetDataType() == first.GetDataType()
+                    and member.GetNumberOfComponents() == first.GetNumberOfComponents() for member in members)
+        return members if alike else None
+
+    def _usable(self, block, marked):
+        """The block's arrays that have a value for each point; ghost marks of its own, or those of no ghost."""
+        usable = self.backend.vtkPointData()
+        usable.ShallowCopy(block.GetPointData())
+        remove_arrays_of_one_name(usable)
+        for i in range(usable.GetNumberOfArrays() - 1, -1, -1):
+            if usable.GetAbstractArray(i).GetNumberOfTuples() != block.GetNumberOfPoints():
+                usable.RemoveArray(i)
+        has_marks = ghost_marks(block)[0] is not None
+        if not has_marks:
+            usable.RemoveArray(GHOSTS)
+        if marked and not has_marks:
+            none, write = new_array(self.backend.vtkUnsignedCharArray, block.GetNumberOfPoints(), 1, GHOSTS)
+            write[:] = 0
+            usable.AddArray(none)
+        return usable
+
+
+class Merged:
+    """Input and source of an execution, merged where they are composite; `input` is None where that failed, which has
+    been said, or where there are no points. `bytes`: that merging took."""
+
+    def __init__(self, backend, speaker, values, given, source):
+        self.backend, self.speaker, self.limit = backend, speaker, values["MemoryLimit"]
+        self.given, self.given_source, self.bytes = given, source, 0
+        self.input = given if isinstance(given, backend.vtkPointSet) else None
+        self.source = source if isinstance(source, backend.vtkPolyData) else None
+        if isinstance(given, backend.vtkCompositeDataSet):
+            self.input = self._merge(Blocks(backend, given))
+        if isinstance(source, backend.vtkCompositeDataSet) and self.input is not None:
+            self.source = self._merge(Blocks(backend, source, True, values["SourceMode"] == 0))
+            if self.source is None:
+                self.input = None  # a surface without its constraints is not what was asked for
+
+    def _merge(self, blocks):
+        if blocks.count > MOST_POINTS:
+            self.speaker.error(messages.too_many_points(blocks.count))
+            return None
+        self.bytes += blocks.estimate_bytes()
+        needed = self.bytes // 1024
+        limit = self.limit or engine.available_memory() // 1024
+        try:
+            if needed <= limit:
+                return blocks.merge()
+        except MemoryError:
+            pass
+        self.speaker.error(
+            "Merging blocks of %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed." % (
+                blocks.count, needed, "MemoryLimit allows " if self.limit else "there are ", limit))
+        return None
+
+    def warn(self):
+        """Of blocks that are left out."""
+        vtk = self.backend
+        if isinstance(self.given, vtk.vtkCompositeDataSet):
+            blocks = Blocks(vtk, self.given)
+            if blocks.others:
+                self.speaker.warn("%d blocks have no points of their own (the first is a %s): they were left out." % (
+                    blocks.others, blocks.first_other))
+            if blocks.unfit_marks:
+                self.speaker.warn(
+                    "In %d blocks the point data array vtkGhostType does not have one value for each of the points, or "
+                    "not of type unsigned char, so none of these points was skipped." % blocks.unfit_marks)
+        elif not isinstance(self.given, vtk.vtkPointSet):
+            # A block of a composite data set: their types are not looked at by the pipeline.
+            self.speaker.warn("A %s has no points of its own: nothing was triangulated for it." % (
+                self.given.GetClassName() if self.given else "missing block"))
+        if isinstance(self.given_source, vtk.vtkCompositeDataSet):
+            blocks = Blocks(vtk, self.given_source, True)
+            if blocks.others:
+                self.speaker.warn("%d blocks of the source are no vtkPolyData (the first is a %s): they were left out."
+                                  % (blocks.others, blocks.first_other))

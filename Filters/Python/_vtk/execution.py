@@ -1,0 +1,209 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One execution: input and settings into a job, its run, the outputs: Filters/Execution/vtkAHDExecution.h."""
+
+import os
+import time
+import types
+
+import numpy
+
+from .. import _library as engine
+from . import messages
+from .arrays import coordinates, ghost_marks, ids_of, must_be_converted
+from .outputs import Diagram, Surface, estimate_bytes, plane_transform, write_order
+
+SKIPPED = 1 | 2  # vtkDataSetAttributes' DUPLICATEPOINT and HIDDENPOINT
+STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
+MOST_BYTES = 2**62
+MOST_THREADS = 1024
+INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix")
+
+# Settings of the job that are settings of the filter, or one with another name.
+SAME = {
+    "insertion_order": "InsertionOrder", "nmax": "Nmax", "control_points": "ControlPoints",
+    "gene_rotation": "GeneRotation", "count_work": "CountWork", "insertion_limit": "InsertionLimit",
+    "duplicates": "DuplicatePolicy", "cell_ids": "SourceMode", "closed_lines": "ClosedLines",
+    "split_crossings": "CrossingMode", "fill_rule": "FillRule", "rim": "Rim", "voronoi_clip": "VoronoiClip",
+    "want_voronoi": "GenerateVoronoi", "want_boxes": "GenerateBoxes", "want_curve": "GenerateInsertionCurve",
+    "want_point_status": "GeneratePointStatus", "want_insertion_ranks": "GenerateInsertionRank",
+    "want_constraint_edges": "GenerateConstraintEdges", "want_regions": "GenerateRegionIds",
+    "want_neighbors": "GenerateNeighbors", "tolerance": "Tolerance", "offset": "Offset", "alpha": "Alpha",
+    "maximum_edge_length": "MaximumEdgeLength"}
+
+
+def threads_to_use(backend, wished):
+    """For NumberOfThreads: as many as wished; 0: one for each processor, but no more than vtkSMPTools was told."""
+    if wished > 0:
+        return min(wished, MOST_THREADS)
+    tools = backend.vtkSMPTools
+    if tools.IsParallelScope() and not tools.GetNestedParallelism():
+        return 1
+    if tools.GetBackend() == "Sequential":  # answers 1 whatever it was told
+        told = os.environ.get("VTK_SMP_MAX_THREADS", "")
+        limit = int(told) if told.isdigit() and int(told) > 0 else MOST_THREADS
+    else:
+        limit = max(1, tools.GetEstimatedNumberOfThreads())
+    return min(engine.processors(), limit, MOST_THREADS)
+
+
+def let_go(job):
+    """Of all input and callbacks; with them go the counts of the run."""
+    job.set_progress(None)
+    job.set_projection(None)
+    for name in INPUT:
+        job.set_array(name, None)
+
+
+class Progress:
+    """Tells a filter's observers, at each hundredth and at least ten times a second; asks whether it is to abort."""
+
+    def __init__(self, algorithm):
+        self.algorithm, self.shown, self.told_at = algorithm, 0.0, time.monotonic()
+
+    def is_aborted(self):
+        return bool(self.algorithm.CheckAbort() if hasattr(self.algorithm, "CheckAbort")
+                    else self.algorithm.GetAbortExecute())
+
+    def __call__(self, _phase, fraction):
+        moved = fraction >= self.shown + STEP
+        if (moved or time.monotonic() - self.told_at >= SILENCE) and not self.is_aborted():
+            self.shown = max(self.shown, fraction)
+            self.algorithm.UpdateProgress(self.shown)
+            self.told_at = time.monotonic()  # observers take time
+        return self.is_aborted()
+
+
+class Execution:
+    """Of a filter with a `job` that it keeps. `bytes_before`: of memory that merging blocks took."""
+
+    def __init__(self, backend, algorithm, given, source, bytes_before=0):
+        self.backend, self.algorithm, self.job = backend, algorithm, algorithm._job
+        self.given, self.source, self.bytes_before = given, source, bytes_before
+        self.values, self.transform = algorithm._values, algorithm._transform
+        mode = self.values["ProjectionPlaneMode"]
+        self.fits_plane = mode == 2
+        if self.fits_plane:
+            self.transform = None
+        self.found = types.SimpleNamespace(
+            is_projected=bool(self.fits_plane or self.transform), transform_is_missing=mode == 1 and not self.transform,
+            diagram_in_plane=False, input_points=given.GetNumberOfPoints(), source_points=0, source_vertices=0,
+            source_strips=0, marks_are_unfit=False, cells=0)
+        self.found.adds_bounding = bool(self.values["BoundingTriangulation"]) and not self.found.is_projected
+
+    def run(self, outputs):
+        """Fills the outputs. engine.EngineError where it came to nothing: then they may have a part."""
+        self._give_settings()
+        self._give_input()
+        self.job.set_progress(Progress(self.algorithm))
+        self.job.run()
+        self._write(outputs)
+
+    def _give_settings(self):
+        values = self.values
+        self.job.set(**{name: values[of_filter] for name, of_filter in SAME.items()})
+        for name, on in (("triangles", "AlphaTris"), ("lines", "AlphaLines"), ("vertices", "AlphaVerts")):
+            self.job.set(**{"alpha_" + name: bool(values[on])})
+        limit = values["MemoryLimit"]
+        self.job.set(
+            bounding=self.found.adds_bounding, skip_mask=SKIPPED,
+            source_heights=values["SourceHeights"] if values["SourceMode"] else 0,
+            threads=threads_to_use(self.backend, values["NumberOfThreads"]),
+            memory_limit=min(limit * 1024 + 1023, MOST_BYTES) if limit else 0,
+            other_memory=self._other_memory())
+
+    def _other_memory(self):
+        """Bytes that VTK's arrays take."""
+        values, source = self.values, self.source
+        added = source.GetNumberOfPoints() if source and values["SourceMode"] else 0
+        bounding = 8 if self.found.adds_bounding else 0
+        converted = sum(24 * points.GetNumberOfPoints() for points in (
+            self.given.GetPoints(), source.GetPoints() if added else None) if must_be_converted(points))
+        return self.bytes_before + converted + estimate_bytes(
+            values, self.found.input_points + added + bounding, self.given, added, bounding)
+
+    def _give_input(self):
+        vtk, job = self.backend, self.job
+        job.set_array("points", coordinates(vtk, self.given.GetPoints()))
+        marks, self.found.marks_are_unfit = ghost_marks(self.given)
+        job.set_array("skip", marks)
+        source = self.source
+        if source is not None:
+            if self.values["SourceMode"]:
+                job.set_array("source_points", coordinates(vtk, source.GetPoints()))
+            for name, cells in (("line", source.GetLines()), ("loop", source.GetPolys())):
+                offsets, ids = ids_of(vtk, cells)
+                job.set_array(name + "_ids", ids)
+                job.set_array(name + "_offsets", offsets)
+            self.found.source_points = source.GetNumberOfPoints()
+            self.found.source_vertices = source.GetNumberOfVerts()
+            self.found.source_strips = source.GetNumberOfStrips()
+        job.set(first_cell=self.found.source_vertices)  # verts come before lines
+        self._give_plane()
+
+    def _give_plane(self):
+        if self.transform is None:
+            self.job.set(plane=engine.PLANE_BEST_FIT if self.fits_plane else engine.PLANE_XY)
+            return
+        self.transform.Update()
+        if self.transform.IsA("vtkLinearTransform"):
+            matrix = self.transform.GetMatrix()
+            self.job.set_array("matrix", numpy.array(
+                [[matrix.GetElement(row, column) for column in range(4)] for row in range(4)]))
+            self.job.set(plane=engine.PLANE_MATRIX)
+        else:
+            self.job.set_projection(self._project)
+            self.job.set(plane=engine.PLANE_CALLBACK)
+
+    def _project(self, xyz):
+        """Through the method that takes many points: those that not every transform can do one by one."""
+        vtk = self.backend
+        before, after = vtk.vtkPoints(), vtk.vtkPoints()
+        before.SetDataTypeToDouble()
+        after.SetDataTypeToDouble()
+        before.SetNumberOfPoints(len(xyz))
+        coordinates(vtk, before)[:] = xyz
+        before.Modified()
+        self.transform.TransformPoints(before, after)
+        xyz[:] = coordinates(vtk, after)
+
+    def _write(self, outputs):
+        values, job = self.values, self.job
+        surface = Surface(self.backend, job, values, outputs[0])
+        surface.write_points(self.given, self.source)
+        surface.write_cells()
+        surface.add_crossings()
+        surface.add_arrays()
+        if values["GenerateVoronoi"]:
+            self._write_diagram(outputs)
+        if values["GenerateInsertionCurve"] or values["GenerateBoxes"]:
+            write_order(self.backend, job, outputs[1])
+        self.found.cells = outputs[0].GetNumberOfCells()
+
+    def _write_diagram(self, outputs):
+        diagram = Diagram(self.backend, outputs[2])
+        diagram.write(self.job, outputs[0])
+        if self.found.is_projected:
+            to_plane = self.transform or plane_transform(self.backend, self.job.array("plane_matrix"))
+            self.found.diagram_in_plane = not diagram.move_back(to_plane)
+
+    def measures(self):
+        """The filter's measures, but those of all executions."""
+        count, measure = self.job.count, self.job.measure
+        split = self.values["CrossingMode"] == 1
+        seconds = {name: sum(measure("seconds_" + phase) for phase in phases) for name, phases in (
+            ("SortSeconds", ("merge", "read", "sort")), ("InsertSeconds", ("insert",)),
+            ("OutputSeconds", ("extract", "outputs")), ("ConstrainSeconds", ("split", "constrain")))}
+        return dict(
+            seconds, NumberOfPointsInserted=count("inserted"), NumberOfDuplicates=count("duplicates"),
+            NumberOfRejectedPoints=count("not_finite"), NumberOfSkippedPoints=count("skipped"),
+            NumberOfPointsBeyondLimit=count("beyond_limit"), NumberOfTriangles=count("triangles"),
+            NumberOfMergedPoints=count("merged_points"), NumberOfAddedPoints=count("added_points"),
+            NumberOfConstraintEdges=count("constraint_edges"),
+            NumberOfCrossings=count("split_crossings" if split else "segments_crossing"),
+            NumberOfConstraintsLeftOut=count("segments_without_vertex") + count("segments_crossing"),
+            NumberOfUnfilledLoops=count("unfilled_loops"), NumberOfTrimmedTriangles=count("trimmed_triangles"),
+            NumberOfBentConstraints=count("bent_segments"),
+            NP=measure("np"), NR=measure("nr"), NumberOfThreadsUsed=count("threads_used"))
+
+    def warnings(self):
+        return messages.warnings(self.job, self.values, self.found)

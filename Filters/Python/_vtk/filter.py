@@ -1,0 +1,368 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The class itself, made for one VTK."""
+
+import weakref
+
+from .. import _library as engine
+from . import messages, package_of, settings
+from .arrays import coordinates, ghost_marks, new_array
+from .blocks import Merged
+from .cache import OutputCache
+from .execution import SKIPPED, Execution, Progress, let_go
+from .outputs import plane_transform
+
+NAME = "vtkAdaptiveHilbertDelaunay2D"
+SUPERCLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
+
+ABOUT = """Exact 2D Delaunay triangulation of large point sets.
+
+Triangulates points in x and y (or another plane: ProjectionPlaneMode); z is carried along. Input port 0: a vtkPointSet,
+or blocks of these. Input port 1: constraints, see SetSourceData. Output ports: the surface, the order of insertion and
+the Voronoi diagram, both vtkPolyData and empty unless asked for.
+
+In Python, over the engine's C interface; the compiled class has the same methods and gives the same results.
+"""
+
+
+class _Measures:
+    """What the filter is measured by; mixed into the class."""
+
+    def _clear_measures(self):
+        self._values.update({
+            name: value for name, value in settings.MEASURES.items() if name != "NumberOfTriangulations"})
+
+    def _add_counts(self, surface):
+        """Field data, with the names of the Get methods."""
+        for name in settings.COUNTS:
+            made, write = new_array(self._backend.vtkIdTypeArray, 1, 1, name)
+            write[0] = self._values[name]
+            surface.GetFieldData().AddArray(made)
+
+    def PrintSelf(self):
+        """The settings and measures, as text."""
+        lines = []
+        insertion, surface = settings.INSERTION, settings.SURFACE
+        base = [name for name in settings.MEASURES][:14]
+        for part, measures in ((insertion, base), (surface, [n for n in settings.MEASURES if n not in base])):
+            for setting in part:
+                lines.append("%s: %s" % (setting.name, setting.text(self._values[setting.name])))
+                if setting.name == "Rim":
+                    lines.append("Transform: %s" % (self._transform.GetObjectDescription()
+                                                    if hasattr(self._transform, "GetObjectDescription")
+                                                    else self._transform and self._transform.GetClassName()))
+            for name in measures:
+                value = self._values[name]
+                lines.append("%s: %s" % (name, "%g" % value if isinstance(value, float) else value))
+        return "".join("  %s\n" % line for line in lines)
+
+
+class _Executions:
+    """How RequestData goes; mixed into the class."""
+
+    def RequestData(self, _request, inputs, outputs):
+        """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
+        vtk = self._backend
+        made = [vtk.vtkPolyData.GetData(outputs, port) for port in range(3)]
+        given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
+                 for port in range(2)]
+        try:
+            self._execute(*given, made)
+        except engine.EngineError as error:
+            self._end(made, error.status, str(error))
+        except MemoryError:
+            self._end(made, None)
+        except KeyboardInterrupt as interrupt:
+            self._end(made, engine.CANCELLED)
+            self._interrupt = interrupt
+        finally:
+            let_go(self._job)
+        return 1
+
+    def _execute(self, given, source, made):
+        vtk, speaker = self._backend, messages.Speaker(self._backend, self)
+        merged = Merged(vtk, speaker, self._values, given, source)
+        if merged.input is not None and self._pass_on(merged, made):
+            return
+        self._clear_measures()
+        self._warn_about_ranks(speaker)
+        merged.warn()
+        if merged.input is None:
+            self._cache.forget()
+            return
+        self._values["NumberOfTriangulations"] += 1
+        execution = Execution(vtk, self, merged.input, merged.source, merged.bytes)
+        execution.run(made)
+        self._values.update(execution.measures())
+        self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
+        self._add_counts(made[0])
+        for text in execution.warnings():
+            speaker.warn(text)
+        self._job.release(min(self._values["ReuseLimit"] * 1024, 2**62))
+        if self._values["KeepTriangulation"]:
+            self._cache.keep(merged.input, made)
+
+    def _pass_on(self, merged, made):
+        """What the last execution made, if that was of the same."""
+        if not self._values["KeepTriangulation"] or Progress(self).is_aborted():
+            self._cache.forget()
+            return False
+        if not self._cache.fits(merged.input, merged.source, self.GetMTime()):
+            return False
+        self._cache.pass_on(merged.input, made)
+        self._values.update(dict.fromkeys(settings.SECONDS, 0.0))
+        return True
+
+    def _end(self, made, status, more=""):
+        """Nothing is put out, and that is said. `status`: of the job, None for memory that ran out elsewhere. `more`:
+        what is said of faults for which there are no words here."""
+        for output in made:
+            output.Initialize()
+        self._cache.forget()
+        self._clear_measures()
+        text = "Out of memory. Nothing is put out."
+        if status is not None:
+            self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
+            text = messages.error_text(status, self._job, self._values, more)
+        self._job.release()
+        if text:
+            messages.Speaker(self._backend, self).error(text)
+
+    def _warn_about_ranks(self, speaker):
+        ranks = self._backend.controller()
+        if ranks and not self._warned_about_ranks and ranks.GetNumberOfProcesses() > 1 and (
+                ranks.GetLocalProcessId() == 0):
+            self._warned_about_ranks = True
+            speaker.warn("There are %d ranks, and each triangulates its own points only: the surfaces of the ranks do "
+                         "not join." % ranks.GetNumberOfProcesses())
+
+
+class _Ports:
+    """Inputs and outputs; mixed into the class."""
+
+    def FillInputPortInformation(self, port, info):
+        """The first type decides: a filter that takes composite data sets is not run for each block."""
+        required = self._backend.vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
+        info.Remove(required)
+        if port == 1:
+            kinds = ("vtkPolyData", "vtkCompositeDataSet")
+            info.Set(self._backend.vtkAlgorithm.INPUT_IS_OPTIONAL(), 1)
+        else:
+            kinds = ("vtkCompositeDataSet", "vtkPointSet") if self._values["MergeBlocks"] else ("vtkPointSet",)
+        for kind in kinds:
+            info.Append(required, kind)
+        return 1
+
+    def RequestUpdateExtent(self, _request, inputs, _outputs):
+        """All of the input, and no more."""
+        exact = self._backend.vtkStreamingDemandDrivenPipeline.EXACT_EXTENT()
+        for vector in inputs:
+            for i in range(vector.GetNumberOfInformationObjects()):
+                vector.GetInformationObject(i).Set(exact, 1)
+        return 1
+
+    def SetInputDataObject(self, *given):
+        """SetInputDataObject(data) or SetInputDataObject(port, data): the input, without a pipeline. TypeError for data
+        of another VTK than the filter's."""
+        package = package_of(given[-1]) if given else None
+        if package not in (None, self._backend.package):
+            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
+                package, self._backend.package, package))
+        super().SetInputDataObject(*given)
+
+    def SetInputData(self, *given):
+        """SetInputData(data) or SetInputData(port, data): the input, without a pipeline."""
+        self.SetInputDataObject(*given)
+
+    def AddInputData(self, *given):
+        """AddInputData(data) or AddInputData(port, data)."""
+        self.AddInputDataObject(*given)
+
+    def GetInput(self, port=0):
+        """The data object at this input port, or None."""
+        return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
+
+    def GetPolyDataInput(self, port=0):
+        """The vtkPolyData at this input port, or None."""
+        found = self.GetInput(port)
+        return found if isinstance(found, self._backend.vtkPolyData) else None
+
+    def GetOutput(self, port=0):
+        """The vtkPolyData at this output port: 0 the surface, 1 the order of insertion, 2 the Voronoi diagram."""
+        found = self.GetOutputDataObject(port)
+        return found if isinstance(found, self._backend.vtkPolyData) else None
+
+    def SetOutput(self, output):
+        """The data object that the surface is put into."""
+        self.GetExecutive().SetOutputData(0, output)
+
+    def SetSourceData(self, source):
+        """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
+        is kept; None: none."""
+        if source is not None and not isinstance(source, self._backend.vtkPolyData):
+            raise TypeError("SetSourceData argument 1: a vtkPolyData of %s is required, not %s" % (
+                self._backend.package, type(source).__name__))
+        self.SetInputDataObject(1, source)
+
+    def SetSourceConnection(self, output):
+        """The constraints as an output port of another filter."""
+        self.SetInputConnection(1, output)
+
+    def GetSource(self):
+        """The constraints, if they are one vtkPolyData."""
+        return self.GetPolyDataInput(1)
+
+
+class _Transforms:
+    """The transform, whose changes are the filter's; mixed into the class."""
+
+    def SetTransform(self, transform):
+        """What the points are transformed by before they are triangulated; None: nothing."""
+        if transform is not None and not isinstance(transform, self._backend.vtkAbstractTransform):
+            raise TypeError("SetTransform argument 1: a vtkAbstractTransform of %s is required, not %s" % (
+                self._backend.package, type(transform).__name__))
+        if transform is self._transform:
+            return
+        if self._transform is not None:
+            self._transform.RemoveObserver(self._transform_tag)
+        self._transform = transform
+        if transform is not None:
+            known = self._weakly()
+
+            def notice(_caller, _event):
+                algorithm = known()
+                if algorithm is not None:
+                    algorithm.Modified()
+
+            self._transform_tag = transform.AddObserver("ModifiedEvent", notice)
+        self.Modified()
+
+    def _weakly(self):
+        """A function that gives this filter as long as VTK has it: Python's own weak reference dies earlier."""
+        if hasattr(self._backend, "vtkWeakReference"):
+            known = self._backend.vtkWeakReference()
+            known.Set(self)
+            return known.Get
+        return weakref.ref(self)
+
+    def GetTransform(self):
+        """What the points are transformed by, or None."""
+        return self._transform
+
+    def GetMTime(self):
+        """When the filter or its Transform was changed last."""
+        own = super().GetMTime()
+        return max(own, self._transform.GetMTime()) if self._transform is not None else own
+
+    def _notice_transform(self):
+        """Where a transform changed of which this one is made, which tells nobody."""
+        if self._transform is not None and self._transform.GetMTime() > super().GetMTime():
+            self.Modified()
+
+    def Update(self, *given):
+        """Brings the outputs up to date."""
+        self._notice_transform()
+        self._interrupt = None
+        super().Update(*given)
+        interrupt, self._interrupt = self._interrupt, None
+        if interrupt is not None:
+            raise interrupt
+
+
+class _Names:
+    """What VTK asks a class for; mixed into the class."""
+
+    def GetClassName(self):
+        """ "vtkAdaptiveHilbertDelaunay2D"."""
+        return NAME
+
+    def IsA(self, name):
+        """1 if this is of the named class or derives from it, else 0."""
+        return int(name in (NAME,) + SUPERCLASSES or super().IsA(name))
+
+    def NewInstance(self):
+        """A new filter with default settings."""
+        return type(self)()
+
+    def GetNumberOfGenerationsFromBase(self, name):
+        """How many classes this one is derived from the named one; negative if it is not."""
+        return self.GetNumberOfGenerationsFromBaseType(name)
+
+    def __str__(self):
+        header, _, rest = super().__str__().partition("\n")
+        return "%s%s\n%s%s" % (NAME, header[header.find(" ("):] if " (" in header else "", rest, self.PrintSelf())
+
+    def _set(self, setting, value):
+        now = self._values[setting.name]
+        value = setting.convert(value, now)
+        if value != now:
+            self._values[setting.name] = value
+            if setting.name == "MergeBlocks":
+                self.FillInputPortInformation(0, self.GetInputPortInformation(0))
+            self.Modified()
+
+
+def _statics(backend, made):
+    """Static methods, which know their class."""
+
+    def IsTypeOf(name):
+        """1 if the class is or derives from the named one, else 0."""
+        return int(name in (NAME,) + SUPERCLASSES or backend.vtkAlgorithm.IsTypeOf(name))
+
+    def SafeDownCast(instance):
+        """The argument if it is a filter of this class, else None."""
+        return instance if isinstance(instance, made) else None
+
+    def GetNumberOfGenerationsFromBaseType(name):
+        """How many classes this one is derived from the named one; negative if it is not."""
+        return backend.vtkPolyDataAlgorithm.GetNumberOfGenerationsFromBaseType(name) + 2 if (
+            backend.vtkPolyDataAlgorithm.IsTypeOf(name)) else (NAME, SUPERCLASSES[0]).index(name) if (
+                name in (NAME, SUPERCLASSES[0])) else -1
+
+    def ComputeBestFittingPlane(given):
+        """The plane with the least sum of squared distances of the finite points, as a vtkTransform that turns and
+        shifts it to z = 0; None without input or memory."""
+        if given is None:
+            return None
+        job = engine.Job()
+        job.set_array("points", coordinates(backend, given.GetPoints()))
+        job.set_array("skip", ghost_marks(given)[0])
+        job.set(skip_mask=SKIPPED)
+        try:
+            return plane_transform(backend, job.fit_plane())
+        except MemoryError:
+            return None
+
+    for function in (IsTypeOf, SafeDownCast, GetNumberOfGenerationsFromBaseType, ComputeBestFittingPlane):
+        setattr(made, function.__name__, staticmethod(function))
+
+
+def make_class(backend):
+    """The class over this VTK."""
+    base = backend.algorithm_base()
+
+    def __new__(cls, *_given, **_properties):
+        """Ready without __init__, which derived classes need not call: those of VTK are so too."""
+        self = base.__new__(cls)
+        self._values = {setting.name: setting.default for setting in settings.SETTINGS}
+        self._values.update(settings.MEASURES)
+        self._transform = self._transform_tag = self._interrupt = None
+        self._warned_about_ranks = False
+        self._job = engine.Job()
+        self._cache = OutputCache(backend)
+        base.__init__(self, nInputPorts=2, inputType="vtkPointSet", nOutputPorts=3, outputType="vtkPolyData")
+        return self
+
+    def __init__(self, *_given, **properties):
+        for name, value in properties.items():
+            if not hasattr(type(self), name):
+                raise AttributeError("%s has no property %s" % (NAME, name))
+            setattr(self, name, value)
+
+    members = {"__new__": __new__, "__init__": __init__, "__doc__": ABOUT, "__module__": __name__.rsplit(".", 2)[0],
+               "_backend": backend}
+    members.update(settings.all_methods())
+    made = type(NAME, (_Measures, _Executions, _Ports, _Transforms, _Names, base), members)
+    for name, member in settings.properties_of(made).items():
+        setattr(made, name, member)
+    _statics(backend, made)
+    return made

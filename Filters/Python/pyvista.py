@@ -1,0 +1,300 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter for PyVista: `mesh.adaptive.delaunay_2d()` and `mesh.adaptive.voronoi_2d()`.
+
+PyVista from 0.48 on finds this module by itself (entry point `pyvista.accessors`); with an older one, or where the
+package is not installed but on the path, `import adaptivehilbertdelaunay.pyvista` does it.
+"""
+
+import functools
+import importlib
+import inspect
+import sys
+import warnings
+
+import pyvista
+
+from . import _vtk
+from ._warnings import DelaunayWarning
+
+__all__ = ["Adaptive", "delaunay_2d", "voronoi_2d"]
+
+NAME = "adaptive"
+
+FILL_RULES = ("orientation", "even_odd")
+CROSSINGS = ("leave_out", "split")
+CLOSED_LINES = ("lines", "loops")
+DUPLICATES = ("first", "lowest", "highest", "mean")
+HEIGHTS = ("own", "surface")
+RIMS = ("auto", "hull", "trimmed")
+CLIPS = ("hull", "bounds")
+ARRAYS = {
+    "status": "PointStatus", "rank": "InsertionRank", "neighbors": "Neighbors", "regions": "RegionIds",
+    "constraint_edges": "ConstraintEdges"}
+
+
+def _number_of(value, words, argument):
+    if value not in words:
+        raise ValueError("%s=%r: it is one of %s" % (argument, value, ", ".join(map(repr, words))))
+    return words.index(value)
+
+
+class _Messages:
+    """Makes the filter's errors exceptions and its warnings DelaunayWarnings, once it has run."""
+
+    def __init__(self, algorithm, package):
+        core = importlib.import_module(package + ".vtkCommonCore")
+        self._said = []
+
+        def keep(_caller, event, text):
+            self._said.append((event, text.split("): ", 1)[-1].strip()))
+
+        keep.CallDataType = core.VTK_STRING
+        for event in ("WarningEvent", "ErrorEvent"):
+            algorithm.AddObserver(event, keep)
+
+    def tell(self):
+        for event, text in self._said:
+            if event == "ErrorEvent":
+                raise (MemoryError if "memory" in text else RuntimeError)(text)
+        for _, text in self._said:
+            warnings.warn(text, DelaunayWarning, stacklevel=_caller_of_this_file())
+
+
+def _caller_of_this_file():
+    """How many frames above the one that asks the first is whose code is elsewhere."""
+    level, frame = 1, sys._getframe(1)
+    while frame.f_back is not None and frame.f_code.co_filename == __file__:
+        level, frame = level + 1, frame.f_back
+    return level
+
+
+def _is_flat(mesh):
+    """Do all points have the same z?"""
+    points = mesh.points
+    return len(points) == 0 or bool((points[:, 2] == points[0, 2]).all())
+
+
+def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
+    """A filter of the VTK that the mesh is of, and what it says. TypeError for a mesh without points of its own."""
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)()
+    if mesh.IsA("vtkCompositeDataSet"):
+        algorithm.MergeBlocksOn()
+    elif not mesh.IsA("vtkPointSet"):
+        raise TypeError("a mesh with points of its own is needed, not %s; cast_to_structured_grid() or "
+                        "cast_to_unstructured_grid() give it some" % type(mesh).__name__)
+    algorithm.SetInputDataObject(mesh)
+    if isinstance(plane, str):
+        flat = plane == "auto" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
+        fits = ("xy", "auto", "fit")[_number_of(plane, ("xy", "auto", "fit"), "plane")] != "xy" and not flat
+        algorithm.SetProjectionPlaneMode(2 if fits else 0)
+    else:
+        algorithm.SetProjectionPlaneMode(1)
+        algorithm.SetTransform(plane)
+    algorithm.SetTolerance(tol)
+    algorithm.SetDuplicatePolicy(_number_of(duplicates, DUPLICATES, "duplicates"))
+    algorithm.SetNumberOfThreads(threads)
+    algorithm.SetMemoryLimit(-(-int(memory_limit) // 1024))
+    algorithm.KeepTriangulationOff()
+    algorithm.SetReuseLimit(0)
+    return algorithm, _Messages(algorithm, package)
+
+
+def _set(algorithm, **settings):
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(value)
+
+
+def _arrays_to_add(names):
+    """Settings of the filter, for the names of arrays."""
+    names = [names] if isinstance(names, str) else list(names)
+    for name in names:
+        if name not in ARRAYS:
+            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAYS))))
+    return {"Generate" + ARRAYS[name]: True for name in names}
+
+
+def _give_source(algorithm, edge_source, constraints):
+    if edge_source is not None and constraints is not None:
+        raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
+    if edge_source is not None:
+        algorithm.SetInputDataObject(1, edge_source)
+    elif constraints is not None:
+        algorithm.SetSourceModeToCoordinates()
+        algorithm.SetInputDataObject(1, constraints)
+
+
+def _run(algorithm, messages, progress_bar, title):
+    if progress_bar:
+        with pyvista.ProgressMonitor(algorithm, message=title):
+            algorithm.Update()
+    else:
+        algorithm.Update()
+    messages.tell()
+
+
+def _taken(output):
+    """A PyVista mesh of the output, without the filter's measures."""
+    made = pyvista.PolyData()
+    made.ShallowCopy(output)
+    fields = made.GetFieldData()
+    for i in range(fields.GetNumberOfArrays() - 1, -1, -1):
+        if (fields.GetArrayName(i) or "").startswith("NumberOf"):
+            fields.RemoveArray(i)
+    return made
+
+
+def _into(mesh, made, inplace):
+    if not inplace:
+        return made
+    mesh.copy_from(made, deep=False)
+    return mesh
+
+
+def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False, edge_source=None, progress_bar=False,
+                *, constraints=None, crossings="leave_out", closed_lines="loops", fill_rule="even_odd", heights="own",
+                plane="auto", rim="auto", duplicates="first", max_edge_length=0.0, arrays=(), threads=0,
+                memory_limit=0):
+    """Triangulate the points of a mesh, exactly; the first arguments are PyVista's, in its order.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        With points of its own; its cells have no say. The points of all blocks are triangulated together.
+    tol : float, default: 0.0
+        Points nearer to another than this part (0 to 1) of the diagonal of the bounding box are merged. PyVista's
+        default is 1e-5; here only points at exactly one place are one.
+    alpha : float, default: 0.0
+        The largest circumradius of a triangle that is put out; 0: no limit.
+    offset : float, default: 1.0
+        Where the points of `bound` lie: so many diagonals of the bounding box from its centre; at least 0.75.
+    bound : bool, default: False
+        Add eight points around all others, in the plane x, y only.
+    inplace : bool, default: False
+        Overwrite the mesh, a pyvista.PolyData.
+    edge_source : pyvista.PolyData, optional
+        Constraints whose lines and polygons refer to the points of the mesh, by their ids.
+    progress_bar : bool, default: False
+        Show one.
+    constraints : pyvista.PolyData or pyvista.MultiBlock, optional
+        Constraints with points of their own, which are triangulated too and follow those of the mesh.
+    crossings : {"leave_out", "split"}
+        Of two constraints that cross, leave out the later one with a warning, or split both by a point.
+    closed_lines : {"loops", "lines"}
+        What lines are that end where they begin: outlines as polygons are, or just lines.
+    fill_rule : {"even_odd", "orientation"}
+        What outlines keep: what lies inside an odd number of them, or, as VTK does, what lies on the left of each.
+    heights : {"own", "surface"}
+        Which z the points of `constraints` have: their own, or that of the surface of the mesh's points.
+    plane : {"auto", "fit", "xy"} or vtkAbstractTransform
+        In which plane to triangulate: the best fitting one ("fit"), x and y ("xy"), x and y of the points as a
+        transform moves them; "auto": x and y if all z are the same, else the best fitting one. The points stay where
+        they are.
+    rim : {"auto", "hull", "trimmed"}
+        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it; "auto":
+        to the hull in x, y, else trimmed, as these would stand as walls.
+    duplicates : {"first", "lowest", "highest", "mean"}
+        Which of several points at one place in the plane is in the surface: the one of smallest id, that of lowest or
+        highest z, the one of smallest id at the mean of all z.
+    max_edge_length : float, default: 0.0
+        Triangles with a longer edge in the plane are not put out; 0: no limit.
+    arrays : iterable of {"status", "rank", "neighbors", "regions", "constraint_edges"}
+        Arrays to add: point data "Fate" and "InsertionRank", cell data "Neighbors", "RegionId" and "ConstraintEdges".
+    threads : int, default: 0
+        How many work; 0: one for each processor.
+    memory_limit : int, default: 0
+        Bytes that may be taken; 0: what there is.
+
+    Returns
+    -------
+    pyvista.PolyData
+        All points, ids and point data of the mesh, and triangles that are counterclockwise in the plane.
+
+    Raises
+    ------
+    MemoryError: not enough memory, or `memory_limit` allows less. RuntimeError: more than 2^28 - 2 points.
+    TypeError, ValueError: an argument is none of those above.
+
+    Warns
+    -----
+    DelaunayWarning: points that are not finite, constraints that are left out, no triangle and the like, with numbers.
+    """
+    if inplace and not isinstance(mesh, pyvista.PolyData):
+        raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
+    algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
+    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, Offset=offset, BoundingTriangulation=int(bool(bound)),
+         MaximumEdgeLength=max_edge_length, CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
+         ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
+         FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
+         SourceHeights=_number_of(heights, HEIGHTS, "heights"), **_arrays_to_add(arrays))
+    _give_source(algorithm, edge_source, constraints)
+    _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
+    return _into(mesh, _taken(algorithm.GetOutput()), inplace)
+
+
+def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", threads=0, memory_limit=0,
+               progress_bar=False):
+    """The Voronoi diagram of the points of a mesh.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        With points of its own.
+    tol, plane, duplicates, threads, memory_limit, progress_bar
+        As in `delaunay_2d`.
+    clip : {"hull", "bounds"}
+        Where the outer cells end: at the convex hull of the points, or at their bounding box in the plane.
+
+    Returns
+    -------
+    pyvista.PolyData
+        A convex polygon for each vertex, with the point data of that point as cell data, and its id as
+        "OriginalPointIds".
+
+    Raises
+    ------
+    MemoryError, RuntimeError, TypeError, ValueError: as `delaunay_2d`.
+
+    Warns
+    -----
+    DelaunayWarning: as `delaunay_2d`.
+    """
+    algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
+    algorithm.GenerateVoronoiOn()
+    algorithm.SetVoronoiClip(_number_of(clip, CLIPS, "clip"))
+    _run(algorithm, messages, progress_bar, "Computing Voronoi Diagram")
+    return _taken(algorithm.GetOutput(2))
+
+
+def _method(function):
+    """A method of the accessor: with the signature and docstring of the function, for its mesh."""
+
+    @functools.wraps(function)
+    def method(self, *arguments, **more):
+        return function(self._mesh, *arguments, **more)
+
+    signature = inspect.signature(function)
+    mesh, *others = signature.parameters.values()
+    method.__signature__ = signature.replace(parameters=[mesh.replace(name="self"), *others])
+    return method
+
+
+class Adaptive:
+    """What this package makes of a mesh: `mesh.adaptive`."""
+
+    def __init__(self, mesh):
+        self._mesh = mesh
+
+    delaunay_2d = _method(delaunay_2d)
+    voronoi_2d = _method(voronoi_2d)
+
+
+def _register():
+    for kind in (pyvista.DataSet, pyvista.MultiBlock):
+        if hasattr(pyvista, "register_dataset_accessor"):
+            pyvista.register_dataset_accessor(NAME, kind)(Adaptive)
+        else:
+            setattr(kind, NAME, property(Adaptive, doc=Adaptive.__doc__))
+
+
+_register()

@@ -1,0 +1,348 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+/*
+ * What is refused, cancelled or busy; memory; threads; progress.
+ */
+#include "Check.h"
+
+#include <pthread.h>
+#include <stdlib.h>
+
+#ifdef AHD_REDUCED_TESTS
+static const int64_t kMany = 30000;
+#else
+static const int64_t kMany = 300000;
+#endif
+
+/* Every function without a job. */
+static void test_no_job(void)
+{
+  int64_t number = 0;
+  double value = 0;
+  uint64_t bytes = 0;
+  int32_t kind = 0;
+  ahd_drawing drawing = { 0 };
+  ahd_cancel(NULL);
+  CHECK(ahd_kept_bytes(NULL) == 0);
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_set_int(NULL, "nmax", 1));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_set_double(NULL, "alpha", 1));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_get_int(NULL, "nmax", &number));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_get_double(NULL, "alpha", &value));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_set_array(NULL, "points", NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_set_projection(NULL, NULL, NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_set_progress(NULL, NULL, NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_estimate(NULL, &bytes));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_run(NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_release(NULL, 0));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_fit_plane(NULL, NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_count(NULL, "points", &number));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_measure(NULL, "np", &value));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_array_size(NULL, "lines", &bytes, &bytes));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_get_array(NULL, "lines", AHD_INT32, &kind, 1));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_draw_order(NULL, AHD_INT32, &drawing));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_interpolate(NULL, 1, &value, 1));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_locate(NULL, &value, 0, &kind, &number, NULL));
+}
+
+/* What there is without a result, and what is read wrongly. */
+static void test_no_result(void)
+{
+  static const double triangle[] = { 0, 0, 1, 0, 0, 1 };
+  ahd_job* job = ahd_job_of(triangle, 3, 2);
+  int64_t number = 0;
+  double value = 0;
+  uint64_t rows = 7, columns = 7;
+  int32_t ids[3] = { 7, 7, 7 };
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_count(job, "triangles", &number));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_measure(job, "np", &value));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_array_size(job, "triangles", &rows, &columns));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_get_array(job, "triangles", AHD_INT32, ids, 3));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_interpolate(job, 1, &value, 1));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_locate(job, &value, 0, NULL, NULL, NULL));
+  CHECK_OK(job, ahd_count(job, "points", &number));
+  CHECK_OK(job, ahd_run(job));
+  CHECK_STATUS(job, AHD_UNKNOWN_NAME, ahd_count(job, "triangle", &number));
+  CHECK_STATUS(job, AHD_UNKNOWN_NAME, ahd_measure(job, NULL, &value));
+  CHECK_STATUS(job, AHD_UNKNOWN_NAME, ahd_array_size(job, "np", &rows, &columns));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_count(job, "triangles", NULL));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_measure(job, "np", NULL));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_array_size(job, "triangles", NULL, &columns));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_array_size(job, "triangles", &rows, NULL));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_get_array(job, "triangles", AHD_INT32, ids, 2));
+  CHECK_SAYS(job, "\"triangles\" has 3 numbers, and there is room for 2");
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_get_array(job, "triangles", AHD_INT32, NULL, 3));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_get_array(job, "triangles", AHD_UINT8, ids, 3));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_get_array(job, "triangles", 99, ids, 3));
+  CHECK(ids[0] == 7 && rows == 7);
+  CHECK_OK(job, ahd_get_array(job, "triangles", AHD_INT32, ids, 3));
+  CHECK(ids[0] == 0 && ids[1] == 1 && ids[2] == 2);
+  CHECK_OK(job, ahd_get_array(job, "lines", AHD_INT64, NULL, 0));
+  CHECK_OK(job, ahd_set_array(job, "skip", NULL)); /* any array: the result looked at them */
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_count(job, "triangles", &number));
+  CHECK_OK(job, ahd_run(job));
+  CHECK_OK(job, ahd_release(job, UINT64_MAX));
+  CHECK(ahd_kept_bytes(job) > 0);
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_count(job, "triangles", &number));
+  CHECK_OK(job, ahd_run(job));
+  CHECK_OK(job, ahd_release(job, 0));
+  CHECK(ahd_kept_bytes(job) == 0);
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "triangles") == 1);
+  ahd_job_free(job);
+}
+
+/* A job with everything in it that takes time. */
+static ahd_job* busy_job(double* xy, int64_t* chain)
+{
+  ahd_job* job = ahd_job_of(xy, kMany, 2);
+  ahd_array ids;
+  int64_t i;
+  for (i = 0; i < 40; ++i)
+  {
+    chain[i] = i * 7;
+  }
+  ids = ahd_ids(chain, 20, 2);
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &ids));
+  CHECK_OK(job, ahd_set_int(job, "split_crossings", 1));
+  CHECK_OK(job, ahd_set_int(job, "want_voronoi", 1));
+  CHECK_OK(job, ahd_set_int(job, "want_neighbors", 1));
+  CHECK_OK(job, ahd_set_double(job, "tolerance", 1e-9));
+  return job;
+}
+
+typedef struct listener
+{
+  ahd_job* job;
+  int calls, last_call; /* the call that cancels; 0: none does */
+  int phases;           /* a bit for each */
+  double fraction;
+  ahd_status busy;
+} listener;
+
+static int32_t listen(void* user, int32_t phase, double fraction)
+{
+  listener* own = (listener*)user;
+  int64_t number = 0;
+  CHECK(phase >= AHD_PHASE_MERGE && phase <= AHD_PHASE_OUTPUTS);
+  CHECK(fraction >= own->fraction && fraction <= 1.0);
+  own->phases |= 1 << phase;
+  own->fraction = fraction;
+  own->busy = ahd_count(own->job, "points", &number);
+  return ++own->calls == own->last_call;
+}
+
+/* What the callback hears; and cancelled at any call of it, the job can run again. */
+static void test_progress(void)
+{
+  double* xy = ahd_scattered(kMany);
+  int64_t chain[40], *first, *again;
+  uint64_t numbers = 0, others = 0;
+  ahd_job* job = busy_job(xy, chain);
+  listener own = { 0 };
+  double seconds = -1, all = 0;
+  int calls, k;
+  own.job = job;
+  CHECK_OK(job, ahd_set_progress(job, listen, &own));
+  CHECK_OK(job, ahd_run(job));
+  calls = own.calls;
+  CHECK(calls >= 20);
+  CHECK(own.busy == AHD_BUSY);
+  CHECK(own.phases == 0xFF);
+  CHECK(own.fraction > 0.5);
+  first = ahd_read_ids(job, "triangles", &numbers);
+  free(ahd_read_ids(job, "neighbors", &others));
+  CHECK(own.fraction > 0.9);
+  CHECK_OK(job, ahd_measure(job, "seconds_insert", &seconds));
+  CHECK(seconds > 0);
+  for (k = 0; ahd_name(AHD_MEASURES, (uint32_t)k); ++k)
+  {
+    CHECK_OK(job, ahd_measure(job, ahd_name(AHD_MEASURES, (uint32_t)k), &seconds));
+    all += strncmp(ahd_name(AHD_MEASURES, (uint32_t)k), "seconds_", 8) == 0 ? seconds : 0;
+  }
+  CHECK(all > 0);
+  for (k = 1; k < calls - 5; k += calls / 10)
+  {
+    own.calls = 0;
+    own.fraction = 0;
+    own.last_call = k;
+    CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+    CHECK(own.calls == k); /* and never again */
+    CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_array_size(job, "triangles", &others, &others));
+  }
+  own.last_call = 0;
+  own.fraction = 0;
+  CHECK_OK(job, ahd_run(job));
+  own.last_call = own.calls + 1;
+  CHECK_STATUS(job, AHD_CANCELLED, ahd_get_array(job, "triangles", AHD_INT64, first, numbers));
+  own.last_call = 0;
+  again = ahd_read_ids(job, "triangles", &others);
+  CHECK_OK(job, ahd_get_array(job, "triangles", AHD_INT64, first, numbers));
+  CHECK(numbers == others && memcmp(first, again, numbers * sizeof(int64_t)) == 0);
+  free(first);
+  free(again);
+  free(xy);
+  ahd_job_free(job);
+}
+
+static int32_t cancel_now(void* user, int32_t phase, double fraction)
+{
+  (void)fraction;
+  if (phase == AHD_PHASE_INSERT)
+  {
+    ahd_cancel((ahd_job*)user);
+  }
+  return 0;
+}
+
+static int32_t refuse_all(void* user, double* xyz, uint64_t count)
+{
+  (void)user;
+  (void)xyz;
+  (void)count;
+  return 1;
+}
+
+static void* cancel_soon(void* user)
+{
+  ahd_cancel((ahd_job*)user);
+  return NULL;
+}
+
+/* Cancelled from a callback, before the call, by a projection, and from another thread. */
+static void test_cancel(void)
+{
+  double* xy = ahd_scattered(kMany);
+  ahd_job* job = ahd_job_of(xy, kMany, 2);
+  pthread_t thread;
+  ahd_status status;
+  CHECK_OK(job, ahd_set_progress(job, cancel_now, job));
+  CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+  CHECK_SAYS(job, "Cancelled");
+  CHECK_OK(job, ahd_set_progress(job, NULL, NULL));
+  CHECK_OK(job, ahd_run(job));
+  ahd_cancel(job);
+  CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+  CHECK_OK(job, ahd_set_projection(job, refuse_all, NULL));
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_CALLBACK));
+  CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_XY));
+  CHECK(pthread_create(&thread, NULL, cancel_soon, job) == 0);
+  status = ahd_run(job);
+  CHECK(pthread_join(thread, NULL) == 0);
+  CHECK(status == AHD_OK || status == AHD_CANCELLED);
+  if (status == AHD_OK) /* it came too late, and is for the next call */
+  {
+    CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+  }
+  CHECK_OK(job, ahd_run(job));
+  free(xy);
+  ahd_job_free(job);
+}
+
+/* The estimate, what it is held against, and boxes that may not be kept. */
+static void test_memory(void)
+{
+  static const double triangle[] = { 0, 0, 1, 0, 0, 1 };
+  double* xy = ahd_scattered(kMany);
+  ahd_job* job = ahd_job_of(xy, kMany, 2);
+  uint64_t bytes = 0, more = 0;
+  ahd_array huge = { triangle, AHD_FLOAT64, 2, (int64_t)1 << 40, 0, 8 };
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_estimate(job, NULL));
+  CHECK_OK(job, ahd_estimate(job, &bytes));
+  CHECK(bytes > (uint64_t)kMany * 50 && bytes < (uint64_t)kMany * 1000);
+  CHECK_OK(job, ahd_set_int(job, "want_voronoi", 1));
+  CHECK_OK(job, ahd_estimate(job, &more));
+  CHECK(more > bytes);
+  CHECK_OK(job, ahd_set_int(job, "want_voronoi", 0));
+  CHECK_OK(job, ahd_set_int(job, "other_memory", 12345));
+  CHECK_OK(job, ahd_estimate(job, &more));
+  CHECK(more == bytes + 12345);
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", (int64_t)more - 1));
+  CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_run(job));
+  CHECK_SAYS(job, "memory_limit");
+  CHECK(ahd_counted(job, "memory_estimate") == (int64_t)more);
+  CHECK(ahd_counted(job, "memory_allowed") == (int64_t)more - 1);
+  CHECK(ahd_counted(job, "points") == kMany);
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", (int64_t)more));
+  CHECK_OK(job, ahd_run(job));
+  CHECK_OK(job, ahd_set_int(job, "want_boxes", 1));
+  CHECK_OK(job, ahd_estimate(job, &more));
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", (int64_t)more + 1000));
+  CHECK_STATUS(job, AHD_TOO_MANY_BOXES, ahd_run(job));
+  CHECK(ahd_counted(job, "most_boxes") > 0 && ahd_counted(job, "most_boxes") < 10);
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "memory_allowed") > ahd_counted(job, "memory_estimate"));
+  CHECK_OK(job, ahd_set_int(job, "other_memory", (int64_t)1 << 60));
+  CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_run(job));
+  CHECK_OK(job, ahd_set_array(job, "points", &huge));
+  CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_run(job));
+  CHECK_SAYS(job, "1099511627776 points");
+  CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_estimate(job, &more));
+  CHECK(ahd_available_memory() > 0);
+  free(xy);
+  ahd_job_free(job);
+}
+
+/* Same bytes for any number of threads; two jobs in two threads. */
+static void* run_and_read(void* user)
+{
+  ahd_job* job = (ahd_job*)user;
+  uint64_t numbers = 0;
+  CHECK_OK(job, ahd_run(job));
+  return ahd_read_ids(job, "neighbors", &numbers);
+}
+
+static void test_threads(void)
+{
+  double* xy = ahd_scattered(kMany);
+  ahd_job *one = ahd_job_of(xy, kMany, 2), *four = ahd_job_of(xy, kMany, 2);
+  pthread_t thread;
+  void *first, *second = NULL;
+  CHECK(ahd_processors() >= 1);
+  CHECK_OK(one, ahd_set_int(one, "threads", 1));
+  CHECK_OK(four, ahd_set_int(four, "threads", 4));
+  CHECK(pthread_create(&thread, NULL, run_and_read, one) == 0);
+  second = run_and_read(four);
+  CHECK(pthread_join(thread, &first) == 0);
+  CHECK(memcmp(first, second, (size_t)ahd_counted(one, "triangles") * 24) == 0);
+  CHECK(ahd_counted(one, "threads_used") == 1);
+  CHECK(ahd_counted(four, "threads_used") == 4);
+  CHECK(ahd_counted(one, "dispatch_target") >= 0 && ahd_counted(one, "dispatch_target") <= 2);
+  free(first);
+  free(second);
+  free(xy);
+  ahd_job_free(one);
+  ahd_job_free(four);
+}
+
+static void test_fingerprint(void)
+{
+  unsigned char bytes[40] = { 0 };
+  uint64_t a[2], b[2];
+  int i;
+  ahd_fingerprint(bytes, sizeof(bytes), 1, a);
+  CHECK(a[0] != 0 || a[1] != 0);
+  ahd_fingerprint(bytes, sizeof(bytes), 1, b);
+  CHECK(memcmp(a, b, sizeof(a)) == 0);
+  ahd_fingerprint(bytes, sizeof(bytes), 2, b);
+  CHECK(memcmp(a, b, sizeof(a)) != 0);
+  for (i = 0; i < 39; i += 13)
+  {
+    bytes[i] = 1;
+    ahd_fingerprint(bytes, 39, 1, b);
+    CHECK(memcmp(a, b, sizeof(a)) != 0);
+  }
+  ahd_fingerprint(NULL, 0, 0, a);
+  CHECK(a[0] != 0 || a[1] != 0);
+}
+
+void test_trouble(void)
+{
+  test_no_job();
+  test_no_result();
+  test_progress();
+  test_cancel();
+  test_memory();
+  test_threads();
+  test_fingerprint();
+}

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A job where memory runs out, callbacks throw, and what is held and estimated. This program's
+// operator new counts, and fails when told to.
+#include "ConstraintMakers.h"
+#include "JobRun.h"
+#include "OwnMemory.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <stdexcept>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+struct Case
+{
+  explicit Case(std::size_t count)
+    : given(randomSegments(count, 20))
+    , more(makePoints(Distribution::Uniform, 20, 5))
+  {
+  }
+
+  /// Sets one combination of settings, so that each feature is in one of them.
+  void set(JobRun& run, int variant) const
+  {
+    run.setPoints(given.view());
+    run.setConstraints(given.constraints.view());
+    run.set("threads", std::int64_t(1));
+    run.set("split_crossings", std::int64_t(variant % 2));
+    run.set("tolerance", variant % 3 == 0 ? 0.01 : 0.0);
+    run.set("plane", std::int64_t(variant % 5 == 1 ? AHD_PLANE_BEST_FIT : AHD_PLANE_XY));
+    run.set("duplicates", std::int64_t(variant % 4));
+    run.set("want_voronoi", std::int64_t(variant % 2));
+    run.set("want_boxes", std::int64_t(variant % 3 == 1));
+    run.set("want_curve", std::int64_t(variant % 3 == 1));
+    run.set("alpha", variant % 4 == 2 ? 0.1 : 0.0);
+    run.set("bounding", std::int64_t(variant == 4));
+    for (const char* name :
+      { "want_point_status", "want_constraint_edges", "want_regions", "want_neighbors" })
+    {
+      run.set(name, std::int64_t(1));
+    }
+    if (variant >= 3)
+    {
+      const ahd_array source = { more.data(), AHD_FLOAT64, 2, 20, 16, 8 };
+      ahd_set_array(run.job(), "source_points", &source);
+      run.set("source_heights", std::int64_t(variant % 2));
+    }
+  }
+
+  ConstraintCase given;
+  std::vector<Point> more;
+};
+constexpr int kVariants = 7;
+
+/// Every array that there is; what is not there was not asked for.
+std::string readAll(JobRun& run)
+{
+  std::string all;
+  for (std::uint32_t i = 0; const char* name = ahd_name(AHD_OUTPUT_ARRAYS, i); ++i)
+  {
+    std::uint64_t rows = 0, columns = 0;
+    if (ahd_array_size(run.job(), name, &rows, &columns) != AHD_OK)
+    {
+      continue;
+    }
+    std::vector<unsigned char> bytes(static_cast<std::size_t>(rows * columns * 8));
+    for (const std::int32_t type : { AHD_INT64, AHD_FLOAT64, AHD_UINT8, AHD_INT32 })
+    {
+      const ahd_status status = ahd_get_array(run.job(), name, type, bytes.data(), rows * columns);
+      if (status == AHD_OUT_OF_MEMORY)
+      {
+        return "out of memory";
+      }
+      if (status == AHD_OK)
+      {
+        break;
+      }
+    }
+    all.append(bytes.begin(), bytes.end());
+  }
+  return all;
+}
+
+TEST(JobTrouble, AnyAllocationCanFail)
+{
+  for (int variant = 0; variant < kVariants; ++variant)
+  {
+    SCOPED_TRACE(variant);
+    const Case made(60);
+    JobRun run;
+    made.set(run, variant);
+    ASSERT_EQ(run.status(), AHD_OK) << run.message();
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    ahd_release(run.job(), 0);
+    account.allocations = 0;
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    const std::size_t all = account.allocations;
+    const std::string bytes = readAll(run);
+    ASSERT_GT(bytes.size(), 1000u);
+    for (std::size_t k = 1; k <= all; ++k)
+    {
+      ahd_release(run.job(), 0);
+      const std::size_t before = account.held;
+      account.allocations = 0;
+      account.failAt = k;
+      const ahd_status status = run.run();
+      account.failAt = 0;
+      ASSERT_EQ(status, AHD_OUT_OF_MEMORY) << "allocation " << k << " of " << all;
+      ASSERT_LE(account.held, before + 200) << "allocation " << k; // the message
+      ASSERT_STRNE(ahd_message(run.job()), "");
+    }
+    ASSERT_EQ(run.run(), AHD_OK);
+    EXPECT_EQ(readAll(run), bytes);
+  }
+}
+
+TEST(JobTrouble, AnyAllocationOfAnArrayCanFail)
+{
+  const Case made(60);
+  for (int variant = 0; variant < kVariants; ++variant)
+  {
+    SCOPED_TRACE(variant);
+    JobRun run;
+    made.set(run, variant);
+    ASSERT_EQ(run.run(), AHD_OK);
+    const std::string bytes = readAll(run);
+    std::size_t k = 1;
+    for (bool isThrough = false; !isThrough; ++k)
+    {
+      ASSERT_EQ(run.run(), AHD_OK); // tables are made anew
+      isThrough = true;
+      for (std::uint32_t i = 0; const char* name = ahd_name(AHD_OUTPUT_ARRAYS, i); ++i)
+      {
+        std::vector<double> room(2000);
+        account.allocations = 0;
+        account.failAt = k;
+        const ahd_status status = ahd_get_array(run.job(), name, AHD_INT32, room.data(), 2000);
+        account.failAt = 0;
+        isThrough = isThrough && account.allocations < k;
+        ASSERT_TRUE(status == AHD_OK || status == AHD_OUT_OF_MEMORY || status == AHD_BAD_ARRAY ||
+          status == AHD_NOT_AVAILABLE)
+          << name << ": " << ahd_message(run.job());
+      }
+      ASSERT_EQ(readAll(run), bytes);
+    }
+    EXPECT_GT(k, 2u);
+  }
+}
+
+TEST(JobTrouble, AJobThatCannotBeMadeIsNull)
+{
+  account.allocations = 0;
+  account.failAt = 1;
+  ahd_job* const job = ahd_job_new();
+  account.failAt = 0;
+  EXPECT_EQ(job, nullptr);
+}
+
+TEST(JobTrouble, NothingIsLeftWhenItIsFreed)
+{
+  const Case made(500);
+  const std::size_t before = account.held;
+  for (int variant = 0; variant < kVariants; ++variant)
+  {
+    JobRun run;
+    made.set(run, variant);
+    ASSERT_EQ(run.run(), AHD_OK) << run.message();
+    EXPECT_FALSE(readAll(run).empty());
+  }
+  EXPECT_EQ(account.held, before);
+}
+
+TEST(JobTrouble, ItTakesNoMoreMemoryThanEstimated)
+{
+  const Case made(20000);
+  for (int variant = 0; variant < kVariants; variant += 2) // without crossings that are split
+  {
+    SCOPED_TRACE(variant);
+    JobRun run;
+    made.set(run, variant);
+    run.set("source_heights", std::int64_t(AHD_HEIGHTS_OWN));
+    std::uint64_t estimate = 0;
+    ASSERT_EQ(ahd_estimate(run.job(), &estimate), AHD_OK);
+    const std::size_t before = account.held;
+    account.peak = before;
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    EXPECT_FALSE(run.ids("neighbors").empty());
+    EXPECT_LE(account.peak - before, estimate + 10000);
+    EXPECT_GE((account.peak - before) * 20, estimate) << "it is no estimate but a guess";
+  }
+}
+
+std::int32_t throwIt(void*, std::int32_t, double)
+{
+  throw std::runtime_error("from a callback");
+}
+
+std::int32_t throwFromProjection(void*, double*, std::uint64_t)
+{
+  throw std::runtime_error("from a callback");
+}
+
+TEST(JobTrouble, WhatCallbacksThrowGoesNoFurther)
+{
+  const Case made(100);
+  JobRun run;
+  made.set(run, 0);
+  ahd_set_progress(run.job(), throwIt, nullptr);
+  EXPECT_EQ(run.run(), AHD_CANCELLED);
+  ahd_set_progress(run.job(), nullptr, nullptr);
+  ahd_set_projection(run.job(), throwFromProjection, nullptr);
+  run.set("plane", std::int64_t(AHD_PLANE_CALLBACK));
+  EXPECT_EQ(run.run(), AHD_CANCELLED);
+  run.set("plane", std::int64_t(AHD_PLANE_XY));
+  EXPECT_EQ(run.run(), AHD_OK);
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: BSD-3-Clause
+#
+# The C library exports the functions of its header and nothing else:
+#   cmake -DLIBRARY=<file> -DHEADER=<file> -DNM=<program> -P exports.cmake
+execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
+if (failed)
+  message(FATAL_ERROR "${NM} cannot read ${LIBRARY}")
+endif ()
+string(REGEX MATCHALL "[^\n]+" lines "${listed}")
+set(exported)
+foreach (line IN LISTS lines)
+  string(REGEX REPLACE "^.* " "" name "${line}")
+  string(REGEX REPLACE "@.*" "" name "${name}")
+  list(APPEND exported "${name}")
+endforeach ()
+
+file(STRINGS "${HEADER}" lines REGEX "^AHD_API ")
+set(declared)
+foreach (line IN LISTS lines)
+  string(REGEX MATCH "ahd_[a-z0-9_]+\\(" name "${line}")
+  string(REPLACE "(" "" name "${name}")
+  list(APPEND declared "${name}")
+endforeach ()
+
+list(SORT exported)
+list(SORT declared)
+list(LENGTH declared count)
+if (count LESS 20 OR NOT "${exported}" STREQUAL "${declared}")
+  message(FATAL_ERROR "exported:\n${exported}\ndeclared:\n${declared}")
+endif ()
+message(STATUS "${count} functions are exported, and nothing else")

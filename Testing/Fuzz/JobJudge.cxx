@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JobJudge.h"
+
+#include "JobRun.h"
+#include "Judge.h"
+
+#include <algorithm>
+#include <string>
+
+namespace ahd
+{
+namespace fuzz
+{
+namespace
+{
+
+using test::JobRun;
+
+constexpr std::size_t kMostForAnything = 1000; // points
+
+/// The settings of an Options, by name.
+void setOptions(JobRun& run, const Options& options)
+{
+  run.set("insertion_order", std::int64_t(options.order));
+  run.set("control_points", std::int64_t(options.controlPoints));
+  run.set("gene_rotation", std::int64_t(options.geneRotation));
+  run.set("nmax", std::int64_t(options.nmax));
+  run.set("count_work", std::int64_t(options.countWork));
+  run.set("want_order", std::int64_t(options.keepOrder));
+  run.set("want_boxes", std::int64_t(options.keepBoxes));
+}
+
+/// Whatever else there is, as the case's bytes say.
+void setAnything(JobRun& run, const FuzzCase& given, const JobCase& made)
+{
+  const std::uint8_t bits = given.head[kShuffle], more = given.head[kRefusals];
+  const auto bit = [](std::uint8_t byte, int k) { return std::int64_t(byte >> k & 1); };
+  run.set("plane", bit(bits, 0));
+  run.set("bounding", bit(bits, 1));
+  run.set("tolerance", bit(bits, 2) != 0 ? 1.0 / (1.0 + given.head[kMergeDistance]) : 0.0);
+  run.set("alpha", bit(bits, 3) != 0 ? double(given.head[kMergeDistance]) : 0.0);
+  run.set("split_crossings", bit(bits, 4));
+  run.set("closed_lines", bit(bits, 5));
+  run.set("duplicates", std::int64_t(bits >> 6));
+  run.set("rim", std::int64_t(more % 3));
+  run.set("want_voronoi", bit(more, 2));
+  run.set("want_curve", bit(more, 3));
+  run.set("source_heights", bit(more, 4));
+  run.set("cell_ids", bit(more, 5));
+  run.set("insertion_limit", std::int64_t(given.head[kLimit]));
+  if (bit(more, 6) != 0) // the points once more, as those of the source
+  {
+    const ahd_array source = { made.points.doubles, AHD_FLOAT64, 2,
+      std::int64_t(made.points.doubles ? std::min<std::size_t>(made.points.count, 20) : 0),
+      std::int64_t(made.points.stride * sizeof(double)), sizeof(double) };
+    ahd_set_array(run.job(), "source_points", &source);
+  }
+}
+
+/// Are ids of this array numbers of cells?
+bool areCells(const std::string& name)
+{
+  return name == "neighbors" || name == "regions";
+}
+
+/// Which ids an array can have: up to which, beyond -2.
+std::int64_t mostOf(JobRun& run, const std::string& name)
+{
+  if (areCells(name))
+  {
+    return run.count("cells") - 1;
+  }
+  const bool areNumbers = name == "voronoi_offsets" || name == "voronoi_corners" ||
+    name == "box_counts" || name == "left_out" || name == "crossing_cells";
+  return areNumbers ? INT64_MAX : run.count("points") - 1;
+}
+
+/// Every array there is can be had, and its ids name what there is.
+void expectArrays(const FuzzCase& given, JobRun& run)
+{
+  for (std::uint32_t i = 0; const char* name = ahd_name(AHD_OUTPUT_ARRAYS, i); ++i)
+  {
+    std::uint64_t rows = 0, columns = 0;
+    if (ahd_array_size(run.job(), name, &rows, &columns) != AHD_OK)
+    {
+      continue; // not asked for
+    }
+    std::vector<double> room(static_cast<std::size_t>(rows * columns));
+    const std::uint64_t size = room.size();
+    ahd_status status = ahd_get_array(run.job(), name, AHD_FLOAT64, room.data(), size);
+    if (status == AHD_BAD_ARRAY)
+    {
+      status = ahd_get_array(run.job(), name, AHD_UINT8, room.data(), size);
+    }
+    if (status == AHD_BAD_ARRAY && std::string(name) != "box_levels")
+    {
+      const std::vector<std::int64_t> ids = run.ids(name);
+      const std::int64_t most = mostOf(run, name);
+      expect(std::all_of(
+               ids.begin(), ids.end(), [most](std::int64_t id) { return id >= -2 && id <= most; }),
+        name, given);
+      continue;
+    }
+    expect(status == AHD_OK || std::string(name) == "box_levels", name, given);
+  }
+}
+
+struct Countdown
+{
+  std::size_t left; ///< calls until it cancels; 0: never
+};
+
+std::int32_t countDown(void* user, std::int32_t, double)
+{
+  auto* const own = static_cast<Countdown*>(user);
+  return own->left > 0 && --own->left == 0 ? 1 : 0;
+}
+
+/// Cancelled or without memory it says so, or is Ok; afterwards it runs as if nothing had been.
+void expectTrouble(const FuzzCase& given, JobRun& run)
+{
+  Countdown countdown = { given.head[kCancelAt] };
+  ahd_set_progress(run.job(), countDown, &countdown);
+  const bool isToCancel = countdown.left > 0;
+  ahd_status status = run.run();
+  expect(status == AHD_OK || (isToCancel && status == AHD_CANCELLED && countdown.left == 0),
+    "a job is cancelled if told to", given);
+  countdown.left = 0;
+  if (given.head[kFailAt] != 0)
+  {
+    {
+      const NoMemory none(given.head[kFailAt]);
+      status = run.run();
+    }
+    expect(status == AHD_OK || status == AHD_OUT_OF_MEMORY, "a job without memory", given);
+    expect((status == AHD_OK) == (ahd_message(run.job())[0] == '\0'), "it says so", given);
+  }
+  status = run.run();
+  expect(status == AHD_OK, ahd_message(run.job()), given);
+}
+
+} // namespace
+
+void expectSameThroughC(const FuzzCase& given, const JobCase& made)
+{
+  JobRun run;
+  run.set("threads", std::int64_t(1 + given.head[kExecutors] % 3));
+  run.set("fill_rule", std::int64_t(made.rule));
+  setOptions(run, given.options(1));
+  run.setPoints(made.points);
+  run.setConstraints(made.chains);
+  expect(run.run() == AHD_OK, ahd_message(run.job()), given);
+  expect(run.shortIds("triangles") == made.triples, "a job gives the same triangles", given);
+  if (made.points.count > kMostForAnything)
+  {
+    return;
+  }
+  setAnything(run, given, made);
+  expectTrouble(given, run);
+  expectArrays(given, run);
+  expect(run.status() == AHD_OK, run.message().c_str(), given);
+}
+
+} // namespace fuzz
+} // namespace ahd

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_JobJudge_h
+#define ahd_JobJudge_h
+
+#include "ConstraintSets.h"
+#include "FuzzCase.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace ahd
+{
+namespace fuzz
+{
+
+/// Points, with chains or without, and the triangles that the engine makes of them.
+struct JobCase
+{
+  PointView points;
+  ConstraintView chains;
+  FillRule rule = FillRule::Orientation;
+  const std::vector<std::int32_t>& triples;
+};
+
+/// The same triangles come through the C interface. Then the case's bytes switch on whatever else
+/// it has, alone or together, with memory that may run out and a callback that may cancel: a run
+/// ends with a status that says so, and its arrays have numbers of points and cells that there are.
+void expectSameThroughC(const FuzzCase& given, const JobCase& made);
+
+} // namespace fuzz
+} // namespace ahd
+
+#endif

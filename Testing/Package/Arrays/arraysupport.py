@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of arrays share: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
+
+import os
+import struct
+
+import numpy as np
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
+DATA = os.path.join(ROOT, "Data")
+
+SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2], [3, 2]], float)
+
+
+# --- Points -------------------------------------------------------------------------------------------------
+
+
+def cloud(seed, count=200, columns=2, dtype=np.float64):
+    """Random points in the unit square; the third column is random as well."""
+    return np.random.default_rng(seed).random((count, columns)).astype(dtype)
+
+
+def lattice(side):
+    """Many cocircular points, and collinear ones on the hull."""
+    x, y = np.meshgrid(np.arange(side), np.arange(side))
+    return np.stack((x.ravel(), y.ravel()), axis=1).astype(float)
+
+
+def corpus():
+    """(name, points) of Data/Corpus."""
+    folder = os.path.join(DATA, "Corpus")
+    for name in sorted(os.listdir(folder)):
+        if name.endswith(".txt"):
+            with open(os.path.join(folder, name), encoding="utf-8") as file:
+                rows = [line.split() for line in file if line.strip() and not line.startswith("#")]
+            yield name, np.array([[float.fromhex(number) for number in row] for row in rows]).reshape(-1, 2)
+
+
+class Random:
+    """Splitmix64, as Filters/Distributions/Random.h has it."""
+
+    def __init__(self, seed):
+        self.state = seed
+
+    def bits(self):
+        mask = 2**64 - 1
+        self.state = z = (self.state + 0x9E3779B97F4A7C15) & mask
+        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
+        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
+        return z ^ (z >> 31)
+
+    def unit(self):
+        return (self.bits() >> 11) * 2.0**-53
+
+    def below(self, n):
+        return self.bits() % n
+
+
+def uniform(count, seed):
+    """The points of Testing/Support/Points/Distributions.h with this name."""
+    random = Random(seed)
+    return np.array([random.unit() for _ in range(2 * count)]).reshape(-1, 2)
+
+
+# --- The hash of Data/Hashes --------------------------------------------------------------------------------
+
+
+class Hash:
+    """FNV-1a of a row of numbers, as Testing/Support/Run/Hash.h has it."""
+
+    def __init__(self):
+        self.value = 0xCBF29CE484222325
+
+    def _bytes(self, data):
+        value = self.value
+        for byte in data:
+            value = ((value ^ byte) * 0x100000001B3) & 0xFFFFFFFFFFFFFFFF
+        self.value = value
+
+    def add(self, *numbers):
+        self._bytes(struct.pack("<%dq" % len(numbers), *numbers))
+
+    def numbers(self, array):
+        """The numbers of an array, without their count."""
+        kind = "<f8" if array.dtype.kind == "f" else "<i8"
+        self._bytes(np.ascontiguousarray(array.ravel(), kind).tobytes())
+
+    def vector(self, array, size=None):
+        """A vector: its length (in entries of several numbers perhaps), and its numbers."""
+        self.add(array.size if size is None else size)
+        self.numbers(array)
+
+    def text(self):
+        return "%016x" % self.value
+
+
+def expected_hashes():
+    """Name: hash, of Data/Hashes/Engine.txt."""
+    with open(os.path.join(DATA, "Hashes", "Engine.txt"), encoding="utf-8") as file:
+        rows = [line.split() for line in file if not line.startswith("#")]
+    return {name: value for value, name in rows}
+
+
+# --- Exact --------------------------------------------------------------------------------------------------
+
+
+def integers(points):
+    """The same places, all larger by one power of two: tuples of Python's integers."""
+    ratios = [[float(number).as_integer_ratio() for number in point[:2]] for point in points]
+    scale = max([below for row in ratios for _, below in row], default=1)
+    return [tuple(above * (scale // below) for above, below in row) for row in ratios]
+
+
+def orient(a, b, c):
+    """Positive if a, b, c turn to the left."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+
+def in_circle(a, b, c, d):
+    """Positive if d is inside the circle through a, b, c, which turn to the left."""
+    rows = [(p[0] - d[0], p[1] - d[1]) for p in (a, b, c)]
+    (ax, ay), (bx, by), (cx, cy) = rows
+    aa, bb, cc = (x * x + y * y for x, y in rows)
+    return aa * (bx * cy - cx * by) - bb * (ax * cy - cx * ay) + cc * (ax * by - bx * ay)
+
+
+def hull_of(places):
+    """The vertices on the boundary of the convex hull, counterclockwise, those on its edges included; with two points
+    or more that are not collinear."""
+
+    def half(ordered):
+        chain = []
+        for p in ordered:
+            while len(chain) > 1 and orient(chain[-2], chain[-1], p) < 0:
+                chain.pop()
+            chain.append(p)
+        return chain
+
+    ordered = sorted(set(places))
+    return half(ordered)[:-1] + half(ordered[::-1])[:-1]
+
+
+def twice_area(places, triangles):
+    return sum(orient(*(places[i] for i in triangle)) for triangle in triangles)
+
+
+def complaints(points, triangles, neighbors, is_constraint=None):
+    """What is wrong with the triangles of a (constrained) Delaunay triangulation, locally and exactly."""
+    places = integers(points)
+    triangles, neighbors = triangles.tolist(), neighbors.tolist()
+    found = []
+    for t, (triangle, beyond) in enumerate(zip(triangles, neighbors)):
+        corners = [places[i] for i in triangle]
+        if orient(*corners) <= 0:
+            found.append("triangle %d is not counterclockwise" % t)
+        for e, other in enumerate(beyond):
+            if other < 0:
+                continue
+            edge = (triangle[e], triangle[(e + 1) % 3])
+            apex = [i for i in triangles[other] if i not in edge]
+            if len(apex) != 1 or t not in neighbors[other]:
+                found.append("triangles %d and %d are no neighbours" % (t, other))
+            elif not (is_constraint is not None and is_constraint[t][e]) and in_circle(*corners, places[apex[0]]) > 0:
+                found.append("point %d lies in the circle of triangle %d" % (apex[0], t))
+    return found

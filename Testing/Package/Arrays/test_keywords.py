@@ -1,0 +1,414 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delaunay: what each keyword does."""
+
+import inspect
+import math
+import unittest
+import warnings
+
+import numpy as np
+from adaptivehilbertdelaunay import DelaunayWarning, delaunay
+from arraysupport import SQUARE, cloud, complaints, integers, lattice, twice_area
+
+RING = [0, 1, 2, 3]  # around SQUARE and lattices of corners(), counterclockwise
+
+
+def corners(side):
+    """A lattice whose corners are its first four points, counterclockwise."""
+    points = lattice(side)
+    ends = [0, side - 1, side * side - 1, side * (side - 1)]
+    return np.concatenate((points[ends], np.delete(points, ends, axis=0)))
+
+
+def area(made):
+    return twice_area(integers(made.points), made.triangles.tolist()) / 2
+
+
+def edges(made):
+    return {frozenset(edge) for edge in made.constraint_edges.tolist()}
+
+
+class KeywordTest(unittest.TestCase):
+    def setUp(self):
+        warnings.simplefilter("error", DelaunayWarning)
+        self.addCleanup(warnings.resetwarnings)
+
+
+class ConstraintTest(KeywordTest):
+    def test_segments_lines_loops(self):
+        points = cloud(21)
+        hull = delaunay(points).hull
+        made = delaunay(points, segments=[hull[[0, 2]]], lines=[hull[2:5], hull[4:]], loops=[hull[[1, 4, 7]]], fill_rule="even_odd", crossings="split")
+        places = made.points
+        self.assertEqual(complaints(places, made.triangles, made.neighbors, made.is_constraint), [])
+        self.assertEqual(len(edges(made)) > 5, True)
+        self.assertGreater(made.counts["split_crossings"], 0)
+
+    def test_a_segment_becomes_its_edge(self):
+        free = delaunay(SQUARE)
+        made = delaunay(SQUARE, segments=np.array([[0, 2]], np.int32))
+        self.assertNotIn(frozenset((0, 2)), {frozenset(edge) for edge in free.edges.tolist()})
+        self.assertEqual(edges(made), {frozenset((0, 2))})
+        self.assertEqual(complaints(SQUARE, made.triangles, made.neighbors, made.is_constraint), [])
+        self.assertEqual(made.counts["constraint_edges"], 1)
+
+    def test_a_segment_through_points_becomes_several(self):
+        points = lattice(5)
+        made = delaunay(points, lines=[0, 24])
+        self.assertEqual(edges(made), {frozenset((6 * k, 6 * k + 6)) for k in range(4)})
+
+    def test_every_form_of_chains(self):
+        points = cloud(22)
+        hull = delaunay(points).hull.tolist()
+        chain, other = hull[:4], hull[4:7]
+        expected = edges(delaunay(points, segments=[chain[k : k + 2] for k in range(3)]))
+        self.assertEqual(len(expected), 3)
+        for form in (
+            chain, tuple(chain), [chain], np.array(chain), np.array([chain], np.int32), np.array(chain, np.uint16),
+            [np.array(chain, np.int16)], iter([chain]), np.array(chain, ">i8"), np.array(chain + [0])[:4], [chain, []],
+            np.array([[id, 0] for id in chain])[:, 0],
+        ):  # fmt: skip
+            self.assertEqual(edges(delaunay(points, lines=form)), expected, form)
+        both = edges(delaunay(points, lines=[chain, other]))
+        self.assertEqual(both, expected | {frozenset(other[k : k + 2]) for k in range(2)})
+        mixed = np.empty(2, object)
+        mixed[:] = [chain, other]
+        self.assertEqual(edges(delaunay(points, lines=mixed)), both)
+        self.assertEqual(edges(delaunay(points, segments=[other[:2], other[1:]], lines=[chain])), both)
+        for nothing in ([], [[]], (), np.empty((0, 2), int), np.empty(0)):
+            self.assertEqual(edges(delaunay(points, lines=nothing, segments=np.empty((0, 2)), loops=nothing)), set())
+
+    def test_loops_bound_and_holes(self):
+        points = corners(9)
+        inner = [[k for k, p in enumerate(points.tolist()) if p == q][0] for q in ([2, 2], [6, 2], [6, 6], [2, 6])]
+        self.assertEqual(area(delaunay(points, loops=[inner])), 16)
+        for hole in (inner, inner[::-1], inner + inner[:1]):
+            made = delaunay(points, loops=[RING, hole])
+            self.assertEqual(area(made), 64 - 16, hole)
+            self.assertEqual(len(made.hull), 32)
+            self.assertEqual(len(made.boundary), 32 + 16)
+
+    def test_fill_rule(self):
+        points = corners(9)
+        inner = [[k for k, p in enumerate(points.tolist()) if p == q][0] for q in ([2, 2], [6, 2], [6, 6], [2, 6])]
+        for chain, by_orientation in ((inner, 16), (inner[::-1], 48)):
+            self.assertEqual(area(delaunay(points, loops=chain, fill_rule="orientation")), by_orientation)
+            self.assertEqual(area(delaunay(points, loops=chain, fill_rule="even_odd")), 16)
+        self.assertEqual(area(delaunay(points, loops=[RING, inner], fill_rule="orientation")), 16)
+
+    def test_closed_lines_are_loops(self):
+        ring = [4, 1, 5, 4]
+        self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=False).triangles), 6)
+        self.assertEqual(len(delaunay(SQUARE, lines=[ring], closed_lines_are_loops=True).triangles), 1)
+
+    def test_crossings_left_out(self):
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 2 segments were left out.*chain 1 and crosses chain 0"):
+            made = delaunay(SQUARE, segments=[(0, 2), (1, 3)], crossings="leave_out")
+        self.assertEqual(edges(made), {frozenset((0, 2))})
+        self.assertEqual(made.left_out.tolist(), [[1, 0, 0, 0]])
+        with self.assertWarnsRegex(DelaunayWarning, "1 loops bound nothing"):
+            delaunay(SQUARE, segments=[(0, 2)], loops=[(1, 3, 4)])
+
+    def test_crossings_split(self):
+        points = np.column_stack((SQUARE, [0, 4, 8, 2, 0, 0]))
+        made = delaunay(points, segments=[(0, 2), (1, 3)], crossings="split")
+        self.assertEqual(made.points[-1].tolist(), [2, 2, 0.5 * 4 + 0.5 * 3])
+        self.assertEqual(made.points.dtype, np.float64)
+        self.assertEqual(made.points.shape, (7, 3))
+        self.assertEqual(edges(made), {frozenset((end, 6)) for end in range(4)})
+        self.assertEqual([set(pair) for pair in made.crossing_ends.reshape(2, 2).tolist()], [{0, 2}, {1, 3}])
+        self.assertEqual(made.crossing_fractions.tolist(), [[0.5, 0.5]])
+        np.testing.assert_array_equal(made.interpolate(points[:, 2]), made.points[:, 2])
+        np.testing.assert_array_equal(made.interpolate(points), made.points)
+        flat = delaunay(SQUARE, segments=[(0, 2), (1, 3)], crossings="split")
+        self.assertEqual(flat.points.shape, (7, 2))
+        np.testing.assert_array_equal(flat.points[:6], SQUARE)
+
+    def test_source_points(self):
+        points = np.array([[0, 0, 0], [8, 0, 8], [8, 8, 8], [0, 8, 0]], np.float32)
+        places = np.array([[2, 1, 50], [6, 1, 50], [4, 7, 50]], float)
+        made = delaunay(points, source_points=places, loops=[0, 1, 2])
+        np.testing.assert_array_equal(made.points, np.concatenate((points, places)))
+        self.assertEqual(made.triangles.tolist(), [[4, 5, 6]])
+        self.assertEqual(made.counts["added_points"], 3)
+        on = delaunay(points, source_points=places, lines=[0, 1, 2], source_heights="surface")
+        self.assertEqual(on.points[4:].tolist(), [[2, 1, 2], [6, 1, 6], [4, 7, 4]])
+        values = on.interpolate(np.array([0, 800, 800, 0, -1, -1, -1]))
+        self.assertEqual(values.tolist(), [0, 800, 800, 0, 200, 600, 400])
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 3 source points lie outside"):
+            delaunay(points, source_points=places * [2, 1, 1], source_heights="surface")
+
+    def test_regions(self):
+        points = corners(5)
+        middle = [[k for k, p in enumerate(points.tolist()) if p == q][0] for q in ([2, 0], [2, 4])]
+        made = delaunay(points, lines=[middle])
+        left = points[made.triangles].mean(axis=1)[:, 0] < 2
+        self.assertEqual(set(made.regions[left]), {0} if left[0] else {1})
+        self.assertEqual(len(set(made.regions)), 2)
+        self.assertEqual(len(set(made.regions[left])), 1)
+        self.assertEqual(len(set(made.regions[~left])), 1)
+
+
+class PlaneTest(KeywordTest):
+    def test_best_fit(self):
+        flat = cloud(23)
+        wall = np.column_stack((flat[:, 0], np.full(200, 7.0), flat[:, 1]))
+        made = delaunay(wall, plane="best_fit", rim="convex_hull")
+        self.assertEqual(len(made.triangles), len(delaunay(flat).triangles))
+        np.testing.assert_array_equal(made.points, wall)
+        self.assertEqual(np.abs(made.plane_points[:, 2]).max(), 0)
+        homogeneous = np.column_stack((wall, np.ones(200)))
+        np.testing.assert_allclose(homogeneous @ made.plane_matrix.T[:, :3], made.plane_points, atol=1e-12)
+
+    def test_matrix(self):
+        points = cloud(24, 100, 3)
+        swap = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+        made = delaunay(points, plane=swap)
+        np.testing.assert_array_equal(made.plane_points, points[:, [1, 2, 0]])
+        whole = delaunay(points[:, 1:], rim="trimmed")
+        np.testing.assert_array_equal(made.triangles, whole.triangles)
+        np.testing.assert_array_equal(made.plane_matrix, swap)
+
+    def test_function(self):
+        points = cloud(25, 40000, 3)
+        swap = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])
+        expected, sizes = delaunay(points, plane=swap), []
+
+        def inplace(xyz):
+            sizes.append(len(xyz))
+            xyz[:] = xyz[:, [1, 2, 0]]
+
+        for function in (inplace, lambda xyz: xyz[:, [1, 2, 0]], lambda xyz: xyz[:, [1, 2, 0]].tolist()):
+            made = delaunay(points, plane=function)
+            np.testing.assert_array_equal(made.triangles, expected.triangles)
+            np.testing.assert_array_equal(made.plane_points, expected.plane_points)
+        self.assertEqual((sum(sizes), max(sizes)), (40000, 2**14))
+        with self.assertRaises(RuntimeError):
+            made.plane_matrix
+        flat = delaunay(points[:, :2], plane=lambda xyz: xyz * [1, 1, 0])
+        self.assertEqual(flat.points.shape, (40000, 2))
+
+    def test_rim(self):
+        points = lattice(6) + cloud(26, 36) * 1e-9
+        whole, trimmed = (delaunay(points, rim=rim) for rim in ("convex_hull", "trimmed"))
+        self.assertEqual(len(trimmed.triangles), 50)
+        self.assertEqual(trimmed.counts["trimmed_triangles"], len(whole.triangles) - 50)
+        self.assertGreater(len(whole.triangles), 50)
+        np.testing.assert_array_equal(delaunay(points, rim="automatic").triangles, whole.triangles)
+        np.testing.assert_array_equal(trimmed.hull, whole.hull)
+        with self.assertWarnsRegex(DelaunayWarning, "Trimming the rim took .* rim='convex_hull' keeps"):
+            delaunay([[0, 0], [1, 0.1], [2, 0]], rim="trimmed")
+
+    def test_bounding(self):
+        points = cloud(27)
+        made = delaunay(points, bounding=True, offset=3.0)
+        self.assertEqual(made.points.shape, (208, 2))
+        middle = (points.max(axis=0) + points.min(axis=0)) / 2
+        far = np.hypot(*(made.points[200:] - middle).T)
+        np.testing.assert_allclose(far, 3 * np.hypot(*np.ptp(points, axis=0)))
+        self.assertEqual(set(made.hull), set(range(200, 208)))
+        self.assertTrue(np.isnan(made.interpolate(np.ones(200))[200:]).all())
+
+
+class PointTest(KeywordTest):
+    HEIGHTS = np.array([[0, 0, 5], [1, 0, 1], [0, 1, 1], [0, 0, 3], [0, 0, 9], [0, 0, np.nan]], float)
+
+    def test_duplicates(self):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for rule, vertex, height in (("first", 0, 5), ("lowest_z", 3, 3), ("highest_z", 4, 9), ("mean_z", 0, 17 / 3)):
+                made = delaunay(self.HEIGHTS, duplicates=rule)
+                self.assertEqual(set(made.triangles[0]), {vertex, 1, 2}, rule)
+                self.assertEqual(made.points[vertex, 2], height)
+                self.assertEqual(made.point_status.tolist(), [vertex, 1, 2] + [vertex] * 3)
+
+    def test_tolerance(self):
+        points = np.array([[0, 0], [3, 4], [0, 4], [3, 0.05], [0.04, 0]])
+        self.assertEqual(delaunay(points, tolerance=0.0).counts["inserted"], 5)
+        made = delaunay(points, tolerance=0.009)
+        self.assertEqual(made.merged.tolist(), [[4, 0]])
+        self.assertEqual(made.point_status[4], 0)
+        self.assertEqual(delaunay(points, tolerance=0.007).merged.tolist(), [])
+
+    def test_skip(self):
+        points = cloud(28)
+        some = np.arange(200) % 3 == 0
+        for marks in (some, some.astype(np.uint8) * 32, np.repeat(some, 2)[::2]):
+            made = delaunay(points, skip=marks)
+            self.assertEqual(set(made.triangles.ravel()), set(np.flatnonzero(~some)))
+            self.assertEqual(made.counts["skipped"], 67)
+
+    def test_alpha(self):
+        points = np.array([[0, 0], [1, 0], [0, 1], [5, 0], [5, 1.5], [9, 9], [0, 0]], float)
+        made = delaunay(points, alpha=1.0)
+        self.assertEqual([set(t) for t in made.triangles.tolist()], [{0, 1, 2}])
+        self.assertEqual([set(line) for line in made.lines.tolist()], [{3, 4}])
+        self.assertEqual(made.vertices.tolist(), [5, 6])
+        self.assertEqual(made.neighbors.tolist(), [[-1, -1, -1]])
+        self.assertEqual(made.regions.tolist(), [0])
+        self.assertEqual(made.locate([[0.25, 0.25], [2, 1]]).triangle.tolist(), [0, -1])
+        self.assertEqual(made.edges.shape, (3, 2))
+        self.assertEqual(len(delaunay(points, alpha=0.0).lines), 0)
+        many = delaunay(cloud(29, 400), alpha=0.06)
+        self.assertGreater(len(many.lines) + len(many.vertices), 0)
+        whole = {frozenset(t): k for k, t in enumerate(many.triangles.tolist())}
+        for t, beyond in zip(many.triangles.tolist(), many.neighbors.tolist()):
+            for k, other in enumerate(beyond):
+                edge = {t[k], t[(k + 1) % 3]}
+                sharing = [n for s, n in whole.items() if edge <= s and s != frozenset(t)]
+                self.assertEqual(sharing, [] if other < 0 else [other])
+
+    def test_maximum_edge_length(self):
+        points = cloud(30)
+        whole, made = delaunay(points), delaunay(points, maximum_edge_length=0.1)
+        corner = points[whole.triangles]
+        longest = np.hypot(*(corner - np.roll(corner, -1, axis=1)).transpose(2, 0, 1)).max(axis=1)
+        np.testing.assert_array_equal(made.triangles, whole.triangles[longest <= 0.1])
+        with self.assertWarnsRegex(DelaunayWarning, "alpha and maximum_edge_length leave nothing"):
+            self.assertEqual(len(delaunay(points, maximum_edge_length=1e-9).triangles), 0)
+
+    def test_not_finite(self):
+        points = np.concatenate((SQUARE, [[np.nan, 1], [np.inf, 0]]))
+        with self.assertWarnsRegex(DelaunayWarning, "2 of 8 points were left out.* first is point 6"):
+            made = delaunay(points)
+        np.testing.assert_array_equal(made.triangles, delaunay(SQUARE).triangles)
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 6 points have a z that is NaN"):
+            delaunay(np.column_stack((SQUARE, [0, 0, np.nan, 0, 0, 0])))
+        with self.assertWarnsRegex(DelaunayWarning, "1 of 1 segments are no constraints"):
+            with warnings.catch_warnings():
+                warnings.filterwarnings("ignore", "2 of 8 points")
+                delaunay(points, segments=[(0, 6)])
+
+    def test_collinear(self):
+        with self.assertWarnsRegex(DelaunayWarning, "collinear: 3 among 3"):
+            made = delaunay([[0, 0], [1, 1], [2, 2]])
+        self.assertEqual((made.triangles.shape, made.hull.shape, made.edges.shape), ((0, 3), (0,), (0, 2)))
+        with self.assertWarnsRegex(DelaunayWarning, "not collinear in space: see plane='best_fit'"):
+            delaunay([[0, 0, 0], [1, 1, 0], [2, 2, 1]])
+        with self.assertWarnsRegex(DelaunayWarning, "loops keep none"):
+            delaunay(SQUARE, loops=[RING, RING])
+
+    def test_the_warning_names_the_caller(self):
+        with self.assertWarns(DelaunayWarning) as caught:
+            delaunay([[0, 0], [1, 1]])
+        self.assertEqual(caught.filename, __file__)
+
+
+class InsertionTest(KeywordTest):
+    def test_no_setting_changes_a_triangle(self):
+        points = cloud(31, 500)
+        expected = delaunay(points)
+        for settings in (
+            {"insertion_order": "adaptive_hilbert", "control_points": "off"}, {"insertion_order": "multi_grid"},
+            {"insertion_order": "regular_grid"}, {"insertion_order": "as_given"}, {"nmax": 1}, {"nmax": 2**31 - 1},
+            {"control_points": "single_level", "gene_rotation": False}, {"count_work": True}, {"threads": 1}, {"threads": 3},
+            {"insertion_limit": 500},
+        ):  # fmt: skip
+            made = delaunay(points, **settings)
+            np.testing.assert_array_equal(made.triangles, expected.triangles, str(settings))
+
+    def test_they_change_the_order(self):
+        points = cloud(32, 500)
+        orders = {name: delaunay(points, insertion_order=name).order.tolist()
+                  for name in ("adaptive_hilbert", "multi_grid", "regular_grid", "as_given")}  # fmt: skip
+        orders["off"] = delaunay(points, control_points="off").order.tolist()
+        orders["no genes"] = delaunay(points, control_points="off", gene_rotation=False, nmax=3).order.tolist()
+        orders["nmax"] = delaunay(points, control_points="off", nmax=3).order.tolist()
+        self.assertEqual(orders["as_given"], list(range(500)))
+        self.assertEqual(len(set(map(tuple, orders.values()))), len(orders))
+        self.assertTrue(all(sorted(order) == list(range(500)) for order in orders.values()))
+
+    def test_order_ranks_and_boxes(self):
+        points = cloud(33, 500)
+        made = delaunay(points)
+        self.assertEqual(made.insertion_ranks[made.order].tolist(), list(range(500)))
+        bounds, levels, counts = made.boxes
+        self.assertEqual((counts.sum(), bounds.shape, levels.dtype), (500, (len(counts), 4), np.int32))
+        self.assertGreater(len(counts), 4)
+        self.assertGreater(len(delaunay(points, nmax=2).boxes.counts), len(counts))
+        self.assertEqual(len(delaunay(points, insertion_order="as_given").boxes.counts), 0)
+
+    def test_insertion_limit(self):
+        points = cloud(34, 500)
+        made = delaunay(points, insertion_limit=100)
+        first = made.order
+        self.assertEqual((len(first), made.counts["beyond_limit"]), (100, 400))
+        alone = delaunay(points[np.sort(first)])
+        found = {frozenset(triangle) for triangle in made.triangles.tolist()}
+        self.assertEqual(found, {frozenset(triangle) for triangle in np.sort(first)[alone.triangles].tolist()})
+        self.assertEqual((made.point_status == -2).sum(), 400)
+        self.assertEqual(set(made.hull), set(np.sort(first)[alone.hull]))
+        with self.assertWarnsRegex(DelaunayWarning, "no triangle yet"):
+            delaunay(points, insertion_limit=2)
+
+    def test_count_work(self):
+        made = delaunay(cloud(35, 500), count_work=True)
+        self.assertGreater(made.measures["np"], 1)
+        self.assertGreater(made.measures["nr"], 1)
+        self.assertEqual(delaunay(cloud(35, 500), count_work=False).measures["np"], -1)
+
+    def test_threads(self):
+        points = cloud(36, 60000)
+        one, four = delaunay(points, threads=1), delaunay(points, threads=4)
+        np.testing.assert_array_equal(one.triangles, four.triangles)
+        self.assertEqual((one.counts["threads_used"], four.counts["threads_used"]), (1, 4))
+
+
+class OutputTest(KeywordTest):
+    def test_id_dtype(self):
+        points = cloud(37)
+        narrow, wide = delaunay(points, loops=[0, 1, 2]), delaunay(points, loops=[0, 1, 2], id_dtype=np.int64)
+        for name in (
+            "triangles", "neighbors", "edges", "boundary", "hull", "point_status", "vertex_of_point", "point_of_vertex",
+            "regions", "order", "insertion_ranks", "constraint_edges", "merged", "left_out", "lines", "vertices",
+        ):  # fmt: skip
+            one, two = getattr(narrow, name), getattr(wide, name)
+            self.assertEqual((one.dtype, two.dtype), (np.int32, np.int64), name)
+            np.testing.assert_array_equal(one, two, name)
+        self.assertEqual(wide.voronoi().sites.dtype, np.int64)
+        self.assertEqual(wide.locate([[0.5, 0.5]]).triangle.dtype, np.int64)
+        self.assertEqual(delaunay(points, id_dtype="int64").triangles.dtype, np.int64)
+
+    def test_voronoi_clip(self):
+        points = cloud(38)
+        made = delaunay(points, voronoi_clip="bounds", want="voronoi")
+        np.testing.assert_array_equal(made.voronoi().points, delaunay(points).voronoi("bounds").points)
+        self.assertIs(made.voronoi(), made.voronoi("bounds"))
+        np.testing.assert_array_equal(made.voronoi("hull").points, delaunay(points).voronoi().points)
+
+    def test_memory_limit(self):
+        points = cloud(39, 10000)
+        needed = delaunay(points).counts["memory_estimate"]
+        self.assertGreater(needed, 10000 * 16)
+        with self.assertRaisesRegex(MemoryError, str(needed)):
+            delaunay(points, memory_limit=needed - 1)
+        self.assertEqual(len(delaunay(points, memory_limit=needed).point_status), 10000)
+
+    def test_progress(self):
+        told = []
+        delaunay(cloud(40, 50000), loops=[0, 1, 2], want=["neighbors", "voronoi"],
+                 progress=lambda phase, done: told.append((phase, done)))  # fmt: skip
+        phases, fractions = zip(*told)
+        self.assertEqual(fractions, tuple(sorted(fractions)))
+        self.assertEqual(min(fractions) >= 0 and max(fractions) <= 1, True)
+        self.assertLessEqual({"read", "sort", "insert", "constrain", "extract", "outputs"}, set(phases))
+        self.assertGreater(len(told), 20)
+
+    def test_all_keywords_are_here(self):
+        """Each is in a test of this file, and in the docstring."""
+        with open(__file__, encoding="utf-8") as file:
+            text = file.read()
+        for name in list(inspect.signature(delaunay).parameters)[1:]:
+            self.assertTrue(name + "=" in text or '"%s":' % name in text, name)
+            self.assertIn("\n    %s : " % name, delaunay.__doc__)
+
+    def test_offset_of_a_point(self):
+        """A single point has no diagonal."""
+        with self.assertWarns(DelaunayWarning):
+            made = delaunay([[3, 4]], bounding=True)
+        self.assertTrue(np.isfinite(made.points).all())
+        self.assertTrue(math.isfinite(made.measures["trimmed_area"]))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delaunay: what it gives, against definitions in exact arithmetic."""
+
+import copy
+import pickle
+import unittest
+
+import numpy as np
+from adaptivehilbertdelaunay import Kind, delaunay
+from arraysupport import SQUARE, cloud, complaints, hull_of, integers, lattice, orient, twice_area
+
+
+def point_sets():
+    """Random ones, cocircular and collinear ones, of float32, with duplicates."""
+    yield "random", cloud(1)
+    yield "float32", cloud(2, 100, 3, np.float32)
+    yield "lattice", lattice(9)
+    yield "duplicates", np.repeat(cloud(3, 50), 3, axis=0)
+    yield "small integers", np.random.default_rng(4).integers(0, 12, (150, 2)).astype(float)
+    yield "far away", cloud(5) * 100 + [5e5, 4.5e6]
+
+
+class DelaunayTest(unittest.TestCase):
+    def test_is_the_delaunay_triangulation_of_the_hull(self):
+        for name, points in point_sets():
+            with self.subTest(name):
+                made, places = delaunay(points), integers(points)
+                self.assertEqual(complaints(points, made.triangles, made.neighbors), [])
+                hull = hull_of(places)
+                around = twice_area(hull, [(0, k, k + 1) for k in range(1, len(hull) - 1)])
+                self.assertEqual(twice_area(places, made.triangles.tolist()), around)
+                vertices = len(set(places))
+                self.assertEqual(len(made.triangles), 2 * vertices - 2 - len(hull))
+                self.assertEqual(len({places[i] for i in made.triangles.ravel()}), vertices)
+                self.assertEqual(made.counts["inserted"], vertices)
+
+    def test_hull_and_boundary(self):
+        for name, points in point_sets():
+            with self.subTest(name):
+                made, places = delaunay(points), integers(points)
+                hull, found = hull_of(places), [places[i] for i in made.hull]
+                turn = found.index(hull[0])
+                self.assertEqual(found[turn:] + found[:turn], hull)
+                edges = {tuple(edge) for edge in made.boundary.tolist()}
+                self.assertEqual(edges, set(zip(made.hull.tolist(), np.roll(made.hull, -1).tolist())))
+
+    def test_edges(self):
+        made = delaunay(cloud(6))
+        found = [frozenset(edge) for edge in made.edges.tolist()]
+        self.assertEqual(len(found), len(set(found)))
+        each = {frozenset((t[k], t[(k + 1) % 3])) for t in made.triangles.tolist() for k in range(3)}
+        self.assertEqual(set(found), each)
+
+    def test_status_and_vertices_of_points(self):
+        points = np.concatenate((cloud(7, 20), cloud(7, 20)[5:8], [[np.nan, 0]], cloud(8, 2)))
+        with self.assertWarns(UserWarning):
+            made = delaunay(points, skip=np.arange(26) == 25)
+        self.assertEqual(made.point_status.tolist(), list(range(20)) + [5, 6, 7, -1, 24, -2])
+        self.assertEqual(made.counts["duplicates"], 3)
+        vertices = made.vertex_of_point
+        self.assertEqual(sorted(set(vertices[:20].tolist())), [v for v in range(21) if v != vertices[24]])
+        self.assertEqual(vertices[20:23].tolist(), vertices[5:8].tolist())
+        self.assertEqual(vertices[[23, 25]].tolist(), [-1, -1])
+        self.assertEqual(made.point_of_vertex[vertices[:20]].tolist(), list(range(20)))
+
+    def test_locate(self):
+        points = lattice(6)
+        made, places = delaunay(points), cloud(9, 60) * 7 - 1
+        places = np.concatenate((places, points[::5], points[:5] + [0.5, 0], [[np.nan, 1], [np.inf, 0]]))
+        found = made.locate(places)
+        for place, kind, triangle, corners in zip(places, *found):
+            if not np.isfinite(place).all():
+                self.assertEqual((kind, triangle), (Kind.NOWHERE, -1))
+                continue
+            scaled = integers(np.concatenate((points, [place])))
+            if kind == Kind.OUTSIDE:
+                self.assertTrue((place < 0).any() or (place > 5).any())
+                self.assertEqual((triangle, set(corners)), (-1, {-1}))
+                continue
+            ids = made.triangles[triangle]
+            sides = [orient(scaled[ids[k]], scaled[ids[(k + 1) % 3]], scaled[-1]) for k in range(3)]
+            self.assertTrue(min(sides) >= 0, place)
+            on = sum(side == 0 for side in sides)
+            self.assertEqual(kind, (Kind.IN_TRIANGLE, Kind.ON_EDGE, Kind.ON_VERTEX)[on])
+            named = set(corners[corners >= 0].tolist())
+            self.assertEqual(len(named), 3 - on)
+            self.assertLessEqual(named, set(ids.tolist()))
+        with self.assertWarns(UserWarning):
+            self.assertEqual(delaunay(SQUARE[:2]).locate([[0, 0]]).kind[0], Kind.NOWHERE)
+
+    def test_voronoi(self):
+        """Cells are convex, add up to the hull (or the box), and are nearest to their sites."""
+        points = cloud(10, 80)
+        made = delaunay(points)
+        for clip in ("hull", "bounds"):
+            diagram = made.voronoi(clip)
+            self.assertIs(made.voronoi(clip), diagram)
+            self.assertEqual(sorted(diagram.sites), list(range(80)))
+            total = 0
+            for site, cell in zip(diagram.sites, diagram):
+                total += sum(orient((0, 0), cell[k - 1], cell[k]) for k in range(len(cell))) / 2
+                middle = cell.mean(axis=0)
+                self.assertEqual(np.argmin(((points - middle) ** 2).sum(axis=1)), site)
+            whole = np.prod(np.ptp(points, axis=0))
+            if clip == "hull":
+                whole = twice_area(points.tolist(), made.triangles.tolist()) / 2
+            self.assertAlmostEqual(total, whole, 12)
+            self.assertEqual(len(diagram), 80)
+            np.testing.assert_array_equal(diagram[-1], diagram[79])
+        self.assertIs(made.voronoi(), made.voronoi("hull"))
+        with self.assertRaises(IndexError):
+            diagram[80]
+        with self.assertRaises(ValueError):
+            made.voronoi("box")
+
+    def test_fewer_than_three_points(self):
+        for points in ([], [[1, 2]], [[1, 2], [3, 4]], [[1, 2], [1, 2], [1, 2]], np.empty((0, 3), np.float32)):
+            if len(points):
+                with self.assertWarnsRegex(UserWarning, "fewer than three distinct points"):
+                    made = delaunay(points)
+            else:
+                made = delaunay(points)
+            for name in ("triangles", "neighbors"):
+                self.assertEqual(getattr(made, name).shape, (0, 3))
+            for name in ("edges", "boundary", "constraint_edges", "lines", "merged"):
+                self.assertEqual(getattr(made, name).shape, (0, 2), name)
+            self.assertEqual((made.hull.shape, len(made.point_status)), ((0,), len(points)))
+            self.assertEqual(len(made.voronoi()), 0)
+
+
+class ObjectTest(unittest.TestCase):
+    ARRAYS = (
+        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles", "neighbors",
+        "edges", "boundary", "hull", "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
+        "crossing_ends", "crossing_fractions", "order", "insertion_ranks", "plane_matrix",
+    )  # fmt: skip
+
+    def every(self, made):
+        found = {name: getattr(made, name) for name in self.ARRAYS}
+        found.update(("boxes %d" % k, array) for k, array in enumerate(made.boxes))
+        found.update(("voronoi " + name, array) for name, array in vars(made.voronoi()).items())
+        return found
+
+    def assert_same(self, one, two):
+        for name, array in self.every(one).items():
+            other = self.every(two)[name]
+            self.assertEqual(array.dtype, other.dtype, name)
+            np.testing.assert_array_equal(array, other, name)
+
+    def test_nothing_can_be_written(self):
+        made = delaunay(cloud(11))
+        for name, array in self.every(made).items():
+            with self.assertRaises(ValueError, msg=name):
+                array[...] = 0
+        with self.assertRaises(TypeError):
+            made.counts["points"] = 1
+        self.assertIs(made.triangles, made.triangles)
+        self.assertIs(made.neighbors, made.neighbors)
+
+    def test_wanted_is_what_is_made_later(self):
+        points, loops = cloud(12), [[0, 1, 2, 3], [4, 5, 6]]
+        names = ("neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi")
+        later = delaunay(points, loops=loops, crossings="split", alpha=0.2)
+        self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=names), later)
+        for name in names:
+            self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=name), later)
+
+    def test_released_is_made_again(self):
+        made, again = delaunay(cloud(13)), delaunay(cloud(13))
+        self.every(made)
+        again.release()
+        self.assert_same(made, again)
+        again.release()
+        self.assert_same(made, again)
+
+    def test_copies_and_pickles(self):
+        points = cloud(14)
+        made = delaunay(points, segments=[(0, 1), (2, 3)], plane="best_fit")
+        self.assertIs(copy.copy(made), made)
+        twins = [copy.deepcopy(made), pickle.loads(pickle.dumps(made))]
+        self.every(made)
+        twins += [copy.deepcopy(made), pickle.loads(pickle.dumps(made))]
+        for twin in twins:
+            self.assertFalse(np.may_share_memory(twin.points, points))
+            self.assert_same(made, twin)
+            self.assertEqual((twin.counts, twin.measures), (made.counts, made.measures))
+        points[0] = 9
+        self.assertEqual(len(twins[1].voronoi("bounds")), 200)
+
+    def test_points_that_were_changed_are_noticed(self):
+        for view in (lambda points: points, lambda points: points[::2, ::-1]):
+            points = cloud(15, 200000)
+            made = delaunay(view(points), threads=1)
+            triangles = made.triangles.copy()
+            points[100000, 1] += 1e-9
+            for ask in (lambda: made.neighbors, lambda: made.locate([[0.5, 0.5]]), made.voronoi, lambda: made.order):
+                with self.assertRaisesRegex(RuntimeError, "points were changed"):
+                    ask()
+            np.testing.assert_array_equal(made.triangles, triangles)
+            points[100000, 1] = cloud(15, 200000)[100000, 1]
+            self.assertEqual(made.neighbors.shape, triangles.shape)
+
+    def test_located_goes_on_after_a_change(self):
+        points = cloud(16)
+        made = delaunay(points)
+        before = made.locate(cloud(17))
+        points[:] = 0
+        for now, then in zip(made.locate(cloud(17)), before):
+            np.testing.assert_array_equal(now, then)
+
+    def test_repr(self):
+        self.assertEqual(repr(delaunay(SQUARE)), "<Triangulation of 6 points: 6 triangles>")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the tests of vtkAdaptiveHilbertDelaunay2D in Python share. They are the same for the compiled class and for
+the class in Python, on VTK or on cvista.
+
+Environment: AHD_TEST_VTK, the package that VTK's modules are taken from (vtkmodules, the default, or cvista);
+AHD_TEST_CLASS, python for the class in Python where the package has the compiled one too.
+"""
+
+import importlib
+import json
+import os
+import re
+import struct
+import sys
+import unittest
+from pathlib import Path
+
+BACKEND = os.environ.get("AHD_TEST_VTK", "vtkmodules")
+FOLDER = Path(__file__).resolve().parent
+HASHES = FOLDER.parents[2] / "Data" / "Hashes" / "Filter.txt"
+WRITES = os.environ.get("AHD_WRITE_HASHES") == "1"
+
+
+def vtk(module):
+    """A module of the VTK that is tested with, such as vtkCommonCore."""
+    return importlib.import_module(BACKEND + "." + module)
+
+
+core, model = vtk("vtkCommonCore"), vtk("vtkCommonDataModel")
+calldata_type = vtk("util.misc").calldata_type
+
+
+def tested_class():
+    import adaptivehilbertdelaunay
+
+    if os.environ.get("AHD_TEST_CLASS") == "python":
+        return importlib.import_module("adaptivehilbertdelaunay._vtk").python_class(BACKEND)
+    return adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D
+
+
+Filter = tested_class()
+
+
+class Hash:
+    """The hash of Testing/Support/Run/Hash.h: FNV-1a with 64 bits, each number as eight bytes."""
+
+    def __init__(self):
+        self.value = 0xCBF29CE484222325
+
+    def add_bytes(self, octets):
+        value = self.value
+        for octet in octets:
+            value = ((value ^ octet) * 0x100000001B3) & 0xFFFFFFFFFFFFFFFF
+        self.value = value
+
+    def add(self, *integers):
+        self.add_bytes(struct.pack("<%dq" % len(integers), *integers))
+
+    def add_doubles(self, numbers):
+        self.add_bytes(struct.pack("<%dd" % len(numbers), *numbers))
+
+    def text(self):
+        return "%016x" % self.value
+
+
+class Random:
+    """Filters/Distributions/Random.h."""
+
+    def __init__(self, seed):
+        self.state = seed
+
+    def bits(self):
+        mask = 0xFFFFFFFFFFFFFFFF
+        self.state = z = (self.state + 0x9E3779B97F4A7C15) & mask
+        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
+        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
+        return z ^ (z >> 31)
+
+    def unit(self):
+        return (self.bits() >> 11) * 2.0**-53
+
+    def below(self, n):
+        return self.bits() % n
+
+    def bell(self):
+        total = -6.0
+        for _ in range(12):
+            total += self.unit()
+        return total
+
+
+def place_of_set(of_set, k):
+    random = Random(of_set ^ ((0x5851F42D4C957F2D * (k + 1)) & 0xFFFFFFFFFFFFFFFF))
+    x = random.unit()
+    return x, random.unit()
+
+
+def uniform(random, _seed):
+    x = random.unit()
+    return x, random.unit()
+
+
+def cross(random, _seed):
+    x = random.unit()
+    y = x + 0.01 * random.bell()
+    return (x, y) if random.bits() >> 63 else (x, 1.0 - y)
+
+
+def mixed(random, seed):
+    if random.bits() >> 63:
+        return uniform(random, seed)
+    x, y = place_of_set(seed, random.below(20))
+    dx = 0.01 * random.bell()
+    return x + dx, y + 0.01 * random.bell()
+
+
+def utm(random, seed):
+    x, y = uniform(random, seed)
+    return (50000000.0 + float(int(x * 200000.0))) / 100.0, (450000000.0 + float(int(y * 200000.0))) / 100.0
+
+
+def tiny(random, _seed):
+    x = 1e-300 * (2.0 * random.unit() - 1.0)
+    return x, 1e-300 * (2.0 * random.unit() - 1.0)
+
+
+def make_points(distribution, count, seed=5):
+    """makePoints of Testing/Support/Points/Distributions.h."""
+    random = Random(seed)
+    return [distribution(random, seed) for _ in range(count)]
+
+
+def cloud(points, number=core.VTK_DOUBLE):
+    """A vtkPolyData of points and no cells."""
+    made = core.vtkPoints()
+    made.SetDataType(number)
+    made.SetNumberOfPoints(len(points))
+    for i, point in enumerate(points):
+        made.SetPoint(i, *point)
+    data = model.vtkPolyData()
+    data.SetPoints(made)
+    return data
+
+
+def cells_of(lists):
+    cells = model.vtkCellArray()
+    for ids in lists:
+        cells.InsertNextCell(len(ids))
+        for point in ids:
+            cells.InsertCellPoint(point)
+    return cells
+
+
+def source(points=(), lines=(), polygons=(), verts=(), strips=()):
+    data = cloud(points)
+    for given, use in (
+            (verts, data.SetVerts), (lines, data.SetLines), (polygons, data.SetPolys), (strips, data.SetStrips)):
+        if given:
+            use(cells_of(given))
+    return data
+
+
+def array(kind, name, values, components=1):
+    made = getattr(core, kind)()
+    made.SetName(name)
+    made.SetNumberOfComponents(components)
+    for value in values:
+        made.InsertNextValue(value)
+    return made
+
+
+def blocks(*members):
+    made = model.vtkMultiBlockDataSet()
+    for i, member in enumerate(members):
+        made.SetBlock(i, member)
+    return made
+
+
+def ids_of(cells):
+    """The ids in each cell of a vtkCellArray."""
+    found, ids = [], core.vtkIdList()
+    for cell in range(cells.GetNumberOfCells()):
+        cells.GetCellAtId(cell, ids)
+        found.append([ids.GetId(k) for k in range(ids.GetNumberOfIds())])
+    return found
+
+
+def triangles(surface):
+    return [tuple(ids) for ids in ids_of(surface.GetPolys())]
+
+
+def values_of(data):
+    """All numbers of a vtkDataArray, tuple after tuple, as doubles."""
+    if data.GetNumberOfTuples() == 0:
+        return []
+    if data.GetDataType() == core.VTK_BIT or not hasattr(data, "GetTuple"):
+        return [data.GetValue(i) for i in range(data.GetNumberOfValues())]
+    return [number for i in range(data.GetNumberOfTuples()) for number in data.GetTuple(i)]
+
+
+class Said:
+    """Keeps the warnings and errors of a filter, without file, line and address; `pipeline`, those of its executive."""
+
+    def __init__(self, algorithm):
+        self.warnings, self.errors, self.pipeline = [], [], []
+        lists = {"WarningEvent": self.warnings, "ErrorEvent": self.errors}
+
+        @calldata_type(core.VTK_STRING)
+        def keep(_caller, event, text):
+            lists[event].append(re.sub(r"^(Warning|ERROR|Error): In .*\n.*?\(0x[0-9a-f]+\): ", "", text).strip())
+
+        @calldata_type(core.VTK_STRING)
+        def keep_of_pipeline(_caller, _event, text):
+            self.pipeline.append(text)
+
+        for event in lists:
+            algorithm.AddObserver(event, keep)
+            algorithm.GetExecutive().AddObserver(event, keep_of_pipeline)
+
+
+def run(data, **settings):
+    """A filter with these settings, updated, and what it said."""
+    algorithm = Filter()
+    said = Said(algorithm)
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+    algorithm.SetInputDataObject(data)
+    algorithm.Update()
+    return algorithm, said
+
+
+class Case(unittest.TestCase):
+    maxDiff = None
+
+    def assertSaid(self, said, warnings=0, errors=0):
+        self.assertEqual((len(said.warnings), len(said.errors), said.pipeline), (warnings, errors, []),
+                         said.warnings + said.errors)
+
+
+def write_rows(path, data):
+    """As JSON with one line for each row of the first two levels."""
+    parts = []
+    for key, value in sorted(data.items()):
+        if isinstance(value, dict):
+            rows = ",\n".join("  %s: %s" % (json.dumps(k), json.dumps(v)) for k, v in sorted(value.items()))
+            parts.append("%s: {\n%s\n}" % (json.dumps(key), rows))
+        else:
+            parts.append("%s: %s" % (json.dumps(key), json.dumps(value)))
+    path.write_text("{%s}\n" % ",\n".join(parts), encoding="utf-8")
+
+
+def run_tests():
+    # pvpython and pvbatch leave their own words in sys.argv.
+    outcome = unittest.main(argv=sys.argv[:1], exit=False).result
+    sys.exit(not outcome.wasSuccessful())

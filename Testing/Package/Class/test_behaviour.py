@@ -1,0 +1,339 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filter as a part of a pipeline: ports, progress, aborts, what is kept, who owns what."""
+
+import gc
+import os
+import threading
+
+from classtests import (Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
+                        triangles, vtk)
+
+execution = vtk("vtkCommonExecutionModel")
+
+
+def scattered(count, seed=1):
+    random = Random(seed)
+    return [(random.below(10**6), random.below(10**6), i % 7) for i in range(count)]
+
+
+class PipelineTest(Case):
+    def test_points_are_shared_and_their_data_passed(self):
+        given = cloud(scattered(50))
+        depth = array("vtkDoubleArray", "depth", range(50))
+        given.GetPointData().AddArray(depth)
+        surface = run(given)[0].GetOutput()
+        self.assertIs(surface.GetPoints(), given.GetPoints())
+        self.assertIs(surface.GetPointData().GetArray("depth"), depth)
+
+    def test_inputs_and_outputs_by_all_names(self):
+        algorithm, given, lines = Filter(), cloud(scattered(50)), source(lines=[(0, 1)])
+        self.assertIsNone(algorithm.GetSource())
+        algorithm.SetInputData(given)
+        algorithm.SetSourceData(lines)
+        self.assertIs(algorithm.GetInput(), given)
+        self.assertIs(algorithm.GetInput(0), given)
+        self.assertIs(algorithm.GetSource(), lines)
+        algorithm.Update()
+        for port in range(3):
+            self.assertIs(algorithm.GetOutput(port), algorithm.GetOutputDataObject(port))
+        self.assertIs(algorithm.GetOutput(), algorithm.GetOutput(0))
+        self.assertEqual(algorithm.GetNumberOfConstraintEdges(), 1)
+        algorithm.SetSourceData(None)
+        self.assertIsNone(algorithm.GetSource())
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfConstraintEdges(), 0)
+
+    def test_connections(self):
+        points, lines, algorithm = (execution.vtkTrivialProducer() for _ in range(2)), None, Filter()
+        points, lines = points
+        points.SetOutput(cloud(scattered(50)))
+        lines.SetOutput(source(lines=[(0, 1), (2, 3)]))
+        algorithm.SetInputConnection(points.GetOutputPort())
+        algorithm.SetSourceConnection(lines.GetOutputPort())
+        behind = Filter()
+        behind.SetInputConnection(algorithm.GetOutputPort())
+        behind.Update()
+        self.assertGreater(algorithm.GetNumberOfConstraintEdges(), 0)
+        self.assertGreater(behind.GetOutput().GetNumberOfCells(), 50)
+        self.assertEqual(behind.GetNumberOfConstraintEdges(), 0)
+
+    def test_it_runs_where_something_changed_only(self):
+        given = cloud(scattered(50))
+        algorithm, _ = run(given)
+        for change, runs in ((lambda: None, 1), (algorithm.Modified, 2), (given.Modified, 3), (lambda: None, 3)):
+            change()
+            algorithm.SetKeepTriangulation(False) if runs == 1 else None
+            algorithm.Update()
+            self.assertEqual(algorithm.GetNumberOfTriangulations(), runs + 1 if runs > 1 else 2)
+
+    def test_python_may_let_go_of_it(self):
+        algorithm, behind = Filter(), Filter()
+        algorithm.SetInputData(cloud(scattered(80)))
+        algorithm.SetNmax(9)
+        behind.SetInputConnection(algorithm.GetOutputPort())
+        del algorithm
+        gc.collect()
+        behind.Update()
+        self.assertGreater(behind.GetOutput().GetNumberOfCells(), 50)
+        found = behind.GetInputConnection(0, 0).GetProducer()
+        self.assertEqual(found.GetNmax(), 9)
+        self.assertGreater(found.GetNumberOfTriangles(), 50)
+
+    def test_outputs_outlive_it(self):
+        settings = {"GenerateVoronoi": True, "GenerateNeighbors": True, "BoundingTriangulation": True}
+        algorithm, _ = run(cloud(scattered(80)), **settings)
+        surface, diagram = algorithm.GetOutput(), algorithm.GetOutput(2)
+        expected = triangles(surface), surface.GetPoint(85), diagram.GetPoint(7)
+        del algorithm, _
+        gc.collect()
+        junk = [cloud(scattered(80)) for _ in range(20)]
+        self.assertEqual((triangles(surface), surface.GetPoint(85), diagram.GetPoint(7)), expected)
+        self.assertEqual(len(junk), 20)
+
+    def test_it_ends(self):
+        """With nobody to hold it, neither it nor its input stays."""
+        import weakref
+
+        algorithm, _ = run(cloud(scattered(80)), Transform=vtk("vtkCommonTransforms").vtkTransform())
+        known = weakref.ref(algorithm)
+        points = weakref.ref(algorithm.GetInputDataObject(0, 0))
+        del algorithm, _
+        gc.collect()
+        self.assertEqual((known(), points()), (None, None))
+
+    def test_a_class_may_be_derived(self):
+        class Coarse(Filter):
+            def GetNmax(self):
+                return -5
+
+        algorithm = Coarse()
+        algorithm.SetInputData(cloud(scattered(30)))
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNmax(), -5)
+        self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 20)
+
+    def test_composite_output_of_blocks(self):
+        algorithm, _ = run(blocks(cloud(scattered(30)), cloud(scattered(40, 2))))
+        self.assertIsInstance(algorithm.GetOutputDataObject(0), model.vtkMultiBlockDataSet)
+        self.assertEqual(algorithm.GetOutputDataObject(0).GetBlock(1).GetNumberOfPoints(), 40)
+
+    def test_merged_blocks_and_back(self):
+        algorithm, _ = run(blocks(cloud(scattered(30)), cloud(scattered(40, 2))), MergeBlocks=True)
+        self.assertIsInstance(algorithm.GetOutputDataObject(0), model.vtkPolyData)
+        algorithm.MergeBlocksOff()
+        algorithm.Update()
+        self.assertIsInstance(algorithm.GetOutputDataObject(0), model.vtkMultiBlockDataSet)
+
+    def test_best_fitting_plane(self):
+        points = [(x, y, 2 * x + y) for x, y, _ in scattered(40)]
+        plane = Filter.ComputeBestFittingPlane(cloud(points))
+        self.assertIsInstance(plane, vtk("vtkCommonTransforms").vtkTransform)
+        for point in points:
+            self.assertAlmostEqual(plane.TransformPoint(point)[2], 0, delta=1e-6)
+        self.assertIsNone(Filter.ComputeBestFittingPlane(None))
+
+    def test_errors_are_said_once_and_reach_the_filters_behind(self):
+        algorithm, said = run(cloud(scattered(500)))
+        behind = Filter()
+        behind.SetInputConnection(algorithm.GetOutputPort())
+        behind.Update()
+        self.assertGreater(behind.GetOutput().GetNumberOfCells(), 0)
+        algorithm.SetMemoryLimit(3)
+        for _ in range(2):
+            behind.Update()
+        self.assertSaid(said, errors=1)
+        self.assertEqual(behind.GetOutput().GetNumberOfCells(), 0)
+        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
+        needed = algorithm.GetMemoryEstimate()
+        self.assertGreater(needed, 3)
+        algorithm.SetMemoryLimit(needed)
+        algorithm.Update()
+        self.assertSaid(said, errors=1)
+        self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
+
+    def test_estimate_grows_with_what_is_asked_for(self):
+        def estimate(count, number=core.VTK_DOUBLE, **settings):
+            return run(cloud(scattered(count), number), **settings)[0].GetMemoryEstimate()
+
+        plain = estimate(1000)
+        self.assertGreater(plain, 1000 * 32 // 1024)
+        self.assertGreater(estimate(2000), plain)
+        self.assertGreater(estimate(1000, core.VTK_INT), plain)
+        for name in ("PointStatus", "Neighbors", "RegionIds", "Voronoi", "InsertionCurve", "InsertionRank"):
+            self.assertGreater(estimate(1000, **{"Generate" + name: True}), plain, name)
+
+    def test_messages_nobody_listens_to_go_to_the_output_window(self):
+        window = core.vtkStringOutputWindow()
+        before = core.vtkOutputWindow.GetInstance()
+        core.vtkOutputWindow.SetInstance(window)
+        try:
+            algorithm = Filter()
+            algorithm.SetInputData(cloud([(1, 2, 3)]))
+            algorithm.Update()
+            self.assertIn("There is no triangle", window.GetOutput())
+            self.assertIn("vtkAdaptiveHilbertDelaunay2D (0x", window.GetOutput())
+            said = len(window.GetOutput())
+            core.vtkObject.GlobalWarningDisplayOff()
+            algorithm.Modified()
+            algorithm.Update()
+            self.assertEqual(len(window.GetOutput()), said)
+        finally:
+            core.vtkObject.GlobalWarningDisplayOn()
+            core.vtkOutputWindow.SetInstance(before)
+
+
+class ProgressTest(Case):
+    @staticmethod
+    def watched(count, abort_at=2.0, **settings):
+        algorithm, seen = Filter(), []
+        said = Said(algorithm)
+        for name, value in settings.items():
+            getattr(algorithm, "Set" + name)(value)
+        algorithm.SetInputData(cloud(scattered(count)))
+
+        def look(caller, _event):
+            seen.append(caller.GetProgress())
+            if seen[-1] >= abort_at:
+                caller.SetAbortExecute(1)
+
+        tag = algorithm.AddObserver("ProgressEvent", look)
+        algorithm.Update()
+        return algorithm, said, seen, tag
+
+    def test_it_rises_from_0_to_1(self):
+        for settings in ({}, {"GenerateVoronoi": True, "ProjectionPlaneMode": 2, "GenerateRegionIds": True}):
+            _, _, seen, _ = self.watched(20000, **settings)
+            self.assertGreater(len(seen), 10)
+            self.assertLess(len(seen), 150)
+            self.assertEqual((seen[0], seen[-1], sorted(seen)), (0.0, 1.0, seen))
+
+    def test_abort_anywhere_and_run_again(self):
+        settings = {"GenerateVoronoi": True, "ProjectionPlaneMode": 2, "GenerateInsertionCurve": True}
+        expected = triangles(self.watched(20000, **settings)[0].GetOutput())
+        for at in (0.005, 0.1, 0.3, 0.6, 0.9):
+            algorithm, said, seen, tag = self.watched(20000, at, **settings)
+            self.assertLess(seen[-2], 1.0)
+            for port in range(3):
+                output = algorithm.GetOutput(port)
+                self.assertEqual((output.GetNumberOfPoints(), output.GetNumberOfCells()), (0, 0), (at, port))
+            self.assertEqual(algorithm.GetNumberOfTriangles(), 0)
+            self.assertSaid(said)
+            algorithm.RemoveObserver(tag)
+            algorithm.SetAbortExecute(0)
+            algorithm.Modified()
+            algorithm.Update()
+            self.assertTrue(triangles(algorithm.GetOutput()) == expected, at)
+
+    def test_two_at_once_in_threads(self):
+        expected = [triangles(run(cloud(scattered(20000, seed)))[0].GetOutput()) for seed in (1, 2)]
+        found = [None, None]
+        made = [run(cloud(scattered(20000, seed)), NumberOfThreads=1)[0] for seed in (1, 2)]
+
+        def work(k):
+            made[k].Modified()
+            made[k].Update()
+            found[k] = triangles(made[k].GetOutput())
+
+        threads = [threading.Thread(target=work, args=(k,)) for k in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertTrue(found == expected)
+
+
+class KeptTest(Case):
+    """What is passed on from the third execution on."""
+
+    def start(self, **settings):
+        given = cloud(scattered(60))
+        algorithm, said = run(given, **settings)
+        given.Modified()
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), 2)
+        return given, algorithm, said
+
+    def again(self, given, algorithm):
+        before = algorithm.GetNumberOfTriangulations()
+        given.Modified()
+        algorithm.Update()
+        return algorithm.GetNumberOfTriangulations() - before
+
+    def test_new_point_data_go_with_the_old_triangles(self):
+        given, algorithm, _ = self.start(GenerateVoronoi=True, GenerateFate=True)
+        cells = algorithm.GetOutput().GetPolys()
+        depth = array("vtkDoubleArray", "depth", range(60))
+        given.GetPointData().AddArray(depth)
+        self.assertEqual(self.again(given, algorithm), 0)
+        surface, diagram = algorithm.GetOutput(), algorithm.GetOutput(2)
+        self.assertIs(surface.GetPolys(), cells)
+        self.assertIs(surface.GetPointData().GetArray("depth"), depth)
+        self.assertEqual(surface.GetPointData().GetArrayName(1), "Fate")
+        self.assertTrue(diagram.GetCellData().HasArray("depth"))
+        self.assertTrue(surface.GetFieldData().HasArray("NumberOfTriangles"))
+        self.assertEqual(algorithm.GetNumberOfPointsInserted(), 60)
+        self.assertEqual(algorithm.GetInsertSeconds(), 0.0)
+
+    def test_a_point_that_moved_is_noticed(self):
+        given, algorithm, _ = self.start()
+        given.GetPoints().SetPoint(3, 5, 5, 5)
+        given.GetPoints().Modified()
+        self.assertEqual(self.again(given, algorithm), 1)
+
+    def test_a_setting_is_noticed(self):
+        given, algorithm, _ = self.start()
+        algorithm.SetAlpha(3.0)
+        self.assertEqual(self.again(given, algorithm), 1)
+
+    def test_a_source_is_noticed(self):
+        lines = source(lines=[(0, 1)])
+        given, algorithm, _ = self.start(SourceData=lines)
+        self.assertEqual(self.again(given, algorithm), 0)
+        ids = core.vtkIdList()
+        ids.InsertNextId(2)
+        ids.InsertNextId(3)
+        lines.GetLines().ReplaceCellAtId(0, ids)
+        lines.Modified()
+        self.assertEqual(self.again(given, algorithm), 1)
+
+    def test_ghost_marks_are_noticed(self):
+        given, algorithm, _ = self.start()
+        given.GetPointData().AddArray(array("vtkUnsignedCharArray", "vtkGhostType", [1] + 59 * [0]))
+        self.assertEqual(self.again(given, algorithm), 1)
+
+    def test_off(self):
+        given, algorithm, _ = self.start(KeepTriangulation=False)
+        self.assertEqual(self.again(given, algorithm), 1)
+
+
+class ThreadsTest(Case):
+    def test_threads(self):
+        given = cloud(scattered(40000))
+        expected = triangles(run(given, NumberOfThreads=1)[0].GetOutput())
+        for threads in (1, 2, 3):
+            algorithm, _ = run(given, NumberOfThreads=threads)
+            self.assertEqual(algorithm.GetNumberOfThreadsUsed(), threads)
+            self.assertTrue(triangles(algorithm.GetOutput()) == expected, threads)
+        self.assertGreaterEqual(run(given)[0].GetNumberOfThreadsUsed(), 1)
+
+    def test_vtk_says_how_many(self):
+        before = os.environ.get("VTK_SMP_MAX_THREADS")
+        os.environ["VTK_SMP_MAX_THREADS"] = "1"  # looked at anew by its Sequential backend, once by others
+        core.vtkSMPTools.Initialize(1)
+        try:
+            self.assertEqual(run(cloud(scattered(40000)))[0].GetNumberOfThreadsUsed(), 1)
+        finally:
+            del os.environ["VTK_SMP_MAX_THREADS"]
+            core.vtkSMPTools.Initialize(0)
+            if before is not None:
+                os.environ["VTK_SMP_MAX_THREADS"] = before
+
+    def test_seconds(self):
+        algorithm, _ = run(cloud(scattered(40000)), SourceData=source(lines=[(0, 1)]))
+        for name in ("Sort", "Insert", "Output", "Constrain"):
+            seconds = getattr(algorithm, "Get%sSeconds" % name)()
+            self.assertTrue(0.0 < seconds < 100.0, name)
+
+
+if __name__ == "__main__":
+    run_tests()

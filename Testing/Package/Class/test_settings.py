@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every method of the compiled class is there, with its defaults, its ranges and its exceptions, as Settings.json has
+them. AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
+
+import json
+import math
+from classtests import FOLDER, WRITES, Case, Filter, Said, cloud, core, vtk, run_tests, write_rows
+
+FILE = FOLDER / "Settings.json"
+VALUES = (-7, 0, 1, 2, 3, 17, 1000000, 2**40, 0.3, 1e300, math.nan, True, "a word", None)
+OBJECTS = ("SetSourceData", "SetSourceConnection", "SetTransform")
+
+
+def own_names():
+    """What the class has beyond VTK's vtkPolyDataAlgorithm, and beyond what VTK's algorithms in Python have."""
+    base = dir(vtk("vtkCommonExecutionModel").vtkPolyDataAlgorithm) + [
+        "GetInputData", "GetOutputData", "GetPythonObject", "SetPythonObject", "SetNumberOfInputPorts",
+        "SetNumberOfOutputPorts"]
+    return [name for name in dir(Filter) if not name.startswith("_") and name not in base]
+
+
+def outcome(algorithm, name, value):
+    """What the setting is after it was set to this and whether the filter has to run again, or the exception."""
+    before = algorithm.GetMTime()
+    try:
+        getattr(algorithm, "Set" + name)(value)
+    except (TypeError, OverflowError, ValueError) as error:
+        return type(error).__name__
+    return [getattr(algorithm, "Get" + name)(), algorithm.GetMTime() > before]
+
+
+def described():
+    settings, constants, answers = {}, {}, {}
+    for name in own_names():
+        member = getattr(Filter, name)
+        if name.startswith("Set") and hasattr(Filter, "G" + name[1:]) and name not in OBJECTS:
+            algorithm = Filter()
+            key = name[3:]
+            settings[key] = [getattr(algorithm, "Get" + key)()] + [outcome(algorithm, key, v) for v in VALUES]
+        elif isinstance(member, int):
+            constants[name] = int(member)
+        elif name.startswith("Get") or "To" in name or name.endswith(("On", "Off")):
+            algorithm = Filter()
+            answer = getattr(algorithm, name)()
+            setting = name[3:].split("To")[0] if name.startswith("Set") else name[:-2].removesuffix("O")
+            if not name.startswith("Get"):
+                answer = getattr(algorithm, "Get" + setting)()
+            answers[name] = answer
+    methods = [name for name in own_names() if callable(getattr(Filter, name))
+               and not isinstance(getattr(Filter, name), type)]
+    return {"settings": settings, "constants": constants, "answers": answers, "methods": sorted(methods)}
+
+
+class SettingsTest(Case):
+    @classmethod
+    def setUpClass(cls):
+        cls.found = json.loads(json.dumps(described()).replace("NaN", '"NaN"'))
+        if WRITES:
+            write_rows(FILE, cls.found)
+        cls.expected = json.loads(FILE.read_text(encoding="utf-8"))
+
+    def test_the_methods_are_there(self):
+        self.assertEqual([name for name in self.expected["methods"] if name not in self.found["methods"]], [])
+
+    def test_defaults_ranges_and_exceptions(self):
+        self.assertGreater(len(self.expected["settings"]), 35)
+        for name, row in self.expected["settings"].items():
+            self.assertEqual(self.found["settings"].get(name), row, name)
+
+    def test_constants(self):
+        self.assertEqual(self.found["constants"], self.expected["constants"])
+
+    def test_methods_without_arguments(self):
+        self.assertEqual(self.found["answers"], self.expected["answers"])
+
+    def test_each_says_what_it_does(self):
+        for name in self.expected["methods"]:
+            self.assertTrue(getattr(Filter, name).__doc__, name)
+
+    def test_the_name_of_the_class(self):
+        algorithm = Filter()
+        self.assertEqual(algorithm.GetClassName(), "vtkAdaptiveHilbertDelaunay2D")
+        for name in ("vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm",
+                     "vtkAlgorithm", "vtkObject"):
+            self.assertEqual((algorithm.IsA(name), Filter.IsTypeOf(name)), (1, 1), name)
+        self.assertEqual(algorithm.IsA("vtkDelaunay2D"), 0)
+        self.assertIs(Filter.SafeDownCast(algorithm), algorithm)
+        self.assertIsNone(Filter.SafeDownCast(cloud([])))
+        self.assertIsInstance(algorithm.NewInstance(), Filter)
+
+    def test_settings_are_printed(self):
+        algorithm = Filter()
+        algorithm.SetNmax(77)
+        algorithm.SetTolerance(0.25)
+        text = str(algorithm)
+        for name, row in self.expected["settings"].items():
+            if name != "GenerateFate":
+                self.assertIn("\n  %s: " % name, text)
+        self.assertIn("\n  Nmax: 77\n", text)
+        self.assertIn("\n  Tolerance: 0.25\n", text)
+        self.assertIn("\n  GenerateBoxes: Off\n", text)
+        self.assertIn("\n  NumberOfTriangles: 0\n", text)
+
+    def test_transform(self):
+        algorithm, transform = Filter(), vtk("vtkCommonTransforms").vtkTransform()
+        self.assertIsNone(algorithm.GetTransform())
+        algorithm.SetTransform(transform)
+        self.assertIs(algorithm.GetTransform(), transform)
+        before = algorithm.GetMTime()
+        transform.RotateX(90)
+        self.assertGreater(algorithm.GetMTime(), before)
+        with self.assertRaises(TypeError):
+            algorithm.SetTransform(core.vtkPoints())
+        algorithm.SetTransform(None)
+        self.assertIsNone(algorithm.GetTransform())
+
+    def test_ports(self):
+        algorithm = Filter()
+        self.assertEqual((algorithm.GetNumberOfInputPorts(), algorithm.GetNumberOfOutputPorts()), (2, 3))
+        self.assertEqual(algorithm.GetTotalNumberOfInputConnections(), 0)
+        required = vtk("vtkCommonExecutionModel").vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
+        names = {}
+        for port, merge in ((0, False), (0, True), (1, False)):
+            algorithm.SetMergeBlocks(merge)
+            info = algorithm.GetInputPortInformation(port)
+            names[port, merge] = [required.Get(info, i) for i in range(required.Length(info))]
+        self.assertEqual(names, {
+            (0, False): ["vtkPointSet"], (0, True): ["vtkCompositeDataSet", "vtkPointSet"],
+            (1, False): ["vtkPolyData", "vtkCompositeDataSet"]})
+
+    def test_another_input_is_refused_by_the_pipeline(self):
+        algorithm = Filter()
+        said = Said(algorithm)
+        algorithm.SetInputDataObject(vtk("vtkCommonDataModel").vtkTable())
+        algorithm.Update()
+        self.assertEqual(len(said.pipeline), 1)
+        self.assertIn("vtkPointSet", said.pipeline[0])
+
+
+if __name__ == "__main__":
+    run_tests()

@@ -1,0 +1,276 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""mesh.adaptive: the filter for PyVista. With whichever VTK PyVista uses."""
+
+import contextlib
+import inspect
+import io
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import warnings
+
+import numpy
+import pyvista
+
+from adaptivehilbertdelaunay import DelaunayWarning
+
+if not hasattr(pyvista, "register_dataset_accessor") or "found" not in sys.argv:
+    import adaptivehilbertdelaunay.pyvista  # noqa: F401 (with "found" PyVista finds it by its entry point)
+
+RUN = pyvista.PolyData(numpy.eye(3)).adaptive  # loads it
+
+
+def accessor():
+    return sys.modules["adaptivehilbertdelaunay.pyvista"]
+
+
+def scattered(count, seed=3, height=0.0):
+    numbers = numpy.random.default_rng(seed)
+    return numpy.c_[numbers.random((count, 2)) * 1000, numbers.random(count) * height]
+
+
+def mesh_of(points, **more):
+    return pyvista.PolyData(numpy.array(points, float), **more)
+
+
+def box(x, y, side):
+    return [(x, y, 0), (x + side, y, 0), (x + side, y + side, 0), (x, y + side, 0)]
+
+
+def faces_of(mesh):
+    return mesh.faces.reshape(-1, 4)[:, 1:]
+
+
+def area(mesh):
+    """Signed, in x, y: all triangles are counterclockwise."""
+    a, b, c = (mesh.points[faces_of(mesh)[:, k]].astype(float) for k in range(3))
+    areas = ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
+    assert (areas > 0).all()
+    return areas.sum()
+
+
+class DelaunayTest(unittest.TestCase):
+    @contextlib.contextmanager
+    def warns(self, pattern):
+        """One warning, and what the test calls is blamed. (unittest's assertWarns loads all of PyVista.)"""
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            yield
+        caught = [w for w in caught if w.category is DelaunayWarning]  # VTK 9.5 warns of NumPy 2.5
+        self.assertEqual(len(caught), 1)
+        self.assertRegex(str(caught[0].message), pattern)
+        self.assertEqual(caught[0].filename, __file__)
+
+    def test_no_point_is_lost_and_the_hull_is_whole(self):
+        """Of UTM coordinates with ties: PyVista's own loses points, or leaves notches."""
+        lattice = numpy.array([(450000.25 * 1 + i % 40 * 0.25, 5.4e6 + i // 40 * 0.25, 0) for i in range(1600)])
+        made = mesh_of(lattice).adaptive.delaunay_2d()
+        self.assertEqual((made.n_cells, made.n_points), (2 * 39 * 39, 1600))
+        self.assertEqual(len(numpy.unique(made.faces)), 1600)
+
+    def test_nothing_is_merged_by_default(self):
+        points = box(0, 0, 1000) + [(500, 400, 0), (500, 400.001, 0)]
+        self.assertEqual(mesh_of(points).adaptive.delaunay_2d().n_cells, 6)
+        self.assertEqual(mesh_of(points).adaptive.delaunay_2d(tol=1e-5).n_cells, 4)
+
+    def test_arguments_are_those_of_pyvista_in_their_order(self):
+        theirs = list(inspect.signature(pyvista.PolyData.delaunay_2d).parameters)
+        ours = list(inspect.signature(accessor().Adaptive.delaunay_2d).parameters)
+        self.assertEqual(ours[:len(theirs)], theirs)
+
+    def test_points_and_data_are_carried_along(self):
+        mesh = mesh_of(scattered(50))
+        mesh["height"] = numpy.arange(50.0)
+        made = mesh.adaptive.delaunay_2d()
+        self.assertIsInstance(made, pyvista.PolyData)
+        self.assertEqual(made.array_names, ["height"])
+        self.assertTrue(numpy.array_equal(made.points, mesh.points))
+
+    def test_outlines_run_either_way(self):
+        """Whichever way loops run, what is inside an odd number of them is kept."""
+        for outer in (1, -1):
+            for inner in (1, -1):
+                loops = [box(0, 0, 10)[::outer], box(2, 2, 3)[::inner]]
+                mesh = mesh_of(loops[0] + loops[1], faces=[4, 0, 1, 2, 3, 4, 4, 5, 6, 7])
+                self.assertAlmostEqual(area(mesh.adaptive.delaunay_2d(edge_source=mesh)), 100 - 9)
+
+    def test_closed_lines_are_outlines(self):
+        mesh = mesh_of(box(0, 0, 10) + box(2, 2, 3), lines=[5, 0, 1, 2, 3, 0, 5, 4, 5, 6, 7, 4])
+        self.assertAlmostEqual(area(mesh.adaptive.delaunay_2d(edge_source=mesh)), 91)
+        lines = mesh.adaptive.delaunay_2d(edge_source=mesh, closed_lines="lines")
+        self.assertAlmostEqual(area(lines), 100)
+
+    def test_orientation(self):
+        mesh = mesh_of(box(0, 0, 10) + box(2, 2, 3)[::-1], faces=[4, 0, 1, 2, 3, 4, 4, 5, 6, 7])
+        made = mesh.adaptive.delaunay_2d(edge_source=mesh, fill_rule="orientation")
+        self.assertAlmostEqual(area(made), 91)
+
+    def test_constraints_with_points_of_their_own(self):
+        ends = [(-50, 500.5, 0), (1050, 500.5, 0), (500.5, -50, 0), (500.5, 1050, 0)]
+        lines = mesh_of(ends, lines=[2, 0, 1, 2, 2, 3])
+        mesh = mesh_of(scattered(300))
+        split = mesh.adaptive.delaunay_2d(constraints=lines, crossings="split", arrays=["regions", "constraint_edges"])
+        self.assertEqual(split.n_points, 300 + 4 + 1)
+        self.assertEqual(set(split["RegionId"]), {0, 1, 2, 3})
+        with self.warns("1 of 2 segments of the source were left out"):
+            left = mesh.adaptive.delaunay_2d(constraints=lines, arrays="regions")
+        self.assertEqual(set(left["RegionId"]), {0, 1})
+        self.assertIn("Crossings", left.field_data)
+
+    def test_heights_of_the_surface(self):
+        lines = mesh_of([(100, 100, 0), (900, 900, 0)], lines=[2, 0, 1])
+        mesh = mesh_of(numpy.r_[scattered(300), box(0, 0, 1000)] + (0, 0, 7))
+        made = mesh.adaptive.delaunay_2d(constraints=lines, heights="surface", plane="xy")
+        self.assertTrue((made.points[:, 2] == 7).all())
+
+    def test_alpha_and_lengths(self):
+        mesh = mesh_of(scattered(500))
+        whole, small = mesh.adaptive.delaunay_2d(), mesh.adaptive.delaunay_2d(alpha=40.0)
+        self.assertTrue(0 < small.n_cells < whole.n_cells)
+        self.assertEqual((small.n_lines, small.n_verts), (0, 0))
+        short = mesh.adaptive.delaunay_2d(max_edge_length=60.0)
+        corners = short.points[faces_of(short)]
+        self.assertLessEqual(numpy.linalg.norm(corners - corners[:, [1, 2, 0]], axis=2).max(), 60.001)
+
+    def test_planes(self):
+        wall = mesh_of([(i % 8, 2 * (i % 8), i // 8) for i in range(40)])
+        self.assertEqual(wall.adaptive.delaunay_2d().n_cells, 56)
+        with self.warns("collinear"):
+            self.assertEqual(wall.adaptive.delaunay_2d(plane="xy").n_cells, 0)
+        core = type(wall).__mro__[-3].__module__.split(".")[0]
+        transforms = __import__(core + ".vtkCommonTransforms", fromlist=["vtkTransform"])
+        turned = transforms.vtkTransform()
+        turned.RotateX(90)
+        made = wall.adaptive.delaunay_2d(plane=turned)
+        self.assertGreaterEqual(made.n_cells, 56)
+
+    def test_flat_points_are_triangulated_in_x_and_y(self):
+        """Exactly: a lattice far away from the origin, turned, would no longer be one."""
+        lattice = mesh_of([(1e6 + 0.25 * (i % 30), 5e6 + 0.25 * (i // 30), 3) for i in range(900)])
+        self.assertEqual(lattice.adaptive.delaunay_2d().n_cells, 2 * 29 * 29)
+        self.assertTrue(numpy.array_equal(lattice.adaptive.delaunay_2d(rim="hull").faces,
+                                          lattice.adaptive.delaunay_2d(plane="xy").faces))
+
+    def test_arrays(self):
+        mesh = mesh_of(scattered(30).tolist() + [scattered(30)[4].tolist()])
+        made = mesh.adaptive.delaunay_2d(arrays=("status", "rank", "neighbors", "regions", "constraint_edges"))
+        self.assertEqual(set(made.point_data.keys()), {"Fate", "InsertionRank"})
+        self.assertEqual(set(made.cell_data.keys()), {"Neighbors", "RegionId", "ConstraintEdges"})
+        self.assertEqual(made["Fate"][30], 4)
+
+    def test_duplicates(self):
+        mesh = mesh_of(box(0, 0, 10) + [(5, 5, 1), (5, 5, 4)])
+        for name, used, z in (("first", 4, 1), ("highest", 5, 4), ("lowest", 4, 1), ("mean", 4, 2.5)):
+            made = mesh.adaptive.delaunay_2d(duplicates=name, plane="xy")
+            self.assertIn(used, made.faces)
+            self.assertEqual(made.points[used][2], z)
+
+    def test_bounding_points(self):
+        self.assertEqual(mesh_of(scattered(20)).adaptive.delaunay_2d(bound=True, offset=2.0).n_points, 28)
+
+    def test_inplace(self):
+        mesh = mesh_of(scattered(50))
+        self.assertIs(mesh.adaptive.delaunay_2d(inplace=True), mesh)
+        self.assertGreater(mesh.n_cells, 80)
+        self.assertGreater(mesh.adaptive.delaunay_2d().n_cells, 80)
+
+    def test_other_meshes(self):
+        grid = pyvista.StructuredGrid(*numpy.meshgrid([0., 1, 2, 3], [0., 1, 2, 3, 4], [0.0], indexing="ij"))
+        self.assertEqual(grid.adaptive.delaunay_2d().n_cells, 24)
+        self.assertEqual(grid.cast_to_unstructured_grid().adaptive.delaunay_2d().n_cells, 24)
+        image = pyvista.ImageData(dimensions=(4, 5, 1))
+        with self.assertRaisesRegex(TypeError, "points of its own"):
+            image.adaptive.delaunay_2d()
+        both = pyvista.MultiBlock([mesh_of(box(0, 0, 1)), mesh_of(box(2, 2, 1))])
+        self.assertEqual(both.adaptive.delaunay_2d(plane="xy").n_points, 8)
+
+    def test_float_points_stay_floats(self):
+        mesh = pyvista.PolyData(scattered(40).astype("float32"))
+        self.assertEqual(mesh.adaptive.delaunay_2d().points.dtype, numpy.float32)
+
+    def test_progress_bar(self):
+        said = io.StringIO()
+        with contextlib.redirect_stderr(said), contextlib.redirect_stdout(said):
+            made = mesh_of(scattered(3000)).adaptive.delaunay_2d(progress_bar=True)
+        self.assertGreater(made.n_cells, 5000)
+        self.assertIn("Computing 2D Triangulation", said.getvalue())
+
+    def test_warnings_and_errors(self):
+        points = scattered(40)
+        points[7, 0] = numpy.nan
+        with self.warns("1 of 40 points were left out.*first is point 7"):
+            mesh_of(points).adaptive.delaunay_2d(plane="xy")
+        with self.assertRaisesRegex(MemoryError, "40 points may take"):
+            mesh_of(points).adaptive.delaunay_2d(memory_limit=4096)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", DelaunayWarning)
+            mesh_of(scattered(40)).adaptive.delaunay_2d()
+
+    def test_arguments_that_are_none(self):
+        mesh = mesh_of(scattered(10))
+        for more in ({"plane": "x"}, {"fill_rule": 1}, {"arrays": ["fate"]}, {"crossings": "cut"}, {"rim": ""},
+                     {"duplicates": "last"}, {"edge_source": mesh, "constraints": mesh}, {"heights": "zero"}):
+            with self.assertRaises(ValueError, msg=more):
+                mesh.adaptive.delaunay_2d(**more)
+        with self.assertRaises(TypeError):
+            mesh.cast_to_unstructured_grid().adaptive.delaunay_2d(inplace=True)
+        with self.assertRaises(TypeError):
+            mesh.adaptive.delaunay_2d(tol="much")
+
+
+class VoronoiTest(unittest.TestCase):
+    def test_cells_cover_hull_and_box(self):
+        mesh = mesh_of(scattered(100))
+        mesh["name"] = numpy.arange(100)
+        hull = area(mesh.adaptive.delaunay_2d())
+        for clip, expected in (("hull", hull), ("bounds", numpy.prod(numpy.ptp(mesh.points[:, :2], axis=0)))):
+            made = mesh.adaptive.voronoi_2d(clip=clip)
+            self.assertEqual(made.n_cells, 100)
+            self.assertAlmostEqual(made.area, expected, delta=1e-6 * expected)
+            self.assertTrue(numpy.array_equal(made["name"], made["OriginalPointIds"]))
+
+    def test_on_a_slope(self):
+        points = scattered(100)
+        points[:, 2] = points[:, 0]
+        made = mesh_of(points).adaptive.voronoi_2d()
+        self.assertAlmostEqual(float(abs(made.points[:, 2] - made.points[:, 0]).max()), 0, delta=1e-2)
+
+
+class FoundTest(unittest.TestCase):
+    def test_it_is_shown(self):
+        """Docstrings, and the names that are completed."""
+        self.assertIn("adaptive", dir(pyvista.PolyData()))
+        self.assertIn("even_odd", inspect.getdoc(RUN.delaunay_2d))
+        self.assertNotIn("mesh", inspect.signature(RUN.voronoi_2d).parameters)
+
+
+def can_draw():
+    try:
+        return shutil.which("xvfb-run") and hasattr(pyvista, "Plotter")
+    except ImportError:  # cvista without its modules for rendering
+        return False
+
+
+class ExampleTest(unittest.TestCase):
+    @unittest.skipUnless(can_draw(), "nothing to draw with")
+    def test_bay(self):
+        root = pathlib.Path(__file__).resolve().parents[3]
+        with tempfile.TemporaryDirectory() as folder:
+            picture = pathlib.Path(folder) / "bay.png"
+            done = subprocess.run(
+                ["xvfb-run", "-a", sys.executable, root / "Plugin/Examples/bay_pyvista.py",
+                 root / "Data/Bay/soundings.csv", root / "Data/Bay/coastline.vtp", picture],
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertIn("846 soundings: 1673 triangles; with the coastline: 1453 points, 2369 triangles", done.stdout)
+            pixels = pyvista.read(picture).point_data.active_scalars
+        blue = (pixels[:, 2].astype(int) - pixels[:, 0] > 60).mean()
+        self.assertTrue(0.1 < blue < 0.9, blue)
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(argv=sys.argv[:1], exit=False).result
+    sys.exit(not outcome.wasSuccessful())
