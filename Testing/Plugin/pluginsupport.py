@@ -2,7 +2,7 @@
 """What the plugin's tests share: where the plugin is, small inputs, and checks that name the culprit.
 
 CTest sets the environment (see CMakeLists.txt):
-    AHD_PLUGIN       the plugin's shared library
+    AHD_PLUGIN       the plugin's shared library, or the plugin in Python
     AHD_PLUGIN_CONF  the file for PV_PLUGIN_CONFIG_FILE
     AHD_SCRATCH      a directory of this test's own, below the build tree
 """
@@ -17,6 +17,7 @@ import sys
 PLUGIN = os.environ["AHD_PLUGIN"]
 PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
 SCRATCH = os.environ["AHD_SCRATCH"]
+IS_PYTHON = PLUGIN.endswith(".py")
 
 SETTINGS = [
     "SourceMode",
@@ -76,6 +77,8 @@ CONSTRAINT_COUNTS = [
     "NumberOfUnfilledLoops",
     "NumberOfTrimmedTriangles",
 ]
+# What the plugin in Python has for itself: it is in no panel, state or trace.
+HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
 MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NP",
     "NR",
@@ -87,6 +90,13 @@ MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NumberOfTriangulations",
     "MemoryEstimate",
 ]
+
+
+def class_in_paraview(name):
+    """What ParaView calls the class of a proxy with this name."""
+    if IS_PYTHON:
+        return "%s.%s" % (os.path.splitext(os.path.basename(PLUGIN))[0], name)
+    return "vtk" + name
 
 
 def scratch(name):
