@@ -14,8 +14,8 @@
 #include <vector>
 
 /// Cells as the engine looks at them: where they lie if ids and offsets are all of 32 or all of 64
-/// bits in memory. Others have to be converted: since VTK 9.6 offsets need not be in memory (cells of
-/// one size), and ids may be of any type.
+/// bits in memory. Others have to be converted: since VTK 9.6 offsets need not be in memory (cells
+/// of one size), and ids may be of any type.
 class vtkAHDCellsView
 {
 public:

@@ -286,8 +286,9 @@ TEST(SourceKinds, APolygonOfTwoPointsIsAnEdge)
 
 namespace
 {
-/// The same two segments in cells as VTK can store them: ids and offsets of 64 bits, of 32 bits, cells of
-/// one size, ids of one more type. VTK 9.1 makes of the third what the first is, and refuses the last.
+/// The same two segments in cells as VTK can store them: ids and offsets of 64 bits, of 32 bits,
+/// cells of one size, ids of one more type. VTK 9.1 makes of the third what the first is, and
+/// refuses the last.
 template <typename Array>
 vtkSmartPointer<vtkCellArray> twoSegments(bool ofOneSize)
 {
