@@ -63,7 +63,7 @@ class ParameterTest(unittest.TestCase):
         return ours, theirs
 
     def test_pyvista_uses_it(self):
-        self.assertIs(pyvista.core._vtk_core.vtkDelaunay2D, drop_in.vtkDelaunay2D)
+        self.assertIs(pyvista.core.filters.poly_data._vtk.vtkDelaunay2D, drop_in.vtkDelaunay2D)
 
     def test_defaults(self):
         ours, theirs = self.both(scattered(400))
