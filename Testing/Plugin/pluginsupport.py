@@ -110,6 +110,12 @@ def check_equal(found, expected, what):
         raise AssertionError("%s: found %r, expected %r" % (what, found, expected))
 
 
+def set_properties(proxy, **values):
+    """In this order. (ParaView's own SetProperties is deprecated in 6.1, the method in its place is new.)"""
+    for name, value in values.items():
+        setattr(proxy, name, value)
+
+
 def check(condition, what):
     if not condition:
         raise AssertionError(what)
