@@ -11,8 +11,8 @@ DOUBLE_MAX = 1.0e299  # VTK_DOUBLE_MAX
 
 
 class Setting:
-    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, any (int), int64 or double. `least`, `most`: what
-    values are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does."""
+    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, any (int), int64 or double. `least`,
+    `most`: what values are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does."""
 
     def __init__(self, name, kind, default, about, least=None, most=None, names=()):
         self.name, self.kind, self.default, self.about, self.names = name, kind, default, about, names

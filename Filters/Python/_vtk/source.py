@@ -17,8 +17,8 @@ PIECE = 1 << 14  # points made between two askings whether to abort
 ABOUT = """The point sets that triangulations are compared on.
 
 Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of Su et al., Computers &
-Graphics 54 (2016) 65-74, figure 10, and a lattice. The points are a function of Distribution, NumberOfPoints and Seed, to
-the last bit; the same as those of the compiled class, which is faster.
+Graphics 54 (2016) 65-74, figure 10, and a lattice. The points are a function of Distribution, NumberOfPoints and Seed,
+to the last bit; the same as those of the compiled class, which is faster.
 """
 
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows of Data/Hashes/Filter.txt: what the filter and the source of points put out, the same from the classes in C++
-and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx."""
+"""The rows of Data/Hashes/Filter.txt: what the filter and the source of points put out, the same from the classes in
+C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx."""
 
-from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross, make_points, mixed,
-                        model, run_tests, source, tiny, uniform, utm, values_of, vtk)
+from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
+                        make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
 
 MEASURES = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
