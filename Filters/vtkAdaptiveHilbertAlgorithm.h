@@ -229,7 +229,8 @@ public:
   /// Threads that shared the last execution, the calling one included (1: too little to share). How
   /// often this filter has triangulated; executions that passed on triangles do not count. Upper
   /// estimate, in kibibytes, of the memory that the last execution needed beyond its input, or was
-  /// refused: what MemoryLimit is compared with.
+  /// refused: what MemoryLimit is compared with. If it had too many crossings: what one more than
+  /// fits would need.
   vtkGetMacro(NumberOfThreadsUsed, int);
   vtkGetMacro(NumberOfTriangulations, int);
   vtkGetMacro(MemoryEstimate, vtkTypeInt64);

@@ -295,6 +295,7 @@ void vtkAdaptiveHilbertDelaunay2D::AddCounts(vtkPolyData* surface) const
     { "NumberOfAddedPoints", this->NumberOfAddedPoints },
     { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
     { "NumberOfCrossings", this->NumberOfCrossings },
+    { "NumberOfBentConstraints", this->NumberOfBentConstraints },
     { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
     { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
     { "NumberOfTrimmedTriangles", this->NumberOfTrimmedTriangles },
@@ -345,6 +346,7 @@ void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
   this->NumberOfConstraintEdges = static_cast<vtkIdType>(constraints.edges);
   this->NumberOfCrossings = static_cast<vtkIdType>(
     this->CrossingMode == SPLIT ? report.Crossings : constraints.crossing);
+  this->NumberOfBentConstraints = static_cast<vtkIdType>(report.BentConstraints);
   this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
     constraints.withoutVertex + constraints.crossing);
   this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
@@ -379,6 +381,7 @@ void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
   this->NumberOfAddedPoints = 0;
   this->NumberOfConstraintEdges = 0;
   this->NumberOfCrossings = 0;
+  this->NumberOfBentConstraints = 0;
   this->NumberOfConstraintsLeftOut = 0;
   this->NumberOfUnfilledLoops = 0;
   this->NumberOfTrimmedTriangles = 0;
@@ -427,6 +430,7 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
   os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";
   os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
+  os << indent << "NumberOfBentConstraints: " << this->NumberOfBentConstraints << "\n";
   os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
   os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";
   os << indent << "NumberOfTrimmedTriangles: " << this->NumberOfTrimmedTriangles << "\n";

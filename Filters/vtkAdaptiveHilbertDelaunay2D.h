@@ -312,7 +312,9 @@ public:
   /// Put the Voronoi diagram of the vertices into output port 2: for each a convex counterclockwise
   /// polygon, with its point data as cell data and its id as "OriginalPointIds" (vtkIdTypeArray).
   /// Clipped at the convex hull (CLIP_TO_HULL, the default) or the bounding box of the vertices in
-  /// the plane. Corners are rounded to double precision. Constraints have no say. Off by default.
+  /// the plane. Corners are those of the exact polygons, rounded once to double precision; those
+  /// that differ by no more than 4 units in the last place may be one. Constraints have no say. Off
+  /// by default.
   vtkSetMacro(GenerateVoronoi, bool);
   vtkGetMacro(GenerateVoronoi, bool);
   vtkBooleanMacro(GenerateVoronoi, bool);
@@ -325,12 +327,14 @@ public:
   ///@{
   /// Of the last execution; 0 if it was aborted or ended in an error. Points merged by Tolerance;
   /// points added; distinct edges that are constraints, those of dropped triangles included;
-  /// segments left out as they cross others (SPLIT: points added); all segments left out; loops
-  /// that bound nothing; triangles that Rim took away. Wall-clock seconds for the constraints.
+  /// segments left out as they cross others (SPLIT: points added); segments that SPLIT led through
+  /// a vertex that is not exactly on them; all segments left out; loops that bound nothing;
+  /// triangles that Rim took away. Wall-clock seconds for the constraints.
   vtkGetMacro(NumberOfMergedPoints, vtkIdType);
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
   vtkGetMacro(NumberOfConstraintEdges, vtkIdType);
   vtkGetMacro(NumberOfCrossings, vtkIdType);
+  vtkGetMacro(NumberOfBentConstraints, vtkIdType);
   vtkGetMacro(NumberOfConstraintsLeftOut, vtkIdType);
   vtkGetMacro(NumberOfUnfilledLoops, vtkIdType);
   vtkGetMacro(NumberOfTrimmedTriangles, vtkIdType);
@@ -377,6 +381,7 @@ protected:
   vtkIdType NumberOfAddedPoints = 0;
   vtkIdType NumberOfConstraintEdges = 0;
   vtkIdType NumberOfCrossings = 0;
+  vtkIdType NumberOfBentConstraints = 0;
   vtkIdType NumberOfConstraintsLeftOut = 0;
   vtkIdType NumberOfUnfilledLoops = 0;
   vtkIdType NumberOfTrimmedTriangles = 0;

@@ -15,7 +15,8 @@ enum class Status
   Cancelled,     ///< the caller's Progress said so
   TooManyPoints, ///< more than kMaximumPoints
   TooManyBoxes,  ///< more than Options::mostBoxes
-  OutOfMemory    ///< an allocation failed
+  TooManyCrossings, ///< more than InputRequest::mostCrossings
+  OutOfMemory       ///< an allocation failed
 };
 
 /// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for

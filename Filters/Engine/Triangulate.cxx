@@ -264,8 +264,8 @@ std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& o
   }
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
   // where threads insert while an order is kept, what it takes to make an order that has no
-  // formula or to choose among duplicates, and a piece of memory that is first for sorting and then
-  // holds two triangles.
+  // formula or to choose among duplicates, a piece of memory that is first for sorting and then
+  // holds two triangles, and what the extraction takes.
   constexpr std::size_t kSlots = std::max(
     2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
@@ -273,7 +273,9 @@ std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& o
   const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
   const std::size_t chosen = options.representative == Representative::FirstId ? 0 : sizeof(Index);
   return kSmall +
-    pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + std::max(made, chosen) + kSlots);
+    pointCount *
+    (sizeof(Point) + 2 * sizeof(Index) + kept + std::max(made, chosen) + kSlots +
+      kExtractBytesPerPoint);
 }
 
 } // namespace ahd

@@ -156,7 +156,8 @@ std::size_t tableMemoryEstimate(std::size_t pointCount)
 {
   // Per point, with two triangles each: corners, flags and neighbours of these, a half-edge, a
   // vertex; and while neighbours are found a list of half-edges, and where it begins. Vertices with
-  // very many neighbours take 16 bytes for each while these are sorted, twice, and as much again.
+  // very many neighbours take 16 bytes for each while these are sorted, twice, and as much again:
+  // more than the extraction takes before.
   constexpr std::size_t kPerPoint = 24 + 2 + 24 + 4 + 4 + 24 + 4 + 3 * 16;
   return pointCount * kPerPoint + 4096;
 }

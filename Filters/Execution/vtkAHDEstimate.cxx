@@ -4,6 +4,7 @@
 #include "Execution/vtkAHDExecution.h"
 
 #include "Engine/Core/Memory.h"
+#include "Engine/Crossings/Crossings.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
@@ -19,13 +20,15 @@
 std::size_t vtkAHDExecution::EstimateBytes() const
 {
   const std::size_t count = this->Known.Points;
-  const ahd::InputRequest& request = this->Input.GetRequest();
-  std::size_t bytes = this->BytesBefore + this->Input.EstimateBytes() +
-    ahd::preparationMemoryEstimate(request) +
-    ahd::triangulationMemoryEstimate(count, this->Options);
+  std::size_t before = this->BytesBefore + this->Input.EstimateBytes() +
+    ahd::preparationMemoryEstimate(this->Input.GetRequest());
+  std::size_t bytes = ahd::triangulationMemoryEstimate(count, this->Options);
+  std::size_t toSplit = 0; // what is given back before the triangulation
   if (this->Known.Crossings > 0)
   {
-    bytes += count * (3 * sizeof(double) + 1) + this->Known.Crossings * sizeof(ahd::CrossingOrigin);
+    before += count * (3 * sizeof(double) + 1) +
+      this->Known.Crossings * sizeof(ahd::CrossingOrigin);
+    toSplit = ahd::splitMemoryEstimate(0, this->Known.Crossings);
   }
   if (this->Known.Segments > 0)
   {
@@ -35,7 +38,7 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   {
     bytes += ahd::trimMemoryEstimate(count);
   }
-  return bytes + this->EstimateTables() + this->EstimateOutputs();
+  return before + std::max(toSplit, bytes + this->EstimateTables() + this->EstimateOutputs());
 }
 
 /// What is made of a triangulation to be looked up in it.
@@ -115,5 +118,22 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t left = (static_cast<std::size_t>(this->Report.Limit) + 1) * 1024 - 1 - bytes;
   this->Report.MostBoxes = left / vtkAHDOrderOutput::EstimateBoxBytes(1);
   this->Options.mostBoxes = this->Report.MostBoxes;
+  this->Report.MostCrossings = this->FindMostCrossings();
   return true;
+}
+
+/// How many crossings there is memory for, and for all that comes of them.
+std::size_t vtkAHDExecution::FindMostCrossings()
+{
+  const Sizes known = this->Known;
+  std::size_t most = 0, tooMany = ahd::kMaximumPoints + 1;
+  while (tooMany - most > 1)
+  {
+    this->Known.Crossings = most + (tooMany - most) / 2;
+    this->Known.Points = known.Points + this->Known.Crossings;
+    const bool fits = this->EstimateBytes() / 1024 <= static_cast<std::size_t>(this->Report.Limit);
+    (fits ? most : tooMany) = this->Known.Crossings;
+  }
+  this->Known = known;
+  return most;
 }

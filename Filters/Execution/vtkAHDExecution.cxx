@@ -72,6 +72,7 @@ void vtkAHDExecution::SetStages() const
     weight(settings.GenerateRegionIds, 1.0) + weight(settings.GenerateNeighbors, 0.9);
   this->Context.SetStages({ //
     0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
+      weight(settings.HeightsFromSurface, 1.5) +
       weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
     1.0,                                                                         // Triangulate
     weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
@@ -86,14 +87,19 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
 {
   this->Context.NextStage();
   this->Input.Open(this->Context);
-  this->Context.Check(ahd::prepare(this->Input.GetRequest(), this->Context, points));
+  ahd::InputRequest request = this->Input.GetRequest();
+  request.mostCrossings = this->Report.MostCrossings;
+  const ahd::Status status = ahd::prepare(request, this->Context, points);
+  if (status == ahd::Status::TooManyCrossings)
+  {
+    this->Known.Crossings = this->Report.MostCrossings + 1;
+    this->Known.Points += this->Known.Crossings;
+    this->UpdateEstimate();
+  }
+  this->Context.Check(status);
   this->Known.Points = this->Report.Points = points.points().count;
   this->Known.Crossings = points.crossings().size();
   this->UpdateEstimate();
-  if (this->Known.Crossings > 0 && this->Report.Estimate > this->Report.Limit)
-  {
-    throw vtkAHDStop{ ahd::Status::OutOfMemory };
-  }
 }
 
 void vtkAHDExecution::Triangulate(Results& results)
@@ -210,6 +216,8 @@ void vtkAHDExecution::ReportOn(const Results& results)
   report.MergedPoints = points.merged().size();
   report.AddedPoints = points.addedCount();
   report.Crossings = points.crossings().size();
+  report.BentConstraints = points.bentCount();
+  report.FirstBentCell = points.firstBentCell();
   report.UnfitIds = points.unfitIds();
   report.Source = this->Input.GetSourceContent();
   report.PointsOffSurface = points.outsideCount();

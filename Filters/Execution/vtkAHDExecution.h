@@ -62,6 +62,7 @@ private:
   };
 
   bool FitsInMemory();
+  std::size_t FindMostCrossings();
   void SetStages() const;
   void Prepare(ahd::PreparedInput& points);
   void Triangulate(Results& results);

@@ -36,6 +36,19 @@ void SayRefused(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkA
                         "KiB) to allow more.");
 }
 
+void SayTooManyCrossings(
+  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+{
+  vtkErrorWithObjectMacro(filter,
+    "The lines and polygons of the source cross in more than "
+      << report.MostCrossings << " places. Splitting them there and triangulating " << report.Points
+      << " points and the crossings may take more than " << report.Estimate
+      << " KiB of memory, but " << (settings.MemoryLimit > 0 ? "MemoryLimit allows " : "there are ")
+      << report.Limit
+      << " KiB. Nothing was computed. Take fewer lines, switch CrossingMode to Leave Out, or set "
+         "MemoryLimit (in KiB) to allow more.");
+}
+
 void SayOutOfMemory(
   vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
 {
@@ -246,6 +259,14 @@ void WarnOfConstraints(
          << loops.str());
     loops.str("");
   }
+  if (report.BentConstraints > 0)
+  {
+    const bool isOne = report.BentConstraints == 1;
+    vtkWarningWithObjectMacro(filter,
+      "" << report.BentConstraints << (isOne ? " segment" : " segments") << " of the source bend"
+         << (isOne ? "s" : "") << " by rounding, led through a point that is not exactly on "
+         << (isOne ? "it" : "them") << "; the first is in cell " << report.FirstBentCell << ".");
+  }
   if (report.UnfitIds.count > 0)
   {
     vtkWarningWithObjectMacro(filter,
@@ -288,6 +309,9 @@ void vtkAHDSayError(
       return;
     case ahd::Status::TooManyBoxes:
       SayTooManyBoxes(filter, settings, report);
+      return;
+    case ahd::Status::TooManyCrossings:
+      SayTooManyCrossings(filter, settings, report);
       return;
     case ahd::Status::OutOfMemory:
       report.IsRefused ? SayRefused(filter, settings, report)

@@ -16,11 +16,12 @@
 struct vtkAHDReport
 {
   ahd::Status Status = ahd::Status::Cancelled;
-  bool IsRefused = false;    ///< the estimate is above the limit; nothing was begun
-  std::size_t Points = 0;    ///< all, as far as they were known when it ended
-  vtkTypeInt64 Estimate = 0; ///< of memory, KiB
-  vtkTypeInt64 Limit = 0;    ///< on memory, KiB
-  std::size_t MostBoxes = 0; ///< for which there was memory
+  bool IsRefused = false;        ///< the estimate is above the limit; nothing was begun
+  std::size_t Points = 0;        ///< all, as far as they were known when it ended
+  vtkTypeInt64 Estimate = 0;     ///< of memory, KiB
+  vtkTypeInt64 Limit = 0;        ///< on memory, KiB
+  std::size_t MostBoxes = 0;     ///< for which there was memory
+  std::size_t MostCrossings = 0; ///< the same
 
   // The rest means something if Status is Ok.
   ahd::Report Counts;
@@ -33,6 +34,8 @@ struct vtkAHDReport
   std::size_t AddedPoints = 0;
   std::size_t Crossings = 0;                      ///< that were split
   std::array<std::int64_t, 2> FirstCrossing = {}; ///< cells: left out, crossed
+  std::size_t BentConstraints = 0;                ///< led through a vertex beside them
+  std::int64_t FirstBentCell = 0;                 ///< of these, if there are any
   ahd::UnfitIds UnfitIds;
   ahd::OddPoints OddPoints;
   bool MarksAreUnfit = false;

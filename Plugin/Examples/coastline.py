@@ -35,6 +35,7 @@ for name in (
     "NumberOfAddedPoints",
     "NumberOfConstraintEdges",
     "NumberOfCrossings",
+    "NumberOfBentConstraints",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
 ):

@@ -7,18 +7,13 @@
 // constraints alone took, and is given for CGAL as well.
 //
 // What is made, and how many segments it has, depends on --points; see shapes().
-#include "ConstraintMakers.h"
-#include "Triangulate.h"
-#ifdef AHD_WITH_CGAL
-#include "CgalConstrained.h"
-#endif
+#include "BesideCgal.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <functional>
 #include <map>
 #include <memory>
@@ -31,13 +26,6 @@ namespace
 
 using namespace ahd;
 using namespace ahd::test;
-
-double seconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// All edges of the triangulation of n uniform points, each once: they are there already.
 ConstraintCase edgesThatAreThere(std::size_t n)

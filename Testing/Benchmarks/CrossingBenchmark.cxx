@@ -4,17 +4,12 @@
 // with Exact_predicates_tag, one thread, CPU time, in turns. Each from the points to the
 // constrained triangulation; "left out" is ours without splitting. The segments are those of
 // crossingCases().
-#include "ConstraintMakers.h"
+#include "BesideCgal.h"
 #include "Crossings/Crossings.h"
-#include "Triangulate.h"
-#ifdef AHD_WITH_CGAL
-#include "CgalConstrained.h"
-#endif
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,13 +19,6 @@ namespace
 
 using namespace ahd;
 using namespace ahd::test;
-
-double seconds()
-{
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
-}
 
 /// Returns how many pairs crossed.
 std::size_t triangulateOurs(const ConstraintCase& given, bool splits)

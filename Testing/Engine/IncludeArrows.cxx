@@ -40,7 +40,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation", "" } },
     { "Surface", { "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
-    { "Voronoi", { "Arithmetic", "Points", "Triangulation" } },
+    { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
     { "Interface",
       { "Points", "Merge", "Crossings", "Prepare", "Surface", "Triangulation", "Voronoi", "" } },
   };

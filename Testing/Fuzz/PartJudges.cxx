@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PartJudges.h"
 
+#include "VoronoiOracle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +16,7 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::size_t kMostToCompare = 300;
+constexpr std::size_t kMostExactCells = 12;
 
 Bounds boundsOf(const PointView& points)
 {
@@ -170,7 +173,7 @@ std::string faultsOfShapes(const Diagram& diagram)
     : "the cells leave out an area of " + std::to_string(missing);
 }
 
-std::string faultsOfCells(const Diagram& diagram)
+std::string faultsOfAll(const Diagram& diagram)
 {
   const VoronoiCells& cells = diagram.cells;
   const Bounds& b = diagram.bounds;
@@ -205,7 +208,10 @@ std::string faultsOfCells(const Diagram& diagram)
         " corners, or one outside the bounds";
     }
   }
-  return faultsOfShapes(diagram);
+  const std::string fault = cells.sites.size() <= kMostExactCells
+    ? test::faultsOfCells(diagram.points, diagram.clip, cells)
+    : "";
+  return fault.empty() ? faultsOfShapes(diagram) : fault;
 }
 
 } // namespace
@@ -256,7 +262,7 @@ std::string faultsOfDiagram(
     Diagram diagram{ points, plain, clip, {}, boundsOf(points) };
     const Status status = voronoiCells(delaunay, clip, diagram.cells, { nullptr, executor });
     const std::string fault = status == Status::Ok
-      ? faultsOfCells(diagram)
+      ? faultsOfAll(diagram)
       : "diagram: status " + std::to_string(int(status));
     if (!fault.empty())
     {

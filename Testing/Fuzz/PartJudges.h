@@ -34,8 +34,9 @@ struct ToSplit
 std::string splitAndJudge(const ToSplit& given, SplitConstraints& split);
 
 /// The cells of the Voronoi diagram, clipped either way: one for each vertex, of three corners at
-/// least, within the bounds. Where coordinates are small integers, also convex, around their
-/// vertices, and together as large as they have to be. `plain`: what was written of `delaunay`,
+/// least, within the bounds. Up to 12 of them, each corner where it has to be (VoronoiOracle.h).
+/// Where coordinates are small integers, also convex, around their vertices, and together as large
+/// as they have to be. `plain`: what was written of `delaunay`,
 /// which has no constraints.
 std::string faultsOfDiagram(
   Triangulation& delaunay, const test::ConstrainedOutcome& plain, Executor* executor);

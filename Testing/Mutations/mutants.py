@@ -4,11 +4,14 @@
 import dataclasses
 import hashlib
 import pathlib
+import re
 import tomllib
 
 FOLDER = pathlib.Path(__file__).resolve().parent
 ROOT = FOLDER.parent.parent
 ENGINE = "Filters/Engine"
+FILTER = "filter"  # before the tests of the VTK layer
+FILTER_PROGRAMS = ("FaultsCancel", "FaultsMemory")  # beside FilterTests, whose suites are tests
 FIELDS = {"name", "file", "old", "new", "at", "breaks", "hints", "equivalent"}
 
 
@@ -18,12 +21,13 @@ class ListError(Exception):
 
 @dataclasses.dataclass(frozen=True)
 class Mutant:
-    """One way to break the engine.
+    """One way to break the engine or the VTK layer.
 
-    `old` becomes `new` in `file` (a path below Filters/Engine). `old` occurs there once; else `at` says
-    which occurrence is meant, from 1. `hints` are the tests likely to notice, best first: names without
-    "Engine."; "asan:" or "tsan:" before one means its run under sanitizers. `equivalent` is empty, or
-    the reason why nothing that the engine promises changes.
+    `old` becomes `new` in `file` (a path below `folder`, that of its list: Filters/Engine unless it says
+    otherwise). `old` occurs there once; else `at` says which occurrence is meant, from 1. `hints` are the
+    tests likely to notice, best first. Of the engine: names without "Engine."; "asan:" or "tsan:" before
+    one means its run under sanitizers. Of the VTK layer: suites of FilterTests, or programs beside it.
+    `equivalent` is empty, or the reason why nothing that is promised changes.
     """
 
     name: str
@@ -34,13 +38,18 @@ class Mutant:
     hints: tuple = ()
     at: int = 0
     equivalent: str = ""
+    folder: str = ENGINE
+
+    @property
+    def is_of_engine(self):
+        return self.folder == ENGINE
 
     def fingerprint(self):
         text = "\0".join([self.file, self.old, self.new, str(self.at)])
         return hashlib.sha256(text.encode()).hexdigest()[:16]
 
     def path(self, root):
-        return pathlib.Path(root) / ENGINE / self.file
+        return pathlib.Path(root) / self.folder / self.file
 
     def apply(self, text):
         """The mutated text of the file. Raises ListError where `old` is not found as told."""
@@ -59,11 +68,12 @@ def load():
     """All mutants, in the order of the files and of their lines. Raises ListError."""
     mutants, names = [], set()
     for path in sorted((FOLDER / "mutants").glob("*.toml")):
-        for row in tomllib.loads(path.read_text())["mutant"]:
+        content = tomllib.loads(path.read_text())
+        for row in content["mutant"]:
             if unknown := set(row) - FIELDS:
                 raise ListError(f"{path.name}: {row.get('name')}: what is {sorted(unknown)}?")
             row["hints"] = tuple(row.get("hints", ()))
-            mutant = Mutant(**row)
+            mutant = Mutant(**row, folder=content.get("folder", ENGINE))
             if mutant.name in names:
                 raise ListError(f"{mutant.name}: twice in the list")
             if mutant.old == mutant.new:
@@ -73,15 +83,23 @@ def load():
     return mutants
 
 
+def filter_suites(root=ROOT):
+    """The suites of FilterTests."""
+    texts = (path.read_text() for path in (pathlib.Path(root) / "Testing/Filters").rglob("*.cxx"))
+    return {suite for text in texts for suite in re.findall(r"^TEST(?:_[PF])?\((\w+),", text, re.MULTILINE)}
+
+
 def check(mutants, root=ROOT):
     """Complaints: mutants that do not apply to the sources, hints that are no tests."""
     complaints = []
-    tests = {path.stem for path in (pathlib.Path(root) / "Testing/Engine").rglob("*.cxx")}
+    engine_tests = {path.stem for path in (pathlib.Path(root) / "Testing/Engine").rglob("*.cxx")}
+    filter_tests = filter_suites(root).union(FILTER_PROGRAMS)
     for mutant in mutants:
         try:
             mutant.apply(mutant.path(root).read_text())
         except (ListError, OSError) as error:
             complaints.append(str(error))
+        tests = engine_tests if mutant.is_of_engine else filter_tests
         for hint in mutant.hints:
             if hint.split(":")[-1] not in tests:
                 complaints.append(f"{mutant.name}: there is no test {hint}")

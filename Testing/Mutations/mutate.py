@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Breaks the engine on purpose, in one way after the other, and sees whether its tests notice.
+"""Breaks the engine and the VTK layer on purpose, in one way after the other, and sees whether tests notice.
 
 The ways are listed in mutants/*.toml. Each is applied to a copy of the sources, below the work folder;
-the engine's test programs are built and run until the first test that fails: those hinted at first,
+the test programs of what it breaks are built and run until the first test that fails: those hinted at first,
 then all others, the shortest first, and last those that compare hashes of results, so that a test which
-says what is wrong is named where there is one. For mutants listed as equivalent the tests hinted at have
+says what is wrong is named where there is one. The VTK layer is tested by FilterTests, FaultsCancel and
+FaultsMemory, with ParaView's VTK. For mutants listed as equivalent the tests hinted at have
 to do. What was found is kept in the work folder; a mutant that has a result is not run again, unless --again
 is given.
 
@@ -26,6 +27,7 @@ import workshop
 LEAST_LIMIT = 6  # seconds of processor time
 TIMES_USUAL = 3
 SANITIZED_LIMIT = 300
+SUITE_LIMIT = 40  # the longest suite of the filter takes a tenth
 
 
 def parse_arguments():
@@ -66,6 +68,10 @@ class Campaign:
                 self.keep()
 
     def order(self, mutant, only_hints):
+        if not mutant.is_of_engine:
+            hinted = [f"{mutants.FILTER}:{name}" for name in mutant.hints]
+            rest = [test for test in self.shop.tests(of_engine=False) if test not in hinted]
+            return hinted if only_hints or mutant.equivalent else hinted + rest
         hinted = [test for test in mutant.hints if test.rpartition(":")[2] in self.shop.tests()]
         if only_hints or mutant.equivalent:
             return hinted
@@ -73,7 +79,9 @@ class Campaign:
         return hinted + sorted(others, key=lambda test: ("Hash" in test, self.usual[test]))
 
     def limit(self, test):
-        return max(LEAST_LIMIT, TIMES_USUAL * self.usual[test]) if test in self.usual else SANITIZED_LIMIT
+        if test in self.usual:
+            return max(LEAST_LIMIT, TIMES_USUAL * self.usual[test])
+        return SUITE_LIMIT if test.startswith(mutants.FILTER + ":") else SANITIZED_LIMIT
 
     def is_known(self, mutant):
         known = self.results.get(mutant.name)
@@ -130,7 +138,9 @@ def main():
         return 2 if complaints else 0
     try:
         campaign = Campaign(arguments.work, arguments.jobs)
-        campaign.measure(campaign.shop.tests())
+        wanted = [m for m in listed if not arguments.names or m.name in arguments.names]
+        for of_engine in sorted({m.is_of_engine for m in wanted}, reverse=True):
+            campaign.measure(campaign.shop.tests(of_engine))
     except (workshop.BuildError, subprocess.CalledProcessError) as error:
         print(error)
         return 2

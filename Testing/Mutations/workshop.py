@@ -11,10 +11,14 @@ import signal
 import subprocess
 import time
 
-from mutants import ROOT
+from mutants import FILTER, FILTER_PROGRAMS, ROOT
 
-# What the engine's tests are made of.
-FOLDERS = ("Filters/Engine", "Filters/Distributions", "Testing/Engine", "Testing/Support", "Data")
+# What the tests of the engine and of the VTK layer are made of. Parts of Testing/ that are not here are
+# not configured.
+FOLDERS = ("Filters", "Testing/Engine", "Testing/Filters", "Testing/Support", "Data")
+FILES = ("CMakeLists.txt", "Testing/CMakeLists.txt")
+PARTS_OF_FILTER_TESTS = ("*-*Hashes*", "*Hashes*")  # hashes last
+WANT_A_PROCESS = "Messages.RunningOut*"  # of FilterTests: memory left over by others is enough for them
 SANITIZERS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
 GIBIBYTE = 1 << 30
 
@@ -52,6 +56,8 @@ class Workshop:
                     path.unlink()
             for path in wanted:
                 self.write(there / path, (here / path).read_bytes())
+        for name in FILES:
+            self.write(self.source / name, (ROOT / name).read_bytes())
 
     def write(self, path, content):
         """Writes a file unless it holds that already."""
@@ -59,16 +65,23 @@ class Workshop:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_bytes(content)
 
-    def tests(self):
-        return sorted(path.stem for path in (self.source / "Testing/Engine").rglob("*.cxx"))
+    def tests(self, of_engine=True):
+        """All tests, by name. Of the VTK layer: parts of FilterTests, and programs beside it."""
+        if of_engine:
+            return sorted(path.stem for path in (self.source / "Testing/Engine").rglob("*.cxx"))
+        first, last = PARTS_OF_FILTER_TESTS
+        return [f"{FILTER}:{name}" for name in (first, *FILTER_PROGRAMS, last)]
 
     def binary(self, sanitizer):
         """The build folder of plain code or of a sanitizer, configured."""
         build = self.folder / ("build-" + (sanitizer or "plain"))
         if sanitizer not in self.configured:
-            command = ["cmake", "-S", self.source / "Testing/Engine", "-B", build, "-G", "Ninja"]
+            top = self.source if sanitizer == FILTER else self.source / "Testing/Engine"
+            command = ["cmake", "-S", top, "-B", build, "-G", "Ninja"]
             # Without warnings (-w): what a mutant leaves unused is no error.
-            if sanitizer:
+            if sanitizer == FILTER:
+                command += ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w", *filter_options()]
+            elif sanitizer:
                 command += ["-DAHD_SANITIZE=" + SANITIZERS[sanitizer], "-DCMAKE_CXX_FLAGS=-w"]
             else:
                 command += ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w"]
@@ -80,8 +93,12 @@ class Workshop:
 
     def build(self, test):
         """Builds the program of a test, and returns its path. Raises BuildError."""
-        sanitizer, _, name = test.rpartition(":")
+        sanitizer, _, name = test.partition(":") if ":" in test else ("", "", test)
         build = self.binary(sanitizer)
+        if sanitizer == FILTER:
+            program = name if name in FILTER_PROGRAMS else "FilterTests"
+            run_quietly(["ninja", "-C", build, f"-j{self.jobs}", program])
+            return build / "bin" / program
         run_quietly(["ninja", "-C", build, f"-j{self.jobs}", "Engine" + name])
         return build / ("Engine" + name)
 
@@ -89,7 +106,8 @@ class Workshop:
         """Runs the quick tests of a program until the first that fails.
 
         Each is stopped after so many seconds of processor time, or ten times as many on the clock."""
-        sanitized = ":" in test
+        sanitizer, _, name = test.partition(":") if ":" in test else ("", "", test)
+        sanitized = sanitizer in ("asan", "tsan")
 
         def limit():
             resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -97,7 +115,11 @@ class Workshop:
             if not sanitized:  # these reserve terabytes
                 resource.setrlimit(resource.RLIMIT_AS, (12 * GIBIBYTE, 12 * GIBIBYTE))
 
-        command = [program, "--gtest_filter=-Long*", "--gtest_fail_fast", "--gtest_color=no"]
+        chosen = "-Long*"
+        if sanitizer == FILTER and name not in FILTER_PROGRAMS:
+            chosen = name if "*" in name else name + ".*"
+            chosen += (":" if "-" in chosen else "-") + WANT_A_PROCESS
+        command = [program, "--gtest_filter=" + chosen, "--gtest_fail_fast", "--gtest_color=no"]
         before, used = time.monotonic(), children_cpu()
         with open(self.folder / "output.txt", "w+b") as output:
             process = subprocess.Popen(
@@ -117,6 +139,12 @@ class Workshop:
             output.seek(0)
             text = output.read().decode(errors="replace")
         return Run(failure_in(text, code), time.monotonic() - before, children_cpu() - used)
+
+
+def filter_options():
+    """How the VTK layer is configured: without plugin and Python, with ParaView's VTK if there is no other."""
+    found = sorted(pathlib.Path("/usr/lib").glob("*/cmake/paraview-*/vtk"))
+    return ["-DAHD_BUILD_PARAVIEW_PLUGIN=OFF", "-DAHD_WRAP_PYTHON=OFF"] + [f"-DVTK_DIR={path}" for path in found[-1:]]
 
 
 def children_cpu():

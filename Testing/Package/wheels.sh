@@ -76,7 +76,7 @@ build_wheel() {
 
 # wheel_of <processor>
 wheel_of() {
-  ls "$folder"/dist/*-py3-none-manylinux_2_17_"$1"*.whl
+  ls "$folder"/dist/*-py3-none-*manylinux_2_17_"$1"*.whl
 }
 
 try_wheel() {

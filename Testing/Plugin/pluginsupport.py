@@ -71,6 +71,7 @@ CONSTRAINT_COUNTS = [
     "NumberOfAddedPoints",
     "NumberOfConstraintEdges",
     "NumberOfCrossings",
+    "NumberOfBentConstraints",
     "NumberOfConstraintsLeftOut",
     "NumberOfUnfilledLoops",
     "NumberOfTrimmedTriangles",

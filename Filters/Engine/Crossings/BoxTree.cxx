@@ -2,17 +2,40 @@
 #include "BoxTree.h"
 
 #include "../Core/Chunks.h"
-#include "../Order/HilbertCurve.h"
+#include "../Order/HilbertKeys.h"
 #include "../Order/Quantise.h"
 #include "../Order/RadixSort.h"
 #include "../Predicates/Predicates.h"
 
 namespace ahd
 {
+namespace
+{
+
+/// The number of the lowest bit that is set. REQUIRES: bits is not 0.
+inline unsigned lowestBit(unsigned bits)
+{
+#if defined(__GNUC__) || defined(__clang__)
+  return static_cast<unsigned>(__builtin_ctz(bits));
+#else
+  return bitLength(bits & (~bits + 1)) - 1;
+#endif
+}
+
+/// Without branches: ends that meet are hard to foretell.
+bool haveCommonEnd(const Segment& s, const Segment& t)
+{
+  const auto same = [](const Point& p, const Point& q)
+  { return int(p.x == q.x) & int(p.y == q.y); };
+  return (same(s.left, t.left) | same(s.left, t.right) | same(s.right, t.left) |
+           same(s.right, t.right)) != 0;
+}
+
+} // namespace
 
 bool cross(const Segment& s, const Segment& t)
 {
-  if (s.left == t.left || s.left == t.right || s.right == t.left || s.right == t.right)
+  if (haveCommonEnd(s, t))
   {
     return false;
   }
@@ -46,15 +69,26 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
   {
     return false;
   }
+  origin_ = { 0.5 * all.xmin + 0.5 * all.xmax, 0.5 * all.ymin + 0.5 * all.ymax };
   const Grid grid(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
   const auto makeKeys = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t k = a; k != b; ++k)
+    std::uint32_t columns[kKeyBlock], rows[kKeyBlock];
+    for (std::size_t begin = a; begin != b;)
     {
-      const Segment& s = more[k].segment;
-      const std::uint64_t place = hilbertKey(
-        grid.column(0.5 * s.left.x + 0.5 * s.right.x), grid.row(0.5 * s.left.y + 0.5 * s.right.y));
-      keys[k] = packed(static_cast<std::uint32_t>(place >> 32), static_cast<std::uint32_t>(k));
+      const std::size_t count = std::min(kKeyBlock, b - begin);
+      for (std::size_t k = 0; k != count; ++k)
+      {
+        const Segment& s = more[begin + k].segment;
+        columns[k] = grid.column(0.5 * s.left.x + 0.5 * s.right.x);
+        rows[k] = grid.row(0.5 * s.left.y + 0.5 * s.right.y);
+      }
+      hilbertKeys(columns, rows, &keys[begin], count);
+      for (const std::size_t end = begin + count; begin != end; ++begin)
+      {
+        keys[begin] = packed(
+          static_cast<std::uint32_t>(keys[begin] >> 32), static_cast<std::uint32_t>(begin));
+      }
     }
   };
   const auto add = [&](std::size_t a, std::size_t b)
@@ -65,6 +99,7 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
       prefetchForRead(&more[static_cast<Index>(keys[std::min(k + kAhead, n - 1)])]);
       pieces.push_back(more[static_cast<Index>(keys[k])]);
     }
+    ticker.finished(SplitUnits::kInTree * (b - a));
   };
   pieces.reserve(pieces.size() + n);
   return inChunks(0, n, ticker, makeKeys) && sortPacked(keys, n, ticker) &&
@@ -90,36 +125,49 @@ bool BoxTree::build(const Pieces& more, Pieces& pieces, Ticker& ticker)
     count = (count + group - 1) / group;
     group = kInNode;
     levels_.emplace_back(count);
+    leaves_.resize(levels_[0].size());
   } while (count > 1);
   return fit(pieces, ticker);
 }
 
+PieceBox BoxTree::fitLeaf(const Pieces& pieces, std::size_t node)
+{
+  PieceBox all;
+  const std::size_t begin = childrenBegin(0, node), end = childrenEnd(0, node);
+  for (std::size_t k = 0; k != kInLeaf; ++k)
+  {
+    if (begin + k >= end || pieces[begin + k].isDead)
+    {
+      leaves_[node].clear(k);
+      continue;
+    }
+    const PieceBox box = PieceBox::of(pieces[begin + k].segment);
+    leaves_[node].put(k, box, origin_);
+    all.add(box);
+  }
+  return all;
+}
+
+PieceBox BoxTree::boxAround(std::size_t level, std::size_t node) const
+{
+  PieceBox all;
+  const std::size_t end = childrenEnd(level, node);
+  for (std::size_t k = childrenBegin(level, node); k != end; ++k)
+  {
+    all.add(levels_[level - 1][k]);
+  }
+  return all;
+}
+
 bool BoxTree::fit(const Pieces& pieces, Ticker& ticker)
 {
-  const auto around = [&](std::size_t level, std::size_t node)
-  {
-    PieceBox box;
-    const std::size_t end = childrenEnd(level, node);
-    for (std::size_t k = childrenBegin(level, node); k != end; ++k)
-    {
-      if (level != 0)
-      {
-        box.add(levels_[level - 1][k]);
-      }
-      else if (!pieces[k].isDead)
-      {
-        box.add(PieceBox::of(pieces[k].segment));
-      }
-    }
-    return box;
-  };
   for (std::size_t level = 0; level != levels_.size(); ++level)
   {
     const auto fitNodes = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t node = a; node != b; ++node)
       {
-        levels_[level][node] = around(level, node);
+        levels_[level][node] = level == 0 ? fitLeaf(pieces, node) : boxAround(level, node);
       }
     };
     if (!inChunks(0, levels_[level].size(), ticker, fitNodes))
@@ -161,8 +209,8 @@ bool BoxSearch::within(const Node& node)
   {
     if (node.level == 0)
     {
-      const Piece& piece = pieces_[k];
-      if (!test(piece, PieceBox::of(piece.segment), k + 1, end))
+      const unsigned behind = ~1u << (k - begin);
+      if (!pieces_[k].isDead && !test(k, node, behind))
       {
         return false;
       }
@@ -182,6 +230,10 @@ bool BoxSearch::within(const Node& node)
       }
     }
   }
+  if (node.level == 0)
+  {
+    ticker_.finished(SplitUnits::kSearched * (end - begin));
+  }
   return count(end - begin);
 }
 
@@ -192,19 +244,21 @@ bool BoxSearch::between(const Node& a, const Node& b)
   const Node& from = descendsA ? a : b;
   const Node& to = descendsA ? b : a;
   const PieceBox& box = to.box();
-  const std::size_t end = from.end();
-  for (std::size_t k = from.begin(); k != end; ++k)
+  if (from.level == 0)
   {
-    if (from.level == 0)
+    const std::size_t begin = from.begin();
+    for (unsigned bits = from.tree->meeting(box, from.number); bits != 0; bits &= bits - 1)
     {
-      const Piece& piece = pieces_[k];
-      const PieceBox own = PieceBox::of(piece.segment);
-      if (own.meets(box) && !piece.isDead && !test(piece, own, to.begin(), to.end()))
+      if (!test(begin + lowestBit(bits), to, ~0u))
       {
         return false;
       }
-      continue;
     }
+    return count(BoxTree::kInLeaf);
+  }
+  const std::size_t end = from.end();
+  for (std::size_t k = from.begin(); k != end; ++k)
+  {
     const Node child{ from.tree, from.level - 1, k };
     if (child.box().meets(box) && !between(child, to))
     {
@@ -214,26 +268,29 @@ bool BoxSearch::between(const Node& a, const Node& b)
   return count(BoxTree::kInLeaf);
 }
 
-/// The piece against those [begin, end).
-bool BoxSearch::test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end)
+/// The piece against those of a leaf whose bits are set.
+bool BoxSearch::test(std::size_t piece, const Node& leaf, unsigned among)
 {
   constexpr std::size_t kExactTest = 8;
-  std::size_t steps = end - begin;
-  for (std::size_t k = begin; k != end; ++k)
+  const Segment& own = pieces_[piece].segment;
+  const PieceBox box = PieceBox::of(own);
+  const std::size_t begin = leaf.begin();
+  std::size_t steps = BoxTree::kInLeaf;
+  for (unsigned bits = leaf.tree->meeting(box, leaf.number) & among; bits != 0; bits &= bits - 1)
   {
-    const Piece& b = pieces_[k];
-    if (!box.meets(PieceBox::of(b.segment)) || b.isDead)
+    const std::size_t other = begin + lowestBit(bits);
+    const Segment& segment = pieces_[other].segment;
+    if (!box.meets(PieceBox::of(segment)))
     {
-      continue;
+      continue; // but for rounding
     }
-    if (!cross(a.segment, b.segment))
+    if (!cross(own, segment))
     {
       steps += kExactTest;
     }
     else
     {
-      crossings_.push_back(
-        { static_cast<Index>(&a - pieces_.data()), static_cast<Index>(&b - pieces_.data()) });
+      crossings_.push_back({ static_cast<Index>(piece), static_cast<Index>(other) });
     }
   }
   return count(steps);

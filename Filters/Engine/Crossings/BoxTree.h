@@ -13,6 +13,14 @@
 namespace ahd
 {
 
+/// What an id of the chains counts in the progress of splitting, step by step; all rounds but the
+/// first go on beyond it.
+struct SplitUnits
+{
+  static constexpr std::size_t kListed = 1, kInTree = 1, kSearched = 3, kSplit = 2, kWritten = 1;
+  static constexpr std::size_t kAll = kListed + kInTree + kSearched + kSplit + kWritten;
+};
+
 /// An axis-parallel box; one that is empty meets none.
 struct PieceBox
 {
@@ -44,13 +52,73 @@ struct PieceBox
   }
 };
 
+/// The boxes of a few pieces, rounded: those that meet do so here. None of a piece that is dead or
+/// not there.
+class LeafBoxes
+{
+public:
+  static constexpr std::size_t kMost = 8;
+
+  /// Where rounding is finest; a finite number.
+  struct Origin
+  {
+    double x, y;
+  };
+
+  /// Nothing meets what is no number; infinity is what large numbers round to.
+  void clear(std::size_t k)
+  {
+    xmin_[k] = ymin_[k] = xmax_[k] = ymax_[k] = std::numeric_limits<float>::quiet_NaN();
+  }
+  void put(std::size_t k, const PieceBox& box, const Origin& origin)
+  {
+    const Rounded r(box, origin);
+    xmin_[k] = r.xmin;
+    ymin_[k] = r.ymin;
+    xmax_[k] = r.xmax;
+    ymax_[k] = r.ymax;
+  }
+
+  /// Bit k is set if the box meets that of piece k; it may be if not. Rounding is monotone, so what
+  /// is not less stays so. All at once: a loop that compilers make vectors of.
+  unsigned meeting(const PieceBox& box, const Origin& origin) const
+  {
+    static constexpr int kBits[kMost] = { 1, 2, 4, 8, 16, 32, 64, 128 };
+    const Rounded r(box, origin);
+    int bits = 0;
+    for (std::size_t k = 0; k != kMost; ++k)
+    {
+      const bool meets = (int(xmin_[k] <= r.xmax) & int(r.xmin <= xmax_[k]) &
+                           int(ymin_[k] <= r.ymax) & int(r.ymin <= ymax_[k])) != 0;
+      bits += meets ? kBits[k] : 0;
+    }
+    return static_cast<unsigned>(bits);
+  }
+
+private:
+  struct Rounded
+  {
+    float xmin, ymin, xmax, ymax;
+
+    Rounded(const PieceBox& box, const Origin& origin)
+      : xmin(static_cast<float>(box.xmin - origin.x))
+      , ymin(static_cast<float>(box.ymin - origin.y))
+      , xmax(static_cast<float>(box.xmax - origin.x))
+      , ymax(static_cast<float>(box.ymax - origin.y))
+    {
+    }
+  };
+
+  float xmin_[kMost], ymin_[kMost], xmax_[kMost], ymax_[kMost];
+};
+
 /// A run of pieces along the Hilbert curve of their middles, and boxes around each few successive
 /// ones, around each few successive boxes, and so on.
 class BoxTree
 {
 public:
-  static constexpr std::size_t kInLeaf = 8; ///< pieces in a box of level 0
-  static constexpr std::size_t kInNode = 4; ///< boxes in a box of the next level
+  static constexpr std::size_t kInLeaf = LeafBoxes::kMost; ///< pieces in a box of level 0
+  static constexpr std::size_t kInNode = 4;                ///< boxes in a box of the next level
 
   /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is
   /// to be cancelled. Throws std::bad_alloc.
@@ -68,15 +136,24 @@ public:
     return level == 0 ? std::min(first_ + (node + 1) * kInLeaf, last_)
                       : std::min((node + 1) * kInNode, levels_[level - 1].size());
   }
+  /// Of the pieces of a box of level 0, those whose boxes may meet this one: bit k for the k-th.
+  unsigned meeting(const PieceBox& box, std::size_t node) const
+  {
+    return leaves_[node].meeting(box, origin_);
+  }
   std::size_t childrenBegin(std::size_t level, std::size_t node) const
   {
     return level == 0 ? first_ + node * kInLeaf : node * kInNode;
   }
 
 private:
-  static bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
+  bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
+  PieceBox fitLeaf(const Pieces& pieces, std::size_t node);
+  PieceBox boxAround(std::size_t level, std::size_t node) const;
 
   std::size_t first_ = 0, last_ = 0;
+  LeafBoxes::Origin origin_ = {};
+  std::vector<LeafBoxes> leaves_;
   std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all
 };
 
@@ -126,7 +203,7 @@ private:
 
   bool within(const Node& node);
   bool between(const Node& a, const Node& b);
-  bool test(const Piece& a, const PieceBox& box, std::size_t begin, std::size_t end);
+  bool test(std::size_t piece, const Node& leaf, unsigned among);
   bool count(std::size_t steps);
   Outcome outcomeOf(bool done) const
   {

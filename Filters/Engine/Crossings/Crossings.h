@@ -106,13 +106,19 @@ constexpr int kMostSplittingRounds = 16;
 /// The points of the result and the pieces, as a set of pairs of places, are a function of the set
 /// of the segments: neither their order nor their directions have a say.
 ///
-/// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory, or
+/// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory,
 /// TooManyPoints if there are more than kMaximumPoints, the added ones included, or more than
-/// 2^31 ids in the chains; unless Ok, `out` is not to be used. Cost: for n segments with k
-/// crossings n log^2 n + k log n steps a round at most, where k does not count pairs of those that
-/// pass exactly through one place; mostly one round splits, and the second finds nothing, quickly.
-Status splitAtCrossings(
-  const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out);
+/// 2^31 ids in the chains, or TooManyCrossings as soon as there are more than `mostCrossings`
+/// places to lead segments through, or four times as many pairs that cross, those that pass exactly
+/// through one place not counted each; unless Ok, `out` is not to be used. Takes
+/// splitMemoryEstimate() bytes at most. Cost: for n segments with k crossings n log^2 n + k log n
+/// steps a round at most, where k does not count pairs of those that pass exactly through one
+/// place; mostly one round splits, and the second finds nothing, quickly.
+Status splitAtCrossings(const PointView& points, const ConstraintView& chains, Progress* progress,
+  SplitConstraints& out, std::size_t mostCrossings = std::size_t(-1));
+
+/// Upper estimate of the bytes that it takes, `out` included, for so many segments and crossings.
+std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings);
 
 } // namespace ahd
 

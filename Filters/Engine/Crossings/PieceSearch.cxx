@@ -5,6 +5,8 @@
 #include "../Core/SortAsking.h"
 #include "SplitFind.h"
 
+#include <algorithm>
+
 namespace ahd
 {
 namespace
@@ -18,12 +20,12 @@ struct SegmentEnd
 };
 
 /// Steps that take less time than a search by strips; and more crossings than there are without
-/// hubs, mostly.
-BoxSearchLimits limitsFor(std::size_t pieces)
+/// hubs, mostly, or the most there may be.
+BoxSearchLimits limitsFor(std::size_t pieces, std::size_t most)
 {
   constexpr std::size_t kCrossings = 64;
   const std::size_t bits = bitLength(pieces);
-  return { bits * bits * pieces, kCrossings * pieces };
+  return { bits * bits * pieces, std::min(most, kCrossings * pieces) };
 }
 
 bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegments& segments)
@@ -64,7 +66,7 @@ bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegmen
 
 } // namespace
 
-bool PieceSearch::find(const Pieces& more, Pieces& pieces, FoundCrossings& found)
+bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found)
 {
   trees_.emplace_back();
   if (!trees_.back().build(more, pieces, ticker_))
@@ -72,7 +74,7 @@ bool PieceSearch::find(const Pieces& more, Pieces& pieces, FoundCrossings& found
     return false;
   }
   found.unlisted = 0;
-  BoxSearchLimits limits = limitsFor(pieces.size());
+  BoxSearchLimits limits = limitsFor(pieces.size(), most);
   BoxSearch::Outcome outcome = searchTrees(pieces, limits, found.listed);
   if (outcome != BoxSearch::Outcome::GivenUp)
   {
@@ -85,13 +87,17 @@ bool PieceSearch::find(const Pieces& more, Pieces& pieces, FoundCrossings& found
     {
       return false;
     }
-    if (hubs.count() == 0)
+    if (hubs.count() == 0 && limits.crossings < most)
     {
-      limits.crossings = std::size_t(-1);
+      limits.crossings = most;
       outcome = searchTrees(pieces, limits, found.listed);
     }
+    if (hubs.count() == 0 && found.listed.size() > most)
+    {
+      return true;
+    }
   }
-  return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, hubs, found)
+  return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, most, hubs, found)
                                                 : outcome == BoxSearch::Outcome::Done;
 }
 
@@ -114,7 +120,8 @@ BoxSearch::Outcome PieceSearch::searchTrees(
 }
 
 /// Looks for hubs as long as there are new ones, each time at twice as many crossings.
-bool PieceSearch::findByStrips(const Pieces& pieces, Hubs& hubs, FoundCrossings& found)
+bool PieceSearch::findByStrips(
+  const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found)
 {
   RankedSegments segments;
   std::vector<Hubs::Part> parts;
@@ -126,15 +133,15 @@ bool PieceSearch::findByStrips(const Pieces& pieces, Hubs& hubs, FoundCrossings&
       crossings[k] = { parts[crossings[k].a].piece, parts[crossings[k].b].piece };
     }
   };
-  for (std::size_t most = limitsFor(pieces.size()).crossings;; most *= 2)
+  for (std::size_t enough = limitsFor(pieces.size(), most).crossings;;)
   {
     if (!hubs.listParts(pieces, parts) || !rankEnds(parts, ticker_, segments) ||
-      !findCrossings(segments, ticker_, crossings, most) ||
+      !findCrossings(segments, ticker_, crossings, enough) ||
       !inChunks(0, crossings.size(), ticker_, rename))
     {
       return false;
     }
-    if (crossings.size() <= most)
+    if (crossings.size() <= enough)
     {
       return hubs.addCrossings(pieces, crossings, found.unlisted);
     }
@@ -143,7 +150,11 @@ bool PieceSearch::findByStrips(const Pieces& pieces, Hubs& hubs, FoundCrossings&
     {
       return false;
     }
-    most = hubs.count() == before ? std::size_t(-1) / 2 : most;
+    if (hubs.count() == before && enough == most)
+    {
+      return true;
+    }
+    enough = hubs.count() == before ? most : std::min(most, 2 * enough);
   }
 }
 

@@ -34,18 +34,18 @@ public:
 
   /// Adds `more` to the pieces, in an order of its own, and finds what crosses. REQUIRES: the
   /// pieces are those that the calls before left, some of them dead by now, and those that are not
-  /// dead do not cross each other. Returns false if the work is to be cancelled. Throws
-  /// std::bad_alloc.
+  /// dead do not cross each other. Stops as soon as more than `most` pairs are to be listed, and
+  /// lists more. Returns false if the work is to be cancelled. Throws std::bad_alloc.
   ///
   /// Cost: mostly the new pieces and those near them, and m log^2 m for m pieces through a hub.
   /// Where boxes tell too little apart, as among long segments side by side, all pieces are
   /// searched by strips (SplitFind.h).
-  bool find(const Pieces& more, Pieces& pieces, FoundCrossings& found);
+  bool find(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found);
 
 private:
   BoxSearch::Outcome searchTrees(
     const Pieces& pieces, const BoxSearchLimits& limits, std::vector<Crossing>& crossings);
-  bool findByStrips(const Pieces& pieces, Hubs& hubs, FoundCrossings& found);
+  bool findByStrips(const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found);
 
   Ticker& ticker_;
   std::vector<BoxTree> trees_; ///< one for each call

@@ -42,6 +42,9 @@ public:
   /// kNoIndex if it is not there.
   Index find(const Point& p) const { return slots_.empty() ? kNoIndex : slots_[slotOf(p)]; }
 
+  /// Fetches what find() and add() look at first.
+  void prefetch(const Point& p) const { prefetchForWrite(&slots_[firstSlotOf(p)]); }
+
   /// Adds the place unless it is there, and tells its number. Returns false if the work is to be
   /// cancelled. Throws std::bad_alloc.
   bool add(const Point& p, Index& number)
@@ -61,7 +64,7 @@ public:
     return true;
   }
 
-  /// Makes room for so many places. Returns false if the work is to be cancelled. Throws
+  /// Makes room for so many places, mostly. Returns false if the work is to be cancelled. Throws
   /// std::bad_alloc.
   bool reserve(std::size_t count)
   {
@@ -91,12 +94,17 @@ private:
     return bits;
   }
 
-  std::size_t slotOf(const Point& p) const
+  std::size_t firstSlotOf(const Point& p) const
   {
     const std::uint64_t x = bitsOf(p.x) * 0x9E3779B97F4A7C15u;
     const std::uint64_t mixed = ((x ^ x >> 32) + bitsOf(p.y)) * 0xC2B2AE3D27D4EB4Fu;
     const std::uint64_t key = (mixed ^ mixed >> 29) * 0x9E3779B97F4A7C15u;
-    std::size_t slot = static_cast<std::size_t>(key >> shift_);
+    return static_cast<std::size_t>(key >> shift_);
+  }
+
+  std::size_t slotOf(const Point& p) const
+  {
+    std::size_t slot = firstSlotOf(p);
     while (slots_[slot] != kNoIndex && !(places_[slots_[slot]].at == p))
     {
       slot = slot + 1 == slots_.size() ? 0 : slot + 1;

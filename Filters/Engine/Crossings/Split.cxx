@@ -5,6 +5,7 @@
 #include "Splitter.h"
 
 #include <algorithm>
+#include <array>
 
 namespace ahd
 {
@@ -16,6 +17,9 @@ namespace
 #define AHD_MOST_CHAIN_IDS (std::size_t(1) << 31)
 #endif
 constexpr std::size_t kMostIds = AHD_MOST_CHAIN_IDS;
+
+/// Pairs that are allowed for each place that is. A pair takes a tenth of the memory.
+constexpr std::size_t kPairsPerPlace = 4;
 
 } // namespace
 
@@ -30,6 +34,8 @@ Status Splitter::run()
   {
     return Status::Cancelled;
   }
+  std::size_t mostPairs = most_ > std::size_t(-1) / kPairsPerPlace ? std::size_t(-1)
+                                                                   : kPairsPerPlace * most_;
   for (;; ++out_.rounds)
   {
     if (ids_ + inserted_.size() > kMostIds || pieces_.size() + more_.size() >= kNoIndex ||
@@ -37,9 +43,13 @@ Status Splitter::run()
     {
       return Status::TooManyPoints;
     }
-    if (!search_.find(more_, pieces_, found_))
+    if (!search_.find(more_, pieces_, mostPairs, found_))
     {
       return Status::Cancelled;
+    }
+    if (found_.listed.size() > mostPairs)
+    {
+      return Status::TooManyCrossings;
     }
     if (found_.count() == 0 || out_.rounds == kMostSplittingRounds)
     {
@@ -47,10 +57,11 @@ Status Splitter::run()
       return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
     more_.clear();
+    mostPairs -= found_.listed.size();
     out_.crossings += found_.count();
     if (!split())
     {
-      return Status::Cancelled;
+      return places_.size() > most_ ? Status::TooManyCrossings : Status::Cancelled;
     }
   }
 }
@@ -84,6 +95,7 @@ bool Splitter::listPieces()
           more_.push_back({ { q, p }, j, i, position, false, false });
         }
       }
+      ticker_.finished(SplitUnits::kListed * (b - a));
     };
     const std::size_t closing = chain < chains_.lines && begin != end ? 1 : 0;
     if (!inChunks(begin, end - closing, ticker_, list) || !ticker_.step())
@@ -97,43 +109,64 @@ bool Splitter::listPieces()
 
 // --------------------------------------------------------------------------- splitting, one round
 
+/// Returns false if the work is to be cancelled, or if there are too many places.
 bool Splitter::split()
 {
+  constexpr std::size_t kBlock = 64; // whose slots in the table are fetched while it is worked on
+  std::array<Meeting, kBlock> meetings;
+  const std::vector<Crossing>& listed = found_.listed;
   insertions_.clear();
-  if (!places_.reserve(places_.size() + found_.listed.size()))
+  insertions_.reserve(2 * listed.size()); // mostly
+  if (!places_.reserve(places_.size() + listed.size()))
   {
     return false;
   }
-  for (const Crossing& crossing : found_.listed)
+  for (std::size_t begin = 0; begin != listed.size();)
   {
-    if (!meet(crossing) || !ticker_.step())
+    const std::size_t end = std::min(listed.size(), begin + kBlock);
+    for (std::size_t k = begin; k != end; ++k)
+    {
+      meetings[k - begin] = meetingOf(listed[k]);
+      places_.prefetch(meetings[k - begin].at);
+    }
+    for (std::size_t k = begin; k != end; ++k)
+    {
+      if (!meet(listed[k], meetings[k - begin]) || !ticker_.step())
+      {
+        return false;
+      }
+    }
+    if (places_.size() > most_)
     {
       return false;
     }
+    begin = end;
   }
-  return findIds() && addPoints() && splitPieces();
+  return findIds() && sortInsertions() && splitPieces();
+}
+
+Splitter::Meeting Splitter::meetingOf(Crossing crossing) const
+{
+  const Segment &a = pieces_[crossing.a].segment, &b = pieces_[crossing.b].segment;
+  const bool isAtEnds = roundsTo(a, b.left) || roundsTo(a, b.right) || roundsTo(b, a.left) ||
+    roundsTo(b, a.right);
+  return { isAtEnds, isAtEnds ? Point() : crossingOf(a, b) };
 }
 
 /// Leads one of two pieces through an end of the other, or both through where they cross.
-bool Splitter::meet(Crossing crossing)
+bool Splitter::meet(Crossing crossing, const Meeting& meeting)
 {
-  bool isEndOfA = false, isEndOfB = false;
-  if (!takeEnds(crossing.a, crossing.b, isEndOfB) || !takeEnds(crossing.b, crossing.a, isEndOfA))
+  if (meeting.isAtEnds)
   {
-    return false;
+    return takeEnds(crossing.a, crossing.b) && takeEnds(crossing.b, crossing.a);
   }
-  if (isEndOfA || isEndOfB)
-  {
-    return true;
-  }
-  const Piece &a = pieces_[crossing.a], &b = pieces_[crossing.b];
-  const Point p = crossingOf(a.segment, b.segment);
+  const Point& p = meeting.at;
   Index number = kNoIndex;
   if (!places_.add(p, number))
   {
     return false;
   }
-  nameSegments(places_[number], a.position, b.position);
+  nameSegments(places_[number], pieces_[crossing.a].position, pieces_[crossing.b].position);
   for (const Index piece : { crossing.a, crossing.b })
   {
     const Segment& segment = pieces_[piece].segment;
@@ -146,7 +179,7 @@ bool Splitter::meet(Crossing crossing)
 }
 
 /// Lets a piece go through those ends of another one to which it rounds.
-bool Splitter::takeEnds(Index piece, Index other, bool& takesOne)
+bool Splitter::takeEnds(Index piece, Index other)
 {
   const Segment& segment = pieces_[piece].segment;
   for (const Point& end : { pieces_[other].segment.left, pieces_[other].segment.right })
@@ -159,21 +192,29 @@ bool Splitter::takeEnds(Index piece, Index other, bool& takesOne)
         return false;
       }
       insertions_.push_back(packed(piece, number));
-      takesOne = true;
     }
   }
   return true;
 }
 
-Status splitAtCrossings(
-  const PointView& points, const ConstraintView& chains, Progress* progress, SplitConstraints& out)
+Status splitAtCrossings(const PointView& points, const ConstraintView& chains, Progress* progress,
+  SplitConstraints& out, std::size_t mostCrossings)
 {
   return withoutThrowing(
     [&]
     {
-      Ticker ticker(progress, Phase::Split, 0);
-      return Splitter(points, chains, ticker, out).run();
+      const std::size_t ids = chains.chains == 0
+        ? 0
+        : std::size_t(chains.offsets[chains.chains] - chains.offsets[0]);
+      Ticker ticker(progress, Phase::Split, SplitUnits::kAll * ids);
+      return Splitter(points, chains, ticker, out, mostCrossings).run();
     });
+}
+
+std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings)
+{
+  constexpr std::size_t kPerSegment = 400, kPerCrossing = 1200;
+  return kPerSegment * segments + kPerCrossing * crossings;
 }
 
 } // namespace ahd

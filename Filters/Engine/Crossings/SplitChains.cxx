@@ -19,25 +19,23 @@ constexpr std::int64_t kNoPoint = -1;
 
 } // namespace
 
-/// Sorts by owners, then along them; equal ones are kept.
-bool Splitter::sortAlong(
-  const std::vector<OnSegment>& items, const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted)
+/// Sorts the insertions by pieces.
+bool Splitter::sortInsertions()
 {
-  const std::size_t n = items.size();
-  sorted.allocate(n);
+  const std::size_t n = insertions_.size();
+  sorted_.allocate(n);
   const auto copy = [&](std::size_t a, std::size_t b)
-  { std::copy(items.data() + a, items.data() + b, sorted.data() + a); };
-  return inChunks(0, n, ticker_, copy) && sortPacked(sorted, n, ticker_) &&
-    sortGroups(wayOfOwner, sorted);
+  { std::copy(insertions_.data() + a, insertions_.data() + b, sorted_.data() + a); };
+  return inChunks(0, n, ticker_, copy) && sortPacked(sorted_, n, ticker_) && listOnPieces();
 }
 
-/// The same for what is sorted by owners.
-bool Splitter::sortGroups(const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted)
+/// Lists the pieces with insertions in the order of the segments, then along them.
+bool Splitter::listOnPieces()
 {
-  const std::size_t n = sorted.size();
-  for (std::size_t begin = 0, end = 0; begin != n; begin = end)
+  onPieces_.clear();
+  for (std::size_t begin = 0, end = 0; begin != sorted_.size(); begin = end)
   {
-    while (end != n && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
+    while (end != sorted_.size() && ownerOf(sorted_[end]) == ownerOf(sorted_[begin]))
     {
       ++end;
       if (!ticker_.step())
@@ -45,66 +43,65 @@ bool Splitter::sortGroups(const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorte
         return false;
       }
     }
-    if (end - begin > 1 && !sortOn(wayOfOwner(ownerOf(sorted[begin])), &sorted[begin], end - begin))
-    {
-      return false;
-    }
+    onPieces_.push_back({ pieces_[ownerOf(sorted_[begin])].position, begin, end });
   }
-  return true;
-}
-
-/// Sorts what is on one segment.
-bool Splitter::sortOn(const Way& way, OnSegment* items, std::size_t count)
-{
-  struct Item
+  // Pieces of one segment have nothing in common but ends, where nothing is inserted.
+  const auto comesBefore = [&](const OnPiece& s, const OnPiece& t)
   {
-    Point at;
-    OnSegment item;
+    return s.position != t.position
+      ? s.position < t.position
+      : wayOf(nameOf(s.position))
+          .isBefore(places_[placeOf(sorted_[s.begin])].at, places_[placeOf(sorted_[t.begin])].at);
   };
-  const auto comesBefore = [&](const Item& i, const Item& k) { return way.isBefore(i.at, k.at); };
-  std::vector<Item> sorted;
-  sorted.reserve(count);
-  for (std::size_t k = 0; k != count; ++k)
-  {
-    sorted.push_back({ places_[placeOf(items[k])].at, items[k] });
-    if (!ticker_.step())
-    {
-      return false;
-    }
-  }
-  return sortAsking(sorted, ticker_, comesBefore) &&
-    inChunks(0, count, ticker_,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t k = a; k != b; ++k)
-        {
-          items[k] = sorted[k].item;
-        }
-      });
+  return sortAsking(onPieces_, ticker_, comesBefore);
 }
 
-/// Replaces the pieces that are led through places.
+/// Lists in along_ what is on a piece or segment, in the order in which it passes it.
+bool Splitter::sortAlong(const Way& way, const OnSegment* items, std::size_t count)
+{
+  const auto comesBefore = [&](const PlaceAlong& i, const PlaceAlong& k)
+  { return way.isBefore(i.at, k.at); };
+  along_.clear();
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      along_.push_back({ places_[placeOf(items[k])].at, placeOf(items[k]) });
+    }
+  };
+  return inChunks(0, count, ticker_, list) && sortAsking(along_, ticker_, comesBefore);
+}
+
+/// Replaces the pieces that are led through places, and adds the points there.
 bool Splitter::splitPieces()
 {
-  Buffer<OnSegment> sorted;
-  const auto wayOfOwner = [&](Index piece)
-  {
-    const Segment& s = pieces_[piece].segment;
-    return pieces_[piece].isForward ? Way{ s.left, s.right } : Way{ s.right, s.left };
-  };
-  if (!sortAlong(insertions_, wayOfOwner, sorted))
+  addedBefore_ = out_.points.size();
+  if (!reserveForPieces())
   {
     return false;
   }
-  more_.reserve(2 * sorted.size()); // at most
-  inserted_.reserve(inserted_.size() + sorted.size());
-  for (std::size_t begin = 0, end = 0; begin != sorted.size(); begin = end)
+  const std::size_t units = SplitUnits::kSplit * ids_ / std::max<std::size_t>(1, onPieces_.size());
+  for (const OnPiece& on : onPieces_)
   {
-    while (end != sorted.size() && ownerOf(sorted[end]) == ownerOf(sorted[begin]))
+    ticker_.finished(units);
+    constexpr std::size_t kMostFetched = 64;
+    if (&on != &onPieces_.back())
     {
-      ++end;
+      const OnPiece& next = (&on)[1];
+      for (std::size_t k = next.begin; k != std::min(next.end, next.begin + kMostFetched); ++k)
+      {
+        prefetchForRead(&places_[placeOf(sorted_[k])]);
+      }
     }
-    if (!splitPiece(ownerOf(sorted[begin]), &sorted[begin], &sorted[begin] + (end - begin)))
+    const Piece& piece = pieces_[ownerOf(sorted_[on.begin])];
+    const Segment& s = piece.segment;
+    const Way way = piece.isForward ? Way{ s.left, s.right } : Way{ s.right, s.left };
+    if (!sortAlong(way, &sorted_[on.begin], on.end - on.begin))
+    {
+      return false;
+    }
+    addPointsOn(on.position);
+    if (!splitPiece(on))
     {
       return false;
     }
@@ -113,32 +110,56 @@ bool Splitter::splitPieces()
   return true;
 }
 
-/// The places are in order along the piece; one may come several times in a row.
-bool Splitter::splitPiece(Index piece, const OnSegment* begin, const OnSegment* end)
+/// Makes room for all that this round adds.
+bool Splitter::reserveForPieces()
 {
-  pieces_[piece].isDead = true;
-  const Piece whole = pieces_[piece];
+  std::size_t added = 0;
+  const auto look = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      added += std::size_t(places_[static_cast<Index>(k)].id == kNoIndex);
+    }
+  };
+  if (!inChunks(named_, places_.size(), ticker_, look))
+  {
+    return false;
+  }
+  out_.points.reserve(addedBefore_ + added);
+  more_.reserve(sorted_.size() + onPieces_.size());
+  inserted_.reserve(inserted_.size() + sorted_.size());
+  return true;
+}
+
+/// Puts the places of along_ into their piece; one may come several times in a row.
+bool Splitter::splitPiece(const OnPiece& on)
+{
+  Piece& piece = pieces_[ownerOf(sorted_[on.begin])];
+  piece.isDead = true;
+  const Piece whole = piece;
   Piece rest = whole;
   rest.isDead = false;
-  for (const OnSegment* item = begin; item != end; ++item)
+  Index last = kNoIndex;
+  for (const PlaceAlong& item : along_)
   {
     if (!ticker_.step())
     {
       return false;
     }
-    if (item != begin && placeOf(*item) == placeOf(item[-1]))
+    if (item.place == last)
     {
       continue; // several pieces may cross this one there
     }
-    const PlaceTable::Place& place = places_[placeOf(*item)];
+    last = item.place;
+    const Index id = places_[last].id;
     Piece next = rest;
-    (whole.isForward ? next.segment.right : next.segment.left) = place.at;
-    (whole.isForward ? next.rightId : next.leftId) = place.id;
-    (whole.isForward ? rest.segment.left : rest.segment.right) = place.at;
-    (whole.isForward ? rest.leftId : rest.rightId) = place.id;
+    (whole.isForward ? next.segment.right : next.segment.left) = item.at;
+    (whole.isForward ? next.rightId : next.leftId) = id;
+    (whole.isForward ? rest.segment.left : rest.segment.right) = item.at;
+    (whole.isForward ? rest.leftId : rest.rightId) = id;
     addPiece(next);
-    inserted_.push_back({ whole.position, placeOf(*item), place.id });
-    if (place.id < points_.count + addedBefore_ && isBeside(whole.position, place.at))
+    inserted_.push_back({ whole.position, last, id });
+    if (id < points_.count + addedBefore_ && isBeside(whole.position, item.at))
     {
       bent_.push_back(whole.position);
     }
@@ -168,43 +189,60 @@ bool Splitter::isBeside(Index position, const Point& p) const
 
 // ------------------------------------------------------------------------------------- the result
 
-/// Sorts what was inserted by segments, then along them. What one round inserted into one segment
-/// comes in a row, in order; a later round may have gone on between.
-bool Splitter::sortInserted(Buffer<OnSegment>& sorted)
+/// Sorts what was inserted by segments, then along them: as one round leaves it. What one inserted
+/// into one segment comes in a row; a later one may have gone on between.
+bool Splitter::sortInserted()
 {
   const std::size_t n = inserted_.size();
-  std::vector<OnSegment> items;
-  sorted.allocate(n);
+  if (out_.rounds < 2)
+  {
+    return true;
+  }
   const auto list = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      sorted[k] = packed(inserted_[k].position, static_cast<Index>(k));
+      sorted_[k] = packed(inserted_[k].position, inserted_[k].place);
     }
   };
-  const auto name = [&](std::size_t a, std::size_t b)
+  sorted_.allocate(n);
+  if (!inChunks(0, n, ticker_, list) || !sortPacked(sorted_, n, ticker_))
   {
-    for (std::size_t k = a; k != b; ++k)
+    return false;
+  }
+  for (std::size_t begin = 0, end = 0; begin != n; begin = end)
+  {
+    const Index position = ownerOf(sorted_[begin]);
+    while (end != n && ownerOf(sorted_[end]) == position)
     {
-      const Inserted& inserted = inserted_[static_cast<Index>(sorted[k])];
-      sorted[k] = packed(inserted.position, inserted.place);
+      ++end;
+      if (!ticker_.step())
+      {
+        return false;
+      }
     }
-  };
-  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
-  return inChunks(0, n, ticker_, list) && sortPacked(sorted, n, ticker_) &&
-    inChunks(0, n, ticker_, name) && (out_.rounds < 2 || sortGroups(wayOfOwner, sorted));
+    if (!sortAlong(wayOf(nameOf(position)), &sorted_[begin], end - begin))
+    {
+      return false;
+    }
+    for (std::size_t k = begin; k != end; ++k)
+    {
+      const Index place = along_[k - begin].place;
+      inserted_[k] = { position, place, places_[place].id };
+    }
+  }
+  return true;
 }
 
 bool Splitter::makeChains()
 {
-  Buffer<OnSegment> sorted;
-  if (!sortInserted(sorted))
+  if (!sortInserted())
   {
     return false;
   }
   out_.lines = chains_.lines;
-  out_.ids.reserve(ids_ + sorted.size());
-  out_.segments.reserve(ids_ + sorted.size());
+  out_.ids.reserve(ids_ + inserted_.size());
+  out_.segments.reserve(ids_ + inserted_.size());
   out_.offsets.reserve(chains_.chains + 1);
   out_.offsets.push_back(0);
   std::size_t next = 0;
@@ -218,15 +256,16 @@ bool Splitter::makeChains()
       const auto segment = std::int64_t(std::min(k - begin, last));
       out_.ids.push_back(std::size_t(given(k)) < points_.count ? given(k) : kNoPoint);
       out_.segments.push_back(segment);
-      for (; next != sorted.size() && ownerOf(sorted[next]) == k; ++next)
+      for (; next != inserted_.size() && inserted_[next].position == k; ++next)
       {
-        out_.ids.push_back(places_[placeOf(sorted[next])].id);
+        out_.ids.push_back(inserted_[next].id);
         out_.segments.push_back(segment);
         if (!ticker_.step())
         {
           return false;
         }
       }
+      ticker_.finished(SplitUnits::kWritten);
       if (!ticker_.step())
       {
         return false;

@@ -11,6 +11,14 @@
 namespace ahd
 {
 
+/// A segment, and from where to where it runs.
+struct Splitter::Named
+{
+  Index position;
+  SegmentName name;
+  Way way;
+};
+
 /// Two segments cross at the place: they may be the first ones.
 void Splitter::nameSegments(PlaceTable::Place& place, Index a, Index b) const
 {
@@ -103,53 +111,34 @@ bool Splitter::findPoints()
     });
 }
 
-/// Adds a point for each new place without one: in the order of the first segments there, then
-/// along them.
-bool Splitter::addPoints()
+/// Adds a point for each place of along_ without one that has this segment as its first: so they
+/// come in the order of the first segments, then along them. A place that is an end of a piece, and
+/// so not along it, has a point.
+void Splitter::addPointsOn(Index position)
 {
-  std::vector<OnSegment> news;
-  const auto list = [&](std::size_t a, std::size_t b)
+  const Named first = named(position);
+  for (const PlaceAlong& item : along_)
   {
-    for (std::size_t k = a; k != b; ++k)
+    PlaceTable::Place& place = places_[item.place];
+    if (place.id == kNoIndex && place.first == position)
     {
-      const auto number = static_cast<Index>(k);
-      if (places_[number].id == kNoIndex)
-      {
-        news.push_back(packed(places_[number].first, number));
-      }
-    }
-  };
-  addedBefore_ = out_.points.size();
-  Buffer<OnSegment> sorted;
-  const auto wayOfOwner = [&](Index position) { return wayOf(nameOf(position)); };
-  const auto add = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      PlaceTable::Place& place = places_[placeOf(sorted[k])];
       place.id = static_cast<Index>(points_.count + out_.points.size());
-      out_.points.push_back(described(place));
+      out_.points.push_back(described(place, first));
     }
-  };
-  return inChunks(named_, places_.size(), ticker_, list) && sortAlong(news, wayOfOwner, sorted) &&
-    inChunks(0, sorted.size(), ticker_, add);
+  }
 }
 
-CrossingPoint Splitter::described(const PlaceTable::Place& place) const
+Splitter::Named Splitter::named(Index position) const
 {
-  struct Named
-  {
-    SegmentName name;
-    Way way;
-  };
-  const auto named = [&](Index position)
-  {
-    const SegmentName name = nameOf(position);
-    return Named{ name, wayOf(name) };
-  };
-  const Named a = named(place.first), b = named(place.second);
+  const SegmentName name = nameOf(position);
+  return { position, name, wayOf(name) };
+}
+
+CrossingPoint Splitter::described(const PlaceTable::Place& place, const Named& a) const
+{
+  const Named b = named(place.second);
   const auto again = [&](Index position) {
-    return position == place.first ? a : position == place.second ? b : named(position);
+    return position == a.position ? a : position == b.position ? b : named(position);
   };
   const Named lower = again(place.lower), upper = again(place.upper);
   const auto along = [&](const Point& from, const Point& to)

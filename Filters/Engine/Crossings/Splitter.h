@@ -10,7 +10,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace ahd
@@ -47,6 +46,20 @@ inline Index placeOf(OnSegment item)
   return static_cast<Index>(item);
 }
 
+/// What lies on one piece: a range of what is sorted by pieces.
+struct OnPiece
+{
+  Index position; ///< of its segment
+  std::size_t begin, end;
+};
+
+/// One of them, in the order along a piece or segment.
+struct PlaceAlong
+{
+  Point at;
+  Index place;
+};
+
 /// A point that a segment is led through.
 struct Inserted
 {
@@ -59,14 +72,15 @@ struct Inserted
 class Splitter
 {
 public:
-  Splitter(
-    const PointView& points, const ConstraintView& chains, Ticker& ticker, SplitConstraints& out)
+  Splitter(const PointView& points, const ConstraintView& chains, Ticker& ticker,
+    SplitConstraints& out, std::size_t mostCrossings)
     : points_(points)
     , chains_(chains)
     , ticker_(ticker)
     , out_(out)
     , first_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[0]))
     , ids_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]) - first_)
+    , most_(mostCrossings)
     , search_(ticker)
     , places_(ticker)
   {
@@ -75,35 +89,43 @@ public:
   Status run();
 
 private:
-  using WayOfOwner = std::function<Way(Index)>;
+  /// Where two pieces are led through: a place, or ends of theirs.
+  struct Meeting
+  {
+    bool isAtEnds;
+    Point at;
+  };
+  struct Named;
 
   bool listPieces();
   bool split();
-  bool meet(Crossing crossing);
+  Meeting meetingOf(Crossing crossing) const;
+  bool meet(Crossing crossing, const Meeting& meeting);
   void nameSegments(PlaceTable::Place& place, Index a, Index b) const;
   bool comesBeforeByPlaces(std::array<Index, 2> pair, std::array<Index, 2> other) const;
-  bool takeEnds(Index piece, Index other, bool& takesOne);
+  bool takeEnds(Index piece, Index other);
   bool findIds();
   bool findEnds();
   bool findPoints();
-  bool addPoints();
+  bool sortInsertions();
+  bool listOnPieces();
+  bool reserveForPieces();
   bool splitPieces();
-  bool splitPiece(Index piece, const OnSegment* begin, const OnSegment* end);
+  bool splitPiece(const OnPiece& on);
+  void addPointsOn(Index position);
   bool makeChains();
   bool nameBent();
 
   void addPiece(Piece piece);
   bool isBeside(Index position, const Point& p) const;
 
-  bool sortGroups(const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
-  bool sortInserted(Buffer<OnSegment>& sorted);
-  bool sortOn(const Way& way, OnSegment* items, std::size_t count);
-  bool sortAlong(
-    const std::vector<OnSegment>& items, const WayOfOwner& wayOfOwner, Buffer<OnSegment>& sorted);
+  bool sortInserted();
+  bool sortAlong(const Way& way, const OnSegment* items, std::size_t count);
 
   std::int64_t given(std::size_t position) const { return chains_.ids[first_ + position]; }
   bool isUsable(std::int64_t id) const;
-  CrossingPoint described(const PlaceTable::Place& place) const;
+  Named named(Index position) const;
+  CrossingPoint described(const PlaceTable::Place& place, const Named& first) const;
   Point at(std::int64_t id) const;
   Way wayOf(const SegmentName& name) const;
   SegmentName nameOf(Index position) const;
@@ -114,6 +136,7 @@ private:
   SplitConstraints& out_;
   std::size_t first_; ///< where the ids of the chains begin
   std::size_t ids_;   ///< how many there are; positions are counted from first_
+  std::size_t most_;  ///< places that there may be
   PieceSearch search_;
   Pieces pieces_;
   std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given
@@ -123,7 +146,10 @@ private:
   std::size_t named_ = 0;             ///< so many places, the first, have ids
   std::size_t addedBefore_ = 0;       ///< points added in the rounds before
   std::vector<OnSegment> insertions_; ///< this round's: by pieces
-  std::vector<Inserted> inserted_;    ///< in all rounds
+  Buffer<OnSegment> sorted_;          ///< these, sorted
+  std::vector<OnPiece> onPieces_;     ///< in the order of the segments, then along them
+  std::vector<PlaceAlong> along_;     ///< what is on one of them
+  std::vector<Inserted> inserted_;    ///< in all rounds, those of one as in onPieces_
   std::vector<Index> bent_;           ///< positions
 };
 

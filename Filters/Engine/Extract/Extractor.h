@@ -37,13 +37,16 @@ struct ExtractedMesh
 
 /// Bytes of scratch that writeCanonical needs per vertex: a key for each of two triangles.
 constexpr std::size_t kExtractScratchPerPoint = 2 * sizeof(std::uint64_t);
+/// Bytes that it allocates per vertex, at most: 4 for pieces of keys that are not full, 1 for what
+/// is known of their chains, 1.25 for their links. With one thread, 0.7.
+constexpr std::size_t kExtractBytesPerPoint = 7;
 
 /// Writes the finite triangles of a mesh, but those to be left out, in canonical order: each starts
 /// at its lowest vertex, and they are sorted by their three vertices. As vertices are numbered by
 /// canonical rank, the order depends on the point set alone. Vertex v is written as ids[v], or as v
 /// if `ids` is null; `triples` has room for a triple for each of these. On all threads lent; each
-/// allocates 70 KB, and 1 byte per 64 points. REQUIRES: kExtractScratchPerPoint bytes of scratch
-/// for each vertex. Returns false if the caller wants to cancel. Throws std::bad_alloc.
+/// allocates 70 KB, and all together kExtractBytesPerPoint. REQUIRES: kExtractScratchPerPoint bytes
+/// of scratch for each vertex. Returns false if the caller wants to cancel. Throws std::bad_alloc.
 template <typename Id>
 bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,
   Scratch& scratch, Ticker& ticker);

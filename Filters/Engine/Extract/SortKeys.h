@@ -8,9 +8,19 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace ahd
 {
+
+constexpr std::size_t kKeysPerLine = 64 / sizeof(TriangleKeys::Key); ///< in a cache line
+
+/// Keys that lie next to each other.
+struct KeyPiece
+{
+  const TriangleKeys::Key* keys;
+  std::size_t count;
+};
 
 /// Sorts the keys of blocks that fit into a cache.
 class SmallBlockSorter
@@ -29,10 +39,10 @@ public:
     sorted_.allocate(kMostKeys + kWindow);
   }
 
-  /// The keys of one block in ascending order, until the next call. REQUIRES: count <= kMostKeys.
-  const Key* sorted(const Key* keys, std::size_t count)
+  /// The keys of one block in ascending order, until the next call. REQUIRES: at most kMostKeys.
+  const Key* sorted(const std::vector<KeyPiece>& pieces)
   {
-    place(keys, count);
+    place(pieces);
     std::size_t begin = 0;
     for (const std::size_t end : ends_)
     {
@@ -51,26 +61,29 @@ private:
     8; ///< keys looked at beyond the first of a vertex, at most
 
   /// By lowest corner: ends_ tells where the keys of each end.
-  void place(const Key* keys, std::size_t count)
+  void place(const std::vector<KeyPiece>& pieces)
   {
     const TriangleKeys layout = keys_;
     std::uint32_t* const ends = ends_.data();
     Key* const placed = placed_.data();
     std::fill(ends_.begin(), ends_.end(), 0u);
-    for (std::size_t i = 0; i != count; ++i)
-    {
-      ++ends[layout.placeInBlock(keys[i])];
-    }
+    forEachKey(pieces, [=](Key key) { ++ends[layout.placeInBlock(key)]; });
     std::uint32_t sum = 0;
     for (std::uint32_t& end : ends_)
     {
       sum += std::exchange(end, sum);
     }
-    for (std::size_t i = 0; i != count; ++i)
+    forEachKey(pieces, [=](Key key) { placed[ends[layout.placeInBlock(key)]++] = key; });
+    std::fill_n(placed + sum, kWindow, ~Key(0));
+  }
+
+  template <typename Visit>
+  static void forEachKey(const std::vector<KeyPiece>& pieces, Visit visit)
+  {
+    for (const KeyPiece& piece : pieces)
     {
-      placed[ends[layout.placeInBlock(keys[i])]++] = keys[i];
+      std::for_each(piece.keys, piece.keys + piece.count, visit);
     }
-    std::fill_n(placed + count, kWindow, ~Key(0));
   }
 
   /// Sorts four keys, however many of them belong to this vertex: most vertices are the lowest

@@ -84,8 +84,53 @@ private:
     {
       return insertInParts(stride, partsFor(size));
     }
-    return insertPlaces(std::max(before, from), before + size,
+    const std::size_t begin = std::max(before, from);
+    if (stride == 1 && before != 0)
+    {
+      return insertLastRound(before, begin);
+    }
+    return insertPlaces(begin, before + size,
       [=](std::size_t i) { return static_cast<Index>(rounds_.place(stride, i - before)); });
+  }
+
+  /// The last round, which has most of the points, from place `begin` of the order on: listed many
+  /// points at a time.
+  bool insertLastRound(std::size_t before, std::size_t begin)
+  {
+    constexpr std::size_t kListed = 256;
+    Index list[kListed + 1]; // and the one after them
+    const std::size_t end = points_.count;
+    while (begin < end)
+    {
+      const std::size_t some = std::min(kListed, end - begin);
+      rounds_.lastPlaces(begin - before, std::min(some + 1, end - begin), list);
+      if (some == end - begin)
+      {
+        list[some] = list[some - 1];
+      }
+      if (!insertListed(list, begin, some))
+      {
+        return false;
+      }
+      begin += some;
+    }
+    return true;
+  }
+
+  /// Vertices that are at place `begin` of the order and after it.
+  bool insertListed(const Index* list, std::size_t begin, std::size_t count)
+  {
+    shared_.attempts += count;
+    shared_.criticalPath += count;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Mesh::Slot fresh = Mesh::freshSlots(begin + i);
+      if (kernel_.insert(list[i], list[i + 1], fresh, hint_) != Insertion::Done)
+      {
+        return false;
+      }
+    }
+    return true;
   }
 
   template <typename VertexAt>

@@ -31,33 +31,44 @@ Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
   std::uint32_t* const data = data_;
   const Point* const xy = xy_;
   const Index p = cavity.p;
-  const Mesh::Slot root = cavity.root;
   const Point at = xy[p];
   const double towardsX = xy[cavity.next].x - at.x;
   const double towardsY = xy[cavity.next].y - at.y;
-  if (kShared && !(owns(data[root]) && owns(data[root + 1]) && owns(data[root + 2])))
+  Mesh::Slot slot = hint;
+  Root root = rootAt(at, slot);
+  if (kCount)
+  {
+    ++work_.trianglesWalked;
+  }
+  if (!isInConflict(root, p))
+  {
+    slot = walkFrom(p, slot);
+    if (slot == kCancelled || slot == kStrayed)
+    {
+      return slot == kCancelled ? Insertion::Cancelled : Insertion::Strayed;
+    }
+    root = rootAt(at, slot);
+  }
+  if (kShared && !(owns(root.a.vertex) && owns(root.b.vertex) && owns(root.c.vertex)))
   {
     return Insertion::Deferred;
   }
 
-  Corner a = seenFrom(at, xy, data[root + 1]);
-  Corner b = seenFrom(at, xy, data[root + 2]);
-  double crossed = cross(a, b);
-  Mesh::Halfedge twin = data[root + Mesh::kTwin];
-  Mesh::Slot slot = root;
+  Corner a = root.a;
+  Corner b = root.b;
+  double crossed = root.ab;
+  Mesh::Halfedge twin = data[slot + Mesh::kTwin];
   const Mesh::Slot fresh = cavity.fresh;
-  const Corner c = seenFrom(at, xy, data[root]);
   PendingEdge* top = pending_.data();
-  *top++ = pendingTo(
-    a, cross(c, a), data[root + 2 + Mesh::kTwin], Mesh::Slot(fresh + Mesh::kSlotSize));
-  *top++ = pendingTo(c, cross(b, c), data[root + 1 + Mesh::kTwin], fresh);
+  *top++ = pendingTo(a, root.ca, data[slot + 2 + Mesh::kTwin], Mesh::Slot(fresh + Mesh::kSlotSize));
+  *top++ = pendingTo(root.c, root.bc, data[slot + 1 + Mesh::kTwin], fresh);
   countRemoved();
 
   std::size_t stars = 0;
   Mesh::Slot firstStar = kNoIndex;
   Mesh::Slot previousStar = fresh +
     Mesh::kSlotSize;             // not written yet: takes the first link in vain
-  Mesh::Slot hintForNext = root; // reused by the star, so a triangle for sure
+  Mesh::Slot hintForNext = slot; // reused by the star, so a triangle for sure
   unsigned startIsRight = a.x * towardsY - a.y * towardsX < 0;
   for (;;)
   {
@@ -204,6 +215,7 @@ bool Kernel<kCount, kAccess>::conflicts(Index a, Index b, Index c, Index p)
   {
     return conflictsWithGhost(b, c, p);
   }
+  spendOnExact();
   if (kCount)
   {
     ++work_.exactInCircle;
@@ -220,6 +232,7 @@ bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
   const Point& a = xy_[from];
   const Point& b = xy_[to];
   const Point& q = xy_[p];
+  spendOnExact();
   const int side = orient2d(a, b, q);
   if (side != 0)
   {
@@ -231,6 +244,7 @@ bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
 template <bool kCount, Access kAccess>
 int Kernel<kCount, kAccess>::orientation(Index a, Index b, Index p)
 {
+  spendOnExact();
   if (kCount)
   {
     ++work_.exactOrient;

@@ -4,6 +4,7 @@
 
 #include "Insert.h"
 
+#include "../Core/Chunks.h"
 #include "../Predicates/Filters.h"
 #include "../Predicates/Predicates.h"
 
@@ -80,10 +81,8 @@ public:
       return Insertion::Cancelled;
     }
     ++insertedSinceAsking_;
-    const Mesh::Slot root = locate(p, hint);
-    return root == kCancelled ? Insertion::Cancelled
-      : root == kStrayed      ? Insertion::Strayed
-                              : carve({ p, next, root, fresh }, hint);
+    prefetchForWrite(data_ + fresh + kPointsAhead * 2 * Mesh::kSlotSize);
+    return carve({ p, next, fresh }, hint);
   }
 
   const InsertionWork& work() const { return work_; }
@@ -117,12 +116,23 @@ private:
   struct Cavity
   {
     Index p, next;
-    Mesh::Slot root, fresh;
+    Mesh::Slot fresh;
+  };
+
+  /// A triangle as the new point sees it, and its edges: what locating and carving both look at.
+  struct Root
+  {
+    Corner a, b, c;
+    double ab, bc, ca; ///< cross(a, b), and so on
   };
 
   static constexpr bool kShared = kAccess == Access::Shared;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
+  /// An exact answer counts as so many steps. At the ends of the exponent range it may take 500
+  /// times as long as one; where it takes as long as two, as on lattices, asking costs nothing yet.
+  static constexpr std::size_t kStepsOfExact = 16;
   static constexpr std::size_t kMostOpenEdges = 64;
+  static constexpr std::size_t kPointsAhead = 4; ///< whose fresh slots are fetched
   static constexpr std::size_t kMostDeferredWrites = kShared ? 2 * kMostOpenEdges : 1;
 
   // Not slots, as they are not multiples of eight.
@@ -133,28 +143,29 @@ private:
 
   //--- locate -------------------------------------------------------------------------------------
 
-  /// A slot whose triangle is in conflict with p.
-  /// The hint is nearly always in conflict itself, so that there is nothing to walk.
-  Mesh::Slot locate(Index p, Mesh::Slot hint)
+  /// The triangle of a slot, from its second corner on.
+  Root rootAt(const Point& at, Mesh::Slot slot) const
   {
-    const Point& at = xy_[p];
-    const Corner a = seenFrom(at, xy_, data_[hint]);
-    const Corner b = seenFrom(at, xy_, data_[hint + 1]);
-    const Corner c = seenFrom(at, xy_, data_[hint + 2]);
-    if (kCount)
-    {
-      ++work_.trianglesWalked;
-    }
-    const double det = inCircleDeterminant(a, b, c, cross(a, b));
-    if (inCircleIsCertain(det, a.z, b.z, c.z, guard_) ? det > 0
-                                                      : conflicts(a.vertex, b.vertex, c.vertex, p))
-    {
-      return hint;
-    }
-    return walk(p,
-      data_[hint] == ghost_ || data_[hint + 1] == ghost_ || data_[hint + 2] == ghost_
-        ? finiteNeighbour(hint)
-        : hint);
+    const Corner a = seenFrom(at, xy_, data_[slot + 1]);
+    const Corner b = seenFrom(at, xy_, data_[slot + 2]);
+    const Corner c = seenFrom(at, xy_, data_[slot]);
+    return { a, b, c, cross(a, b), cross(b, c), cross(c, a) };
+  }
+
+  bool isInConflict(const Root& root, Index p)
+  {
+    const double det = inCircleDeterminant(root.a, root.b, root.c, root.ab, root.bc, root.ca);
+    return inCircleIsCertain(det, root.a.z, root.b.z, root.c.z, guard_)
+      ? det > 0
+      : conflicts(root.a.vertex, root.b.vertex, root.c.vertex, p);
+  }
+
+  /// From a hint that is not in conflict with p to a slot that is.
+  Mesh::Slot walkFrom(Index p, Mesh::Slot hint)
+  {
+    const bool isGhost = data_[hint] == ghost_ || data_[hint + 1] == ghost_ ||
+      data_[hint + 2] == ghost_;
+    return walk(p, isGhost ? finiteNeighbour(hint) : hint);
   }
 
   /// The finite triangle on the inner side of a ghost's hull edge.
@@ -279,6 +290,8 @@ private:
   /// One bounded step is about to be taken. False: the caller wants to cancel.
   bool spend() { return --budget_ != 0 || refill(); }
   bool refill();
+  /// An exact answer is about to be asked for, within a step.
+  void spendOnExact() { budget_ -= budget_ > kStepsOfExact ? kStepsOfExact : budget_ - 1; }
 
   static double guardFor(const Bounds& bounds)
   {

@@ -155,6 +155,21 @@ void Job::checkMemory()
         ".");
   }
   sizes_.mostBoxes = (sizes_.allowed - sizes_.estimate) / boxBytes(1);
+  sizes_.mostCrossings = mostCrossings();
+}
+
+/// How many crossings there is memory for, and for all that comes of them.
+std::size_t Job::mostCrossings() const
+{
+  std::size_t most = 0, tooMany = kMaximumPoints + 1;
+  while (tooMany - most > 1)
+  {
+    JobSizes sizes = sizes_;
+    sizes.crossings = most + (tooMany - most) / 2;
+    sizes.points += sizes.crossings;
+    (estimate(sizes) <= sizes_.allowed ? most : tooMany) = sizes.crossings;
+  }
+  return most;
 }
 
 /// Their weights are about their times, measured with 10^6 points: that of a plain triangulation is
@@ -170,6 +185,7 @@ void Job::setStages()
   progress.beginRun({ //
     0.02 + (settings.isProjected() ? 0.5 : 0.0) +
       (settings[DoubleSetting::Tolerance] > 0.0 ? 1.5 : 0.0) +
+      weight(IntSetting::SourceHeights, 1.5) +
       (constrains ? weight(IntSetting::SplitCrossings, 2.0) : 0.0),
     1.0, //
     weight(IntSetting::WantVoronoi, 3.0),
@@ -197,17 +213,23 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
   request.projection = plane == AHD_PLANE_MATRIX ? static_cast<const Projection*>(&byMatrix)
     : plane == AHD_PLANE_CALLBACK                ? &byCallback
                                                  : nullptr;
-  check(ahd::prepare(request, context, made.points));
+  request.mostCrossings = sizes_.mostCrossings;
+  const Status status = ahd::prepare(request, context, made.points);
+  if (status == Status::TooManyCrossings)
+  {
+    sizes_.crossings = sizes_.mostCrossings + 1;
+    sizes_.points += sizes_.crossings;
+    sizes_.estimate = estimate(sizes_);
+    refuse(AHD_TOO_MANY_CROSSINGS,
+      "Segments cross in more than " + std::to_string(sizes_.mostCrossings) +
+        " places. Splitting them there and triangulating may take more than " +
+        std::to_string(sizes_.estimate) + " bytes of memory, and " +
+        std::to_string(sizes_.allowed) + " are allowed.");
+  }
+  check(status);
   sizes_.points = made.points.points().count;
   sizes_.crossings = made.points.crossings().size();
   sizes_.estimate = estimate(sizes_);
-  if (sizes_.crossings > 0 && sizes_.estimate > sizes_.allowed)
-  {
-    refuse(AHD_OUT_OF_MEMORY,
-      "With " + std::to_string(sizes_.crossings) + " crossings that were split, about " +
-        std::to_string(sizes_.estimate) + " bytes of memory are needed, and " +
-        std::to_string(sizes_.allowed) + " are allowed.");
-  }
 }
 
 void Job::triangulate(JobResult& made, const Context& context)

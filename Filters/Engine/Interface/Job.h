@@ -62,6 +62,7 @@ struct JobSizes
   std::size_t estimate = 0; ///< bytes
   std::size_t allowed = 0;  ///< bytes
   std::size_t mostBoxes = 0;
+  std::size_t mostCrossings = 0;
   unsigned threadsUsed = 0;
 };
 
@@ -134,6 +135,7 @@ private:
   InputRequest request() const;
   JobSizes expected(const InputRequest& request) const;
   void checkMemory();
+  std::size_t mostCrossings() const;
   void setStages();
   void prepare(JobResult& made, InputRequest& request, const Context& context);
   void triangulate(JobResult& made, const Context& context);

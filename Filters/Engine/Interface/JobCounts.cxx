@@ -28,6 +28,7 @@ constexpr SizeRow kSizes[] = {
   { "memory_estimate", [](const JobSizes& s) { return s.estimate; } },
   { "memory_allowed", [](const JobSizes& s) { return s.allowed; } },
   { "most_boxes", [](const JobSizes& s) { return s.mostBoxes; } },
+  { "most_crossings", [](const JobSizes& s) { return s.mostCrossings; } },
   { "threads_used", [](const JobSizes& s) { return std::size_t(s.threadsUsed); } },
   { "dispatch_target",
     [](const JobSizes&)

@@ -3,6 +3,7 @@
 // The memory that a job needs.
 #include "Job.h"
 
+#include "../Crossings/Crossings.h"
 #include "../Surface/Means.h"
 #include "../Surface/OrderDrawing.h"
 
@@ -36,20 +37,22 @@ std::size_t Job::estimate(const JobSizes& sizes) const
   InputRequest asked = request();
   asked.fitPlane = settings.isProjected(); // or what takes the same
   const std::size_t count = sizes.points;
-  std::size_t bytes = static_cast<std::size_t>(settings[IntSetting::OtherMemory]) +
-    arrays.copiedBytes() + preparationMemoryEstimate(asked) +
-    triangulationMemoryEstimate(count, settings.options());
+  std::size_t before = static_cast<std::size_t>(settings[IntSetting::OtherMemory]) +
+    arrays.copiedBytes() + preparationMemoryEstimate(asked);
+  std::size_t bytes = triangulationMemoryEstimate(count, settings.options());
+  std::size_t toSplit = 0; // what is given back before the triangulation
   if (sizes.crossings > 0)
   {
-    bytes += count * (3 * sizeof(double) + 1) + sizes.crossings * sizeof(CrossingOrigin);
+    before += count * (3 * sizeof(double) + 1) + sizes.crossings * sizeof(CrossingOrigin);
+    toSplit = splitMemoryEstimate(0, sizes.crossings);
   }
   if (sizes.segments > 0)
   {
     bytes += constraintMemoryEstimate(count, sizes.segments + 2 * sizes.crossings);
   }
   bytes += settings.trimsRim() ? trimMemoryEstimate(count) : 0;
-  return bytes + estimateTables(sizes) + estimateArrays(sizes) +
-    (count > asked.points.count ? 3 * sizeof(double) * count : 0); // where they are in space
+  bytes += count > asked.points.count ? 3 * sizeof(double) * count : 0; // where they are in space
+  return before + std::max(toSplit, bytes + estimateTables(sizes) + estimateArrays(sizes));
 }
 
 /// What is made of a triangulation to be looked up in it.

@@ -36,6 +36,8 @@ inline void check(Status status)
       refuse(AHD_TOO_MANY_POINTS, "Too many points.");
     case Status::TooManyBoxes:
       refuse(AHD_TOO_MANY_BOXES, "Too many boxes.");
+    case Status::TooManyCrossings:
+      refuse(AHD_TOO_MANY_CROSSINGS, "Too many crossings.");
     case Status::OutOfMemory:
       refuse(AHD_OUT_OF_MEMORY, "Out of memory.");
   }

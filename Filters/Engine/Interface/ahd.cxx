@@ -306,8 +306,9 @@ const char* ahd_name(int32_t kind, uint32_t number)
 const char* ahd_status_name(ahd_status status)
 {
   static const char* const kNames[] = { "AHD_OK", "AHD_CANCELLED", "AHD_TOO_MANY_POINTS",
-    "AHD_TOO_MANY_BOXES", "AHD_OUT_OF_MEMORY", "AHD_MEMORY_LIMIT", "AHD_UNKNOWN_NAME",
-    "AHD_BAD_VALUE", "AHD_BAD_ARRAY", "AHD_NOT_AVAILABLE", "AHD_BUSY", "AHD_NO_JOB", "AHD_FAILED" };
+    "AHD_TOO_MANY_BOXES", "AHD_OUT_OF_MEMORY", "AHD_MEMORY_LIMIT", "AHD_TOO_MANY_CROSSINGS",
+    "AHD_UNKNOWN_NAME", "AHD_BAD_VALUE", "AHD_BAD_ARRAY", "AHD_NOT_AVAILABLE", "AHD_BUSY",
+    "AHD_NO_JOB", "AHD_FAILED" };
   return status >= AHD_OK && status <= AHD_FAILED ? kNames[status] : "?";
 }
 

@@ -73,19 +73,20 @@ AHD_API const char* ahd_version(void);
 typedef int32_t ahd_status;
 enum
 {
-  AHD_OK = 0,              /* done; that there is no triangle is no error */
-  AHD_CANCELLED = 1,       /* a callback or ahd_cancel() said so */
-  AHD_TOO_MANY_POINTS = 2, /* more than 2^28 - 2 */
-  AHD_TOO_MANY_BOXES = 3,  /* with want_boxes: more than most_boxes */
-  AHD_OUT_OF_MEMORY = 4,   /* an allocation failed */
-  AHD_MEMORY_LIMIT = 5,    /* the estimate is above the limit */
-  AHD_UNKNOWN_NAME = 6,    /* no setting, array or count has this name */
-  AHD_BAD_VALUE = 7,       /* out of its range, or does not go with the others */
-  AHD_BAD_ARRAY = 8,       /* wrong type, shape or size, or a null pointer */
-  AHD_NOT_AVAILABLE = 9,   /* there is no result, or this was not asked for before the run */
-  AHD_BUSY = 10,           /* the job is at work */
-  AHD_NO_JOB = 11,         /* the job is a null pointer */
-  AHD_FAILED = 12          /* a fault of the library */
+  AHD_OK = 0,                 /* done; that there is no triangle is no error */
+  AHD_CANCELLED = 1,          /* a callback or ahd_cancel() said so */
+  AHD_TOO_MANY_POINTS = 2,    /* more than 2^28 - 2 */
+  AHD_TOO_MANY_BOXES = 3,     /* with want_boxes: more than most_boxes */
+  AHD_OUT_OF_MEMORY = 4,      /* an allocation failed */
+  AHD_MEMORY_LIMIT = 5,       /* the estimate is above the limit */
+  AHD_TOO_MANY_CROSSINGS = 6, /* with split_crossings: more than most_crossings */
+  AHD_UNKNOWN_NAME = 7,       /* no setting, array or count has this name */
+  AHD_BAD_VALUE = 8,          /* out of its range, or does not go with the others */
+  AHD_BAD_ARRAY = 9,          /* wrong type, shape or size, or a null pointer */
+  AHD_NOT_AVAILABLE = 10,     /* there is no result, or this was not asked for before the run */
+  AHD_BUSY = 11,              /* the job is at work */
+  AHD_NO_JOB = 12,            /* the job is a null pointer */
+  AHD_FAILED = 13             /* a fault of the library */
 };
 
 /* Types of numbers. */
@@ -322,6 +323,7 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *   memory_estimate     bytes, for what was known last
  *   memory_allowed      bytes that it was held against
  *   most_boxes          for which there was memory
+ *   most_crossings      the same, of those that are split
  *   threads_used        that shared work; 1 if nothing was worth sharing
  *   dispatch_target     what the processor can do: 0 the baseline, 1 AVX2, 2 AVX-512
  * Known after AHD_OK:

@@ -172,6 +172,7 @@ bool BucketSorter::sortSmall(const Range& range)
   }
   for (std::size_t i = 0; i < n; ++i)
   {
+    fetch(from + n + i, end_ + n + i); // of the range that comes next, mostly
     put(from[i], place_[bins.of(from[i].key)]++);
   }
   if (most > kCrowdedBin)

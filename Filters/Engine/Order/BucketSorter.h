@@ -2,6 +2,7 @@
 #ifndef ahd_BucketSorter_h
 #define ahd_BucketSorter_h
 
+#include "../Core/Chunks.h"
 #include "../Core/Progress.h"
 #include "../Points/Points.h"
 #include "RankedPoints.h"
@@ -82,6 +83,17 @@ private:
     out_.xy[to] = { r.x, r.y };
     out_.key[to] = r.key;
     out_.id[to] = r.id;
+  }
+  /// A record will be read, and put there; both may lie behind the last.
+  void fetch(const Record* r, std::size_t to)
+  {
+    prefetchForRead(r);
+    if (to % 4 == 0) // four points lie in a cache line
+    {
+      prefetchForWrite(out_.xy.data() + to);
+      prefetchForWrite(out_.key.data() + to);
+      prefetchForWrite(out_.id.data() + to);
+    }
   }
   void rank(const Point& p, Index id, std::uint64_t key)
   {

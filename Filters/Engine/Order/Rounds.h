@@ -59,6 +59,27 @@ public:
     return controlPoint(stride, parent * kControlStride + nth + skipped);
   }
 
+  /// Writes `count` places of the last round, from its k-th on: what place() gives, but that the
+  /// blocks' control points are looked for once each. REQUIRES: there is a round before it.
+  template <typename Out>
+  void lastPlaces(std::size_t k, std::size_t count, Out* out) const
+  {
+    const Out* const end = out + count;
+    std::size_t parent = k / (kControlStride - 1);
+    std::size_t nth = k % (kControlStride - 1);
+    while (out != end)
+    {
+      const std::size_t skipped = lender(1, parent);
+      const std::size_t first = parent * kControlStride;
+      for (; nth != kControlStride - 1 && out != end; ++nth)
+      {
+        *out++ = static_cast<Out>(first + nth + (nth >= skipped ? 1 : 0));
+      }
+      nth = 0;
+      ++parent;
+    }
+  }
+
   /// How many places of this round are in the blocks before the one that `place` is in: the inverse
   /// of place(), if it is of this round. For n, how many there are.
   std::size_t index(std::size_t stride, std::size_t place) const

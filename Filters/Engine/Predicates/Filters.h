@@ -74,10 +74,16 @@ inline double cross(const Lifted& a, const Lifted& b)
 }
 
 /// The in-circle determinant of a, b, c and P: for a, b, c counterclockwise, positive iff P lies
-/// inside their circle. `axb` is cross(a, b), which a walk around a cavity has at hand.
+/// inside their circle. axb is cross(a, b), and so on.
+inline double inCircleDeterminant(
+  const Lifted& a, const Lifted& b, const Lifted& c, double axb, double bxc, double cxa)
+{
+  return multiplyAdd(a.z, bxc, multiplyAdd(b.z, cxa, c.z * axb));
+}
+
 inline double inCircleDeterminant(const Lifted& a, const Lifted& b, const Lifted& c, double axb)
 {
-  return multiplyAdd(a.z, cross(b, c), multiplyAdd(b.z, cross(c, a), c.z * axb));
+  return inCircleDeterminant(a, b, c, axb, cross(b, c), cross(c, a));
 }
 
 /// Is the sign of A x B that of the true alpha x beta? `det` is cross(A, B), la and lb are |A|^2

@@ -17,8 +17,6 @@ namespace
 
 /// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
 constexpr std::size_t kBytesToMerge = 140;
-/// splitAtCrossings's, for each segment.
-constexpr std::size_t kBytesToSplit = 400;
 
 bool isProjected(const InputRequest& request)
 {
@@ -191,7 +189,7 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
     const std::size_t chains = request.lines.cells + request.polygons.cells;
     bytes += (segments + chains) * sizeof(std::int64_t) +
       (request.closedLinesAreLoops ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
-      (request.split ? segments * kBytesToSplit : 0);
+      (request.split ? splitMemoryEstimate(segments, 0) : 0);
   }
   if (request.heightsFromSurface)
   {

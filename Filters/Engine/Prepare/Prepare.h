@@ -71,6 +71,9 @@ struct InputRequest
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
   double offset = 1.0;   ///< how far out they lie
   bool split = false;    ///< split constraints where they cross
+  /// A run that would have to split in more places (splitAtCrossings()) ends with
+  /// Status::TooManyCrossings, before it does.
+  std::size_t mostCrossings = std::size_t(-1);
 };
 
 /// A point that was added at the crossing of two segments: between which others it lies. Segments
@@ -210,7 +213,8 @@ private:
 /// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
 /// near points, adds bounding points, reads the constraints and splits them, in this order. The
 /// phases are Phase::Merge and, from the constraints on, Phase::Split. `out` is to be new. Returns
-/// Ok, Cancelled, OutOfMemory or TooManyPoints; unless Ok, `out` is not to be used.
+/// Ok, Cancelled, OutOfMemory, TooManyPoints or TooManyCrossings; unless Ok, `out` is not to be
+/// used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
 /// The points that prepare() has to deal with, crossings excepted.
@@ -219,8 +223,9 @@ std::size_t expectedPoints(const InputRequest& request);
 /// Segments that the source asks for, at most.
 std::size_t segmentsOf(const InputRequest& request);
 
-/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before,
-/// and for a triangulation of the input with its tables (heightsFromSurface), which it gives back.
+/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before
+/// (splitMemoryEstimate() has their share, most of which is given back again), and for a
+/// triangulation of the input with its tables (heightsFromSurface), which it gives back.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
 /// What is worth a warning.

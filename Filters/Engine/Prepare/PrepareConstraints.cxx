@@ -183,7 +183,8 @@ Status Preparation::split()
     return Status::Ok;
   }
   SplitConstraints split;
-  const Status status = splitAtCrossings(out_.points_, out_.constraints(), &phases_, split);
+  const Status status = splitAtCrossings(
+    out_.points_, out_.constraints(), &phases_, split, request_.mostCrossings);
   if (status != Status::Ok || split.rounds == 0)
   {
     return status;

@@ -16,7 +16,7 @@ namespace ahd
 namespace
 {
 
-/// Lets a triangulation be a part of the phase Merge.
+/// Lets a triangulation be a part of the phase Merge: each of its phases as much of that as any.
 class WithinMerge : public Progress
 {
 public:
@@ -24,7 +24,10 @@ public:
     : caller_(caller)
   {
   }
-  bool advance(Phase, double) override { return caller_.advance(Phase::Merge, 0.0); }
+  bool advance(Phase phase, double fraction) override
+  {
+    return caller_.advance(Phase::Merge, (double(phase) + fraction) / double(kPhases));
+  }
 
 private:
   Progress& caller_;
@@ -75,14 +78,16 @@ double fractionAt(const Point& a, const Point& b, const Point& place)
 class SurfacePlacer
 {
 public:
-  explicit SurfacePlacer(const Triangulation& surface)
+  SurfacePlacer(const Triangulation& surface, Ticker& ticker)
     : surface_(surface)
+    , ticker_(ticker)
   {
   }
 
+  /// Asks within.
   SurfacePlace operator()(const Point& place)
   {
-    const Location at = surface_.locate(place, hint_);
+    const Location at = surface_.locate(place, hint_, ticker_);
     const HalfEdge h = at.halfEdge;
     hint_ = h == kNoHalfEdge ? hint_ : h / 3;
     switch (at.kind)
@@ -117,6 +122,7 @@ private:
   }
 
   const Triangulation& surface_;
+  Ticker& ticker_;
   std::size_t hint_ = 0; ///< points of the source follow each other along lines
 };
 
@@ -177,15 +183,18 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
   double* const to = out_.places_.data() + 3 * out_.inputCount_;
   const Heights heights(out_.points_, means);
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
-  const bool all = inChunksOf(places.size(), ticker,
-    [&](std::size_t begin, std::size_t end)
+  const std::size_t tasks = tasksForLoop(ticker, places.size());
+  const bool all = inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
     {
-      SurfacePlacer placer(surface);
-      for (std::size_t i = begin; i < end; ++i)
+      const Share share(places.size(), task, tasks);
+      SurfacePlacer placer(surface, own);
+      for (std::size_t i = share.begin; i < share.end && own.step(); ++i)
       {
         places[i] = placer({ to[3 * i], to[3 * i + 1] });
         to[3 * i + 2] = places[i].isInside() ? interpolate(places[i], heights) : to[3 * i + 2];
       }
+      return own.ask();
     });
   out_.outside_ = static_cast<std::size_t>(std::count_if(
     places.begin(), places.end(), [](const SurfacePlace& place) { return !place.isInside(); }));

@@ -13,6 +13,9 @@ namespace ahd
 namespace
 {
 
+/// What a triangle on the way counts: two or three orientations, which may be exact ones.
+constexpr std::size_t kStepsOfTriangle = 8;
+
 /// A bit that looks random.
 bool coin(std::size_t step)
 {
@@ -61,7 +64,8 @@ Location Locator::inTriangle(std::size_t triangle, const Point& place) const
   return { Location::InTriangle, first };
 }
 
-Location Locator::locate(const Point& place, std::size_t from, std::size_t mostSteps) const
+Location Locator::locate(
+  const Point& place, std::size_t from, std::size_t mostSteps, Ticker& ticker) const
 {
   HalfEdge entered = static_cast<HalfEdge>(3 * from);
   if (side(entered, place) < 0)
@@ -75,6 +79,10 @@ Location Locator::locate(const Point& place, std::size_t from, std::size_t mostS
   }
   for (std::size_t step = 0; step < mostSteps; ++step)
   {
+    if (!ticker.step(kStepsOfTriangle))
+    {
+      return {};
+    }
     const HalfEdge crossed = edgeToCross(entered, place, step);
     if (crossed == kNoHalfEdge)
     {
@@ -86,13 +94,17 @@ Location Locator::locate(const Point& place, std::size_t from, std::size_t mostS
     }
     entered = tables_.twins[crossed];
   }
-  return lookEverywhere(place);
+  return lookEverywhere(place, ticker);
 }
 
-Location Locator::lookEverywhere(const Point& place) const
+Location Locator::lookEverywhere(const Point& place, Ticker& ticker) const
 {
   for (std::size_t t = 0; t < tables_.triangles(); ++t)
   {
+    if (!ticker.step(kStepsOfTriangle))
+    {
+      return {};
+    }
     const HalfEdge h = static_cast<HalfEdge>(3 * t);
     if (side(h, place) >= 0 && side(h + 1, place) >= 0 && side(h + 2, place) >= 0)
     {
@@ -102,6 +114,10 @@ Location Locator::lookEverywhere(const Point& place) const
   HalfEdge hull = 0;
   while (tables_.twins[hull] != kNoHalfEdge || side(hull, place) >= 0)
   {
+    if (!ticker.step(kStepsOfTriangle))
+    {
+      return {};
+    }
     ++hull;
   }
   return { Location::Outside, hull };
@@ -109,13 +125,19 @@ Location Locator::lookEverywhere(const Point& place) const
 
 Location Triangulation::locate(const Point& place, std::size_t hint) const
 {
+  Ticker nobody(nullptr, Phase::Outputs, 0);
+  return locate(place, hint, nobody);
+}
+
+Location Triangulation::locate(const Point& place, std::size_t hint, Ticker& ticker) const
+{
   const std::size_t triangles = triangleCount();
   if (triangles == 0 || !isFinite(place))
   {
     return {};
   }
   const Locator locator(state_->tables, state_->ranked.xy.data());
-  return locator.locate(place, hint < triangles ? hint : 0, triangles);
+  return locator.locate(place, hint < triangles ? hint : 0, triangles, ticker);
 }
 
 } // namespace ahd

@@ -4,6 +4,8 @@
 
 #include "Tables.h"
 
+#include "../Core/Progress.h"
+
 namespace ahd
 {
 
@@ -22,15 +24,17 @@ public:
   {
   }
 
+  /// Nowhere if the work is to be cancelled: the ticker has the steps.
   /// REQUIRES: corners and neighbours; a finite place; from < triangles.
-  Location locate(const Point& place, std::size_t from, std::size_t mostSteps) const;
+  Location locate(
+    const Point& place, std::size_t from, std::size_t mostSteps, Ticker& ticker) const;
 
 private:
   /// One to the left of the half-edge, zero on its line, minus one to the right.
   int side(HalfEdge h, const Point& place) const;
   HalfEdge edgeToCross(HalfEdge entered, const Point& place, std::size_t step) const;
   Location inTriangle(std::size_t triangle, const Point& place) const;
-  Location lookEverywhere(const Point& place) const;
+  Location lookEverywhere(const Point& place, Ticker& ticker) const;
 
   const Tables& tables_;
   const Point* places_;

@@ -29,6 +29,8 @@ inline HalfEdge previousInTriangle(HalfEdge h)
   return h % 3 == 0 ? h + 2 : h - 1;
 }
 
+class Ticker;
+
 /// Where a place lies in a triangulation.
 struct Location
 {
@@ -137,6 +139,8 @@ public:
   /// Where the place lies: exact. `hint`: a triangle to start from; the closer, the sooner.
   /// Cost: the triangles between the two, about the square root of their number on the way.
   Location locate(const Point& place, std::size_t hint = 0) const;
+  /// The same, with its steps counted; Nowhere if the work is to be cancelled.
+  Location locate(const Point& place, std::size_t hint, Ticker& ticker) const;
 
   // --- Asked: needs makePointMap() ---
 

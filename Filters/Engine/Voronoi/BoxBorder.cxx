@@ -1,41 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BoxBorder.h"
 
-#include <algorithm>
-
 namespace ahd
 {
 
-namespace
+bool BoxBorder::build(Ticker& ticker)
 {
-
-Point middle(const Point& p, const Point& q)
-{
-  return { 0.5 * p.x + 0.5 * q.x, 0.5 * p.y + 0.5 * q.y };
+  const auto isIt = [&](std::size_t t)
+  {
+    const Point centre = diagram_.centre(t);
+    return box_.hasInside(centre) || box_.hasCentre(diagram_.corners(t), centre);
+  };
+  return noteInside(ticker, isIt, box_.bounds());
 }
-
-/// Is the angle at r less than a right one?
-bool isAcute(const Point& p, const Point& r, const Point& q)
-{
-  const Point toP = directionOf(r, p), toQ = directionOf(r, q);
-  return toP.x * toQ.x + toP.y * toQ.y > 0.0;
-}
-
-} // namespace
 
 /// Does the centre of h's triangle, which is not in the box, lie to the left of h, as seen from the
 /// middle between p and q, the ends of h?
 bool BoxBorder::isAhead(HalfEdge h, const Point& p, const Point& q) const
 {
-  const Point m = middle(p, q);
-  const Point c = diagram_.centre(diagram_.standIn(h / 3));
-  const Point way = directionOf(m, c), edge = directionOf(p, q);
-  const double left = edge.x * way.y - edge.y * way.x;
-  if (isFinite(c) && (left > 0.0 || left < 0.0))
-  {
-    return left > 0.0;
-  }
-  return isAcute(p, diagram_.point(diagram_.origin(previousInTriangle(h))), q);
+  return acuteness(p, diagram_.point(diagram_.origin(previousInTriangle(h))), q) > 0;
 }
 
 ClippedEdge BoxBorder::cut(HalfEdge h)
@@ -47,12 +30,14 @@ ClippedEdge BoxBorder::cut(HalfEdge h)
   if (comesFromInside)
   {
     const CornerId from = centre(twin / 3);
-    return { from, crossing(p, q, from) };
+    const unsigned exit = box_.exitOf(p, q);
+    return { from, cornerAt(exit, p, q, from), kNoStretch, stretch(exit) };
   }
   if (isInside(h / 3))
   {
     const CornerId to = centre(h / 3);
-    return { crossing(q, p, to), to };
+    const unsigned entry = box_.exitOf(q, p);
+    return { cornerAt(entry, p, q, to), to, stretch(entry), kNoStretch };
   }
   // Both ends outside: the middle, which is inside, lies between them, or the edge is outside.
   const bool comesFromBehind = twin == kNoHalfEdge || isAhead(twin, q, p);
@@ -61,20 +46,26 @@ ClippedEdge BoxBorder::cut(HalfEdge h)
 
 ClippedEdge BoxBorder::chord(const Point& p, const Point& q)
 {
-  const CornerId from = crossing(q, p, kNoCorner);
-  return { from, crossing(p, q, from) };
+  const unsigned entry = box_.exitOf(q, p), exit = box_.exitOf(p, q);
+  const CornerId from = cornerAt(entry, p, q, kNoCorner);
+  return { from, cornerAt(exit, p, q, from), stretch(entry), stretch(exit) };
 }
 
-/// Where the bisector of p and q, followed counterclockwise around p, leaves the box. `end`: the
-/// other end of what is left of it, or none.
-CornerId BoxBorder::crossing(const Point& p, const Point& q, CornerId end)
+/// The corner where the bisector of p and q meets that stretch. `end`: the other end of what is
+/// left of it, or none.
+CornerId BoxBorder::cornerAt(unsigned at, const Point& p, const Point& q, CornerId end)
 {
-  const Point where = box_.leave(middle(p, q), p, q);
-  for (unsigned k = 0; k < 4; ++k)
+  const unsigned k = at / 2;
+  if (at % 2 == 0)
   {
-    if (where == box_.corner(k))
+    return cornerOfBox(k);
+  }
+  const Point where = bisectorOnLine(p, q, box_.side(k));
+  for (const unsigned near : { k, (k + 1) % 4 })
+  {
+    if (where == box_.corner(near))
     {
-      return cornerOfBox(k);
+      return cornerOfBox(near);
     }
   }
   return end != kNoCorner && corner(end) == where ? end : add(where);
@@ -89,37 +80,19 @@ CornerId BoxBorder::cornerOfBox(unsigned k)
   return corners_[k];
 }
 
-/// A cell that has both ends of a side has all of the side, and with it the vertices there: so its
-/// own vertex lies there, as it is the only one.
-bool BoxBorder::mayFollow(Index site, const Point& from, const Point& to) const
+/// No cell has the whole border, as every vertex has a part of the box: so on one side nothing is
+/// passed, whichever end comes first once they are rounded.
+void BoxBorder::follow(Index, const Gap& gap, bool, std::vector<CornerId>& cell)
 {
-  for (unsigned side = 0; side < 4; ++side)
+  if (gap.exit == gap.entry)
   {
-    if (from == box_.corner(side) && to == box_.corner((side + 1) % 4))
-    {
-      return box_.isOnSide(diagram_.point(site), side);
-    }
+    return;
   }
-  return true;
-}
-
-void BoxBorder::follow(Index site, CornerId last, CornerId next, bool, std::vector<CornerId>& cell)
-{
-  // Where more is passed than the cell can have, its two corners are one up to rounding, but the
-  // wrong way round: then nothing is passed.
-  const std::vector<unsigned> passed = box_.between(corner(last), corner(next));
-  Point before = corner(last);
-  bool isRight = true;
-  for (const unsigned k : passed)
+  for (unsigned at = (gap.exit + 1u) % 8; at != gap.entry; at = (at + 1) % 8)
   {
-    isRight = isRight && mayFollow(site, before, box_.corner(k));
-    before = box_.corner(k);
-  }
-  if (isRight && mayFollow(site, before, corner(next)))
-  {
-    for (const unsigned k : passed)
+    if (at % 2 == 0)
     {
-      cell.push_back(cornerOfBox(k));
+      addTo(cell, cornerOfBox(at / 2));
     }
   }
 }

@@ -11,6 +11,9 @@ namespace ahd
 {
 
 /// The bounding box of the vertices. REQUIRES: it has an area.
+///
+/// A stretch of the border (CellBorder.h) is a corner of the box, 2 k, or what lies between the
+/// ends of a side, 2 k + 1.
 class BoxBorder : public CellBorder
 {
 public:
@@ -21,13 +24,8 @@ public:
     std::fill(corners_, corners_ + 4, kNoCorner);
   }
 
-  bool build(Ticker& ticker) override
-  {
-    return noteInside(
-      ticker, [&](std::size_t t) { return box_.contains(diagram_.centre(diagram_.standIn(t))); });
-  }
-  void follow(
-    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
+  bool build(Ticker& ticker) override;
+  void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) override;
 
   /// What is left of the bisector of p and q, without ends of its own.
   ClippedEdge chord(const Point& p, const Point& q);
@@ -36,9 +34,8 @@ protected:
   ClippedEdge cut(HalfEdge h) override;
 
 private:
-  bool mayFollow(Index site, const Point& from, const Point& to) const;
   bool isAhead(HalfEdge h, const Point& p, const Point& q) const;
-  CornerId crossing(const Point& p, const Point& q, CornerId end);
+  CornerId cornerAt(unsigned at, const Point& p, const Point& q, CornerId end);
   CornerId cornerOfBox(unsigned k);
 
   const ClipBox box_;

@@ -16,6 +16,15 @@ namespace ahd
 using CornerId = std::uint32_t;
 constexpr CornerId kNoCorner = 0xFFFFFFFFu;
 
+/// A stretch of the border, as each border numbers them counterclockwise; or none.
+using Stretch = std::uint8_t;
+constexpr Stretch kNoStretch = 0xFF;
+
+inline Stretch stretch(unsigned number)
+{
+  return static_cast<Stretch>(number);
+}
+
 /// What is left of an edge of the diagram inside the border: nothing, or from one corner to
 /// another. The edge between the cells of p and q is followed as who goes counterclockwise around
 /// p.
@@ -23,17 +32,39 @@ struct ClippedEdge
 {
   CornerId from = kNoCorner;
   CornerId to = kNoCorner;
+  Stretch entry = kNoStretch; ///< where it comes in, or kNoStretch if it begins at a centre
+  Stretch exit = kNoStretch;  ///< where it goes out, or kNoStretch if it ends at a centre
 
   bool isEmpty() const { return from == kNoCorner; }
 };
 
 inline ClippedEdge turned(const ClippedEdge& piece)
 {
-  return { piece.to, piece.from };
+  return { piece.to, piece.from, piece.exit, piece.entry };
+}
+
+/// Where a cell follows the border: from where one edge of it goes out to where the next comes in.
+struct Gap
+{
+  Stretch exit;
+  Stretch entry;
+};
+
+/// One more corner of a cell, unless it is the last one again.
+inline void addTo(std::vector<CornerId>& cell, CornerId corner)
+{
+  if (cell.empty() || cell.back() != corner)
+  {
+    cell.push_back(corner);
+  }
 }
 
 /// The convex border where cells are cut off. Each edge of the diagram is cut once, for both of its
 /// cells, so these share the corners on the border too.
+///
+/// What is inside, which edges cross where and what cells pass is decided for the exact diagram, by
+/// exact signs. Only then is each corner rounded, and do centres that are one by their rounding
+/// (Diagram::standIn) become one corner: cells keep their shape, whatever rounding does.
 class CellBorder
 {
 public:
@@ -70,10 +101,9 @@ public:
     return isOwn ? result : turned(result);
   }
 
-  /// Adds what the cell of `site` has of the border between its corner `last` and the next one,
-  /// both on the border, in counterclockwise direction. `isOpen`: there the cell has no end.
-  virtual void follow(
-    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) = 0;
+  /// Adds the corners that the cell of `site` has in the gap, in counterclockwise direction.
+  /// `isOpen`: there the cell has no end.
+  virtual void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) = 0;
 
   Point corner(CornerId id) const
   {
@@ -90,20 +120,30 @@ public:
   }
 
 protected:
-  /// Notes for each triangle whether isIt(triangle) says that its centre is inside. Returns false
-  /// if cancelled.
+  /// Notes for each triangle whether isIt(triangle) says that its centre is inside, and sees to it
+  /// that what stands for it is within the bounds. Returns false if cancelled.
   template <typename IsIt>
-  bool noteInside(Ticker& ticker, IsIt isIt)
+  bool noteInside(Ticker& ticker, IsIt isIt, const Bounds& bounds)
   {
     inside_.allocate(diagram_.triangles());
-    return inChunks(0, inside_.size(), ticker,
-      [&](std::size_t a, std::size_t b)
+    const auto note = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t t = a; t != b; ++t)
       {
-        for (std::size_t t = a; t != b; ++t)
+        inside_[t] = isIt(t) ? 1 : 0;
+      }
+    };
+    const auto settle = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t t = a; t != b; ++t)
+      {
+        if (isInside(t) && diagram_.standIn(t) != t)
         {
-          inside_[t] = isIt(t) ? 1 : 0;
+          diagram_.settle(diagram_.standIn(t), bounds);
         }
-      });
+      }
+    };
+    return inChunks(0, inside_.size(), ticker, note) && inChunks(0, inside_.size(), ticker, settle);
   }
 
   /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the

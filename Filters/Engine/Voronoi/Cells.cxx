@@ -245,25 +245,23 @@ void CellWalk::append(Index vertex, const ClippedEdge& piece)
   }
   if (cell_.empty())
   {
-    cell_.push_back(piece.from);
+    entry_ = piece.entry;
   }
-  else if (cell_.back() != piece.from)
+  else if (piece.entry != kNoStretch)
   {
-    border_.follow(vertex, cell_.back(), piece.from, false, cell_);
-    cell_.push_back(piece.from);
+    border_.follow(vertex, { exit_, piece.entry }, false, cell_);
   }
-  if (cell_.back() != piece.to)
-  {
-    cell_.push_back(piece.to);
-  }
+  exit_ = piece.exit;
+  addTo(cell_, piece.from);
+  addTo(cell_, piece.to);
 }
 
 /// From the last corner back to the first.
 void CellWalk::close(Index vertex, bool isOpen)
 {
-  if (!cell_.empty() && (isOpen || cell_.back() != cell_.front()))
+  if (!cell_.empty() && entry_ != kNoStretch)
   {
-    border_.follow(vertex, cell_.back(), cell_.front(), isOpen, cell_);
+    border_.follow(vertex, { exit_, entry_ }, isOpen, cell_);
   }
   while (cell_.size() > 1 && cell_.back() == cell_.front())
   {

@@ -65,6 +65,8 @@ private:
   const Buffer<Index>& cellOf_;
   VoronoiCells& cells_;
   std::vector<CornerId> cell_; ///< at work on
+  Stretch entry_ = kNoStretch; ///< of its first edge
+  Stretch exit_ = kNoStretch;  ///< of its last one
   std::vector<BorderCell> borderCells_;
   std::vector<CornerId> borderCorners_;
 };

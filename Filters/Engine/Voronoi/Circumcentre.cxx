@@ -2,6 +2,8 @@
 #include "Circumcentre.h"
 
 #include "../Arithmetic/DoubleDouble.h"
+#include "../Arithmetic/WideQuotient.h"
+#include "../Arithmetic/WideVectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +11,8 @@
 
 namespace ahd
 {
+
+using namespace stages;
 
 namespace
 {
@@ -41,6 +45,7 @@ public:
     first_ = std::ldexp(1.0, -shift / 2);
     second_ = std::ldexp(1.0, -(shift - shift / 2));
     back_ = shift + (exponent > 1000 ? 2 : 0);
+    power_ = std::ldexp(1.0, back_);
   }
 
   DoubleDoubleVector between(const Point& from, const Point& to) const
@@ -48,10 +53,23 @@ public:
     return { one(to.x, from.x), one(to.y, from.y) };
   }
 
-  /// origin + v, unscaled and rounded.
-  Point apply(const DoubleDoubleVector& v) const
+  /// A scaled number, unscaled; infinite if that overflows.
+  double unscaled(double x) const
   {
-    return { back(origin_.x, v.x), back(origin_.y, v.y) };
+    return std::isfinite(power_) ? x * power_ : std::ldexp(x, back_);
+  }
+
+  /// origin + v, unscaled and rounded.
+  double added(double origin, const DoubleDouble& v) const
+  {
+    const double a = unscaled(v.high);
+    const double b = unscaled(v.low);
+    if (!std::isfinite(a))
+    {
+      return addedByHalves(origin, std::ldexp(v.high, back_ - 1), b);
+    }
+    const DoubleDouble sum = exactSum(origin, a);
+    return std::isfinite(sum.low) ? sum.high + (sum.low + b) : origin + a;
   }
 
 private:
@@ -63,20 +81,8 @@ private:
     return scaled(scaled(d, first_), second_);
   }
 
-  double back(double origin, const DoubleDouble& v) const
-  {
-    const double a = std::ldexp(v.high, back_);
-    const double b = std::ldexp(v.low, back_);
-    if (!std::isfinite(a))
-    {
-      return backByHalves(origin, std::ldexp(v.high, back_ - 1), b);
-    }
-    const DoubleDouble sum = exactSum(origin, a);
-    return std::isfinite(sum.low) ? sum.high + (sum.low + b) : origin + a;
-  }
-
   /// origin + 2 half + rest: the way from one end of the range of double to the other is no double.
-  static double backByHalves(double origin, double half, double rest)
+  static double addedByHalves(double origin, double half, double rest)
   {
     const DoubleDouble sum = exactSum(origin, half);
     const DoubleDouble whole = exactSum(sum.high, half);
@@ -89,25 +95,76 @@ private:
   double before_ = 1.0;
   double first_ = 1.0, second_ = 1.0; ///< their product may be no double
   int back_ = 0;
+  double power_ = 1.0; ///< 2^back_, which may be infinite
 };
 
-/// The circumcentre is corner a + offset / divisor.
-struct Centre
+/// Upper bound of what products and sums of scaled differences lose by underflow.
+constexpr double kLost = 0x1p-1000;
+
+/// A quotient that is to be computed, and by how much either part may be wrong.
+struct Quotient
 {
-  DoubleDoubleVector offset;
-  DoubleDouble divisor; ///< four times the area of the triangle
+  DoubleDouble over;
+  double overError;
+  DoubleDouble under;
+  double underError;
 };
 
-Centre centreOf(const Differences& differences, const Corners& triangle)
+/// origin + quotient, unscaled and rounded once. False if the errors leave open what that is, or
+/// if it is not finite.
+///
+/// The quotient is wrong by the errors of both parts, where those of second order are paid for by
+/// twice as much, and by 2^-100 of itself; adding it and rounding the sum's low part, by less than
+/// 2^-100 of it, and by 2^-1074 where its parts become subnormal.
+bool addedTo(
+  double origin, const Quotient& quotient, const Differences& differences, double& result)
 {
-  const DoubleDoubleVector u = differences.between(triangle.a, triangle.b);
-  const DoubleDoubleVector v = differences.between(triangle.a, triangle.c);
-  const DoubleDouble uu = dot(u, u);
-  const DoubleDouble vv = dot(v, v);
-  Centre result;
-  result.offset = { uu * v.y - vv * u.y, vv * u.x - uu * v.x };
-  result.divisor = scaled(cross(u, v), 2.0);
-  return result;
+  const double size = std::fabs(quotient.under.high);
+  if (!(quotient.underError <= 0x1p-20 * size))
+  {
+    return false;
+  }
+  const DoubleDouble value = quotient.over / quotient.under;
+  const double way = std::fabs(value.high);
+  const double error = 2.0 * (quotient.overError + way * quotient.underError) / size +
+    0x1p-98 * way;
+  result = differences.added(origin, value);
+  // A unit in the last place is at least 2^-53 of the result.
+  return std::isfinite(result) &&
+    differences.unscaled(error) + 0x1p-1073 <= 0x1p-64 * std::fabs(result);
+}
+
+/// The terms of a 2x2 determinant or a scalar product, by their sizes.
+double sizeOf(
+  const DoubleDouble& a, const DoubleDouble& b, const DoubleDouble& c, const DoubleDouble& d)
+{
+  return std::fabs(a.high * b.high) + std::fabs(c.high * d.high);
+}
+
+/// circumcentre() with about 100 bits; false where these do not tell.
+///
+/// The sides of the triangle are exact. A product of two DoubleDoubles is wrong by less than 2^-103
+/// of itself, a sum by 2^-104 of its operands: so the divisor by less than 2^-102 of the size of
+/// its products, a squared length by as much of itself, and the offset by less than 2^-101.
+bool longCentre(const Corners& t, Point& result)
+{
+  Differences differences(t.a);
+  differences.add(t.b);
+  differences.add(t.c);
+  differences.scale();
+  const DoubleDoubleVector u = differences.between(t.a, t.b);
+  const DoubleDoubleVector v = differences.between(t.a, t.c);
+  const DoubleDouble uu = dot(u, u), vv = dot(v, v);
+  const DoubleDouble divisor = scaled(cross(u, v), 2.0);
+  const double divisorError = 0x1p-99 * sizeOf(u.x, v.y, u.y, v.x) + kLost;
+  const auto coordinate = [&](double origin, const DoubleDouble& plus, const DoubleDouble& minus,
+                            double size, double& where)
+  {
+    const Quotient quotient{ plus - minus, 0x1p-99 * size + kLost, divisor, divisorError };
+    return addedTo(origin, quotient, differences, where);
+  };
+  return coordinate(t.a.x, uu * v.y, vv * u.y, sizeOf(uu, v.y, vv, u.y), result.x) &&
+    coordinate(t.a.y, vv * u.x, uu * v.x, sizeOf(vv, u.x, uu, v.x), result.y);
 }
 
 /// Is it zero, or so far from the ends of the range that neither products of three differences of
@@ -174,70 +231,86 @@ bool quickCentre(const Corners& t, Point& result)
     roundedSum(t.a.y, quotient(vv * u.x, uu * v.x), result.y);
 }
 
-/// The nearest number to `value` from a to b.
-double between(double value, double a, double b)
+} // namespace
+
+/// The centre is a + offset / divisor, with divisor = 2 (u x v), u = b - a, v = c - a, and offset =
+/// (|u|^2 v.y - |v|^2 u.y, |v|^2 u.x - |u|^2 v.x).
+Point stages::circumcentreUnbounded(const Corners& t)
 {
-  return std::min(std::max(value, std::min(a, b)), std::max(a, b));
+  const Unit unit{ &t.a, &t.b, &t.c };
+  const WideVector u(unit, t.a, t.b), v(unit, t.a, t.c);
+  const auto uu = dotUnbounded(u, u), vv = dotUnbounded(v, v);
+  const auto half = crossUnbounded(u, v);
+  const auto divisor = half + half;
+  const auto x = unit.integer(t.a.x) * divisor + (uu * v.y - vv * u.y);
+  const auto y = unit.integer(t.a.y) * divisor + (vv * u.x - uu * v.x);
+  return { roundedQuotient(x, divisor, unit.exponent()),
+    roundedQuotient(y, divisor, unit.exponent()) };
+}
+
+Point circumcentre(const Corners& triangle)
+{
+  Point result;
+  const bool isKnown = (areModest(triangle) && quickCentre(triangle, result)) ||
+    longCentre(triangle, result);
+  return isKnown ? result : stages::circumcentreUnbounded(triangle);
+}
+
+namespace
+{
+
+/// bisectorOnLine() with about 100 bits; false where these do not tell. With d the way along the
+/// line and s that from p to q, it is from + d (2 middle . s) / (2 d . s), the middle seen from
+/// `from`. Errors as in longCentre().
+bool longBisector(const Point& p, const Point& q, const Line& line, Point& result)
+{
+  Differences differences(line.from);
+  differences.add(p);
+  differences.add(q);
+  differences.add(line.to);
+  differences.scale();
+  const DoubleDoubleVector along = differences.between(line.from, line.to);
+  const DoubleDoubleVector apart = differences.between(p, q);
+  const DoubleDoubleVector toP = differences.between(line.from, p);
+  const DoubleDoubleVector toQ = differences.between(line.from, q);
+  const DoubleDouble over = dot({ toP.x + toQ.x, toP.y + toQ.y }, apart);
+  const double overError = 0x1p-100 *
+      (sizeOf(toP.x, apart.x, toP.y, apart.y) + sizeOf(toQ.x, apart.x, toQ.y, apart.y)) +
+    kLost;
+  const DoubleDouble under = scaled(dot(along, apart), 2.0);
+  const double underError = 0x1p-99 * sizeOf(along.x, apart.x, along.y, apart.y) + kLost;
+  const auto coordinate = [&](double from, double to, const DoubleDouble& way, double& where)
+  {
+    const double size = std::fabs(way.high);
+    const Quotient quotient{ way * over,
+      2.0 * size * overError + 0x1p-100 * size * std::fabs(over.high) + kLost, under, underError };
+    where = from; // along a side of the box one of the coordinates is known
+    return from == to || addedTo(from, quotient, differences, where);
+  };
+  return coordinate(line.from.x, line.to.x, along.x, result.x) &&
+    coordinate(line.from.y, line.to.y, along.y, result.y);
 }
 
 } // namespace
 
-Point circumcentre(const Corners& triangle)
+/// As longBisector(); 2 middle . s is |q|^2 - |p|^2.
+Point stages::bisectorUnbounded(const Point& p, const Point& q, const Line& line)
 {
-  if (Point quick; areModest(triangle) && quickCentre(triangle, quick))
-  {
-    return quick;
-  }
-  Differences differences(triangle.a);
-  differences.add(triangle.b);
-  differences.add(triangle.c);
-  differences.scale();
-  const Centre centre = centreOf(differences, triangle);
-  return differences.apply({ centre.offset.x / centre.divisor, centre.offset.y / centre.divisor });
+  const Unit unit{ &p, &q, &line.from, &line.to };
+  const WideVector along(unit, line.from, line.to), apart(unit, p, q);
+  const WideVector toP(unit, line.from, p), toQ(unit, line.from, q);
+  const auto over = dotUnbounded(toQ, toQ) - dotUnbounded(toP, toP);
+  const auto half = dotUnbounded(along, apart);
+  const auto under = half + half;
+  const auto x = unit.integer(line.from.x) * under + along.x * over;
+  const auto y = unit.integer(line.from.y) * under + along.y * over;
+  return { roundedQuotient(x, under, unit.exponent()), roundedQuotient(y, under, unit.exponent()) };
 }
 
-int sideOfCircumcentre(const Corners& triangle, const Point& from, const Point& to)
+Point bisectorOnLine(const Point& p, const Point& q, const Line& line)
 {
-  Differences differences(triangle.a);
-  differences.add(triangle.b);
-  differences.add(triangle.c);
-  differences.add(from);
-  differences.add(to);
-  differences.scale();
-  const Centre centre = centreOf(differences, triangle);
-  const DoubleDoubleVector along = differences.between(from, to);
-  const DoubleDoubleVector corner = differences.between(from, triangle.a);
-  return signOf(cross(along, corner) * centre.divisor + cross(along, centre.offset));
-}
-
-Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const Point& to)
-{
-  Differences differences(from);
-  differences.add(p);
-  differences.add(q);
-  differences.add(to);
-  differences.scale();
-  const DoubleDoubleVector along = differences.between(from, to);
-  const DoubleDoubleVector apart = differences.between(p, q);
-  const DoubleDoubleVector toP = differences.between(from, p);
-  const DoubleDoubleVector toQ = differences.between(from, q);
-  const DoubleDoubleVector twiceMiddle = { toP.x + toQ.x, toP.y + toQ.y };
-  const DoubleDouble steep = scaled(dot(along, apart), 2.0);
-  DoubleDouble part{ 0.5, 0.0 };
-  if (signOf(steep) != 0)
-  {
-    part = dot(twiceMiddle, apart) / steep;
-  }
-  if (!(part.high > 0.0))
-  {
-    return from;
-  }
-  if (!(signOf(part - DoubleDouble{ 1.0, 0.0 }) < 0)) // its high part alone may be 1
-  {
-    return to;
-  }
-  const Point meets = differences.apply({ along.x * part, along.y * part });
-  return { between(meets.x, from.x, to.x), between(meets.y, from.y, to.y) };
+  Point result;
+  return longBisector(p, q, line, result) ? result : stages::bisectorUnbounded(p, q, line);
 }
 
 } // namespace ahd

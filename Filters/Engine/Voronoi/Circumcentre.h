@@ -3,27 +3,33 @@
 #define ahd_Circumcentre_h
 
 #include "../Points/Points.h"
+#include "../Predicates/Circles.h"
 
 namespace ahd
 {
 
-/// The three corners of a triangle, counterclockwise.
-struct Corners
-{
-  Point a, b, c;
-};
+// Where corners of cells lie. "Rounded once": each coordinate is the exact one, rounded to nearest
+// from at least 11 bits more than a double has: so no more than 0.501 units in the last place away,
+// and on no other side of a double. Infinite beyond the largest double.
 
-/// The centre of the circle through the corners, rounded once as far as 100 bits go. Not finite if
-/// it cannot be told from infinity.
+/// The centre of the circle through the corners, rounded once. REQUIRES: they are not collinear.
 Point circumcentre(const Corners& triangle);
 
-/// The sign of the distance of the circumcentre from the line through `from` and `to`: +1 to the
-/// left of it, -1 to the right, 0 on it, as far as 100 bits can tell.
-int sideOfCircumcentre(const Corners& triangle, const Point& from, const Point& to);
+/// A segment that a bisector meets.
+struct Line
+{
+  Point from, to;
+};
 
-/// Where the bisector of p and q meets the segment from `from` to `to`; the nearer end of the
-/// segment if it does not, or the middle if they are parallel.
-Point bisectorOnSegment(const Point& p, const Point& q, const Point& from, const Point& to);
+/// Where the bisector of p and q meets the line, rounded once. REQUIRES: they are not parallel.
+Point bisectorOnLine(const Point& p, const Point& q, const Line& line);
+
+/// For Circumcentre.cxx and its tests only: the same, always by integers as long as need be.
+namespace stages
+{
+Point circumcentreUnbounded(const Corners& triangle);
+Point bisectorUnbounded(const Point& p, const Point& q, const Line& line);
+}
 
 } // namespace ahd
 

@@ -1,103 +1,43 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ClipBox.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-
 namespace ahd
 {
 
-namespace
+/// Rounding takes a centre onto a side at most, never across it.
+bool ClipBox::hasCentre(const Corners& triangle, const Point& centre) const
 {
-
-/// Half of how far it is from p to the side that is ahead, in units of the direction's length;
-/// infinite where that overflows.
-double distanceAhead(double p, double direction, double low, double high)
-{
-  if (direction == 0.0)
+  if (!contains(centre))
   {
-    return std::numeric_limits<double>::infinity();
+    return false;
   }
-  // Halves, since the box may be wider than the largest double.
-  const double far = direction > 0.0 ? 0.5 * high - 0.5 * p : 0.5 * low - 0.5 * p;
-  return far / direction;
-}
-
-/// p and twice `half`, where the way may be longer than the largest double.
-double moved(double p, double half)
-{
-  const double result = p + 2.0 * half;
-  return std::isfinite(result) ? result : (p + half) + half;
-}
-
-} // namespace
-
-Point directionOf(const Point& from, const Point& to)
-{
-  Point result{ to.x - from.x, to.y - from.y };
-  if (!isFinite(result))
+  for (unsigned k = 0; k < 4; ++k)
   {
-    result = { 0.5 * to.x - 0.5 * from.x, 0.5 * to.y - 0.5 * from.y };
-  }
-  const double larger = std::max(std::fabs(result.x), std::fabs(result.y));
-  if (!(larger > 0.0)) // NaN has no exponent either
-  {
-    return result;
-  }
-  const int exponent = std::ilogb(larger);
-  return { std::ldexp(result.x, -exponent), std::ldexp(result.y, -exponent) };
-}
-
-Point ClipBox::leave(const Point& p, const Point& a, const Point& b) const
-{
-  const Point along = directionOf(a, b);
-  const Point direction{ -along.y, along.x };
-  const double inX = distanceAhead(p.x, direction.x, bounds_.xmin, bounds_.xmax);
-  const double inY = distanceAhead(p.y, direction.y, bounds_.ymin, bounds_.ymax);
-  Point result;
-  if (inX <= inY)
-  {
-    result.x = direction.x > 0.0 ? bounds_.xmax : bounds_.xmin;
-    result.y = moved(p.y, inX * direction.y);
-  }
-  else
-  {
-    result.x = moved(p.x, inY * direction.x);
-    result.y = direction.y > 0.0 ? bounds_.ymax : bounds_.ymin;
-  }
-  return within(bounds_, result);
-}
-
-unsigned ClipBox::sideOf(const Point& p) const
-{
-  for (unsigned side = 0; side < 3; ++side)
-  {
-    if (isOnSide(p, side) && !isOnSide(p, (side + 1) % 4))
+    const Line line = side(k);
+    if (isOnSide(centre, k) && sideOfCircumcentre(triangle, line.from, line.to) < 0)
     {
-      return side;
+      return false;
     }
   }
-  return 3;
+  return true;
 }
 
-std::vector<unsigned> ClipBox::between(const Point& p, const Point& q) const
+/// The middle of p and q is in the box, and if it lies on a side, so do both: the bisector crosses
+/// the inside. So some corners are nearer to p and some to q, and those nearer to p, which lie to
+/// its left, come in a row after the place that is looked for.
+unsigned ClipBox::exitOf(const Point& p, const Point& q) const
 {
-  std::vector<unsigned> result;
-  const unsigned first = sideOf(p);
-  const unsigned last = sideOf(q);
-  const double ahead[4] = { q.x - p.x, q.y - p.y, p.x - q.x, p.y - q.y };
-  // On one side and ahead, no corner is passed; behind, all four are.
-  const unsigned steps = first == last ? (ahead[first] >= 0.0 ? 0 : 4) : (last + 4 - first) % 4;
-  for (unsigned step = 1; step <= steps; ++step)
+  int nearer[4];
+  for (unsigned k = 0; k < 4; ++k)
   {
-    const unsigned k = (first + step) % 4;
-    if (!(corner(k) == q))
-    {
-      result.push_back(k);
-    }
+    nearer[k] = nearerOf(p, q, corner(k));
   }
-  return result;
+  unsigned k = 0;
+  while (k < 3 && !(nearer[k] <= 0 && nearer[k + 1] > 0))
+  {
+    ++k;
+  }
+  return nearer[k] == 0 ? 2 * k : 2 * k + 1;
 }
 
 } // namespace ahd

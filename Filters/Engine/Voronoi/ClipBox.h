@@ -3,9 +3,9 @@
 #define ahd_ClipBox_h
 
 #include "../Points/Points.h"
+#include "Circumcentre.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace ahd
 {
@@ -17,11 +17,6 @@ inline Point within(const Bounds& bounds, const Point& p)
     std::min(std::max(p.y, bounds.ymin), bounds.ymax) };
 }
 
-/// The direction from one point to another: their difference times a power of two, so that its
-/// larger coordinate is between 1 and 2 and no product of such directions overflows, or underflows
-/// and matters. Zero if they are one place, not finite if one of them is not.
-Point directionOf(const Point& from, const Point& to);
-
 /// An axis-parallel box with an area, whose border is followed counterclockwise. Side 0 is below,
 /// 1 to the right, 2 above, 3 to the left; corner k is where side k begins.
 class ClipBox
@@ -32,39 +27,43 @@ public:
   {
   }
 
+  const Bounds& bounds() const { return bounds_; }
   bool hasArea() const { return bounds_.xmin < bounds_.xmax && bounds_.ymin < bounds_.ymax; }
-
-  /// Is it inside or on the border? Not if it is not finite.
-  bool contains(const Point& p) const
-  {
-    return p.x >= bounds_.xmin && p.x <= bounds_.xmax && p.y >= bounds_.ymin && p.y <= bounds_.ymax;
-  }
 
   Point corner(unsigned k) const
   {
     return { k == 0 || k == 3 ? bounds_.xmin : bounds_.xmax,
       k == 0 || k == 1 ? bounds_.ymin : bounds_.ymax };
   }
+  Line side(unsigned k) const { return { corner(k), corner((k + 1) % 4) }; }
 
-  bool isOnSide(const Point& p, unsigned side) const
+  /// Is it inside, not on the border? Not if it is not finite.
+  bool hasInside(const Point& p) const
   {
-    return side == 0 ? p.y == bounds_.ymin
-      : side == 1    ? p.x == bounds_.xmax
-      : side == 2    ? p.y == bounds_.ymax
-                     : p.x == bounds_.xmin;
+    return p.x > bounds_.xmin && p.x < bounds_.xmax && p.y > bounds_.ymin && p.y < bounds_.ymax;
   }
 
-  /// Where one leaves the box who goes from p, inside, at right angles to the left of the direction
-  /// from a to b. On the border, exactly.
-  Point leave(const Point& p, const Point& a, const Point& b) const;
+  /// Is the circumcentre inside or on the border? Exact. `centre`: the same, rounded once; where
+  /// hasInside(centre), it is.
+  bool hasCentre(const Corners& triangle, const Point& centre) const;
 
-  /// The corners that are passed counterclockwise from p to q, both on the border: numbers of
-  /// corners. p and q themselves are not among them.
-  std::vector<unsigned> between(const Point& p, const Point& q) const;
+  /// Where the bisector of p and q, followed counterclockwise around p, leaves the box: 2 k in
+  /// corner k, 2 k + 1 on side k between its ends. Exact. REQUIRES: p and q are in the box.
+  unsigned exitOf(const Point& p, const Point& q) const;
 
 private:
-  /// The side a point of the border is on; at a corner, the one that begins there.
-  unsigned sideOf(const Point& p) const;
+  /// Is it inside or on the border? Not if it is not finite.
+  bool contains(const Point& p) const
+  {
+    return p.x >= bounds_.xmin && p.x <= bounds_.xmax && p.y >= bounds_.ymin && p.y <= bounds_.ymax;
+  }
+  bool isOnSide(const Point& p, unsigned k) const
+  {
+    return k == 0 ? p.y == bounds_.ymin
+      : k == 1    ? p.x == bounds_.xmax
+      : k == 2    ? p.y == bounds_.ymax
+                  : p.x == bounds_.xmin;
+  }
 
   Bounds bounds_;
 };

@@ -47,13 +47,11 @@ public:
     return { point(origin(h)), point(origin(h + 1)), point(origin(h + 2)) };
   }
 
-  /// The centre of a triangle that is known to lie inside the hull, with these bounds: one that is
-  /// not finite becomes a corner of the triangle, one that rounding has put outside the bounds goes
-  /// back to them.
+  /// The centre of the triangle stands for one that lies within the bounds: it moves there if it
+  /// is outside, which is a matter of rounding.
   void settle(std::size_t triangle, const Bounds& bounds)
   {
-    Point& centre = centres_[triangle];
-    centre = within(bounds, isFinite(centre) ? centre : corners(triangle).a);
+    centres_[triangle] = within(bounds, centres_[triangle]);
   }
 
   /// Nobody will ask for standIn() any more.

@@ -11,6 +11,7 @@ namespace ahd
 namespace
 {
 constexpr std::size_t kNoTriangle = std::size_t(-1);
+constexpr Stretch kHull = 0;
 }
 
 bool HullBorder::build(Ticker& ticker)
@@ -30,18 +31,8 @@ bool HullBorder::build(Ticker& ticker)
       return false;
     }
   }
-  const auto settle = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t t = a; t != b; ++t)
-    {
-      if (isBeyondNone(t))
-      {
-        diagram_.settle(diagram_.standIn(t), bounds_);
-      }
-    }
-  };
-  return inChunks(0, diagram_.triangles(), ticker, settle) &&
-    noteInside(ticker, [&](std::size_t t) { return isBeyondNone(t); });
+  return noteInside(
+    ticker, [&](std::size_t t) { return isBeyondNone(t); }, bounds_);
 }
 
 /// Marks the triangles of the hull edge's tree.
@@ -77,8 +68,8 @@ bool HullBorder::findBeyond(HalfEdge hullEdge, Ticker& ticker)
 
 int HullBorder::side(std::size_t triangle, HalfEdge hullEdge) const
 {
-  return sideOfCircumcentre(diagram_.corners(diagram_.standIn(triangle)),
-    diagram_.point(diagram_.origin(hullEdge)), diagram_.point(diagram_.target(hullEdge)));
+  return sideOfCircumcentre(diagram_.corners(triangle), diagram_.point(diagram_.origin(hullEdge)),
+    diagram_.point(diagram_.target(hullEdge)));
 }
 
 ClippedEdge HullBorder::cut(HalfEdge h)
@@ -95,24 +86,25 @@ ClippedEdge HullBorder::cut(HalfEdge h)
   }
   if (rightEdge == kNoHalfEdge)
   {
-    return { centre(right), crossing(h, leftEdge, right) };
+    return { centre(right), crossing(h, leftEdge, right), kNoStretch, kHull };
   }
   if (leftEdge == kNoHalfEdge)
   {
-    return { crossing(h, rightEdge, left), centre(left) };
+    return { crossing(h, rightEdge, left), centre(left), kHull, kNoStretch };
   }
   const CornerId from = crossing(h, rightEdge, kNoTriangle);
   const CornerId to = crossing(h, leftEdge, kNoTriangle);
-  return corner(from) == corner(to) ? ClippedEdge{ from, from } : ClippedEdge{ from, to };
+  return { from, corner(from) == corner(to) ? from : to, kHull, kHull };
 }
 
 /// Where the dual of h crosses the hull; `insideTriangle`: whose centre is the end that lies
 /// inside.
 CornerId HullBorder::crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle)
 {
-  const Point where = bisectorOnSegment(diagram_.point(diagram_.origin(h)),
-    diagram_.point(diagram_.target(h)), diagram_.point(diagram_.origin(hullEdge)),
-    diagram_.point(diagram_.target(hullEdge)));
+  const Line line{ diagram_.point(diagram_.origin(hullEdge)),
+    diagram_.point(diagram_.target(hullEdge)) };
+  const Point where = bisectorOnLine(
+    diagram_.point(diagram_.origin(h)), diagram_.point(diagram_.target(h)), line);
   if (insideTriangle != kNoTriangle)
   {
     const CornerId end = centre(insideTriangle);
@@ -124,7 +116,7 @@ CornerId HullBorder::crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideT
   return add(where);
 }
 
-void HullBorder::follow(Index site, CornerId, CornerId, bool isOpen, std::vector<CornerId>& cell)
+void HullBorder::follow(Index site, const Gap&, bool isOpen, std::vector<CornerId>& cell)
 {
   if (isOpen)
   {

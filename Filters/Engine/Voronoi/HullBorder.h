@@ -14,7 +14,7 @@ namespace ahd
 /// of different edges have no triangle in common, as the cell of each hull vertex lies between
 /// those of the edges at either side. So each centre outside belongs to one edge of the hull, all
 /// of them are found from the hull inwards, and the work is linear however far away the centres
-/// lie.
+/// lie. All of the border is one stretch: a cell has nothing of it but its own vertex.
 class HullBorder : public CellBorder
 {
 public:
@@ -26,8 +26,7 @@ public:
   }
 
   bool build(Ticker& ticker) override;
-  void follow(
-    Index site, CornerId last, CornerId next, bool isOpen, std::vector<CornerId>& cell) override;
+  void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) override;
 
 protected:
   ClippedEdge cut(HalfEdge h) override;

@@ -35,13 +35,14 @@ struct VoronoiCells
 /// The Voronoi diagram of the vertices: for each the part of the hull (or the bounding box) that is
 /// nearer to it than to any other.
 ///
-/// Contract. One cell per vertex. Which cells meet where follows from the triangles, so it is as
-/// exact as they are; the coordinates of the corners are computed with about 100 bits and rounded
-/// once (so where numbers of 1e-300 meet numbers of 1e300 a corner may be anywhere within the
-/// bounds). Circumcentres that differ by no more than a few units in the last place of their own
-/// coordinates or those of their triangle are one corner: so the cells of a lattice have no edges
-/// of length zero. Each cell has three corners at least; where vertices are so close that the
-/// corners of a cell cannot be told apart in double precision, some coincide.
+/// Contract. One cell per vertex. Which cells meet where, which edges cross the border and which
+/// corners of it a cell has are those of the exact diagram. Each coordinate of a corner, on the
+/// border too, is the exact one rounded once: no more than 0.501 units in the last place away, at
+/// any scale, and never across the border of the box. But circumcentres that differ by no more than
+/// 4 units in the last place of their own coordinates or those of their triangle are one corner,
+/// one of them: so the cells of a lattice have no edges of length zero. Each cell has three corners
+/// at least; where vertices are so close that the corners of a cell cannot be told apart in double
+/// precision, some coincide.
 /// On the hull its vertices are corners of their own cells, those on its straight edges too.
 /// Where all vertices are collinear, the hull has no area and there are no cells; the box is cut
 /// into strips, unless it has no area either. No cells for fewer than two vertices.

@@ -202,6 +202,7 @@ class Execution:
             NumberOfCrossings=count("split_crossings" if split else "segments_crossing"),
             NumberOfConstraintsLeftOut=count("segments_without_vertex") + count("segments_crossing"),
             NumberOfUnfilledLoops=count("unfilled_loops"), NumberOfTrimmedTriangles=count("trimmed_triangles"),
+            NumberOfBentConstraints=count("bent_segments"),
             NP=measure("np"), NR=measure("nr"), NumberOfThreadsUsed=count("threads_used"))
 
     def warnings(self):

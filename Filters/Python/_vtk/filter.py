@@ -4,7 +4,7 @@
 import weakref
 
 from .. import _library as engine
-from . import messages, settings
+from . import messages, package_of, settings
 from .arrays import coordinates, ghost_marks, new_array
 from .blocks import Merged
 from .cache import OutputCache
@@ -159,6 +159,15 @@ class _Ports:
             for i in range(vector.GetNumberOfInformationObjects()):
                 vector.GetInformationObject(i).Set(exact, 1)
         return 1
+
+    def SetInputDataObject(self, *given):
+        """SetInputDataObject(data) or SetInputDataObject(port, data): the input, without a pipeline. TypeError for data
+        of another VTK than the filter's."""
+        package = package_of(given[-1]) if given else None
+        if package not in (None, self._backend.package):
+            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
+                package, self._backend.package, package))
+        super().SetInputDataObject(*given)
 
     def SetInputData(self, *given):
         """SetInputData(data) or SetInputData(port, data): the input, without a pipeline."""

@@ -45,7 +45,7 @@ def error_text(status, job, values, more):
     are none of those below."""
     if status == engine.CANCELLED:
         return None
-    if status > engine.MEMORY_LIMIT:
+    if status > engine.TOO_MANY_CROSSINGS:
         return "%s. Nothing is put out." % more
     points, limited = job.count("points"), values["MemoryLimit"] > 0
     needed = kibibytes(job.count("memory_estimate"))
@@ -58,6 +58,13 @@ def error_text(status, job, values, more):
             "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit "
             "(in KiB) to allow more." % (
                 points, job.count("most_boxes"), "MemoryLimit allows, " if limited else "there is, ", allowed))
+    if status == engine.TOO_MANY_CROSSINGS:
+        return (
+            "The lines and polygons of the source cross in more than %d places. Splitting them there and triangulating "
+            "%d points and the crossings may take more than %d KiB of memory, but %s%d KiB. Nothing was computed. Take "
+            "fewer lines, switch CrossingMode to Leave Out, or set MemoryLimit (in KiB) to allow more." % (
+                job.count("most_crossings"), points - job.count("most_crossings") - 1, needed,
+                "MemoryLimit allows " if limited else "there are ", allowed))
     if status == engine.MEMORY_LIMIT:
         return (
             "Triangulating %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed. Take fewer points, "
@@ -176,6 +183,11 @@ def _of_constraints(job, values, _found):
                "%d and crosses cell %d.%s" % (
                    crossing, of_all, job.count("first_crossing_cell"), job.count("first_crossed_cell"), loops))
         loops = ""
+    bent = job.count("bent_segments")
+    if bent:
+        yield ("%d %s of the source %s by rounding, led through a point that is not exactly on %s; the first is in "
+               "cell %d." % ((bent,) + (("segment", "bends", "it") if bent == 1 else ("segments", "bend", "them"))
+                             + (job.count("first_bent_cell"),)))
     missing = job.count("segments_without_vertex")
     if job.count("unfit_ids"):
         yield ("%d%s of the source are no constraints: %d of the ids in its cells are not those of points, the first "

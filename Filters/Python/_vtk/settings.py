@@ -122,16 +122,16 @@ CONSTANTS = {
 COUNTS = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
     "NumberOfPointsBeyondLimit", "NumberOfTriangles", "NumberOfMergedPoints", "NumberOfAddedPoints",
-    "NumberOfConstraintEdges", "NumberOfCrossings", "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops",
-    "NumberOfTrimmedTriangles")
+    "NumberOfConstraintEdges", "NumberOfCrossings", "NumberOfBentConstraints", "NumberOfConstraintsLeftOut",
+    "NumberOfUnfilledLoops", "NumberOfTrimmedTriangles")
 # In the order in which the compiled class prints them; what they are before an execution, and after one that failed.
 MEASURES = {
     "NumberOfPointsInserted": 0, "NumberOfDuplicates": 0, "NumberOfRejectedPoints": 0, "NumberOfSkippedPoints": 0,
     "NumberOfPointsBeyondLimit": 0, "NumberOfTriangles": 0, "NP": -1.0, "NR": -1.0, "SortSeconds": 0.0,
     "InsertSeconds": 0.0, "OutputSeconds": 0.0, "NumberOfThreadsUsed": 0, "NumberOfTriangulations": 0,
     "MemoryEstimate": 0, "NumberOfMergedPoints": 0, "NumberOfAddedPoints": 0, "NumberOfConstraintEdges": 0,
-    "NumberOfCrossings": 0, "NumberOfConstraintsLeftOut": 0, "NumberOfUnfilledLoops": 0, "NumberOfTrimmedTriangles": 0,
-    "ConstrainSeconds": 0.0}
+    "NumberOfCrossings": 0, "NumberOfBentConstraints": 0, "NumberOfConstraintsLeftOut": 0, "NumberOfUnfilledLoops": 0,
+    "NumberOfTrimmedTriangles": 0, "ConstrainSeconds": 0.0}
 SECONDS = ("SortSeconds", "InsertSeconds", "OutputSeconds", "ConstrainSeconds")
 
 

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace ahd
 {
 namespace test
@@ -73,6 +75,128 @@ TEST(SplitMemory, SplittingSaysSo)
       EXPECT_TRUE(status != Status::Ok || split.points.size() > 10);
       return status;
     });
+}
+
+/// Segments, each a line of its own.
+struct Segments
+{
+  std::vector<Point> points;
+  std::vector<std::int64_t> ids, offsets{ 0 };
+
+  void add(const Point& a, const Point& b)
+  {
+    for (const Point& p : { a, b })
+    {
+      ids.push_back(std::int64_t(points.size()));
+      points.push_back(p);
+    }
+    offsets.push_back(std::int64_t(ids.size()));
+  }
+  std::size_t count() const { return offsets.size() - 1; }
+
+  Status split(std::size_t most, SplitConstraints& out) const
+  {
+    ConstraintView chains;
+    chains.ids = ids.data();
+    chains.offsets = offsets.data();
+    chains.chains = chains.lines = count();
+    return splitAtCrossings(viewOf(points), chains, nullptr, out, most);
+  }
+};
+
+/// `count` of a length about this, anywhere in the unit square.
+Segments scattered(std::size_t count, double length)
+{
+  Segments result;
+  for (const Point& p : makePoints(Distribution::Uniform, count, 7))
+  {
+    const double turn = 1000.0 * p.x * p.y;
+    result.add(p, { p.x + length * std::cos(turn), p.y + length * std::sin(turn) });
+  }
+  return result;
+}
+
+/// As many as follow one another closely, from side to side; and some across all of them.
+Segments sideBySide(std::size_t count, std::size_t across)
+{
+  Segments result;
+  for (std::size_t k = 0; k != count; ++k)
+  {
+    const double y = double(k) / double(count);
+    result.add({ 0.01 * y, y }, { 1.0 - 0.003 * y, y + 1e-7 * double(k % 3) });
+  }
+  for (std::size_t k = 0; k != across; ++k)
+  {
+    const double x = (double(k) + 0.5) / double(across);
+    result.add({ x, -0.5 }, { x * x, 1.5 });
+  }
+  return result;
+}
+
+/// Segments that pass exactly through the origin, or through (1/3, 1/3).
+Segments diameters(std::size_t count, bool throughADouble)
+{
+  Segments result;
+  for (std::size_t k = 1; k <= count; ++k)
+  {
+    const double x = double(k), y = double(count + 1 - k);
+    result.add({ x, y }, throughADouble ? Point{ -x, -y } : Point{ 1 - 2 * x, 1 - 2 * y });
+  }
+  return result;
+}
+
+std::size_t peakOf(const Segments& segments, std::size_t most, Status expected, std::size_t& found)
+{
+  SplitConstraints out;
+  const std::size_t before = account.held;
+  account.peak = before;
+  EXPECT_EQ(segments.split(most, out), expected);
+  found = out.crossings;
+  return account.peak - before;
+}
+
+TEST(SplitMemory, TheEstimateHolds)
+{
+  const Segments all[] = { scattered(3000, 1e-6), scattered(3000, 0.02), scattered(1000, 0.5),
+    sideBySide(2000, 0), sideBySide(500, 60), diameters(200, false) };
+  for (const Segments& segments : all)
+  {
+    std::size_t found = 0;
+    const std::size_t peak = peakOf(segments, std::size_t(-1), Status::Ok, found);
+    EXPECT_LE(peak, splitMemoryEstimate(segments.count(), found))
+      << segments.count() << " segments, " << found << " crossings";
+  }
+}
+
+TEST(SplitMemory, MoreCrossingsThanAllowedAreRefusedBeforeTheyTakeIt)
+{
+  const Segments all[] = { scattered(1000, 0.5), sideBySide(500, 60) };
+  for (const Segments& segments : all)
+  {
+    std::size_t found = 0;
+    peakOf(segments, std::size_t(-1), Status::Ok, found);
+    for (const std::size_t most : { std::size_t(0), std::size_t(1000), found / 2 })
+    {
+      constexpr std::size_t kBetweenLooks = 100; // it looks again after so many at most
+      std::size_t none = 0;
+      const std::size_t peak = peakOf(segments, most, Status::TooManyCrossings, none);
+      EXPECT_LE(peak, splitMemoryEstimate(segments.count(), most + kBetweenLooks)) << most;
+    }
+    peakOf(segments, found, Status::Ok, found);
+  }
+}
+
+TEST(SplitMemory, WhatCrossesInOneDoubleIsAllowedAsOftenAsThereArePieces)
+{
+  const std::size_t count = 1000, most = count;
+  std::size_t found = 0;
+  const std::size_t peak = peakOf(diameters(count, true), most, Status::Ok, found);
+  EXPECT_EQ(found, count * (count - 1) / 2);
+  EXPECT_LE(peak, splitMemoryEstimate(count, most));
+  // elsewhere, four pairs for each place that is allowed
+  const std::size_t less = peakOf(diameters(count, false), most, Status::TooManyCrossings, found);
+  EXPECT_LE(less, splitMemoryEstimate(count, most));
+  peakOf(diameters(count, false), count * count / 8, Status::Ok, found);
 }
 
 } // namespace

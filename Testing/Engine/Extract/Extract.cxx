@@ -163,6 +163,17 @@ TEST(Extract, FanOfVeryMany)
   expectCanonical(fan(reduced(300000), { 5, 7 }, -1), "not lowest");
 }
 
+TEST(Extract, AnyNumberOfTasks)
+{
+  Made made(makePoints(Distribution::Uniform, reduced(400000), 12));
+  const std::vector<Triple> expected = made.expected();
+  for (const unsigned threads : { 4u, 9u, 17u, 33u, 64u, 200u })
+  {
+    BackwardExecutor backward(threads);
+    ASSERT_EQ(made.written<std::int32_t>(&backward), expected) << threads;
+  }
+}
+
 TEST(Extract, ManyKeysSortedAreSorted)
 {
   std::mt19937_64 random(5);

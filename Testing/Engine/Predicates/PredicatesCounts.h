@@ -18,6 +18,7 @@ enum Border
 {
   OrientBorder,
   InCircleBorder,
+  FlatnessBorder,
   KernelOrientBorder,
   KernelInCircleBorder,
   Borders
@@ -28,6 +29,7 @@ struct Counts
 {
   std::uint64_t orient[kExtremes][3][3] = {};
   std::uint64_t inCircle[kExtremes][3][3] = {};
+  std::uint64_t flatness[kExtremes][3][3] = {};
   std::uint64_t ties[4][2] = {};      ///< by the largest point, by the answer
   std::uint64_t conflicts[2] = {};    ///< other than ties
   std::uint64_t kernelOrient[2] = {}; ///< uncertain, certain
@@ -75,7 +77,7 @@ inline std::uint64_t casesOf(const Counts& counts)
     sumOf(counts.kernelInCircle) + sumOf(counts.less);
   for (std::size_t i = 0; i < kExtremes; ++i)
   {
-    cases += sumOf(counts.orient[i]) + sumOf(counts.inCircle[i]);
+    cases += sumOf(counts.orient[i]) + sumOf(counts.inCircle[i]) + sumOf(counts.flatness[i]);
   }
   return cases;
 }
@@ -116,6 +118,7 @@ inline void print(const Counts& counts)
 {
   printStages("orient2d", counts.orient);
   printStages("inCircle", counts.inCircle);
+  printStages("flatness", counts.flatness);
   static const char* const largest[] = { "a", "b", "c", "d" };
   for (std::size_t i = 0; i < 4; ++i)
   {
@@ -125,7 +128,7 @@ inline void print(const Counts& counts)
   printRow("orientIsCertain: no, yes", counts.kernelOrient);
   printRow("inCircleIsCertain: no, yes", counts.kernelInCircle);
   printRow("lexicographicallyLess: no, yes", counts.less);
-  printRow("borders: two stages, two of the kernel", counts.borders);
+  printRow("borders: three stages, two of the kernel", counts.borders);
   std::printf("cases: %llu\n", static_cast<unsigned long long>(casesOf(counts)));
 }
 

@@ -18,6 +18,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -92,12 +93,22 @@ bool isCertain(Border border, const Quadruple& q)
       return stages::orient2dByFilter(q[0], q[1], q[2]).has_value();
     case InCircleBorder:
       return stages::inCircleByFilter(q[0], q[1], q[2], q[3]).has_value();
+    case FlatnessBorder:
+      return stages::flatnessByFilter(q[0], q[1], q[2]).has_value();
     case KernelOrientBorder:
       return SeenFrom(q[2], q[0], q[1], q[3]).orientCertain();
     default:
       const SeenFrom seen(q[3], q[0], q[1], q[2]);
       return seen.inCircleCertain(seen.inCircleInWalk());
   }
+}
+
+/// Where b is to lie for the angle at c to be as wide as that of the last triangle that is not
+/// flat: along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
+Point atTheLimitOfFlatness(const Point& a, const Point& c)
+{
+  const double x = a.x - c.x, y = a.y - c.y;
+  return { c.x - (2.0 * x + y), c.y - (2.0 * y - x) };
 }
 
 /// Asks all predicates about one quadruple after the other, until one answers wrongly.
@@ -109,7 +120,7 @@ public:
   {
     extreme_ = static_cast<std::size_t>(extreme);
     return orient(q[0], q[1], q[2]) && inCircle(q) && kernelFilters(q) && conflict(q) &&
-      less(q[0], q[1]) && less(q[2], q[3]);
+      flat(q[0], q[1], q[2]) && nearlyFlat(q[3], q[1]) && less(q[0], q[1]) && less(q[2], q[3]);
   }
 
   /// Moves q to the border of one of the filters first, if it finds that.
@@ -160,6 +171,25 @@ private:
       expect(agrees(onGrid, circle_), "inCircleOnGrid") &&
       expect(stages::inCircleUnbounded(a, b, c, d) == circle_, "inCircleUnbounded") &&
       expect(ahd::inCircle(a, b, c, d) == circle_, "inCircle");
+  }
+
+  bool flat(const Point& a, const Point& b, const Point& c)
+  {
+    const int expected = oracle_.flatness(a, b, c);
+    const auto byFilter = stages::flatnessByFilter(a, b, c);
+    const auto onGrid = stages::flatnessOnGrid(a, b, c);
+    const int stage = byFilter ? 0 : onGrid ? 1 : 2;
+    ++counts_.flatness[extreme_][stage][expected + 1];
+    return expect(agrees(byFilter, expected), "flatnessByFilter") &&
+      expect(agrees(onGrid, expected), "flatnessOnGrid") &&
+      expect(stages::flatnessUnbounded(a, b, c) == expected, "flatnessUnbounded") &&
+      expect(isFlat(a, b, c) == (expected < 0), "isFlat");
+  }
+
+  bool nearlyFlat(const Point& a, const Point& c)
+  {
+    const Point b = atTheLimitOfFlatness(a, c);
+    return !std::isfinite(b.x) || !std::isfinite(b.y) || flat(a, b, c);
   }
 
   bool kernelFilters(const Quadruple& q)
@@ -317,6 +347,7 @@ void expectAllReached(const Counts& counts)
 {
   expectAllStages("orient2d", counts.orient);
   expectAllStages("inCircle", counts.inCircle);
+  expectAllStages("flatness", counts.flatness);
   for (std::size_t largest = 0; largest < 4; ++largest)
   {
     EXPECT_GT(counts.ties[largest][0], 0u) << largest;
@@ -355,6 +386,7 @@ TEST(PredicatesExtremes, BothOraclesAgree)
       const Quadruple q = source.draw();
       const Point &a = q[0], &b = q[1], &c = q[2], &d = q[3];
       ASSERT_EQ(fast.orient(a, b, c), oracleOrient2d(a, b, c)) << textOf(q);
+      ASSERT_EQ(fast.flatness(a, b, c), oracleFlatness(a, b, c)) << textOf(q);
       const int sign = oracleInCircle(a, b, c, d);
       ASSERT_EQ(fast.inCircle(a, b, c, d), sign) << textOf(q);
       ASSERT_EQ(fast.inConflict(a, b, c, d, sign), oracleInConflict(a, b, c, d)) << textOf(q);

@@ -107,6 +107,22 @@ public:
     return sum_.sign();
   }
 
+  /// 2 (a - c) x (b - c) + (a - c) . (b - c), the second multiplied out:
+  /// a.x b.x - c.x (a.x + b.x - c.x), and so for y.
+  int flatness(const Point& a, const Point& b, const Point& c)
+  {
+    orient(a, b, c);
+    mpz_mul_2exp(sum_, sum_, 1);
+    for (std::size_t i = 0; i < 2; ++i)
+    {
+      mpz_addmul(sum_, three_[i], three_[2 + i]);
+      mpz_add(t_, three_[i], three_[2 + i]);
+      mpz_sub(t_, t_, three_[4 + i]);
+      mpz_submul(sum_, three_[4 + i], t_);
+    }
+    return sum_.sign();
+  }
+
   /// Positive if d lies inside the circle of a, b, c, counterclockwise.
   int inCircle(const Point& a, const Point& b, const Point& c, const Point& d)
   {

@@ -44,6 +44,13 @@ Stage inCircleStage(const Quadruple& q)
                                                           : Stage::Unbounded;
 }
 
+Stage flatnessStage(const Point& a, const Point& b, const Point& c)
+{
+  return stages::flatnessByFilter(a, b, c) ? Stage::Filter
+    : stages::flatnessOnGrid(a, b, c)      ? Stage::Grid
+                                           : Stage::Unbounded;
+}
+
 Quadruple scaled(const Quadruple& q, int exponent)
 {
   Quadruple result = q;
@@ -192,6 +199,50 @@ TEST(PredicatesStages, GridIsExactUpToItsLimit)
   if (kGridOrLater == Stage::Grid)
   {
     EXPECT_GT(answered, 0);
+  }
+}
+
+/// Triangles as wide as can be without being flat: seen from c, b lies in the direction (-2, 1)
+/// where a lies in the direction (1, 0).
+const Quadruple kWidest = { Point{ 2, 1 }, { -1, 2 }, { 1, 1 }, { 0, 0 } };
+
+TEST(PredicatesStages, FilterSettlesWhatIsClearlyFlatOrNot)
+{
+  for (int exponent = -500; exponent <= 500; exponent += 5)
+  {
+    const Quadruple q = scaled({ Point{ 1, 0 }, { -3, 1 }, { -1, 1 }, { 0, 0 } }, exponent);
+    EXPECT_EQ(flatnessStage(q[0], q[1], q[3]), Stage::Filter) << exponent;
+    EXPECT_TRUE(isFlat(q[0], q[1], q[3])) << exponent;
+    EXPECT_EQ(flatnessStage(q[0], q[2], q[3]), Stage::Filter) << exponent;
+    EXPECT_FALSE(isFlat(q[0], q[2], q[3])) << exponent;
+  }
+}
+
+TEST(PredicatesStages, GridSettlesWhatIsNearlyFlatAtAnyUsualScale)
+{
+  for (int exponent = -890; exponent <= 990; exponent += 10)
+  {
+    const Quadruple q = scaled(kWidest, exponent);
+    EXPECT_EQ(flatnessStage(q[0], q[1], q[2]), kGridOrLater) << exponent;
+    EXPECT_FALSE(isFlat(q[0], q[1], q[2])) << exponent;
+  }
+  // b a last bit lower than (-2, 1); then c and a raised by 2^-59, of 60 bits.
+  EXPECT_TRUE(isFlat({ 1, 0 }, { -2, 1 - 0x1p-53 }, { 0, 0 }));
+  EXPECT_EQ(flatnessStage({ 1, 0x1p-59 }, { -2, 1 }, { 0, 0x1p-59 }), kGridOrLater);
+  EXPECT_TRUE(isFlat({ 1, 0x1p-59 }, { -2, 1 }, { 0, 0x1p-59 }));
+  EXPECT_FALSE(isFlat({ 1, -0x1p-59 }, { -2, 1 }, { 0, -0x1p-59 }));
+}
+
+TEST(PredicatesStages, UnboundedSettlesWhatIsNearlyFlatBeyondTheGrid)
+{
+  EXPECT_EQ(flatnessStage({ 1, 0x1p-70 }, { -2, 1 }, { 0, 0x1p-70 }), Stage::Unbounded);
+  EXPECT_TRUE(isFlat({ 1, 0x1p-70 }, { -2, 1 }, { 0, 0x1p-70 }));
+  EXPECT_FALSE(isFlat({ 1, -0x1p-70 }, { -2, 1 }, { 0, -0x1p-70 }));
+  for (const int exponent : { -1074, -1073, -1000, 1022 })
+  {
+    const Quadruple q = scaled(kWidest, exponent);
+    EXPECT_EQ(flatnessStage(q[0], q[1], q[2]), Stage::Unbounded) << exponent;
+    EXPECT_FALSE(isFlat(q[0], q[1], q[2])) << exponent;
   }
 }
 

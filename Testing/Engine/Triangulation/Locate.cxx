@@ -83,7 +83,8 @@ void expectLocated(const Triangulation& made, const Point& place)
   }
   for (const std::size_t steps : { 0, 1, 2 })
   {
-    const Location looked = locator.locate(place, made.triangleCount() - 1, steps);
+    Ticker nobody(nullptr, Phase::Outputs, 0);
+    const Location looked = locator.locate(place, made.triangleCount() - 1, steps, nobody);
     ASSERT_EQ(looked.kind, first.kind) << "after " << steps;
     ASSERT_EQ(faultOf(made, place, looked), "") << "after " << steps;
   }

@@ -169,10 +169,9 @@ TEST(VoronoiGeometry, SideOfACentreIsExact)
   EXPECT_EQ(zeros, 413) << "the centre is the middle of the long side";
 }
 
-TEST(VoronoiGeometry, BisectorsMeetSegmentsWhereTheyDo)
+TEST(VoronoiGeometry, BisectorsMeetLinesWhereTheyDo)
 {
   Numbers numbers;
-  int ends = 0;
   for (int i = 0; i < 2000; ++i)
   {
     const double size = std::ldexp(1.0, static_cast<int>(numbers.below(1900)) - 950);
@@ -183,23 +182,35 @@ TEST(VoronoiGeometry, BisectorsMeetSegmentsWhereTheyDo)
     const ExactPoint apart = Q - P;
     const ExactPoint fromMiddle{ (P.x + Q.x) / 2 - F.x, (P.y + Q.y) / 2 - F.y };
     const mpq_class part = dot(fromMiddle, apart) / dot(T - F, apart);
-    const Point met = bisectorOnSegment(p, q, from, to);
-    if (part <= 0 || part >= 1)
-    {
-      ++ends;
-      EXPECT_EQ(met, part <= 0 ? from : to) << "case " << i;
-      continue;
-    }
+    const Point met = bisectorOnLine(p, q, { from, to });
     EXPECT_TRUE(isRounded(met.x, F.x + part * (T.x - F.x))) << "case " << i;
     EXPECT_TRUE(isRounded(met.y, F.y + part * (T.y - F.y))) << "case " << i;
   }
-  EXPECT_GT(ends, 500);
 }
 
-TEST(VoronoiGeometry, ParallelBisectorsMeetTheMiddle)
+/// Where about 100 bits do not tell: flat triangles far away, bisectors along a side, and places
+/// that are nearly 0.
+TEST(VoronoiGeometry, PlacesThatTakeManyBits)
 {
-  const Point met = bisectorOnSegment({ 0, 1 }, { 0, 3 }, { 2, 0 }, { 6, 0 });
-  EXPECT_EQ(met, (Point{ 4, 0 }));
+  Numbers numbers;
+  for (int i = 0; i < 500; ++i)
+  {
+    const double tiny = std::ldexp(numbers.any(), -60 - int(numbers.below(900)));
+    const Corners flat{ { -1.0, 0.0 }, { 1.0, std::fabs(tiny) }, { 0.5, 1.0 + numbers.any() } };
+    const Corners needle{ { 0.0, 0.0 }, { 0.25, -std::fabs(tiny) }, { 0.5, 0.0 } };
+    for (const Corners& t : { flat, needle })
+    {
+      const ExactPoint exact = exactCentre(t);
+      const Point centre = circumcentre(t);
+      EXPECT_TRUE(isRounded(centre.x, exact.x)) << i;
+      EXPECT_TRUE(isRounded(centre.y, exact.y)) << i;
+    }
+    const Point p{ 0.25, 0.5 + numbers.any() }, q{ 0.25 + tiny, -p.y };
+    const mpq_class steep = 2 * (mpq_class(q.x) - p.x);
+    const mpq_class far = dot(ExactPoint(q), ExactPoint(q)) - dot(ExactPoint(p), ExactPoint(p));
+    const Point met = bisectorOnLine(p, q, { { 0.0, 0.0 }, { 1.0, 0.0 } });
+    EXPECT_TRUE(q.x == p.x || isRounded(met.x, far / steep)) << i;
+  }
 }
 
 mpq_class exactly(const DoubleDouble& a)
@@ -226,58 +237,60 @@ TEST(VoronoiGeometry, SumsOfTwoDoublesHaveAHundredBits)
   }
 }
 
-TEST(VoronoiGeometry, TowardsACentreThatIsNowhereThereIsNoDirection)
-{
-  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  constexpr double kInf = std::numeric_limits<double>::infinity();
-  for (const Point to : { Point{ kNan, kNan }, Point{ kNan, 1.0 }, Point{ kInf, 1.0 } })
-  {
-    EXPECT_FALSE(isFinite(directionOf({ 0.0, 0.0 }, to))); // sanitizers look on
-  }
-  EXPECT_EQ(directionOf({ 3.0, 2.0 }, { 3.0, 2.0 }).x, 0.0);
-}
-
-TEST(VoronoiGeometry, OneLeavesTheBoxOnItsBorder)
+/// Where a bisector leaves the box, and which corners are passed.
+TEST(VoronoiGeometry, OneLeavesTheBoxWhereTheBisectorDoes)
 {
   Numbers numbers;
   for (int i = 0; i < 5000; ++i)
   {
     const double size = i % 3 == 0 ? kLargest : i % 3 == 1 ? 0.1 : 1.0;
-    const Bounds bounds{ -size, size, -size * 0.7, size };
-    const ClipBox box(bounds);
-    const Point p{ 0.5 * size * numbers.any(), 0.5 * size * numbers.any() };
-    const Point a{ 0.0, 0.0 }, b{ 0.25 * numbers.any(), 0.25 * numbers.any() };
-    const Point left = box.leave(p, a, b);
-    ASSERT_TRUE(box.contains(left)) << hexText(p) << hexText(b) << hexText(left);
-    EXPECT_TRUE(box.isOnSide(left, 0) || box.isOnSide(left, 1) || box.isOnSide(left, 2) ||
-      box.isOnSide(left, 3));
-    // At right angles to a - b, and to its left; all of it scaled so that nothing overflows.
-    const Point way{ left.x / size - p.x / size, left.y / size - p.y / size };
-    EXPECT_NEAR(way.x * b.x + way.y * b.y, 0.0, 1e-14) << hexText(p) << hexText(b);
-    EXPECT_GT(b.x * way.y - b.y * way.x, 0.0) << hexText(p) << hexText(b);
+    const ClipBox box(Bounds{ -size, size, -size * 0.7, size });
+    const Point p{ size * numbers.any(), 0.7 * size * numbers.any() };
+    const Point q = i % 2 == 0 ? Point{ p.x, std::nextafter(p.y, size) }
+                               : Point{ size * numbers.any(), 0.7 * size * numbers.any() };
+    const unsigned at = box.exitOf(p, q);
+    ASSERT_LT(at, 8u);
+    if (at % 2 == 0)
+    {
+      continue; // in a corner: below
+    }
+    const Line side = box.side(at / 2);
+    const Point left = bisectorOnLine(p, q, side);
+    const ExactPoint from(side.from), to(side.to), P(p), Q(q);
+    const auto nearer = [&](const ExactPoint& z)
+    { return sgn(dot(z - Q, z - Q) - dot(z - P, z - P)); };
+    EXPECT_LT(nearer(from), 0) << hexText(p) << hexText(q);
+    EXPECT_GT(nearer(to), 0) << hexText(p) << hexText(q);
+    EXPECT_TRUE(left.x >= std::min(side.from.x, side.to.x) &&
+      left.x <= std::max(side.from.x, side.to.x) && left.y >= std::min(side.from.y, side.to.y) &&
+      left.y <= std::max(side.from.y, side.to.y))
+      << hexText(left);
   }
 }
 
-TEST(VoronoiGeometry, OneLeavesTheWidestBoxWhereItsSideIs)
+TEST(VoronoiGeometry, OneLeavesTheBoxInACorner)
 {
-  const ClipBox box(Bounds{ -kLargest, kLargest, -kLargest, kLargest });
-  const Point left = box.leave({ -kLargest, 0.0 }, { 0, 0 }, { 0, -1 });
-  EXPECT_EQ(left, (Point{ kLargest, 0.0 }));
+  const ClipBox box(Bounds{ 0, 4, 0, 4 });
+  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, 1 }), 4u) << "to the upper right";
+  EXPECT_EQ(box.exitOf({ 2, 1 }, { 1, 2 }), 0u) << "to the lower left";
+  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, 3 }), 6u) << "to the upper left";
+  EXPECT_EQ(box.exitOf({ 2, 3 }, { 1, 2 }), 2u) << "to the lower right";
+  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, std::nextafter(1.0, 2.0) }), 5u) << "nearly, above";
+  EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, std::nextafter(1.0, 0.0) }), 3u) << "nearly, to the right";
 }
 
-using Passed = std::vector<unsigned>;
-
-TEST(VoronoiGeometry, CornersPassedOnTheBorder)
+/// Rounded onto a side, centres are told by their sign.
+TEST(VoronoiGeometry, ABoxHasTheCentresThatAreInIt)
 {
-  const ClipBox box(Bounds{ 0, 4, 0, 2 });
-  EXPECT_EQ(box.between({ 1, 0 }, { 3, 0 }), Passed{}) << "ahead on one side";
-  EXPECT_EQ(box.between({ 3, 0 }, { 1, 0 }), (Passed{ 1, 2, 3, 0 })) << "behind";
-  EXPECT_EQ(box.between({ 3, 0 }, { 4, 1 }), Passed{ 1 });
-  EXPECT_EQ(box.between({ 4, 1 }, { 3, 0 }), (Passed{ 2, 3, 0 }));
-  EXPECT_EQ(box.between({ 0, 1 }, { 1, 0 }), Passed{ 0 });
-  EXPECT_EQ(box.between({ 1, 0 }, { 4, 0 }), Passed{}) << "the end is not passed";
-  EXPECT_EQ(box.between({ 4, 0 }, { 1, 2 }), Passed{ 2 }) << "nor is the beginning";
-  EXPECT_EQ(box.between({ 4, 2 }, { 0, 0 }), Passed{ 3 });
+  const Point a{ 0.0, 0.0 }, b{ 3.0, 0.0 };
+  for (const double y : { 1.5, std::nextafter(1.5, 2.0), std::nextafter(1.5, 1.0) })
+  {
+    const Corners t{ a, b, { 1.5, y } };
+    const Point centre = circumcentre(t);
+    const ClipBox box(Bounds{ 0, 3, 0, 9 });
+    EXPECT_EQ(box.hasCentre(t, centre), y >= 1.5) << y;
+    EXPECT_EQ(box.hasCentre(t, { 1.5, 0.0 }), y >= 1.5) << "if it is rounded onto the side, " << y;
+  }
 }
 
 } // namespace

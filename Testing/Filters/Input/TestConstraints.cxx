@@ -387,3 +387,25 @@ TEST(Constraints, PiecesOfSplitSegmentsAreNotCountedAsTheSources)
     std::string::npos)
     << filter.Said->Warnings[0];
 }
+
+TEST(SplitCrossings, WhatBendsIsCountedAndNamed)
+{
+  // The second segment of cell 2 passes above (1, 1/3), which is rounded down; the last one goes
+  // through (1, 1) exactly.
+  const std::vector<Xyz> points = { { 0, 0, 0 }, { 3, 1, 0 }, { 1, 1 / 3.0, 0 }, { 1, -1, 0 },
+    { 1, 2, 0 }, { 2, 2, 0 }, { 1, 1, 0 }, { 2, 0, 0 } };
+  ConstrainedFilter filter(points, makeSource({ { 3, 2 }, { 2, 4 }, { 7, 0, 1 }, { 0, 5 } }, {}));
+  filter.Run();
+  EXPECT_EQ(filter->GetNumberOfBentConstraints(), 0);
+  filter.Said->Warnings.clear();
+  filter->SetCrossingModeToSplit();
+  vtkPolyData* surface = filter.Run();
+  EXPECT_EQ(filter->GetNumberOfBentConstraints(), 1);
+  EXPECT_EQ(idsOf(surface->GetFieldData(), "NumberOfBentConstraints"), Chain{ 1 });
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("1 segment of the source bends"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find("the first is in cell 2."), std::string::npos);
+  filter->SetSourceData(makeSource({ { 0, 5 } }, {}));
+  filter.Run();
+  EXPECT_EQ(filter->GetNumberOfBentConstraints(), 0);
+}

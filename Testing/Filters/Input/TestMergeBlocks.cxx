@@ -221,6 +221,23 @@ TEST(MergeBlocks, TheCopyIsPartOfTheEstimate)
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
+TEST(MergeBlocks, TheCopiesOfInputAndSourceAreBothPartOfTheEstimate)
+{
+  Tiles tiles, source;
+  WatchedFilter filter;
+  const auto estimate = [&filter](vtkDataObject* input)
+  {
+    filter->SetInputDataObject(input);
+    filter->Update();
+    return filter->GetMemoryEstimate();
+  };
+  filter->MergeBlocksOn();
+  filter->SetSourceModeToCoordinates();
+  filter->SetInputDataObject(1, source.Blocks);
+  const vtkTypeInt64 ofSource = estimate(makeCloud(tiles.All));
+  EXPECT_GE(estimate(tiles.Blocks), ofSource + (24 + 8) * 900 / 1024);
+}
+
 TEST(MergeBlocks, TilesThatStayAreKept)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;

@@ -161,7 +161,33 @@ TEST(SourceKinds, BlocksThatDoNotFitIntoMemoryAreRefused)
   filter->SetMemoryLimit(1);
   filter->Update();
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_TRUE(contains(filter.Said->Errors[0], "Merging blocks")) << "before they are merged";
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+TEST(SourceKinds, IdsInBlocksAreThoseOfTheInput)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeSource({ { 0, 1 } }, {}, ringOf(0.5, 8)));
+  blocks->SetBlock(1, makeSource({ { 0, 10 }, { 98, 99 } }, {}, ringOf(0.5, 8)));
+  MapFilter filter(blocks);
+  filter->SetSourceModeToIds();
+  filter->Update();
+  EXPECT_TRUE(filter.Said->Warnings.empty());
+  EXPECT_EQ(filter->GetNumberOfConstraintEdges(), 3);
+}
+
+TEST(SourceKinds, HeightsFromTheSurfaceAreTheMeansThatAreShown)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 1 }, { 4, 0, 1 }, { 0, 4, 1 }, { 0, 0, 3 } }));
+  filter->SetSourceData(makeSource({ { 0, 1 } }, {}, { { 0, 0, 7 }, { 1, 1, 7 } }));
+  filter->SetSourceModeToCoordinates();
+  filter->SetSourceHeightsToFromSurface();
+  filter->SetDuplicatePolicyToMeanZ();
+  filter->Update();
+  ASSERT_EQ(filter->GetOutput()->GetNumberOfPoints(), 6);
+  EXPECT_DOUBLE_EQ(filter->GetOutput()->GetPoint(5)[2], 0.5 * 2 + 0.5 * 1);
 }
 
 TEST(SourceKinds, SeriesOfBlocksAreKept)

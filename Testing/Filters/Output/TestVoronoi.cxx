@@ -145,6 +145,49 @@ TEST(VoronoiOutput, IsThatOfThePointsWhateverIsDropped)
   }
 }
 
+/// Vertices a few units in the last place apart near the border: no corner is farther from its own
+/// vertex than from another.
+TEST(VoronoiOutput, HasNoSpikesAlongTheBorder)
+{
+  const std::vector<Xyz> sets[] = {
+    { { 10.499999999999998, 10.2, 0 }, { 10.499999999999998, 10.4, 0 },
+      { 10.4, 10.299999999999999, 0 }, { 10.5, 10.2, 0 }, { 10.1, 10.4, 0 } },
+    { { 431234.5, 431234.4999999999, 0 }, { 431234.39999999997, 431234.39999999997, 0 },
+      { 431234.5, 431234.5, 0 }, { 431234.29999999993, 431234.4999999999, 0 },
+      { 431234.1, 431234.4999999999, 0 } }
+  };
+  const auto distance = [](const double* p, const Xyz& q)
+  { return std::hypot(p[0] - q[0], p[1] - q[1]); };
+  for (const std::vector<Xyz>& xyz : sets)
+  {
+    for (const int clip : { 0, 1 })
+    {
+      WatchedFilter filter;
+      filter->SetInputData(ahdtest::makeCloud(xyz));
+      filter->GenerateVoronoiOn();
+      filter->SetVoronoiClip(clip);
+      filter->Update();
+      vtkPolyData* cells = filter->GetOutput(2);
+      const auto sites = idsOf(cells->GetCellData(), "OriginalPointIds");
+      ASSERT_EQ(sites.size(), 5u);
+      for (vtkIdType cell = 0; cell < 5; ++cell)
+      {
+        vtkPoints* corners = cells->GetCell(cell)->GetPoints();
+        const Xyz& own = xyz[std::size_t(sites[std::size_t(cell)])];
+        for (vtkIdType i = 0; i < corners->GetNumberOfPoints(); ++i)
+        {
+          for (const Xyz& other : xyz)
+          {
+            EXPECT_LE(distance(corners->GetPoint(i), own) - distance(corners->GetPoint(i), other),
+              1e-15 * own[0])
+              << "cell " << cell << ", corner " << i << ", clip " << clip;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(VoronoiOutput, LiesInThePlaneOfTheTriangulation)
 {
   // x and z, far away; y is what is above the plane.

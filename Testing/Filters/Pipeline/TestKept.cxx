@@ -149,6 +149,8 @@ TEST(Kept, TheSourceCounts)
   EXPECT_FALSE(runs(makeSource({ 1, 2, 3 }, false)));
   EXPECT_TRUE(runs(makeSource({ 1, 2, 4 }, false)));
   EXPECT_TRUE(runs(makeSource({ 1, 2, 4 }, true)));
+  EXPECT_FALSE(runs(makeSource({ 1, 2, 4 }, true)));
+  EXPECT_TRUE(runs(makeSource({ 1, 2, 5 }, true)));
   auto withVertex = makeSource({ 1, 2, 4 }, true);
   vtkNew<vtkCellArray> vertex; // the cells behind it have other ids
   vertex->InsertNextCell({ vtkIdType(1) });

@@ -226,6 +226,26 @@ TEST(Messages, MemoryEstimateGrowsWithWhatIsAskedFor)
   EXPECT_EQ(estimate(10000, VTK_FLOAT, false), plain);
 }
 
+TEST(Messages, MemoryEstimateHasTheTablesThatAreLookedUp)
+{
+  constexpr vtkTypeInt64 kCount = 20000;
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(latticePoints(kCount, 100000)));
+  const auto perPoint = [&filter]
+  {
+    filter->Update();
+    return filter->GetMemoryEstimate() * 1024 / kCount;
+  };
+  const vtkTypeInt64 plain = perPoint();
+  filter->GenerateNeighborsOn();
+  const vtkTypeInt64 withNeighbors = perPoint();
+  const vtkTypeInt64 ofNeighbors = 2 * 3 * sizeof(vtkIdType);
+  EXPECT_GT(withNeighbors, plain + ofNeighbors + 24) << "corners of two triangles, and more";
+  filter->GenerateVoronoiOn();
+  const vtkTypeInt64 ofDiagram = 2 * 3 * sizeof(double) + 8 * sizeof(vtkIdType);
+  EXPECT_GT(perPoint(), withNeighbors + ofDiagram + 32) << "two centres, and more";
+}
+
 #if defined(__linux__)
 TEST(Messages, TooManyPointsAreRefused)
 {

@@ -5,7 +5,13 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "ProgressWatch.h"
 
+#include "vtkCallbackCommand.h"
+
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <map>
 
 using namespace ahdtest;
 
@@ -36,6 +42,119 @@ public:
 
   int AskedAfterwards = 0;
 };
+
+/// Counts how often it is asked at each place of the bar.
+class WorkingFilter : public vtkAdaptiveHilbertDelaunay2D
+{
+public:
+  static WorkingFilter* New() { VTK_STANDARD_NEW_BODY(WorkingFilter); }
+  vtkTypeMacro(WorkingFilter, vtkAdaptiveHilbertDelaunay2D);
+
+  int GetAbortExecute() override
+  {
+    ++this->All;
+    ++this->At[this->GetProgress()];
+    return this->Superclass::GetAbortExecute();
+  }
+
+  /// The part of all askings in which the bar stood still.
+  double GetStandstill() const
+  {
+    int most = 0;
+    for (const auto& place : this->At)
+    {
+      most = std::max(most, place.second);
+    }
+    return double(most) / this->All;
+  }
+
+  std::map<double, int> At;
+  int All = 0;
+};
+}
+
+TEST(Progress, TheBarMovesWhileTheDiagramIsMade)
+{
+  vtkNew<WorkingFilter> filter;
+  filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+  filter->SetNumberOfThreads(1);
+  filter->GenerateVoronoiOn();
+  filter->Update();
+  EXPECT_LT(filter->GetStandstill(), 0.25);
+}
+
+/// A lattice of so many columns and rows, a line in each row, and two that cross in every seventh
+/// of its squares.
+vtkSmartPointer<vtkPolyData> crossedLattice(int size, double spacing)
+{
+  std::vector<Xyz> points;
+  vtkNew<vtkCellArray> lines;
+  for (int i = 0; i < size * size; ++i)
+  {
+    points.push_back({ spacing * (i % size), spacing * (i / size), 0.0 });
+    if (i % size + 1 < size)
+    {
+      lines->InsertNextCell({ vtkIdType(i), vtkIdType(i + 1) });
+    }
+    if (i % 7 == 0 && i % size + 1 < size && i / size + 1 < size)
+    {
+      lines->InsertNextCell({ vtkIdType(i), vtkIdType(i + size + 1) });
+      lines->InsertNextCell({ vtkIdType(i + 1), vtkIdType(i + size) });
+    }
+  }
+  auto source = vtkSmartPointer<vtkPolyData>::New();
+  source->ShallowCopy(makeCloud(points));
+  source->SetLines(lines);
+  return source;
+}
+
+TEST(Progress, TheBarMovesWhileLinesAreSplit)
+{
+  vtkNew<WorkingFilter> filter;
+  auto lattice = crossedLattice(300, 1.0);
+  filter->SetInputData(lattice);
+  filter->SetSourceData(lattice);
+  filter->SetCrossingModeToSplit();
+  filter->SetNumberOfThreads(1);
+  filter->Update();
+  EXPECT_GT(filter->GetNumberOfCrossings(), 100);
+  EXPECT_LT(filter->GetStandstill(), 0.25);
+}
+
+TEST(Progress, TheBarMovesWhileTheSurfaceForHeightsIsMade)
+{
+  vtkNew<WorkingFilter> filter;
+  filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+  filter->SetSourceData(crossedLattice(20, 40000.5));
+  filter->SetSourceModeToCoordinates();
+  filter->SetSourceHeights(vtkAdaptiveHilbertDelaunay2D::FROM_SURFACE);
+  filter->SetNumberOfThreads(1);
+  filter->Update();
+  EXPECT_LT(filter->GetStandstill(), 0.25);
+}
+
+/// Places one by one on the surface: each is a walk through many triangles, which asks on its way.
+TEST(Progress, AbortsAreHeardWhileHeightsAreLookedUp)
+{
+  const auto points = latticePoints(2000, 1000000);
+  const auto askings = [&points](int heights)
+  {
+    vtkNew<WorkingFilter> filter;
+    filter->SetInputData(makeCloud(latticePoints(kCount, 1000000)));
+    vtkNew<vtkPolyData> source;
+    source->ShallowCopy(makeCloud(points));
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ vtkIdType(0), vtkIdType(1) });
+    source->SetLines(lines);
+    filter->SetSourceData(source);
+    filter->SetSourceModeToCoordinates();
+    filter->SetSourceHeights(heights);
+    filter->SetNumberOfThreads(1);
+    filter->Update();
+    return filter->All;
+  };
+  const int without = askings(vtkAdaptiveHilbertDelaunay2D::OWN);
+  EXPECT_GT(askings(vtkAdaptiveHilbertDelaunay2D::FROM_SURFACE), 2 * without + 150);
 }
 
 TEST(Progress, RisesFromZeroToOne)
@@ -103,6 +222,67 @@ TEST(Progress, ObserversHearTenTimesASecondWithoutProgress)
   EXPECT_GE(watch->Seen.size(), 50u) << "in five seconds";
   EXPECT_LE(watch->Seen.size(), 100u) << "observers may be slow";
   EXPECT_EQ(watch->Seen.back(), watch->Seen.front()) << "there was no progress";
+}
+
+TEST(Progress, ObserversHearOfEachHundredthOnce)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkNew<ProgressWatch> watch;
+  filter->AddObserver(vtkCommand::ProgressEvent, watch);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.beginPhase(ahd::Phase::Insert);
+  for (int i = 1; i <= 100000; ++i)
+  {
+    EXPECT_TRUE(progress.advance(ahd::Phase::Insert, i / 100000.0));
+  }
+  EXPECT_GE(watch->Seen.size(), 98u);
+  EXPECT_LE(watch->Seen.size(), 101u) << "observers may be slow";
+  const std::size_t before = watch->Seen.size();
+  EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
+  EXPECT_EQ(watch->Seen.size(), before) << "the bar went back";
+}
+
+TEST(Progress, TheRoundingThatAnObserverSetsEndsWithIt)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  bool told = false;
+  const auto roundUp = [](vtkObject*, unsigned long, void* data, void*)
+  {
+    *static_cast<bool*>(data) = true;
+    std::fesetround(FE_UPWARD);
+  };
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback(roundUp);
+  observer->SetClientData(&told);
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  vtkAHDProgress progress(filter, clockOfTests);
+  progress.beginPhase(ahd::Phase::Insert);
+  EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
+  EXPECT_TRUE(told);
+  volatile double tiny = 1e-30;
+  const double sum = 1.0 + tiny;
+  std::fesetround(FE_TONEAREST);
+  EXPECT_EQ(sum, 1.0);
+}
+
+TEST(Progress, TheTimeOfAPhaseIsFromItsBeginningToTheNext)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkAHDProgress progress(filter, clockOfTests);
+  now += 1.0; // before the first
+  progress.beginPhase(ahd::Phase::Read);
+  now += 2.0;
+  progress.beginPhase(ahd::Phase::Outputs);
+  now += 4.0;
+  progress.Finish();
+  now += 8.0; // of no phase
+  progress.beginPhase(ahd::Phase::Outputs);
+  now += 16.0;
+  progress.Finish();
+  progress.Finish();
+  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Read), 2.0);
+  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Outputs), 20.0);
+  EXPECT_EQ(progress.GetSeconds(ahd::Phase::Insert), 0.0);
 }
 
 TEST(Progress, MovesInEveryStageAndPhase)

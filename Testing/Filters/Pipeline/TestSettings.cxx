@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Properties: their ranges, and that none of them changes the result or is changed by a run.
+#include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 
+#include "vtkFieldData.h"
+#include "vtkPlanarPointSource.h"
 #include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <iterator>
 #include <limits>
+#include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace ahdtest;
 using Filter = vtkAdaptiveHilbertDelaunay2D;
@@ -207,6 +215,36 @@ TEST(Settings, NoneChangesTheResult)
   }
 }
 
+TEST(Settings, CountsOfASplitAreFieldDataAndAreGoneAfterAnError)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 0 }, { 2, 0, 0 }, { 2, 2, 0 }, { 0, 2, 0 } }));
+  filter->SetSourceData(makeSource({ { 0, 2 }, { 1, 3 } }, {}));
+  filter->SetCrossingModeToSplit();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfCrossings(), 1);
+  EXPECT_EQ(filter->GetNumberOfConstraintsLeftOut(), 0);
+  auto* counts = filter->GetOutput()->GetFieldData();
+  EXPECT_EQ(counts->GetArray("NumberOfCrossings")->GetTuple1(0), 1.0);
+  EXPECT_EQ(counts->GetArray("NumberOfConstraintsLeftOut")->GetTuple1(0), 0.0);
+  filter->SetMemoryLimit(1);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_EQ(filter->GetNumberOfCrossings(), 0);
+}
+
+TEST(Settings, OffsetIsHowFarTheBoundingTriangulationReaches)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(makeCloud(latticePoints(100, 1000)));
+  filter->BoundingTriangulationOn();
+  filter->Update();
+  const double near = filter->GetOutput()->GetLength();
+  filter->SetOffset(3.0);
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetLength(), 2.0 * near);
+}
+
 TEST(Settings, AreReadAndNeverWrittenByARun)
 {
   vtkNew<Filter> filter;
@@ -266,26 +304,46 @@ TEST(Settings, TimesAreTaken)
   EXPECT_GT(filter->GetOutputSeconds(), 0.0);
 }
 
+/// The settings and measures that a class declares: what a vtkGetMacro of its header names.
+std::vector<std::string> gettersOf(const std::string& className)
+{
+  std::ifstream file(std::string(AHD_FILTERS_DIRECTORY "/") + className + ".h");
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::regex getter("vtkGet(Object)?Macro\\((\\w+),");
+  std::vector<std::string> names;
+  for (std::sregex_iterator i(text.begin(), text.end(), getter), end; i != end; ++i)
+  {
+    names.push_back((*i)[2]);
+  }
+  return names;
+}
+
 TEST(Settings, AreAllPrinted)
 {
   vtkNew<Filter> filter;
   std::ostringstream text;
   filter->Print(text);
-  for (const char* name : { "InsertionOrder", "Nmax", "ControlPoints", "GeneRotation", "CountWork",
-         "GeneratePointStatus", "InsertionLimit", "GenerateInsertionRank", "GenerateInsertionCurve",
-         "GenerateBoxes", "NumberOfPointsBeyondLimit", "MemoryLimit", "NumberOfPointsInserted",
-         "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-         "NumberOfTriangles", "NP", "NR", "NumberOfThreads", "ReuseLimit", "NumberOfThreadsUsed",
-         "SortSeconds", "InsertSeconds", "OutputSeconds", "MemoryEstimate", "SourceMode",
-         "CrossingMode", "FillRule", "Alpha", "AlphaTris", "AlphaLines", "AlphaVerts",
-         "MaximumEdgeLength", "ProjectionPlaneMode", "Transform", "Tolerance", "Rim",
-         "NumberOfTrimmedTriangles", "DuplicatePolicy", "Offset", "BoundingTriangulation",
-         "RandomPointInsertion", "UseHilbertSorter", "GenerateConstraintEdges", "GenerateRegionIds",
-         "GenerateNeighbors", "GenerateVoronoi", "VoronoiClip", "NumberOfMergedPoints",
-         "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-         "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "ConstrainSeconds" })
+  std::vector<std::string> names = gettersOf("vtkAdaptiveHilbertAlgorithm");
+  ASSERT_GT(names.size(), 25u) << "the superclass's header was not read";
+  const std::vector<std::string> own = gettersOf("vtkAdaptiveHilbertDelaunay2D");
+  ASSERT_GT(own.size(), 25u) << "the class's header was not read";
+  names.insert(names.end(), own.begin(), own.end());
+  for (const std::string& name : names)
   {
-    EXPECT_NE(text.str().find(std::string(" ") + name + ": "), std::string::npos) << name;
+    EXPECT_NE(text.str().find(" " + name + ": "), std::string::npos) << name;
+  }
+}
+
+TEST(Settings, OfTheSourceAreAllPrinted)
+{
+  vtkNew<vtkPlanarPointSource> source;
+  std::ostringstream text;
+  source->Print(text);
+  const std::vector<std::string> names = gettersOf("vtkPlanarPointSource");
+  ASSERT_FALSE(names.empty());
+  for (const std::string& name : names)
+  {
+    EXPECT_NE(text.str().find(" " + name + ": "), std::string::npos) << name;
   }
 }
 

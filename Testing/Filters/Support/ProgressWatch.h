@@ -10,6 +10,18 @@
 namespace ahdtest
 {
 
+/// Asks a filter to abort as ParaView's button does where VTK has a method for that (from 9.3 on).
+template <typename Algorithm>
+auto askToAbort(Algorithm* filter, int) -> decltype(filter->SetAbortExecuteAndUpdateTime())
+{
+  filter->SetAbortExecuteAndUpdateTime();
+}
+template <typename Algorithm>
+void askToAbort(Algorithm* filter, long)
+{
+  filter->SetAbortExecute(1);
+}
+
 /// Keeps what a filter says of its progress, and aborts it at a given one.
 class ProgressWatch : public vtkCommand
 {
@@ -25,7 +37,7 @@ public:
     }
     else if (this->Seen.back() >= this->AbortAt)
     {
-      static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      askToAbort(static_cast<vtkAlgorithm*>(caller), 0);
       this->Aborted = true;
     }
   }

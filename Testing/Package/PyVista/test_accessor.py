@@ -4,7 +4,11 @@
 import contextlib
 import inspect
 import io
+import pathlib
+import shutil
+import subprocess
 import sys
+import tempfile
 import unittest
 import warnings
 
@@ -241,6 +245,30 @@ class FoundTest(unittest.TestCase):
         self.assertIn("adaptive", dir(pyvista.PolyData()))
         self.assertIn("even_odd", inspect.getdoc(RUN.delaunay_2d))
         self.assertNotIn("mesh", inspect.signature(RUN.voronoi_2d).parameters)
+
+
+def can_draw():
+    try:
+        return shutil.which("xvfb-run") and hasattr(pyvista, "Plotter")
+    except ImportError:  # cvista without its modules for rendering
+        return False
+
+
+class ExampleTest(unittest.TestCase):
+    @unittest.skipUnless(can_draw(), "nothing to draw with")
+    def test_bay(self):
+        root = pathlib.Path(__file__).resolve().parents[3]
+        with tempfile.TemporaryDirectory() as folder:
+            picture = pathlib.Path(folder) / "bay.png"
+            done = subprocess.run(
+                ["xvfb-run", "-a", sys.executable, root / "Plugin/Examples/bay_pyvista.py",
+                 root / "Data/Bay/soundings.csv", root / "Data/Bay/coastline.vtp", picture],
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            self.assertEqual(done.returncode, 0, done.stdout)
+            self.assertIn("846 soundings: 1673 triangles; with the coastline: 1453 points, 2369 triangles", done.stdout)
+            pixels = pyvista.read(picture).point_data.active_scalars
+        blue = (pixels[:, 2].astype(int) - pixels[:, 0] > 60).mean()
+        self.assertTrue(0.1 < blue < 0.9, blue)
 
 
 if __name__ == "__main__":

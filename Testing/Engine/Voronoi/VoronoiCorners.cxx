@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Where the corners of Voronoi cells are, each cell against the exact one: for vertices a few units
+// in the last place apart, in tiny clusters, on lattices that are none by their rounding, and at
+// the ends of the range of double.
+#include "Distributions.h"
+#include "EngineRun.h"
+#include "ExactSigns.h"
+#include "VoronoiOracle.h"
+
+#include "Voronoi/Voronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace ahd::test
+{
+namespace
+{
+
+/// Small sets of one kind each, the same for the same seed.
+class Sets
+{
+public:
+  explicit Sets(std::uint64_t seed)
+    : random_(seed)
+  {
+  }
+
+  std::size_t below(std::size_t end) { return random_() % end; }
+  /// From -1 to 1.
+  double any() { return std::ldexp(double(random_() >> 11), -52) - 1.0; }
+  double moved(double value, std::size_t most)
+  {
+    const double to = below(2) == 0 ? -1e300 : 1e300;
+    for (std::size_t steps = below(most + 1); steps > 0; --steps)
+    {
+      value = std::nextafter(value, to);
+    }
+    return value;
+  }
+
+  std::vector<Point> uniform()
+  {
+    std::vector<Point> result(3 + below(10));
+    for (Point& p : result)
+    {
+      p = { any(), any() };
+    }
+    return result;
+  }
+
+  /// Crowds 1e-12 wide, some at the origin.
+  std::vector<Point> clusters()
+  {
+    const double place = below(2) == 0 ? 0.0 : 100.0;
+    std::vector<Point> result;
+    for (std::size_t cluster = 0; cluster < 3; ++cluster)
+    {
+      const Point at{ place * any() * 10.0, place * any() * 10.0 };
+      for (std::size_t i = 0; i < 2 + below(3); ++i)
+      {
+        result.push_back({ at.x + 1e-12 * any(), at.y + 1e-12 * any() });
+      }
+    }
+    result.push_back({ 1000.0 * any(), 1000.0 * any() });
+    return result;
+  }
+
+  /// Decimals, some of them up to four units in the last place away: often two nearly at one place.
+  std::vector<Point> pairs()
+  {
+    const double bases[] = { 0.0, 10.0, 431234.0, -3.0 };
+    const double base = bases[below(4)];
+    const auto draw = [&] { return moved(base + 0.1 * double(1 + below(5)), below(2) * 4); };
+    std::vector<Point> result(4 + below(3));
+    for (Point& p : result)
+    {
+      p = { draw(), draw() };
+    }
+    const Point& first = result[0];
+    result.push_back({ moved(first.x, 4), moved(first.y, 4) });
+    return result;
+  }
+
+  /// Some points of a lattice, each line of which is where the step has been added again and again,
+  /// or where it should be: often two lines a few units apart.
+  std::vector<Point> lattice()
+  {
+    const double steps[] = { 0.1, 1.0 / 3.0, 0.7 }, starts[] = { 0.1, 10.1, 431234.1 };
+    const double step = steps[below(3)], start = starts[below(3)];
+    std::vector<double> lines{ start };
+    for (int i = 1; i < 5; ++i)
+    {
+      lines.push_back(lines[lines.size() - 1] + step);
+    }
+    for (int i = 1; i < 5; ++i)
+    {
+      lines.push_back(start + i * step);
+    }
+    std::vector<Point> result(5 + below(2));
+    for (Point& p : result)
+    {
+      p = { lines[below(lines.size())], lines[below(lines.size())] };
+    }
+    return result;
+  }
+
+  /// Few exponents, from one end of the range to the other, and few mantissas.
+  std::vector<Point> extremes()
+  {
+    const int exponents[] = { -1074, -1022, -600, -60, 0, 1, 60, 500, 1000, 1023 };
+    std::vector<Point> result(3 + below(4));
+    const auto draw = [&]
+    {
+      const double mantissa = below(2) == 0 ? any() : double(below(3)) - 1.0;
+      return moved(std::ldexp(mantissa, exponents[below(10)]), 1);
+    };
+    for (Point& p : result)
+    {
+      p = { draw(), draw() };
+    }
+    return result;
+  }
+
+private:
+  std::mt19937_64 random_;
+};
+
+std::string textOf(const std::vector<Point>& points)
+{
+  std::string result;
+  for (const Point& p : points)
+  {
+    result += " " + hexText(p);
+  }
+  return result;
+}
+
+std::string faultsOf(const std::vector<Point>& points, VoronoiClip clip)
+{
+  Engine engine;
+  VoronoiCells cells;
+  if (engine.run(viewOf(points)) != Status::Ok ||
+    voronoiCells(engine.made, clip, cells, {}) != Status::Ok)
+  {
+    return "no cells";
+  }
+  return faultsOfCells(viewOf(points), clip, cells);
+}
+
+void expectRight(const std::vector<Point>& points)
+{
+  for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
+  {
+    EXPECT_EQ(faultsOf(points, clip), "") << "clip " << int(clip) << ":" << textOf(points);
+  }
+}
+
+/// All cells of so many sets, clipped either way.
+template <typename Draw>
+void expectAllRight(std::size_t count, Draw draw)
+{
+  for (std::uint64_t seed = 1; seed <= reduced(count); ++seed)
+  {
+    Sets sets(seed);
+    expectRight(draw(sets));
+  }
+}
+
+TEST(VoronoiCorners, OfUniformPoints)
+{
+  expectAllRight(100, [](Sets& sets) { return sets.uniform(); });
+}
+
+TEST(VoronoiCorners, OfTinyClusters)
+{
+  expectAllRight(300, [](Sets& sets) { return sets.clusters(); });
+}
+
+TEST(VoronoiCorners, OfPairsAFewUnitsApart)
+{
+  expectAllRight(1500, [](Sets& sets) { return sets.pairs(); });
+}
+
+TEST(VoronoiCorners, OfLatticesByRepeatedAddition)
+{
+  expectAllRight(2500, [](Sets& sets) { return sets.lattice(); });
+}
+
+TEST(VoronoiCorners, AtTheEndsOfTheRange)
+{
+  expectAllRight(120, [](Sets& sets) { return sets.extremes(); });
+}
+
+/// What was found by users' data: cells reached along the border up to the far corner.
+TEST(VoronoiCorners, NoSpikeAlongTheBorder)
+{
+  expectRight({ { 10.499999999999998, 10.2 }, { 10.499999999999998, 10.4 },
+    { 10.4, 10.299999999999999 }, { 10.5, 10.2 }, { 10.1, 10.4 } });
+  expectRight({ { 431234.5, 431234.4999999999 }, { 431234.39999999997, 431234.39999999997 },
+    { 431234.5, 431234.5 }, { 431234.29999999993, 431234.4999999999 },
+    { 431234.1, 431234.4999999999 } });
+}
+
+} // namespace
+} // namespace ahd::test
