@@ -135,7 +135,8 @@ def _make(package, original):
     members = {
         "__doc__": about, "__module__": __name__, "_original": original, "_base": base,
         "_end_event": importlib.import_module(package + ".vtkCommonCore").vtkCommand.EndEvent}
-    made = _SaysYesToOriginals("vtkDelaunay2D", (_Clothes, base), members)
+    # Not by the original's name: cvista for Python 3.12 and later makes what it knows by that name.
+    made = _SaysYesToOriginals("Delaunay2D", (_Clothes, base), members)
     made._made = made
     return made
 

@@ -32,7 +32,7 @@ PAIRS = tuple(
 # What each script tests is said at its top. Those of DropIn/ name vtkmodules, the others take the VTK of the pair.
 FOR_ALL = ("Class/test_settings.py", "Class/test_hashes.py", "Class/test_cases.py", "Class/test_behaviour.py",
            "PyVista/test_accessor.py", "DropIn/test_pyvista.py")
-FOR_VTK = ("../Filters/test_filter.py", "DropIn/test_drop_in.py", "DropIn/test_callers.py",
+FOR_VTK = ("../Filters/test_filter.py", "../Filters/test_source.py", "DropIn/test_drop_in.py", "DropIn/test_callers.py",
            "DropIn/test_old_scripts.py")
 
 

@@ -13,7 +13,8 @@ import sys
 PACKAGES = ("vtkmodules", "cvista")
 
 COMPILED = "_compiled"  # the module of the classes that were compiled with VTK
-_PYTHON = ("vtkAdaptiveHilbertDelaunay2D",)  # what there is in Python
+# The classes that there are in Python, and their modules.
+_PYTHON = {"vtkAdaptiveHilbertDelaunay2D": "filter", "vtkPlanarPointSource": "source"}
 
 _classes = {}
 
@@ -68,17 +69,16 @@ def package_in_use():
     return installed[0]
 
 
-def python_class(package=None):
-    """vtkAdaptiveHilbertDelaunay2D over this VTK ("vtkmodules" or "cvista"; None: the one in use), the same class each
-    time. ImportError if it is not installed."""
+def python_class(package=None, name="vtkAdaptiveHilbertDelaunay2D"):
+    """A class of this package in Python over this VTK ("vtkmodules" or "cvista"; None: the one in use), the same class
+    each time. ImportError if that VTK is not installed."""
     package = package or package_in_use()
     if package not in PACKAGES:
         raise ValueError("no VTK that is known here: %r; there are %s" % (package, " and ".join(PACKAGES)))
-    if package not in _classes:
-        from . import filter as _filter
-
-        _classes[package] = _filter.make_class(Backend(package))
-    return _classes[package]
+    if (package, name) not in _classes:
+        module = importlib.import_module("." + _PYTHON[name], __name__)
+        _classes[package, name] = module.make_class(Backend(package))
+    return _classes[package, name]
 
 
 def vtk_class(name, package=None):
@@ -94,7 +94,7 @@ def vtk_class(name, package=None):
         refused = None
     if name in _PYTHON:
         try:
-            return python_class(package)
+            return python_class(package, name)
         except ImportError as error:
             raise refused if refused and not isinstance(refused, ModuleNotFoundError) else error
     raise refused or ImportError("%s is compiled with VTK only; here it is not" % name)

@@ -10,9 +10,9 @@ from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
 from .outputs import plane_transform
+from .vtkclass import build
 
-NAME = "vtkAdaptiveHilbertDelaunay2D"
-SUPERCLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
+NAMES = ("vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
 
 ABOUT = """Exact 2D Delaunay triangulation of large point sets.
 
@@ -186,15 +186,6 @@ class _Ports:
         found = self.GetInput(port)
         return found if isinstance(found, self._backend.vtkPolyData) else None
 
-    def GetOutput(self, port=0):
-        """The vtkPolyData at this output port: 0 the surface, 1 the order of insertion, 2 the Voronoi diagram."""
-        found = self.GetOutputDataObject(port)
-        return found if isinstance(found, self._backend.vtkPolyData) else None
-
-    def SetOutput(self, output):
-        """The data object that the surface is put into."""
-        self.GetExecutive().SetOutputData(0, output)
-
     def SetSourceData(self, source):
         """The constraints: a vtkPolyData, whose lines become edges and whose polygons edges and loops that bound what
         is kept; None: none."""
@@ -267,57 +258,13 @@ class _Transforms:
         if interrupt is not None:
             raise interrupt
 
-
-class _Names:
-    """What VTK asks a class for; mixed into the class."""
-
-    def GetClassName(self):
-        """ "vtkAdaptiveHilbertDelaunay2D"."""
-        return NAME
-
-    def IsA(self, name):
-        """1 if this is of the named class or derives from it, else 0."""
-        return int(name in (NAME,) + SUPERCLASSES or super().IsA(name))
-
-    def NewInstance(self):
-        """A new filter with default settings."""
-        return type(self)()
-
-    def GetNumberOfGenerationsFromBase(self, name):
-        """How many classes this one is derived from the named one; negative if it is not."""
-        return self.GetNumberOfGenerationsFromBaseType(name)
-
-    def __str__(self):
-        header, _, rest = super().__str__().partition("\n")
-        return "%s%s\n%s%s" % (NAME, header[header.find(" ("):] if " (" in header else "", rest, self.PrintSelf())
-
-    def _set(self, setting, value):
-        now = self._values[setting.name]
-        value = setting.convert(value, now)
-        if value != now:
-            self._values[setting.name] = value
-            if setting.name == "MergeBlocks":
-                self.FillInputPortInformation(0, self.GetInputPortInformation(0))
-            self.Modified()
+    def _changed(self, name):
+        """A setting has another value now."""
+        if name == "MergeBlocks":
+            self.FillInputPortInformation(0, self.GetInputPortInformation(0))
 
 
-def _statics(backend, made):
-    """Static methods, which know their class."""
-
-    def IsTypeOf(name):
-        """1 if the class is or derives from the named one, else 0."""
-        return int(name in (NAME,) + SUPERCLASSES or backend.vtkAlgorithm.IsTypeOf(name))
-
-    def SafeDownCast(instance):
-        """The argument if it is a filter of this class, else None."""
-        return instance if isinstance(instance, made) else None
-
-    def GetNumberOfGenerationsFromBaseType(name):
-        """How many classes this one is derived from the named one; negative if it is not."""
-        return backend.vtkPolyDataAlgorithm.GetNumberOfGenerationsFromBaseType(name) + 2 if (
-            backend.vtkPolyDataAlgorithm.IsTypeOf(name)) else (NAME, SUPERCLASSES[0]).index(name) if (
-                name in (NAME, SUPERCLASSES[0])) else -1
-
+def _plane_computer(backend):
     def ComputeBestFittingPlane(given):
         """The plane with the least sum of squared distances of the finite points, as a vtkTransform that turns and
         shifts it to z = 0; None without input or memory."""
@@ -332,37 +279,23 @@ def _statics(backend, made):
         except MemoryError:
             return None
 
-    for function in (IsTypeOf, SafeDownCast, GetNumberOfGenerationsFromBaseType, ComputeBestFittingPlane):
-        setattr(made, function.__name__, staticmethod(function))
+    return ComputeBestFittingPlane
 
 
 def make_class(backend):
     """The class over this VTK."""
-    base = backend.algorithm_base()
 
-    def __new__(cls, *_given, **_properties):
-        """Ready without __init__, which derived classes need not call: those of VTK are so too."""
-        self = base.__new__(cls)
+    def start(self):
         self._values = {setting.name: setting.default for setting in settings.SETTINGS}
         self._values.update(settings.MEASURES)
         self._transform = self._transform_tag = self._interrupt = None
         self._warned_about_ranks = False
         self._job = engine.Job()
         self._cache = OutputCache(backend)
-        base.__init__(self, nInputPorts=2, inputType="vtkPointSet", nOutputPorts=3, outputType="vtkPolyData")
-        return self
 
-    def __init__(self, *_given, **properties):
-        for name, value in properties.items():
-            if not hasattr(type(self), name):
-                raise AttributeError("%s has no property %s" % (NAME, name))
-            setattr(self, name, value)
-
-    members = {"__new__": __new__, "__init__": __init__, "__doc__": ABOUT, "__module__": __name__.rsplit(".", 2)[0],
-               "_backend": backend}
-    members.update(settings.all_methods())
-    made = type(NAME, (_Measures, _Executions, _Ports, _Transforms, _Names, base), members)
+    members = dict(settings.all_methods(), __doc__=ABOUT,
+                   ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))
+    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Transforms), members, start, (2, 3))
     for name, member in settings.properties_of(made).items():
         setattr(made, name, member)
-    _statics(backend, made)
     return made

@@ -11,8 +11,8 @@ DOUBLE_MAX = 1.0e299  # VTK_DOUBLE_MAX
 
 
 class Setting:
-    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64 or double. `least`, `most`: what
-    values are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does."""
+    """One setting. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, any (int), int64 or double. `least`,
+    `most`: what values are clamped to. `names`: of an enum, what follows SetXTo for 0, 1, ... `about`: what it does."""
 
     def __init__(self, name, kind, default, about, least=None, most=None, names=()):
         self.name, self.kind, self.default, self.about, self.names = name, kind, default, about, names
@@ -30,7 +30,7 @@ class Setting:
         largest = INT64_MAX if self.kind == "int64" else INT_MAX
         if not -largest - 1 <= value <= largest:
             raise OverflowError("value is out of range for %s" % ("long long" if self.kind == "int64" else "int"))
-        return value if self.kind == "flag" else min(max(value, self.least), self.most)
+        return value if self.kind in ("flag", "any") else min(max(value, self.least), self.most)
 
     def text(self, value):
         """As PrintSelf has it."""
@@ -108,6 +108,15 @@ SURFACE = (
 )
 
 SETTINGS = INSERTION + SURFACE
+
+# Of vtkPlanarPointSource.
+SOURCE = (
+    Setting("Distribution", "enum", 0, "How the points are distributed.",
+            names=("Uniform", "Line", "Cross", "Circle", "Spiral", "Mixed", "Lattice")),
+    Setting("NumberOfPoints", "int64", 10000, "How many points.", 0, 2**29),
+    Setting("Seed", "any", 1, "Where the random numbers start."),
+    Setting("OutputPointsPrecision", "int", 1, "0: float; 1, 2: double.", 0, 2),
+)
 BY_NAME = {setting.name: setting for setting in SETTINGS}
 
 CONSTANTS = {
@@ -169,7 +178,7 @@ def methods_of(setting):
     if setting.kind in ("bool", "flag"):
         for end, value in (("On", 1), ("Off", 0)):
             made[name + end] = _method(name + end, _sets_to(setting, value), setting.about)
-    elif name != "MaximumEdgeLength":
+    elif name != "MaximumEdgeLength" and setting.kind != "any":
         for end, value in (("MinValue", setting.least), ("MaxValue", setting.most)):
             made["Get" + name + end] = _method("Get" + name + end, _answers(value), "The %s value of %s." % (
                 "smallest" if end == "MinValue" else "largest", name))
@@ -191,11 +200,10 @@ def all_methods():
     return made
 
 
-def properties_of(kind):
+def properties_of(kind, names=tuple(BY_NAME) + tuple(MEASURES) + (
+        "Transform", "Source", "SourceData", "SourceConnection", "Input", "InputData", "Output")):
     """VTK's properties for the methods SetX and GetX of a class, by name."""
     made = {}
-    names = [setting.name for setting in SETTINGS] + list(MEASURES) + [
-        "Transform", "Source", "SourceData", "SourceConnection", "Input", "InputData", "Output"]
     for name in names:
         get, set_ = getattr(kind, "Get" + name, None), getattr(kind, "Set" + name, None)
         if name in ("SourceData", "InputData"):

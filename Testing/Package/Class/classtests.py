@@ -30,15 +30,16 @@ core, model = vtk("vtkCommonCore"), vtk("vtkCommonDataModel")
 calldata_type = vtk("util.misc").calldata_type
 
 
-def tested_class():
+def tested_class(name):
     import adaptivehilbertdelaunay
 
     if os.environ.get("AHD_TEST_CLASS") == "python":
-        return importlib.import_module("adaptivehilbertdelaunay._vtk").python_class(BACKEND)
-    return adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D
+        return importlib.import_module("adaptivehilbertdelaunay._vtk").python_class(BACKEND, name)
+    return getattr(adaptivehilbertdelaunay, name)
 
 
-Filter = tested_class()
+Filter = tested_class("vtkAdaptiveHilbertDelaunay2D")
+Source = tested_class("vtkPlanarPointSource")
 
 
 class Hash:

@@ -67,7 +67,7 @@ def of_output(data):
 
 def masked(text):
     """Without sizes of memory, which another layout of it changes."""
-    return re.sub(r"\d+ (KiB|boxes)", r"# \1", text)
+    return re.sub(r"\d+ (KiB|boxes|places)", r"# \1", text)
 
 
 def record(given, settings):

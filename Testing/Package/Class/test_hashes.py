@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows surface/... of Data/Hashes/Filter.txt: what the filter puts out, the same from the class in C++ and from
-the one in Python. The cases of Testing/Filters/Output/TestHashes.cxx."""
+"""The rows of Data/Hashes/Filter.txt: what the filter and the source of points put out, the same from the classes in
+C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx."""
 
-from classtests import (HASHES, Case, Filter, Hash, Random, Said, array, blocks, cloud, core, cross, make_points, mixed,
-                        model, run_tests, source, tiny, uniform, utm, values_of, vtk)
+from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
+                        make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
 
 MEASURES = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
@@ -115,16 +115,27 @@ def hash_of(given, settings):
     return sum_.text()
 
 
+def hash_of_source(distribution):
+    """Every second with floats."""
+    points = Source()
+    points.SetDistribution(distribution)
+    points.SetOutputPointsPrecision(distribution % 2)
+    points.SetNumberOfPoints(40000)
+    points.Update()
+    sum_ = Hash()
+    add_output(sum_, points.GetOutput())
+    return sum_.text()
+
+
 class HashTest(Case):
     def test_rows_of_the_file(self):
         with open(HASHES, encoding="utf-8") as file:
             rows = dict(reversed(line.split()) for line in file if not line.startswith("#"))
-        expected = {name: row for name, row in rows.items() if name.startswith("surface/")}
-        found = {}
+        found = {"source/%d" % distribution: hash_of_source(distribution) for distribution in range(7)}
         for cases in (plain_cases(), planes_and_sources()):
             for name, given, settings in cases:
                 found["surface/" + name] = hash_of(given, settings)
-        self.assertEqual(found, expected)
+        self.assertEqual(found, rows)
 
 
 if __name__ == "__main__":

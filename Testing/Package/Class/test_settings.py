@@ -4,19 +4,19 @@ them. AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
 
 import json
 import math
-from classtests import FOLDER, WRITES, Case, Filter, Said, cloud, core, vtk, run_tests, write_rows
+from classtests import FOLDER, WRITES, Case, Filter, Said, Source, cloud, core, vtk, run_tests, write_rows
 
 FILE = FOLDER / "Settings.json"
 VALUES = (-7, 0, 1, 2, 3, 17, 1000000, 2**40, 0.3, 1e300, math.nan, True, "a word", None)
 OBJECTS = ("SetSourceData", "SetSourceConnection", "SetTransform")
 
 
-def own_names():
-    """What the class has beyond VTK's vtkPolyDataAlgorithm, and beyond what VTK's algorithms in Python have."""
+def own_names(kind):
+    """What a class has beyond VTK's vtkPolyDataAlgorithm, and beyond what VTK's algorithms in Python have."""
     base = dir(vtk("vtkCommonExecutionModel").vtkPolyDataAlgorithm) + [
         "GetInputData", "GetOutputData", "GetPythonObject", "SetPythonObject", "SetNumberOfInputPorts",
         "SetNumberOfOutputPorts"]
-    return [name for name in dir(Filter) if not name.startswith("_") and name not in base]
+    return [name for name in dir(kind) if not name.startswith("_") and name not in base]
 
 
 def outcome(algorithm, name, value):
@@ -29,32 +29,33 @@ def outcome(algorithm, name, value):
     return [getattr(algorithm, "Get" + name)(), algorithm.GetMTime() > before]
 
 
-def described():
+def described(kind):
     settings, constants, answers = {}, {}, {}
-    for name in own_names():
-        member = getattr(Filter, name)
-        if name.startswith("Set") and hasattr(Filter, "G" + name[1:]) and name not in OBJECTS:
-            algorithm = Filter()
+    for name in own_names(kind):
+        member = getattr(kind, name)
+        if name.startswith("Set") and hasattr(kind, "G" + name[1:]) and name not in OBJECTS:
+            algorithm = kind()
             key = name[3:]
             settings[key] = [getattr(algorithm, "Get" + key)()] + [outcome(algorithm, key, v) for v in VALUES]
         elif isinstance(member, int):
             constants[name] = int(member)
         elif name.startswith("Get") or "To" in name or name.endswith(("On", "Off")):
-            algorithm = Filter()
+            algorithm = kind()
             answer = getattr(algorithm, name)()
             setting = name[3:].split("To")[0] if name.startswith("Set") else name[:-2].removesuffix("O")
             if not name.startswith("Get"):
                 answer = getattr(algorithm, "Get" + setting)()
             answers[name] = answer
-    methods = [name for name in own_names() if callable(getattr(Filter, name))
-               and not isinstance(getattr(Filter, name), type)]
+    methods = [name for name in own_names(kind) if callable(getattr(kind, name))
+               and not isinstance(getattr(kind, name), type)]
     return {"settings": settings, "constants": constants, "answers": answers, "methods": sorted(methods)}
 
 
 class SettingsTest(Case):
     @classmethod
     def setUpClass(cls):
-        cls.found = json.loads(json.dumps(described()).replace("NaN", '"NaN"'))
+        found = dict(described(Filter), **{"source " + key: value for key, value in described(Source).items()})
+        cls.found = json.loads(json.dumps(found).replace("NaN", '"NaN"'))
         if WRITES:
             write_rows(FILE, cls.found)
         cls.expected = json.loads(FILE.read_text(encoding="utf-8"))
@@ -72,6 +73,14 @@ class SettingsTest(Case):
 
     def test_methods_without_arguments(self):
         self.assertEqual(self.found["answers"], self.expected["answers"])
+
+    def test_the_source_of_points(self):
+        self.assertEqual(len(self.expected["source settings"]), 4)
+        for key in ("settings", "constants", "answers"):
+            self.assertEqual(self.found["source " + key], self.expected["source " + key])
+        self.assertEqual(
+            [name for name in self.expected["source methods"] if name not in self.found["source methods"]], [])
+        self.assertEqual((Source().GetClassName(), Source().IsA("vtkPolyDataAlgorithm")), ("vtkPlanarPointSource", 1))
 
     def test_each_says_what_it_does(self):
         for name in self.expected["methods"]:
