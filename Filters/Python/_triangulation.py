@@ -433,7 +433,6 @@ class Triangulation(Made):
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._start(state["_request"], state["_dtype"])
         self.__dict__.update(state)
-        self._request.isCopy = True  # nobody else has these points
         for made in self._cached.values():
             for array in _arrays_of(made):
                 frozen(array)

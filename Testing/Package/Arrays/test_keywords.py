@@ -397,6 +397,14 @@ class OutputTest(KeywordTest):
             delaunay(points, memory_limit=needed - 1)
         self.assertEqual(len(delaunay(points, memory_limit=needed).point_status), 10000)
 
+    def test_too_many_crossings(self):
+        points = cloud(45, 4000)
+        pairs = np.arange(4000).reshape(-1, 2)
+        with self.assertRaisesRegex(MemoryError, "cross in more than [0-9]+ places"):
+            delaunay(points, segments=pairs, crossings="split", memory_limit=30 << 20)
+        with self.assertWarns(DelaunayWarning):
+            delaunay(points, segments=pairs, memory_limit=30 << 20)
+
     def test_progress(self):
         told = []
         delaunay(cloud(40, 50000), loops=[0, 1, 2], want=["neighbors", "voronoi"],
