@@ -25,12 +25,13 @@ if TYPE_CHECKING:
     from ._arrays import Triangulation as Triangulation
     from ._arrays import Voronoi as Voronoi
     from ._arrays import delaunay as delaunay
+    from ._arrays import release_memory as release_memory
 
 # Modules are loaded when a name of theirs is first asked for: arrays need no VTK, and VTK no arrays.
-_ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay")
+_ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory")
 _CLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkAdaptiveHilbertDelaunay2D", "vtkPlanarPointSource")
 
-__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay"]
+__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
 
 
 def __getattr__(name: str) -> Any:

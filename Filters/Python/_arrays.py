@@ -8,11 +8,12 @@ from typing import Any, Callable, Optional, Sequence, Union
 import numpy as np
 
 from ._input import DEFAULTS, Plane, Request
+from ._library import release_memory
 from ._results import Boxes, Kind, Location, Voronoi
 from ._triangulation import WANTED, Triangulation
 from ._warnings import DelaunayWarning, warn
 
-__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay"]
+__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
 
 
 def delaunay(
@@ -72,59 +73,61 @@ def delaunay(
         triangulated with the others; their ids in the result go on where those of `points` end.
     skip : (n,) array of bool or uint8, optional
         Points that are left out are those where it is not zero.
-    crossings : {'leave_out', 'split'}
+    crossings : {'leave_out', 'split'}, default 'leave_out'
         What is done where segments cross. 'leave_out': the later one is no constraint, a loop that has it bounds
         nothing, and a warning says so (segments come before lines, lines before loops). 'split': a point is added.
-    fill_rule : {'even_odd', 'orientation'}
+    fill_rule : {'even_odd', 'orientation'}, default 'even_odd'
         What loops keep. 'even_odd': what is inside an odd number of loops, whichever way they run. 'orientation': what
         is on the left of every loop edge that bounds it, and what no loop bounds.
-    closed_lines_are_loops : bool
+    closed_lines_are_loops : bool, default False
         Are lines that end where they begin loops?
-    source_heights : {'own', 'surface'}
+    source_heights : {'own', 'surface'}, default 'own'
         'surface': z of the source points, where they lie on the triangulation of the others, is interpolated there.
-    plane : {'xy', 'best_fit'}, (4, 4) array or function
+    plane : {'xy', 'best_fit'}, (4, 4) array or function, default 'xy'
         Where to triangulate: x and y; the plane of least squares of distances; x and y after the matrix is applied to
         (x, y, z, 1); x and y of what the function gives. It is called with (k, 3) float64, k at most 2**14, which it
         changes in place or returns anew: the place in the plane and the height above it. Exactness is for the numbers
         in that plane, in float64.
-    rim : {'automatic', 'convex_hull', 'trimmed'}
+    rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
         'trimmed': without the flat triangles (an angle above 153.4 degrees) along the hull. 'automatic': the convex
         hull in the plane 'xy', else trimmed. Nothing is trimmed with alpha, maximum_edge_length or bounding.
-    duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}
+    duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
         Which of several points at one place is the vertex: that of smallest id; of lowest or highest finite z; of
         smallest id, moved to the mean of all that have a finite z.
-    tolerance : float from 0 to 1
-        Merge points nearer to each other than this part of the diagonal of the bounding box of all.
-    alpha : float, 0 or more
+    tolerance : float from 0 to 1, default 0.0
+        Merge points nearer to each other than this part of the diagonal of the bounding box of all; 0: those that
+        coincide are duplicates, and none is merged.
+    alpha : float, 0 or more, default 0.0
         Keep triangles whose circumradius in space is not greater, in the unit of the points; 0: all. See `lines` and
         `vertices` of the result.
-    maximum_edge_length : float, 0 or more
+    maximum_edge_length : float, 0 or more, default 0.0
         Keep triangles whose edges in the plane are not longer; 0: all.
-    bounding : bool
+    bounding : bool, default False
         Add eight points on a circle around all others, `offset` diagonals of their bounding box away. In 'xy' only.
-    offset : float, 0.75 or more
-    insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}
+    offset : float, 0.75 or more, default 1.0
+        How far out the points of `bounding` lie.
+    insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}, default 'adaptive_hilbert'
         This and the next three change the time, never the triangles.
-    nmax : int, 1 or more
+    nmax : int, 1 or more, default 50
         A box of the grid with more points is divided.
-    control_points : {'off', 'single_level', 'every_level'}
+    control_points : {'off', 'single_level', 'every_level'}, default 'every_level'
         Which points are inserted before all others.
-    gene_rotation : bool
+    gene_rotation : bool, default True
         Does the curve turn in each box to meet its neighbours?
-    insertion_limit : int, 0 or more
+    insertion_limit : int, 0 or more, default 0
         Stop after so many points of the insertion order; 0: all.
-    count_work : bool
+    count_work : bool, default False
         Count np and nr, see `Triangulation.measures`. One thread inserts.
-    voronoi_clip : {'hull', 'bounds'}
+    voronoi_clip : {'hull', 'bounds'}, default 'hull'
         See `Triangulation.voronoi`.
-    id_dtype : numpy.int32 or numpy.int64
+    id_dtype : numpy.int32 or numpy.int64, default numpy.int32
         The type of all ids in the result. 32 bits are always enough.
     want : sequence of str, optional
         What to make in this call: 'neighbors', 'constraint_edges', 'regions', 'point_status', 'insertion_ranks',
         'order', 'boxes', 'voronoi'. All can be asked for later too; the last four then triangulate once more.
-    threads : int from 0 to 1024
+    threads : int from 0 to 1024, default 0
         How many work; 0: one for each processor that the process may run on. The result is the same.
-    memory_limit : int, 0 or more
+    memory_limit : int, 0 or more, default 0
         Bytes that may be taken; 0: what the process can get without swapping.
     progress : function of (str, float), optional
         Is told the phase ('merge', 'split', 'read', 'sort', 'insert', 'constrain', 'extract', 'outputs') and the
@@ -141,7 +144,8 @@ def delaunay(
     TypeError
         An array or a value is of another type.
     MemoryError
-        There is not enough memory, or `memory_limit` allows less than is needed: then at once.
+        There is not enough memory, or `memory_limit` allows less than is needed: then at once, but for segments that
+        cross too often to be split.
     KeyboardInterrupt
         Ctrl-C: at once.
 
@@ -164,13 +168,13 @@ def delaunay(
     >>> made.triangles.shape, made.edges.shape, sorted(made.hull.tolist())
     ((6, 3), (11, 2), [0, 1, 2, 3])
 
-    A constraint, and a hole:
+    A constraint; an outline with a notch:
 
     >>> delaunay(square, segments=[(0, 2)]).constraint_edges
     array([[0, 2]], dtype=int32)
-    >>> ring = delaunay(square, loops=[(0, 1, 2, 3), (0, 4, 3)])
-    >>> len(ring.triangles), ring.boundary.shape
-    (5, (6, 2))
+    >>> notched = delaunay(square, loops=[(0, 1, 2, 3, 4)])
+    >>> len(notched.triangles), notched.boundary.shape
+    (5, (5, 2))
     """
     given = {name: value for name, value in locals().items() if name in DEFAULTS}
     chains = {"segments": segments, "lines": lines, "loops": loops}

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import operator
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
@@ -244,7 +245,8 @@ class Request:
         settings: Mapping[str, Any],
     ) -> None:
         self.points = points_of("points", points)
-        self.isCopy = not np.may_share_memory(self.points, points) if isinstance(points, np.ndarray) else True
+        # Can the caller change them? Frames, buffers and others may show their own numbers.
+        self.isCopy = isinstance(points, (list, tuple)) or not np.may_share_memory(self.points, np.asarray(points))
         self.settings = settings_of(settings)
         self.arrays: Dict[str, np.ndarray] = {"points": self.points}
         self.projection: Optional[Callable[[np.ndarray], None]] = None
@@ -308,8 +310,9 @@ class Request:
 
     def job(self, wanted: Sequence[str]) -> library.Job:
         """A job that is ready to run, with these arrays announced."""
-        job = library.Job()
-        job.set(**self.settings)
+        job = library.take_job()
+        usual = library.defaults()
+        job.set(**{name: value for name, value in self.settings.items() if value != usual[name]})
         job.set(**{"want_" + name: 1 for name in wanted})
         for name, array in self.arrays.items():
             job.set_array(name, array)
@@ -334,3 +337,28 @@ class Projection:
                     % (moved.shape, xyz.shape)
                 )
             xyz[...] = moved
+
+
+def checksum(points: np.ndarray) -> bytes:
+    """Differs where a coordinate does, and where rows change places. Sums of the bits: of parts, and of what is at
+    the same place in each part. The points are not copied, but in small parts where they do not lie side by side."""
+    rows = min(1 << 13, len(points))
+    sums, total = [], np.zeros(rows * points.shape[1] * points.itemsize // 4, np.uint64)
+    for begin in range(0, len(points), max(1, rows)):
+        part = np.ascontiguousarray(points[begin : begin + rows])
+        numbers = part.ravel().view(np.uint32 if part.nbytes % 8 else np.uint64)
+        sums.append(int(numbers.sum(dtype=np.uint64)))
+        total[: len(numbers)] += numbers
+    return hashlib.blake2b(total.tobytes() + repr(sums).encode(), digest_size=16).digest()
+
+
+def near_each_other(places: np.ndarray) -> np.ndarray:
+    """An order of places, (k, 2) float64, in which each is mostly near the one before it: Morton's, on a grid."""
+    halves = np.where(np.isfinite(places), places, 0.0) / 2  # whose differences are no more than the largest number
+    low = halves.min(axis=0)
+    size = halves.max(axis=0) - low
+    cells = ((halves - low) / np.where(size > 0, size, 1.0) * 65535).astype(np.uint32)
+    for shift, mask in ((8, 0x00FF00FF), (4, 0x0F0F0F0F), (2, 0x33333333), (1, 0x55555555)):
+        cells = (cells | cells << np.uint32(shift)) & np.uint32(mask)
+    order: np.ndarray = np.argsort(cells[:, 0] | cells[:, 1] << np.uint32(1), kind="stable")
+    return order

@@ -9,6 +9,7 @@ the folder of this file. ImportError if there is none, or it is of another versi
 from __future__ import annotations
 
 import ctypes
+import functools
 import os
 import sys
 from typing import Any, Dict, List, Optional, Tuple
@@ -238,13 +239,14 @@ def available_memory() -> int:
     return int(C.ahd_available_memory())
 
 
-def names(kind: int) -> List[str]:
+@functools.lru_cache(None)
+def names(kind: int) -> Tuple[str, ...]:
     """All names of one kind: INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES or OUTPUT_ARRAYS."""
     found: List[str] = []
     while True:
         name = C.ahd_name(kind, len(found))
         if name is None:
-            return found
+            return tuple(found)
         found.append(name.decode())
 
 

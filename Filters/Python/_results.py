@@ -73,3 +73,12 @@ class Location(NamedTuple):
     kind: np.ndarray  #: (k,) int32: a Kind for each place
     triangle: np.ndarray  #: (k,) int: the row of a triangle that has the place in it or on its border; -1: none
     corners: np.ndarray  #: (k, 3) int: ids of the triangle's corners, the edge's ends or the vertex; the rest is -1
+
+
+def chained(edges: np.ndarray) -> np.ndarray:
+    """The ids along edges that make one closed chain, from the first edge on."""
+    follower = dict(edges.tolist())
+    chain = [int(edges[0, 0])]
+    while follower[chain[-1]] != chain[0]:
+        chain.append(follower[chain[-1]])
+    return np.array(chain, edges.dtype)

@@ -3,27 +3,20 @@
 
 from __future__ import annotations
 
-import threading
 from types import MappingProxyType
-from typing import Any, Dict, Iterable, Mapping, Optional, Set, Tuple
+from typing import Any, Dict, Iterable, Mapping, Optional, Tuple
 
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request
-from ._results import Boxes, Location, Voronoi
+from ._input import CHOICES, DEFAULTS, Request, checksum, near_each_other
+from ._made import Made, frozen
+from ._results import Boxes, Location, Voronoi, chained
 
 #: Attributes that `delaunay` can be asked to make at once.
 WANTED = (
     "neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi"
 )  # fmt: skip
-# Those that a run makes only if it was told before.
-_TOLD_BEFORE = frozenset(("insertion_ranks", "order", "boxes", "voronoi"))
-
-
-def _frozen(array: np.ndarray) -> np.ndarray:
-    array.flags.writeable = False
-    return array
 
 
 def _arrays_of(made: Any) -> Iterable[np.ndarray]:
@@ -33,94 +26,60 @@ def _arrays_of(made: Any) -> Iterable[np.ndarray]:
 
 
 def _view(array: np.ndarray) -> np.ndarray:
-    return _frozen(array.view())
+    return frozen(array.view())
 
 
-class Triangulation:
+class Triangulation(Made):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. Everything is a function of the points, constraints and settings that it was made of,
     the same to the byte for any number of threads and on any machine.
 
     What is not there yet when it is asked for is made then, and kept: `triangles` and `counts` are always there, what
-    the keyword `want` of `delaunay` named as well. For that the triangulation keeps the engine's memory, about 100
-    bytes per point, until it is gone or `release` is called, and it reads the points that it was given: they
-    are not to be changed. If they were, it says so (RuntimeError) rather than give what does not fit.
+    the keyword `want` of `delaunay` named as well. For that it keeps the engine's memory, 64 bytes per point, later
+    110, until it is gone or `release` is called, and reads the points that it was given: these are not to be
+    changed. If they were, it says so (RuntimeError) rather than give what does not fit.
 
     Several threads may use one triangulation. It can be pickled: with its input and what has been made. `copy.copy`
     gives itself, `copy.deepcopy` one with points of its own.
-    """
 
-    _job: Optional[library.Job]
-    _told: Set[str]  # what the job was told before it ran
-    _hasPlaces: bool  # has the job read the points for the last time?
-    _cached: Dict[str, Any]  # what has been made
-    _fingerprint: Optional[Tuple[int, int]]  # of points that the caller can change
-    _counts: Dict[str, int]
-    _measures: Dict[str, float]
+    Examples
+    --------
+    >>> from adaptivehilbertdelaunay import Kind, delaunay
+    >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]])
+    >>> made
+    <Triangulation of 5 points: 4 triangles>
+    >>> made.triangles
+    array([[0, 4, 3],
+           [0, 1, 4],
+           [4, 2, 3],
+           [4, 1, 2]], dtype=int32)
+    >>> made.neighbors[0]
+    array([ 1,  2, -1], dtype=int32)
+    >>> where = made.locate([[2, 1], [1, 2], [5, 5]])
+    >>> where.triangle, [Kind(kind).name for kind in where.kind]
+    (array([ 1,  0, -1], dtype=int32), ['IN_TRIANGLE', 'ON_VERTEX', 'OUTSIDE'])
+    >>> made.counts["inserted"], made.counts["duplicates"]
+    (5, 0)
+    """
 
     def __init__(self, request: Request, id_dtype: Any, wanted: Tuple[str, ...], progress: Any) -> None:
         self._start(request, id_dtype)
         job = self._run(set(wanted), progress)
         self._counts, self._measures = job.counts(), job.measures()
-        self._cached["triangles"] = _frozen(job.array("triangles", self._dtype))
+        self._cached["triangles"] = frozen(job.array("triangles", self._dtype))
         for name in wanted:
             self.voronoi() if name == "voronoi" else getattr(self, name)
         job.set_progress(None)
         if not request.isCopy:
-            self._fingerprint = library.fingerprint(request.points)
-
-    def _start(self, request: Request, id_dtype: Any) -> None:
-        self._request = request
-        self._dtype = np.dtype(id_dtype)
-        self._lock = threading.RLock()
-        self._job = None
-        self._told = set()
-        self._hasPlaces = False
-        self._cached = {}
-        self._fingerprint = None
-
-    # --- the engine ---
-
-    def _run(self, told: Set[str], progress: Any = None) -> library.Job:
-        """A new job that has run, in place of the one there was."""
-        self._job, self._hasPlaces = None, False
-        job = self._request.job(sorted(told))
-        if progress is not None:
-            job.set_progress(lambda phase, fraction: progress(library.PHASES[phase], fraction) and None)
-        job.run()
-        self._job, self._told = job, told
-        return job
-
-    def _engine(self, name: str = "") -> library.Job:
-        """The job, told of this before it ran. REQUIRES: the lock."""
-        if self._fingerprint is not None and library.fingerprint(self._request.points) != self._fingerprint:
-            raise RuntimeError("the points were changed after they were triangulated: triangulate them again")
-        tell = {name} & _TOLD_BEFORE
-        if self._job is None or not tell <= self._told:
-            return self._run((self._told | tell) & _TOLD_BEFORE)
-        return self._job
-
-    def _made(self, name: str, make: Any) -> Any:
-        found = self._cached.get(name)
-        if found is None:
-            with self._lock:
-                found = self._cached.get(name)
-                if found is None:
-                    found = self._cached[name] = make()
-        return found
-
-    def _array(self, name: str, dtype: Any = None, told: str = "") -> np.ndarray:
-        """An output array of the engine."""
-        made: np.ndarray = self._made(name, lambda: _frozen(self._engine(told).array(name, dtype or self._dtype)))
-        return made
+            self._checksum = checksum(request.points)
 
     def _of_triangles(self, name: str, dtype: Any = None) -> np.ndarray:
         """Rows of an array of cells that are triangles."""
 
         def make() -> np.ndarray:
             cells = self._engine(name).array(name, dtype or self._dtype)
-            return _frozen(cells[self._others :]) if self._others else _frozen(cells)
+            return frozen(cells[self._others :]) if self._others else frozen(cells)
 
         made: np.ndarray = self._made(name, make)
         return made
@@ -131,8 +90,8 @@ class Triangulation:
         return self._counts["lines"] + self._counts["vertices"]
 
     def release(self) -> None:
-        """Gives the engine's memory back. What has been made stays; what is asked for later is made by triangulating
-        once more."""
+        """Gives the engine's memory back to the system. What has been made stays; what is asked for later is made by
+        triangulating once more."""
         with self._lock:
             self._job = None
 
@@ -148,7 +107,7 @@ class Triangulation:
             request = self._request
             if not self._counts["added_points"] and request.settings["duplicates"] != library.DUPLICATES_MEAN_Z:
                 return _view(request.points)
-            return _frozen(self._engine().array("points", np.float64)[:, : request.columns])
+            return frozen(self._engine().array("points", np.float64)[:, : request.columns])
 
         made: np.ndarray = self._made("points", make)
         return made
@@ -204,7 +163,7 @@ class Triangulation:
             rows = self._engine().array("neighbors", self._dtype)[self._others :]
             if self._others:
                 rows = np.where(rows >= self._others, rows - self._dtype.type(self._others), self._dtype.type(-1))
-            return _frozen(rows)
+            return frozen(rows)
 
         made: np.ndarray = self._made("neighbors", make)
         return made
@@ -214,12 +173,7 @@ class Triangulation:
         """(e, 2) int: the edges of the triangles, each once, as it runs around the first triangle that has it, in the
         order of these."""
 
-        def make() -> np.ndarray:
-            beyond = self.neighbors
-            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
-            return self._edges_where((beyond < 0) | (beyond > here))
-
-        made: np.ndarray = self._made("edges", make)
+        made: np.ndarray = self._made("edges", lambda: self._edges_where(self._is_first()))
         return made
 
     @property
@@ -229,16 +183,21 @@ class Triangulation:
         made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
         return made
 
+    def _is_first(self) -> np.ndarray:
+        """(t, 3): is the triangle the first of those that have the edge?"""
+        beyond = self.neighbors
+        return (beyond < 0) | (beyond > np.arange(len(beyond), dtype=beyond.dtype)[:, None])
+
     def _edges_where(self, chosen: np.ndarray) -> np.ndarray:
         triangle, corner = np.nonzero(chosen)
-        return _frozen(np.stack((self.triangles[triangle, corner], self.triangles[triangle, (corner + 1) % 3]), axis=1))
+        return frozen(np.stack((self.triangles[triangle, corner], self.triangles[triangle, (corner + 1) % 3]), axis=1))
 
     @property
     def hull(self) -> np.ndarray:
         """(h,) int: the ids of the vertices on the boundary of the convex hull of all, counterclockwise, those on its
         straight edges included; empty where all vertices are collinear. The hull, too, where loops, alpha, lengths
         or the rim leave less than it in triangles: `boundary` is what bounds these."""
-        made: np.ndarray = self._made("hull", lambda: _frozen(self._find_hull()))
+        made: np.ndarray = self._made("hull", lambda: frozen(self._find_hull()))
         return made
 
     def _find_hull(self) -> np.ndarray:
@@ -249,15 +208,10 @@ class Triangulation:
             status = self.point_status
             ids = np.flatnonzero(status == np.arange(len(status))).astype(self._dtype)
             places = np.ascontiguousarray(self.plane_points[ids, :2])
-            whole = Triangulation(_plain_request(places), self._dtype, (), None)
+            whole = Triangulation(Request(places, None, None, {}, "xy", DEFAULTS), self._dtype, (), None)
             found: np.ndarray = ids[whole.hull]
             return found
-        follower = dict(self.boundary.tolist())
-        first = int(self.boundary[0, 0])
-        chain = [first]
-        while follower[chain[-1]] != first:
-            chain.append(follower[chain[-1]])
-        return np.array(chain, self._dtype)
+        return chained(self.boundary)
 
     @property
     def lines(self) -> np.ndarray:
@@ -275,23 +229,19 @@ class Triangulation:
     def constraint_edges(self) -> np.ndarray:
         """(c, 2) int: the edges of the triangles that are constraints, each once, as in `edges`."""
 
-        def make() -> np.ndarray:
-            beyond = self.neighbors
-            here = np.arange(len(beyond), dtype=beyond.dtype)[:, None]
-            return self._edges_where(self.is_constraint & ((beyond < 0) | (beyond > here)))
-
-        made: np.ndarray = self._made("constraint_edges_ids", make)
+        made: np.ndarray = self._made(
+            "constraint_edges_ids", lambda: self._edges_where(self.is_constraint & self._is_first())
+        )
         return made
 
     @property
     def is_constraint(self) -> np.ndarray:
         """(t, 3) bool: is the edge of a triangle from corner `k` to the next one a constraint?"""
 
-        def make() -> np.ndarray:
-            bits = self._of_triangles("constraint_edges", np.uint8)
-            return _frozen((bits[:, None] & np.array([1, 2, 4], np.uint8)) != 0)
-
-        made: np.ndarray = self._made("is_constraint", make)
+        bits = self._of_triangles("constraint_edges", np.uint8)
+        made: np.ndarray = self._made(
+            "is_constraint", lambda: frozen((bits[:, None] & np.array([1, 2, 4], np.uint8)) != 0)
+        )
         return made
 
     @property
@@ -365,9 +315,9 @@ class Triangulation:
         def make() -> Boxes:
             job = self._engine("boxes")
             return Boxes(
-                _frozen(job.array("box_bounds")),
-                _frozen(job.array("box_levels")),
-                _frozen(job.array("box_counts", self._dtype)),
+                frozen(job.array("box_bounds")),
+                frozen(job.array("box_levels")),
+                frozen(job.array("box_counts", self._dtype)),
             )
 
         made: Boxes = self._made("boxes", make)
@@ -391,6 +341,13 @@ class Triangulation:
         Voronoi
             One cell for each vertex, by ascending smallest id of the points at its place. Collinear vertices have no
             cells in their hull, and strips in a bounding box that has an area.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> diagram = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [2, 2]]).voronoi()
+        >>> len(diagram), diagram.sites.tolist(), diagram[4].tolist()
+        (5, [0, 1, 2, 3, 4], [[2.0, 4.0], [0.0, 2.0], [2.0, 0.0], [4.0, 2.0]])
         """
         number = self._request.settings["voronoi_clip"]
         if clip is not None:
@@ -408,10 +365,13 @@ class Triangulation:
             job = self._request.job(["voronoi"])
             job.set(voronoi_clip=clip)
             job.run()
-        return Voronoi(
-            _frozen(job.array("voronoi_points")),
-            *(_frozen(job.array("voronoi_" + name, self._dtype)) for name in ("offsets", "corners", "sites")),
+        made = Voronoi(
+            frozen(job.array("voronoi_points")),
+            *(frozen(job.array("voronoi_" + name, self._dtype)) for name in ("offsets", "corners", "sites")),
         )
+        if job is not self._job:
+            library.give_back(job)
+        return made
 
     def locate(self, places: Any) -> Location:
         """Where places lie in the triangulation; exact.
@@ -435,10 +395,14 @@ class Triangulation:
         with self._lock:
             # The first time the engine makes tables of its own, and reads no points after that.
             job = self._job if self._hasPlaces and self._job is not None else self._engine()
-            kinds, ids, cells = job.locate(given)
+            places = np.asarray(given, np.float64)
+            order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
+            found = job.locate(places[order])  # each is looked for from the one before it
             self._hasPlaces = True
+        kinds, corners, cells = (np.empty_like(array) for array in found)
+        kinds[order], corners[order], cells[order] = found
         triangles = np.where(cells < 0, -1, cells - self._others)
-        return Location(kinds, triangles.astype(self._dtype), ids.astype(self._dtype))
+        return Location(kinds, triangles.astype(self._dtype), corners.astype(self._dtype))
 
     @property
     def counts(self) -> Mapping[str, int]:
@@ -469,12 +433,6 @@ class Triangulation:
     def __setstate__(self, state: Dict[str, Any]) -> None:
         self._start(state["_request"], state["_dtype"])
         self.__dict__.update(state)
-        self._request.isCopy = True  # nobody else has these points
         for made in self._cached.values():
             for array in _arrays_of(made):
-                _frozen(array)
-
-
-def _plain_request(points: np.ndarray) -> Request:
-    """Points and default settings."""
-    return Request(points, None, None, {}, "xy", DEFAULTS)
+                frozen(array)

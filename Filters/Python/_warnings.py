@@ -47,7 +47,11 @@ def _of_no_triangle(counts: Counts) -> Iterator[str]:
         else:
             why = "there are fewer than three distinct points" if few else "all distinct points are collinear"
             merged = ", of which tolerance merged %d" % counts["merged_points"] if counts["merged_points"] else ""
-            space = "" if counts["on_one_line"] or not inserted else " They are not collinear in space: see plane='best_fit'."
+            space = (
+                ""
+                if counts["on_one_line"] or not inserted
+                else " They are not collinear in space: see plane='best_fit'."
+            )
             yield "There is no triangle, because %s: %d among %d%s.%s" % (
                 why, inserted, counts["points"], merged, space)  # fmt: skip
     elif counts["delaunay_triangles"] and counts["kept_triangles"] + counts["trimmed_triangles"] == 0:

@@ -117,6 +117,30 @@ class Examples(unittest.TestCase):
         self.assertAlmostEqual(volume, hill, delta=0.01)
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "hill.vtp")), 10000)
 
+    def test_arrays(self):
+        """The water is what the coastline encloses, of which nothing was left out."""
+        files = [os.path.join(ROOT, "Data", "Bay", name) for name in ("soundings.csv", "coastline.vtp")]
+        said = self.run_example(sys.executable, os.path.join(EXAMPLES, "arrays.py"), *files)
+        with open(files[1], encoding="ascii") as file:
+            text = file.read()
+        arrays = [[float(n) for n in body.split()] for body in re.findall(r"<DataArray[^>]*>([^<]*)<", text)]
+        _, places, _, line_ends, ids, ends = arrays
+        twice = 0  # counterclockwise around water, clockwise around islands
+        for begin, end in zip([0.0] + ends, ends):
+            loop = [int(id) for id in ids[int(begin) : int(end)]]
+            for a, b in zip(loop, loop[1:] + loop[:1]):
+                twice += places[3 * a] * places[3 * b + 1] - places[3 * b] * places[3 * a + 1]
+        area = float(re.search(r"^([\d.]+) square kilometres of water", said, re.MULTILINE).group(1))
+        self.assertAlmostEqual(area, twice / 2e6, 3, said)
+        self.assertIn("; %d constraint edges\n0 of" % (ends[-1] + line_ends[-1] - 1), said)
+        regions = [float(size) for size in re.findall(r"^region \d+: ([\d.]+)", said, re.MULTILINE)]
+        self.assertAlmostEqual(sum(regions), area, 3, said)
+        self.assertGreater(len(regions), 1, said)
+        depths = [float(depth) for depth in re.findall(r"([\d.]+) m deep", said)]
+        self.assertEqual(len(depths), 3, said)
+        self.assertTrue(all(0 < depth < 40 for depth in depths), said)
+        self.assertIn("(1002634, 1445): no water", said)
+
     def test_cxx(self):
         self.run_example(
             CMAKE, "-S", os.path.join(EXAMPLES, "cxx"), "-B", "example", "-G", GENERATOR,

@@ -44,7 +44,8 @@ make_tools() {
 wrap() {
   local name=$1
   shift
-  printf '#!/bin/sh\nexec "%s" -m ziglang %s "$@"\n' "$tools/bin/python" "$*" >"$folder/bin/$name"
+  printf '#!/bin/sh\nexport ZIG_GLOBAL_CACHE_DIR="%s"\nexec "%s" -m ziglang %s "$@"\n' \
+    "$folder/zig" "$tools/bin/python" "$*" >"$folder/bin/$name"
   chmod +x "$folder/bin/$name"
 }
 
@@ -75,7 +76,7 @@ build_wheel() {
 
 # wheel_of <processor>
 wheel_of() {
-  ls "$folder"/dist/*-py3-none-manylinux_2_17_"$1"*.whl
+  ls "$folder"/dist/*-py3-none-*manylinux_2_17_"$1"*.whl
 }
 
 try_wheel() {

@@ -144,6 +144,34 @@ static void test_layouts(void)
   ahd_job_free(job);
 }
 
+/* Without a third column z is 0, whatever lies there: in the plane, in space, in counts. */
+static void test_flat_rows(void)
+{
+  static double rows[] = { 0, 0, 50, 8, 0, 0, 8, 8, 7, 0, 8, 9, 0, 8, -9 };
+  ahd_array flat = { rows, AHD_FLOAT64, 2, 5, 24, 8 };
+  ahd_job* job = ahd_job_new();
+  rows[5] = (double)NAN;
+  CHECK_OK(job, ahd_set_array(job, "points", &flat));
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_BEST_FIT));
+  CHECK_OK(job, ahd_set_int(job, "duplicates", AHD_DUPLICATES_HIGHEST_Z));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "triangles") == 2 && ahd_counted(job, "odd_z") == 0);
+  CHECK(ahd_counted(job, "not_finite") == 0);
+  ARE_DOUBLES(job, "plane_matrix", 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1);
+  ARE_DOUBLES(job, "points", 0, 0, 0, 8, 0, 0, 8, 8, 0, 0, 8, 0, 0, 8, 0);
+  ARE(job, "point_status", 0, 1, 2, 3, 3);
+  flat.columns = 3;
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_XY));
+  CHECK_OK(job, ahd_set_array(job, "points", &flat));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "triangles") == 2 && ahd_counted(job, "odd_z") == 1);
+  ARE(job, "point_status", 0, 1, 2, 3, 3);
+  CHECK_OK(job, ahd_set_int(job, "duplicates", AHD_DUPLICATES_LOWEST_Z));
+  CHECK_OK(job, ahd_run(job));
+  ARE(job, "point_status", 0, 1, 2, 4, 4);
+  ahd_job_free(job);
+}
+
 /* Which points are left out, and which of several stands for the vertex. */
 static void test_points(void)
 {
@@ -476,6 +504,7 @@ void test_results(void)
 {
   test_square();
   test_layouts();
+  test_flat_rows();
   test_points();
   test_constraints();
   test_source();

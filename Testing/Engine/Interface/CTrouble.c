@@ -283,6 +283,45 @@ static void test_memory(void)
   ahd_job_free(job);
 }
 
+/* Segments that cross in more places than there may be points for. */
+static void test_crossings(void)
+{
+  enum
+  {
+    kSide = 60
+  };
+  double ends[4 * kSide * 2];
+  int64_t ids[2 * kSide * 2], i;
+  uint64_t bytes = 0;
+  ahd_job* job;
+  ahd_array chains;
+  for (i = 0; i < kSide; ++i) /* a lattice of lines */
+  {
+    double* const across = ends + 8 * i;
+    across[0] = across[5] = 0;
+    across[2] = across[7] = kSide + 1;
+    across[1] = across[3] = across[4] = across[6] = (double)i + 1;
+  }
+  for (i = 0; i < 4 * kSide; ++i)
+  {
+    ids[i] = i;
+  }
+  job = ahd_job_of(ends, 4 * kSide, 2);
+  chains = ahd_ids(ids, 2 * kSide, 2);
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &chains));
+  CHECK_OK(job, ahd_set_int(job, "split_crossings", 1));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "split_crossings") == kSide * kSide);
+  CHECK(ahd_counted(job, "most_crossings") >= kSide * kSide);
+  CHECK_OK(job, ahd_estimate(job, &bytes));
+  CHECK_OK(job, ahd_set_int(job, "memory_limit", (int64_t)bytes + 100000));
+  CHECK_STATUS(job, AHD_TOO_MANY_CROSSINGS, ahd_run(job));
+  CHECK_SAYS(job, "places");
+  CHECK(ahd_counted(job, "most_crossings") < kSide * kSide);
+  CHECK(ahd_counted(job, "memory_estimate") > ahd_counted(job, "memory_allowed"));
+  ahd_job_free(job);
+}
+
 /* Same bytes for any number of threads; two jobs in two threads. */
 static void* run_and_read(void* user)
 {
@@ -343,6 +382,7 @@ void test_trouble(void)
   test_progress();
   test_cancel();
   test_memory();
+  test_crossings();
   test_threads();
   test_fingerprint();
 }

@@ -128,7 +128,9 @@ class HashTest(unittest.TestCase):
     def test_points(self):
         points = uniform(10000, 7)
         self.check("points/Uniform", hash_of_triangles(points))
-        self.check("points/Uniform", hash_of_triangles(np.asfortranarray(points), threads=3, insertion_order="multi_grid"))
+        self.check(
+            "points/Uniform", hash_of_triangles(np.asfortranarray(points), threads=3, insertion_order="multi_grid")
+        )
         self.check("points/Lattice", hash_of_triangles(lattice(100)))
         self.check("points/AllEqual", hash_of_triangles(np.tile([0.1, -0.7], (10000, 1))))
 

@@ -47,7 +47,9 @@ class PointsTest(unittest.TestCase):
                     made = delaunay(same)
                     np.testing.assert_array_equal(made.triangles, expected.triangles, name)
                     np.testing.assert_array_equal(made.points, expected.points, name)
-                    np.testing.assert_array_equal(made.locate(cloud(42, 9)).triangle, expected.locate(cloud(42, 9)).triangle)
+                    np.testing.assert_array_equal(
+                        made.locate(cloud(42, 9)).triangle, expected.locate(cloud(42, 9)).triangle
+                    )
 
     def test_any_real_type(self):
         whole = np.random.default_rng(43).integers(0, 100, (50, 2))
@@ -220,7 +222,8 @@ class RefusedTest(unittest.TestCase):
         for kind, ask in (
             (ValueError, lambda: made.locate([1, 2])), (ValueError, lambda: made.locate([[1, 2, 3]])),
             (TypeError, lambda: made.locate([["a", "b"]])), (ValueError, lambda: made.interpolate([1, 2])),
-            (TypeError, lambda: made.interpolate(["a"] * 6)), (ValueError, lambda: made.interpolate(np.zeros((6, 1, 1)))),
+            (TypeError, lambda: made.interpolate(["a"] * 6)),
+            (ValueError, lambda: made.interpolate(np.zeros((6, 1, 1)))),
             (ValueError, lambda: made.voronoi("all")),
         ):  # fmt: skip
             self.assertRaises(kind, ask)

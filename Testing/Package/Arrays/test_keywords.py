@@ -3,6 +3,7 @@
 
 import inspect
 import math
+import re
 import unittest
 import warnings
 
@@ -38,7 +39,14 @@ class ConstraintTest(KeywordTest):
     def test_segments_lines_loops(self):
         points = cloud(21)
         hull = delaunay(points).hull
-        made = delaunay(points, segments=[hull[[0, 2]]], lines=[hull[2:5], hull[4:]], loops=[hull[[1, 4, 7]]], fill_rule="even_odd", crossings="split")
+        made = delaunay(
+            points,
+            segments=[hull[[0, 2]]],
+            lines=[hull[2:5], hull[4:]],
+            loops=[hull[[1, 4, 7]]],
+            fill_rule="even_odd",
+            crossings="split",
+        )
         places = made.points
         self.assertEqual(complaints(places, made.triangles, made.neighbors, made.is_constraint), [])
         self.assertEqual(len(edges(made)) > 5, True)
@@ -216,7 +224,12 @@ class PointTest(KeywordTest):
     def test_duplicates(self):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            for rule, vertex, height in (("first", 0, 5), ("lowest_z", 3, 3), ("highest_z", 4, 9), ("mean_z", 0, 17 / 3)):
+            for rule, vertex, height in (
+                ("first", 0, 5),
+                ("lowest_z", 3, 3),
+                ("highest_z", 4, 9),
+                ("mean_z", 0, 17 / 3),
+            ):
                 made = delaunay(self.HEIGHTS, duplicates=rule)
                 self.assertEqual(set(made.triangles[0]), {vertex, 1, 2}, rule)
                 self.assertEqual(made.points[vertex, 2], height)
@@ -301,8 +314,8 @@ class InsertionTest(KeywordTest):
         for settings in (
             {"insertion_order": "adaptive_hilbert", "control_points": "off"}, {"insertion_order": "multi_grid"},
             {"insertion_order": "regular_grid"}, {"insertion_order": "as_given"}, {"nmax": 1}, {"nmax": 2**31 - 1},
-            {"control_points": "single_level", "gene_rotation": False}, {"count_work": True}, {"threads": 1}, {"threads": 3},
-            {"insertion_limit": 500},
+            {"control_points": "single_level", "gene_rotation": False}, {"count_work": True},
+            {"threads": 1}, {"threads": 3}, {"insertion_limit": 500},
         ):  # fmt: skip
             made = delaunay(points, **settings)
             np.testing.assert_array_equal(made.triangles, expected.triangles, str(settings))
@@ -384,6 +397,14 @@ class OutputTest(KeywordTest):
             delaunay(points, memory_limit=needed - 1)
         self.assertEqual(len(delaunay(points, memory_limit=needed).point_status), 10000)
 
+    def test_too_many_crossings(self):
+        points = cloud(45, 4000)
+        pairs = np.arange(4000).reshape(-1, 2)
+        with self.assertRaisesRegex(MemoryError, "cross in more than [0-9]+ places"):
+            delaunay(points, segments=pairs, crossings="split", memory_limit=30 << 20)
+        with self.assertWarns(DelaunayWarning):
+            delaunay(points, segments=pairs, memory_limit=30 << 20)
+
     def test_progress(self):
         told = []
         delaunay(cloud(40, 50000), loops=[0, 1, 2], want=["neighbors", "voronoi"],
@@ -395,12 +416,18 @@ class OutputTest(KeywordTest):
         self.assertGreater(len(told), 20)
 
     def test_all_keywords_are_here(self):
-        """Each is in a test of this file, and in the docstring."""
+        """Each is in a test of this file, and in the docstring with its default."""
         with open(__file__, encoding="utf-8") as file:
             text = file.read()
-        for name in list(inspect.signature(delaunay).parameters)[1:]:
+        documented = inspect.getdoc(delaunay)
+        for name, parameter in list(inspect.signature(delaunay).parameters.items())[1:]:
             self.assertTrue(name + "=" in text or '"%s":' % name in text, name)
-            self.assertIn("\n    %s : " % name, delaunay.__doc__)
+            said = re.search("^%s : .*?(?:, default (.*)|, optional)$" % name, documented, re.MULTILINE)
+            self.assertTrue(said, name)
+            if said.group(1):
+                self.assertEqual(eval(said.group(1), {"numpy": np}), parameter.default, name)
+            else:
+                self.assertIn(parameter.default, (None, ()), name)
 
     def test_offset_of_a_point(self):
         """A single point has no diagonal."""

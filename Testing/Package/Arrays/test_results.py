@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 from adaptivehilbertdelaunay import Kind, delaunay
+from adaptivehilbertdelaunay._input import near_each_other
 from arraysupport import SQUARE, cloud, complaints, hull_of, integers, lattice, orient, twice_area
 
 
@@ -46,10 +47,13 @@ class DelaunayTest(unittest.TestCase):
 
     def test_edges(self):
         made = delaunay(cloud(6))
-        found = [frozenset(edge) for edge in made.edges.tolist()]
-        self.assertEqual(len(found), len(set(found)))
-        each = {frozenset((t[k], t[(k + 1) % 3])) for t in made.triangles.tolist() for k in range(3)}
-        self.assertEqual(set(found), each)
+        expected = {}  # by its ends: as it runs in the first triangle
+        for t in made.triangles.tolist():
+            for edge in zip(t, t[1:] + t[:1]):
+                expected.setdefault(frozenset(edge), list(edge))
+        self.assertEqual(made.edges.tolist(), list(expected.values()))
+        outer = [list(e) for t in made.triangles.tolist() for e in zip(t, t[1:] + t[:1])]
+        self.assertEqual(made.boundary.tolist(), [edge for edge in outer if edge[::-1] not in outer])
 
     def test_status_and_vertices_of_points(self):
         points = np.concatenate((cloud(7, 20), cloud(7, 20)[5:8], [[np.nan, 0]], cloud(8, 2)))
@@ -85,8 +89,25 @@ class DelaunayTest(unittest.TestCase):
             named = set(corners[corners >= 0].tolist())
             self.assertEqual(len(named), 3 - on)
             self.assertLessEqual(named, set(ids.tolist()))
+        turn = np.random.default_rng(19).permutation(len(places))
+        for array, turned in zip(found, made.locate(places[turn])):
+            np.testing.assert_array_equal(array[turn], turned)
+        for place, kind in ([1e308, -1e308], 3), ([-1e308, 1e308], 3), ([2.5, 2.4], 0), ([5e-324, 0.5], 0):
+            both = made.locate([place, [1e308, 1e308], place, [-1e308, 0]])
+            self.assertEqual((both.kind[0], both.kind[2]), (kind, kind))
+        self.assertEqual(made.locate(np.empty((0, 2))).corners.shape, (0, 3))
         with self.assertWarns(UserWarning):
             self.assertEqual(delaunay(SQUARE[:2]).locate([[0, 0]]).kind[0], Kind.NOWHERE)
+
+    def test_places_are_looked_for_along_a_curve(self):
+        """So that each is near the one before it: a walk through all triangles for each would take too many steps."""
+        places = cloud(20, 4000)
+        order = near_each_other(places)
+        self.assertEqual(sorted(order), list(range(4000)))
+        steps = np.hypot(*np.diff(places[order], axis=0).T)
+        self.assertLess(steps.sum(), 4 * np.sqrt(4000))  # about 2000 in the order given
+        for strange in (np.full((3, 2), np.nan), np.full((3, 2), 7.0), [[np.inf, 1e308], [0, -1e308], [-np.inf, 0]]):
+            self.assertEqual(sorted(near_each_other(np.array(strange))), [0, 1, 2])
 
     def test_voronoi(self):
         """Cells are convex, add up to the hull (or the box), and are nearest to their sites."""
@@ -130,8 +151,9 @@ class DelaunayTest(unittest.TestCase):
 
 class ObjectTest(unittest.TestCase):
     ARRAYS = (
-        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles", "neighbors",
-        "edges", "boundary", "hull", "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
+        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles",
+        "neighbors", "edges", "boundary", "hull",
+        "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
         "crossing_ends", "crossing_fractions", "order", "insertion_ranks", "plane_matrix",
     )  # fmt: skip
 
@@ -159,7 +181,16 @@ class ObjectTest(unittest.TestCase):
 
     def test_wanted_is_what_is_made_later(self):
         points, loops = cloud(12), [[0, 1, 2, 3], [4, 5, 6]]
-        names = ("neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi")
+        names = (
+            "neighbors",
+            "constraint_edges",
+            "regions",
+            "point_status",
+            "insertion_ranks",
+            "order",
+            "boxes",
+            "voronoi",
+        )
         later = delaunay(points, loops=loops, crossings="split", alpha=0.2)
         self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=names), later)
         for name in names:
@@ -175,7 +206,7 @@ class ObjectTest(unittest.TestCase):
 
     def test_copies_and_pickles(self):
         points = cloud(14)
-        made = delaunay(points, segments=[(0, 1), (2, 3)], plane="best_fit")
+        made = delaunay(points, segments=[(0, 1), (0, 3)], plane="best_fit")
         self.assertIs(copy.copy(made), made)
         twins = [copy.deepcopy(made), pickle.loads(pickle.dumps(made))]
         self.every(made)
@@ -188,7 +219,7 @@ class ObjectTest(unittest.TestCase):
         self.assertEqual(len(twins[1].voronoi("bounds")), 200)
 
     def test_points_that_were_changed_are_noticed(self):
-        for view in (lambda points: points, lambda points: points[::2, ::-1]):
+        for view in (lambda points: points, lambda points: points[::2, ::-1], memoryview):
             points = cloud(15, 200000)
             made = delaunay(view(points), threads=1)
             triangles = made.triangles.copy()
@@ -199,6 +230,25 @@ class ObjectTest(unittest.TestCase):
             np.testing.assert_array_equal(made.triangles, triangles)
             points[100000, 1] = cloud(15, 200000)[100000, 1]
             self.assertEqual(made.neighbors.shape, triangles.shape)
+
+    def test_any_change_is_noticed(self):
+        """One bit anywhere, rows that change places; in every layout and type."""
+        shapes = ((3, 2, np.float64), (9001, 2, np.float32), (20000, 3, np.float32), (30000, 3, np.float64))
+        for count, columns, dtype in shapes:
+            points = cloud(18, count, columns, dtype)
+            for view in (points, points[::-1, :2]):
+                made = delaunay(view)
+                for row in {0, count // 2, count - 1, min(count - 1, 8192)}:
+                    for column in range(view.shape[1]):
+                        before = view[row, column]
+                        view[row, column] = np.nextafter(before, dtype(2))
+                        self.assertRaises(RuntimeError, made._engine)
+                        view[row, column] = before
+                for other in {count - 1, min(count - 1, 8192)}:
+                    view[[0, other]] = view[[other, 0]]
+                    self.assertRaises(RuntimeError, made._engine)
+                    view[[0, other]] = view[[other, 0]]
+                self.assertEqual(made.neighbors.shape, made.triangles.shape)
 
     def test_located_goes_on_after_a_change(self):
         points = cloud(16)

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the docstrings and the README say of arrays is so; every public name is documented and typed."""
+
+import doctest
+import inspect
+import os
+import typing
+import unittest
+
+import adaptivehilbertdelaunay
+from adaptivehilbertdelaunay import _arrays, _input, _interface, _library, _results, _triangulation, _warnings
+from arraysupport import ROOT
+
+MODULES = (_arrays, _input, _interface, _library, _results, _triangulation, _warnings)
+README = os.path.join(ROOT, "Filters", "Python", "README.md")
+
+
+class DocumentTest(unittest.TestCase):
+    def test_docstrings(self):
+        attempted = 0
+        for module in MODULES:
+            result = doctest.testmod(module)
+            self.assertEqual(result.failed, 0, module.__name__)
+            attempted += result.attempted
+        self.assertGreater(attempted, 15)
+
+    def test_readme(self):
+        result = doctest.testfile(README, module_relative=False)
+        self.assertEqual(result.failed, 0)
+        self.assertGreater(result.attempted, 8)
+
+    def public(self):
+        """(name, object) of what callers use."""
+        for name in adaptivehilbertdelaunay.__all__:
+            found = getattr(adaptivehilbertdelaunay, name)
+            yield name, found
+            if inspect.isclass(found) and found.__module__.startswith("adaptivehilbertdelaunay"):
+                for member, value in vars(found).items():
+                    if not member.startswith("_") and (callable(value) or isinstance(value, property)):
+                        yield name + "." + member, value
+
+    def test_everything_is_documented_and_typed(self):
+        seen = 0
+        for name, found in self.public():
+            seen += 1
+            self.assertTrue(inspect.getdoc(found), name)
+            function = found.fget if isinstance(found, property) else found
+            if inspect.isfunction(function):
+                hints = typing.get_type_hints(function)
+                self.assertIn("return", hints, name)
+                for parameter in inspect.signature(function).parameters:
+                    self.assertTrue(parameter == "self" or parameter in hints, "%s: %s" % (name, parameter))
+        self.assertGreater(seen, 30)
+
+    def test_the_readme_names_every_array(self):
+        with open(README, encoding="utf-8") as file:
+            text = file.read()
+        for name, found in self.public():
+            if name.startswith("Triangulation."):
+                self.assertRegex(text, "`%s[(`]" % name.split(".")[1])
+
+    def test_it_says_that_it_is_typed(self):
+        folder = os.path.dirname(adaptivehilbertdelaunay.__file__)
+        self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,268 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The binding of the C interface: it follows the header, and says what it refuses."""
+
+import gc
+import inspect
+import os
+import re
+import subprocess
+import sys
+import unittest
+
+import adaptivehilbertdelaunay
+import numpy as np
+from adaptivehilbertdelaunay import _interface, delaunay
+from adaptivehilbertdelaunay import _library as library
+from arraysupport import ROOT, SQUARE, cloud
+
+HEADER = os.path.join(ROOT, "Filters", "Engine", "Interface", "ahd.h")
+
+
+def header():
+    with open(HEADER, encoding="utf-8") as file:
+        return file.read()
+
+
+class HeaderTest(unittest.TestCase):
+    def test_every_function_is_declared(self):
+        declared = re.findall(r"^AHD_API [^(]*?(ahd_\w+)\(", header(), re.MULTILINE)
+        self.assertEqual(sorted(declared), sorted(_interface._signatures()))
+
+    def test_numbers_of_arguments(self):
+        for name, arguments in re.findall(r"^AHD_API [^(;]*?(ahd_\w+)\(([^;]*)\);", header(), re.MULTILINE | re.DOTALL):
+            count = 0 if arguments.strip() == "void" else arguments.count(",") + 1
+            self.assertEqual(len(_interface._signatures()[name][1]), count, name)
+
+    def test_every_constant_has_its_value(self):
+        version = re.search(r"#define AHD_ABI_VERSION (\d+)", header())
+        constants = re.findall(r"^  AHD_(\w+) = (-?\d+)", header(), re.MULTILINE)
+        self.assertGreater(len(constants), 50)
+        for name, value in [*constants, ("ABI_VERSION", version.group(1))]:
+            if name.startswith("PHASE_"):
+                self.assertEqual(library.PHASES[int(value)], name[6:].lower())
+            else:
+                self.assertEqual(getattr(library, name), int(value), name)
+
+    def test_every_name_can_be_used(self):
+        job = library.Job()
+        for kind in (library.INT_SETTINGS, library.DOUBLE_SETTINGS):
+            for name in library.names(kind):
+                value = job.get(name)
+                job.set(**{name: value})
+                self.assertEqual(job.get(name), value)
+        job.set(want_order=1, want_boxes=1, want_insertion_ranks=1, want_voronoi=1, source_heights=1)
+        job.set_array("points", SQUARE)
+        job.set_array("source_points", SQUARE[:1])
+        job.run()
+        self.assertEqual(set(job.counts()), set(library.names(library.COUNTS)))
+        self.assertEqual(set(job.measures()), set(library.names(library.MEASURES)))
+        for name in library.names(library.OUTPUT_ARRAYS):
+            array = job.array(name)
+            self.assertEqual(array.reshape(len(array), -1).shape[1] if array.size else 1,
+                             job.array_shape(name)[1] if array.size else 1, name)  # fmt: skip
+            np.testing.assert_array_equal(job.array(name, out=np.empty_like(array)), array)
+
+    def test_delaunay_has_every_setting(self):
+        """What has no keyword, and why."""
+        without = {
+            "skip_mask": "a mark that is not zero",
+            "cell_ids": "source_points",
+            "first_cell": "for VTK's cells",
+            "alpha_triangles": "kinds are arrays of their own", "alpha_lines": "", "alpha_vertices": "",
+            "want_curve": "for VTK's drawing",
+            "other_memory": "for VTK's arrays",
+        }  # fmt: skip
+        names = {"split_crossings": "crossings", "closed_lines": "closed_lines_are_loops"}
+        keywords = set(inspect.signature(delaunay).parameters)
+        for name in library.names(library.INT_SETTINGS) + library.names(library.DOUBLE_SETTINGS):
+            if name not in without and not name.startswith("want_"):
+                self.assertIn(names.get(name, name), keywords)
+
+
+class LoadTest(unittest.TestCase):
+    SCRIPT = (
+        "import adaptivehilbertdelaunay as a\n"
+        "try: a.delaunay\n"
+        "except ImportError as error: print(error)\n"
+        "else: print('loaded')\n"
+    )
+
+    def load(self, path):
+        environment = {**os.environ, "ADAPTIVEHILBERTDELAUNAY_LIBRARY": path}
+        done = subprocess.run([sys.executable, "-c", self.SCRIPT], env=environment, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, text=True, check=True)  # fmt: skip
+        self.assertEqual(done.stderr, "")
+        return done.stdout
+
+    def test_what_is_not_there(self):
+        said = self.load("/nowhere/lib.so")
+        self.assertIn("/nowhere/lib.so", said)
+        self.assertIn("pip install .", said)
+
+    @unittest.skipUnless(sys.platform == "linux", "names a library of Linux")
+    def test_another_library(self):
+        self.assertIn("libm.so.6 is not the library of adaptivehilbertdelaunay", self.load("libm.so.6"))
+
+    def test_the_library_itself(self):
+        self.assertEqual(self.load(library.library_path()), "loaded\n")
+
+    def test_another_version(self):
+        class Other:
+            def ahd_abi_version(self):
+                return library.ABI_VERSION + 1
+
+        loader, _interface.ctypes.CDLL = _interface.ctypes.CDLL, lambda path: Other()
+        try:
+            with self.assertRaisesRegex(ImportError, "x.so has version 2 .* version 1 is needed"):
+                _interface._load("x.so")
+        finally:
+            _interface.ctypes.CDLL = loader
+
+    def test_the_package_loads_what_is_asked_for(self):
+        script = (
+            "import sys, adaptivehilbertdelaunay as a\n"
+            "print('numpy' in sys.modules, sorted(name for name in a.__all__ if name not in dir(a)))\n"
+            "from adaptivehilbertdelaunay import *\n"
+            "print(delaunay.__name__, any(name.startswith('vtk') for name in sys.modules))\n"
+        )
+        done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True, check=True)
+        self.assertEqual(done.stdout, "False []\ndelaunay False\n")
+        with self.assertRaisesRegex(AttributeError, "no attribute 'nothing'"):
+            adaptivehilbertdelaunay.nothing
+
+
+class JobTest(unittest.TestCase):
+    def setUp(self):
+        self.job = library.Job()
+
+    def refuse(self, status, words, work):
+        with self.assertRaises(library.EngineError) as caught:
+            work()
+        self.assertEqual(caught.exception.status, status)
+        self.assertRegex(str(caught.exception), words)
+        return caught.exception
+
+    def test_refused(self):
+        job, refuse = self.job, self.refuse
+        self.assertIsInstance(refuse(library.UNKNOWN_NAME, "colour", lambda: job.set(colour=1)), ValueError)
+        refuse(library.BAD_VALUE, "nmax", lambda: job.set(nmax=0))
+        refuse(library.BAD_VALUE, "nmax", lambda: job.set(nmax=2**70))
+        refuse(library.BAD_VALUE, "tolerance", lambda: job.set(tolerance=2))
+        refuse(library.UNKNOWN_NAME, "colour", lambda: job.get("colour"))
+        refuse(library.UNKNOWN_NAME, "colours", lambda: job.set_array("colours", SQUARE))
+        refuse(library.BAD_ARRAY, "points.*<i8", lambda: job.set_array("points", SQUARE.astype("<i8")[:, :, None]))
+        refuse(library.BAD_ARRAY, "points", lambda: job.set_array("points", np.zeros((3, 4))))
+        refuse(library.BAD_ARRAY, ">f8", lambda: job.set_array("points", SQUARE.astype(">f8")))
+        self.assertIsInstance(refuse(library.NOT_AVAILABLE, ".", lambda: job.count("inserted")), RuntimeError)
+        refuse(library.NOT_AVAILABLE, ".", lambda: job.array("triangles"))
+        job.set_array("points", SQUARE)
+        job.set(memory_limit=1)
+        self.assertIsInstance(refuse(library.MEMORY_LIMIT, ".", job.run), MemoryError)
+        job.set(memory_limit=0)
+        job.run()
+        refuse(library.NOT_AVAILABLE, ".", lambda: job.array("voronoi_sites"))
+        refuse(library.UNKNOWN_NAME, "colours", lambda: job.array("colours"))
+        refuse(library.BAD_ARRAY, ".", lambda: job.array("triangles", out=np.empty(3, np.int32)))
+        refuse(library.BAD_ARRAY, ".", lambda: job.array("triangles", np.float64))
+        refuse(library.BAD_ARRAY, "type", lambda: job.array("triangles", np.int8))
+        refuse(library.BAD_ARRAY, "values", lambda: job.interpolate(np.zeros(3)))
+        refuse(library.BAD_ARRAY, "places", lambda: job.locate(np.zeros(3)))
+        with self.assertRaises(TypeError):
+            job.set(nmax=1.5)
+
+    def test_set_get_and_take_away(self):
+        job = self.job
+        job.set(nmax=np.int16(7), gene_rotation=False, tolerance=np.float32(0.5), alpha=3)
+        self.assertEqual([job.get(name) for name in ("nmax", "gene_rotation", "tolerance", "alpha")], [7, 0, 0.5, 3.0])
+        job.set_array("points", SQUARE)
+        job.set_array("skip", np.array([1, 0, 0, 0, 0, 0], np.uint8))
+        job.run()
+        self.assertEqual(job.count("skipped"), 1)
+        job.set_array("skip", None)
+        job.run()
+        self.assertEqual(job.count("skipped"), 0)
+
+    def test_arrays_live_as_long_as_the_job(self):
+        points = cloud(71, 1000)
+        expected = delaunay(points).triangles
+        self.job.set_array("points", points.copy()[:, :])
+        gc.collect()
+        filler = [cloud(72, 1000) for _ in range(20)]
+        self.job.run()
+        np.testing.assert_array_equal(self.job.array("triangles"), expected)
+        self.assertEqual(len(filler), 20)
+
+    def test_estimate_release_and_memory_kept(self):
+        job = self.job
+        job.set_array("points", cloud(73, 20000))
+        estimate = job.estimate()
+        self.assertGreater(estimate, 20000 * 16)
+        job.set(want_voronoi=1)
+        self.assertGreater(job.estimate(), estimate)
+        job.run()
+        self.assertEqual(job.count("memory_estimate"), job.estimate())
+        job.release(10**9)
+        self.assertGreater(job.kept_bytes(), 0)
+        job.release()
+        self.assertEqual(job.kept_bytes(), 0)
+        self.refuse(library.NOT_AVAILABLE, ".", lambda: job.array("triangles"))
+
+    def test_draw_order(self):
+        job = self.job
+        job.set(want_curve=1, want_boxes=1)
+        job.set_array("points", cloud(74, 300))
+        job.run()
+        for dtype in (np.int32, np.int64):
+            drawn = job.draw_order(dtype)
+            boxes = job.count("boxes")
+            self.assertEqual(drawn["xyz"].shape, (300 + 4 * boxes, 3))
+            np.testing.assert_array_equal(drawn["ids"][:300], job.array("order"))
+            self.assertEqual(drawn["ranks"][:300].tolist(), list(range(300)))
+            self.assertEqual((drawn["levels"][0], drawn["counts"][0], len(drawn["levels"])), (-1, 300, boxes + 1))
+            self.assertEqual(drawn["counts"].dtype, dtype)
+
+    def test_fit_plane(self):
+        points = cloud(75, 50, 3)
+        self.job.set_array("points", points)
+        matrix = self.job.fit_plane()
+        np.testing.assert_array_equal(matrix, delaunay(points, plane="best_fit").plane_matrix)
+
+    def test_fingerprint(self):
+        points = cloud(76, 50000)
+        found = library.fingerprint(points)
+        self.assertEqual(found, library.fingerprint(points.copy()))
+        self.assertNotEqual(found, library.fingerprint(points, 1))
+        strided = library.fingerprint(points[:, ::-1])
+        self.assertEqual(strided, library.fingerprint(points.copy()[:, ::-1]))
+        for row in (0, 8191, 8192, 49999):
+            points[row, 1] = np.nextafter(points[row, 1], 2)
+            self.assertNotEqual(found, library.fingerprint(points))
+            self.assertNotEqual(strided, library.fingerprint(points[:, ::-1]))
+            found, strided = library.fingerprint(points), library.fingerprint(points[:, ::-1])
+        self.assertEqual(len(library.fingerprint(points[:0])), 2)
+
+    def test_the_machine(self):
+        self.assertGreaterEqual(library.processors(), 1)
+        self.assertGreater(library.available_memory(), 2**20)
+        self.assertRegex(library.version(), r"^\d+\.\d+\.\d+")
+        self.assertEqual(library.status_name(library.BAD_VALUE), "AHD_BAD_VALUE")
+
+    def test_jobs_are_freed(self):
+        """Many at once and one after the other, with results, take no more than those that live."""
+        points = cloud(77, 20000)
+        for _ in range(3):
+            jobs = [library.Job() for _ in range(10)]
+            for job in jobs:
+                job.set_array("points", points)
+                job.run()
+            self.assertEqual({job.count("inserted") for job in jobs}, {20000})
+        resident = []
+        for _ in range(40):
+            delaunay(points)
+            with open("/proc/self/statm", encoding="ascii") as file:
+                resident.append(int(file.read().split()[1]))
+        self.assertLess(resident[-1] - resident[9], 30 * 20000 * 16 / 4096 / 2)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delaunay at work: Ctrl-C, exceptions of callbacks, threads."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import unittest
+
+import numpy as np
+from adaptivehilbertdelaunay import _library as library
+from adaptivehilbertdelaunay import delaunay, release_memory
+from arraysupport import SQUARE, cloud
+
+# Interrupts itself while the engine is at work in the main thread, and tells how that ended.
+INTERRUPTED = """
+import os, signal, sys, threading
+import numpy as np
+from adaptivehilbertdelaunay import _library as library
+
+job = library.Job()
+points = np.random.default_rng(1).random((400000, 2))
+job.set_array("points", points)
+
+class Stop(Exception):
+    pass
+
+def stop(number, frame):
+    raise Stop
+
+if sys.argv[1] == "handler":
+    signal.signal(signal.SIGINT, stop)
+handler = signal.getsignal(signal.SIGINT)
+
+def interrupt():
+    while not library._at_work:  # waits for the GIL, which the main thread gives away when it is in the engine
+        pass
+    os.kill(os.getpid(), signal.SIGINT)
+
+while True:
+    threading.Thread(target=interrupt, daemon=True).start()
+    try:
+        job.run()
+    except (KeyboardInterrupt, Stop) as error:
+        print(type(error).__name__)
+        break
+try:
+    job.count("inserted")
+except library.NotAvailable:
+    print("it was stopped")
+print(signal.getsignal(signal.SIGINT) is handler)
+job.run()
+print(job.count("inserted"))
+"""
+
+
+def in_a_process(script, *arguments):
+    return subprocess.run(
+        [sys.executable, "-c", script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        timeout=200, check=False)  # fmt: skip
+
+
+class InterruptTest(unittest.TestCase):
+    @unittest.skipIf(sys.platform == "win32", "signals of POSIX")
+    def test_control_c(self):
+        """Is obeyed while the engine works, raises what its handler raises, and nothing is lost on the way."""
+        for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop")):
+            done = in_a_process(INTERRUPTED, how)
+            self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "400000", ""], done.stderr)
+            self.assertEqual(done.stderr, "")
+
+    @unittest.skipIf(sys.platform == "win32", "signals of POSIX")
+    def test_control_c_ends_a_program(self):
+        script = (
+            "import os, signal, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "delaunay(numpy.random.default_rng(1).random((100000, 2)),\n"
+            "         progress=lambda phase, done: phase == 'insert' and os.kill(os.getpid(), signal.SIGINT))\n"
+            "print('went on')\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.returncode, done.stdout), (-signal.SIGINT, ""), done.stderr)
+        self.assertIn("KeyboardInterrupt", done.stderr)
+        self.assertNotIn("ignored", done.stderr)
+
+    def test_a_handler_that_returns_stops_nothing(self):
+        called = []
+        before = signal.signal(signal.SIGINT, lambda number, frame: called.append(number))
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        told = []
+
+        def once(phase, done):
+            if phase == "insert" and phase not in told:
+                os.kill(os.getpid(), signal.SIGINT)
+            told.append(phase)
+
+        self.assertEqual(delaunay(cloud(51, 20000), progress=once).counts["inserted"], 20000)
+        self.assertEqual(called, [signal.SIGINT])
+
+    def test_ignored_stays_ignored(self):
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(SQUARE)
+        self.assertEqual(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
+
+
+class CallbackTest(unittest.TestCase):
+    def test_what_progress_raises_is_raised(self):
+        told = []
+
+        def stop(phase, done):
+            told.append(phase)
+            if phase == "insert":
+                raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            delaunay(cloud(52, 20000), progress=stop)
+        self.assertEqual((told.count("insert"), told[-1]), (1, "insert"))
+        with self.assertRaises(SystemExit):
+            delaunay(cloud(52), progress=lambda phase, done: sys.exit(3))
+
+    def test_what_progress_returns_means_nothing(self):
+        for value in (True, False, None, "stop"):
+            made = delaunay(cloud(53), progress=lambda phase, done, value=value: value)
+            self.assertEqual(made.counts["inserted"], 200)
+
+    def test_progress_ends_with_the_call(self):
+        told = []
+        made = delaunay(cloud(54), progress=lambda phase, done: told.append(phase))
+        count = len(told)
+        self.assertGreater(count, 0)
+        made.neighbors, made.voronoi()
+        self.assertEqual(len(told), count)
+
+    def test_calls_within_calls(self):
+        made = []
+        outer = delaunay(cloud(55), progress=lambda phase, done: made.append(delaunay(SQUARE).triangles))
+        self.assertEqual(outer.counts["inserted"], 200)
+        for triangles in made:
+            np.testing.assert_array_equal(triangles, delaunay(SQUARE).triangles)
+
+    def test_a_job_is_busy_for_its_callbacks(self):
+        job, errors = library.Job(), []
+        job.set_array("points", SQUARE)
+
+        def ask(phase, done):
+            for question in (job.run, lambda: job.set(nmax=3), lambda: job.count("points"), job.release):
+                try:
+                    question()
+                    errors.append(None)
+                except library.NotAvailable as error:
+                    errors.append(error.status)
+
+        job.set_progress(ask)
+        job.run()
+        self.assertEqual(set(errors), {library.BUSY})
+
+    def test_projections_of_wrong_points(self):
+        """A function that gives what is no place leaves points out."""
+        with self.assertWarnsRegex(UserWarning, "no finite place in the plane"):
+            made = delaunay(SQUARE, plane=lambda xyz: np.where(xyz[:, :1] > 3, np.nan, xyz))
+        self.assertEqual(made.counts["not_finite"], 2)
+
+
+class MemoryTest(unittest.TestCase):
+    def setUp(self):
+        release_memory()
+
+    def test_memory_waits_for_the_next_call(self):
+        points = cloud(56, 20000)
+        made = delaunay(points)
+        self.assertEqual(library._spare, [])
+        del made
+        (spare,) = library._spare
+        self.assertTrue(20000 * 40 < spare.kept_bytes() <= library.REUSE_LIMIT)
+        made = delaunay(points)
+        self.assertEqual(library._spare, [])
+        self.assertIs(made._job, spare)
+        two = [delaunay(points), delaunay(points)]
+        del made, two
+        self.assertEqual(len(library._spare), 1)
+        release_memory()
+        self.assertEqual(library._spare, [])
+
+    def test_what_is_too_much_is_not_kept(self):
+        self.addCleanup(setattr, library, "REUSE_LIMIT", library.REUSE_LIMIT)
+        library.REUSE_LIMIT = 1000
+        delaunay(cloud(57, 20000))
+        self.assertEqual([job.kept_bytes() for job in library._spare], [0])
+
+    def test_nothing_else_is_kept(self):
+        points = cloud(58, 300, 3)
+        expected = delaunay(points).triangles
+        delaunay(points, source_points=cloud(59, 9), lines=[0, 1, 2], skip=np.arange(300) % 2 == 0, alpha=0.1, nmax=3,
+                 plane=lambda xyz: xyz[:, [1, 2, 0]], duplicates="mean_z", want=("boxes", "voronoi"), threads=2,
+                 progress=lambda phase, done: None, voronoi_clip="bounds", count_work=True)  # fmt: skip
+        (job,) = library._spare
+        self.assertEqual({name: job.get(name) for name in library.defaults()}, library.defaults())
+        self.assertEqual((job._arrays, job._progress, job._projection), ({}, None, None))
+        made = delaunay(points)
+        self.assertIs(made._job, job)
+        np.testing.assert_array_equal(made.triangles, expected)
+        self.assertEqual(made.measures["np"], -1)
+
+    def test_after_an_error(self):
+        points = cloud(60, 300)
+        for keywords in ({"memory_limit": 1}, {"plane": lambda xyz: 1 / 0}, {"progress": lambda phase, done: 1 / 0}):
+            with self.assertRaises((MemoryError, ZeroDivisionError)):
+                delaunay(points, **keywords)
+            self.assertEqual(len(delaunay(points).hull), len(delaunay(points, threads=1).hull))
+
+    @unittest.skipUnless(hasattr(os, "fork"), "POSIX only")
+    def test_forks(self):
+        """What a process has before it forks does not hinder the one that begins there."""
+        script = (
+            "import os, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "points = numpy.random.default_rng(1).random((50000, 2))\n"
+            "made = delaunay(points, threads=3)\ndelaunay(points, threads=3)\n"
+            "child = os.fork()\n"
+            "same = (delaunay(points, threads=3).neighbors == made.neighbors).all()\n"
+            "if child == 0:\n    os._exit(7 if same else 1)\n"
+            "print(same, os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.stdout, done.returncode), ("True 7\n", 0), done.stderr)
+
+    def test_the_end_of_a_program(self):
+        """Triangulations that live until the end, or are made there, do no harm."""
+        script = (
+            "import atexit, sys, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "points = numpy.random.default_rng(1).random((1000, 2))\n"
+            "atexit.register(lambda: print(made.neighbors.shape == delaunay(points).triangles.shape))\n"
+            "made = delaunay(points)\nmade.itself = made\nsys.kept = delaunay(points)\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.stdout, done.stderr, done.returncode), ("True\n", "", 0))
+
+
+class ThreadTest(unittest.TestCase):
+    def in_threads(self, work, count):
+        """What `work(k)` returns for each k, called by as many threads at once."""
+        results, errors, start = [None] * count, [], threading.Barrier(count)
+
+        def run(k):
+            try:
+                start.wait()
+                results[k] = work(k)
+            except BaseException as error:
+                errors.append(error)
+
+        threads = [threading.Thread(target=run, args=(k,)) for k in range(count)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(errors, [])
+        return results
+
+    def test_several_calls_at_once(self):
+        points = [cloud(60 + k, 30000) for k in range(6)]
+        expected = [delaunay(each, threads=1).triangles for each in points]
+        for k, triangles in enumerate(self.in_threads(lambda k: delaunay(points[k], threads=1 + k % 3).triangles, 6)):
+            np.testing.assert_array_equal(triangles, expected[k])
+        for triangles in self.in_threads(lambda k: delaunay(points[0]).triangles, 6):
+            np.testing.assert_array_equal(triangles, expected[0])
+
+    def test_one_triangulation_in_several_threads(self):
+        points = cloud(61, 20000)
+        expected, made = delaunay(points), delaunay(points)
+        places = cloud(62, 100)
+
+        def ask(k):
+            names = ["neighbors", "edges", "order", "boxes", "regions", "hull"]
+            for name in names[k:] + names[:k]:
+                getattr(made, name)
+            made.release()
+            return made.edges, made.order, made.voronoi().points, made.locate(places).triangle
+
+        answers = self.in_threads(ask, 6)
+        self.assertTrue(all(answer[0] is answers[0][0] for answer in answers))
+        for answer in answers:
+            for one, two in zip(answer, (expected.edges, expected.order, expected.voronoi().points,
+                                         expected.locate(places).triangle)):  # fmt: skip
+                np.testing.assert_array_equal(one, two)
+
+    def test_other_threads_go_on(self):
+        """The main thread sees the other in the engine: so it is not the GIL that is waited for."""
+        points, seen = cloud(63, 200000), 0
+        while not seen:
+            worker = threading.Thread(target=delaunay, args=(points,))
+            worker.start()
+            while worker.is_alive():
+                seen += bool(library._at_work)
+            worker.join()
+        self.assertGreater(seen, 0)
+
+    def test_cancel_from_another_thread(self):
+        job = library.Job()
+        points = cloud(64, 200000)
+        job.set_array("points", points)
+
+        def cancel():
+            while not library._at_work:
+                pass
+            job.cancel()
+
+        canceller = threading.Thread(target=cancel)
+        canceller.start()
+        with self.assertRaises(library.Cancelled):
+            while True:  # it may come between two runs: then it is the next that ends
+                job.run()
+                job.count("points")
+        canceller.join()
+        job.run()
+        self.assertEqual(job.count("inserted"), 200000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delaunay beside scipy.spatial.Delaunay (Qhull), which is fetched from PyPI into a venv of its own, on points that
+have one Delaunay triangulation only and are far from rounding.
+
+    with_scipy.py <folder of the venv>
+
+77 if PyPI is out of reach.
+"""
+
+import os
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+
+
+def reached(folder):
+    """The venv's Python, with scipy in it; None if it cannot be had."""
+    python = os.path.join(folder, "bin", "python")
+    clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
+    commands = [
+        [python, "-c", "import scipy"],
+        [sys.executable, "-m", "venv", "--clear", "--system-site-packages", folder],
+        [python, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "scipy<1.12"],
+    ]  # fmt: skip
+    for command in commands:
+        try:
+            done = subprocess.run(command, env=clean, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                  timeout=240, text=True)  # fmt: skip
+        except (OSError, subprocess.TimeoutExpired) as error:
+            if command is not commands[0]:
+                print(error)
+                return None
+            continue
+        if command is commands[0] and done.returncode == 0:
+            return python
+        if command is not commands[0] and done.returncode:
+            print(done.stdout)
+            return None
+    return python
+
+
+class ScipyTest(unittest.TestCase):
+    @staticmethod
+    def canonical(triangles):
+        """As a set: each from its smallest id on, in order."""
+        columns = (triangles.argmin(axis=1)[:, None] + np.arange(3)) % 3
+        turned = np.take_along_axis(triangles, columns, axis=1)
+        return turned[np.lexsort(turned.T[::-1])]
+
+    def test_the_same_triangles(self):
+        from adaptivehilbertdelaunay import delaunay
+        from scipy.spatial import Delaunay
+
+        for seed in range(100):
+            random = np.random.default_rng(seed)
+            points = random.random((int(random.integers(4, 3000)), 2)) * 10.0 ** random.integers(-3, 4)
+            ours, theirs = delaunay(points), Delaunay(points)
+            corners = points[theirs.simplices]
+            one, two = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+            turned = one[:, 0] * two[:, 1] < one[:, 1] * two[:, 0]
+            simplices = np.where(turned[:, None], theirs.simplices[:, ::-1], theirs.simplices)
+            np.testing.assert_array_equal(self.canonical(ours.triangles), self.canonical(simplices), str(seed))
+            places = random.random((200, 2)) * np.ptp(points, axis=0)
+            found, expected = ours.locate(places).triangle, theirs.find_simplex(places)
+            np.testing.assert_array_equal(found < 0, expected < 0)
+            inside = found >= 0
+            np.testing.assert_array_equal(
+                np.sort(ours.triangles[found[inside]]), np.sort(theirs.simplices[expected[inside]]))  # fmt: skip
+            self.assertEqual(set(ours.hull), set(theirs.convex_hull.ravel()))
+
+
+def main():
+    python = reached(os.path.abspath(sys.argv[1]))
+    if python is None:
+        sys.exit(1 if os.environ.get("CI") == "true" else 77)
+    sys.exit(subprocess.run([python, __file__, "--here"], check=False).returncode)
+
+
+if __name__ == "__main__":
+    if "--here" in sys.argv:
+        sys.argv.remove("--here")
+        unittest.main()
+    main()
