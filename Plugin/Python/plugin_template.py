@@ -447,7 +447,7 @@ def _declare(works, group, tag, attributes, inside):
     name, vtk_class = attributes["name"], attributes.get("class")
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
-    elif works and (_data_are_elsewhere() or _has(vtk_class)):  # in Python there is no PlanarPointSource
+    elif works and (_data_are_elsewhere() or _has(vtk_class)):
         made = type(name, (_Driver,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)
