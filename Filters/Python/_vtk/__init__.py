@@ -101,7 +101,5 @@ def vtk_class(name, package=None):
 
 
 def class_names():
-    """The names for which there is a class here, as far as is known without loading a VTK."""
-    found = [package for package in PACKAGES if importlib.util.find_spec(package)]
-    compiled = importlib.util.find_spec("..AdaptiveHilbertDelaunayFilters", __name__)
-    return [*_PYTHON, *(["vtkAdaptiveHilbertAlgorithm"] if compiled else [])] if found else []
+    """The names for which there surely is a class, found without loading a VTK."""
+    return list(_PYTHON) if any(importlib.util.find_spec(package) for package in PACKAGES) else []
