@@ -93,7 +93,7 @@ apt() {
 install_packages() {
   local missing
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    fail 1 "this is made for Debian 12 and its relatives: there is no apt-get here. Needed:" "$*"
+    fail 1 "there is no apt-get here. Needed:" "$*"
   fi
   missing=$(missing_packages "$@")
   [ -z "$missing" ] && return

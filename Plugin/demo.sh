@@ -9,6 +9,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${AHD_BUILD_DIR:-$root/build}
 logs=$build/logs
 . "$root/.ci/setup.sh"
+. "$root/.ci/packages.sh"
 
 help() {
   cat <<'EOF'
@@ -16,8 +17,8 @@ help() {
 
 Triangulates the points of a file with the Adaptive Hilbert Delaunay 2D filter in ParaView, writes the
 surface as <name>.vtp and a picture of it as <name>.png, and says how long it took. On the first run it
-installs what is missing (Debian 12, as root or with sudo) and builds the plugin in build/; that takes
-minutes, the runs after it seconds.
+installs what is missing (Debian 12, 13 or testing, as root or with sudo) and builds the plugin in build/; that
+takes minutes, the runs after it seconds.
 
 file       default: Data/survey.csv, soundings of an invented sea
   .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces; with or without column names
@@ -32,15 +33,10 @@ options
   --output DIR                 where to write (default: build/demo)
   --help                       this text
 
-exit code  0 done, 1 something failed (a log is named), 2 the file or an option cannot be used
+exit code  0 done, 1 something failed (a log is named), 2 the file, an option or this system cannot be used
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
 EOF
 }
-
-# To build (the plugin's CMake files name python3-paraview and MPI) with the pages of ParaView's help, and to
-# draw without a screen.
-packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev qttools5-dev qtxmlpatterns5-dev-tools
-  xvfb xauth)
 
 # What reads .laz, in a folder of its own. NumPy, which laspy needs, is Debian's.
 install_laz() {
@@ -82,8 +78,10 @@ done
 [ -z "$file" ] || [ -r "$file" ] || fail 2 "no permission to read $file"
 arguments+=("--output=$output")
 
+require_release
 export PYTHONDONTWRITEBYTECODE=1
-install_packages "${packages[@]}"
+# shellcheck disable=SC2046
+install_packages $(packages_to build "$release") $(packages_to draw "$release")
 /usr/bin/python3 "$root/Plugin/Demo/demo.py" --check "${arguments[@]}" || exit
 [[ ${file,,} != *.laz ]] || install_laz
 configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_WRAP_PYTHON=ON \

@@ -8,62 +8,54 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${AHD_BUILD_DIR:-$root/build}
 logs=$build/logs
 . "$root/.ci/setup.sh"
+. "$root/.ci/packages.sh"
 
 help() {
   cat <<'EOF'
 ./Testing/test.sh [--long] [ctest's own options]
 
-Installs what is missing (Debian 12, as root or with sudo), builds everything in build/, and runs the
-tests through CTest: first those of the VTK filter with Debian's VTK 9.1, unpacked in build/vtk91, then
-all of them with ParaView and the VTK in it. Takes under 20 minutes on two cores from nothing.
+Installs what is missing (Debian 12, 13 or testing, as root or with sudo), builds everything in build/, and
+runs the tests through CTest: on Debian 12 and 13 first those of the VTK filter with Debian's own VTK (9.1,
+9.3), unpacked in build/vtk91 or build/vtk93; then all of them with ParaView and its VTK, which in testing
+is Debian's own. Takes under 25 minutes on two cores from nothing.
 
 --long         also the tests that take longer (label: long)
---paraview     only the tests with ParaView, not those with VTK 9.1
+--paraview     only the tests with ParaView, not those with Debian's own VTK
 others         go to ctest, for example  -R Corpus  or  -L engine
 
-exit code  0 all passed, 1 something could not be installed or built (a log is named), else ctest's
+exit code  0 all passed, 1 something could not be installed or built (a log is named), 2 this system is not
+           supported (nothing was installed), else ctest's
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
              CTEST_PARALLEL_LEVEL: how many tests at a time (default: one per processor)
 EOF
 }
 
-# To build; for the plugin's help; to run it on several ranks and without a screen; for the tests,
-# their sanitizers, benchmarks and lint; for the unpacked VTK 9.1, whose development files want TBB; and for
-# the peers of PyPI that the benchmarks compare with.
-packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev
-  qttools5-dev qtxmlpatterns5-dev-tools
-  openmpi-bin libglew-dev xvfb xauth
-  git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
-  clang clang-format libclang-rt-14-dev valgrind shellcheck pyflakes3
-  libtbb-dev python3-venv python3-pip)
-
-# Debian's VTK 9.1 cannot be installed beside ParaView: their Python packages exclude each other.
-# All six are needed: the files that let CMake find VTK name files of each.
-vtk91_packages=(libvtk9-dev libvtk9.1 libvtk9.1-qt libvtk9-java python3-vtk9 vtk9)
-
 long=OFF
-vtk91=yes
+own_vtk=yes
+more=()
 ctest_options=()
 for argument in "$@"; do
   case $argument in
     -h | --help) help && exit 0 ;;
-    --long) long=ON && packages+=(clang-tidy) ;;
-    --paraview) vtk91= ;;
+    --long) long=ON && more+=(clang-tidy) ;;
+    --paraview) own_vtk= ;;
     *) ctest_options+=("$argument") ;;
   esac
 done
 
-# Debian's VTK 9.1, unpacked in build/vtk91/root.
-unpack_vtk91() {
-  local folder=$build/vtk91 archive
+# Debian's own VTK of this version (9.1), which cannot be installed beside ParaView, as their Python packages
+# exclude each other: unpacked in a folder.
+unpack_vtk() {
+  local version=$1 folder=$2 archive
   [ -f "$folder/unpacked" ] && return
   rm -rf "$folder/archives" "$folder/root"
   mkdir -p "$folder/archives" "$folder/root"
   # apt drops root's rights to download, which fails in a folder that only root can enter
-  fetch() { (cd "$folder/archives" && apt-get -q -o APT::Sandbox::User=root download "${vtk91_packages[@]}"); }
-  step "Fetching Debian's VTK 9.1 (34 MB)" fetch-vtk91 fetch ||
-    { refresh_lists && step "Fetching it once more" fetch-vtk91 fetch; } ||
-    fail 1 "the packages of VTK 9.1 could not be fetched. Without them: ./Testing/test.sh --paraview"
+  # shellcheck disable=SC2046
+  fetch() { (cd "$folder/archives" && apt-get -q -o APT::Sandbox::User=root download $(packages_to vtk "$release")); }
+  step "Fetching Debian's VTK $version (34 MB)" fetch-vtk fetch ||
+    { refresh_lists && step "Fetching it once more" fetch-vtk fetch; } ||
+    fail 1 "the packages of VTK $version could not be fetched. Without them: ./Testing/test.sh --paraview"
   for archive in "$folder"/archives/*.deb; do
     dpkg -x "$archive" "$folder/root" || fail 1 "$archive could not be unpacked"
   done
@@ -93,7 +85,10 @@ run_ctest() {
   [ $status -ne 0 ] || status=$code
 }
 
-install_packages "${packages[@]}"
+require_release
+# shellcheck disable=SC2046
+install_packages $(packages_to build "$release") $(packages_to draw "$release") $(packages_to test "$release") \
+  ${more[@]+"${more[@]}"}
 if ! getent hosts "$(hostname)" >/dev/null; then
   printf 'The name of this machine (%s) does not resolve: tests with a server may wait a minute each.\n' \
     "$(hostname)" "  A line  127.0.1.1 $(hostname)  in /etc/hosts helps."
@@ -106,21 +101,26 @@ mkdir -p "$XDG_RUNTIME_DIR"
 chmod 700 "$XDG_RUNTIME_DIR"
 
 settings=(BUILD_TESTING=ON AHD_WRAP_PYTHON=ON Python3_EXECUTABLE=/usr/bin/python3 "AHD_LONG_TESTS=$long")
-if [ -n "$vtk91" ]; then
-  unpack_vtk91
-  libraries=$build/vtk91/root/usr/lib/$(g++ -print-multiarch)
+# the version is in the name of the package with the libraries
+version=$(packages_to vtk "$release" | grep -o 'libvtk9\.[0-9]*' | head -n 1)
+version=${version#libvtk}
+[ -n "$version" ] || own_vtk=
+if [ -n "$own_vtk" ]; then
+  folder=$build/vtk${version/./}
+  unpack_vtk "$version" "$folder"
+  libraries=$folder/root/usr/lib/$(g++ -print-multiarch)
   (
     export LD_LIBRARY_PATH=$libraries # the programs' own search path does not reach their libraries'
-    configure_and_build "$build/with-vtk91" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=OFF \
-      "VTK_DIR=$libraries/cmake/vtk-9.1" -- FilterTests FaultsMemory FaultsCancel AdaptiveHilbertDelaunayFiltersPython
+    configure_and_build "$build/with-vtk${version/./}" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=OFF \
+      "VTK_DIR=$libraries/cmake/vtk-$version" -- FilterTests FaultsMemory FaultsCancel AdaptiveHilbertDelaunayFiltersPython
   ) || exit
 fi
 configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON
 
-if [ -n "$vtk91" ]; then
+if [ -n "$own_vtk" ]; then
   export LD_LIBRARY_PATH=$libraries
   # the engine does not know VTK: its tests run once, with the rest
-  run_ctest "VTK 9.1" "$build/with-vtk91" -E '^(Engine|Determinism|Fuzz|Benchmark|Demo|Lint)' ${ctest_options[@]+"${ctest_options[@]}"}
+  run_ctest "VTK $version" "$build/with-vtk${version/./}" -E '^(Engine|Determinism|Fuzz|Benchmark|Demo|Lint)' ${ctest_options[@]+"${ctest_options[@]}"}
   unset LD_LIBRARY_PATH
 fi
 run_ctest "ParaView and its VTK" "$build" ${ctest_options[@]+"${ctest_options[@]}"}

@@ -1,44 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/vtkAHDInput.h"
 
-#include "vtkCellArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
-#include "vtkTypeInt64Array.h"
 #include "vtkUnsignedCharArray.h"
 
 namespace
 {
-static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t), "the same numbers here and there");
-
-ahd::CellsView View(vtkCellArray* cells)
-{
-  ahd::CellsView view;
-  view.cells = static_cast<std::size_t>(cells->GetNumberOfCells());
-  view.ids = static_cast<std::size_t>(cells->GetNumberOfConnectivityIds());
-  if (view.ids == 0)
-  {
-    view.cells = 0;
-  }
-  else if (cells->IsStorage64Bit())
-  {
-    // long and long long are one type in two names
-    view.offsets64 = reinterpret_cast<const std::int64_t*>(
-      cells->GetOffsetsArray64()->GetPointer(0));
-    view.ids64 = reinterpret_cast<const std::int64_t*>(
-      cells->GetConnectivityArray64()->GetPointer(0));
-  }
-  else
-  {
-    view.offsets32 = cells->GetOffsetsArray32()->GetPointer(0);
-    view.ids32 = cells->GetConnectivityArray32()->GetPointer(0);
-  }
-  return view;
-}
-
 /// The points of the source, if they are to be triangulated.
 vtkPoints* PointsToAdd(const vtkAHDSettings& settings, vtkPolyData* source)
 {
@@ -51,6 +21,8 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
   , Source(source)
   , InputPoints(input->GetPoints())
   , SourcePoints(PointsToAdd(settings, source))
+  , Lines(source ? source->GetLines() : nullptr)
+  , Polygons(source ? source->GetPolys() : nullptr)
   , Projection(settings.Transform)
 {
   this->Request.points.count = this->InputPoints.GetCount();
@@ -76,8 +48,8 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
 void vtkAHDInput::ReadCells(vtkPolyData* source)
 {
   this->Request.firstCell = source->GetNumberOfVerts(); // verts come before lines
-  this->Request.lines = View(source->GetLines());
-  this->Request.polygons = View(source->GetPolys());
+  this->Request.lines = this->Lines.GetCounts();
+  this->Request.polygons = this->Polygons.GetCounts();
   this->Found.Points = source->GetNumberOfPoints();
   this->Found.Vertices = source->GetNumberOfVerts();
   this->Found.Strips = source->GetNumberOfStrips();
@@ -105,6 +77,8 @@ void vtkAHDInput::Open(const vtkAHDContext& context)
   points.skipMask = this->Request.points.skipMask;
   this->Request.points = points;
   this->Request.sourcePoints = this->SourcePoints.Open(context);
+  this->Request.lines = this->Lines.Open(context);
+  this->Request.polygons = this->Polygons.Open(context);
   this->Projection.SetContext(context);
 }
 

@@ -4,6 +4,7 @@
 
 #include "Engine/Prepare/Prepare.h"
 #include "Input/vtkAHDProjection.h"
+#include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Pipeline/vtkAHDSettings.h"
 
@@ -20,11 +21,12 @@ public:
   /// `source` may be null. Nothing is allocated.
   vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source);
 
-  /// What is asked of the engine: counts from the beginning, points once they are open.
+  /// What is asked of the engine: counts from the beginning, points and cells once they are open.
   const ahd::InputRequest& GetRequest() const { return this->Request; }
 
-  /// Opens the points; converts them if they are neither floats nor doubles. Throws vtkAHDStop if
-  /// the filter is to abort, and std::bad_alloc.
+  /// Opens points and cells; converts points that are neither floats nor doubles, and ids that are
+  /// not whole numbers of one size in memory. Throws vtkAHDStop if the filter is to abort, and
+  /// std::bad_alloc.
   void Open(const vtkAHDContext& context);
 
   vtkPointSet* GetInput() const { return this->Input; }
@@ -47,7 +49,8 @@ public:
   /// Bytes that Open() takes.
   std::size_t EstimateBytes() const
   {
-    return this->InputPoints.EstimateBytes() + this->SourcePoints.EstimateBytes();
+    return this->InputPoints.EstimateBytes() + this->SourcePoints.EstimateBytes() +
+      this->Lines.EstimateBytes() + this->Polygons.EstimateBytes();
   }
 
 private:
@@ -58,6 +61,8 @@ private:
   vtkPolyData* const Source;
   vtkAHDPointsView InputPoints;
   vtkAHDPointsView SourcePoints;
+  vtkAHDCellsView Lines;
+  vtkAHDCellsView Polygons;
   vtkAHDProjection Projection;
   ahd::InputRequest Request;
   SourceContent Found;

@@ -13,19 +13,23 @@ namespace
 {
 constexpr int kMostThreads = 1024;
 
-/// The most threads that vtkSMPTools was told to take. The Sequential backend answers 1 whatever it
-/// was told, and nothing public says more: there the number is looked up where it is kept, with
-/// vtkSMPTools' own precedence.
+/// The most threads that vtkSMPTools was told to take, with its own precedence. What it was told is
+/// looked up where it is kept: the Sequential backend answers 1 whatever it was told, the TBB
+/// backend of VTK 9.6 the first number it was told, and nothing public says more.
 int GetLimit()
 {
+  const int told =
+    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().GetInternalDesiredNumberOfThread();
+  if (told > 0)
+  {
+    return told;
+  }
   if (std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0)
   {
     return std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
   }
-  const int told =
-    vtk::detail::smp::vtkSMPToolsAPI::GetInstance().GetInternalDesiredNumberOfThread();
   const char* environment = std::getenv("VTK_SMP_MAX_THREADS");
-  const int limit = told > 0 ? told : environment ? std::atoi(environment) : 0;
+  const int limit = environment ? std::atoi(environment) : 0;
   return limit > 0 ? limit : kMostThreads;
 }
 }

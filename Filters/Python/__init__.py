@@ -45,4 +45,5 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> List[str]:
-    return sorted({*globals(), *_ARRAYS, *_CLASSES})
+    classes = importlib.import_module("._vtk", __name__).class_names()
+    return sorted({*globals(), *_ARRAYS, *(name for name in _CLASSES if name in classes)})

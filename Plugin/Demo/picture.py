@@ -247,7 +247,9 @@ def colour(display, scale, z_name, view):
     bar.ScalarBarLength = 0.4
     bar.DrawTickMarks = 1
     bar.AutomaticLabelFormat = 0
-    bar.LabelFormat = bar.RangeLabelFormat = "%.0f" if high - low > 10 else "%.4g"
+    digits = ".0f" if high - low > 10 else ".4g"
+    # ParaView 6.1 wants the formats of std::format, those before it those of printf
+    bar.LabelFormat = bar.RangeLabelFormat = "{:%s}" % digits if "{" in bar.LabelFormat else "%" + digits
     display.SetScalarBarVisibility(view, True)
 
 

@@ -9,6 +9,7 @@ root=$(cd "$here/../.." && pwd)
 build=${AHD_BUILD_DIR:-$root/build}
 logs=$build/logs
 . "$root/.ci/setup.sh"
+. "$root/.ci/packages.sh"
 
 help() {
   cat <<'EOT'
@@ -16,7 +17,7 @@ help() {
 
 Draws the figures of the gallery with ParaView and this plugin, counts the numbers of its captions, and
 writes the page: Gallery.md, gallery.html and Figures/. On the first run it installs what is missing
-(Debian 12, as root or with sudo) and builds the plugin in build/. Drawing takes some two minutes.
+(Debian, as root or with sudo) and builds the plugin in build/. Drawing takes some two minutes.
 
 --plots           only the figures of times, from the results of Testing/Benchmarks/paper.sh, and the
                   page; needs neither the plugin nor ParaView
@@ -26,13 +27,10 @@ writes the page: Gallery.md, gallery.html and Figures/. On the first run it inst
 --quick           small pictures of fewer points, for a test
 --help            this text
 
-exit code  0 done, 1 something failed, 2 an option cannot be used
+exit code  0 done, 1 something failed, 2 an option or this system cannot be used
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
 EOT
 }
-
-packages=(g++ cmake ninja-build paraview-dev python3-paraview libopenmpi-dev python3-matplotlib python3-pil
-  xvfb xauth)
 
 arguments=()
 plots=
@@ -50,13 +48,15 @@ while [ $# -gt 0 ]; do
   shift
 done
 
+require_release
 export PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
 if [ -n "$plots" ]; then
   install_packages python3-matplotlib python3-pil
   exec /usr/bin/python3 "$here/Scripts/make_figures.py" "${arguments[@]}"
 fi
 
-install_packages "${packages[@]}"
+# shellcheck disable=SC2046
+install_packages $(packages_to build "$release") $(packages_to draw "$release") python3-matplotlib python3-pil
 configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_WRAP_PYTHON=ON \
   Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay
 plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)

@@ -42,7 +42,7 @@ done
 if command -v dpkg-query >/dev/null; then
   missing=$(missing_packages g++ cmake ninja-build libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev python3)
   [ -z "$missing" ] || fail 1 "packages are missing:" "apt-get install --no-install-recommends $missing"
-  missing=$(missing_packages paraview-dev libgtest-dev qttools5-dev qtxmlpatterns5-dev-tools)
+  missing=$(missing_packages paraview-dev libgtest-dev)
   [ -z "$missing" ] || printf 'The filter may not be measured: missing are %s\n' "$missing"
 fi
 

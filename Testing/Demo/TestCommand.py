@@ -155,9 +155,7 @@ class Command(unittest.TestCase):
         pages = os.path.join(BUILD, "Plugin", "paraview_help", "AdaptiveHilbertDelaunay.qch")
         self.assertGreater(os.path.getsize(pages), 100000)
         with open(os.path.join(ROOT, "Plugin", "demo.sh"), encoding="utf-8") as file:
-            source = file.read()
-        for needed in ("qttools5-dev", "qtxmlpatterns5-dev-tools", "AHD_PLUGIN_DOC=ON"):
-            self.assertIn(needed, source)
+            self.assertIn("AHD_PLUGIN_DOC=ON", file.read())
 
     def test_the_filter_warns_once(self):
         with tempfile.TemporaryDirectory() as folder:

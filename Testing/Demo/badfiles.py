@@ -32,7 +32,7 @@ FOR_VTK = {
     "giant.ply": (ply(4000000000), "its header promises 4,000,000,000 vertices, and 6 bytes follow it"),
     "negative.ply": (ply(-5), "its header promises -5 vertices"),
     "cut.ply": (ply(9, rows=b"0 0 0\n1 0 0\n"), "its header promises 9 vertices, and 12 bytes follow it"),
-    "rows.ply": (ply(9, rows=b"0.125 0.25 0.0625\n" * 5), "its reader was stopped by SIGABRT"),
+    "rows.ply": (ply(9, rows=b"0.125 0.25 0.0625\n" * 5), "which take 27 numbers, and 15 follow it"),
     "binary.ply": (ply(3, rows=bytes(35), kind="binary_little_endian"), "promises 3 vertices, and 35 bytes"),
     "x-only.ply": (ply(3, "x", b"1\n2\n3\n"), "its vertices have no y"),
     "list.ply": (ply(3, "x", b"\3\xff\xff\xff", "binary_little_endian", "list uchar float"), "is a list, not a"),

@@ -27,6 +27,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("Filters", "Plugin", "Testing", "Data", ".ci")
 CXX = {".cxx", ".h"}
 
+# The layout of C++ differs between versions of clang-format: this one's counts.
+CLANG_FORMAT = "14"
 # A file has at most so many lines.
 FILE_LINES = 500
 # At most so much of a public header is comment: what is longer belongs in Reference.md.
@@ -86,10 +88,21 @@ def tool(name):
 # --- format -------------------------------------------------------------------------------------
 
 
+def clang_format(program):
+    """The program's path; where it is not the version whose layout counts the test is skipped."""
+    path = tool(program)
+    version = re.search(r"version (\d+)", run([path, "--version"])[0])
+    if version is None or version[1] != CLANG_FORMAT:
+        print(f"clang-format {CLANG_FORMAT} is needed, and {path} is another: for example "
+              f"pip install 'clang-format=={CLANG_FORMAT}.*' in a venv")
+        sys.exit(77)
+    return path
+
+
 def check_format(root, program):
     """Each C++ file that clang-format would change."""
     sources = [path.relative_to(root) for path in files(root, *CXX)]
-    output, code = run([tool(program), "--dry-run", "-Werror", *sources], cwd=root)
+    output, code = run([clang_format(program), "--dry-run", "-Werror", *sources], cwd=root)
     complaints = re.findall(r"^(.*?:\d+):\d+: error:", output, re.M)
     if code != 0 and not complaints:
         complaints = [output]

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """lint.py complains of what it is there for: each fault is planted in a project of one file."""
 
+import contextlib
+import io
 import json
 import pathlib
 import shutil
@@ -53,13 +55,27 @@ class ComplaintsTest(unittest.TestCase):
             self.skipTest(f"{tool} is not installed")
 
     def test_format(self):
-        self.need("clang-format")
+        program = shutil.which("clang-format-14") or "clang-format"
+        try:
+            lint.clang_format(program)
+        except SystemExit:
+            self.skipTest("clang-format 14 is not installed")
         self.write("Filters/a.cxx", CLEAN)
-        self.assertEqual(lint.check_format(self.root, "clang-format"), [])
+        self.assertEqual(lint.check_format(self.root, program), [])
         self.write("Testing/b.h", CLEAN.replace("  return", " return"))
-        self.assertEqual(
-            lint.check_format(self.root, "clang-format"), ["Testing/b.h:10: clang-format would change this"]
-        )
+        self.assertEqual(lint.check_format(self.root, program), ["Testing/b.h:10: clang-format would change this"])
+
+    def test_another_clang_format_is_not_asked(self):
+        for said, status in (("Debian clang-format version 19.1.7", 77), ("nothing", 77), ("version 14.0.6", None)):
+            program = self.write("bin/clang-format", f"#!/bin/sh\necho '{said}'\n")
+            program.chmod(0o755)
+            if status is None:
+                self.assertEqual(lint.clang_format(str(program)), str(program))
+                continue
+            with self.assertRaises(SystemExit) as stopped, contextlib.redirect_stdout(io.StringIO()) as words:
+                lint.clang_format(str(program))
+            self.assertEqual(stopped.exception.code, status)
+            self.assertIn("clang-format 14 is needed", words.getvalue())
 
     def test_long_files(self):
         self.write("Testing/short.cxx", "int a;\n" * 500)

@@ -19,7 +19,7 @@ from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
 SECONDS = 600
-CVISTA = "cvista[rendering]==9.7.0.5"
+CVISTA = "cvista[all]==9.7.0.5"  # it comes in parts
 PYVISTA = "pyvista==0.49.1"
 # Who has which VTK: pip's newest, the oldest that PyVista 0.49 takes, Debian's, and cvista, which PyVista prefers.
 PAIRS = tuple(

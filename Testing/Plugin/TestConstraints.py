@@ -193,7 +193,7 @@ def test_outline():
     )
     surface.MaximumEdgeLength = 0.75
     check_equal(measures(surface)["NumberOfTriangles"], 16, "triangles without long edges")
-    SetProperties(surface, MaximumEdgeLength=0, Alpha=0.36)  # the cells' circles have a radius of 0.354
+    set_properties(surface, MaximumEdgeLength=0, Alpha=0.36)  # the cells' circles have a radius of 0.354
     check_equal(measures(surface)["NumberOfTriangles"], 16, "triangles of the alpha shape")
     surface.AlphaTris = 0
     check_equal(measures(surface)["NumberOfTriangles"], 0, "triangles of the alpha shape, not asked for")
@@ -239,7 +239,7 @@ def test_coinciding_points():
     found = measures(surface)
     check_equal((found["NumberOfDuplicates"], found["NumberOfMergedPoints"]), (1, 1), "with a tolerance")
     check_equal(fates(), [0, 1, 2, 3, 1, 0], "fates with a tolerance")
-    SetProperties(surface, Tolerance=0, DuplicatePolicy="Lowest z")
+    set_properties(surface, Tolerance=0, DuplicatePolicy="Lowest z")
     surface.UpdatePipeline()
     check_equal(fates()[1], 4, "the fate of a point with a lower one in its place")
     surface.DuplicatePolicy = "Mean z"
@@ -250,7 +250,7 @@ def test_blocks_merged():
     """Two tiles side by side: with a seam between them or, merged, without."""
     tiles = [Plane(XResolution=2, YResolution=2), Plane(XResolution=2, YResolution=2)]
     for tile, west in zip(tiles, (0, 1.5)):
-        SetProperties(tile, Origin=[west, 0, 0], Point1=[west + 1, 0, 0], Point2=[west, 1, 0])
+        set_properties(tile, Origin=[west, 0, 0], Point1=[west + 1, 0, 0], Point2=[west, 1, 0])
     surface = AdaptiveHilbertDelaunay2D(Input=GroupDatasets(Input=tiles))
     surface.UpdatePipeline()
     check(surface.GetDataInformation().IsCompositeDataSet(), "the blocks do not stay by themselves")
@@ -273,7 +273,7 @@ def test_points_that_stay():
         points.Function = str(level)
         check_equal(measures(surface)["NumberOfTriangulations"], times, "triangulations at level %d" % level)
         check_equal(surface.PointData["level"].GetRange(0), (level, level), "the array that changes")
-    SetProperties(surface, KeepTriangulation=0)
+    set_properties(surface, KeepTriangulation=0)
     points.Function = "5"
     check_equal(measures(surface)["NumberOfTriangulations"], 3, "triangulations, if none is kept")
 

@@ -86,8 +86,8 @@ def test_settings_do_not_change_the_triangles():
     for order in ("Adaptive Hilbert", "Multi-grid", "Regular grid", "As given"):
         for control in ("Off", "First level", "Every level"):
             for nmax, gene in ((1, 0), (50, 1)):
-                SetProperties(surface, InsertionOrder=order, ControlPoints=control)
-                SetProperties(surface, Nmax=nmax, GeneRotation=gene, CountWork=1)
+                set_properties(surface, InsertionOrder=order, ControlPoints=control)
+                set_properties(surface, Nmax=nmax, GeneRotation=gene, CountWork=1)
                 setting = "%s, control points %s, Nmax %d, gene rotation %d" % (order, control, nmax, gene)
                 walked.add(measures(surface)["NP"])
                 check_equal(fingerprint(surface), expected, "triangles with " + setting)
@@ -116,7 +116,7 @@ def test_multiblock():
     check(information.IsCompositeDataSet(), "a multiblock input does not give a multiblock output")
     check_equal(information.GetNumberOfCells(), 2 * 3 * 3 + 2 * 2 * 2, "triangles of both blocks")
     check_equal(surface[1].GetDataInformation().GetNumberOfPoints(), 0, "points of the second output")
-    SetProperties(surface, GenerateInsertionCurve=1, GenerateBoxes=1)
+    set_properties(surface, GenerateInsertionCurve=1, GenerateBoxes=1)
     surface.UpdatePipeline()
     order = surface[1].GetDataInformation()
     check(order.IsCompositeDataSet(), "a multiblock input does not give a multiblock second output")
@@ -132,7 +132,7 @@ def test_second_output():
     unasked = surface[1].GetDataInformation()
     check_equal((unasked.GetNumberOfPoints(), unasked.GetNumberOfCells()), (0, 0), "second output, unasked")
     expected = fingerprint(surface)
-    SetProperties(surface, GenerateInsertionCurve=1, GenerateBoxes=1, GenerateInsertionRank=1)
+    set_properties(surface, GenerateInsertionCurve=1, GenerateBoxes=1, GenerateInsertionRank=1)
     check_equal(fingerprint(surface), expected, "triangles beside the second output")
     check_equal(surface.PointData["InsertionRank"].GetRange(0), (-1.0, 496.0), "ranks in the surface")
     order = servermanager.Fetch(surface, idx=1)
@@ -194,7 +194,9 @@ def test_filters_behind_it():
     contour = Contour(Input=surface, ContourBy=["POINTS", "Height"], Isosurfaces=[1.0])
     contour.UpdatePipeline()
     check(contour.GetDataInformation().GetNumberOfCells() > 10, "no contour line at half height")
-    normals = GenerateSurfaceNormals(Input=surface)
+    # its name since ParaView 6.0, and before
+    normals = globals().get("SurfaceNormals") or globals()["GenerateSurfaceNormals"]
+    normals = normals(Input=surface)
     normals.UpdatePipeline()
     low, high = normals.PointData["Normals"].GetRange(2)
     check(low > 0.0, "a normal looks down (z = %g): a triangle is not counterclockwise" % low)

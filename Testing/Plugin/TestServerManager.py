@@ -6,6 +6,7 @@ import re
 
 from paraview.simple import *
 from paraview import servermanager
+from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 from pluginsupport import *
 
@@ -26,13 +27,13 @@ def properties():
 
 def test_menu():
     check_equal(sm.GetXMLLabel(), "Adaptive Hilbert Delaunay 2D", "label of the filter")
-    check_equal(sm.GetVTKClassName(), "vtkAdaptiveHilbertDelaunay2D", "class of the filter")
+    check_equal(sm.GetVTKClassName(), class_in_paraview("AdaptiveHilbertDelaunay2D"), "class of the filter")
     menu = sm.GetHints().FindNestedElementByName("ShowInMenu")
     check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Filters menu")
 
 
 def test_properties_are_complete():
-    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform", "GenerateFate"])
+    expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform", "GenerateFate"] + HIDDEN)
     check_equal(set(properties()), expected, "properties of the filter")
     for name in MEASURES:
         check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
@@ -42,7 +43,7 @@ def test_names_are_the_same_everywhere():
     """paraview.simple derives the Python name from the label; it must be the name in C++."""
     for name, item in properties().items():
         check_equal(item.GetXMLLabel().replace(" ", ""), name, "label of %s, without spaces" % name)
-        check(hasattr(proxy, name), "paraview.simple does not know the property " + name)
+        check(hasattr(proxy, name) or name in HIDDEN, "paraview.simple does not know the property " + name)
 
 
 def test_everything_is_documented():
@@ -60,7 +61,7 @@ def test_everything_is_in_the_panel():
     """information_only hides a property unless its visibility is set; none is to be hidden but those that
     do nothing and the old name of one."""
     for name, item in properties().items():
-        hidden = name in ("RandomPointInsertion", "UseHilbertSorter", "GenerateFate")
+        hidden = name in ["RandomPointInsertion", "UseHilbertSorter", "GenerateFate"] + HIDDEN
         check(
             item.GetPanelVisibility() in (("never",) if hidden else ("default", "advanced")),
             "%s has panel_visibility %r" % (name, item.GetPanelVisibility()),
@@ -243,10 +244,10 @@ def vtk_class():
 
 
 def own_methods(cls, prefix):
-    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, choices
-    (SetXToY) left out."""
-    base = next(c for c in cls.__mro__ if c.__name__ == "vtkPolyDataAlgorithm")
-    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not hasattr(base, m)}
+    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, nor VTK's superclass in
+    Python, choices (SetXToY) left out."""
+    bases = [c for c in cls.__mro__ if c.__name__ == "VTKPythonAlgorithmBase"] + [vtkPolyDataAlgorithm]
+    names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not any(hasattr(b, m) for b in bases)}
     return {n for n in names if not re.search(r"(To[A-Z]|MinValue$|MaxValue$)", n)}
 
 

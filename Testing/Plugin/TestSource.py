@@ -21,7 +21,7 @@ def test_menu_and_help():
     sm = PlanarPointSource().SMProxy
     check_equal(sm.GetXMLGroup(), "sources", "group of the source")
     check_equal(sm.GetXMLLabel(), "Planar Point Source", "label of the source")
-    check_equal(sm.GetVTKClassName(), "vtkPlanarPointSource", "class of the source")
+    check_equal(sm.GetVTKClassName(), class_in_paraview("PlanarPointSource"), "class of the source")
     menu = sm.GetHints().FindNestedElementByName("ShowInMenu")
     check_equal(menu.GetAttribute("category"), "Adaptive Hilbert", "category in the Sources menu")
     help_texts = sm.GetDocumentation()

@@ -139,7 +139,7 @@ def test_a_state_with_delaunay_2d():
     hill = XMLPolyDataReader(registrationName="hill", FileName=[write_vtp("old.vtp", hill_points())])
     old = Delaunay2D(registrationName="old", Input=hill)
     values = {"ProjectionPlaneMode": "Best-Fitting Plane", "Alpha": 5.0, "Tolerance": 0.02, "Offset": 1.25}
-    SetProperties(old, BoundingTriangulation=1, **values)
+    set_properties(old, BoundingTriangulation=1, **values)
     Delaunay2D(registrationName="untouched", Input=hill)
     SaveState(scratch("old.pvsm"))
     python_state = smstate.get_state(filter=smstate.supported_proxies())

@@ -2,7 +2,7 @@
 """What the plugin's tests share: where the plugin is, small inputs, and checks that name the culprit.
 
 CTest sets the environment (see CMakeLists.txt):
-    AHD_PLUGIN       the plugin's shared library
+    AHD_PLUGIN       the plugin's shared library, or the plugin in Python
     AHD_PLUGIN_CONF  the file for PV_PLUGIN_CONFIG_FILE
     AHD_SCRATCH      a directory of this test's own, below the build tree
 """
@@ -17,6 +17,7 @@ import sys
 PLUGIN = os.environ["AHD_PLUGIN"]
 PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
 SCRATCH = os.environ["AHD_SCRATCH"]
+IS_PYTHON = PLUGIN.endswith(".py")
 
 SETTINGS = [
     "SourceMode",
@@ -76,6 +77,8 @@ CONSTRAINT_COUNTS = [
     "NumberOfUnfilledLoops",
     "NumberOfTrimmedTriangles",
 ]
+# What the plugin in Python has for itself: it is in no panel, state or trace.
+HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
 MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "NP",
     "NR",
@@ -89,6 +92,13 @@ MEASURES = COUNTS + CONSTRAINT_COUNTS + [
 ]
 
 
+def class_in_paraview(name):
+    """What ParaView calls the class of a proxy with this name."""
+    if IS_PYTHON:
+        return "%s.%s" % (os.path.splitext(os.path.basename(PLUGIN))[0], name)
+    return "vtk" + name
+
+
 def scratch(name):
     """The path of a file in the test's own directory."""
     os.makedirs(SCRATCH, exist_ok=True)
@@ -98,6 +108,12 @@ def scratch(name):
 def check_equal(found, expected, what):
     if found != expected:
         raise AssertionError("%s: found %r, expected %r" % (what, found, expected))
+
+
+def set_properties(proxy, **values):
+    """In this order. (ParaView's own SetProperties is deprecated in 6.1, the method in its place is new.)"""
+    for name, value in values.items():
+        setattr(proxy, name, value)
 
 
 def check(condition, what):

@@ -59,7 +59,7 @@ def package_of(thing):
 def package_in_use():
     """The VTK that is imported; PyVista's, if both are; if none is, the one that is installed, `vtkmodules` first.
     ImportError if there is none."""
-    imported = [package for package in PACKAGES if package in sys.modules]
+    imported = [package for package in PACKAGES if sys.modules.get(package) is not None]
     if len(imported) > 1 and "pyvista" in sys.modules:
         of_pyvista = package_of(sys.modules["pyvista"].PolyData)
         imported = [of_pyvista] if of_pyvista else imported
@@ -98,3 +98,8 @@ def vtk_class(name, package=None):
         except ImportError as error:
             raise refused if refused and not isinstance(refused, ModuleNotFoundError) else error
     raise refused or ImportError("%s is compiled with VTK only; here it is not" % name)
+
+
+def class_names():
+    """The names for which there surely is a class, found without loading a VTK."""
+    return list(_PYTHON) if any(importlib.util.find_spec(package) for package in PACKAGES) else []

@@ -101,7 +101,7 @@ class Panel:
         used = {False: 0, True: 0}
         for height, (data, look) in enumerate(self.layers):
             kind = bool(data.GetPointData().HasArray("value"))
-            self.show(view, kind, used[kind], data, dict(look, Position=[0.0, 0.0, self.lift(height)]))
+            self.show(view, kind, used[kind], data, look, self.lift(height))
             used[kind] += 1
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "panel.png")
@@ -129,7 +129,7 @@ class Panel:
         view.CameraViewUp = [0.0, 1.0, 0.0]
         return view
 
-    def show(self, view, kind, number, data, look):
+    def show(self, view, kind, number, data, look, height):
         """Gives the data to the actor of this kind and number, which is made if there is none."""
         actors = Panel.actors[kind]
         if number == len(actors):
@@ -142,6 +142,9 @@ class Panel:
             if name in ("LineWidth", "PointSize"):
                 value *= Panel.scale
             setattr(display, name, value)
+        # its name since ParaView 5.13, and before
+        moved = "Translation" if "Translation" in display.ListProperties() else "Position"
+        setattr(display, moved, [0.0, 0.0, height])
 
 
 PLAIN = {

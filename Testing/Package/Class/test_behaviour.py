@@ -3,6 +3,8 @@
 
 import gc
 import os
+import subprocess
+import sys
 import threading
 
 from classtests import (Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
@@ -304,6 +306,34 @@ class KeptTest(Case):
     def test_off(self):
         given, algorithm, _ = self.start(KeepTriangulation=False)
         self.assertEqual(self.again(given, algorithm), 1)
+
+
+class PackageTest(Case):
+    def run_python(self, script, *arguments):
+        done = subprocess.run([sys.executable, "-c", script, *arguments], stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertEqual(done.returncode, 0, done.stdout)
+        return done.stdout
+
+    def test_it_can_be_looked_at(self):
+        """As help() does; with VTK and where there is none."""
+        script = (
+            "import sys\n"
+            "for name in sys.argv[1:]: sys.modules[name] = None\n"
+            "import adaptivehilbertdelaunay as package, pydoc\n"
+            "pydoc.render_doc(package)\n"
+            "print(*dir(package))\n")
+        self.assertIn("vtkPlanarPointSource", self.run_python(script).split())
+        without = self.run_python(script, "vtkmodules", "cvista").split()
+        self.assertNotIn("vtkPlanarPointSource", without)
+        self.assertIn("delaunay", without)
+
+    def test_no_vtk_is_loaded_before_one_is_needed(self):
+        script = (
+            "import adaptivehilbertdelaunay, sys\n"
+            "from adaptivehilbertdelaunay import delaunay, drop_in\n"
+            "print([name for name in sys.modules if name.split('.')[0] in ('vtkmodules', 'cvista', 'vtk')])\n")
+        self.assertEqual(self.run_python(script).strip(), "[]")
 
 
 class ThreadsTest(Case):

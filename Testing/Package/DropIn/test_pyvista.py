@@ -63,8 +63,7 @@ class ParameterTest(unittest.TestCase):
         return ours, theirs
 
     def test_pyvista_uses_it(self):
-        names = pyvista._vtk if hasattr(pyvista, "_vtk") else pyvista.core._vtk_core  # below PyVista 0.45
-        self.assertIs(names.vtkDelaunay2D, drop_in.vtkDelaunay2D)
+        self.assertIs(pyvista.core.filters.poly_data._vtk.vtkDelaunay2D, drop_in.vtkDelaunay2D)
 
     def test_defaults(self):
         ours, theirs = self.both(scattered(400))

@@ -1,0 +1,101 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Makes the Python plugin of the description of the compiled one, so that there is no second one.
+
+    make_plugin.py FILE      writes the plugin
+
+plugin_template.py has the code. What it does not say, ParaView's menus, panels and help texts, is taken from
+AdaptiveHilbertDelaunay.xml, and the version from CMakeLists.txt. One thing in the XML needs C++, the
+NumberOfPointsRangeDomain: it becomes a range that takes its ends from a hidden property, which the template sets.
+"""
+
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ElementTree
+
+HERE = pathlib.Path(__file__).resolve().parent
+XML = HERE.parent / "AdaptiveHilbertDelaunay.xml"
+TEMPLATE = HERE / "plugin_template.py"
+CMAKE = HERE.parents[1] / "CMakeLists.txt"
+
+
+def to_points(proxy, item, domain):
+    """Has the property's range end at what the hidden property says, which is added to the proxy."""
+    hidden = item.get("name") + "Range"
+    domain.tag = "IntRangeDomain"
+    for child in list(domain):
+        domain.remove(child)
+    required = ElementTree.SubElement(domain, "RequiredProperties")
+    ElementTree.SubElement(required, "Property", {"name": hidden, "function": "Range"})
+    added = ElementTree.Element(
+        "IntVectorProperty",
+        {
+            "name": hidden,
+            "label": item.get("label") + " Range",
+            "number_of_elements": "2",
+            "default_values": "0 1",  # not what it is without points: ParaView reads the range when it changes
+            "is_internal": "1",
+            "panel_visibility": "never",
+        },
+    )
+    documentation = ElementTree.SubElement(added, "Documentation")
+    documentation.text = "The ends of the range of %s, set by this plugin." % item.get("label")
+    proxy.insert(list(proxy).index(item), added)
+
+
+def without_cxx(proxy):
+    """Replaces what needs C++ code of the compiled plugin. Returns the names of the properties with such ranges."""
+    found = []
+    for item in list(proxy):
+        domain = item.find("NumberOfPointsRangeDomain")
+        if domain is not None:
+            to_points(proxy, item, domain)
+            found.append(item.get("name"))
+    return found
+
+
+def proxies():
+    """(group, tag, attributes, inside) of each proxy, and the names of the properties that go up to the number of
+    points."""
+    found, up_to_points = [], []
+    for group in ElementTree.parse(XML).getroot():
+        for proxy in group:
+            up_to_points += without_cxx(proxy)
+            inside = "".join(ElementTree.tostring(child, encoding="unicode") for child in proxy)
+            inside = re.sub(r"\n\s*\n", "\n\n", inside.strip())
+            found.append((group.get("name"), proxy.tag, dict(proxy.attrib), inside))
+    return found, up_to_points
+
+
+def literal(inside):
+    """The text as a raw string of Python, its lines as they are."""
+    if '"""' in inside or "\\" in inside:
+        raise ValueError("the XML has what a raw string cannot hold")
+    return 'r"""\n%s\n"""' % inside
+
+
+def version():
+    return re.search(r"project\(\w+ VERSION ([\d.]+)", CMAKE.read_text(encoding="utf-8")).group(1)
+
+
+def plugin():
+    """The text of the plugin."""
+    found, up_to_points = proxies()
+    listed = "".join(
+        "    (\n        %r,\n        %r,\n        %r,\n        %s,\n    ),\n" % (*named, literal(inside))
+        for *named, inside in found
+    )
+    values = {"VERSION": '"%s"' % version(), "PROXIES": "[\n%s]" % listed, "UP_TO_POINTS": repr(up_to_points)}
+    text = TEMPLATE.read_text(encoding="utf-8")
+    for name, value in values.items():
+        text, count = re.subn(r"(?m)^%s = .*$" % name, lambda _match: "%s = %s" % (name, value), text)
+        if count != 1:
+            raise ValueError("the template has no %s" % name)
+    return text
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    pathlib.Path(sys.argv[1]).write_text(plugin(), encoding="utf-8")

@@ -1,0 +1,477 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Adaptive Hilbert Delaunay 2D in ParaView, without compiling: load this file by Tools > Manage Plugins.
+
+ParaView 5.11 to 6.1. What is computed is computed by the Python package adaptivehilbertdelaunay. It is looked for
+beside this file, then around it (this file lies in the package), then where Python finds packages. On a server
+this file and the package have to be there; on the client load this file too, so that its panel is up to date.
+
+Menus, panel, help texts and ports are those of the compiled plugin, of whose XML this file was made. Load one of
+the two plugins, not both.
+"""
+
+import importlib
+import importlib.util
+import os
+import sys
+import weakref
+
+from paraview.modules.vtkRemotingCore import vtkProcessModule
+from paraview.modules.vtkRemotingServerManager import (
+    vtkSMPropertyHelper,
+    vtkSMPropertyIterator,
+    vtkSMProxyIterator,
+    vtkSMProxyManager,
+)
+from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smproperty, smproxy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import (
+    vtkAlgorithm,
+    vtkStreamingDemandDrivenPipeline,
+    vtkTrivialProducer,
+)
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
+
+# Made of AdaptiveHilbertDelaunay.xml by make_plugin.py, which replaces the values of these names.
+VERSION = "0"
+#: (group, tag, attributes, what stands inside) of each proxy.
+PROXIES = []
+#: Settings whose range goes up to the number of points of the input, and is no limit.
+UP_TO_POINTS = []
+
+paraview_plugin_name = "AdaptiveHilbertDelaunayPython"
+paraview_plugin_version = VERSION
+
+PACKAGE = "adaptivehilbertdelaunay"
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+# --- The package ---------------------------------------------------------------------------------
+
+
+def _import_package():
+    """Imports the package, where it lies beside or around this file without a change of Python's path."""
+    if PACKAGE in sys.modules:
+        return sys.modules[PACKAGE]
+    for place in (HERE, os.path.dirname(HERE)):
+        start = os.path.join(place, PACKAGE, "__init__.py")
+        if not os.path.isfile(start):
+            continue
+        spec = importlib.util.spec_from_file_location(PACKAGE, start)
+        module = importlib.util.module_from_spec(spec)
+        sys.modules[PACKAGE] = module
+        try:
+            spec.loader.exec_module(module)
+        except Exception:
+            del sys.modules[PACKAGE]
+            raise
+        return module
+    return importlib.import_module(PACKAGE)
+
+
+def _vtk_class(name):
+    """The package's class of this name. AttributeError or ImportError if there is none."""
+    return getattr(_import_package(), name)
+
+
+def _has(name):
+    try:
+        return bool(_vtk_class(name))
+    except (AttributeError, ImportError):
+        return False
+
+
+def _what_is_wrong():
+    """Why there is nothing to compute with, and what to do, as one message. Empty if all is well."""
+    try:
+        _vtk_class("vtkAdaptiveHilbertDelaunay2D")
+        return ""
+    except Exception as error:  # whatever is wrong with the package, ParaView goes on
+        reason = "%s: %s" % (type(error).__name__, error)
+    return (
+        "Adaptive Hilbert Delaunay 2D is not there: the Python package %s cannot be used (%s). It was looked for in "
+        "%s, in %s and on Python's path (%s). What to do: unzip the wheel, %s-....whl, in %s, or install it for "
+        "ParaView's Python %d.%d; then start ParaView again. (On a client it is not needed where a server has it.)"
+        % (
+            (PACKAGE, reason, HERE, os.path.dirname(HERE), ", ".join(filter(None, sys.path)), PACKAGE, HERE)
+            + sys.version_info[:2]
+        )
+    )
+
+
+# --- What runs where the data are ----------------------------------------------------------------
+
+
+class _Driver(VTKPythonAlgorithmBase):
+    """A filter or a source of the package, in the clothes that ParaView knows: it has the methods of the class
+    `vtk_class` of the package, and what it puts out is made by an object of it, `_worker`."""
+
+    vtk_class = None
+
+    def __init__(self):
+        self._worker = _vtk_class(self.vtk_class)()
+        ports = self._worker.GetNumberOfInputPorts()
+        self._inputs = [None] * ports
+        # Behind the worker's ports there is one more, which ParaView does not know: see SetTransform.
+        super().__init__(nInputPorts=ports + 1, nOutputPorts=self._worker.GetNumberOfOutputPorts())
+        self._worker.AddObserver("ProgressEvent", _call_weakly(self, "_pass_on_progress"))
+        # VTK keeps what Python knows of an object for some time after the object is gone.
+        known = self.__dict__
+        self.AddObserver("DeleteEvent", lambda *_: known.clear())
+
+    def __getattr__(self, name):
+        """Methods of the worker. What changes it changes this too."""
+        worker = self.__dict__.get("_worker")
+        if worker is None or not name.startswith(("Set", "Get")):
+            raise AttributeError(name)
+        method = getattr(worker, name)
+        if name.startswith("Get"):
+            return method
+
+        def set_it(*values):
+            before = worker.GetMTime()
+            method(*values)
+            if worker.GetMTime() != before:
+                self._follow_worker()
+
+        return set_it
+
+    def _follow_worker(self):
+        for port in range(len(self._inputs)):  # MergeBlocks changes what an input may be
+            self.GetInputPortInformation(port).Copy(self._worker.GetInputPortInformation(port), 1)
+        self.Modified()
+
+    def SetTransform(self, transform):
+        """A transform changes without telling anybody. VTK asks a filter when it, or what it was given, was changed,
+        but asks no code in Python: so the last input comes from a filter in C++ that has this transform."""
+        asked = None
+        if transform:
+            nothing = vtkPolyData()
+            nothing.SetPoints(vtkPoints())
+            asked = vtkTransformPolyDataFilter()
+            asked.SetInputData(nothing)
+            asked.SetTransform(transform)
+        self.SetInputConnection(len(self._inputs), asked.GetOutputPort() if asked else None)
+        self.__getattr__("SetTransform")(transform)
+
+    def FillInputPortInformation(self, port, info):
+        if port < len(self._inputs):
+            info.Copy(self._worker.GetInputPortInformation(port), 1)
+        else:
+            info.Set(vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData")
+            info.Set(vtkAlgorithm.INPUT_IS_OPTIONAL(), 1)
+        return 1
+
+    def FillOutputPortInformation(self, port, info):
+        info.Copy(self._worker.GetOutputPortInformation(port), 1)
+        return 1
+
+    def RequestInformation(self, request, inInfo, outInfo):
+        """A source says whether it makes pieces; a filter passes on what its input says."""
+        if not self._inputs:
+            self._worker.UpdateInformation()
+            pieces = vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST()
+            if self._worker.GetOutputInformation(0).Has(pieces):
+                outInfo.GetInformationObject(0).Set(pieces, self._worker.GetOutputInformation(0).Get(pieces))
+        return 1
+
+    def RequestData(self, request, inInfo, outInfo):
+        for port in range(len(self._inputs)):
+            self._give(port, vtkDataObject.GetData(inInfo[port], 0))
+        self._worker.SetAbortExecute(self.GetAbortExecute())  # after an abort, VTK does not do it
+        if self._inputs:
+            self._worker.Update()
+        else:
+            self._update_piece(outInfo.GetInformationObject(0))
+        for port in range(self.GetNumberOfOutputPorts()):
+            made = self._worker.GetOutputDataObject(port)
+            vtkDataObject.GetData(outInfo, port).ShallowCopy(made)
+            made.Initialize()
+        for producer in filter(None, self._inputs):
+            producer.SetOutput(None)  # keeps no data alive
+        return 1
+
+    def _give(self, port, data):
+        """Gives the worker this input; None: none. Its connections stay what they are as long as they can, as a
+        change of them is a change of the worker, which would then triangulate again."""
+        if data is None:
+            if self._inputs[port]:
+                self._worker.SetInputConnection(port, None)
+            self._inputs[port] = None
+            return
+        copy = data.NewInstance()  # what the worker's pipeline writes on its input is none of ParaView's business
+        copy.ShallowCopy(data)
+        if not self._inputs[port]:
+            self._inputs[port] = vtkTrivialProducer()
+            self._inputs[port].SetOutput(copy)
+            self._worker.SetInputConnection(port, self._inputs[port].GetOutputPort())
+        self._inputs[port].SetOutput(copy)
+
+    def _update_piece(self, info):
+        """What ParaView asks a source for: one piece of many, on several ranks."""
+        pipeline = vtkStreamingDemandDrivenPipeline
+        keys = pipeline.UPDATE_PIECE_NUMBER, pipeline.UPDATE_NUMBER_OF_PIECES, pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS
+        self._worker.UpdatePiece(*(info.Get(key()) if info.Has(key()) else key is keys[1] for key in keys))
+
+    def _pass_on_progress(self):
+        """Tells ParaView how far the worker is, and the worker whether it is to stop."""
+        self.SetProgressText(self._worker.GetProgressText())
+        self.UpdateProgress(self._worker.GetProgress())
+        if self.GetAbortExecute() or (hasattr(self, "CheckAbort") and self.CheckAbort()):  # since VTK 9.3
+            self._worker.SetAbortExecute(1)
+
+
+def _call_weakly(target, method):
+    """An observer that calls a method of the target as long as there is the target, and does not keep it."""
+    weak = weakref.ref(target)
+
+    def call(_caller, _event):
+        if weak() is not None:
+            getattr(weak(), method)()
+
+    return call
+
+
+# --- What ParaView does not do by itself, on the client -------------------------------------------
+#
+# It fetches information properties before a run, not after it: measures are fetched again after each run.
+# It takes a source that was made from the surface, and its update never ends: such a source is taken away.
+# It knows no second name of a property: GenerateFate and GeneratePointStatus are kept equal.
+# It shows numbers out of a property's range, though the filter takes the nearest legal one: so does the panel.
+# It has no range that ends at the number of points: that of a hidden property, which is set here, is used.
+
+FILTER = "AdaptiveHilbertDelaunay2D"
+NAMES = {"GenerateFate": "GeneratePointStatus", "GeneratePointStatus": "GenerateFate"}  # old and new
+RANGES = "vtkSMIntRangeDomain", "vtkSMDoubleRangeDomain"
+UPDATED, CHANGED = "UpdateDataEvent", "PropertyModifiedEvent"
+
+
+def _properties(proxy):
+    """(name, property) of all of them."""
+    found, each = [], vtkSMPropertyIterator()  # proxy.NewPropertyIterator() gives one that would never go
+    each.SetProxy(proxy)
+    each.Begin()
+    while not each.IsAtEnd():
+        found.append((each.GetKey(), each.GetProperty()))
+        each.Next()
+    return found
+
+
+def _range(item):
+    """The range of a setting that is a number, else None."""
+    if item is None or item.GetInformationOnly():
+        return None
+    return next(filter(None, map(item.FindDomain, RANGES)), None)
+
+
+def _value(proxy, name):
+    item = vtkSMPropertyHelper(proxy, name)
+    return item.GetAsInt() if proxy.GetProperty(name).IsA("vtkSMIntVectorProperty") else item.GetAsDouble()
+
+
+def _fetch_measures(proxy, _event):
+    """After a run. Then widgets show the numbers again, as they do not listen while Apply hands on what is in them."""
+    proxy.UpdatePropertyInformation()
+    for _name, item in _properties(proxy):
+        if _range(item):
+            item.InvokeEvent("UncheckedPropertyModifiedEvent")
+
+
+def _depends_on(proxy, wanted, seen):
+    """Is `wanted` among the proxies that make the data of `proxy`, itself included? `seen` were looked at."""
+    if proxy is wanted:
+        return True
+    if proxy is None or proxy in seen:
+        return False
+    seen.add(proxy)
+    return any(
+        _depends_on(proxy.GetProducerProxy(i), wanted, seen) for i in range(proxy.GetNumberOfProducers())
+    )
+
+
+def _refuse_circle(proxy):
+    source = proxy.GetProperty("Source")
+    if source.GetNumberOfProxies() > 0 and _depends_on(source.GetProxy(0), proxy, set()):
+        vtkOutputWindow.GetInstance().DisplayWarningText(
+            "The source was made from the surface that it is to constrain. It was taken away again.\n"
+        )
+        source.RemoveAllProxies()
+
+
+def _keep_equal(proxy, name):
+    """Gives the other name of the setting the value that it has by this one."""
+    other = NAMES[name]
+    vtkSMPropertyHelper(proxy, other).Set(_value(proxy, name))
+    if proxy.GetObjectsCreated():
+        proxy.UpdateProperty(other)
+
+
+def _keep_in_range(proxy, name):
+    """Sets the property to the nearest value in its range, if it is a number with one that is a limit."""
+    limits = _range(proxy.GetProperty(name))
+    if not limits or name in UP_TO_POINTS:
+        return
+    value = kept = _value(proxy, name)
+    if limits.GetMinimumExists(0) and not value >= limits.GetMinimum(0):  # NaN too
+        kept = limits.GetMinimum(0)
+    elif limits.GetMaximumExists(0) and value > limits.GetMaximum(0):
+        kept = limits.GetMaximum(0)
+    if kept is not value:
+        vtkSMPropertyHelper(proxy, name).Set(kept)
+
+
+def _follow_points(proxy):
+    """Gives the ranges that go up to the number of points this end, and has them follow the input."""
+    item = proxy.GetProperty("Input")
+    source = item.GetProxy(0) if item.GetNumberOfProxies() > 0 else None
+    points = 0
+    if source is not None and source.GetObjectsCreated():
+        points = source.GetDataInformation(item.GetOutputPortForConnection(0)).GetNumberOfPoints()
+        if not source.__dict__.get("_ahd_followed"):
+            source._ahd_followed = True
+            source.AddObserver(UPDATED, _input_was_updated)
+    most = min(max(points, 0), 2**31 - 1)
+    for name in UP_TO_POINTS:
+        ends = vtkSMPropertyHelper(proxy, name + "Range")
+        ends.Set(0, min(3, most))
+        ends.Set(1, most)
+
+
+def _input_was_updated(source, _event):
+    for i in range(source.GetNumberOfConsumers()):
+        proxy = source.GetConsumerProxy(i)
+        if _is_observed(proxy):
+            _follow_points(proxy)
+
+
+def _property_changed(proxy, _event, name):
+    if name == "Input":
+        _follow_points(proxy)
+    elif name == "Source":
+        _refuse_circle(proxy)
+    elif name in NAMES:
+        _keep_equal(proxy, name)
+    else:
+        _keep_in_range(proxy, name)
+
+
+_property_changed.CallDataType = "string0"
+
+
+def _observe(proxy):
+    """From now on this proxy, which may have been set before, is looked after."""
+    proxy._ahd_observed = True
+    old, new = NAMES
+    _keep_equal(proxy, old if _value(proxy, old) else new)
+    for name, _item in _properties(proxy):
+        _keep_in_range(proxy, name)
+    _follow_points(proxy)
+    proxy.AddObserver(UPDATED, _fetch_measures)
+    proxy.AddObserver(CHANGED, _property_changed)
+
+
+def _is_observed(proxy):
+    return proxy is not None and "_ahd_observed" in proxy.__dict__
+
+
+def _is_filter(proxy):
+    """Is it the filter, and that of a plugin in Python? The compiled one has its own observers."""
+    return proxy.GetXMLName() == FILTER and "." in proxy.GetVTKClassName()
+
+
+_seen = {"sources": 0}
+
+
+def _was_registered(manager, _event):
+    """Looks for new filters, as what was registered is told in a way that Python cannot read."""
+    session = manager.GetActiveSessionProxyManager()
+    count = session.GetNumberOfProxies("sources") if session else 0
+    if count == _seen["sources"]:
+        return
+    _seen["sources"] = count
+    each = vtkSMProxyIterator()
+    each.SetSessionProxyManager(session)
+    each.SetModeToOneGroup()
+    each.Begin("sources")
+    while not each.IsAtEnd():
+        proxy = each.GetProxy()
+        if _is_filter(proxy) and not _is_observed(proxy):
+            _observe(proxy)
+        each.Next()
+
+
+def _was_unregistered(_manager, _event):
+    _seen["sources"] = 0
+
+
+def _is_client():
+    """A server has no properties."""
+    module = vtkProcessModule
+    servers = module.PROCESS_SERVER, module.PROCESS_DATA_SERVER, module.PROCESS_RENDER_SERVER
+    return module.GetProcessType() not in servers
+
+
+def _session():
+    """The proxy manager of the session that is active on this client, if there is one."""
+    return vtkSMProxyManager.GetProxyManager().GetActiveSessionProxyManager() if _is_client() else None
+
+
+def _data_are_elsewhere():
+    """Does this process show what a server computes?"""
+    session = _session()
+    return bool(session and session.GetSession().IsA("vtkSMSessionClient"))
+
+
+def _is_compiled_one_loaded():
+    session = _session()
+    known = session and session.GetProxyDefinitionManager().HasDefinition("filters", FILTER)
+    return bool(known) and "." not in session.GetPrototypeProxy("filters", FILTER).GetVTKClassName()
+
+
+# --- Loading --------------------------------------------------------------------------------------
+
+
+class _OfParaView:
+    """A proxy of a class of ParaView's own, or of none, for which ParaView's decorators are not made."""
+
+    def __init__(self, group, tag, attributes, inside):
+        described = "".join(' %s="%s"' % item for item in attributes.items())
+        self._pvsm_proxy_xml = (
+            '<ServerManagerConfiguration><ProxyGroup name="%s"><%s%s>%s</%s></ProxyGroup></ServerManagerConfiguration>'
+            % (group, tag, described, inside, tag)
+        )
+
+
+def _declare(works, group, tag, attributes, inside):
+    """Makes what ParaView looks for in this module: the class of a proxy, with its description. Where nothing works,
+    only what nobody sees, as ParaView 6 complains of a plugin without any."""
+    name, vtk_class = attributes["name"], attributes.get("class")
+    if group == "transforms":
+        globals()[name] = _OfParaView(group, tag, attributes, inside)
+    elif works and (_data_are_elsewhere() or _has(vtk_class)):  # in Python there is no PlanarPointSource
+        made = type(name, (_Driver,), {"vtk_class": vtk_class, "__module__": __name__})
+        known = {key: value for key, value in attributes.items() if key != "class"}
+        smproperty.xml(inside)(made)
+        smproxy.source(type=tag, group=group, support_reload=False, **known)(made)
+        globals()[name] = made
+
+
+def _load():
+    window, wrong = vtkOutputWindow.GetInstance(), ""
+    there_already = _is_compiled_one_loaded()
+    if there_already:
+        window.DisplayWarningText(
+            "The compiled plugin AdaptiveHilbertDelaunay is loaded already. The one in Python adds nothing to it.\n"
+        )
+    elif not _data_are_elsewhere():
+        wrong = _what_is_wrong()
+    if wrong:
+        window.DisplayErrorText(wrong + "\n")
+    for proxy in PROXIES:
+        _declare(not wrong and not there_already, *proxy)
+    if _is_client():
+        manager = vtkSMProxyManager.GetProxyManager()
+        manager.AddObserver("RegisterEvent", _was_registered)
+        manager.AddObserver("UnRegisterEvent", _was_unregistered)
+
+
+_load()

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Where the commands work: which packages they ask for there, and what they say elsewhere.
+
+Systems are played by files like /etc/os-release, which AHD_OS_RELEASE names.
+"""
+
+import os
+import subprocess
+import tempfile
+import unittest
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+COMMANDS = ("Plugin/demo.sh", "Testing/test.sh", "Plugin/Documentation/make_figures.sh")
+# Whatever changes a system or builds something.
+TOUCHING = ("apt-get", "sudo", "cmake", "dpkg", "pip", "pip3", "Xvfb")
+
+SUPPORTED = {
+    "12": 'PRETTY_NAME="Debian GNU/Linux 12 (bookworm)"\nID=debian\nVERSION_ID="12"\nVERSION_CODENAME=bookworm\n',
+    "13": 'PRETTY_NAME="Debian GNU/Linux 13 (trixie)"\nID=debian\nVERSION_ID="13"\nVERSION_CODENAME=trixie\n',
+    "testing": 'PRETTY_NAME="Debian GNU/Linux forky/sid"\nID=debian\nVERSION_CODENAME=forky\n',
+}
+OTHERS = {
+    "Debian GNU/Linux 11 (bullseye)": "ID=debian\nVERSION_ID=11\nVERSION_CODENAME=bullseye\n",
+    "Ubuntu 24.04.1 LTS": 'ID=ubuntu\nID_LIKE=debian\nVERSION_ID="24.04"\nVERSION_CODENAME=noble\n',
+    "Fedora Linux 43": "ID=fedora\nVERSION_ID=43\n",
+    "Ubuntu that claims to be bookworm": "ID=ubuntu\nVERSION_CODENAME=bookworm\n",
+}
+
+
+class Systems(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+        self.touched = os.path.join(self.folder, "touched")
+        stubs = os.path.join(self.folder, "bin")
+        os.mkdir(stubs)
+        for name in TOUCHING:
+            path = os.path.join(stubs, name)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write('#!/bin/sh\necho "%s $*" >> "%s"\nexit 1\n' % (name, self.touched))
+            os.chmod(path, 0o755)
+        self.path = stubs + ":" + os.environ["PATH"]
+
+    def run_in(self, system, *command):
+        """Runs a command in a system with this os-release; None: there is no such file."""
+        path = os.path.join(self.folder, "os-release")
+        if system is not None:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(system)
+        environment = {
+            **os.environ, "AHD_OS_RELEASE": path, "PATH": self.path,
+            "AHD_BUILD_DIR": os.path.join(self.folder, "build")}  # fmt: skip
+        return subprocess.run(
+            command, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+            env=environment, cwd=self.folder, check=False)  # fmt: skip
+
+    def packages(self, what, release):
+        script = 'program=test logs=/nowhere; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh"; packages_to {1} {2}'
+        done = self.run_in("", "bash", "-c", script.format(ROOT, what, release))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout.split()
+
+    def test_elsewhere_one_message_and_nothing_is_touched(self):
+        for name, text in OTHERS.items():
+            for command in COMMANDS:
+                with self.subTest(system=name, command=command):
+                    done = self.run_in('PRETTY_NAME="%s"\n%s' % (name, text), os.path.join(ROOT, command))
+                    self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                    self.assertIn("works on Debian 12, 13 and testing, and this is %s" % name, done.stderr)
+                    for word in ("cmake --build build", "CMake 3.18", "paraview-dev", "libgtest-dev"):
+                        self.assertIn(word, done.stderr)
+                    self.assertFalse(os.path.exists(self.touched), "something was run")
+                    self.assertFalse(os.path.exists(os.path.join(self.folder, "build")))
+
+    def test_without_a_word_about_the_system(self):
+        for text in (None, ""):
+            done = self.run_in(text, os.path.join(ROOT, "Plugin/demo.sh"))
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("this is an unknown system", done.stderr)
+
+    def test_on_debian_it_goes_on(self):
+        """As far as to the package manager, which is a stub here."""
+        for name, text in SUPPORTED.items():
+            with self.subTest(release=name):
+                script = (
+                    'program=test logs=/nowhere; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh";'
+                    ' require_release; echo "$release"')
+                done = self.run_in(text, "bash", "-c", script.format(ROOT))
+                self.assertEqual((done.returncode, done.stdout.strip(), done.stderr), (0, name, ""))
+
+    def test_every_release_has_its_packages(self):
+        for release, qt in (("12", "qttools5-dev"), ("13", "qttools5-dev"), ("testing", "qt6-tools-dev")):
+            build = self.packages("build", release)
+            self.assertIn("paraview-dev", build)
+            self.assertIn(qt, build)
+            self.assertIn("xvfb", self.packages("draw", release))
+            test = self.packages("test", release)
+            self.assertIn("libgtest-dev", test)
+            self.assertEqual(len([name for name in test if name.startswith("libclang-rt")]), 1)
+            names = build + test + self.packages("draw", release)
+            self.assertEqual(len(names), len(set(names)), "named twice")
+        self.assertIn("libvtk9.1", self.packages("vtk", "12"))
+        self.assertIn("libvtk9.3", self.packages("vtk", "13"))
+        self.assertEqual(self.packages("vtk", "testing"), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
