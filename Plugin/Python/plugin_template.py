@@ -114,9 +114,8 @@ class _Driver(VTKPythonAlgorithmBase):
         # Behind the worker's ports there is one more, which ParaView does not know: see SetTransform.
         super().__init__(nInputPorts=ports + 1, nOutputPorts=self._worker.GetNumberOfOutputPorts())
         self._worker.AddObserver("ProgressEvent", _call_weakly(self, "_pass_on_progress"))
-        # VTK keeps what Python knows of an object for some time after the object is gone.
-        known = self.__dict__
-        self.AddObserver("DeleteEvent", lambda *_: known.clear())
+        # VTK keeps what Python knows of an object for some time after Python, here ParaView, has let it go.
+        weakref.finalize(self, self.__dict__.clear).atexit = False
 
     def __getattr__(self, name):
         """Methods of the worker. What changes it changes this too."""
