@@ -37,6 +37,8 @@ if (SKBUILD)
   install(DIRECTORY "${CMAKE_CURRENT_LIST_DIR}/../Python/" DESTINATION adaptivehilbertdelaunay
     FILES_MATCHING PATTERN "*.py" PATTERN "py.typed"
     PATTERN "__pycache__" EXCLUDE PATTERN "_compiled.py" EXCLUDE) # which needs a VTK of its own
+  set(AHD_PYTHON_DIR ".")
+  add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/../../Plugin/Python" PythonPlugin) # one file, for ParaView
   return ()
 endif ()
 

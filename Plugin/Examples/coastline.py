@@ -58,7 +58,8 @@ def show(surface, title):
     lines.ColorArrayName = ["POINTS", ""]  # one colour
     lines.AmbientColor = lines.DiffuseColor = [0.55, 0.2, 0.1]
     lines.LineWidth = 2
-    lines.Position = [0, 0, 100]  # above the surface, to be seen
+    moved = "Translation" if "Translation" in lines.ListProperties() else "Position"  # before ParaView 5.13
+    setattr(lines, moved, [0, 0, 100])  # above the surface, to be seen
     text = Show(Text(Text=title), view)
     text.Color = [0.2, 0.15, 0.1]
     text.FontSize = 15

@@ -98,4 +98,6 @@ def plugin():
 if __name__ == "__main__":
     if len(sys.argv) != 2:
         sys.exit(__doc__)
-    pathlib.Path(sys.argv[1]).write_text(plugin(), encoding="utf-8")
+    made = pathlib.Path(sys.argv[1])
+    made.parent.mkdir(parents=True, exist_ok=True)
+    made.write_text(plugin(), encoding="utf-8")

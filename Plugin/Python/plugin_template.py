@@ -114,9 +114,8 @@ class _Driver(VTKPythonAlgorithmBase):
         # Behind the worker's ports there is one more, which ParaView does not know: see SetTransform.
         super().__init__(nInputPorts=ports + 1, nOutputPorts=self._worker.GetNumberOfOutputPorts())
         self._worker.AddObserver("ProgressEvent", _call_weakly(self, "_pass_on_progress"))
-        # VTK keeps what Python knows of an object for some time after the object is gone.
-        known = self.__dict__
-        self.AddObserver("DeleteEvent", lambda *_: known.clear())
+        # VTK keeps what Python knows of an object for some time after Python, here ParaView, has let it go.
+        weakref.finalize(self, self.__dict__.clear).atexit = False
 
     def __getattr__(self, name):
         """Methods of the worker. What changes it changes this too."""
@@ -447,7 +446,7 @@ def _declare(works, group, tag, attributes, inside):
     name, vtk_class = attributes["name"], attributes.get("class")
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
-    elif works and (_data_are_elsewhere() or _has(vtk_class)):  # in Python there is no PlanarPointSource
+    elif works and (_data_are_elsewhere() or _has(vtk_class)):
         made = type(name, (_Driver,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)

@@ -5,6 +5,7 @@
 #include "Judge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace ahd
@@ -31,7 +32,7 @@ void setOptions(JobRun& run, const Options& options)
 }
 
 /// Whatever else there is, as the case's bytes say.
-void setAnything(JobRun& run, const FuzzCase& given, const JobCase& made)
+void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& xyz)
 {
   const std::uint8_t bits = given.head[kShuffle], more = given.head[kRefusals];
   const auto bit = [](std::uint8_t byte, int k) { return std::int64_t(byte >> k & 1); };
@@ -48,11 +49,10 @@ void setAnything(JobRun& run, const FuzzCase& given, const JobCase& made)
   run.set("source_heights", bit(more, 4));
   run.set("cell_ids", bit(more, 5));
   run.set("insertion_limit", std::int64_t(given.head[kLimit]));
-  if (bit(more, 6) != 0) // the points once more, as those of the source
+  if (bit(more, 6) != 0) // points once more, as those of the source
   {
-    const ahd_array source = { made.points.doubles, AHD_FLOAT64, 2,
-      std::int64_t(made.points.doubles ? std::min<std::size_t>(made.points.count, 20) : 0),
-      std::int64_t(made.points.stride * sizeof(double)), sizeof(double) };
+    const ahd_array source = { xyz.data(), AHD_FLOAT64, 2,
+      std::int64_t(std::min<std::size_t>(xyz.size() / 3, 20)), 3 * sizeof(double), sizeof(double) };
     ahd_set_array(run.job(), "source_points", &source);
   }
 }
@@ -147,7 +147,9 @@ void expectSameThroughC(const FuzzCase& given, const JobCase& made)
   run.set("threads", std::int64_t(1 + given.head[kExecutors] % 3));
   run.set("fill_rule", std::int64_t(made.rule));
   setOptions(run, given.options(1));
-  run.setPoints(made.points);
+  PointView flat = made.points;
+  flat.isFlat = true; // behind x and y of the last there may be nothing
+  run.setPoints(flat);
   run.setConstraints(made.chains);
   expect(run.run() == AHD_OK, ahd_message(run.job()), given);
   expect(run.shortIds("triangles") == made.triples, "a job gives the same triangles", given);
@@ -155,7 +157,17 @@ void expectSameThroughC(const FuzzCase& given, const JobCase& made)
   {
     return;
   }
-  setAnything(run, given, made);
+  std::vector<double> xyz;
+  for (std::size_t i = 0; i < flat.count; ++i)
+  {
+    const double z = given.head[kShuffle] * i % 5 == 4 ? std::nan("") : double(i * 7 % 4);
+    xyz.insert(xyz.end(), { flat[i].x, flat[i].y, z });
+  }
+  PointView points(xyz.data(), flat.count, 3);
+  points.skip = flat.skip;
+  points.skipMask = flat.skipMask;
+  run.setPoints(points);
+  setAnything(run, given, xyz);
   expectTrouble(given, run);
   expectArrays(given, run);
   expect(run.status() == AHD_OK, run.message().c_str(), given);

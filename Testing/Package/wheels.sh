@@ -70,8 +70,8 @@ build_wheel() {
   PATH="$tools/bin:$PATH" _PYTHON_HOST_PLATFORM="linux-$processor" \
     "$tools/bin/pip" wheel -v "$root" --no-deps --no-build-isolation -w "$folder/raw-$processor" \
     "--config-settings=build-dir=$folder/build-$processor" "${define[@]}" || return
-  PATH="$tools/bin:$PATH" "$tools/bin/auditwheel" repair --plat "manylinux_2_17_$processor" \
-    -w "$folder/dist" "$folder/raw-$processor"/*.whl
+  # the oldest tag that fits: of another processor none can be asked for
+  PATH="$tools/bin:$PATH" "$tools/bin/auditwheel" repair --plat auto -w "$folder/dist" "$folder/raw-$processor"/*.whl
 }
 
 # wheel_of <processor>
