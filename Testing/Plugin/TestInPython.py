@@ -84,6 +84,11 @@ def test_it_lies_in_the_package():
     check("triangles: 18 " in printed, "the filter does not run")
 
 
+def test_the_package_says_where_it_is():
+    status, printed = run(["python3", "-m", PACKAGE, "--paraview-plugin"], PYTHONPATH=os.path.dirname(FOLDER))
+    check_equal((status, printed), (0, PLUGIN + "\n"), "what the package says")
+
+
 def test_the_package_lies_beside_it():
     path = folder("beside")
     os.symlink(FOLDER, os.path.join(os.path.dirname(path), PACKAGE))
