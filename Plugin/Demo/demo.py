@@ -151,7 +151,8 @@ def producer(data):
 def triangulate(source, plugin):
     """The filter's proxy after a timed run, its surface, and NP and NR counted in a second run:
     counting takes time that is not the filter's."""
-    import adaptivehilbertdelaunay  # before the filter exists, so that Python knows its class
+    # before the filter exists, so that Python knows its class
+    from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
     from paraview import servermanager, simple
     from vtkmodules.vtkCommonCore import vtkObject
 
@@ -160,13 +161,13 @@ def triangulate(source, plugin):
     proxy = simple.AdaptiveHilbertDelaunay2D(Input=source)
     proxy.UpdatePipeline()
     engine = proxy.GetClientSideObject()
-    assert isinstance(engine, adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D)
+    assert isinstance(engine, vtkAdaptiveHilbertDelaunay2D)
     measures = {name: getattr(engine, "Get" + name)() for name in (
         "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints",
         "NumberOfSkippedPoints", "NumberOfTriangles", "SortSeconds", "InsertSeconds", "OutputSeconds")}
     surface = servermanager.Fetch(proxy)
     # without a proxy: ParaView switches warnings on for as long as it updates one
-    counter = adaptivehilbertdelaunay.vtkAdaptiveHilbertDelaunay2D()
+    counter = vtkAdaptiveHilbertDelaunay2D()
     counter.SetInputData(source.GetClientSideObject().GetOutputDataObject(0))
     counter.CountWorkOn()
     vtkObject.GlobalWarningDisplayOff()  # the first run has said it all

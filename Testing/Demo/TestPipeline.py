@@ -20,7 +20,7 @@ sys.path.insert(0, os.path.join(ROOT, "Plugin", "Demo"))
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-import adaptivehilbertdelaunay  # noqa: F401 (before the filter exists, so that Python knows its class)
+from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D  # noqa: F401 (so that Python knows it)
 import badfiles
 import demo
 import picture
