@@ -70,8 +70,10 @@ void forRows(std::size_t rows, const Context& context, const Work& work)
   check(inChunksOf(rows, ticker, work) ? Status::Ok : Status::Cancelled);
 }
 
-template <typename Number>
-const Number* copyPoints(const ahd_array& array, std::vector<Number>& to, const Context& context)
+/// All numbers one behind the other, each as numberAt(row, column) reads it.
+template <typename Number, typename NumberAt>
+const Number* copyNumbers(
+  const ahd_array& array, std::vector<Number>& to, const Context& context, const NumberAt& numberAt)
 {
   const std::size_t rows = static_cast<std::size_t>(array.rows);
   const std::size_t columns = static_cast<std::size_t>(array.columns);
@@ -83,32 +85,26 @@ const Number* copyPoints(const ahd_array& array, std::vector<Number>& to, const 
       {
         for (std::size_t k = 0; k < columns; ++k)
         {
-          to[columns * i + k] = read<Number>(array, i, k);
+          to[columns * i + k] = numberAt(i, k);
         }
       }
     });
   return to.data();
 }
 
-/// All ids or offsets one behind the other.
+template <typename Number>
+const Number* copyPoints(const ahd_array& array, std::vector<Number>& to, const Context& context)
+{
+  return copyNumbers(array, to, context,
+    [&](std::size_t row, std::size_t column) { return read<Number>(array, row, column); });
+}
+
 template <typename Id>
 const Id* copyIds(const ahd_array& array, std::vector<Id>& to, const Context& context)
 {
-  const std::size_t rows = static_cast<std::size_t>(array.rows);
-  const std::size_t columns = static_cast<std::size_t>(array.columns);
-  to.resize(rows * columns);
-  forRows(rows, context,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        for (std::size_t k = 0; k < columns; ++k)
-        {
-          to[columns * i + k] = static_cast<Id>(readInteger(array, i, k));
-        }
-      }
-    });
-  return to.data();
+  return copyNumbers(array, to, context,
+    [&](std::size_t row, std::size_t column)
+    { return static_cast<Id>(readInteger(array, row, column)); });
 }
 
 /// The array where it is, or a copy.

@@ -2,9 +2,13 @@
 """What the tests of arrays share: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
 
 import os
-import struct
+import sys
 
 import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+import fnv  # noqa: E402
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 DATA = os.path.join(ROOT, "Data")
@@ -65,33 +69,18 @@ def uniform(count, seed):
 # --- The hash of Data/Hashes --------------------------------------------------------------------------------
 
 
-class Hash:
-    """FNV-1a of a row of numbers, as Testing/Support/Run/Hash.h has it."""
-
-    def __init__(self):
-        self.value = 0xCBF29CE484222325
-
-    def _bytes(self, data):
-        value = self.value
-        for byte in data:
-            value = ((value ^ byte) * 0x100000001B3) & 0xFFFFFFFFFFFFFFFF
-        self.value = value
-
-    def add(self, *numbers):
-        self._bytes(struct.pack("<%dq" % len(numbers), *numbers))
+class Hash(fnv.Hash):
+    """The same of whole arrays."""
 
     def numbers(self, array):
         """The numbers of an array, without their count."""
         kind = "<f8" if array.dtype.kind == "f" else "<i8"
-        self._bytes(np.ascontiguousarray(array.ravel(), kind).tobytes())
+        self.add_bytes(np.ascontiguousarray(array.ravel(), kind).tobytes())
 
     def vector(self, array, size=None):
         """A vector: its length (in entries of several numbers perhaps), and its numbers."""
         self.add(array.size if size is None else size)
         self.numbers(array)
-
-    def text(self):
-        return "%016x" % self.value
 
 
 def expected_hashes():

@@ -10,10 +10,13 @@ import importlib
 import json
 import os
 import re
-import struct
 import sys
 import unittest
 from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+from fnv import Hash  # noqa: E402,F401 (for those who import this file)
 
 BACKEND = os.environ.get("AHD_TEST_VTK", "vtkmodules")
 FOLDER = Path(__file__).resolve().parent
@@ -40,28 +43,6 @@ def tested_class(name):
 
 Filter = tested_class("vtkAdaptiveHilbertDelaunay2D")
 Source = tested_class("vtkPlanarPointSource")
-
-
-class Hash:
-    """The hash of Testing/Support/Run/Hash.h: FNV-1a with 64 bits, each number as eight bytes."""
-
-    def __init__(self):
-        self.value = 0xCBF29CE484222325
-
-    def add_bytes(self, octets):
-        value = self.value
-        for octet in octets:
-            value = ((value ^ octet) * 0x100000001B3) & 0xFFFFFFFFFFFFFFFF
-        self.value = value
-
-    def add(self, *integers):
-        self.add_bytes(struct.pack("<%dq" % len(integers), *integers))
-
-    def add_doubles(self, numbers):
-        self.add_bytes(struct.pack("<%dd" % len(numbers), *numbers))
-
-    def text(self):
-        return "%016x" % self.value
 
 
 class Random:

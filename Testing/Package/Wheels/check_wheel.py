@@ -15,22 +15,11 @@ import numpy as np
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import _library as library
 
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+from fnv import Hash  # noqa: E402
+
 DATA = sys.argv[1]
-MASK = (1 << 64) - 1
-
-
-class Hash:
-    """FNV-1a of numbers of eight bytes each, as in Testing/Support/Run/Hash.h."""
-
-    def __init__(self):
-        self.value = 0xCBF29CE484222325
-
-    def add(self, *numbers):
-        for byte in np.asarray(numbers, dtype="<i8").tobytes():
-            self.value = ((self.value ^ byte) * 0x100000001B3) & MASK
-
-    def add_array(self, numbers):
-        self.add(numbers.size, *numbers.ravel().tolist())
 
 
 def read_points(path):
@@ -48,8 +37,9 @@ def hash_of(points):
     made.add(*(job.count(name) for name in ("inserted", "beyond_limit", "duplicates", "not_finite", "skipped")))
     made.add(job.count("kept_triangles"))
     for name in ("triangles", "point_status", "neighbors"):
-        made.add_array(job.array(name, np.int64))
-    return "%016x" % made.value
+        array = job.array(name, np.int64)
+        made.add(array.size, *array.ravel().tolist())
+    return made.text()
 
 
 def check_hashes():
