@@ -8,7 +8,8 @@ import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-import fnv  # noqa: E402
+import numbered  # noqa: E402
+from numbered import Random  # noqa: E402
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 DATA = os.path.join(ROOT, "Data")
@@ -40,26 +41,6 @@ def corpus():
             yield name, np.array([[float.fromhex(number) for number in row] for row in rows]).reshape(-1, 2)
 
 
-class Random:
-    """Splitmix64, as Filters/Distributions/Random.h has it."""
-
-    def __init__(self, seed):
-        self.state = seed
-
-    def bits(self):
-        mask = 2**64 - 1
-        self.state = z = (self.state + 0x9E3779B97F4A7C15) & mask
-        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
-        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
-        return z ^ (z >> 31)
-
-    def unit(self):
-        return (self.bits() >> 11) * 2.0**-53
-
-    def below(self, n):
-        return self.bits() % n
-
-
 def uniform(count, seed):
     """The points of Testing/Support/Points/Distributions.h with this name."""
     random = Random(seed)
@@ -69,7 +50,7 @@ def uniform(count, seed):
 # --- The hash of Data/Hashes --------------------------------------------------------------------------------
 
 
-class Hash(fnv.Hash):
+class Hash(numbered.Hash):
     """The same of whole arrays."""
 
     def numbers(self, array):

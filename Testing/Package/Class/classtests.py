@@ -16,7 +16,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
-from fnv import Hash  # noqa: E402,F401 (for those who import this file)
+from numbered import Hash, Random  # noqa: E402,F401 (for those who import this file)
 
 BACKEND = os.environ.get("AHD_TEST_VTK", "vtkmodules")
 FOLDER = Path(__file__).resolve().parent
@@ -43,32 +43,6 @@ def tested_class(name):
 
 Filter = tested_class("vtkAdaptiveHilbertDelaunay2D")
 Source = tested_class("vtkPlanarPointSource")
-
-
-class Random:
-    """Filters/Distributions/Random.h."""
-
-    def __init__(self, seed):
-        self.state = seed
-
-    def bits(self):
-        mask = 0xFFFFFFFFFFFFFFFF
-        self.state = z = (self.state + 0x9E3779B97F4A7C15) & mask
-        z = ((z ^ (z >> 30)) * 0xBF58476D1CE4E5B9) & mask
-        z = ((z ^ (z >> 27)) * 0x94D049BB133111EB) & mask
-        return z ^ (z >> 31)
-
-    def unit(self):
-        return (self.bits() >> 11) * 2.0**-53
-
-    def below(self, n):
-        return self.bits() % n
-
-    def bell(self):
-        total = -6.0
-        for _ in range(12):
-            total += self.unit()
-        return total
 
 
 def place_of_set(of_set, k):

@@ -17,7 +17,7 @@ from adaptivehilbertdelaunay import _library as library
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-from fnv import Hash  # noqa: E402
+from numbered import Hash  # noqa: E402
 
 DATA = sys.argv[1]
 
