@@ -1,58 +1,111 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The filter's Update() beside the engine alone on the same coordinates, by the CPU time of the
-// process. Both are warm and have what they keep from one call to the next; the engine alone gets
-// new memory for its triangles each time, as the filter makes a new output each time.
-//   FilterBenchmark [--points=1000000] [Google Benchmark's own]
+// The filter's Update() beside the engine alone on the same coordinates, and with each feature
+// beside a plain one. Counters: nsPerPoint, CPU time of the process, and wallNsPerPoint. All are
+// warm and have what they keep from one call to the next; the engine alone gets new memory for its
+// triangles each time, as the filter makes a new output each time.
+//   FilterBenchmark [--points=1000000] [--threads=1] [--features=engine,plain] [Google Benchmark's
+//   own]
+// Features: see features(); "all" for each of them.
 #include "Distributions.h"
 #include "Triangulate.h"
 
 #include <vtkAdaptiveHilbertDelaunay2D.h>
+#include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <benchmark/benchmark.h>
 
+#include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <functional>
 #include <memory>
+#include <sstream>
 #include <string>
+#include <vector>
 
 namespace
 {
 
 using namespace ahd;
+using Filter = vtkAdaptiveHilbertDelaunay2D;
 
-double processSeconds()
+/// What all runs share.
+struct Inputs
+{
+  std::size_t n = 1000000;
+  int threads = 1;
+  vtkNew<vtkPolyData> points;     ///< uniform in the unit square, z on a slanted plane
+  vtkNew<vtkPolyData> breaklines; ///< n / 10 short lines between points near to each other
+
+  /// The mean distance between neighbours.
+  double spacing() const { return 1.0 / std::sqrt(double(n)); }
+};
+
+struct Feature
+{
+  const char* name;
+  std::function<void(Filter&, const Inputs&)> set;
+};
+
+const std::vector<Feature>& features()
+{
+  static const std::vector<Feature> all = {
+    { "plain", [](Filter&, const Inputs&) {} },
+    { "Voronoi", [](Filter& f, const Inputs&) { f.GenerateVoronoiOn(); } },
+    { "Alpha", [](Filter& f, const Inputs& in) { f.SetAlpha(2.0 * in.spacing()); } },
+    { "Tolerance", [](Filter& f, const Inputs& in) { f.SetTolerance(1e-3 * in.spacing()); } },
+    { "RegionIds", [](Filter& f, const Inputs&) { f.GenerateRegionIdsOn(); } },
+    { "Neighbors", [](Filter& f, const Inputs&) { f.GenerateNeighborsOn(); } },
+    { "MaximumEdgeLength",
+      [](Filter& f, const Inputs& in) { f.SetMaximumEdgeLength(3.0 * in.spacing()); } },
+    { "BestFittingPlane",
+      [](Filter& f, const Inputs&) { f.SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE); } },
+    { "ConstraintEdges", [](Filter& f, const Inputs&) { f.GenerateConstraintEdgesOn(); } },
+    { "Curve", [](Filter& f, const Inputs&) { f.GenerateInsertionCurveOn(); } },
+    { "Boxes", [](Filter& f, const Inputs&) { f.GenerateBoxesOn(); } },
+    { "Breaklines", [](Filter& f, const Inputs& in) { f.SetSourceData(in.breaklines); } },
+  };
+  return all;
+}
+
+double secondsOf(clockid_t clock)
 {
   timespec t;
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  clock_gettime(clock, &t);
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
+/// Times the second of two calls: the first fills what is kept.
 template <typename Run>
 void measure(benchmark::State& state, std::size_t n, Run run)
 {
   run();
   for (auto _ : state)
   {
-    const double start = processSeconds();
+    const double start = secondsOf(CLOCK_PROCESS_CPUTIME_ID);
+    const double wallStart = secondsOf(CLOCK_MONOTONIC);
     const std::size_t triangles = run();
-    const double seconds = processSeconds() - start;
+    const double wall = secondsOf(CLOCK_MONOTONIC) - wallStart;
+    const double seconds = secondsOf(CLOCK_PROCESS_CPUTIME_ID) - start;
     state.SetIterationTime(seconds);
     state.counters["nsPerPoint"] = 1e9 * seconds / double(n);
+    state.counters["wallNsPerPoint"] = 1e9 * wall / double(n);
     state.counters["triangles"] = double(triangles);
   }
 }
 
-void runEngine(benchmark::State& state, vtkPoints* points)
+void runEngine(benchmark::State& state, const Inputs& in)
 {
   static Workspace workspace;
   static Triangulation made;
-  const std::size_t n = std::size_t(points->GetNumberOfPoints());
-  const PointView view(static_cast<const double*>(points->GetVoidPointer(0)), n, 3);
-  measure(state, n,
+  const auto* places = static_cast<const double*>(in.points->GetPoints()->GetVoidPointer(0));
+  const PointView view(places, in.n, 3);
+  measure(state, in.n,
     [&]
     {
       triangulate(view, Options(), workspace, {}, made);
@@ -64,11 +117,13 @@ void runEngine(benchmark::State& state, vtkPoints* points)
     });
 }
 
-void runFilter(benchmark::State& state, vtkPolyData* input)
+void runFilter(benchmark::State& state, const Inputs& in, const Feature& feature)
 {
-  static vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
-  filter->SetInputData(input);
-  measure(state, std::size_t(input->GetNumberOfPoints()),
+  vtkNew<Filter> filter;
+  filter->SetInputData(in.points);
+  filter->SetNumberOfThreads(in.threads);
+  feature.set(*filter, in);
+  measure(state, in.n,
     [&]
     {
       filter->Modified();
@@ -77,34 +132,118 @@ void runFilter(benchmark::State& state, vtkPolyData* input)
     });
 }
 
+void makeInputs(Inputs& in)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  const std::vector<Point> places = test::makePoints(test::Distribution::Uniform, in.n, 1);
+  for (const Point& p : places)
+  {
+    points->InsertNextPoint(p.x, p.y, 0.5 + 0.1 * p.x);
+  }
+  in.points->SetPoints(points);
+  vtkNew<vtkCellArray> lines;
+  Triangulation made;
+  Workspace workspace;
+  const PointView view(static_cast<const double*>(points->GetVoidPointer(0)), in.n, 3);
+  triangulate(view, Options(), workspace, {}, made);
+  std::vector<std::int32_t> triples(3 * made.report().triangles);
+  made.writeTriangles(triples.data(), {});
+  const std::size_t step = std::max<std::size_t>(1, triples.size() / 3 / (in.n / 10 + 1));
+  for (std::size_t t = 0; t + step < triples.size() / 3; t += step)
+  {
+    // two corners of two neighbours in the order of the output: some are edges, most are not
+    const vtkIdType ids[2] = { triples[3 * t], triples[3 * t + 5] };
+    if (ids[0] != ids[1])
+    {
+      lines->InsertNextCell(2, ids);
+    }
+  }
+  in.breaklines->SetPoints(points);
+  in.breaklines->SetLines(lines);
+}
+
+/// The value of `--name=`, or nothing.
+const char* valueOf(const char* argument, const std::string& name)
+{
+  const std::string begin = "--" + name + "=";
+  return std::string(argument).rfind(begin, 0) == 0 ? argument + begin.size() : nullptr;
+}
+
+/// The runs that the list names; false if one is unknown.
+bool registerRuns(const std::string& list, const Inputs& in)
+{
+  std::stringstream words(list);
+  for (std::string word; std::getline(words, word, ',');)
+  {
+    const auto name = [&](const std::string& what)
+    { return what + "/Uniform/" + std::to_string(in.n); };
+    bool found = word == "engine";
+    if (found)
+    {
+      benchmark::RegisterBenchmark(
+        name("engine").c_str(), [&](benchmark::State& state) { runEngine(state, in); })
+        ->UseManualTime()
+        ->Iterations(1);
+    }
+    for (const Feature& feature : features())
+    {
+      if (word == feature.name || word == "all")
+      {
+        found = true;
+        benchmark::RegisterBenchmark(name(feature.name).c_str(),
+          [&](benchmark::State& state) { runFilter(state, in, feature); })
+          ->UseManualTime()
+          ->Iterations(1);
+      }
+    }
+    if (!found)
+    {
+      std::fprintf(stderr, "no feature is called %s\n", word.c_str());
+      return false;
+    }
+  }
+  return true;
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
+  Inputs in;
+  std::string list = "engine,plain";
+  int kept = 1;
+  for (int i = 1; i < argc; ++i)
+  {
+    if (const char* points = valueOf(argv[i], "points"))
+    {
+      in.n = std::size_t(std::atof(points));
+    }
+    else if (const char* threads = valueOf(argv[i], "threads"))
+    {
+      in.threads = std::atoi(threads);
+    }
+    else if (const char* names = valueOf(argv[i], "features"))
+    {
+      list = names;
+    }
+    else
+    {
+      argv[kept++] = argv[i];
+    }
+  }
+  argc = kept;
   benchmark::Initialize(&argc, argv);
-  std::size_t n = 1000000;
-  const std::string prefix = "--points=";
-  if (argc > 1 && std::string(argv[1]).rfind(prefix, 0) == 0)
+  if (in.n < 100 || in.n > 200000000 || benchmark::ReportUnrecognizedArguments(argc, argv))
   {
-    n = std::size_t(std::atof(argv[1] + prefix.size()));
+    std::fprintf(stderr, "--points=<100 to 2e8>  --threads=<n>  --features=<names>\n");
+    return 1;
   }
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (const Point& p : test::makePoints(test::Distribution::Uniform, n, 1))
+  makeInputs(in);
+  if (!registerRuns(list, in))
   {
-    points->InsertNextPoint(p.x, p.y, 0.5);
+    return 1;
   }
-  vtkNew<vtkPolyData> input;
-  input->SetPoints(points);
-  const std::string what = "/Uniform/" + std::to_string(n);
-  benchmark::RegisterBenchmark(
-    ("engine" + what).c_str(), [&](benchmark::State& state) { runEngine(state, points); })
-    ->UseManualTime()
-    ->Iterations(1);
-  benchmark::RegisterBenchmark(
-    ("filter" + what).c_str(), [&](benchmark::State& state) { runFilter(state, input); })
-    ->UseManualTime()
-    ->Iterations(1);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
   return 0;
