@@ -2,8 +2,10 @@
 #ifndef ahd_OwnNew_h
 #define ahd_OwnNew_h
 
-// Gives a program operator new and delete of its own, in the forms the engine and the standard
-// library use, over two functions that the program defines. To be included by one of its sources.
+// Gives a program operator new and delete of its own, over two functions that the program defines.
+// To be included by one of its sources. In every form but those for arrays of high alignment: a
+// sanitizer has a form of its own for each that is not here, and what one gives the other can't
+// take back.
 #include <algorithm>
 #include <cstddef>
 #include <new>
@@ -27,6 +29,28 @@ void* operator new(std::size_t size)
   return ahd::test::ownAllocate(size, alignof(std::max_align_t));
 }
 
+void* operator new[](std::size_t size)
+{
+  return operator new(size);
+}
+
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept
+{
+  try
+  {
+    return operator new(size);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return nullptr;
+  }
+}
+
+void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept
+{
+  return operator new(size, nothrow);
+}
+
 void* operator new(std::size_t size, std::align_val_t alignment)
 {
   return ahd::test::ownAllocate(size, std::max(std::size_t(alignment), alignof(std::max_align_t)));
@@ -38,6 +62,26 @@ void operator delete(void* p) noexcept
 }
 
 void operator delete(void* p, std::size_t) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete(void* p, const std::nothrow_t&) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete[](void* p) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete[](void* p, std::size_t) noexcept
+{
+  ahd::test::ownRelease(p);
+}
+
+void operator delete[](void* p, const std::nothrow_t&) noexcept
 {
   ahd::test::ownRelease(p);
 }
