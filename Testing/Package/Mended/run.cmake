@@ -50,7 +50,8 @@ foreach (case IN ITEMS refused mended mended)
     set(as_it_is ON)
   endif ()
   execute_process(
-    COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${FOLDER}/${case}" "-DFAULTY=${faulty}"
+    COMMAND "${CMAKE_COMMAND}" -S "${CMAKE_CURRENT_LIST_DIR}" -B "${FOLDER}/${case}" -G "${GENERATOR}"
+      "-DFAULTY=${faulty}"
       "-DLEAVE_AS_IT_IS=${as_it_is}"
     RESULT_VARIABLE status OUTPUT_VARIABLE said ERROR_VARIABLE said)
   if (case STREQUAL "refused" AND NOT said MATCHES "but this file does not exist")
