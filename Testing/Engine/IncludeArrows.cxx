@@ -41,6 +41,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Surface", { "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
+    { "Distribute",
+      { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
     { "Interface",
       { "Points", "Merge", "Crossings", "Prepare", "Surface", "Triangulation", "Voronoi", "" } },
   };

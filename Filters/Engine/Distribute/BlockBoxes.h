@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BlockBoxes_h
+#define ahd_BlockBoxes_h
+
+#include "../Core/Progress.h"
+#include "../Points/Points.h"
+#include "../Predicates/Discs.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// A row of successive blocks.
+struct BlockRow
+{
+  std::size_t begin = 0, end = 0;
+
+  bool has(std::size_t block) const { return begin <= block && block < end; }
+};
+
+/// The tight bounds of all blocks' points, and of rows of eight, of 64, ... blocks. Empty bounds
+/// where there is no point.
+class BlockBoxes
+{
+public:
+  /// Throws std::bad_alloc.
+  void set(std::vector<Bounds> bounds);
+
+  std::size_t blocks() const { return levels_.empty() ? 0 : levels_[0].size(); }
+
+  /// Does the disc meet the bounds of a block that is not in the row? Exact. `steps` grows by what
+  /// it took: about log(blocks).
+  bool isMet(const Circumdisc& disc, const BlockRow& row, std::size_t& steps) const;
+
+  /// A box that has no point of the bounds of other blocks inside; sides at infinity where there is
+  /// none. Large, but not the largest. Where bounds overlap there is none: then xmin > xmax.
+  Bounds freeBoxOf(const BlockRow& row) const;
+
+private:
+  static constexpr std::size_t kInRow = 8;
+  std::vector<std::vector<Bounds>> levels_; ///< from the blocks' own to one around all
+};
+
+} // namespace ahd
+
+#endif

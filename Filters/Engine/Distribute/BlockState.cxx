@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BlockState.h"
+
+#include "../Core/Border.h"
+#include "../Core/SortAsking.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ahd
+{
+
+// -------------------------------------------------------------------------------- the beginning
+
+bool BlockTriangulation::State::beginFacts(Ticker& ticker)
+{
+  const TriangulationAccess::State& made = *TriangulationAccess::stateOf(own().triangulation());
+  const Report& counts = made.report;
+  const BlockFacts facts{ made.ranked.count == 0 ? Bounds() : made.ranked.bounds, counts.inserted,
+    counts.duplicates, counts.notFinite, counts.skipped };
+  BytesWriter(toAll).write(facts);
+  std::vector<Index> vertices;
+  if (!findOwnEnds(vertices, ticker) ||
+    !sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+  {
+    return false;
+  }
+  own().setEnds(std::move(vertices));
+  fronts.push_back(BlockFront::ofBlocks(input.blocks));
+  step = Step::Facts;
+  return true;
+}
+
+bool BlockTriangulation::State::takeFacts(const std::vector<BlockBytes>& all, Ticker& ticker)
+{
+  std::vector<Bounds> bounds;
+  bounds.reserve(all.size());
+  ends.assign(constraintIds(input.constraints), { 0, { 0.0, 0.0 }, -1 });
+  for (const BlockBytes& bytes : all)
+  {
+    BytesReader reader(bytes);
+    const auto facts = reader.read<BlockFacts>();
+    bounds.push_back(facts.bounds);
+    report.vertices += facts.vertices;
+    report.duplicates += facts.duplicates;
+    report.notFinite += facts.notFinite;
+    report.skipped += facts.skipped;
+    std::vector<ChainEnd> more;
+    reader.readAll(more);
+    for (const ChainEnd& end : more)
+    {
+      ends[end.place] = end;
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+  }
+  around.boxes.set(std::move(bounds));
+  return joinSegments(ticker) && settle(0, ticker);
+}
+
+// ------------------------------------------------------------------------------------ up the tree
+
+/// Finds what is final in the part of this level, if it is here, and what has to go up.
+bool BlockTriangulation::State::settle(std::size_t atLevel, Ticker& ticker)
+{
+  toAll.clear();
+  level = atLevel;
+  step = Step::Counts;
+  const BlockFront& front = fronts[level];
+  const std::size_t k = front.rowHostedBy(input.block);
+  if (k == front.rows())
+  {
+    return true;
+  }
+  PartBorder& border = pending[level];
+  if (!parts[level].findFinal(front.row(k), around, ticker) ||
+    !parts[level].makeBorder(border, ticker))
+  {
+    return false;
+  }
+  BytesWriter writer(toAll);
+  writer.write(std::uint64_t(border.points.size()));
+  writer.write(std::uint64_t(border.edges.size()));
+  return true;
+}
+
+void BlockTriangulation::State::takeCounts(const std::vector<BlockBytes>& all)
+{
+  const BlockFront& front = fronts[level];
+  borders.clear();
+  for (std::size_t k = 0; k != front.rows(); ++k)
+  {
+    BytesReader reader(all[front.hostOf(k)]);
+    BorderCount count{ front.hostOf(k) };
+    count.points = static_cast<std::size_t>(reader.read<std::uint64_t>());
+    count.edges = static_cast<std::size_t>(reader.read<std::uint64_t>());
+    borders.push_back(count);
+    report.borderPoints += level == 0 ? count.points : 0;
+  }
+  std::size_t halvings = 1;
+  while ((std::size_t(2) << halvings) <= input.blocksPerNode)
+  {
+    ++halvings;
+  }
+  fronts.push_back(front.rows() == 1 ? front.gatheredTo(0) : front.above(halvings));
+  step = Step::Up;
+}
+
+void BlockTriangulation::State::giveBorder(std::vector<BlockMessage>& out)
+{
+  const auto found = pending.find(level);
+  if (found != pending.end())
+  {
+    const BlockFront& above = fronts[level + 1];
+    const BlockFront& front = fronts[level];
+    const BlockRow row = front.row(front.rowHostedBy(input.block));
+    out.emplace_back();
+    out.back().block = above.hostOf(above.rowOf(row.begin));
+    BytesWriter writer(out.back().bytes);
+    writer.writeAll(found->second.points);
+    writer.writeAll(found->second.edges);
+    pending.erase(found);
+  }
+  borders.clear();
+}
+
+Status BlockTriangulation::State::takeBorders(
+  const std::vector<BlockMessage>& in, const Context& context)
+{
+  const BlockFront below = fronts[level];
+  const BlockFront& front = fronts[++level];
+  const bool isTop = front.rows() == 1;
+  const std::size_t k = front.rowHostedBy(input.block);
+  if (k != front.rows())
+  {
+    std::vector<PartBorder> borderOf;
+    for (std::size_t child = below.rowOf(front.row(k).begin);
+         child != below.rows() && below.row(child).begin < front.row(k).end; ++child)
+    {
+      borderOf.emplace_back();
+      for (const BlockMessage& message : in)
+      {
+        if (message.block == below.hostOf(child))
+        {
+          BytesReader reader(message.bytes);
+          reader.readAll(borderOf.back().points);
+          reader.readAll(borderOf.back().edges);
+        }
+      }
+    }
+    Status status = parts[level].makeOf(borderOf, context);
+    status = status == Status::Ok && isTop ? constrainAll(context) : status;
+    if (status != Status::Ok)
+    {
+      return status;
+    }
+  }
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      const bool isHere = k != front.rows();
+      if (isHere && !parts[level].findBelow(ticker))
+      {
+        return false;
+      }
+      if (!isTop)
+      {
+        return settle(level, ticker);
+      }
+      step = Step::Down;
+      return !isHere || parts[level].finishAll(ticker);
+    });
+}
+
+} // namespace ahd

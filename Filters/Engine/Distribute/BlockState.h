@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BlockState_h
+#define ahd_BlockState_h
+
+#include "BlockFronts.h"
+#include "BlockTriangulation.h"
+#include "Part.h"
+
+#include <array>
+#include <map>
+
+namespace ahd
+{
+
+/// What is known of an id of the constraints: where its point is, and the vertex there.
+struct ChainEnd
+{
+  std::uint64_t place; ///< among the ids of the constraints
+  Point at;
+  std::int64_t vertex; ///< the id of the point that stands for it
+};
+
+/// How many ids the constraints have.
+inline std::size_t constraintIds(const ConstraintView& given)
+{
+  return given.chains == 0
+    ? 0
+    : static_cast<std::size_t>(given.offsets[given.chains] - given.offsets[0]);
+}
+
+/// What a block says of itself at the beginning.
+struct BlockFacts
+{
+  Bounds bounds;
+  std::uint64_t vertices, duplicates, notFinite, skipped;
+};
+
+/// A triangle that other blocks took part in: its corners by number.
+struct SharedTriangle
+{
+  std::array<Index, 3> corners;
+  std::uint8_t flags;
+};
+
+struct BlockTriangulation::State
+{
+  /// What comes next.
+  enum class Step
+  {
+    Facts,  ///< all: of the blocks, and where segments end
+    Counts, ///< all: of the borders of one level
+    Up,     ///< some: borders to the level above
+    Down,   ///< some: what is kept, and triangles, to the level below
+    Totals, ///< all: counts of the result
+    Done
+  };
+
+  BlockInput input;
+  Step step = Step::Facts;
+  BlockBytes toAll;
+  std::vector<BorderCount> borders;
+  BlocksReport report;
+
+  Surroundings around;
+  std::vector<ChainEnd> ends;                ///< by place
+  std::vector<BlockFront> fronts;            ///< by level; the last is the one at work on
+  std::map<std::size_t, Part> parts;         ///< by level: those that this block hosts
+  std::map<std::size_t, PartBorder> pending; ///< by level: not sent yet
+  std::size_t level = 0;                     ///< of the parts at work on
+
+  bool isHostOfAll = false;              ///< was the part of all blocks made here?
+  std::vector<BorderPoint> sharedPoints; ///< the corners of what is shared
+  std::vector<SharedTriangle> shared;
+  std::vector<ForeignPoint> foreign;
+
+  Part& own() { return parts[0]; }
+
+  bool beginFacts(Ticker& ticker);
+  bool takeFacts(const std::vector<BlockBytes>& all, Ticker& ticker);
+  bool joinSegments(Ticker& ticker);
+  bool findOwnEnds(std::vector<Index>& vertices, Ticker& ticker);
+  bool settle(std::size_t atLevel, Ticker& ticker);
+  void takeCounts(const std::vector<BlockBytes>& all);
+  void takeTotals(const std::vector<BlockBytes>& all);
+
+  void giveBorder(std::vector<BlockMessage>& out);
+  Status takeBorders(const std::vector<BlockMessage>& in, const Context& context);
+  bool placeEnds(std::vector<std::int64_t>& placeOf, Ticker& ticker);
+  bool placeConstraints(
+    std::vector<std::int64_t>& ids, std::vector<std::int64_t>& offsets, Ticker& ticker);
+  Status constrainAll(const Context& context);
+  bool giveDown(std::vector<BlockMessage>& out, Ticker& ticker);
+  bool takeDown(const std::vector<BlockMessage>& in, Ticker& ticker);
+  bool numberShared(Ticker& ticker);
+  void sayTotals();
+};
+
+} // namespace ahd
+
+#endif

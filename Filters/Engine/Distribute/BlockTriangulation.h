@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BlockTriangulation_h
+#define ahd_BlockTriangulation_h
+
+#include "../Constraints.h"
+#include "../Core/Context.h"
+#include "../Options.h"
+#include "../Points/Points.h"
+#include "../Result.h"
+#include "BlockTransport.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace ahd
+{
+
+/// What one block knows at the beginning. All but its points and their ids is the same for all
+/// blocks.
+struct BlockInput
+{
+  std::size_t block = 0, blocks = 1;
+
+  /// The block's own points; points at one place are all on one block. For little to be sent the
+  /// blocks' bounds should hardly overlap (BlockCuts.h); the result does not depend on it.
+  PointView points;
+  /// Of each point the id by which all blocks know it: not negative, ascending, of no other point
+  /// of any block.
+  const std::int64_t* ids = nullptr;
+
+  ConstraintView constraints; ///< of all blocks, in these ids
+  FillRule rule = FillRule::Orientation;
+
+  /// How a block's own points are triangulated; it changes no triangle. insertionLimit is to be 0.
+  Options options;
+  /// So many blocks, or parts made of them, hand what is not final to one: a power of two, else the
+  /// next smaller one; 2 at least.
+  std::size_t blocksPerNode = 8;
+};
+
+/// A vertex of another block.
+struct ForeignPoint
+{
+  std::int64_t id;
+  std::size_t block; ///< that owns it
+  Point at;
+};
+
+/// What some blocks hand on so that their triangulations become one: counted before it is sent.
+struct BorderCount
+{
+  std::size_t host;       ///< the block that it is sent from
+  std::size_t points = 0; ///< 32 bytes each
+  std::size_t edges = 0;  ///< 8 bytes each
+};
+
+/// Counts of all blocks together, the same on each, when all is done.
+struct BlocksReport
+{
+  std::size_t vertices = 0, duplicates = 0, notFinite = 0, skipped = 0, triangles = 0;
+  std::size_t ownTriangles = 0; ///< of them, those that blocks knew without the others
+  std::size_t borderPoints = 0; ///< that blocks handed on, those of higher levels not counted
+  ConstraintReport constraints;
+};
+
+/// One block's part in the triangulation of the points of all blocks: exact, canonical, the same
+/// triangles as if one block had all points, constraints included (Algorithm.md, "One triangulation
+/// over many blocks"). Each triangle is on one block: the one that owns its lexicographically
+/// lowest corner.
+///
+/// Goes step by step, all blocks alike, and never waits: the caller carries what blocks have to
+/// tell each other, as distribute() does.
+///
+///     begin()
+///     while waiting() is ForAll or ForSome:
+///       ForAll:   toAll() of each block -> takeAll() of each block
+///       ForSome:  giveSome() -> takeSome()
+///
+/// begin(), giveSome(), takeAll() and takeSome() are one block's own work and can fail on one block
+/// alone (Ok, Cancelled, TooManyPoints, OutOfMemory): so blocks have to agree on it before they go
+/// on, or none may. After anything but Ok no other function may be called. How many steps there are
+/// depends on the number of blocks, blocksPerNode and gatherTo() alone.
+///
+/// Each time borders() has news, giveSome() has not been called yet: nothing that grows with the
+/// border has been sent, and the caller may refuse to go on, or have all that remains gathered to
+/// one block. What that takes there: borderMemoryEstimate().
+///
+/// Borrows points, ids and constraints. Phases of the Context's Progress: those of triangulate(),
+/// on some blocks several times, and Phase::Outputs.
+class BlockTriangulation
+{
+public:
+  BlockTriangulation();
+  ~BlockTriangulation();
+  BlockTriangulation(BlockTriangulation&&) noexcept;
+  BlockTriangulation& operator=(BlockTriangulation&&) noexcept;
+
+  enum class Waiting
+  {
+    ForAll,    ///< for what each block says to all
+    ForSome,   ///< for messages from some blocks to some
+    ForNothing ///< the result is there
+  };
+
+  /// Triangulates the block's own points.
+  Status begin(const BlockInput& input, const Context& context);
+  Waiting waiting() const;
+
+  /// What this block says to all. REQUIRES: waiting ForAll; as takeAll().
+  const BlockBytes& toAll() const;
+  Status takeAll(const std::vector<BlockBytes>& all, const Context& context);
+
+  /// What this block says to some. REQUIRES: waiting ForSome; as takeSome().
+  Status giveSome(std::vector<BlockMessage>& out, const Context& context);
+  Status takeSome(const std::vector<BlockMessage>& in, const Context& context);
+
+  /// What will be sent next to become one triangulation, in the order of the blocks: the same on
+  /// all blocks. Empty before it is known and after it was sent.
+  const std::vector<BorderCount>& borders() const;
+  /// All of it is to be sent to this block at once, rather than up a tree. To be called on all
+  /// blocks alike. REQUIRES: borders() has news.
+  void gatherTo(std::size_t block);
+
+  // --- When it waits for nothing ---
+
+  const BlocksReport& report() const;
+  /// How many of the triangles are on this block.
+  std::size_t triangles() const;
+  /// Corners of this block's triangles that others own, by id. Each such corner has a number:
+  /// points.count + its place here.
+  const std::vector<ForeignPoint>& foreignPoints() const;
+  /// triangles() triples of the block's own points, by their numbers in its points, and foreign
+  /// ones. First triangles that only have own corners, in canonical order; then those that other
+  /// blocks took part in, by the coordinates of their corners, from the lowest corner on. So it is
+  /// a function of all points and of where they are. May be called again after any outcome.
+  template <typename Id>
+  Status writeTriangles(Id* triples, const Context& context);
+  /// A byte for each triangle: bit e is set if its edge from corner e on is a constraint.
+  Status writeConstraintEdges(std::uint8_t* edges, const Context& context) const;
+  /// What became of each of the block's points (Result.h), in the ids that all blocks know.
+  Status writePointStatus(std::int64_t* status, const Context& context);
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// All of it, over a transport. To be called by all blocks; returns the same on all.
+Status distribute(const BlockInput& input, BlockTransport& transport, const Context& context,
+  BlockTriangulation& out);
+
+/// Upper estimate of the bytes that a block takes for so many points of its own and ids of
+/// constraints, input, output and what others hand to it not counted.
+std::size_t blockMemoryEstimate(
+  std::size_t pointCount, std::size_t constraintIds, const Options& options);
+
+/// Upper estimate of what the host of a node takes on top of it to make one of so many points and
+/// edges that are handed to it.
+std::size_t borderMemoryEstimate(
+  std::size_t pointCount, std::size_t edgeCount, std::size_t constraintIds);
+
+} // namespace ahd
+
+#endif

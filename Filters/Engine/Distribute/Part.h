@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Part_h
+#define ahd_Part_h
+
+#include "../Constraints.h"
+#include "../Core/Buffer.h"
+#include "../Core/Chunks.h"
+#include "../Mesh/Mesh.h"
+#include "../Triangulate.h"
+#include "../Triangulation/State.h"
+#include "BlockBoxes.h"
+#include "SegmentTree.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+
+/// A vertex as other blocks hear of it.
+struct BorderPoint
+{
+  Point at;
+  std::int64_t id;     ///< the caller's
+  std::uint32_t block; ///< that owns it
+  std::uint32_t isEnd; ///< 1 if a segment ends there
+};
+static_assert(sizeof(BorderPoint) == 4 * sizeof(double), "a PointView looks at it");
+
+/// An edge of the border of what is final, which lies on its left. Places among the points.
+struct BorderEdge
+{
+  Index from, to;
+};
+
+/// What a part hands up.
+struct PartBorder
+{
+  std::vector<BorderPoint> points;
+  std::vector<BorderEdge> edges;
+};
+
+/// Triangles for the block that owns their lexicographically lowest corners.
+struct OwnedTriangles
+{
+  std::vector<BorderPoint> points; ///< their corners
+  std::vector<Index> corners;      ///< three places each, the lowest corner first
+  std::vector<std::uint8_t> flags; ///< of each triangle: bit e if the edge from corner e on is a
+                                   ///< constraint
+};
+
+/// What parts ask about: the others' boxes and the segments.
+struct Surroundings
+{
+  BlockBoxes boxes;
+  SegmentTree segments;
+};
+
+/// The triangulation of the points of a row of blocks, as far as it was not final in parts of it:
+/// at the bottom one block's own, above that of the points that the parts below handed up.
+///
+/// A triangle is *final* if it is known to be in the triangulation of all blocks' points and all
+/// constraints: no point of another block lies in its closed circumdisc, and no segment touches it;
+/// or the row has all blocks. What was final below is the region on the left of the edges that were
+/// handed up; of this the part knows the border, not the triangles.
+///
+/// Functions that return bool return false if the work is to be cancelled, and throw
+/// std::bad_alloc.
+class Part
+{
+public:
+  /// Of a block's own points, with the ids by which all blocks know them.
+  Status makeOwn(const PointView& points, const std::int64_t* ids, std::uint32_t block,
+    const Options& options, const Context& context);
+  /// Of what was handed up, which is used up.
+  Status makeOf(std::vector<PartBorder>& below, const Context& context);
+  /// Puts the constraints in; their ids are places among given(). REQUIRES: makeOf(), all blocks.
+  Status constrain(const ConstraintView& constraints, FillRule rule, const Context& context);
+
+  /// The vertices where segments end, ascending. REQUIRES: makeOwn().
+  void setEnds(std::vector<Index> ends) { ends_ = std::move(ends); }
+
+  /// Finds the region of what was final below. REQUIRES: makeOf().
+  bool findBelow(Ticker& ticker);
+  /// Finds what is final, in a row that has not all blocks.
+  bool findFinal(const BlockRow& row, const Surroundings& around, Ticker& ticker);
+  /// All that was not final below is; what loops dropped is known.
+  bool finishAll(Ticker& ticker);
+
+  /// What the part above needs: the corners of triangles that are not final, the vertices of the
+  /// hull, the ends of segments; all, where there is no triangle.
+  bool makeBorder(PartBorder& border, Ticker& ticker);
+
+  /// Of each edge handed up: is what is on its left kept? One answer for all, or one for each.
+  struct Kept
+  {
+    bool isAll = true;
+    std::vector<std::uint8_t> edges;
+  };
+  /// Hears it from the part above. REQUIRES: makeBorder().
+  bool takeKept(const Kept& kept, Ticker& ticker);
+  /// Tells it to a part below, by its place among those of makeOf(). After takeKept(), or in the
+  /// part of all blocks finishAll().
+  void tellKept(std::size_t child, Kept& kept) const;
+
+  /// What has become final here and is kept, by the block that owns it, from the row's first one.
+  bool listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const;
+
+  /// How many triangles have become final here and are kept.
+  std::size_t finalTriangles() const { return finalTriangles_; }
+  /// Writes these as triples of vertices' points, in canonical order. REQUIRES: makeOwn(). No place
+  /// is known after that.
+  template <typename Id>
+  bool writeFinal(Id* triples, Ticker& ticker);
+
+  Triangulation& triangulation() { return made_; }
+  const Triangulation& triangulation() const { return made_; }
+  const std::vector<BorderPoint>& given() const { return given_; }
+  /// Is a triangle dropped by loops?
+  bool isAnyDropped() const { return isAnyDropped_; }
+
+private:
+  enum : std::uint8_t
+  {
+    kBelow = 1,   ///< in the region of what was final below
+    kFinal = 2,   ///< has become final here
+    kGone = 4,    ///< dropped by loops
+    kVisited = 8, ///< by the search that takes kept regions
+    kLeftOut = 16 ///< not to be written
+  };
+
+  TriangulationAccess::State& state() { return *TriangulationAccess::stateOf(made_); }
+  const TriangulationAccess::State& state() const { return *TriangulationAccess::stateOf(made_); }
+  bool hasTriangles() const { return slots_ != 0; }
+  bool begin(Ticker& ticker);
+  BorderPoint describe(Index vertex) const;
+
+  std::uint8_t label(Mesh::Halfedge h) const { return labels_[h / Mesh::kSlotSize]; }
+  bool isGhost(Mesh::Slot slot) const
+  {
+    return data_[slot] == ghost_ || data_[slot + 1] == ghost_ || data_[slot + 2] == ghost_;
+  }
+  bool isSettled(Mesh::Halfedge h) const { return (label(h) & (kBelow | kFinal)) != 0; }
+  Index origin(Mesh::Halfedge h) const { return data_[Mesh::next(h)]; }
+  Index destination(Mesh::Halfedge h) const { return data_[Mesh::previous(h)]; }
+  Mesh::Halfedge twin(Mesh::Halfedge h) const { return data_[h + Mesh::kTwin]; }
+  Corners cornersOf(Mesh::Slot slot) const;
+
+  template <typename Visit>
+  bool eachSlot(Ticker& ticker, Visit visit) const;
+  template <typename MayEnter>
+  bool flood(Mesh::Slot from, std::uint8_t label, MayEnter mayEnter, Ticker& ticker);
+  bool findEdgesBelow(Ticker& ticker);
+  bool finalInShare(const BlockRow& row, const Surroundings& around, std::size_t begin,
+    std::size_t end, Ticker& own);
+  bool flagBorder(Buffer<std::uint8_t>& isBorder, Ticker& ticker) const;
+  bool listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker);
+  bool countFinal(Ticker& ticker);
+
+  Triangulation made_;
+  const std::int64_t* ids_ = nullptr; ///< of the own points; null above the bottom
+  std::uint32_t block_ = 0;
+  std::vector<Index> ends_;
+  std::vector<BorderPoint> given_;
+  std::vector<BorderEdge> edgesBelow_;
+  std::vector<std::size_t> firstEdge_;         ///< of each part below, and their number
+  std::vector<Mesh::Halfedge> halfEdgesBelow_; ///< where the edges from below are
+
+  const std::uint32_t* data_ = nullptr; ///< the mesh
+  Index ghost_ = 0;
+  std::size_t slots_ = 0;
+  Buffer<std::uint8_t> labels_;             ///< of each triangle of the mesh
+  std::vector<Mesh::Halfedge> borderEdges_; ///< as they were handed up
+  std::size_t finalTriangles_ = 0;
+  bool isAnyDropped_ = false;
+};
+
+/// Calls visit(slot) for all finite triangles.
+template <typename Visit>
+bool Part::eachSlot(Ticker& ticker, Visit visit) const
+{
+  return inChunks(0, slots_, ticker,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        const Mesh::Slot slot = Mesh::slotOfTriangle(k);
+        if (!isGhost(slot))
+        {
+          visit(slot);
+        }
+      }
+    });
+}
+
+/// Labels the triangle and whatever can be reached from it across half-edges that may be entered.
+template <typename MayEnter>
+bool Part::flood(Mesh::Slot from, std::uint8_t label, MayEnter mayEnter, Ticker& ticker)
+{
+  std::vector<Mesh::Slot> open{ from };
+  labels_[from / Mesh::kSlotSize] |= label;
+  while (!open.empty())
+  {
+    const Mesh::Slot slot = open.back();
+    open.pop_back();
+    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    {
+      const Mesh::Slot next = Mesh::slotOf(twin(h));
+      if (mayEnter(h, next))
+      {
+        labels_[next / Mesh::kSlotSize] |= label;
+        open.push_back(next);
+      }
+    }
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace ahd
+
+#endif

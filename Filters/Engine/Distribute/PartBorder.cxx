@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Part.h"
+
+#include "../Core/SortAsking.h"
+#include "../Extract/Extractor.h"
+
+#include <algorithm>
+
+namespace ahd
+{
+
+BorderPoint Part::describe(Index vertex) const
+{
+  const TriangulationAccess::State& all = state();
+  const Index point = all.ranked.id[vertex];
+  if (ids_ == nullptr)
+  {
+    return given_[point];
+  }
+  const bool isEnd = std::binary_search(ends_.begin(), ends_.end(), vertex);
+  return { all.ranked.xy[vertex], ids_[point], block_, isEnd ? 1u : 0u };
+}
+
+bool Part::flagBorder(Buffer<std::uint8_t>& isBorder, Ticker& ticker) const
+{
+  const std::size_t vertices = state().ranked.count;
+  isBorder.allocate(vertices);
+  const auto flag = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const Mesh::Slot slot = Mesh::slotOfTriangle(k);
+      for (Mesh::Halfedge h = slot; !isSettled(slot) && h != slot + 3; ++h)
+      {
+        if (data_[h] != ghost_)
+        {
+          isBorder[data_[h]] = 1;
+        }
+      }
+    }
+  };
+  const auto flagEnds = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      isBorder[ends_[i]] = 1;
+    }
+  };
+  const auto flagEndsBelow = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t v = a; v != b; ++v)
+    {
+      isBorder[v] |= static_cast<std::uint8_t>(given_[state().ranked.id[v]].isEnd);
+    }
+  };
+  return fillAll(isBorder, std::uint8_t(hasTriangles() ? 0 : 1), ticker) &&
+    inChunks(0, slots_, ticker, flag) && inChunks(0, ends_.size(), ticker, flagEnds) &&
+    (ids_ || inChunks(0, vertices, ticker, flagEndsBelow));
+}
+
+bool Part::makeBorder(PartBorder& border, Ticker& ticker)
+{
+  border = PartBorder();
+  Buffer<std::uint8_t> isBorder;
+  if (!flagBorder(isBorder, ticker))
+  {
+    return false;
+  }
+  std::size_t count = 0;
+  const auto add = [&](std::size_t a, std::size_t b)
+  { count += static_cast<std::size_t>(std::count(isBorder.data() + a, isBorder.data() + b, 1)); };
+  std::vector<Index> vertices;
+  const auto list = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t v = a; v != b; ++v)
+    {
+      if (isBorder[v] != 0)
+      {
+        vertices.push_back(static_cast<Index>(v));
+        border.points.push_back(describe(static_cast<Index>(v)));
+      }
+    }
+  };
+  if (!inChunks(0, isBorder.size(), ticker, add))
+  {
+    return false;
+  }
+  vertices.reserve(count);
+  border.points.reserve(count);
+  return inChunks(0, isBorder.size(), ticker, list) && listEdges(border, vertices, ticker);
+}
+
+/// The edges of what is final, here or below, on whose other side nothing is.
+bool Part::listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker)
+{
+  borderEdges_.clear();
+  const auto isBorderEdge = [&](Mesh::Halfedge h) { return isSettled(h) && !isSettled(twin(h)); };
+  const auto placeOf = [&](Index vertex)
+  {
+    return static_cast<Index>(
+      std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
+  };
+  const auto list = [&](Mesh::Slot slot)
+  {
+    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    {
+      if (isBorderEdge(h))
+      {
+        borderEdges_.push_back(h);
+        border.edges.push_back({ placeOf(origin(h)), placeOf(destination(h)) });
+      }
+    }
+  };
+  return eachSlot(ticker, list);
+}
+
+// ---------------------------------------------------------------------------- what loops keep
+
+bool Part::takeKept(const Kept& kept, Ticker& ticker)
+{
+  if (kept.isAll)
+  {
+    return true;
+  }
+  isAnyDropped_ = true;
+  const auto mayEnter = [&](Mesh::Halfedge, Mesh::Slot next)
+  { return isSettled(next) && (label(next) & kVisited) == 0; };
+  for (std::size_t i = 0; i != borderEdges_.size(); ++i)
+  {
+    const std::uint8_t found = kept.edges[i] != 0 ? kVisited : kVisited | kGone;
+    if ((label(borderEdges_[i]) & kVisited) == 0 &&
+      !flood(Mesh::slotOf(borderEdges_[i]), found, mayEnter, ticker))
+    {
+      return false;
+    }
+  }
+  return countFinal(ticker);
+}
+
+void Part::tellKept(std::size_t child, Kept& kept) const
+{
+  kept.isAll = !isAnyDropped_ || !hasTriangles();
+  kept.edges.clear();
+  for (std::size_t i = firstEdge_[child]; !kept.isAll && i != firstEdge_[child + 1]; ++i)
+  {
+    kept.edges.push_back((label(halfEdgesBelow_[i]) & kGone) == 0 ? 1 : 0);
+  }
+}
+
+// -------------------------------------------------------------------------------- what goes out
+
+bool Part::listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const
+{
+  owned.assign(row.end - row.begin, OwnedTriangles());
+  const TriangulationAccess::State& all = state();
+  const auto point = [&](Index vertex) -> const BorderPoint&
+  { return given_[all.ranked.id[vertex]]; };
+  const auto list = [&](Mesh::Slot slot)
+  {
+    if ((label(slot) & (kFinal | kGone)) != kFinal)
+    {
+      return;
+    }
+    Mesh::Halfedge lowest = slot;
+    for (Mesh::Halfedge h = slot + 1; h != slot + 3; ++h)
+    {
+      lowest = lexicographicallyLess(point(data_[h]).at, point(data_[lowest]).at) ? h : lowest;
+    }
+    OwnedTriangles& to = owned[point(data_[lowest]).block - row.begin];
+    unsigned flags = 0;
+    Mesh::Halfedge h = lowest;
+    for (unsigned e = 0; e != 3; ++e, h = Mesh::next(h))
+    {
+      to.corners.push_back(data_[h]);
+      // The edge that begins at the corner is the one opposite to the corner before it.
+      const Mesh::Halfedge edge = Mesh::previous(h);
+      flags |= (all.hasMarks && all.constrained.isConstrained(edge) ? 1u : 0u) << e;
+    }
+    to.flags.push_back(static_cast<std::uint8_t>(flags));
+  };
+  if (!eachSlot(ticker, list))
+  {
+    return false;
+  }
+  // Vertices become places among the corners.
+  for (OwnedTriangles& some : owned)
+  {
+    std::vector<Index> vertices = some.corners;
+    if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+    {
+      return false;
+    }
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    some.points.reserve(vertices.size());
+    for (const Index vertex : vertices)
+    {
+      some.points.push_back(point(vertex));
+    }
+    for (Index& corner : some.corners)
+    {
+      corner = static_cast<Index>(
+        std::lower_bound(vertices.begin(), vertices.end(), corner) - vertices.begin());
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+template <typename Id>
+bool Part::writeFinal(Id* triples, Ticker& ticker)
+{
+  if (!hasTriangles())
+  {
+    return true;
+  }
+  const auto leaveOut = [&](Mesh::Slot slot)
+  {
+    std::uint8_t& own = labels_[slot / Mesh::kSlotSize];
+    const bool goes = (own & (kFinal | kGone)) != kFinal;
+    own = static_cast<std::uint8_t>((own & ~unsigned(kLeftOut)) | (goes ? kLeftOut : 0));
+  };
+  if (!eachSlot(ticker, leaveOut))
+  {
+    return false;
+  }
+  TriangulationAccess::State& all = state();
+  all.arePlacesGone = true;
+  Scratch scratch;
+  scratch.view(all.ranked.xy.data(), all.ranked.xy.size() * sizeof(Point));
+  return writeCanonical(ExtractedMesh(all.mesh, labels_.data(), kLeftOut), all.ranked.id.data(),
+    triples, scratch, ticker);
+}
+
+template bool Part::writeFinal(int*, Ticker&);
+template bool Part::writeFinal(long*, Ticker&);
+template bool Part::writeFinal(long long*, Ticker&);
+
+} // namespace ahd

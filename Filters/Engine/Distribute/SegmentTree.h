@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_SegmentTree_h
+#define ahd_SegmentTree_h
+
+#include "../Core/Progress.h"
+#include "../Points/Points.h"
+#include "../Predicates/Discs.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace ahd
+{
+
+/// Two points that are to be joined.
+struct EndPair
+{
+  Point from, to;
+};
+
+/// Says whether a triangle is touched by one of many segments. Long segments lie in boxes of parts
+/// of them; the boxes are sorted by columns and rows, with boxes around each eight, and so on.
+class SegmentTree
+{
+public:
+  enum class Answer
+  {
+    Touched,
+    Untouched,
+    Cancelled
+  };
+
+  /// Returns false if the work is to be cancelled. Throws std::bad_alloc.
+  bool build(std::vector<EndPair> segments, Ticker& ticker);
+
+  bool empty() const { return segments_.empty(); }
+
+  /// Exact; both are closed.
+  Answer ask(const Corners& triangle, Ticker& ticker) const;
+
+private:
+  static constexpr std::size_t kInBox = 8;
+
+  struct Part
+  {
+    Bounds box;
+    Index segment, column;
+  };
+
+  bool cut(Ticker& ticker);
+  bool sort(Ticker& ticker);
+  bool stack(Ticker& ticker);
+
+  std::vector<EndPair> segments_;
+  std::vector<Part> parts_;
+  std::vector<std::vector<Bounds>> levels_; ///< boxes around eight parts, around eight boxes, ...
+};
+
+} // namespace ahd
+
+#endif
