@@ -73,7 +73,7 @@ bool BlockTriangulation::State::joinSegments(Ticker& ticker)
       return false;
     }
   }
-  return around.segments.build(std::move(pairs), ticker);
+  return around.segments.build(std::move(pairs), input.points.count / 4, ticker);
 }
 
 /// Of each id of the constraints its place among the points of all blocks' part, -1 if it has none.

@@ -235,11 +235,13 @@ std::size_t blockMemoryEstimate(
   {
     return own;
   }
-  // Per point: two labels, a flag, and with constraints its vertex. Per id of the constraints: an
-  // end, of its own and of all, as lists grow; a pair of places; three parts in the tree, sorted.
-  const std::size_t perPoint = 2 + 1 + (constraintIds == 0 ? 0 : sizeof(Index));
-  constexpr std::size_t kPerId = 4 * sizeof(ChainEnd) + 3 * (sizeof(EndPair) + sizeof(Index)) +
-    3 * 3 * 40 + 3 * 8;
+  // Per point: two labels; with constraints its vertex, and a quarter of a part of a segment,
+  // sorted, as lists grow, and boxes. Per id of the constraints: an end, of its own and of all;
+  // three parts.
+  constexpr std::size_t kPart = 3 * 2 * 40 + 8;
+  const std::size_t perPoint = 2 + (constraintIds == 0 ? 0 : sizeof(Index) + kPart / 4);
+  constexpr std::size_t kPerId = 4 * sizeof(ChainEnd) + 4 * sizeof(EndPair) + 3 * sizeof(Index) +
+    3 * kPart;
   return own + pointCount * perPoint + constraintIds * kPerId + (std::size_t(1) << 17);
 }
 

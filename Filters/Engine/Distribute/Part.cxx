@@ -4,7 +4,7 @@
 #include "../Constrain/ConstrainedMesh.h"
 #include "../Constrain/EdgeTable.h"
 #include "../Core/Border.h"
-#include "../Core/Loops.h"
+#include "../Core/Chunks.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,7 +12,8 @@
 namespace ahd
 {
 
-/// Of the mesh as it is now: constraints change its triangles, not their number.
+/// Of the mesh as it is now: constraints change its triangles, not their number. Ghosts are open
+/// from the beginning: turns once around the hull to find them.
 bool Part::begin(Ticker& ticker)
 {
   const TriangulationAccess::State& all = state();
@@ -20,7 +21,35 @@ bool Part::begin(Ticker& ticker)
   data_ = all.mesh.data();
   ghost_ = all.mesh.ghost();
   labels_.allocate(slots_);
-  return fillAll(labels_, std::uint8_t(0), ticker);
+  if (!fillAll(labels_, std::uint8_t(0), ticker) || !hasTriangles())
+  {
+    return !hasTriangles() && ticker.ask();
+  }
+  Mesh::Slot slot = 0;
+  for (; !isGhost(slot); slot += Mesh::kSlotSize)
+  {
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  Mesh::Halfedge start = slot;
+  while (data_[start] != ghost_)
+  {
+    ++start;
+  }
+  Mesh::Halfedge h = start;
+  do
+  {
+    ghosts_.push_back(Mesh::slotOf(h));
+    labels_[h / Mesh::kSlotSize] = kOpen;
+    h = Mesh::next(twin(Mesh::next(h)));
+    if (!ticker.step())
+    {
+      return false;
+    }
+  } while (h != start);
+  return true;
 }
 
 Status Part::makeOwn(const PointView& points, const std::int64_t* ids, std::uint32_t block,
@@ -180,69 +209,116 @@ bool Part::findBelow(Ticker& ticker)
   return true;
 }
 
-bool Part::finalInShare(
-  const BlockRow& row, const Surroundings& around, std::size_t begin, std::size_t end, Ticker& own)
+/// Is it open? Untouched: it is final.
+SegmentTree::Answer Part::test(Mesh::Slot slot, const Neighborhood& near, Ticker& ticker) const
 {
-  const Bounds freeBox = around.boxes.freeBoxOf(row);
-  for (std::size_t k = begin; k != end; ++k)
+  const Corners corners = cornersOf(slot);
+  const Circumdisc disc(corners);
+  std::size_t steps = 1;
+  if (!disc.isCertainlyWithin(near.freeBox) && near.around.boxes.isMet(disc, near.row, steps))
   {
-    const Mesh::Slot slot = Mesh::slotOfTriangle(k);
-    std::size_t steps = 1;
-    if ((labels_[k] & kBelow) == 0 && !isGhost(slot))
+    return ticker.step() ? SegmentTree::Answer::Touched : SegmentTree::Answer::Cancelled;
+  }
+  return ticker.step(std::min(steps, kStepsPerAsking / 2))
+    ? near.around.segments.ask(corners, ticker)
+    : SegmentTree::Answer::Cancelled;
+}
+
+/// Tests the triangle unless that was done, and those beside it if it is open, and so on.
+bool Part::spread(Mesh::Slot from, const Neighborhood& near, Ticker& ticker)
+{
+  std::vector<Mesh::Slot> waiting{ from };
+  while (!waiting.empty())
+  {
+    const Mesh::Slot slot = waiting.back();
+    waiting.pop_back();
+    std::uint8_t& own = labels_[slot / Mesh::kSlotSize];
+    if ((own & (kTested | kOpen | kBelow)) != 0)
     {
-      const Corners corners = cornersOf(slot);
-      const Circumdisc disc(corners);
-      if (disc.isCertainlyWithin(freeBox) || !around.boxes.isMet(disc, row, steps))
-      {
-        const SegmentTree::Answer answer = around.segments.ask(corners, own);
-        if (answer == SegmentTree::Answer::Cancelled)
-        {
-          return false;
-        }
-        labels_[k] |= answer == SegmentTree::Answer::Untouched ? kFinal : 0;
-      }
+      continue;
     }
-    if (!own.step(std::min(steps, kStepsPerAsking / 2)))
+    own |= kTested;
+    const SegmentTree::Answer answer = test(slot, near, ticker);
+    if (answer == SegmentTree::Answer::Cancelled)
     {
       return false;
+    }
+    if (answer == SegmentTree::Answer::Touched)
+    {
+      own |= kOpen;
+      open_.push_back(slot);
+      for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+      {
+        waiting.push_back(Mesh::slotOf(twin(h)));
+      }
     }
   }
   return true;
 }
 
+/// Where the bounds of other blocks do not overlap those of the row, only triangles are tested that
+/// are at the hull or at an end of a segment, or beside an open one. The others are final.
+///
+/// Proof. Let q be a place in a closed disc of the triangulation, and in bounds that lie outside of
+/// the hull. On the paraboloid, a hair below q, one sees the faces of the lower hull whose
+/// triangles have q in their closed discs, and some ghosts; what one sees of a convex polytope is
+/// connected. So from each such triangle a way across edges leads through such triangles to the
+/// hull. And where a segment goes, one touched triangle follows the other, across an edge or around
+/// a vertex, from an end of the segment or from the hull, as both ends are own vertices or outside
+/// of it.
 bool Part::findFinal(const BlockRow& row, const Surroundings& around, Ticker& ticker)
 {
-  const std::size_t tasks = tasksForLoop(ticker, slots_);
-  return ticker.ask() &&
-    inParallel(ticker, tasks,
-      [&](std::size_t task, Ticker& own)
+  const Neighborhood near{ row, around, around.boxes.freeBoxOf(row) };
+  const bool isApart = near.freeBox.xmin <= near.freeBox.xmax;
+  const auto isEnd = [&](Index vertex)
+  { return std::binary_search(ends_.begin(), ends_.end(), vertex); };
+  const auto isSeed = [&](Mesh::Slot slot)
+  {
+    return !isApart || !ids_ || isEnd(data_[slot]) || isEnd(data_[slot + 1]) ||
+      isEnd(data_[slot + 2]);
+  };
+  for (const Mesh::Slot ghost : ghosts_)
+  {
+    for (Mesh::Halfedge h = ghost; h != ghost + 3; ++h)
+    {
+      if (!spread(Mesh::slotOf(twin(h)), near, ticker))
       {
-        const Share share(slots_, task, tasks);
-        return finalInShare(row, around, share.begin, share.end, own);
-      }) &&
-    countFinal(ticker);
+        return false;
+      }
+    }
+  }
+  const bool areMore = !isApart || !ids_ || !ends_.empty();
+  for (std::size_t k = 0; areMore && k != slots_; ++k)
+  {
+    const Mesh::Slot slot = Mesh::slotOfTriangle(k);
+    if (!ticker.step() || (isSeed(slot) && !spread(slot, near, ticker)))
+    {
+      return false;
+    }
+  }
+  finalTriangles_ = slots_ - ghosts_.size() - open_.size();
+  return ids_ || countFinal(ticker);
 }
 
 bool Part::finishAll(Ticker& ticker)
 {
   const TriangulationAccess::State& all = state();
   isAnyDropped_ = all.report.triangles != all.allTriangles;
-  const auto finish = [&](Mesh::Slot slot)
+  const auto drop = [&](Mesh::Slot slot)
   {
-    std::uint8_t& own = labels_[slot / Mesh::kSlotSize];
-    const bool isGone = isAnyDropped_ && (all.constrained.marks(slot) & kDropped) != 0;
-    own = static_cast<std::uint8_t>(
-      own | ((own & kBelow) == 0 ? kFinal : 0) | (isGone ? kGone : 0));
+    if ((all.constrained.marks(slot) & kDropped) != 0)
+    {
+      labels_[slot / Mesh::kSlotSize] |= kGone;
+    }
   };
-  return eachSlot(ticker, finish) && countFinal(ticker);
+  return (!isAnyDropped_ || eachSlot(ticker, drop)) && countFinal(ticker);
 }
 
 bool Part::countFinal(Ticker& ticker)
 {
   finalTriangles_ = 0;
-  return eachSlot(ticker,
-    [&](Mesh::Slot slot)
-    { finalTriangles_ += (label(slot) & (kFinal | kGone)) == kFinal ? 1u : 0u; });
+  return eachSlot(
+    ticker, [&](Mesh::Slot slot) { finalTriangles_ += isFinalAndKept(slot) ? 1u : 0u; });
 }
 
 } // namespace ahd

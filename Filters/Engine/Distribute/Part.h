@@ -125,10 +125,18 @@ private:
   enum : std::uint8_t
   {
     kBelow = 1,   ///< in the region of what was final below
-    kFinal = 2,   ///< has become final here
+    kOpen = 2,    ///< a ghost, or not final
     kGone = 4,    ///< dropped by loops
     kVisited = 8, ///< by the search that takes kept regions
-    kLeftOut = 16 ///< not to be written
+    kTested = 16  ///< by the search for what is final
+  };
+
+  /// What a triangle is tested against.
+  struct Neighborhood
+  {
+    const BlockRow& row;
+    const Surroundings& around;
+    Bounds freeBox;
   };
 
   TriangulationAccess::State& state() { return *TriangulationAccess::stateOf(made_); }
@@ -142,7 +150,10 @@ private:
   {
     return data_[slot] == ghost_ || data_[slot + 1] == ghost_ || data_[slot + 2] == ghost_;
   }
-  bool isSettled(Mesh::Halfedge h) const { return (label(h) & (kBelow | kFinal)) != 0; }
+  /// Is it final, here or below?
+  bool isSettled(Mesh::Halfedge h) const { return (label(h) & kOpen) == 0; }
+  static constexpr std::uint8_t kNotHere = kBelow | kOpen | kGone;
+  bool isFinalAndKept(Mesh::Slot slot) const { return (label(slot) & kNotHere) == 0; }
   Index origin(Mesh::Halfedge h) const { return data_[Mesh::next(h)]; }
   Index destination(Mesh::Halfedge h) const { return data_[Mesh::previous(h)]; }
   Mesh::Halfedge twin(Mesh::Halfedge h) const { return data_[h + Mesh::kTwin]; }
@@ -153,9 +164,9 @@ private:
   template <typename MayEnter>
   bool flood(Mesh::Slot from, std::uint8_t label, MayEnter mayEnter, Ticker& ticker);
   bool findEdgesBelow(Ticker& ticker);
-  bool finalInShare(const BlockRow& row, const Surroundings& around, std::size_t begin,
-    std::size_t end, Ticker& own);
-  bool flagBorder(Buffer<std::uint8_t>& isBorder, Ticker& ticker) const;
+  SegmentTree::Answer test(Mesh::Slot slot, const Neighborhood& near, Ticker& ticker) const;
+  bool spread(Mesh::Slot from, const Neighborhood& near, Ticker& ticker);
+  bool listVertices(std::vector<Index>& vertices, Ticker& ticker) const;
   bool listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker);
   bool countFinal(Ticker& ticker);
 
@@ -171,6 +182,7 @@ private:
   const std::uint32_t* data_ = nullptr; ///< the mesh
   Index ghost_ = 0;
   std::size_t slots_ = 0;
+  std::vector<Mesh::Slot> ghosts_, open_;   ///< open_: finite triangles that are not final
   Buffer<std::uint8_t> labels_;             ///< of each triangle of the mesh
   std::vector<Mesh::Halfedge> borderEdges_; ///< as they were handed up
   std::size_t finalTriangles_ = 0;

@@ -21,97 +21,100 @@ BorderPoint Part::describe(Index vertex) const
   return { all.ranked.xy[vertex], ids_[point], block_, isEnd ? 1u : 0u };
 }
 
-bool Part::flagBorder(Buffer<std::uint8_t>& isBorder, Ticker& ticker) const
+/// Those that the part above needs, ascending.
+bool Part::listVertices(std::vector<Index>& vertices, Ticker& ticker) const
 {
-  const std::size_t vertices = state().ranked.count;
-  isBorder.allocate(vertices);
-  const auto flag = [&](std::size_t a, std::size_t b)
+  const TriangulationAccess::State& all = state();
+  const std::size_t count = all.ranked.count;
+  vertices = ends_;
+  vertices.reserve(ends_.size() + (hasTriangles() ? 3 * open_.size() + 2 * ghosts_.size() : count));
+  for (const std::vector<Mesh::Slot>* const slots : { &open_, &ghosts_ })
   {
-    for (std::size_t k = a; k != b; ++k)
+    for (const Mesh::Slot slot : *slots)
     {
-      const Mesh::Slot slot = Mesh::slotOfTriangle(k);
-      for (Mesh::Halfedge h = slot; !isSettled(slot) && h != slot + 3; ++h)
+      for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
       {
         if (data_[h] != ghost_)
         {
-          isBorder[data_[h]] = 1;
+          vertices.push_back(data_[h]);
         }
       }
+      if (!ticker.step())
+      {
+        return false;
+      }
     }
-  };
-  const auto flagEnds = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      isBorder[ends_[i]] = 1;
-    }
-  };
-  const auto flagEndsBelow = [&](std::size_t a, std::size_t b)
+  }
+  const auto add = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t v = a; v != b; ++v)
     {
-      isBorder[v] |= static_cast<std::uint8_t>(given_[state().ranked.id[v]].isEnd);
+      if (!hasTriangles() || given_[all.ranked.id[v]].isEnd != 0)
+      {
+        vertices.push_back(static_cast<Index>(v));
+      }
     }
   };
-  return fillAll(isBorder, std::uint8_t(hasTriangles() ? 0 : 1), ticker) &&
-    inChunks(0, slots_, ticker, flag) && inChunks(0, ends_.size(), ticker, flagEnds) &&
-    (ids_ || inChunks(0, vertices, ticker, flagEndsBelow));
+  if ((!ids_ || !hasTriangles()) && !inChunks(0, count, ticker, add))
+  {
+    return false;
+  }
+  if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+  {
+    return false;
+  }
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  return true;
 }
 
 bool Part::makeBorder(PartBorder& border, Ticker& ticker)
 {
   border = PartBorder();
-  Buffer<std::uint8_t> isBorder;
-  if (!flagBorder(isBorder, ticker))
+  std::vector<Index> vertices;
+  if (!listVertices(vertices, ticker))
   {
     return false;
   }
-  std::size_t count = 0;
+  border.points.reserve(vertices.size());
   const auto add = [&](std::size_t a, std::size_t b)
-  { count += static_cast<std::size_t>(std::count(isBorder.data() + a, isBorder.data() + b, 1)); };
-  std::vector<Index> vertices;
-  const auto list = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t v = a; v != b; ++v)
+    for (std::size_t i = a; i != b; ++i)
     {
-      if (isBorder[v] != 0)
-      {
-        vertices.push_back(static_cast<Index>(v));
-        border.points.push_back(describe(static_cast<Index>(v)));
-      }
+      border.points.push_back(describe(vertices[i]));
     }
   };
-  if (!inChunks(0, isBorder.size(), ticker, add))
-  {
-    return false;
-  }
-  vertices.reserve(count);
-  border.points.reserve(count);
-  return inChunks(0, isBorder.size(), ticker, list) && listEdges(border, vertices, ticker);
+  return inChunks(0, vertices.size(), ticker, add) && listEdges(border, vertices, ticker);
 }
 
 /// The edges of what is final, here or below, on whose other side nothing is.
 bool Part::listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker)
 {
   borderEdges_.clear();
-  const auto isBorderEdge = [&](Mesh::Halfedge h) { return isSettled(h) && !isSettled(twin(h)); };
   const auto placeOf = [&](Index vertex)
   {
     return static_cast<Index>(
       std::lower_bound(vertices.begin(), vertices.end(), vertex) - vertices.begin());
   };
-  const auto list = [&](Mesh::Slot slot)
+  for (const std::vector<Mesh::Slot>* const slots : { &open_, &ghosts_ })
   {
-    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    for (const Mesh::Slot slot : *slots)
     {
-      if (isBorderEdge(h))
+      for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
       {
-        borderEdges_.push_back(h);
-        border.edges.push_back({ placeOf(origin(h)), placeOf(destination(h)) });
+        const Mesh::Halfedge inner = twin(h);
+        if (isSettled(inner))
+        {
+          borderEdges_.push_back(inner);
+          border.edges.push_back({ placeOf(origin(inner)), placeOf(destination(inner)) });
+        }
+      }
+      if (!ticker.step())
+      {
+        return false;
       }
     }
-  };
-  return eachSlot(ticker, list);
+  }
+  return true;
 }
 
 // ---------------------------------------------------------------------------- what loops keep
@@ -157,7 +160,7 @@ bool Part::listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ti
   { return given_[all.ranked.id[vertex]]; };
   const auto list = [&](Mesh::Slot slot)
   {
-    if ((label(slot) & (kFinal | kGone)) != kFinal)
+    if (!isFinalAndKept(slot))
     {
       return;
     }
@@ -216,21 +219,11 @@ bool Part::writeFinal(Id* triples, Ticker& ticker)
   {
     return true;
   }
-  const auto leaveOut = [&](Mesh::Slot slot)
-  {
-    std::uint8_t& own = labels_[slot / Mesh::kSlotSize];
-    const bool goes = (own & (kFinal | kGone)) != kFinal;
-    own = static_cast<std::uint8_t>((own & ~unsigned(kLeftOut)) | (goes ? kLeftOut : 0));
-  };
-  if (!eachSlot(ticker, leaveOut))
-  {
-    return false;
-  }
   TriangulationAccess::State& all = state();
   all.arePlacesGone = true;
   Scratch scratch;
   scratch.view(all.ranked.xy.data(), all.ranked.xy.size() * sizeof(Point));
-  return writeCanonical(ExtractedMesh(all.mesh, labels_.data(), kLeftOut), all.ranked.id.data(),
+  return writeCanonical(ExtractedMesh(all.mesh, labels_.data(), kNotHere), all.ranked.id.data(),
     triples, scratch, ticker);
 }
 

@@ -52,17 +52,16 @@ void partBetween(double p, double q, double low, double high, double& least, dou
 
 } // namespace
 
-bool SegmentTree::build(std::vector<EndPair> segments, Ticker& ticker)
+bool SegmentTree::build(std::vector<EndPair> segments, std::size_t extra, Ticker& ticker)
 {
   segments_ = std::move(segments);
   parts_.clear();
   levels_.clear();
-  return segments_.empty() || (cut(ticker) && sort(ticker) && stack(ticker));
+  return segments_.empty() || (cut(extra, ticker) && sort(ticker) && stack(ticker));
 }
 
-/// Into parts of about half of the average length, but not fewer than a thousand in all; three
-/// times as many parts as segments at most, and a thousand.
-bool SegmentTree::cut(Ticker& ticker)
+/// Into parts of about half of the average length, or less where there are extra ones.
+bool SegmentTree::cut(std::size_t extra, Ticker& ticker)
 {
   double sum = 0.0;
   for (const EndPair& s : segments_)
@@ -73,7 +72,7 @@ bool SegmentTree::cut(Ticker& ticker)
       return false;
     }
   }
-  const double parts = 2.0 * double(segments_.size()) + 1024.0;
+  const double parts = 2.0 * double(segments_.size()) + double(extra);
   parts_.reserve(segments_.size());
   for (std::size_t i = 0; i != segments_.size(); ++i)
   {

@@ -30,8 +30,10 @@ public:
     Cancelled
   };
 
-  /// Returns false if the work is to be cancelled. Throws std::bad_alloc.
-  bool build(std::vector<EndPair> segments, Ticker& ticker);
+  /// Cuts them into three times as many parts as segments at most, and `extra` more: as many
+  /// triangles as will be asked about, say, divided by ten. Returns false if the work is to be
+  /// cancelled. Throws std::bad_alloc.
+  bool build(std::vector<EndPair> segments, std::size_t extra, Ticker& ticker);
 
   bool empty() const { return segments_.empty(); }
 
@@ -47,7 +49,7 @@ private:
     Index segment, column;
   };
 
-  bool cut(Ticker& ticker);
+  bool cut(std::size_t extra, Ticker& ticker);
   bool sort(Ticker& ticker);
   bool stack(Ticker& ticker);
 
