@@ -140,6 +140,92 @@ TEST(Blocks, LargeConstraintCasesAreAsInOneGo)
   }
 }
 
+/// Its ends are vertices that no other segment brings to the border.
+TEST(Blocks, SegmentsOfNoLengthDeepInside)
+{
+  ConstraintCase given;
+  given.points = makePoints(Distribution::Uniform, 4000, 8);
+  given.points.push_back(given.points[17]);
+  for (const std::int64_t id : { 5, 17, 99, 1234 })
+  {
+    given.constraints.addLine({ id, id });
+  }
+  given.constraints.addLine({ 4000, 17 });
+  given.constraints.addLine({ 20, 1000000 });
+  given.constraints.addLoop({ 7, 4000, 17 });
+  given.constraints.addLoop({ 17, 30, 4000 });
+  given.constraints.addLoop({ -1, 30, 1000000 });
+  for (const std::size_t perNode : { 2, 64 })
+  {
+    BlocksWay way;
+    way.blocks = 16;
+    way.blocksPerNode = perNode;
+    expectEqual(given, FillRule::Orientation, way);
+  }
+}
+
+/// A loop in the middle of a block, and one around blocks: whole blocks are dropped, and pieces of
+/// them.
+TEST(Blocks, LoopsInsideAndAroundBlocks)
+{
+  ConstraintCase given;
+  given.points = makePoints(Distribution::Uniform, 6000, 9);
+  const auto nearest = [&](double x, double y)
+  {
+    std::int64_t best = 0;
+    const auto far = [&](std::int64_t i)
+    { return std::hypot(given.points[std::size_t(i)].x - x, given.points[std::size_t(i)].y - y); };
+    for (std::int64_t i = 0; i < std::int64_t(given.points.size()); ++i)
+    {
+      best = far(i) < far(best) ? i : best;
+    }
+    return best;
+  };
+  const auto square = [&](double x, double y, double half)
+  {
+    return Chain{ nearest(x - half, y - half), nearest(x + half, y - half),
+      nearest(x + half, y + half), nearest(x - half, y + half) };
+  };
+  given.constraints.addLoop(square(0.5, 0.5, 0.45));
+  given.constraints.addLoop(square(0.3, 0.3, 0.15));
+  given.constraints.addLoop(square(0.3, 0.3, 0.05));
+  given.constraints.addLoop(square(0.8, 0.2, 0.02));
+  for (const std::size_t blocks : { 1, 4, 9, 30 })
+  {
+    for (const FillRule rule : { FillRule::Orientation, FillRule::EvenOdd })
+    {
+      BlocksWay way;
+      way.blocks = blocks;
+      way.blocksPerNode = 2;
+      expectEqual(given, rule, way);
+    }
+  }
+}
+
+/// Some ten points of a small lattice, scaled anyhow, in more blocks than points.
+TEST(Blocks, SmallLatticesInManyBlocks)
+{
+  for (std::uint64_t seed = 0; seed < reduced(4000) && !HasFailure(); ++seed)
+  {
+    Random random(seed);
+    const double scale = std::ldexp(1.0, int(random.below(2000)) - 1000);
+    std::vector<Point> points;
+    for (std::uint64_t n = 3 + random.below(30); n > 0; --n)
+    {
+      points.push_back({ double(random.below(6)) * scale, double(random.below(6)) * scale });
+      if (random.below(10) == 0)
+      {
+        points.back().x = random.below(2) == 0 ? 1e300 : -1e-300;
+      }
+    }
+    BlocksWay way;
+    way.blocks = 1 + random.below(12);
+    way.blocksPerNode = 2 + random.below(7);
+    way.samples = 1 + random.below(40);
+    expectEqual(points, way, "seed " + std::to_string(seed));
+  }
+}
+
 TEST(Blocks, BordersOfUniformPointsAreShort)
 {
   for (const std::size_t blocks : { 4, 16, 64 })
@@ -157,7 +243,6 @@ TEST(Blocks, BordersOfUniformPointsAreShort)
       EXPECT_LE(double(found.border[b]), 8.0 * std::sqrt(double(found.own[b]))) << b;
     }
     EXPECT_LE(sum / double(blocks), 6.0) << blocks << " blocks";
-    std::printf("%zu blocks: %.2f\n", blocks, sum / double(blocks));
   }
 }
 
