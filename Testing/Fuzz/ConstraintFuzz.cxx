@@ -4,7 +4,8 @@
 // and the chains split where they cross, both held against their definitions; the engine
 // constrains, and the certifier of constraints has the last word; small sets go through the oracle
 // too. Then the same with other settings and threads, cancelled or without memory before, to the
-// byte; and the Voronoi diagram of the points.
+// byte; the Voronoi diagram of the points; and the same in several blocks.
+#include "BlocksRun.h"
 #include "ConstrainedRun.h"
 #include "ConstraintOracle.h"
 #include "JobJudge.h"
@@ -214,6 +215,26 @@ void expectDiagram(const Prepared& prepared)
   }
 }
 
+/// The same triangles in a few blocks, whichever points these own. Of few points: each is its own
+/// block's border.
+void expectSameInBlocks(const Prepared& prepared)
+{
+  constexpr std::size_t kMostPointsInBlocks = 500;
+  if (prepared.points.size() > kMostPointsInBlocks)
+  {
+    return;
+  }
+  const FuzzCase& given = prepared.given;
+  test::BlocksWay way;
+  way.blocks = 1 + given.head[kShuffle] % 13u;
+  way.blocksPerNode = 2 + given.head[kNmax] % 7u;
+  way.samples = 1 + given.head[kExecutors] % 50u;
+  const test::BlocksOutcome whole = test::runWhole(prepared.view(), prepared.chains, prepared.rule);
+  expectNone(
+    test::difference(whole, test::runBlocks(prepared.view(), prepared.chains, prepared.rule, way)),
+    given);
+}
+
 } // namespace
 
 void fuzzConstraints(const FuzzCase& given)
@@ -235,6 +256,7 @@ void fuzzConstraints(const FuzzCase& given)
     "nothing crosses once split", given);
   expectAsDefined(prepared, filled);
   expectTheSame(prepared, filled);
+  expectSameInBlocks(prepared);
   expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });
   if (given.layoutBit(7))
   {

@@ -45,7 +45,7 @@ set(ahd_fuzz_support_sources)
 foreach (name IN ITEMS Certify/CertifiedMesh Certify/Certifier Certify/ConstraintCertifier
     Certify/ExactSigns Certify/MeshWalk Oracle/ConstraintFill Oracle/ConstraintOracle
     Oracle/ConstraintOracleKept Oracle/Oracle Oracle/VoronoiOracle Points/ConstraintMakers Points/ConstraintSets
-    Points/Corpus Points/SmallConstraintCases Run/ConstrainedRun Run/EngineRun Run/Executors Run/JobRun)
+    Points/Corpus Points/SmallConstraintCases Run/BlocksRun Run/ConstrainedRun Run/EngineRun Run/Executors Run/JobRun)
   list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
 endforeach ()
 add_library(ahd_fuzz_support STATIC

@@ -89,14 +89,21 @@ bool BlockBoxes::isMet(const Circumdisc& disc, const BlockRow& row, std::size_t&
   return false;
 }
 
+Bounds BlockBoxes::boundsOf(const BlockRow& row) const
+{
+  Bounds result;
+  for (std::size_t i = row.begin; i != row.end; ++i)
+  {
+    result = joined(result, levels_[0][i]);
+  }
+  return result;
+}
+
 Bounds BlockBoxes::freeBoxOf(const BlockRow& row) const
 {
   constexpr double kFar = std::numeric_limits<double>::infinity();
-  Bounds own, result{ -kFar, kFar, -kFar, kFar };
-  for (std::size_t i = row.begin; i != row.end; ++i)
-  {
-    own = joined(own, levels_[0][i]);
-  }
+  const Bounds own = boundsOf(row);
+  Bounds result{ -kFar, kFar, -kFar, kFar };
   for (std::size_t i = 0; i != blocks(); ++i)
   {
     const Bounds& b = levels_[0][i];

@@ -30,6 +30,9 @@ public:
 
   std::size_t blocks() const { return levels_.empty() ? 0 : levels_[0].size(); }
 
+  /// Around the points of a row.
+  Bounds boundsOf(const BlockRow& row) const;
+
   /// Does the disc meet the bounds of a block that is not in the row? Exact. `steps` grows by what
   /// it took: about log(blocks).
   bool isMet(const Circumdisc& disc, const BlockRow& row, std::size_t& steps) const;

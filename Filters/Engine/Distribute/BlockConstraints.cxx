@@ -45,9 +45,12 @@ bool BlockTriangulation::State::findOwnEnds(std::vector<Index>& vertices, Ticker
   return true;
 }
 
-/// The segments between two places; what has no length cuts nothing.
-bool BlockTriangulation::State::joinSegments(Ticker& ticker)
+/// The segments that may touch triangles of a row, which has so many points to be looked at; what
+/// has no length cuts nothing.
+bool BlockTriangulation::State::joinSegments(
+  const BlockRow& row, std::size_t points, Ticker& ticker)
 {
+  const Bounds region = around.boxes.boundsOf(row);
   const ConstraintView& given = input.constraints;
   std::vector<EndPair> pairs;
   for (std::size_t chain = 0; chain != given.chains; ++chain)
@@ -59,9 +62,11 @@ bool BlockTriangulation::State::joinSegments(Ticker& ticker)
     {
       const ChainEnd& from = ends[first + i];
       const ChainEnd& to = ends[first + (i + 1 == count ? 0 : i + 1)];
-      if (from.vertex >= 0 && to.vertex >= 0 && from.vertex != to.vertex)
+      const EndPair pair{ from.at, to.at };
+      if (from.vertex >= 0 && to.vertex >= 0 && from.vertex != to.vertex &&
+        SegmentTree::reaches(pair, region))
       {
-        pairs.push_back({ from.at, to.at });
+        pairs.push_back(pair);
       }
       if (!ticker.step())
       {
@@ -73,7 +78,7 @@ bool BlockTriangulation::State::joinSegments(Ticker& ticker)
       return false;
     }
   }
-  return around.segments.build(std::move(pairs), input.points.count / 4, ticker);
+  return around.segments.build(std::move(pairs), region, points / 4, ticker);
 }
 
 /// Of each id of the constraints its place among the points of all blocks' part, -1 if it has none.

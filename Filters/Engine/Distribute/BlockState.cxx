@@ -57,7 +57,7 @@ bool BlockTriangulation::State::takeFacts(const std::vector<BlockBytes>& all, Ti
     }
   }
   around.boxes.set(std::move(bounds));
-  return joinSegments(ticker) && settle(0, ticker);
+  return settle(0, ticker);
 }
 
 // ------------------------------------------------------------------------------------ up the tree
@@ -75,7 +75,9 @@ bool BlockTriangulation::State::settle(std::size_t atLevel, Ticker& ticker)
     return true;
   }
   PartBorder& border = pending[level];
-  if (!parts[level].findFinal(front.row(k), around, ticker) ||
+  const std::size_t points = level == 0 ? input.points.count : parts[level].given().size();
+  if (!joinSegments(front.row(k), points, ticker) ||
+    !parts[level].findFinal(front.row(k), around, ticker) ||
     !parts[level].makeBorder(border, ticker))
   {
     return false;

@@ -77,7 +77,7 @@ struct BlockTriangulation::State
 
   bool beginFacts(Ticker& ticker);
   bool takeFacts(const std::vector<BlockBytes>& all, Ticker& ticker);
-  bool joinSegments(Ticker& ticker);
+  bool joinSegments(const BlockRow& row, std::size_t points, Ticker& ticker);
   bool findOwnEnds(std::vector<Index>& vertices, Ticker& ticker);
   bool settle(std::size_t atLevel, Ticker& ticker);
   void takeCounts(const std::vector<BlockBytes>& all);

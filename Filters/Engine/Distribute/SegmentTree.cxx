@@ -52,16 +52,22 @@ void partBetween(double p, double q, double low, double high, double& least, dou
 
 } // namespace
 
-bool SegmentTree::build(std::vector<EndPair> segments, std::size_t extra, Ticker& ticker)
+bool SegmentTree::reaches(const EndPair& segment, const Bounds& region)
+{
+  return meet(boxOf(segment.from, segment.to), region);
+}
+
+bool SegmentTree::build(
+  std::vector<EndPair> segments, const Bounds& region, std::size_t extra, Ticker& ticker)
 {
   segments_ = std::move(segments);
   parts_.clear();
   levels_.clear();
-  return segments_.empty() || (cut(extra, ticker) && sort(ticker) && stack(ticker));
+  return segments_.empty() || (cut(region, extra, ticker) && sort(ticker) && stack(ticker));
 }
 
 /// Into parts of about half of the average length, or less where there are extra ones.
-bool SegmentTree::cut(std::size_t extra, Ticker& ticker)
+bool SegmentTree::cut(const Bounds& region, std::size_t extra, Ticker& ticker)
 {
   double sum = 0.0;
   for (const EndPair& s : segments_)
@@ -88,7 +94,10 @@ bool SegmentTree::cut(std::size_t extra, Ticker& ticker)
         partBetween(s.from.x, s.to.x, low, high, box.xmin, box.xmax);
         partBetween(s.from.y, s.to.y, low, high, box.ymin, box.ymax);
       }
-      parts_.push_back({ box, static_cast<Index>(i), 0 });
+      if (meet(box, region))
+      {
+        parts_.push_back({ box, static_cast<Index>(i), 0 });
+      }
       if (!ticker.step())
       {
         return false;
@@ -130,7 +139,7 @@ bool SegmentTree::stack(Ticker& ticker)
   const auto boxAt = [&](std::size_t level, std::size_t i) -> const Bounds&
   { return level == 0 ? parts_[i].box : levels_[level - 1][i]; };
   std::size_t count = parts_.size();
-  do
+  while (levels_.empty() || count > 1)
   {
     const std::size_t level = levels_.size();
     std::vector<Bounds> boxes((count + kInBox - 1) / kInBox);
@@ -151,7 +160,7 @@ bool SegmentTree::stack(Ticker& ticker)
     }
     count = boxes.size();
     levels_.push_back(std::move(boxes));
-  } while (count > 1);
+  }
   return true;
 }
 
@@ -165,7 +174,7 @@ SegmentTree::Answer SegmentTree::ask(const Corners& triangle, Ticker& ticker) co
   add(around, boxOf(triangle.c, triangle.c));
   std::array<Place, kInBox * 22 + 1> open; // 8^22 parts are more than there can be
   std::size_t count = 0;
-  if (!levels_.empty())
+  if (!parts_.empty())
   {
     open[count++] = { levels_.size(), 0 };
   }

@@ -30,10 +30,14 @@ public:
     Cancelled
   };
 
-  /// Cuts them into three times as many parts as segments at most, and `extra` more: as many
-  /// triangles as will be asked about, say, divided by ten. Returns false if the work is to be
-  /// cancelled. Throws std::bad_alloc.
-  bool build(std::vector<EndPair> segments, std::size_t extra, Ticker& ticker);
+  /// Only what lies in `region` will be asked about. Cuts the segments into three times as many
+  /// parts at most, and `extra` more. Returns false if the work is to be cancelled. Throws
+  /// std::bad_alloc.
+  bool build(
+    std::vector<EndPair> segments, const Bounds& region, std::size_t extra, Ticker& ticker);
+
+  /// May the segment touch what lies in the region?
+  static bool reaches(const EndPair& segment, const Bounds& region);
 
   bool empty() const { return segments_.empty(); }
 
@@ -49,7 +53,7 @@ private:
     Index segment, column;
   };
 
-  bool cut(std::size_t extra, Ticker& ticker);
+  bool cut(const Bounds& region, std::size_t extra, Ticker& ticker);
   bool sort(Ticker& ticker);
   bool stack(Ticker& ticker);
 

@@ -99,6 +99,11 @@ TEST(Blocks, WhereverThePointsAre)
   way.owner = [](const Point& p)
   { return std::size_t(std::fabs(p.x * 7919.0 + p.y * 104729.0)) % 6; };
   expectEqual(points, way, "scattered");
+  // A block in the middle of another one: what is not final there is far from any hull.
+  const std::vector<Point> uniform = makePoints(Distribution::Uniform, 2000, 6);
+  way.owner = [](const Point& p)
+  { return std::size_t(std::hypot(p.x - 0.5, p.y - 0.5) < 0.1 ? 1 : 3); };
+  expectEqual(uniform, way, "one in another");
   way.owner = [](const Point&) { return std::size_t(4); };
   expectEqual(points, way, "all on one");
 }

@@ -3,6 +3,7 @@
 // How much stack the engine takes, whatever it is given: everything it does runs on threads with
 // stacks of 64 KiB, and what was used of them is measured. No depth depends on the input, but for
 // logarithms. Sanitizers take more stack: not run under them.
+#include "BlocksRun.h"
 #include "ConstrainedRun.h"
 #include "Corpus.h"
 #include "SmallStack.h"
@@ -109,11 +110,20 @@ void useMerge(const PointView& points)
   }
 }
 
+void useBlocks(const PointView& points, const ConstraintView& constraints, FillRule rule)
+{
+  BlocksWay way;
+  way.blocks = 5;
+  way.blocksPerNode = 2;
+  EXPECT_EQ(runBlocks(points, constraints, rule, way).status, Status::Ok);
+}
+
 void useConstraints(const ConstraintCase& given)
 {
   for (const FillRule rule : kFillRules)
   {
     EXPECT_EQ(constrain(given, rule).status, Status::Ok);
+    useBlocks(given.view(), given.constraints.view(), rule);
   }
 }
 
@@ -133,6 +143,7 @@ void Stack::useAll(const std::vector<Point>& points)
     useTriangulation(view, Options(), &executor);
     useVoronoi(view, &executor);
     useMerge(view);
+    useBlocks(view, ConstraintView(), FillRule::Orientation);
   };
   expectLittle(work, &executor);
 }
