@@ -206,6 +206,10 @@ private:
     {
       result_.pointStatus[std::size_t(own.ids[i])] = statuses[i];
     }
+    const std::vector<ForeignPoint>& others = block.foreignPoints();
+    const auto isAfter = [](const ForeignPoint& p, const ForeignPoint& q) { return p.id >= q.id; };
+    expect(std::adjacent_find(others.begin(), others.end(), isAfter) == others.end(),
+      "foreign points that are there twice");
     std::size_t lowest = 0;
     for (std::size_t i = 0; i < triples.size(); ++i)
     {
