@@ -21,6 +21,8 @@ struct BenchmarkFlags
   /// What triangulates them, and by which clock:
   ///   ours, cgal   by the CPU time of the thread
   ///   float        ours, with coordinates of 32 bits
+  ///   shuffled     ours, the points in random order
+  ///   times<x>     ours, all coordinates times x
   ///   threads<n>   ours on n threads, by the time on the wall
   std::vector<std::string> engines = { "ours", "cgal" };
 

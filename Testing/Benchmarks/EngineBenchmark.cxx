@@ -117,10 +117,33 @@ struct Ours
   }
 };
 
+/// The points of a case as its engine gets them.
+std::vector<Point> pointsFor(const Case& c)
+{
+  std::vector<Point> points = pointsOf(c);
+  if (c.engine == "shuffled")
+  {
+    Random random(2);
+    for (std::size_t i = points.size(); i > 1; --i)
+    {
+      std::swap(points[i - 1], points[random.below(i)]);
+    }
+  }
+  else if (c.engine.rfind("times", 0) == 0)
+  {
+    const double factor = std::atof(c.engine.c_str() + 5);
+    for (Point& p : points)
+    {
+      p = { p.x * factor, p.y * factor };
+    }
+  }
+  return points;
+}
+
 void triangulateOurs(benchmark::State& state, const Case& c)
 {
   static std::map<std::size_t, Ours> kept;
-  const std::vector<Point>& points = pointsOf(c);
+  const std::vector<Point> points = pointsFor(c);
   std::vector<float> floats;
   if (c.engine == "float")
   {

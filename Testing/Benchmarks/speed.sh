@@ -11,13 +11,15 @@ logs=$build/logs
 
 help() {
   cat <<'EOF'
-Testing/Benchmarks/speed.sh [--quick] [--scaling] [-DNAME=VALUE...]
+Testing/Benchmarks/speed.sh [--quick] [--scaling] [--only WORD] [--write] [-DNAME=VALUE...]
 
 Builds the benchmarks in build/benchmarks, as shipped (Release, for every x86-64), runs them, and
 prints tables and, last, one line a target:  ok|short  name  value  target
-Takes about 20 minutes on two cores. The machine should do nothing else meanwhile.
+Takes about 40 minutes on two cores. The machine should do nothing else meanwhile.
 
 --quick      few points: a minute, and numbers that only show that all is measured
+--only WORD  only the targets in whose line it is
+--write      the tables go into Testing/Benchmarks/Speed.md (and .json), and a line into README.md
 --scaling    no times, only how the insertion is shared by 2 to 64 threads, counted
 -D...        go to CMake
 
@@ -30,13 +32,17 @@ EOF
 
 settings=()
 options=()
-for argument in "$@"; do
-  case $argument in
+write=
+while [ $# -gt 0 ]; do
+  case $1 in
     -h | --help) help && exit 0 ;;
-    -D*) settings+=("$argument") ;;
-    --quick | --scaling) options+=("$argument") ;;
-    *) fail 1 "unknown option: $argument. See --help." ;;
+    -D*) settings+=("$1") ;;
+    --quick | --scaling) options+=("$1") ;;
+    --only) options+=("$1" "${2:?a word, see --help}") && shift ;;
+    --write) write=yes options+=(--out "$root/Testing/Benchmarks") ;;
+    *) fail 1 "unknown option: $1. See --help." ;;
   esac
+  shift
 done
 
 if command -v dpkg-query >/dev/null; then
@@ -79,7 +85,22 @@ where_is() {
     [ ! -x "$file" ] || { printf '%s' "$file" && return; }
   done
 }
+
+# The engine of an old commit, against which one row is measured; nothing where it is not at hand.
+build_before() {
+  local commit folder=$build/before
+  commit=$(sed -n 's/^BEFORE = "\([0-9a-f]*\)".*/\1/p' "$root/Testing/Benchmarks/speed_rows.py")
+  if [ ! -x "$folder/build/EngineBenchmark" ]; then
+    git -C "$root" cat-file -e "$commit" 2>/dev/null || return
+    mkdir -p "$folder/source" && git -C "$root" archive "$commit" | tar -x -C "$folder/source" &&
+      cmake -S "$folder/source/Testing/Benchmarks" -B "$folder/build" -G Ninja -DCMAKE_BUILD_TYPE=Release &&
+      cmake --build "$folder/build" --target EngineBenchmark
+  fi >"$logs/before.log" 2>&1
+  find "$folder/build" -name EngineBenchmark -type f -perm -u+x | head -n 1
+}
+before=$(build_before)
 filter=$(where_is FilterBenchmark)
-exec python3 "$root/Testing/Benchmarks/speed.py" --engine "$(where_is EngineBenchmark)" \
+python3 "$root/Testing/Benchmarks/speed.py" --engine "$(where_is EngineBenchmark)" \
   --counts "$(where_is EngineCounts)" --constraints "$(where_is ConstraintBenchmark)" \
-  ${filter:+--filter "$filter"} ${options[@]+"${options[@]}"}
+  ${filter:+--filter "$filter"} ${before:+--before "$before"} ${options[@]+"${options[@]}"} || exit
+[ -z "$write" ] || exec python3 "$root/Testing/Benchmarks/speed.py" --render
