@@ -2,11 +2,27 @@
 #ifndef ahd_ExactSum_h
 #define ahd_ExactSum_h
 
+#include "../Core/Dispatch.h"
+
 #include <array>
 #include <cstddef>
 
 namespace ahd
 {
+
+/// So many terms are added at once: whole vectors of any length, and too many for compilers to
+/// write the loops over them out before they make vectors of them.
+constexpr std::size_t kSumLanes = 24;
+using SumTerms = std::array<double, kSumLanes>;
+
+/// Each lane's parts, on three grids.
+using SumParts = std::array<SumTerms, 3>;
+
+/// Cuts the terms into parts and adds these: compiled for several kinds of processors, with the
+/// same results on all.
+using AddTerms = void(const SumTerms& terms, SumParts& parts);
+extern const DispatchTarget<AddTerms> kAddTermsTargets[3];
+void addTerms(const SumTerms& terms, SumParts& parts);
 
 /// A sum that does not depend on the order of its terms: each is cut into three parts on fixed
 /// grids (of 2^-24, 2^-49, 2^-74), and the sum of the parts on one grid is exact. REQUIRES: at most
@@ -14,30 +30,34 @@ namespace ahd
 class ExactSum
 {
 public:
-  void add(double term)
-  {
-    // Adding and subtracting a large number leaves the term rounded to that number's last place.
-    constexpr double kLarge[3] = { 0x1.8p28, 0x1.8p3, 0x1.8p-22 };
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      const double part = (term + kLarge[k]) - kLarge[k];
-      parts_[k] += part;
-      term -= part;
-    }
-  }
+  void add(const SumTerms& terms) { addTerms(terms, parts_); }
 
   void merge(const ExactSum& other)
   {
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < parts_.size(); ++k)
     {
-      parts_[k] += other.parts_[k];
+      for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+      {
+        parts_[k][lane] += other.parts_[k][lane];
+      }
     }
   }
 
-  double value() const { return parts_[0] + (parts_[1] + parts_[2]); }
+  double value() const
+  {
+    double sums[3] = { 0, 0, 0 };
+    for (std::size_t k = 0; k < parts_.size(); ++k)
+    {
+      for (const double part : parts_[k])
+      {
+        sums[k] += part;
+      }
+    }
+    return sums[0] + (sums[1] + sums[2]);
+  }
 
 private:
-  std::array<double, 3> parts_ = { { 0, 0, 0 } };
+  SumParts parts_ = {};
 };
 
 /// N of them.

@@ -56,15 +56,4 @@ void Plane::orient(Vector3 normal)
   axes_[1] = cross(normal, axes_[0]);
 }
 
-Vector3 Plane::project(const Vector3& p) const
-{
-  Vector3 d;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    d[k] = p[k] * shrink_ - origin_[k] * shrink_;
-  }
-  return { { dot(axes_[0], d) / shrink_, dot(axes_[1], d) / shrink_,
-    dot(axes_[2], d) / shrink_ - height_ } };
-}
-
 } // namespace ahd

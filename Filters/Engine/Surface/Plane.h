@@ -7,6 +7,8 @@
 #include "../Result.h"
 #include "Vectors.h"
 
+#include <cstddef>
+
 namespace ahd
 {
 
@@ -40,7 +42,17 @@ public:
 
   /// Where the point lies along the two axes, and its height above the plane. All three are NaN or
   /// infinite if one of its coordinates is.
-  Vector3 project(const Vector3& p) const;
+  Vector3 project(const Vector3& p) const
+  {
+    const double grow = 1.0 / shrink_;
+    Vector3 d;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      d[k] = p[k] * shrink_ - origin_[k] * shrink_;
+    }
+    return { { dot(axes_[0], d) * grow, dot(axes_[1], d) * grow,
+      dot(axes_[2], d) * grow - height_ } };
+  }
 
 private:
   void orient(Vector3 normal);

@@ -35,17 +35,33 @@ struct Extent
   }
 };
 
-/// How far points reach along three axes.
-struct Reach : Xyz
+/// As many points as sums take at once, by coordinate.
+using Block = std::array<SumTerms, 3>;
+
+/// How far points reach along three axes: the farthest of each lane.
+struct Reach
 {
-  Reach() { fill(0.0); }
+  Block lanes = {};
 
   void merge(const Reach& other)
   {
     for (std::size_t k = 0; k < 3; ++k)
     {
-      (*this)[k] = std::max((*this)[k], other[k]);
+      for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+      {
+        lanes[k][lane] = std::max(lanes[k][lane], other.lanes[k][lane]);
+      }
     }
+  }
+
+  Xyz farthest() const
+  {
+    Xyz most;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      most[k] = *std::max_element(lanes[k].begin(), lanes[k].end());
+    }
+    return most;
   }
 };
 
@@ -109,6 +125,27 @@ Matrix findEigenvectors(Matrix& a)
   return vectors;
 }
 
+/// How far along an axis the points are.
+SumTerms alongAxis(const Xyz& axis, const Block& block)
+{
+  SumTerms along;
+  for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+  {
+    along[lane] = axis[0] * block[0][lane] + axis[1] * block[1][lane] + axis[2] * block[2][lane];
+  }
+  return along;
+}
+
+SumTerms productsOf(const SumTerms& a, const SumTerms& b)
+{
+  SumTerms products;
+  for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+  {
+    products[lane] = a[lane] * b[lane];
+  }
+  return products;
+}
+
 /// One call of fitPlane(). What returns a bool returns false if the work is to be cancelled.
 class Fitting
 {
@@ -122,15 +159,22 @@ public:
   bool run(PlaneFit& fit);
 
 private:
+  bool doesCount(const Xyz& p, std::size_t i) const
+  {
+    return p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !points_.skipped(i);
+  }
   template <typename Part, typename Visit>
-  bool visitAll(Part& total, const Visit& visit);
+  bool visitBlocks(Part& total, const Visit& visit);
+  Block readPlaces(std::size_t begin, std::size_t end) const;
+  Block read(std::size_t begin, std::size_t end) const;
   bool findExtent();
   void chooseOrigin();
   bool findMean();
-  bool findSpread(const Matrix& axes, Matrix& spread);
-  bool findReach(const Matrix& axes, Reach& reach);
+  bool findSpread(const Matrix& axes, const Xyz& reach, Matrix& spread);
+  bool findReach(const Matrix& axes, Xyz& reach);
+  Xyz reachOfExtent() const;
   Xyz chooseNormal(const Matrix& axes, const Matrix& spread) const;
-  Xyz fromMean(const Xyz& p) const;
+  double fromMean(double coordinate, std::size_t k) const;
   double largestMagnitude() const;
 
   const PointView& points_;
@@ -141,35 +185,90 @@ private:
   double factors_[2] = { 1, 1 }; ///< their product scales the points to 1/32 of a unit at most
 };
 
-/// Calls visit(part, p) for all points that count, and merges the parts into the total.
+/// Calls visit(part, block) for all points, and merges the parts into the total.
 template <typename Part, typename Visit>
-bool Fitting::visitAll(Part& total, const Visit& visit)
+bool Fitting::visitBlocks(Part& total, const Visit& visit)
 {
   return gather(points_.count, ticker_, total,
     [&](Part& part, std::size_t begin, std::size_t end)
     {
-      for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t i = begin; i < end; i += kSumLanes)
       {
-        const Xyz p = points_.place(i);
-        if (p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !points_.skipped(i))
-        {
-          visit(part, p);
-        }
+        visit(part, read(i, std::min(end, i + kSumLanes)));
       }
     });
 }
 
-bool Fitting::findExtent()
+/// The coordinates of points; NaN behind the last one.
+Block Fitting::readPlaces(std::size_t begin, std::size_t end) const
 {
-  return visitAll(around_,
-    [](Extent& box, const Xyz& p)
+  Block block;
+  if (points_.doubles && !points_.isFlat && end - begin == kSumLanes)
+  {
+    const double* const rows = points_.doubles + 3 * begin;
+    for (std::size_t lane = 0; lane < kSumLanes; ++lane)
     {
       for (std::size_t k = 0; k < 3; ++k)
       {
-        box.low[k] = std::min(box.low[k], p[k]);
-        box.high[k] = std::max(box.high[k], p[k]);
+        block[k][lane] = rows[3 * lane + k];
       }
-      box.count += 1.0;
+    }
+    return block;
+  }
+  for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+  {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    const Xyz p = begin + lane < end ? points_.place(begin + lane) : Xyz{ { kNaN, kNaN, kNaN } };
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      block[k][lane] = p[k];
+    }
+  }
+  return block;
+}
+
+/// Where points lie from the mean, scaled; 0 for those that do not count, and behind the last one.
+Block Fitting::read(std::size_t begin, std::size_t end) const
+{
+  Block block = readPlaces(begin, end);
+  SumTerms odd; // 0 for points that count
+  for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+  {
+    odd[lane] = block[0][lane] * 0 + block[1][lane] * 0 + block[2][lane] * 0;
+  }
+  for (std::size_t i = begin; points_.skip && i < end; ++i)
+  {
+    odd[i - begin] = points_.skipped(i) ? 1.0 : odd[i - begin];
+  }
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+    {
+      const double d = fromMean(block[k][lane], k);
+      block[k][lane] = odd[lane] == 0 ? d : 0.0;
+    }
+  }
+  return block;
+}
+
+bool Fitting::findExtent()
+{
+  return gather(points_.count, ticker_, around_,
+    [this](Extent& part, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const Xyz p = points_.place(i);
+        if (doesCount(p, i))
+        {
+          for (std::size_t k = 0; k < 3; ++k)
+          {
+            part.low[k] = std::min(part.low[k], p[k]);
+            part.high[k] = std::max(part.high[k], p[k]);
+          }
+          part.count += 1.0;
+        }
+      }
     });
 }
 
@@ -212,28 +311,22 @@ void Fitting::chooseOrigin()
   factors_[1] = powerOfTwo(-exponent - -exponent / 2);
 }
 
-/// Where a point lies from the mean, scaled.
-Xyz Fitting::fromMean(const Xyz& p) const
+/// Where a point lies from the mean along axis k, scaled.
+double Fitting::fromMean(double coordinate, std::size_t k) const
 {
-  Xyz d;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    // scaled by half before and by half behind, so that huge numbers stay finite
-    d[k] = (p[k] * factors_[0] - origin_[k] * factors_[0]) * factors_[1] - mean_[k];
-  }
-  return d;
+  // scaled by half before and by half behind, so that huge numbers stay finite
+  return (coordinate * factors_[0] - origin_[k] * factors_[0]) * factors_[1] - mean_[k];
 }
 
 bool Fitting::findMean()
 {
   ExactSums<3> sums;
-  const bool all = visitAll(sums,
-    [this](ExactSums<3>& part, const Xyz& p)
+  const bool all = visitBlocks(sums,
+    [](ExactSums<3>& part, const Block& block) // from the origin: there is no mean yet
     {
-      const Xyz d = fromMean(p); // from the origin: there is no mean yet
       for (std::size_t k = 0; k < 3; ++k)
       {
-        part[k].add(d[k]);
+        part[k].add(block[k]);
       }
     });
   for (std::size_t k = 0; k < 3; ++k)
@@ -243,29 +336,42 @@ bool Fitting::findMean()
   return all;
 }
 
-/// How far the points reach from the mean along each axis.
-bool Fitting::findReach(const Matrix& axes, Reach& reach)
+/// How far the points reach from the mean along each coordinate: fromMean() is monotone.
+Xyz Fitting::reachOfExtent() const
 {
-  return visitAll(reach,
-    [this, &axes](Reach& part, const Xyz& p)
+  Xyz reach;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    reach[k] = std::max(
+      std::fabs(fromMean(around_.low[k], k)), std::fabs(fromMean(around_.high[k], k)));
+  }
+  return reach;
+}
+
+/// How far they reach from it along each axis.
+bool Fitting::findReach(const Matrix& axes, Xyz& reach)
+{
+  Reach found;
+  const bool all = visitBlocks(found,
+    [&axes](Reach& part, const Block& block)
     {
-      const Xyz d = fromMean(p);
       for (std::size_t k = 0; k < 3; ++k)
       {
-        part[k] = std::max(part[k], std::fabs(dot(axes[k], d)));
+        const SumTerms along = alongAxis(axes[k], block);
+        for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+        {
+          part.lanes[k][lane] = std::max(part.lanes[k][lane], std::fabs(along[lane]));
+        }
       }
     });
+  reach = found.farthest();
+  return all;
 }
 
 /// The covariance of the points in the system of these axes. Its small elements are as exact as its
 /// large ones, as far as the coordinates are.
-bool Fitting::findSpread(const Matrix& axes, Matrix& spread)
+bool Fitting::findSpread(const Matrix& axes, const Xyz& reach, Matrix& spread)
 {
-  Reach reach;
-  if (!findReach(axes, reach))
-  {
-    return false;
-  }
   Xyz factor;
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -274,14 +380,17 @@ bool Fitting::findSpread(const Matrix& axes, Matrix& spread)
     factor[k] = powerOfTwo(std::min(-e, 1000));
   }
   ExactSums<9> sums; // products of the pairs 00, 01, 02, 11, 12, 22, then the three themselves
-  const bool all = visitAll(sums,
-    [&](ExactSums<9>& part, const Xyz& p)
+  const bool all = visitBlocks(sums,
+    [&](ExactSums<9>& part, const Block& block)
     {
-      const Xyz d = fromMean(p);
-      Xyz x;
+      Block x;
       for (std::size_t k = 0; k < 3; ++k)
       {
-        x[k] = dot(axes[k], d) * factor[k];
+        x[k] = alongAxis(axes[k], block);
+        for (double& term : x[k])
+        {
+          term *= factor[k];
+        }
         part[6 + k].add(x[k]);
       }
       std::size_t pair = 0;
@@ -289,7 +398,7 @@ bool Fitting::findSpread(const Matrix& axes, Matrix& spread)
       {
         for (std::size_t j = i; j < 3; ++j)
         {
-          part[pair++].add(x[i] * x[j]);
+          part[pair++].add(productsOf(x[i], x[j]));
         }
       }
     });
@@ -345,9 +454,10 @@ bool Fitting::run(PlaneFit& fit)
   // ones, as of a thin band.
   Matrix spread;
   Matrix axes = { { unitAxis(0), unitAxis(1), unitAxis(2) } };
+  Xyz reach = reachOfExtent();
   for (int round = 0; round < 2; ++round)
   {
-    if (!findSpread(axes, spread))
+    if ((round > 0 && !findReach(axes, reach)) || !findSpread(axes, reach, spread))
     {
       return false;
     }
