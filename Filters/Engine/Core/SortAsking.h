@@ -6,24 +6,25 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ahd
 {
 
-/// Sorts by `less`, a strict weak order; which of two equal items comes first is not said. Uses as
-/// much memory again. Returns false if the work is to be cancelled; then some items are lost.
+/// Sorts items[0, n) by `less`, a strict weak order; which of two equal items comes first is not
+/// said. `other` is scratch for as many. Returns false if the work is to be cancelled; then some
+/// items are lost.
 template <typename T, typename Less>
-bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
+bool sortAsking(T* items, std::size_t n, T* other, Ticker& ticker, Less less)
 {
-  const std::size_t n = items.size();
+  T* const home = items;
   const auto sortPiece = [&](std::size_t a, std::size_t b)
-  { std::sort(items.data() + a, items.data() + b, less); };
+  { std::sort(items + a, items + b, less); };
   if (!inChunks(0, n, ticker, sortPiece))
   {
     return false;
   }
-  std::vector<T> merged(n > kChunk ? n : 0);
   for (std::size_t width = kChunk; width < n; width *= 2)
   {
     for (std::size_t begin = 0; begin < n; begin += 2 * width)
@@ -35,7 +36,7 @@ bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
         for (std::size_t k = a; k != b; ++k)
         {
           const bool fromLow = high == end || (low != middle && !less(items[high], items[low]));
-          merged[k] = items[fromLow ? low++ : high++];
+          other[k] = items[fromLow ? low++ : high++];
         }
       };
       if (!inChunks(begin, end, ticker, mergePiece))
@@ -43,9 +44,19 @@ bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
         return false;
       }
     }
-    items.swap(merged);
+    std::swap(items, other);
   }
-  return true;
+  return items == home ||
+    inChunks(0, n, ticker,
+      [&](std::size_t a, std::size_t b) { std::copy(items + a, items + b, home + a); });
+}
+
+/// The same for a vector. Uses as much memory again.
+template <typename T, typename Less>
+bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
+{
+  std::vector<T> other(items.size() > kChunk ? items.size() : 0);
+  return sortAsking(items.data(), items.size(), other.data(), ticker, less);
 }
 
 } // namespace ahd

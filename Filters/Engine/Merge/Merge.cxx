@@ -2,29 +2,21 @@
 #include "Merge.h"
 
 #include "../Core/Border.h"
-#include "../Core/SortAsking.h"
+#include "../Core/Buffer.h"
+#include "../Core/Loops.h"
+#include "Candidates.h"
+#include "SortByPlace.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
-#include <set>
+#include <cstdint>
+#include <cstring>
+#include <utility>
 
 namespace ahd
 {
 namespace
 {
-
-/// A point with its id, in the order in which the points are looked at.
-struct Located
-{
-  Point at;
-  Index id;
-};
-
-bool comesBefore(const Located& a, const Located& b)
-{
-  return a.at == b.at ? a.id < b.id : lexicographicallyLess(a.at, b.at);
-}
 
 /// How far is near: the formula of Merge.h.
 class Nearness
@@ -54,30 +46,78 @@ private:
   double limit_;
 };
 
+/// Rows two distances high. What is near in y is in one of the rows from below(y) to above(y), two
+/// or three: sums and products are rounded and digits cut off, but all that is monotone. For any
+/// finite y and any distance: where a double's last digit is worth many rows, only what is equal to
+/// y is near it in y, and y itself names its row.
+class Rows
+{
+public:
+  explicit Rows(double distance)
+  {
+    if (std::isfinite(distance)) // else all is in one row
+    {
+      unit_ = distance < 0x1p-900 ? 0x1p200 : distance < 0x1p1000 ? 1.0 : 0.25;
+      reach_ = 1.125 * (unit_ * distance);
+      scale_ = 1.0 / (2.0 * (unit_ * distance));
+    }
+  }
+
+  std::int64_t of(double y) const { return row(y, 0.0); }
+  std::int64_t below(double y) const { return row(y, -reach_); }
+  std::int64_t above(double y) const { return row(y, reach_); }
+
+private:
+  std::int64_t row(double y, double beside) const
+  {
+    const double scaled = (y * unit_ + beside) * scale_;
+    if (std::fabs(scaled) < 0x1p62)
+    {
+      return static_cast<std::int64_t>(scaled);
+    }
+    std::int64_t bits;
+    std::memcpy(&bits, &y, sizeof bits);
+    return bits;
+  }
+
+  double unit_ = 0.0; ///< a power of two: sums stay finite, a row's height normal
+  double reach_ = 0.0;
+  double scale_ = 0.0;
+};
+
 /// The kept places that later ones may be merged into. Later ones have no smaller x, so that a kept
-/// place that is too far in x is so for all that follow.
+/// place that is too far in x is so for all that follow. The others lie in rows two distances high,
+/// with few in each, as they are not near each other. A chain has those of the rows with one hash,
+/// the latest first.
 class Kept
 {
 public:
-  explicit Kept(const Nearness& nearness)
+  /// REQUIRES: no more than `most` are kept. Throws std::bad_alloc.
+  Kept(const Nearness& nearness, double distance, std::size_t most, Ticker& ticker)
     : nearness_(nearness)
+    , rows_(distance)
+    , ticker_(ticker)
   {
+    places_.allocate(most);
   }
 
-  void keep(const Located& place)
+  /// Returns false if the work is to be cancelled.
+  bool keep(const Located& place)
   {
-    byY_.insert(place);
-    byX_.push_back(place);
+    places_[end_] = { place.at, place.id, kNoIndex };
+    const bool all = end_ - begin_ < chains_.size() || makeChains();
+    link(end_++);
+    return all;
   }
 
   /// Forgets what is too far for a place of this x and all after it. Returns false if the work is
   /// to be cancelled.
-  bool forgetBefore(double x, Ticker& ticker)
+  bool forgetBefore(double x)
   {
-    while (first_ != byX_.size() && !nearness_.isNear(nearness_.squared(x - byX_[first_].at.x)))
+    while (begin_ != end_ && !nearness_.isNear(nearness_.squared(x - places_[begin_].at.x)))
     {
-      byY_.erase(byX_[first_++]);
-      if (!ticker.step())
+      ++begin_;
+      if (!ticker_.step())
       {
         return false;
       }
@@ -85,22 +125,29 @@ public:
     return true;
   }
 
-  /// The id of the nearest one to p that is near; kNoIndex if none is. Few are looked at, as kept
-  /// places are not near each other.
+  /// The id of the nearest one to p that is near; kNoIndex if none is.
   Index nearest(const Point& p) const
   {
     Nearest found;
-    const auto from = byY_.lower_bound(Located{ p, 0 });
-    for (auto k = from; k != byY_.end() && consider(p, *k, found); ++k)
+    const std::int64_t last = rows_.above(p.y);
+    for (std::int64_t row = rows_.below(p.y); row <= last && begin_ != end_; ++row)
     {
-    }
-    for (auto k = from; k != byY_.begin() && consider(p, *std::prev(k), found); --k)
-    {
+      for (Index k = chains_[chainOf(row)]; k != kNoIndex && k >= begin_; k = places_[k].earlier)
+      {
+        consider(p, places_[k], found);
+      }
     }
     return found.id;
   }
 
 private:
+  struct Place
+  {
+    Point at;
+    Index id;
+    Index earlier; ///< in its chain; those before begin_ are forgotten
+  };
+
   struct Nearest
   {
     double squaredDistance = 0.0;
@@ -108,16 +155,7 @@ private:
     Index id = kNoIndex;
   };
 
-  struct LowerY
-  {
-    bool operator()(const Located& a, const Located& b) const
-    {
-      return a.at.y < b.at.y || (a.at.y == b.at.y && a.at.x < b.at.x);
-    }
-  };
-
-  /// Returns false if `place`, and all that are farther in y, are too far.
-  bool consider(const Point& p, const Located& place, Nearest& found) const
+  void consider(const Point& p, const Place& place, Nearest& found) const
   {
     const double distance = nearness_.squaredDistance(p, place.at);
     const bool wins = found.id == kNoIndex || distance < found.squaredDistance ||
@@ -126,54 +164,68 @@ private:
     {
       found = { distance, place.at, place.id };
     }
-    return nearness_.isNear(nearness_.squared(p.y - place.at.y));
+  }
+
+  std::size_t chainOf(std::int64_t row) const
+  {
+    const std::uint64_t h = std::uint64_t(row) * 0x9E3779B97F4A7C15u;
+    return ((h ^ h >> 32) * 0xD6E8FEB86659FD93u >> 32) & (chains_.size() - 1);
+  }
+
+  void link(std::size_t k)
+  {
+    Index& chain = chains_[chainOf(rows_.of(places_[k].at.y))];
+    places_[k].earlier = std::exchange(chain, static_cast<Index>(k));
+  }
+
+  /// As many chains as four times what is not forgotten. Returns false if the work is to be
+  /// cancelled.
+  bool makeChains()
+  {
+    constexpr std::size_t kLeast = 64;
+    chains_.allocate(std::max(kLeast, std::size_t(1) << bitLength(2 * (end_ - begin_))));
+    return fillAll(chains_, kNoIndex, ticker_) &&
+      inChunks(begin_, end_, ticker_,
+        [this](std::size_t a, std::size_t b)
+        {
+          for (std::size_t k = a; k != b; ++k)
+          {
+            link(k);
+          }
+        });
   }
 
   const Nearness& nearness_;
-  std::set<Located, LowerY> byY_;
-  std::vector<Located> byX_; ///< as they were kept; those before first_ are no longer in byY_
-  std::size_t first_ = 0;
+  const Rows rows_;
+  Ticker& ticker_;
+  Buffer<Place> places_; ///< as they were kept
+  std::size_t begin_ = 0, end_ = 0;
+  Buffer<Index> chains_; ///< a power of two of them; the latest place of each
 };
 
-/// The finite points that are not left out, place by place, the smallest id of a place first.
-/// Returns false if the work is to be cancelled.
-bool sortPoints(const PointView& points, std::vector<Located>& sorted, Ticker& ticker)
+/// Sets keptIds of every point that is merged, and `count` to how many are. `sorted`: place by
+/// place, the smallest id of a place first. Returns false if the work is to be cancelled.
+bool mergePlaces(const Buffer<Located>& sorted, double distance, Buffer<Index>& keptIds,
+  std::size_t& count, Ticker& ticker)
 {
-  sorted.reserve(points.count);
-  const auto read = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      const Point p = points.skipped(i) ? Point{ 0.0, 0.0 } : points[i];
-      if (!points.skipped(i) && isFinite(p))
-      {
-        sorted.push_back({ p, static_cast<Index>(i) });
-      }
-    }
-  };
-  return inChunks(0, points.count, ticker, read) && sortAsking(sorted, ticker, comesBefore);
-}
-
-/// Sets keptIds of every point that is merged. Returns false if the work is to be cancelled.
-bool mergePlaces(const std::vector<Located>& sorted, const Nearness& nearness,
-  std::vector<Index>& keptIds, Ticker& ticker)
-{
-  Kept kept(nearness);
+  const Nearness nearness(distance);
+  Kept kept(nearness, distance, sorted.size(), ticker);
   for (std::size_t begin = 0, end = 0; begin != sorted.size(); begin = end)
   {
     const Located& place = sorted[begin];
-    if (!kept.forgetBefore(place.at.x, ticker))
+    if (!kept.forgetBefore(place.at.x))
     {
       return false;
     }
     const Index into = kept.nearest(place.at);
-    if (into == kNoIndex)
+    if (into == kNoIndex && !kept.keep(place))
     {
-      kept.keep(place);
+      return false;
     }
     for (end = begin; end != sorted.size() && sorted[end].at == place.at; ++end)
     {
       keptIds[sorted[end].id] = into;
+      count += into != kNoIndex;
       ticker.finished(1);
       if (!ticker.step())
       {
@@ -184,27 +236,78 @@ bool mergePlaces(const std::vector<Located>& sorted, const Nearness& nearness,
   return true;
 }
 
-/// Returns false if the work is to be cancelled.
+/// Lists them by id. Returns false if the work is to be cancelled.
 bool report(
-  const PointView& points, const std::vector<Index>& keptIds, MergedPoints& out, Ticker& ticker)
+  const Buffer<Index>& keptIds, std::size_t count, std::vector<MergedPoint>& pairs, Ticker& ticker)
 {
-  const auto write = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
+  pairs.reserve(count);
+  return inChunks(0, keptIds.size(), ticker,
+    [&](std::size_t a, std::size_t b)
     {
-      if (keptIds[i] != kNoIndex)
+      for (std::size_t i = a; i != b; ++i)
       {
-        out.pairs.push_back({ static_cast<Index>(i), keptIds[i] });
+        if (keptIds[i] != kNoIndex)
+        {
+          pairs.push_back({ static_cast<Index>(i), keptIds[i] });
+        }
       }
-      out.skip[i] = points.skipped(i) || keptIds[i] != kNoIndex;
+    });
+}
+
+/// Finds out.pairs. `flags` is scratch, a byte per point. Returns false if the work is to be
+/// cancelled.
+bool findPairs(const PointView& points, double distance, unsigned char* flags, Ticker& ticker,
+  std::vector<MergedPoint>& pairs)
+{
+  Buffer<Located> sorted;
+  {
+    std::vector<Located> candidates;
+    if (!findCandidates(points, distance, flags, ticker, candidates) ||
+      !sortByPlace(candidates, sorted, ticker))
+    {
+      return false;
     }
-  };
-  return inChunks(0, points.count, ticker, write);
+  }
+  ticker.finished(points.count - sorted.size());
+  if (sorted.empty())
+  {
+    return true;
+  }
+  std::size_t count = 0;
+  Buffer<Index> keptIds;
+  keptIds.allocate(points.count);
+  return fillAll(keptIds, kNoIndex, ticker) &&
+    mergePlaces(sorted, distance, keptIds, count, ticker) &&
+    (count == 0 || report(keptIds, count, pairs, ticker));
+}
+
+/// Marks the points of pairs and those that the caller had left out. Returns false if the work is
+/// to be cancelled.
+bool markSkipped(const PointView& points, MergedPoints& out, Ticker& ticker)
+{
+  unsigned char* const skip = out.skip.data();
+  return inChunksOf(points.count, ticker,
+           [&](std::size_t a, std::size_t b)
+           {
+             for (std::size_t i = a; i != b; ++i)
+             {
+               skip[i] = points.skipped(i);
+             }
+           }) &&
+    inChunksOf(out.pairs.size(), ticker,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i != b; ++i)
+        {
+          skip[out.pairs[i].id] = 1;
+        }
+      });
 }
 
 } // namespace
 
-Status mergeWithin(const PointView& points, double distance, Progress* progress, MergedPoints& out)
+Status mergeWithin(
+  const PointView& points, double distance, const Context& context, MergedPoints& out)
 {
   const auto merge = [&]
   {
@@ -212,20 +315,13 @@ Status mergeWithin(const PointView& points, double distance, Progress* progress,
     {
       return Status::TooManyPoints;
     }
-    Ticker ticker(progress, Phase::Merge, points.count);
+    Ticker ticker(context.progress, Phase::Merge, 2 * points.count, context.executor);
     out.pairs.clear();
     out.skip.assign(points.count, 0);
-    std::vector<Index> keptIds(points.count, kNoIndex);
-    if (distance > 0.0)
-    {
-      std::vector<Located> sorted;
-      if (!sortPoints(points, sorted, ticker) ||
-        !mergePlaces(sorted, Nearness(distance), keptIds, ticker))
-      {
-        return Status::Cancelled;
-      }
-    }
-    return report(points, keptIds, out, ticker) && ticker.ask() ? Status::Ok : Status::Cancelled;
+    const bool all = (!(distance > 0.0) ||
+                       findPairs(points, distance, out.skip.data(), ticker, out.pairs)) &&
+      markSkipped(points, out, ticker);
+    return all && ticker.ask() ? Status::Ok : Status::Cancelled;
   };
   return withoutThrowing(merge);
 }

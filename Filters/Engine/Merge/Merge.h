@@ -2,7 +2,7 @@
 #ifndef ahd_Merge_h
 #define ahd_Merge_h
 
-#include "../Core/Progress.h"
+#include "../Core/Context.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 
@@ -49,11 +49,20 @@ struct MergedPoints
 /// is not farther.
 ///
 /// `distance`: 0 to infinity, in the unit of the points. Infinity merges all into the first; 0 (as
-/// anything below it, and NaN) merges nothing. `progress` may be null; the phase is Phase::Merge.
+/// anything below it, and NaN) merges nothing. The phase is Phase::Merge.
 /// Returns Ok, Cancelled, TooManyPoints or OutOfMemory; unless Ok, `out` is not to be used.
-/// Cost: n log n steps for any points and any distance; about 60 bytes a point while it
-/// works, and as much again for each kept place within `distance` in x.
-Status mergeWithin(const PointView& points, double distance, Progress* progress, MergedPoints& out);
+/// Cost: n log n steps for any points and any distance, a few per point where hardly any are near
+/// each other; all but the last step, which looks at those that may be, on all threads. About 60
+/// bytes a point while it works, and 16 for each kept place within `distance` in x.
+Status mergeWithin(
+  const PointView& points, double distance, const Context& context, MergedPoints& out);
+
+/// The same on this thread. `progress` may be null.
+inline Status mergeWithin(
+  const PointView& points, double distance, Progress* progress, MergedPoints& out)
+{
+  return mergeWithin(points, distance, Context{ progress, nullptr }, out);
+}
 
 } // namespace ahd
 

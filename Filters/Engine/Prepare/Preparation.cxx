@@ -141,9 +141,7 @@ bool Preparation::copy(Phase phase)
   {
     return true;
   }
-  out_.places_.reserve(3 * std::max(points.count, expectedPoints(request_)));
-  out_.places_.resize(3 * points.count);
-  double* to = out_.places_.data();
+  double* const to = makeRoom();
   Ticker ticker(&phases_, phase, 0, context_.executor);
   const bool all = inChunksOf(points.count, ticker,
     [&points, to](std::size_t begin, std::size_t end)
@@ -156,6 +154,15 @@ bool Preparation::copy(Phase phase)
     });
   look(to);
   return all;
+}
+
+/// Where the places of the points are to be written, if there is no copy yet; else the copy.
+double* Preparation::makeRoom()
+{
+  const std::size_t count = out_.points_.count;
+  out_.places_.reserve(3 * std::max(count, expectedPoints(request_)));
+  out_.places_.resize(3 * count);
+  return out_.places_.data();
 }
 
 /// Lets the points be the copy.
@@ -223,20 +230,20 @@ Status Preparation::project()
       return status;
     }
   }
-  if (!copy(Phase::Merge))
-  {
-    return Status::Cancelled;
-  }
-  const PointView& points = out_.points_;
+  double* const to = makeRoom();
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
+  bool all = false;
   if (request_.fitPlane)
   {
-    return projectAll(points, out_.plane_, out_.places_.data(), ticker) ? Status::Ok
-                                                                        : Status::Cancelled;
+    all = projectAll(out_.points_, out_.plane_, to, ticker);
   }
-  const ScopedFloatingPoint whateverItSets;
-  return request_.projection->project(points, out_.places_.data(), context_) ? Status::Ok
-                                                                             : Status::Cancelled;
+  else
+  {
+    const ScopedFloatingPoint whateverItSets;
+    all = request_.projection->project(out_.points_, to, context_);
+  }
+  look(to);
+  return all ? Status::Ok : Status::Cancelled;
 }
 
 Status Preparation::merge()
@@ -255,7 +262,7 @@ Status Preparation::merge()
   }
   MergedPoints merged;
   const Status status = mergeWithin(
-    out_.points_, request_.tolerance * diagonalOf(box), &phases_, merged);
+    out_.points_, request_.tolerance * diagonalOf(box), context_, merged);
   if (status == Status::Ok && !merged.pairs.empty())
   {
     setSkipped(std::move(merged.skip));

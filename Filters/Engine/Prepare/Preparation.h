@@ -80,6 +80,7 @@ private:
 
   Status layOn(const Triangulation& surface, const std::vector<Mean>& means);
   bool copy(Phase phase);
+  double* makeRoom();
   double* add(std::size_t count);
   void look(const double* places);
   void setSkipped(std::vector<unsigned char>&& skip);

@@ -15,8 +15,9 @@ namespace ahd
 namespace
 {
 
-/// mergeWithin's, for each point: its own, those near it, the marks and pairs that are kept.
-constexpr std::size_t kBytesToMerge = 140;
+/// mergeWithin's, for each point: as it is sorted and as it is kept, with its chains, what it is
+/// merged into, and the marks and pairs that stay.
+constexpr std::size_t kBytesToMerge = 80;
 
 bool isProjected(const InputRequest& request)
 {

@@ -4,6 +4,7 @@
 
 #include "../Constraints.h"
 #include "../Core/Context.h"
+#include "../Core/Uninitialised.h"
 #include "../Merge/Merge.h"
 #include "../Options.h"
 #include "../Points/Points.h"
@@ -189,8 +190,8 @@ private:
   void findCrossingHeights();
 
   PointView points_;
-  std::vector<double> places_;      ///< the copy; empty without
-  std::vector<unsigned char> skip_; ///< a byte per point, if they are not the input's own marks
+  UninitialisedVector<double> places_; ///< the copy; empty without
+  std::vector<unsigned char> skip_;    ///< a byte per point, if they are not the input's own marks
   std::size_t inputCount_ = 0;
   std::size_t sourceCount_ = 0;
   bool isProjected_ = false;

@@ -5,6 +5,7 @@
 
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "Executors.h"
 
 #include <gtest/gtest.h>
 
@@ -274,18 +275,137 @@ TEST(Merge, ManyPointsAnyDistance)
   }
 }
 
+/// Points of which some have another beside them, and nobody else: where each pair lies, in which
+/// direction and in which order of ids is chance.
+struct Pairs
+{
+  std::vector<Point> points;
+  Ids into; ///< what each is to be merged into, or -1
+};
+
+Pairs makePairs(std::size_t n, double distance)
+{
+  Random random(7);
+  Pairs made;
+  const std::size_t width = std::size_t(std::sqrt(double(n))) + 1;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    const Point p = { double(i % width) + 0.5 * random.unit(), double(i / width) };
+    made.points.push_back(p);
+    made.into.push_back(-1);
+    if (random.below(4) == 0)
+    {
+      const double turn = 7.0 * random.unit(), length = 0.999 * distance;
+      const Point q = { p.x + length * std::cos(turn), p.y + length * std::sin(turn) };
+      const std::int64_t id = std::int64_t(made.points.size());
+      made.points.push_back(q);
+      made.into.push_back(lexicographicallyLess(q, p) ? -1 : id - 1);
+      made.into[std::size_t(id) - 1] = lexicographicallyLess(q, p) ? id : -1;
+    }
+  }
+  return made;
+}
+
+TEST(Merge, FewNearPairsAmongManyPointsAnyNumberOfThreads)
+{
+  const std::size_t n = reduced(300000);
+  for (const double distance : { 1e-9, 1e-4, 0.01, 0.1 })
+  {
+    const Pairs made = makePairs(n, distance);
+    for (const unsigned threads : { 1u, 2u, 3u, 11u })
+    {
+      SCOPED_TRACE(std::to_string(distance) + ", threads " + std::to_string(threads));
+      ThreadExecutor executor(threads);
+      MergedPoints merged;
+      ASSERT_EQ(mergeWithin(viewOf(made.points), distance, Context{ nullptr, &executor }, merged),
+        Status::Ok);
+      EXPECT_TRUE(mergedIdsOf(merged, made.points.size()) == made.into);
+    }
+  }
+}
+
+TEST(Merge, ManyNearEachOtherAnyNumberOfThreads)
+{
+  const std::vector<Point> points = makePoints(Distribution::Mixed, reduced(300000), 5);
+  for (const double distance : { 1e-4, 0.003 })
+  {
+    MergedPoints expected;
+    ASSERT_EQ(mergeWithin(viewOf(points), distance, nullptr, expected), Status::Ok);
+    EXPECT_GT(expected.pairs.size(), points.size() / 40);
+    for (const unsigned threads : { 2u, 11u })
+    {
+      ThreadExecutor executor(threads);
+      MergedPoints merged;
+      ASSERT_EQ(
+        mergeWithin(viewOf(points), distance, Context{ nullptr, &executor }, merged), Status::Ok);
+      EXPECT_EQ(mergedIdsOf(merged, points.size()), mergedIdsOf(expected, points.size()));
+    }
+  }
+}
+
+/// On a vertical line all kept places are within any distance in x. Of each three that follow each
+/// other only the first is kept.
+TEST(Merge, OnAVerticalLineOfAnyScaleAndPlace)
+{
+  const std::size_t n = reduced(150000);
+  for (const double step : { 0x1p-1074, 0x1p-1060, 0x1p-950, 0x1p-400, 1.0, 0x1p960, 0x1p1004 })
+  {
+    for (const double from : { 0.0, -0.5 * double(n) * step, step * 0x1p34 })
+    {
+      std::vector<Point> points;
+      Ids into;
+      for (std::size_t i = 0; i < n; ++i)
+      {
+        points.push_back({ 3.0, from + double(i) * step });
+        into.push_back(i % 3 == 0 ? -1 : std::int64_t(i - i % 3));
+      }
+      MergedPoints merged;
+      ASSERT_EQ(mergeWithin(viewOf(points), 2.0 * step, nullptr, merged), Status::Ok);
+      EXPECT_TRUE(!std::isfinite(points.back().y) || mergedIdsOf(merged, n) == into)
+        << "step " << step << " from " << from;
+    }
+  }
+}
+
+/// So far apart that no number of rows as high as the distance would do.
+TEST(Merge, ATinyDistanceOnAnEndlessLine)
+{
+  std::vector<Point> points;
+  Ids into;
+  for (int e = -1022; e < 1024; ++e)
+  {
+    for (const double sign : { -1.0, 1.0 })
+    {
+      const double y = std::ldexp(sign, e);
+      points.push_back({ 0.0, y });
+      points.push_back({ 0x1p-1074, y });
+      into.push_back(-1);
+      into.push_back(std::int64_t(points.size()) - 2);
+    }
+  }
+  for (const double distance : { 0x1p-1074, 0x1p-1030 })
+  {
+    MergedPoints merged;
+    ASSERT_EQ(mergeWithin(viewOf(points), distance, nullptr, merged), Status::Ok);
+    EXPECT_EQ(mergedIdsOf(merged, points.size()), into);
+  }
+}
+
 TEST(Merge, CancelledAtAnyAsking)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, 20000, 1);
   MergedPoints merged;
-  Counter whole;
-  ASSERT_EQ(mergeWithin(viewOf(points), 0.01, &whole, merged), Status::Ok);
-  ASSERT_GE(whole.askings(), 5u);
-  for (std::size_t k = 1; k <= whole.askings(); ++k)
+  for (const double distance : { 1e-6, 0.01 }) // few candidates, many
   {
-    Counter counter(k);
-    EXPECT_EQ(mergeWithin(viewOf(points), 0.01, &counter, merged), Status::Cancelled);
-    EXPECT_EQ(counter.askings(), k);
+    Counter whole;
+    ASSERT_EQ(mergeWithin(viewOf(points), distance, &whole, merged), Status::Ok);
+    ASSERT_GE(whole.askings(), 5u);
+    for (std::size_t k = 1; k <= whole.askings(); ++k)
+    {
+      Counter counter(k);
+      EXPECT_EQ(mergeWithin(viewOf(points), distance, &counter, merged), Status::Cancelled);
+      EXPECT_EQ(counter.askings(), k);
+    }
   }
 }
 

@@ -410,7 +410,7 @@ TEST(Prepare, MemoryIsEstimated)
   given.request.fitPlane = true;
   EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400 + 4 * 25);
   given.request.tolerance = 0.1;
-  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400 + 4 * 25 + 4 * 140);
+  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400 + 4 * 25 + 4 * 80);
 }
 
 } // namespace
