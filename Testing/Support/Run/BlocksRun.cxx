@@ -265,11 +265,12 @@ BlocksOutcome runBlocks(
   return Simulation(points, way).run(constraints, rule);
 }
 
-BlocksOutcome runWhole(const PointView& points, const ConstraintView& constraints, FillRule rule)
+BlocksOutcome runWhole(
+  const PointView& points, const ConstraintView& constraints, FillRule rule, const Options& options)
 {
   Engine engine;
   BlocksOutcome result;
-  result.status = engine.run(points);
+  result.status = engine.run(points, options);
   if (result.status == Status::Ok && constraints.chains > 0)
   {
     result.status = engine.constrain(constraints, rule);
