@@ -70,7 +70,8 @@ struct BlockTriangulation::State
 
   bool isHostOfAll = false;              ///< was the part of all blocks made here?
   std::vector<BorderPoint> sharedPoints; ///< the corners of what is shared
-  std::vector<SharedTriangle> shared;
+  std::vector<SharedTriangle> shared;    ///< first this block's, then ghosts
+  std::size_t sharedOwn = 0;             ///< this block's
   std::vector<ForeignPoint> foreign;
 
   Part& own() { return parts[0]; }
@@ -93,6 +94,9 @@ struct BlockTriangulation::State
   bool takeDown(const std::vector<BlockMessage>& in, Ticker& ticker);
   bool numberShared(Ticker& ticker);
   void sayTotals();
+
+  template <typename Id>
+  bool writeShared(std::size_t begin, std::size_t end, Id* triples, Ticker& ticker) const;
 };
 
 } // namespace ahd

@@ -101,8 +101,14 @@ bool BlockTriangulation::State::takeDown(const std::vector<BlockMessage>& in, Ti
 /// Sorts what is shared, and gives its corners their numbers.
 bool BlockTriangulation::State::numberShared(Ticker& ticker)
 {
+  const auto isGhost = [](const SharedTriangle& s)
+  { return (s.flags & OwnedTriangles::kGhost) != 0; };
   const auto isBefore = [&](const SharedTriangle& s, const SharedTriangle& t)
   {
+    if (isGhost(s) != isGhost(t))
+    {
+      return isGhost(t);
+    }
     for (std::size_t e = 0; e != 3; ++e)
     {
       const Point& p = sharedPoints[s.corners[e]].at;
@@ -118,6 +124,9 @@ bool BlockTriangulation::State::numberShared(Ticker& ticker)
   {
     return false;
   }
+  sharedOwn = static_cast<std::size_t>(std::partition_point(shared.begin(), shared.end(),
+                                         [&](const SharedTriangle& s) { return !isGhost(s); }) -
+    shared.begin());
   for (const BorderPoint& p : sharedPoints)
   {
     if (p.block != input.block)
@@ -165,7 +174,7 @@ void BlockTriangulation::State::sayTotals()
   toAll.clear();
   BytesWriter writer(toAll);
   writer.write(std::uint64_t(own().finalTriangles()));
-  writer.write(std::uint64_t(shared.size()));
+  writer.write(std::uint64_t(sharedOwn));
   writer.write(std::uint64_t(isHostOfAll ? 1 : 0));
   if (isHostOfAll)
   {

@@ -122,12 +122,35 @@ const BlocksReport& BlockTriangulation::report() const
 
 std::size_t BlockTriangulation::triangles() const
 {
-  return state_->own().finalTriangles() + state_->shared.size();
+  return state_->own().finalTriangles() + state_->sharedOwn;
+}
+
+std::size_t BlockTriangulation::ghostTriangles() const
+{
+  return state_->shared.size() - state_->sharedOwn;
 }
 
 const std::vector<ForeignPoint>& BlockTriangulation::foreignPoints() const
 {
   return state_->foreign;
+}
+
+/// Writes triangles [begin, end) of those that others took part in.
+template <typename Id>
+bool BlockTriangulation::State::writeShared(
+  std::size_t begin, std::size_t end, Id* triples, Ticker& ticker) const
+{
+  return inChunks(begin, end, ticker,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t t = a; t != b; ++t)
+      {
+        for (const Index corner : shared[t].corners)
+        {
+          *triples++ = static_cast<Id>(corner);
+        }
+      }
+    });
 }
 
 template <typename Id>
@@ -137,25 +160,34 @@ Status BlockTriangulation::writeTriangles(Id* triples, const Context& context)
     [&]
     {
       Ticker ticker(context.progress, Phase::Extract, triangles(), context.executor);
-      Id* to = triples + 3 * state_->own().finalTriangles();
-      const auto write = [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t t = a; t != b; ++t)
-        {
-          for (const Index corner : state_->shared[t].corners)
-          {
-            *to++ = static_cast<Id>(corner);
-          }
-        }
-      };
-      return state_->own().writeFinal(triples, ticker) &&
-        inChunks(0, state_->shared.size(), ticker, write) && ticker.ask();
+      Part& own = state_->own();
+      return own.writeFinal(triples, ticker) &&
+        state_->writeShared(0, state_->sharedOwn, triples + 3 * own.finalTriangles(), ticker) &&
+        ticker.ask();
     });
 }
 
-template Status BlockTriangulation::writeTriangles(int*, const Context&);
-template Status BlockTriangulation::writeTriangles(long*, const Context&);
-template Status BlockTriangulation::writeTriangles(long long*, const Context&);
+template <typename Id>
+Status BlockTriangulation::writeGhostTriangles(Id* triples, const Context& context) const
+{
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Extract, ghostTriangles());
+      return state_->writeShared(state_->sharedOwn, state_->shared.size(), triples, ticker) &&
+        ticker.ask();
+    });
+}
+
+#define AHD_WRITES(Id)                                                                             \
+  template Status BlockTriangulation::writeTriangles(Id*, const Context&);                         \
+  template Status BlockTriangulation::writeGhostTriangles(Id*, const Context&) const
+
+AHD_WRITES(int);
+AHD_WRITES(long);
+AHD_WRITES(long long);
+
+#undef AHD_WRITES
 
 Status BlockTriangulation::writeConstraintEdges(std::uint8_t* edges, const Context& context) const
 {
@@ -163,7 +195,7 @@ Status BlockTriangulation::writeConstraintEdges(std::uint8_t* edges, const Conte
     [&]
     {
       Ticker ticker(context.progress, Phase::Outputs, 0);
-      const std::size_t own = triangles() - state_->shared.size();
+      const std::size_t own = state_->own().finalTriangles();
       return inChunks(0, triangles(), ticker,
                [&](std::size_t a, std::size_t b)
                {
@@ -253,11 +285,12 @@ std::size_t borderMemoryEstimate(
   {
     return own;
   }
-  // Per point: itself, as it comes and as it is kept; its vertex, two labels and walls, a flag;
-  // what goes up again; two triangles that go down, their corners sorted, as lists grow, and the
-  // message.
-  constexpr std::size_t kPerPoint = 2 * sizeof(BorderPoint) + 4 + 2 + 2 + 1 + sizeof(BorderPoint) +
-    4 + 2 * (3 * 13 + 2 * 12) + 3 * sizeof(BorderPoint) + 2 * (3 * sizeof(BorderPoint) + 13);
+  // Per point: itself, as it comes and as it is kept; its vertex, two labels and walls; what goes
+  // up again. Two triangles that go down to three blocks each, at most, as lists grow, sorted, and
+  // as messages; the point itself to seven blocks, as it has six neighbours.
+  constexpr std::size_t kTriangle = 3 * 13 + 2 * 12 + 2 * 13;
+  constexpr std::size_t kPerPoint = 2 * sizeof(BorderPoint) + 4 + 2 + 2 + sizeof(BorderPoint) + 4 +
+    2 * 3 * kTriangle + 7 * 3 * sizeof(BorderPoint);
   // Per edge: itself, as it comes and as it is kept, its half-edge, a place in a table; what goes
   // up again, and half-edges of that.
   constexpr std::size_t kPerEdge = 2 * sizeof(BorderEdge) + 4 + 6 * sizeof(EdgeTable::Edge) +

@@ -128,7 +128,10 @@ public:
   const BlocksReport& report() const;
   /// How many of the triangles are on this block.
   std::size_t triangles() const;
-  /// Corners of this block's triangles that others own, by id. Each such corner has a number:
+  /// How many triangles of other blocks have a corner that is this one's. With them each of its
+  /// vertices has all its triangles.
+  std::size_t ghostTriangles() const;
+  /// Corners of all of these that others own, by id. Each such corner has a number:
   /// points.count + its place here.
   const std::vector<ForeignPoint>& foreignPoints() const;
   /// triangles() triples of the block's own points, by their numbers in its points, and foreign
@@ -137,7 +140,10 @@ public:
   /// a function of all points and of where they are. May be called again after any outcome.
   template <typename Id>
   Status writeTriangles(Id* triples, const Context& context);
-  /// A byte for each triangle: bit e is set if its edge from corner e on is a constraint.
+  /// The triangles of other blocks, likewise.
+  template <typename Id>
+  Status writeGhostTriangles(Id* triples, const Context& context) const;
+  /// A byte for each of triangles(): bit e is set if its edge from corner e on is a constraint.
   Status writeConstraintEdges(std::uint8_t* edges, const Context& context) const;
   /// What became of each of the block's points (Result.h), in the ids that all blocks know.
   Status writePointStatus(std::int64_t* status, const Context& context);

@@ -42,13 +42,16 @@ struct PartBorder
   std::vector<BorderEdge> edges;
 };
 
-/// Triangles for the block that owns their lexicographically lowest corners.
+/// Triangles for a block that owns a corner of each.
 struct OwnedTriangles
 {
+  /// A flag of a triangle whose lowest corner another block owns. Bits 0 to 2: constraint edges,
+  /// from the lowest corner on.
+  static constexpr std::uint8_t kGhost = 8;
+
   std::vector<BorderPoint> points; ///< their corners
   std::vector<Index> corners;      ///< three places each, the lowest corner first
-  std::vector<std::uint8_t> flags; ///< of each triangle: bit e if the edge from corner e on is a
-                                   ///< constraint
+  std::vector<std::uint8_t> flags; ///< of each triangle
 };
 
 /// What parts ask about: the others' boxes and the segments.
@@ -105,7 +108,8 @@ public:
   /// part of all blocks finishAll().
   void tellKept(std::size_t child, Kept& kept) const;
 
-  /// What has become final here and is kept, by the block that owns it, from the row's first one.
+  /// What has become final here and is kept, by the blocks that own corners, from the row's first
+  /// one.
   bool listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const;
 
   /// How many triangles have become final here and are kept.
@@ -169,6 +173,8 @@ private:
   bool listVertices(std::vector<Index>& vertices, Ticker& ticker) const;
   bool listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker);
   bool countFinal(Ticker& ticker);
+  void giveOut(Mesh::Slot slot, const BlockRow& row, std::vector<OwnedTriangles>& owned) const;
+  bool listCorners(OwnedTriangles& some, Ticker& ticker) const;
 
   Triangulation made_;
   const std::int64_t* ids_ = nullptr; ///< of the own points; null above the bottom

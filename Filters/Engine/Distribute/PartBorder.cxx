@@ -152,61 +152,88 @@ void Part::tellKept(std::size_t child, Kept& kept) const
 
 // -------------------------------------------------------------------------------- what goes out
 
+/// Gives a triangle to the blocks of its corners, from its lowest corner on.
+void Part::giveOut(Mesh::Slot slot, const BlockRow& row, std::vector<OwnedTriangles>& owned) const
+{
+  const TriangulationAccess::State& all = state();
+  const auto point = [&](Mesh::Halfedge h) -> const BorderPoint&
+  { return given_[all.ranked.id[data_[h]]]; };
+  Mesh::Halfedge lowest = slot;
+  for (Mesh::Halfedge h = slot + 1; h != slot + 3; ++h)
+  {
+    lowest = lexicographicallyLess(point(h).at, point(lowest).at) ? h : lowest;
+  }
+  const Mesh::Halfedge second = Mesh::next(lowest), third = Mesh::previous(lowest);
+  // The edge that begins at a corner is the one opposite to the corner before it.
+  unsigned flags = 0, e = 0;
+  for (const Mesh::Halfedge edge : { third, lowest, second })
+  {
+    flags |= (all.hasMarks && all.constrained.isConstrained(edge) ? 1u : 0u) << e++;
+  }
+  const std::uint32_t owner = point(lowest).block, other = point(second).block;
+  const std::uint32_t last = point(third).block;
+  const auto give = [&](std::uint32_t block, unsigned more)
+  {
+    OwnedTriangles& to = owned[block - row.begin];
+    to.corners.insert(to.corners.end(), { data_[lowest], data_[second], data_[third] });
+    to.flags.push_back(static_cast<std::uint8_t>(flags | more));
+  };
+  give(owner, 0);
+  if (other != owner)
+  {
+    give(other, OwnedTriangles::kGhost);
+  }
+  if (last != owner && last != other)
+  {
+    give(last, OwnedTriangles::kGhost);
+  }
+}
+
 bool Part::listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const
 {
   owned.assign(row.end - row.begin, OwnedTriangles());
-  const TriangulationAccess::State& all = state();
-  const auto point = [&](Index vertex) -> const BorderPoint&
-  { return given_[all.ranked.id[vertex]]; };
   const auto list = [&](Mesh::Slot slot)
   {
-    if (!isFinalAndKept(slot))
+    if (isFinalAndKept(slot))
     {
-      return;
+      giveOut(slot, row, owned);
     }
-    Mesh::Halfedge lowest = slot;
-    for (Mesh::Halfedge h = slot + 1; h != slot + 3; ++h)
-    {
-      lowest = lexicographicallyLess(point(data_[h]).at, point(data_[lowest]).at) ? h : lowest;
-    }
-    OwnedTriangles& to = owned[point(data_[lowest]).block - row.begin];
-    unsigned flags = 0;
-    Mesh::Halfedge h = lowest;
-    for (unsigned e = 0; e != 3; ++e, h = Mesh::next(h))
-    {
-      to.corners.push_back(data_[h]);
-      // The edge that begins at the corner is the one opposite to the corner before it.
-      const Mesh::Halfedge edge = Mesh::previous(h);
-      flags |= (all.hasMarks && all.constrained.isConstrained(edge) ? 1u : 0u) << e;
-    }
-    to.flags.push_back(static_cast<std::uint8_t>(flags));
   };
   if (!eachSlot(ticker, list))
   {
     return false;
   }
-  // Vertices become places among the corners.
   for (OwnedTriangles& some : owned)
   {
-    std::vector<Index> vertices = some.corners;
-    if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+    if (!listCorners(some, ticker))
     {
       return false;
     }
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-    some.points.reserve(vertices.size());
-    for (const Index vertex : vertices)
+  }
+  return true;
+}
+
+/// Vertices become places among the corners.
+bool Part::listCorners(OwnedTriangles& some, Ticker& ticker) const
+{
+  std::vector<Index> vertices = some.corners;
+  if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+  {
+    return false;
+  }
+  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+  some.points.reserve(vertices.size());
+  for (const Index vertex : vertices)
+  {
+    some.points.push_back(given_[state().ranked.id[vertex]]);
+  }
+  for (Index& corner : some.corners)
+  {
+    corner = static_cast<Index>(
+      std::lower_bound(vertices.begin(), vertices.end(), corner) - vertices.begin());
+    if (!ticker.step())
     {
-      some.points.push_back(point(vertex));
-    }
-    for (Index& corner : some.corners)
-    {
-      corner = static_cast<Index>(
-        std::lower_bound(vertices.begin(), vertices.end(), corner) - vertices.begin());
-      if (!ticker.step())
-      {
-        return false;
-      }
+      return false;
     }
   }
   return true;

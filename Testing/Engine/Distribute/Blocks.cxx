@@ -4,6 +4,7 @@
 // triangles, sorted by the points' global ids, the same statuses, the same report.
 #include "BlocksRun.h"
 #include "ConstraintMakers.h"
+#include "Executors.h"
 #include "HashedResults.h"
 
 #include <gtest/gtest.h>
@@ -115,20 +116,6 @@ void expectEqual(const ConstraintCase& given, FillRule rule, const BlocksWay& wa
   EXPECT_EQ(difference(whole, found), "") << way.blocks << " blocks";
 }
 
-TEST(Blocks, SmallConstraintCasesAreAsInOneGo)
-{
-  for (std::uint64_t seed = 0; seed < reduced(3000) && !HasFailure(); ++seed)
-  {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    BlocksWay way;
-    way.blocks = 1 + seed % 9;
-    way.blocksPerNode = seed % 3 == 0 ? 2 : 8;
-    const ConstraintCase given = smallConstraintCase(seed);
-    SCOPED_TRACE(given.text());
-    expectEqual(given, seed % 2 == 0 ? FillRule::Orientation : FillRule::EvenOdd, way);
-  }
-}
-
 TEST(Blocks, LargeConstraintCasesAreAsInOneGo)
 {
   for (const NamedCase& named : constraintCases())
@@ -208,9 +195,9 @@ TEST(Blocks, LoopsInsideAndAroundBlocks)
 }
 
 /// Some ten points of a small lattice, scaled anyhow, in more blocks than points.
-TEST(Blocks, SmallLatticesInManyBlocks)
+void expectLatticesEqual(std::uint64_t first, std::uint64_t end)
 {
-  for (std::uint64_t seed = 0; seed < reduced(4000) && !HasFailure(); ++seed)
+  for (std::uint64_t seed = first; seed < end && !testing::Test::HasFailure(); ++seed)
   {
     Random random(seed);
     const double scale = std::ldexp(1.0, int(random.below(2000)) - 1000);
@@ -231,11 +218,78 @@ TEST(Blocks, SmallLatticesInManyBlocks)
   }
 }
 
+void expectSmallCasesEqual(std::uint64_t first, std::uint64_t end)
+{
+  for (std::uint64_t seed = first; seed < end && !testing::Test::HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    BlocksWay way;
+    way.blocks = 1 + seed % 9;
+    way.blocksPerNode = seed % 3 == 0 ? 2 : 8;
+    const ConstraintCase given = smallConstraintCase(seed);
+    SCOPED_TRACE(given.text());
+    expectEqual(given, seed % 2 == 0 ? FillRule::Orientation : FillRule::EvenOdd, way);
+  }
+}
+
+TEST(Blocks, SmallLatticesInManyBlocks)
+{
+  expectLatticesEqual(0, reduced(4000));
+}
+
+TEST(Blocks, SmallConstraintCasesAreAsInOneGo)
+{
+  expectSmallCasesEqual(0, reduced(3000));
+}
+
+TEST(LongBlocks, SmallSetsInManyBlocks)
+{
+  expectLatticesEqual(10000, 150000);
+  expectSmallCasesEqual(10000, 150000);
+}
+
+/// Which of several points stands for a vertex is seen by the block that has all of them.
+TEST(Blocks, RepresentativesByHeight)
+{
+  std::vector<double> xyz;
+  Random random(3);
+  for (int i = 0; i < 2000; ++i)
+  {
+    xyz.push_back(double(random.below(20)));
+    xyz.push_back(double(random.below(20)));
+    xyz.push_back(double(random.below(5)));
+  }
+  const PointView view(xyz.data(), 2000, 3);
+  for (const Representative which :
+    { Representative::FirstId, Representative::LowestZ, Representative::HighestZ })
+  {
+    BlocksWay way;
+    way.blocks = 11;
+    way.options.representative = which;
+    EXPECT_EQ(difference(runWhole(view, kNone, FillRule::Orientation, way.options),
+                runBlocks(view, kNone, FillRule::Orientation, way)),
+      "");
+  }
+}
+
+TEST(Blocks, NoThreadAndNoSettingChangesAnything)
+{
+  ThreadExecutor threads(3);
+  const std::vector<Point> points = makePoints(Distribution::Mixed, 50000, 10);
+  BlocksWay way;
+  way.blocks = 3;
+  way.context.executor = &threads;
+  expectEqual(points, way, "threads");
+  way.context.executor = nullptr;
+  way.options.order = InsertionOrder::RegularGrid;
+  expectEqual(points, way, "another order");
+}
+
 TEST(Blocks, BordersOfUniformPointsAreShort)
 {
-  for (const std::size_t blocks : { 4, 16, 64 })
+  for (const std::size_t blocks : { 4, 16, 64, 256 })
   {
-    const std::size_t each = reduced(10000);
+    const std::size_t each = reduced(blocks < 256 ? 10000 : 3000);
     BlocksWay way;
     way.blocks = blocks;
     const std::vector<Point> points = makePoints(Distribution::Uniform, blocks * each, 7);
@@ -248,6 +302,7 @@ TEST(Blocks, BordersOfUniformPointsAreShort)
       EXPECT_LE(double(found.border[b]), 8.0 * std::sqrt(double(found.own[b]))) << b;
     }
     EXPECT_LE(sum / double(blocks), 6.0) << blocks << " blocks";
+    RecordProperty("blocks_" + std::to_string(blocks), std::to_string(sum / double(blocks)));
   }
 }
 

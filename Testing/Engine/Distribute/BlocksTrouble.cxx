@@ -58,6 +58,11 @@ public:
     {
       status = blocks_[0].waiting() == Waiting::ForAll ? stepAll() : stepSome();
     }
+    for (std::size_t b = 0; status == Status::Ok && b < kBlocks; ++b)
+    {
+      writeTo_[b] = triples_.size();
+      triples_.resize(triples_.size() + 3 * blocks_[b].triangles());
+    }
     return status == Status::Ok ? each([&](std::size_t b) { return write(b); }) : status;
   }
 
@@ -65,6 +70,8 @@ public:
   /// By how much the most that a step held at once exceeds what was estimated for it, 0 if it does
   /// not.
   std::size_t excess() const { return excess_; }
+  /// Most bytes that a block held at once, for each of its points.
+  double mostPerPoint() const { return mostPerPoint_; }
 
 private:
   template <typename Step>
@@ -79,6 +86,7 @@ private:
       account.countsNothing = true;
       held_[b] += account.held - before;
       const std::size_t most = held_[b] + (account.peak - account.held);
+      mostPerPoint_ = std::max(mostPerPoint_, double(most) / double(ids_[b].size() + 1));
       excess_ = std::max(excess_, most > estimate_[b] ? most - estimate_[b] : 0);
       if (status != Status::Ok)
       {
@@ -153,11 +161,7 @@ private:
 
   Status write(std::size_t b)
   {
-    account.countsNothing = true;
-    const std::size_t before = triples_.size();
-    triples_.resize(before + 3 * blocks_[b].triangles());
-    account.countsNothing = false;
-    return blocks_[b].writeTriangles(triples_.data() + before, context_);
+    return blocks_[b].writeTriangles(triples_.data() + writeTo_[b], context_);
   }
 
   const ConstraintCase& given_;
@@ -167,7 +171,9 @@ private:
   std::array<std::vector<std::int64_t>, kBlocks> ids_;
   std::array<BlockTriangulation, kBlocks> blocks_;
   std::array<std::size_t, kBlocks> held_ = {}, estimate_ = {};
+  std::array<std::size_t, kBlocks> writeTo_ = {};
   std::size_t excess_ = 0;
+  double mostPerPoint_ = 0.0;
   std::vector<std::int64_t> triples_;
 };
 
@@ -248,6 +254,16 @@ TEST(BlocksTrouble, NoMoreMemoryThanEstimated)
     ASSERT_EQ(run.run(), Status::Ok);
     EXPECT_EQ(run.excess(), 0u) << given.points.size() << " points";
   }
+}
+
+TEST(BlocksTrouble, TwoHundredBytesForEachOwnPoint)
+{
+  ConstraintCase given;
+  given.points = makePoints(Distribution::Uniform, reduced(200000), 1);
+  CarefulRun run(given, nullptr);
+  ASSERT_EQ(run.run(), Status::Ok);
+  EXPECT_LE(run.mostPerPoint(), 200.0);
+  RecordProperty("bytes_per_point", std::to_string(run.mostPerPoint()));
 }
 
 } // namespace

@@ -184,7 +184,9 @@ private:
   {
     result_.report = blocks_[0].report();
     result_.pointStatus.resize(points_.count);
+    around_.assign(points_.count, 0);
     each([&](std::size_t b) { return collectFrom(b); });
+    compareAround();
     expect(result_.flags.size() == result_.report.triangles, "the sum of the triangles");
     normalise(result_);
   }
@@ -238,7 +240,44 @@ private:
       }
     }
     result_.flags.insert(result_.flags.end(), flags.begin(), flags.end());
+    countAround(b, triples);
     return Status::Ok;
+  }
+
+  /// Counts the triangles around each own vertex, ghosts included.
+  void countAround(std::size_t b, std::vector<std::int32_t> triples)
+  {
+    const std::size_t own = triples.size(), points = dealt_[b].ids.size();
+    triples.resize(own + 3 * blocks_[b].ghostTriangles());
+    expect(
+      blocks_[b].writeGhostTriangles(triples.data() + own, way_.context) == Status::Ok, "ghosts");
+    for (std::size_t t = 0; t < triples.size(); t += 3)
+    {
+      std::size_t owned = 0;
+      for (std::size_t e = 0; e < 3; ++e)
+      {
+        const auto number = std::size_t(triples[t + e]);
+        owned += number < points ? 1 : 0;
+        expect(number < points + blocks_[b].foreignPoints().size(), "a corner's number");
+        if (number < points)
+        {
+          ++around_[std::size_t(dealt_[b].ids[number])];
+        }
+      }
+      expect(owned > 0, "a triangle without own corner");
+      expect(t < own || std::size_t(triples[t]) >= points, "a ghost with the lowest corner");
+    }
+  }
+
+  /// Each vertex has as many triangles around it on its block as there are in all.
+  void compareAround()
+  {
+    for (const std::int32_t id : result_.triples)
+    {
+      --around_[std::size_t(id)];
+    }
+    expect(std::count(around_.begin(), around_.end(), 0) == std::ptrdiff_t(around_.size()),
+      "the triangles around own vertices");
   }
 
   void expect(bool isRight, const char* what)
@@ -254,6 +293,7 @@ private:
   std::vector<OwnPoints> dealt_;
   std::vector<BlockTriangulation> blocks_;
   std::size_t levels_ = 0;
+  std::vector<std::int32_t> around_; ///< by id: triangles on the own block
   BlocksOutcome result_;
 };
 
@@ -265,11 +305,12 @@ BlocksOutcome runBlocks(
   return Simulation(points, way).run(constraints, rule);
 }
 
-BlocksOutcome runWhole(const PointView& points, const ConstraintView& constraints, FillRule rule)
+BlocksOutcome runWhole(
+  const PointView& points, const ConstraintView& constraints, FillRule rule, const Options& options)
 {
   Engine engine;
   BlocksOutcome result;
-  result.status = engine.run(points);
+  result.status = engine.run(points, options);
   if (result.status == Status::Ok && constraints.chains > 0)
   {
     result.status = engine.constrain(constraints, rule);

@@ -51,7 +51,8 @@ BlocksOutcome runBlocks(
   const PointView& points, const ConstraintView& constraints, FillRule rule, const BlocksWay& way);
 
 /// The same triples of the engine's in one go, in the same form.
-BlocksOutcome runWhole(const PointView& points, const ConstraintView& constraints, FillRule rule);
+BlocksOutcome runWhole(const PointView& points, const ConstraintView& constraints, FillRule rule,
+  const Options& options = Options());
 
 /// The first thing that differs, in words; empty if triangles, statuses and reports are the same.
 std::string difference(const BlocksOutcome& whole, const BlocksOutcome& blocks);
