@@ -150,7 +150,7 @@ const std::vector<Shape>& shapes()
     { "ShortSegments", [](std::size_t n) { return shortSegments(n, n / 10); } },
     { "OtherEdges", [](std::size_t n) { return edgesOfOthers(n, n / 10); } },
     { "Breaklines", breaklines },
-    { "RingAmongPoints", ringAmongPoints },
+    { "Ring", ringAmongPoints },
     { "Across", [](std::size_t n) { return segmentAcross(n); } },
     { "AcrossParabolas", [](std::size_t n) { return segmentAcrossParabolas(n / 10); } },
     { "AcrossBulges", [](std::size_t n) { return segmentAcrossBulges(n / 10); } },
