@@ -2,6 +2,7 @@
 #include "Triangulate.h"
 
 #include "Constrain/Constrainer.h"
+#include "Constrain/InCurveOrder.h"
 #include "Constrain/Regions.h"
 #include "Constrain/Rim.h"
 #include "Core/Border.h"
@@ -69,7 +70,7 @@ bool constrainState(
   const std::size_t ids = given.chains == 0
     ? 0
     : static_cast<std::size_t>(given.offsets[given.chains] - given.offsets[0]);
-  Ticker ticker(context.progress, Phase::Constrain, ids);
+  Ticker ticker(context.progress, Phase::Constrain, ids, state.worthItsWhile(context.executor));
   return state.report.triangles == 0 ? countMissing(state, given, ticker)
                                      : insertConstraints(state, given, rule, ticker);
 }
@@ -136,14 +137,18 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
   constexpr std::size_t kGrown = 3;
   // Per point: a vertex for each id, a triangle for each vertex, two marks, and a queue of two
   // triangles.
-  constexpr std::size_t kPerPoint = 4 + 4 + 2 + kGrown * 8;
-  // Per edge: a place in a table that is at least a quarter full, or less while it is copied.
-  constexpr std::size_t kPerEdge = 6 * sizeof(EdgeTable::Edge);
-  // Per segment: a row of the report, an edge of a loop, the beginning of a chain.
-  constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8;
-  return pointCount * kPerPoint +
-    (segmentCount == 0 ? 0 : 3 * std::min(segmentCount, pointCount) * kPerEdge) +
+  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 8;
+  // Per edge: a place in each of two tables that are at least a quarter full, or less while they
+  // are copied.
+  constexpr std::size_t kPerEdge = 2 * 6 * sizeof(LoopEdges::Edge);
+  // Per segment: a row of the report, an edge of a loop, the beginning of a chain, what says of its
+  // ids that they begin edges.
+  constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8 + 2;
+  const std::size_t inOrder = 3 * std::min(segmentCount, pointCount) * kPerEdge +
     segmentCount * kPerSegment;
+  const std::size_t alongCurve = segmentCount * InCurveOrder::bytesPerSegment() +
+    InCurveOrder::bytesAtLeast();
+  return pointCount * kPerPoint + (segmentCount == 0 ? 0 : std::max(inOrder, alongCurve));
 }
 
 std::size_t trimMemoryEstimate(std::size_t pointCount)

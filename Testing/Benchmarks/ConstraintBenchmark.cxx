@@ -2,12 +2,16 @@
 //
 // What constraints cost, beside CGAL's Constrained_Delaunay_triangulation_2 on the same points and
 // segments, one thread, by its CPU time. `plain` is the triangulation alone; `constrained` that and
-// the constraints; `cgal` CGAL's points and then its constraints, without ids. Each is timed from
-// the points to the triangles written (CGAL: to its data structure); `constrain` is what the
-// constraints alone took, and is given for CGAL as well.
+// the constraints; `two` the same by two threads, by the clock on the wall; `cgal` CGAL's points
+// and then its constraints, without ids. Each is timed from the points to the triangles written
+// (CGAL: to its data structure); `constrain` is what the constraints alone took, and is given for
+// CGAL as well.
 //
 // What is made, and how many segments it has, depends on --points; see shapes().
 #include "BesideCgal.h"
+#include "Core/Threads.h"
+#include "Places.h"
+#include "Random.h"
 
 #include <benchmark/benchmark.h>
 
@@ -67,6 +71,71 @@ ConstraintCase rowsOfALattice(std::size_t n)
   return result;
 }
 
+/// Takes a neighbour out of one of the lists, and the way back out of its list. -1 if there is
+/// none.
+std::int64_t takeWay(std::vector<std::vector<std::int64_t>>& ways, std::int64_t from)
+{
+  std::vector<std::int64_t>& out = ways[std::size_t(from)];
+  if (out.empty())
+  {
+    return -1;
+  }
+  const std::int64_t to = out.back();
+  out.pop_back();
+  std::vector<std::int64_t>& back = ways[std::size_t(to)];
+  back.erase(std::remove(back.begin(), back.end(), from), back.end());
+  return to;
+}
+
+/// n / 10 breaklines of five segments among n points, in no order: ways along the edges of the
+/// triangulation of every third point, each edge once. So none crosses another, and most of their
+/// segments are no edges of the triangulation of all points.
+ConstraintCase breaklines(std::size_t n)
+{
+  constexpr std::size_t kSegments = 5;
+  const ConstraintCase edges = edgesOfOthers(n, n);
+  ConstraintCase result;
+  result.points = edges.points;
+  std::vector<std::vector<std::int64_t>> ways(n);
+  for (const GivenSegment& edge : segmentsOf(edges.constraints.view()))
+  {
+    ways[std::size_t(edge.from)].push_back(edge.to);
+    ways[std::size_t(edge.to)].push_back(edge.from);
+  }
+  Random random(22);
+  for (std::size_t line = 0; line < n / 10;)
+  {
+    Chain chain(1, std::int64_t(random.below(n)));
+    for (std::int64_t to = 0; chain.size() <= kSegments && to >= 0;)
+    {
+      to = takeWay(ways, chain.back());
+      chain.push_back(to);
+    }
+    if (chain.back() >= 0)
+    {
+      result.constraints.addLine(chain);
+      ++line;
+    }
+  }
+  return result;
+}
+
+/// A loop of n / 10 points around a circle, and uniform points around its middle that make n.
+ConstraintCase ringAmongPoints(std::size_t n)
+{
+  ConstraintCase result;
+  result.points = makePoints(Distribution::Uniform, n - n / 10, 23);
+  Chain loop;
+  for (std::size_t i = 0; i < n / 10; ++i)
+  {
+    const Place p = onUnitCircle(double(i) / double(n / 10));
+    loop.push_back(std::int64_t(result.points.size()));
+    result.points.push_back({ 0.5 + 0.5 * p.x, 0.5 + 0.5 * p.y });
+  }
+  result.constraints.addLoop(loop);
+  return result;
+}
+
 struct Shape
 {
   const char* name;
@@ -80,6 +149,8 @@ const std::vector<Shape>& shapes()
     { "LatticeRows", rowsOfALattice },
     { "ShortSegments", [](std::size_t n) { return shortSegments(n, n / 10); } },
     { "OtherEdges", [](std::size_t n) { return edgesOfOthers(n, n / 10); } },
+    { "Breaklines", breaklines },
+    { "Ring", ringAmongPoints },
     { "Across", [](std::size_t n) { return segmentAcross(n); } },
     { "AcrossParabolas", [](std::size_t n) { return segmentAcrossParabolas(n / 10); } },
     { "AcrossBulges", [](std::size_t n) { return segmentAcrossBulges(n / 10); } },
@@ -98,26 +169,36 @@ struct Measured
   std::size_t edges = 0;
 };
 
-Measured byUs(const ConstraintCase& given, bool constrained)
+double secondsOnTheWall()
 {
+  timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
+}
+
+/// With threads lent by `executor`, if it is not null.
+Measured byUs(const ConstraintCase& given, bool constrained, Executor* executor)
+{
+  const Context context{ nullptr, executor };
+  const auto clock = executor ? secondsOnTheWall : seconds;
   static Workspace workspace;
   static Triangulation made;
   static std::vector<std::int32_t> triples;
   Measured result;
-  const double begin = seconds();
-  bool ok = triangulate(given.view(), Options(), workspace, {}, made) == Status::Ok;
-  const double run = seconds();
+  const double begin = clock();
+  bool ok = triangulate(given.view(), Options(), workspace, context, made) == Status::Ok;
+  const double run = clock();
   if (constrained && ok)
   {
-    ok = constrain(std::move(made), given.constraints.view(), FillRule::Orientation, {}, made) ==
-      Status::Ok;
+    ok = constrain(std::move(made), given.constraints.view(), FillRule::Orientation, context,
+           made) == Status::Ok;
     result.edges = made.constraints().edges;
   }
-  result.constrain = seconds() - run;
+  result.constrain = clock() - run;
   result.triangles = made.report().triangles;
   triples.resize(std::max(triples.size(), 3 * result.triangles));
-  ok = ok && made.writeTriangles(triples.data(), {}) == Status::Ok;
-  result.whole = seconds() - begin;
+  ok = ok && made.writeTriangles(triples.data(), context) == Status::Ok;
+  result.whole = clock() - begin;
   return ok ? result : Measured();
 }
 
@@ -152,8 +233,12 @@ void measure(benchmark::State& state, const std::string& engine, const Shape& sh
     ? found->second
     : made.emplace(shape.name, shape.make(n)).first->second;
   const auto segments = double(segmentsOf(given.constraints.view()).size());
+  static Threads two(2);
   const auto run = [&]
-  { return engine == "cgal" ? byCgal(given) : byUs(given, engine == "constrained"); };
+  {
+    return engine == "cgal" ? byCgal(given)
+                            : byUs(given, engine != "plain", engine == "two" ? &two : nullptr);
+  };
   run(); // warm
   for (auto _ : state)
   {
@@ -176,7 +261,7 @@ void registerAll(std::size_t n, int repeat)
 {
   for (const Shape& shape : shapes())
   {
-    for (const char* engine : { "plain", "constrained", "cgal" })
+    for (const char* engine : { "plain", "constrained", "two", "cgal" })
     {
       const std::string name = std::string(engine) + "/" + shape.name;
       benchmark::RegisterBenchmark(

@@ -268,7 +268,7 @@ def constraint_rows(programs, plan):
     def whole(engine, found):
         return [b["real_time"] for b in found.get(engine, [])]
 
-    for shape in ("ShortSegments", "Ring"):
+    for shape in ("Breaklines", "ShortSegments", "Ring"):
         def beside_cgal(shape=shape):
             found = programs.shape(size, shape, repeat)
             return {"here": whole("constrained", found), "CGAL": whole("cgal", found)}

@@ -2,6 +2,7 @@
 #include "Constrainer.h"
 
 #include "../Core/Chunks.h"
+#include "InCurveOrder.h"
 
 #include <algorithm>
 
@@ -15,49 +16,62 @@ Constrainer::Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Tic
   , ticker_(ticker)
   , walk_(mesh, ticker)
   , cavity_(mesh, ticker)
-  , edges_(ticker)
+  , users_(ticker)
+  , loopEdges_(ticker)
 {
 }
 
 bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t vertices)
 {
   constraints_ = constraints;
-  firstSegment_.reserve(constraints.chains);
-  const std::size_t ids = constraints.chains == 0
-    ? 0
-    : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
-  if (!edges_.begin(std::min(ids, 3 * vertices)))
+  InCurveOrder curve(mesh_, rankOf_, points_, ticker_);
+  if (!curve.insertAll(constraints) || !begin(vertices))
   {
     return false;
   }
+  edges_ = curve.edges();
   for (std::size_t chain = 0; chain < constraints.chains; ++chain)
   {
     firstSegment_.push_back(segment_);
-    if (!ticker_.step() || !insertChain(chain))
+    if (!ticker_.step() || !insertChain(chain, curve))
     {
       return false;
     }
   }
   report_.segments = segment_;
   report_.crossing = report_.leftOut.size();
-  report_.edges = edges_.size();
+  report_.edges = edges_;
   return true;
 }
 
-bool Constrainer::insertChain(std::size_t chain)
+/// Room for what all segments, or loops, may need.
+bool Constrainer::begin(std::size_t vertices)
+{
+  firstSegment_.reserve(constraints_.chains);
+  const std::int64_t* const offsets = constraints_.offsets;
+  const std::size_t chains = constraints_.chains;
+  const std::size_t ofLoops = chains <= constraints_.lines
+    ? 0
+    : static_cast<std::size_t>(offsets[chains] - offsets[constraints_.lines]);
+  return users_.begin(0) && loopEdges_.begin(std::min(ofLoops, 3 * vertices));
+}
+
+bool Constrainer::insertChain(std::size_t chain, const InCurveOrder& curve)
 {
   const std::int64_t* const ids = constraints_.ids + constraints_.offsets[chain];
   const std::size_t count = static_cast<std::size_t>(
     constraints_.offsets[chain + 1] - constraints_.offsets[chain]);
+  const auto place = static_cast<std::size_t>(
+    constraints_.offsets[chain] - constraints_.offsets[0]);
   isLoop_ = chain >= constraints_.lines && haveThreeVertices(ids, count);
   loop_.clear();
   bool isWhole = true;
   const std::size_t segments = segmentsOf(constraints_, chain);
-  prefetch(ids);
   for (std::size_t i = 0; i < segments; ++i, ++segment_)
   {
-    prefetch(ids + i + 1);
-    const Outcome outcome = insertSegment(ids[i], ids[i + 1 == count ? 0 : i + 1]);
+    const std::int64_t* const to = i + 1 == count ? ids : ids + i + 1;
+    const Outcome outcome = curve.isEdge(place + i) ? useEdge(ids[i], *to)
+                                                    : insertSegment(ids + i, *to);
     if (outcome == Outcome::Cancelled || !ticker_.step())
     {
       return false;
@@ -147,9 +161,20 @@ Index Constrainer::vertexOf(std::int64_t id) const
   return std::uint64_t(id) < points_ ? rankOf_[id] : kNoIndex;
 }
 
-Constrainer::Outcome Constrainer::insertSegment(std::int64_t fromId, std::int64_t toId)
+/// The segment is an edge already.
+Constrainer::Outcome Constrainer::useEdge(std::int64_t fromId, std::int64_t toId)
 {
-  const Index from = vertexOf(fromId);
+  if (isLoop_)
+  {
+    loop_.emplace_back(vertexOf(fromId), vertexOf(toId));
+  }
+  return Outcome::IsEdge;
+}
+
+Constrainer::Outcome Constrainer::insertSegment(const std::int64_t* fromId, std::int64_t toId)
+{
+  prefetch(fromId + 1);
+  const Index from = vertexOf(*fromId);
   const Index to = vertexOf(toId);
   if (from == kNoIndex || to == kNoIndex || !mesh_.isInMesh(from) || !mesh_.isInMesh(to))
   {
@@ -161,7 +186,6 @@ Constrainer::Outcome Constrainer::insertSegment(std::int64_t fromId, std::int64_
     ++report_.points;
     return Outcome::IsPoint;
   }
-  edges_.prefetch(from, to);
   switch (walk_.walk(from, to))
   {
     case SegmentWalk::Outcome::Blocked:
@@ -175,9 +199,8 @@ Constrainer::Outcome Constrainer::insertSegment(std::int64_t fromId, std::int64_
 
 Constrainer::Outcome Constrainer::leaveOut(Mesh::Halfedge crossed)
 {
-  const EdgeTable::Edge* edge = edges_.find(mesh_.origin(crossed), mesh_.destination(crossed));
   const auto left = find(segment_);
-  const auto other = find(edge->segment);
+  const auto other = find(*users_.find(mesh_.origin(crossed), mesh_.destination(crossed)));
   report_.leftOut.push_back({ left.first, left.second, other.first, other.second });
   return Outcome::Missing;
 }
@@ -222,7 +245,8 @@ bool Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
   {
     mesh_.constrain(h);
     mesh_.constrain(mesh_.twin(h));
-    if (!edges_.add(from, to, segment_))
+    ++edges_;
+    if (users_.add(from, to, segment_) == nullptr)
     {
       return false;
     }
@@ -238,14 +262,13 @@ bool Constrainer::useLoop()
 {
   for (const auto& step : loop_)
   {
-    EdgeTable::Edge& edge = *edges_.find(step.first, step.second);
-    edge.balance += step.first < step.second ? 1 : -1;
-    ++edge.uses;
-    anyLoop_ = true;
-    if (!ticker_.step())
+    std::int64_t* const balance = loopEdges_.add(step.first, step.second, 0);
+    if (balance == nullptr || !ticker_.step())
     {
       return false;
     }
+    *balance += step.first < step.second ? 1 : -1;
+    anyLoop_ = true;
   }
   return true;
 }

@@ -6,6 +6,7 @@
 #include "CavityFiller.h"
 #include "ConstrainedMesh.h"
 #include "EdgeTable.h"
+#include "Regions.h"
 #include "SegmentWalk.h"
 
 #include <utility>
@@ -14,7 +15,10 @@
 namespace ahd
 {
 
-/// Inserts constraints into a mesh, one segment after the other.
+class InCurveOrder;
+
+/// Inserts constraints into a mesh: all along the curve if none crosses another,
+/// else one after the other, in the order given.
 class Constrainer
 {
 public:
@@ -26,8 +30,8 @@ public:
   /// to cancel: the mesh is then unusable. Throws std::bad_alloc.
   bool insertAll(const ConstraintView& constraints, std::size_t vertices);
 
-  /// The constraint edges, with the loops that use them; of loops that are whole only.
-  const EdgeTable& edges() const { return edges_; }
+  /// The edges of loops; of loops that are whole only.
+  const LoopEdges& edges() const { return loopEdges_; }
   bool anyLoop() const { return anyLoop_; }
   ConstraintReport takeReport() { return std::move(report_); }
 
@@ -40,9 +44,11 @@ private:
     Cancelled
   };
 
-  bool insertChain(std::size_t chain);
+  bool begin(std::size_t vertices);
+  bool insertChain(std::size_t chain, const InCurveOrder& curve);
   bool haveThreeVertices(const std::int64_t* ids, std::size_t count) const;
-  Outcome insertSegment(std::int64_t fromId, std::int64_t toId);
+  Outcome useEdge(std::int64_t fromId, std::int64_t toId);
+  Outcome insertSegment(const std::int64_t* fromId, std::int64_t toId);
   Outcome leaveOut(Mesh::Halfedge crossed);
   Index vertexOf(std::int64_t id) const;
   bool makeEdges(bool isForward);
@@ -57,7 +63,10 @@ private:
   Ticker& ticker_;
   SegmentWalk walk_;
   CavityFiller cavity_;
-  EdgeTable edges_;
+  EdgeTable<std::uint64_t> users_; ///< of an edge, the first segment in order that uses it; not of
+                                   ///< edges that no segment crosses
+  LoopEdges loopEdges_;
+  std::size_t edges_ = 0; ///< that are constraints
   ConstraintView constraints_;
   std::vector<std::uint64_t> firstSegment_;   ///< of each chain, among all segments
   std::uint64_t segment_ = 0;                 ///< at work on

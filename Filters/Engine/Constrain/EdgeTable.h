@@ -13,16 +13,15 @@
 namespace ahd
 {
 
-/// What is known of each constraint edge, by its two vertices. A hash table, open addressing.
+/// A number for each of some edges, by its two vertices. A hash table, open addressing.
+template <typename Value>
 class EdgeTable
 {
 public:
   struct Edge
   {
     std::uint64_t key;
-    std::uint64_t segment; ///< the first segment, in the order of the constraints, that uses it
-    std::int64_t balance; ///< loops that run from the smaller to the larger vertex, less the others
-    std::uint64_t uses;   ///< by loops
+    Value value;
   };
 
   explicit EdgeTable(Ticker& ticker)
@@ -30,25 +29,25 @@ public:
   {
   }
 
-  /// Makes room for so many edges; to be called before all else. Returns false if the caller wants
-  /// to cancel. Throws std::bad_alloc.
+  /// Makes room for so many edges; to be called before add() and find(). Returns false if the
+  /// caller wants to cancel. Throws std::bad_alloc.
   bool begin(std::size_t expected) { return allocate(roomFor(expected)); }
 
-  /// Adds the edge between two vertices, unless it is there. Returns false if the caller wants to
-  /// cancel: then the table is unusable. Throws std::bad_alloc.
-  bool add(Index u, Index v, std::uint64_t segment)
+  /// The number of the edge between two vertices; a new edge gets `value`. Null if the caller wants
+  /// to cancel: then the table is unusable. Throws std::bad_alloc.
+  Value* add(Index u, Index v, Value value)
   {
     if (2 * (count_ + 1) > edges_.size() && !grow())
     {
-      return false;
+      return nullptr;
     }
     Edge& edge = *place(keyOf(u, v));
     if (edge.key == kFree)
     {
-      edge = Edge{ keyOf(u, v), segment, 0, 0 };
+      edge = Edge{ keyOf(u, v), value };
       ++count_;
     }
-    return true;
+    return &edge.value;
   }
 
   /// Fetches what find() or add() will look at.
@@ -58,14 +57,11 @@ public:
   }
 
   /// Null if there is none.
-  Edge* find(Index u, Index v)
+  const Value* find(Index u, Index v) const
   {
-    Edge* const edge = place(keyOf(u, v));
-    return edge->key == kFree ? nullptr : edge;
+    const Edge* const edge = const_cast<EdgeTable*>(this)->place(keyOf(u, v));
+    return edge->key == kFree ? nullptr : &edge->value;
   }
-  const Edge* find(Index u, Index v) const { return const_cast<EdgeTable*>(this)->find(u, v); }
-
-  std::size_t size() const { return count_; }
 
 private:
   static constexpr std::uint64_t kFree = ~std::uint64_t(0); // of no edge: u < v
@@ -93,7 +89,7 @@ private:
     {
       --shift_;
     }
-    return fillAll(edges_, Edge{ kFree, 0, 0, 0 }, ticker_);
+    return fillAll(edges_, Edge{ kFree, 0 }, ticker_);
   }
 
   bool grow()

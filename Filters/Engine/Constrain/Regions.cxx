@@ -3,8 +3,6 @@
 
 #include "../Core/Chunks.h"
 
-#include <vector>
-
 namespace ahd
 {
 
@@ -15,11 +13,12 @@ namespace
 class Flood
 {
 public:
-  Flood(ConstrainedMesh& mesh, const EdgeTable& edges, Ticker& ticker)
+  Flood(ConstrainedMesh& mesh, const LoopEdges& edges, Ticker& ticker)
     : mesh_(mesh)
     , edges_(edges)
     , ticker_(ticker)
   {
+    queue_.allocate(mesh.triangles());
   }
 
   bool dropWrongSides(std::size_t& dropped);
@@ -29,52 +28,62 @@ private:
   /// How the loops use the edge: by balance, as seen from the half-edge's triangle.
   std::int64_t balance(Mesh::Halfedge h) const
   {
+    if (!mesh_.isConstrained(h))
+    {
+      return 0;
+    }
     const Index from = mesh_.origin(h), to = mesh_.destination(h);
-    const EdgeTable::Edge& edge = *edges_.find(from, to);
-    return from < to ? edge.balance : -edge.balance;
+    const std::int64_t* const value = edges_.find(from, to);
+    return value == nullptr ? 0 : from < to ? *value : -*value;
   }
-  bool isOdd(Mesh::Halfedge h) const
-  {
-    return mesh_.isConstrained(h) &&
-      edges_.find(mesh_.origin(h), mesh_.destination(h))->uses % 2 != 0;
-  }
+  bool isOdd(Mesh::Halfedge h) const { return balance(h) % 2 != 0; }
 
   bool isVisited(Mesh::Halfedge h) const { return (mesh_.marks(h) & kVisited) != 0; }
+  /// It is looked at much later, when others before it in the queue were: until then it can come.
   void visit(Mesh::Slot slot)
   {
     mesh_.marks(slot) |= kVisited;
-    region_.push_back(slot);
+    prefetchForRead(mesh_.data() + slot);
+    queue_[end_++] = slot;
   }
   bool visitRegion(Mesh::Slot start, bool& isLeft);
+  bool markInside();
   bool clearVisited(std::size_t& dropped);
 
   ConstrainedMesh& mesh_;
-  const EdgeTable& edges_;
+  const LoopEdges& edges_;
   Ticker& ticker_;
-  std::vector<Mesh::Slot> region_;
+  Buffer<Mesh::Slot> queue_; ///< triangles visited, one after the other
+  std::size_t end_ = 0;      ///< of those
 };
 
-/// One region of finite triangles, and whether it lies on the left of all its loop edges.
+/// One region of finite triangles, and whether it lies on the left of all its loop edges. Ghosts
+/// at its rim are visited with it.
 bool Flood::visitRegion(Mesh::Slot start, bool& isLeft)
 {
   isLeft = true;
-  region_.clear();
+  end_ = 0;
   visit(start);
-  for (std::size_t i = 0; i < region_.size(); ++i)
+  for (std::size_t i = 0; i < end_; ++i)
   {
-    for (Mesh::Halfedge h = region_[i]; h != region_[i] + 3; ++h)
-    {
-      const std::int64_t side = mesh_.isConstrained(h) ? balance(h) : 0;
-      isLeft = isLeft && side >= 0;
-      const Mesh::Slot neighbour = Mesh::slotOf(mesh_.twin(h));
-      if (side == 0 && !isVisited(neighbour) && !mesh_.isGhost(neighbour))
-      {
-        visit(neighbour);
-      }
-    }
+    const Mesh::Slot slot = queue_[i];
     if (!ticker_.step())
     {
       return false;
+    }
+    if (mesh_.isGhost(slot))
+    {
+      continue;
+    }
+    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    {
+      const std::int64_t side = balance(h);
+      isLeft = isLeft && side >= 0;
+      const Mesh::Slot neighbour = Mesh::slotOf(mesh_.twin(h));
+      if (side == 0 && !isVisited(neighbour))
+      {
+        visit(neighbour);
+      }
     }
   }
   return true;
@@ -98,12 +107,25 @@ bool Flood::dropWrongSides(std::size_t& dropped)
     {
       return false;
     }
-    for (const Mesh::Slot own : region_)
+    if (isLeft && !markInside())
     {
-      mesh_.marks(own) |= isLeft ? kInside : 0;
+      return false;
     }
   }
   return clearVisited(dropped);
+}
+
+/// All triangles in the queue.
+bool Flood::markInside()
+{
+  return inChunks(0, end_, ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i != b; ++i)
+      {
+        mesh_.marks(queue_[i]) |= kInside;
+      }
+    });
 }
 
 /// From infinity inwards: each triangle is reached across edges whose loops are counted on the way.
@@ -119,12 +141,10 @@ bool Flood::dropEvenOnes(std::size_t& dropped)
       return false;
     }
   }
-  region_.clear();
   visit(outside);
-  while (!region_.empty())
+  for (std::size_t i = 0; i < end_; ++i)
   {
-    const Mesh::Slot slot = region_.back();
-    region_.pop_back();
+    const Mesh::Slot slot = queue_[i];
     for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
     {
       const Mesh::Slot neighbour = Mesh::slotOf(mesh_.twin(h));
@@ -162,7 +182,7 @@ bool Flood::clearVisited(std::size_t& dropped)
 
 } // namespace
 
-bool dropOutside(ConstrainedMesh& mesh, const EdgeTable& edges, FillRule rule, Ticker& ticker,
+bool dropOutside(ConstrainedMesh& mesh, const LoopEdges& edges, FillRule rule, Ticker& ticker,
   std::size_t& dropped)
 {
   Flood flood(mesh, edges, ticker);

@@ -11,10 +11,14 @@
 namespace ahd
 {
 
+/// Of each edge that loops use: how many run from the smaller to the larger vertex, less those that
+/// run the other way. It is odd if as many loops as use the edge are an odd number.
+using LoopEdges = EdgeTable<std::int64_t>;
+
 /// Marks the triangles that the loops do not keep as dropped, and adds their number to `dropped`.
-/// `edges` tells how often, and which way, loops use each constraint edge. Returns false if the
-/// caller wants to cancel. Throws std::bad_alloc. REQUIRES: there is a loop.
-bool dropOutside(ConstrainedMesh& mesh, const EdgeTable& edges, FillRule rule, Ticker& ticker,
+/// Returns false if the caller wants to cancel. Throws std::bad_alloc. REQUIRES: there is a loop;
+/// the edges of loops are constraints.
+bool dropOutside(ConstrainedMesh& mesh, const LoopEdges& edges, FillRule rule, Ticker& ticker,
   std::size_t& dropped);
 
 } // namespace ahd

@@ -66,9 +66,10 @@ bool SegmentWalk::isFoundNext(Turn& turn, Index from, Index to, WayOut& way) con
 }
 
 /// Turns around `from`, from an edge on one side of the way until an edge lies on it or on the
-/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns false
-/// if the caller wants to cancel.
-bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way)
+/// other side. Leaves `way` as it is if that takes more steps, and if these are few. Returns Free,
+/// Beyond or Cancelled.
+SegmentWalk::Outcome SegmentWalk::findWayOut(
+  Index from, Index to, std::size_t mostSteps, WayOut& way)
 {
   constexpr std::size_t kMany = 64;
   Turn turn{ kNoIndex, 0 };
@@ -76,20 +77,28 @@ bool SegmentWalk::findWayOut(Index from, Index to, std::size_t mostSteps, WayOut
   if (turn.side == 0)
   {
     way.edge = turn.out;
-    return true;
+    return Outcome::Free;
   }
   for (std::size_t steps = 0; steps != std::min(mostSteps, kMany); ++steps)
   {
     if (isFoundNext(turn, from, to, way))
     {
-      return true;
+      return Outcome::Free;
     }
     if (!ticker_.step())
     {
-      return false;
+      return Outcome::Cancelled;
     }
   }
-  return mostSteps <= kMany || turnFromFans(from, to, way);
+  if (mostSteps <= kMany)
+  {
+    return Outcome::Free;
+  }
+  if (isLimited()) // fans are looked for from the neighbours
+  {
+    return Outcome::Beyond;
+  }
+  return turnFromFans(from, to, way) ? Outcome::Free : Outcome::Cancelled;
 }
 
 /// The same where it takes many steps, from the nearest edges that are remembered on both sides at
@@ -130,25 +139,22 @@ bool SegmentWalk::turnFromFans(Index from, Index to, WayOut& way)
 }
 
 /// The way out of one of the two ends, which becomes start_: of a, unless it has so many neighbours
-/// that b is sooner done. Returns false if the caller wants to cancel.
-bool SegmentWalk::chooseEnd(Index a, Index b, WayOut& way)
+/// that b is sooner done. Returns Free, Beyond or Cancelled.
+SegmentWalk::Outcome SegmentWalk::chooseEnd(Index a, Index b, WayOut& way)
 {
   for (std::size_t most = 16; !way.isFound(); most *= 2)
   {
     for (const bool fromA : { true, false })
     {
       start_ = fromA ? a : b;
-      if (!findWayOut(start_, fromA ? b : a, most, way))
+      const Outcome outcome = findWayOut(start_, fromA ? b : a, most, way);
+      if (outcome != Outcome::Free || way.isFound())
       {
-        return false;
-      }
-      if (way.isFound())
-      {
-        break;
+        return outcome;
       }
     }
   }
-  return true;
+  return Outcome::Free;
 }
 
 /// From triangle to triangle, from the edge `first` opposite to `from` to a vertex on the segment.
@@ -163,6 +169,10 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
     if (!ticker_.step())
     {
       return Outcome::Cancelled;
+    }
+    if (!isOwn(mesh_.origin(h)) || !isOwn(mesh_.destination(h)))
+    {
+      return Outcome::Beyond;
     }
     if (mesh_.isConstrained(h))
     {
@@ -222,9 +232,9 @@ SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
     return Outcome::Free;
   }
   WayOut way;
-  if (!chooseEnd(a, b, way))
+  if (const Outcome outcome = chooseEnd(a, b, way); outcome != Outcome::Free)
   {
-    return Outcome::Cancelled;
+    return outcome;
   }
   const Index end = start_ == a ? b : a;
   goesOn_ = false;
@@ -259,10 +269,19 @@ SegmentWalk::Outcome SegmentWalk::walkFrom(Index from, Index end, WayOut way)
     {
       return Outcome::Free;
     }
+    if (!isOwn(from))
+    {
+      return Outcome::Beyond;
+    }
     way = WayOut();
-    if (!ticker_.step() || !findWayOut(from, end, std::size_t(-1), way))
+    if (!ticker_.step())
     {
       return Outcome::Cancelled;
+    }
+    const Outcome outcome = findWayOut(from, end, std::size_t(-1), way);
+    if (outcome != Outcome::Free)
+    {
+      return outcome;
     }
   }
 }

@@ -26,6 +26,7 @@ public:
   {
     Free,    ///< pieces() and crossed() say where it runs
     Blocked, ///< it crosses the constraint edge blockedBy(), on its way from a before any other
+    Beyond,  ///< it may leave the territory
     Cancelled
   };
 
@@ -36,7 +37,16 @@ public:
   {
   }
 
-  /// REQUIRES: two different vertices of the mesh. Throws std::bad_alloc.
+  /// From now on only triangles with a vertex in [begin, end) are looked at, links across edges
+  /// with one of these, and marks of triangles with two. Others may change meanwhile.
+  void limitTo(Index begin, Index end)
+  {
+    firstOwn_ = begin;
+    owns_ = end - begin;
+  }
+  bool isOwn(Index v) const { return v - firstOwn_ < owns_; }
+
+  /// REQUIRES: two different vertices of the mesh, both in the territory. Throws std::bad_alloc.
   /// Where one end has very many neighbours, the cost goes with those of the other end. For a
   /// vertex within the segment with very many neighbours some are remembered: m segments through it
   /// cost m log m steps.
@@ -65,9 +75,10 @@ private:
     int side;           ///< on which side of the way it is
   };
 
+  bool isLimited() const { return owns_ != kNoIndex; }
   Outcome walkFrom(Index from, Index end, WayOut way);
-  bool chooseEnd(Index a, Index b, WayOut& way);
-  bool findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
+  Outcome chooseEnd(Index a, Index b, WayOut& way);
+  Outcome findWayOut(Index from, Index to, std::size_t mostSteps, WayOut& way);
   bool isFoundNext(Turn& turn, Index from, Index to, WayOut& way) const;
   bool turnFromFans(Index from, Index to, WayOut& way);
   Mesh::Halfedge firstToOneSide(Index from, Index to, int& side) const;
@@ -84,6 +95,8 @@ private:
   Mesh::Halfedge blockedBy_ = kNoIndex;
   bool goesOn_ = false; ///< across what blocks it
   Index start_ = kNoIndex;
+  Index firstOwn_ = 0;
+  Index owns_ = kNoIndex; ///< all vertices
 };
 
 } // namespace ahd

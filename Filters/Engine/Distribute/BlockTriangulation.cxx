@@ -293,8 +293,8 @@ std::size_t borderMemoryEstimate(
     2 * 3 * kTriangle + 7 * 3 * sizeof(BorderPoint);
   // Per edge: itself, as it comes and as it is kept, its half-edge, a place in a table; what goes
   // up again, and half-edges of that.
-  constexpr std::size_t kPerEdge = 2 * sizeof(BorderEdge) + 4 + 6 * sizeof(EdgeTable::Edge) +
-    3 * sizeof(BorderEdge) + 3 * 4;
+  constexpr std::size_t kPerEdge = 2 * sizeof(BorderEdge) + 4 +
+    6 * sizeof(EdgeTable<std::uint64_t>::Edge) + 3 * sizeof(BorderEdge) + 3 * 4;
   return own + pointCount * kPerPoint + edgeCount * kPerEdge +
     (constraintIds == 0 ? 0 : constraintMemoryEstimate(pointCount, constraintIds)) +
     constraintIds * 16;

@@ -138,7 +138,7 @@ bool Part::findEdgesBelow(Ticker& ticker)
     return false;
   }
   const Buffer<Index>& vertexOf = all.tables.vertexOf;
-  EdgeTable table(ticker);
+  EdgeTable<std::uint64_t> table(ticker);
   halfEdgesBelow_.assign(edgesBelow_.size(), kNoIndex);
   if (!table.begin(edgesBelow_.size()))
   {
@@ -157,10 +157,10 @@ bool Part::findEdgesBelow(Ticker& ticker)
     {
       for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
       {
-        const EdgeTable::Edge* const edge = table.find(origin(h), destination(h));
-        if (edge && vertexOf[edgesBelow_[edge->segment].from] == origin(h))
+        const std::uint64_t* const edge = table.find(origin(h), destination(h));
+        if (edge && vertexOf[edgesBelow_[*edge].from] == origin(h))
         {
-          halfEdgesBelow_[edge->segment] = h;
+          halfEdgesBelow_[*edge] = h;
         }
       }
     });

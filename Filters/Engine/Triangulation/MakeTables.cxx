@@ -2,6 +2,7 @@
 #include "State.h"
 
 #include "../Core/Chunks.h"
+#include "../Core/Loops.h"
 #include "../Core/Tasks.h"
 #include "../Extract/Extractor.h"
 
@@ -195,7 +196,10 @@ bool Triangulation::State::makePointMap(Ticker& ticker)
       vertexOf[ranked.duplicates[i].id] = vertexOf[ranked.duplicates[i].keptId];
     }
   };
-  hasPointMap = fillAll(vertexOf, kNoIndex, ticker) && inChunks(0, ranked.count, ticker, number) &&
+  const auto clear = [&](std::size_t a, std::size_t b)
+  { std::fill(vertexOf.data() + a, vertexOf.data() + b, kNoIndex); };
+  hasPointMap = inChunksOf(vertexOf.size(), ticker, clear) &&
+    inChunksOf(ranked.count, ticker, number) &&
     inChunks(report.inserted, report.inserted + report.beyondLimit, ticker, leaveOut) &&
     inChunks(0, ranked.duplicates.size(), ticker, share) && ticker.ask();
   return hasPointMap;

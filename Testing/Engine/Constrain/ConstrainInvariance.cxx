@@ -41,24 +41,67 @@ TEST(ConstrainInvariance, NoSettingChangesAByte)
   }
 }
 
+/// Enough points for all phases to share, and segments for several territories: short ones, ones
+/// that share triangles, a hub with very many, rows through vertices, and one that crosses others.
+std::vector<ConstraintCase> casesForThreads()
+{
+  std::vector<ConstraintCase> all = { edgesOfOthers(34000, 12000), shortSegments(34000, 12000),
+    starPolygon(12000), latticeSegments(185, 9000), randomSegments(34000, 6000) };
+  ConstraintCase rows;
+  rows.points = makePoints(Distribution::Lattice, 184 * 184, 1);
+  for (std::int64_t row = 0; row < 184; ++row)
+  {
+    Chain chain;
+    for (std::int64_t i = 0; i < 184; i += 1 + row % 3 * 20)
+    {
+      chain.push_back(row * 184 + i);
+    }
+    rows.constraints.addLine(chain);
+  }
+  all.push_back(rows);
+  all.push_back(edgesOfOthers(34000, 12000));
+  all.back().points.push_back({ -1.0, 0.4 });
+  all.back().points.push_back({ 2.0, 0.6 });
+  all.back().constraints.addLine({ 34000, 34001 });
+  return all;
+}
+
 TEST(ConstrainInvariance, NoThreadChangesAByte)
 {
-  const ConstraintCase given = edgesOfOthers(34000, 3000); // enough points for all phases to share
-  const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
   ThreadExecutor two(2);
   ThreadExecutor five(5);
   BackwardExecutor backward(4);
-  for (Executor* executor : { static_cast<Executor*>(&two), static_cast<Executor*>(&five),
-         static_cast<Executor*>(&backward) })
+  for (const ConstraintCase& given : casesForThreads())
   {
-    Helpers helpers;
-    helpers.executor = executor;
-    Engine engine;
-    EXPECT_EQ(difference(expected,
-                constrain(engine, given.view(), given.constraints.view(), FillRule::Orientation,
-                  Options(), helpers)),
-      "");
+    const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
+    for (Executor* executor : { static_cast<Executor*>(&two), static_cast<Executor*>(&five),
+           static_cast<Executor*>(&backward) })
+    {
+      Helpers helpers;
+      helpers.executor = executor;
+      Engine engine;
+      EXPECT_EQ(difference(expected,
+                  constrain(engine, given.view(), given.constraints.view(), FillRule::Orientation,
+                    Options(), helpers)),
+        "");
+    }
   }
+}
+
+/// Segments that do not cross are made edges in another order than theirs; one more that crosses
+/// them all, as the last one, makes the engine undo that, and then changes nothing else.
+TEST(ConstrainInvariance, OneThatCrossesChangesNothingElse)
+{
+  ConstraintCase given = shortSegments(3000, 1000);
+  given.points.push_back({ -1.0, 0.4 });
+  given.points.push_back({ 2.0, 0.6 });
+  const ConstrainedOutcome expected = constrain(given, FillRule::Orientation);
+  EXPECT_EQ(expected.constraints.crossing, 0u);
+  given.constraints.addLine({ 3000, 3001 });
+  const ConstrainedOutcome found = constrain(given, FillRule::Orientation);
+  EXPECT_EQ(found.constraints.crossing, 1u);
+  EXPECT_EQ(found.triples, expected.triples);
+  EXPECT_EQ(found.constraints.edges, expected.constraints.edges);
 }
 
 /// The same outcome in other ids.

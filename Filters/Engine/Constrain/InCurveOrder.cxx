@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InCurveOrder.h"
+
+#include "../Core/Chunks.h"
+#include "../Core/Tasks.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ahd
+{
+
+namespace
+{
+
+/// The vertices in blocks: of so many that the triangles around them stay in the cache, and more
+/// where there would be too many blocks to count by.
+struct Blocks
+{
+  explicit Blocks(std::size_t vertices)
+    : shift(std::max(10u, bitLength(vertices) - std::min(bitLength(vertices), 12u)))
+    , count((vertices >> shift) + 1)
+  {
+  }
+  std::size_t of(Index vertex) const { return vertex >> shift; }
+
+  unsigned shift;
+  std::size_t count;
+};
+
+} // namespace
+
+/// Calls visit(place, from, to) for each segment that begins at one of these places, with its two
+/// vertices or kNoIndex.
+template <typename Visit>
+bool InCurveOrder::eachSegment(const Share& places, Ticker& ticker, Visit visit) const
+{
+  const std::int64_t* const offsets = constraints_.offsets;
+  const std::int64_t first = offsets[0];
+  const auto place = static_cast<std::int64_t>(places.begin);
+  const auto end = static_cast<std::int64_t>(places.end);
+  const std::int64_t* next = std::upper_bound(
+    offsets, offsets + constraints_.chains, first + place);
+  for (std::int64_t i = first + place; i != first + end; ++next)
+  {
+    const std::int64_t begin = next[-1];
+    const bool isClosed = std::size_t(next - offsets) > constraints_.lines && *next - begin > 1 &&
+      constraints_.ids[begin] != constraints_.ids[*next - 1];
+    Index from = i == *next ? kNoIndex : vertexOf(constraints_.ids[i]);
+    for (; i != std::min(*next, first + end); ++i)
+    {
+      const bool isLast = i + 1 == *next;
+      const Index to = isLast && !isClosed ? kNoIndex
+                                           : vertexOf(constraints_.ids[isLast ? begin : i + 1]);
+      visit(static_cast<std::size_t>(i - first), from, to);
+      from = to;
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Lists the segments block by block.
+bool InCurveOrder::sort(std::size_t places)
+{
+  constexpr std::size_t kLeastTask = std::size_t(1) << 14;
+  const Blocks blocks(std::size_t(mesh_.ghost()) + 1);
+  const std::size_t tasks = tasksFor(threadsOf(ticker_), places, 1, kLeastTask);
+  Buffer<std::uint32_t> ends;
+  ends.allocate(tasks * blocks.count);
+  std::fill(ends.begin(), ends.end(), 0u);
+  const auto eachOf = [&](std::size_t task, Ticker& own, auto visit)
+  {
+    std::uint32_t* const mine = ends.data() + task * blocks.count;
+    return eachSegment(Share(places, task, tasks), own,
+      [&](std::size_t place, Index from, Index to)
+      {
+        isEdge_[place] = 0;
+        if (from != kNoIndex && to != kNoIndex && from != to)
+        {
+          visit(mine[blocks.of(from)], Segment{ from, to, static_cast<std::uint32_t>(place) });
+        }
+      });
+  };
+  const auto count = [&](std::size_t task, Ticker& own)
+  { return eachOf(task, own, [](std::uint32_t& end, const Segment&) { ++end; }); };
+  const auto place = [&](std::size_t task, Ticker& own)
+  {
+    return eachOf(
+      task, own, [&](std::uint32_t& end, const Segment& segment) { segments_[end++] = segment; });
+  };
+  if (!inParallel(ticker_, tasks, count))
+  {
+    return false;
+  }
+  std::uint32_t sum = 0;
+  for (std::size_t block = 0; block < blocks.count; ++block)
+  {
+    for (std::size_t task = 0; task < tasks; ++task)
+    {
+      std::uint32_t& begin = ends[task * blocks.count + block];
+      sum += std::exchange(begin, sum);
+    }
+    if (!ticker_.step(tasks))
+    {
+      return false;
+    }
+  }
+  segments_.allocate(sum);
+  if (!inParallel(ticker_, tasks, place))
+  {
+    return false;
+  }
+  divide(ends.data() + (tasks - 1) * blocks.count, blocks.count, blocks.shift);
+  return true;
+}
+
+/// Territories with as many segments each, more or less. `blockEnds`: of the segments of each
+/// block.
+void InCurveOrder::divide(const std::uint32_t* blockEnds, std::size_t blocks, unsigned shift)
+{
+  constexpr std::size_t kPerThread = 4;
+  const std::size_t count = tasksFor(
+    threadsOf(ticker_), segments_.size(), kPerThread, kLeastInTerritory);
+  territories_.resize(count + 1);
+  for (std::size_t k = 1; k <= count; ++k)
+  {
+    const std::uint32_t wanted = static_cast<std::uint32_t>(
+      Share(segments_.size(), k, count).begin);
+    const std::size_t block = static_cast<std::size_t>(
+      std::lower_bound(blockEnds, blockEnds + blocks, wanted) - blockEnds);
+    territories_[k].begin = k == count ? segments_.size() : blockEnds[block];
+    territories_[k].firstVertex = k == count
+      ? mesh_.ghost()
+      : static_cast<Index>(std::min<std::size_t>((block + 1) << shift, mesh_.ghost()));
+  }
+}
+
+/// Fetches what the segments soon to come need, step by step, as one thing tells where the next is.
+/// Looks only at triangles around their first vertices.
+void InCurveOrder::prefetch(std::size_t i, std::size_t end) const
+{
+  constexpr std::size_t kSlot = 24, kTriangle = 16, kNeighbours = 8;
+  const auto from = [&](std::size_t ahead) { return segments_[std::min(i + ahead, end - 1)].from; };
+  prefetchForRead(mesh_.placeOfSlot(from(kSlot)));
+  if (const Mesh::Slot slot = mesh_.slotOf(from(kTriangle)); slot != kNoIndex)
+  {
+    prefetchForRead(mesh_.data() + slot);
+    prefetchForRead(mesh_.places() + from(kTriangle));
+  }
+  if (const Mesh::Slot slot = mesh_.slotOf(from(kNeighbours)); slot != kNoIndex)
+  {
+    for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
+    {
+      prefetchForRead(mesh_.data() + Mesh::slotOf(mesh_.twin(h)));
+    }
+  }
+}
+
+void InCurveOrder::remember(Mesh::Halfedge h, Territory& territory) const
+{
+  const Mesh::Slot slot = Mesh::slotOf(h);
+  const std::uint32_t* const data = mesh_.data() + slot;
+  territory.replaced.push_back({ slot, { data[0], data[1], data[2] },
+    { mesh_.twin(slot), mesh_.twin(slot + 1), mesh_.twin(slot + 2) } });
+}
+
+/// What was walked becomes edges.
+bool InCurveOrder::makeEdges(Work& work, Territory& territory)
+{
+  for (const SegmentWalk::Piece& piece : work.walk.pieces())
+  {
+    Mesh::Halfedge edge = piece.edge;
+    if (edge == kNoIndex)
+    {
+      const Mesh::Halfedge* const crossed = work.walk.crossed().data() + piece.begin;
+      const std::size_t count = piece.end - piece.begin;
+      remember(crossed[0], territory);
+      for (std::size_t i = 0; i != count; ++i)
+      {
+        remember(mesh_.twin(crossed[i]), territory);
+      }
+      if (!work.cavity.fill(piece.from, piece.to, crossed, count))
+      {
+        return false;
+      }
+      edge = work.cavity.made();
+    }
+    if (!mesh_.isConstrained(edge))
+    {
+      mesh_.constrain(edge);
+      mesh_.constrain(mesh_.twin(edge));
+      ++territory.edges;
+    }
+  }
+  return true;
+}
+
+InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, Territory& territory)
+{
+  switch (work.walk.walk(segment.from, segment.to))
+  {
+    case SegmentWalk::Outcome::Beyond:
+      return Outcome::Beyond;
+    case SegmentWalk::Outcome::Blocked:
+      return Outcome::GaveUp;
+    case SegmentWalk::Outcome::Cancelled:
+      return Outcome::Cancelled;
+    default:
+      break;
+  }
+  const std::size_t replaced = work.walk.crossed().size() + work.walk.pieces().size();
+  if (replaced > work.budget)
+  {
+    return Outcome::GaveUp;
+  }
+  work.budget -= replaced;
+  isEdge_[segment.place] = work.walk.pieces().size() == 1 ? 1 : 0;
+  return makeEdges(work, territory) ? Outcome::Done : Outcome::Cancelled;
+}
+
+/// Segments [begin, end), but for those that leave the walk's territory: `territory.left` of them
+/// are moved to segments_[begin] and on. Returns false if the caller wants to cancel.
+bool InCurveOrder::insert(
+  std::size_t begin, std::size_t end, Work& work, Territory& territory, Ticker& ticker)
+{
+  work.budget = kReplacedAtLeast;
+  for (std::size_t i = begin; i != end && !gaveUp_.load(std::memory_order_relaxed); ++i)
+  {
+    const Segment segment = segments_[i];
+    work.budget += kMostReplaced;
+    prefetch(i, end);
+    const bool isOwn = work.walk.isOwn(segment.to);
+    if (!isOwn || areInMesh(segment))
+    {
+      switch (isOwn ? insert(segment, work, territory) : Outcome::Beyond)
+      {
+        case Outcome::Done:
+          ticker.finished(1);
+          break;
+        case Outcome::Beyond:
+          segments_[begin + territory.left++] = segment;
+          break;
+        case Outcome::GaveUp:
+          gaveUp_ = true;
+          break;
+        default:
+          return false;
+      }
+    }
+    if (!ticker.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Territory by territory, and then what leaves these.
+bool InCurveOrder::insertSorted()
+{
+  const std::size_t count = territories_.size() - 1;
+  const auto insertOwn = [&](std::size_t k, Ticker& ticker)
+  {
+    Work work(mesh_, ticker);
+    if (count > 1)
+    {
+      work.walk.limitTo(territories_[k].firstVertex, territories_[k + 1].firstVertex);
+    }
+    // On a local one: no thread waits for a line of another.
+    Territory own;
+    const bool done = insert(territories_[k].begin, territories_[k + 1].begin, work, own, ticker);
+    territories_[k].left = own.left;
+    territories_[k].edges = own.edges;
+    territories_[k].replaced = std::move(own.replaced);
+    return done;
+  };
+  if (!inParallel(ticker_, count, insertOwn))
+  {
+    return false;
+  }
+  std::size_t left = 0;
+  for (std::size_t k = 0; k != count; ++k)
+  {
+    const Territory& territory = territories_[k];
+    const auto move = [&](std::size_t a, std::size_t b)
+    {
+      std::copy(segments_.data() + territory.begin + a, segments_.data() + territory.begin + b,
+        segments_.data() + left + a);
+    };
+    if (!inChunks(0, territory.left, ticker_, move))
+    {
+      return false;
+    }
+    left += territory.left;
+  }
+  Work work(mesh_, ticker_);
+  return left == 0 || insert(0, left, work, territories_.back(), ticker_);
+}
+
+/// The last one first; then no constraint is left.
+bool InCurveOrder::undo()
+{
+  const auto restore = [this](const Replaced& old)
+  {
+    for (std::uint32_t e = 0; e != 3; ++e)
+    {
+      mesh_.data()[old.slot + e] = old.corners[e];
+      mesh_.link(old.slot + e, old.twins[e]);
+    }
+    mesh_.setCorners(old.slot);
+  };
+  for (auto territory = territories_.rbegin(); territory != territories_.rend(); ++territory)
+  {
+    const std::vector<Replaced>& replaced = territory->replaced;
+    const auto some = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i != b; ++i)
+      {
+        restore(replaced[replaced.size() - 1 - i]);
+      }
+    };
+    if (!inChunks(0, replaced.size(), ticker_, some))
+    {
+      return false;
+    }
+  }
+  territories_.clear();
+  return inChunks(0, mesh_.triangles(), ticker_,
+    [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        mesh_.marks(Mesh::slotOfTriangle(k)) = 0;
+      }
+    });
+}
+
+bool InCurveOrder::insertAll(const ConstraintView& constraints)
+{
+  constraints_ = constraints;
+  const std::size_t places = constraints.chains == 0
+    ? 0
+    : static_cast<std::size_t>(constraints.offsets[constraints.chains] - constraints.offsets[0]);
+  if (places == 0 || places > std::numeric_limits<std::uint32_t>::max())
+  {
+    return true;
+  }
+  isEdge_.allocate(places);
+  if (!sort(places) || !insertSorted())
+  {
+    return false;
+  }
+  segments_.reset();
+  if (gaveUp_)
+  {
+    isEdge_.reset();
+    return undo();
+  }
+  for (const Territory& territory : territories_)
+  {
+    edges_ += territory.edges;
+  }
+  territories_.clear();
+  return true;
+}
+
+} // namespace ahd
