@@ -18,16 +18,17 @@ inline namespace AHD_TARGET
 namespace
 {
 
-template <bool kCount>
+template <bool kCount, bool kExact>
 class ByRounds
 {
 public:
-  ByRounds(const RankedPoints& points, Mesh& mesh, Ticker& ticker, SharedWork& shared)
-    : points_(points)
+  ByRounds(const Frame& frame, Mesh& mesh, Ticker& ticker, SharedWork& shared)
+    : frame_(frame)
+    , points_(frame.points)
     , mesh_(mesh)
     , ticker_(ticker)
-    , rounds_(points.count)
-    , kernel_(points, mesh, ticker)
+    , rounds_(frame.points.count)
+    , kernel_(frame, mesh, ticker)
     , shared_(shared)
   {
   }
@@ -160,27 +161,28 @@ private:
 
   bool insertInParts(std::size_t stride, std::size_t count)
   {
-    Parts parts(points_, mesh_, ticker_, { rounds_, stride }, count);
+    Parts parts(frame_, mesh_, ticker_, { rounds_, stride }, count);
     return parts.insert(kernel_, shared_, tooManyWaited_);
   }
 
   static constexpr std::size_t kLeastPart = 512; ///< points of the round
 
+  const Frame& frame_;
   const RankedPoints& points_;
   Mesh& mesh_;
   Ticker& ticker_;
   Rounds rounds_;
-  Kernel<kCount, Access::Alone> kernel_;
+  Kernel<kCount, Access::Alone, kExact> kernel_;
   Mesh::Slot hint_ = 0;
   bool tooManyWaited_ = false; ///< in the round before
   SharedWork& shared_;
 };
 
-template <bool kCount>
-InsertionEnd insertAll(
-  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork& work, SharedWork& shared)
+template <bool kCount, bool kExact>
+InsertionEnd insertRounds(
+  const Frame& frame, Mesh& mesh, Ticker& ticker, InsertionWork& work, SharedWork& shared)
 {
-  ByRounds<kCount> inserter(points, mesh, ticker, shared);
+  ByRounds<kCount, kExact> inserter(frame, mesh, ticker, shared);
   const InsertionEnd end = inserter.insertAll();
   work = inserter.work();
   return end;
@@ -189,11 +191,14 @@ InsertionEnd insertAll(
 } // namespace
 
 InsertionEnd insertByRoundsHere(
-  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
+  const Frame& frame, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
 {
   InsertionWork ignored;
-  return work ? insertAll<true>(points, mesh, ticker, *work, shared)
-              : insertAll<false>(points, mesh, ticker, ignored, shared);
+  const auto insert = !work
+    ? frame.isOnGrid() ? insertRounds<false, true> : insertRounds<false, false>
+    : frame.isOnGrid() ? insertRounds<true, true>
+                       : insertRounds<true, false>;
+  return insert(frame, mesh, ticker, work ? *work : ignored, shared);
 }
 
 } // namespace AHD_TARGET

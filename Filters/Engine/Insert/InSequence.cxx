@@ -12,18 +12,18 @@ inline namespace AHD_TARGET
 namespace
 {
 
-template <bool kCount>
-InsertionEnd insertAll(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
+template <bool kCount, bool kExact>
+InsertionEnd insertInSequence(const Frame& frame, const Buffer<Index>& sequence, Mesh& mesh,
   Ticker& ticker, InsertionWork& work)
 {
   const std::size_t n = sequence.size();
   const FirstTriangle first = makeFirstTriangle(
-    points, n, [&sequence](std::size_t i) { return sequence[i]; }, mesh, ticker);
+    frame.points, n, [&sequence](std::size_t i) { return sequence[i]; }, mesh, ticker);
   if (first.end != InsertionEnd::Done)
   {
     return first.end;
   }
-  Kernel<kCount, Access::Alone> kernel(points, mesh, ticker);
+  Kernel<kCount, Access::Alone, kExact> kernel(frame, mesh, ticker);
   Mesh::Slot hint = 0;
   for (std::size_t i = 3; i < n; ++i)
   {
@@ -40,12 +40,15 @@ InsertionEnd insertAll(const RankedPoints& points, const Buffer<Index>& sequence
 
 } // namespace
 
-InsertionEnd insertSequenceHere(const RankedPoints& points, const Buffer<Index>& sequence,
-  Mesh& mesh, Ticker& ticker, InsertionWork* work)
+InsertionEnd insertSequenceHere(const Frame& frame, const Buffer<Index>& sequence, Mesh& mesh,
+  Ticker& ticker, InsertionWork* work)
 {
   InsertionWork ignored;
-  return work ? insertAll<true>(points, sequence, mesh, ticker, *work)
-              : insertAll<false>(points, sequence, mesh, ticker, ignored);
+  const auto insert = !work
+    ? frame.isOnGrid() ? insertInSequence<false, true> : insertInSequence<false, false>
+    : frame.isOnGrid() ? insertInSequence<true, true>
+                       : insertInSequence<true, false>;
+  return insert(frame, sequence, mesh, ticker, work ? *work : ignored);
 }
 
 } // namespace AHD_TARGET

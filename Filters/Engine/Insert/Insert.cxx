@@ -2,13 +2,32 @@
 #include "Insert.h"
 
 #include "../Core/Dispatch.h"
+#include "Frame.h"
 #include "InsertTargets.h"
 
 namespace ahd
 {
 
+namespace
+{
+
+/// Calls insert(frame) and puts the points back.
+template <typename Insert>
+InsertionEnd inFrame(RankedPoints& points, Ticker& ticker, Insert insert)
+{
+  Framing framing(points);
+  if (!framing.begin(ticker))
+  {
+    return InsertionEnd::Cancelled;
+  }
+  const InsertionEnd end = insert(framing.frame());
+  return end == InsertionEnd::Cancelled || framing.end(ticker) ? end : InsertionEnd::Cancelled;
+}
+
+} // namespace
+
 InsertionEnd insertByRounds(
-  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
+  RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared)
 {
   using Function = decltype(baseline::insertByRoundsHere);
   static constexpr DispatchTarget<Function> kTargets[] = {
@@ -17,10 +36,11 @@ InsertionEnd insertByRounds(
     { InstructionSet::Avx2, avx2::insertByRoundsHere },
 #endif
   };
-  return best(kTargets)(points, mesh, ticker, work, shared);
+  return inFrame(points, ticker,
+    [&](const Frame& frame) { return best(kTargets)(frame, mesh, ticker, work, shared); });
 }
 
-InsertionEnd insertSequence(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
+InsertionEnd insertSequence(RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
   Ticker& ticker, InsertionWork* work)
 {
   using Function = decltype(baseline::insertSequenceHere);
@@ -30,7 +50,8 @@ InsertionEnd insertSequence(const RankedPoints& points, const Buffer<Index>& seq
     { InstructionSet::Avx2, avx2::insertSequenceHere },
 #endif
   };
-  return best(kTargets)(points, sequence, mesh, ticker, work);
+  return inFrame(points, ticker,
+    [&](const Frame& frame) { return best(kTargets)(frame, sequence, mesh, ticker, work); });
 }
 
 } // namespace ahd

@@ -29,12 +29,13 @@ enum class InsertionEnd
   Cancelled     ///< the mesh is unusable
 };
 
-/// Inserts `sequence` (distinct vertices, all of them, each once) into `mesh`, on this thread.
+/// Inserts `sequence` (distinct vertices, all of them, each once) into `mesh`, on this thread. The
+/// locations are changed while it works (Frame.h), and as they were afterwards unless cancelled.
 /// REQUIRES: the mesh has room for points.count vertices and is empty.
 /// Cost: O(1) expected per point when successive points are close and a sparse subset of the points
 /// comes first (see Order); O(n) per point at worst.
 /// Allocates nothing. Counts into `work` unless that is null.
-InsertionEnd insertSequence(const RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
+InsertionEnd insertSequence(RankedPoints& points, const Buffer<Index>& sequence, Mesh& mesh,
   Ticker& ticker, InsertionWork* work);
 
 /// How an insertion was shared (see Report).
@@ -49,6 +50,7 @@ struct SharedWork
 constexpr std::size_t kLeastShared = 30000;
 
 /// Inserts all vertices in order of rank by Rounds into `mesh`, on the threads lent to the phase.
+/// The locations are changed while it works, as above.
 /// With counting (`work` not null) or without threads: on this one.
 /// REQUIRES: the mesh has room for points.count vertices and is empty.
 /// Allocates 4 bytes per point if there are threads. Throws std::bad_alloc.
@@ -69,7 +71,7 @@ constexpr std::size_t kLeastShared = 30000;
 /// cavities reach across the border of the part's region, about a constant times the root of the
 /// number of its points.
 InsertionEnd insertByRounds(
-  const RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared);
+  RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared);
 
 } // namespace ahd
 

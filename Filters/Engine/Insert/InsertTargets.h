@@ -2,6 +2,7 @@
 #ifndef ahd_InsertTargets_h
 #define ahd_InsertTargets_h
 
+#include "Frame.h"
 #include "Insert.h"
 
 namespace ahd
@@ -12,10 +13,9 @@ namespace ahd
 #define AHD_DECLARE_TARGET(name)                                                                   \
   inline namespace name                                                                            \
   {                                                                                                \
-  InsertionEnd insertByRoundsHere(                                                                 \
-    const RankedPoints&, Mesh&, Ticker&, InsertionWork*, SharedWork&);                             \
+  InsertionEnd insertByRoundsHere(const Frame&, Mesh&, Ticker&, InsertionWork*, SharedWork&);      \
   InsertionEnd insertSequenceHere(                                                                 \
-    const RankedPoints&, const Buffer<Index>&, Mesh&, Ticker&, InsertionWork*);                    \
+    const Frame&, const Buffer<Index>&, Mesh&, Ticker&, InsertionWork*);                           \
   }
 
 AHD_DECLARE_TARGET(baseline)

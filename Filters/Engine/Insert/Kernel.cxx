@@ -25,8 +25,8 @@ inline namespace AHD_TARGET
 /// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
 /// That choice is made in floating point, and without a branch, as it would be mispredicted; a
 /// wrong hint (rounding, or the ghost's NaN) costs steps, never the result.
-template <bool kCount, Access kAccess>
-Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
+template <bool kCount, Access kAccess, bool kExact>
+Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slot& hint)
 {
   std::uint32_t* const data = data_;
   const Point* const xy = xy_;
@@ -67,8 +67,8 @@ Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
   std::size_t stars = 0;
   Mesh::Slot firstStar = kNoIndex;
   Mesh::Slot previousStar = fresh +
-    Mesh::kSlotSize;             // not written yet: takes the first link in vain
-  Mesh::Slot hintForNext = slot; // reused by the star, so a triangle for sure
+    Mesh::kSlotSize; // not written yet: takes the first link in vain
+  Mesh::Slot hintForNext = kNoIndex;
   unsigned startIsRight = a.x * towardsY - a.y * towardsX < 0;
   for (;;)
   {
@@ -77,9 +77,11 @@ Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
     const double crossedOut = cross(apex, b);
     const double det = multiplyAdd(
       a.z, crossedOut, multiplyAdd(b.z, crossedIn, -(apex.z * crossed)));
-    if (inCircleIsCertain(det, a.z, b.z, apex.z, guard_)
-        ? det > 0
-        : conflicts(b.vertex, a.vertex, apex.vertex, p))
+    const double bound = inCircleErrorBound(a.z, b.z, apex.z, guard_);
+    if (kExact && bound < exactBelow_
+        ? perturbedDeterminant(det, b, a, apex, -crossed, crossedIn, crossedOut, perturbation_) > 0
+        : std::fabs(det) > bound ? det > 0
+                                 : conflicts(b.vertex, a.vertex, apex.vertex, p))
     {
       countRemoved();
       if (kShared && !owns(apex.vertex))
@@ -166,9 +168,29 @@ Insertion Kernel<kCount, kAccess>::carve(const Cavity& cavity, Mesh::Slot& hint)
   return Insertion::Done;
 }
 
+/// From any triangle of the star of p, in none of whose wedges the next point was found: that lies
+/// outside of the hull, mostly. Returns the ghost of the star on its side, if there is one.
+template <bool kCount, Access kAccess, bool kExact>
+Mesh::Slot Kernel<kCount, kAccess, kExact>::hintOutside(Index next, Mesh::Slot star)
+{
+  Mesh::Slot slot = star;
+  do
+  {
+    const Mesh::Slot after = Mesh::slotOf(data_[slot + 1 + Mesh::kTwin]);
+    if (data_[slot + 2] == ghost_)
+    {
+      const Point& p = xy_[data_[slot]];
+      const Lifted towards = liftedFrom(p, xy_[next]);
+      return cross(liftedFrom(p, xy_[data_[after + 2]]), towards) < 0 ? after : slot;
+    }
+    slot = after;
+  } while (slot != star && spend());
+  return star;
+}
+
 /// Writes the triangles p, a, b that carve() has put aside, and links each to the next.
-template <bool kCount, Access kAccess>
-void Kernel<kCount, kAccess>::writeStar(Index p, std::size_t triangles)
+template <bool kCount, Access kAccess, bool kExact>
+void Kernel<kCount, kAccess, kExact>::writeStar(Index p, std::size_t triangles)
 {
   Mesh::Slot previous = star_[triangles - 1].slot;
   for (std::size_t i = 0; i < triangles; ++i)
@@ -187,8 +209,9 @@ void Kernel<kCount, kAccess>::writeStar(Index p, std::size_t triangles)
 
 /// Moves the open edges, which fill their room, to the slots they carry: end, twin, and the slot of
 /// the one below. So a cavity of any size needs no more memory. Returns where the next edge goes.
-template <bool kCount, Access kAccess>
-typename Kernel<kCount, kAccess>::PendingEdge* Kernel<kCount, kAccess>::spillPending()
+template <bool kCount, Access kAccess, bool kExact>
+typename Kernel<kCount, kAccess, kExact>::PendingEdge*
+Kernel<kCount, kAccess, kExact>::spillPending()
 {
   for (const PendingEdge& edge : pending_)
   {
@@ -200,8 +223,8 @@ typename Kernel<kCount, kAccess>::PendingEdge* Kernel<kCount, kAccess>::spillPen
   return pending_.data();
 }
 
-template <bool kCount, Access kAccess>
-bool Kernel<kCount, kAccess>::conflicts(Index a, Index b, Index c, Index p)
+template <bool kCount, Access kAccess, bool kExact>
+bool Kernel<kCount, kAccess, kExact>::conflicts(Index a, Index b, Index c, Index p)
 {
   if (c == ghost_)
   {
@@ -220,14 +243,15 @@ bool Kernel<kCount, kAccess>::conflicts(Index a, Index b, Index c, Index p)
   {
     ++work_.exactInCircle;
   }
-  return inConflictExact(xy_[a], xy_[b], xy_[c], xy_[p]);
+  const int inRectangle = conflictInRectangle(xy_[a], xy_[b], xy_[c], xy_[p]);
+  return inRectangle != 0 ? inRectangle > 0 : inConflictExact(xy_[a], xy_[b], xy_[c], xy_[p]);
 }
 
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
 /// sees the edge from outside, or lies between its ends (then it also is in conflict with the
 /// finite triangle behind the edge).
-template <bool kCount, Access kAccess>
-bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
+template <bool kCount, Access kAccess, bool kExact>
+bool Kernel<kCount, kAccess, kExact>::conflictsWithGhost(Index from, Index to, Index p)
 {
   const Point& a = xy_[from];
   const Point& b = xy_[to];
@@ -241,8 +265,8 @@ bool Kernel<kCount, kAccess>::conflictsWithGhost(Index from, Index to, Index p)
   return lexicographicallyLess(a, q) == lexicographicallyLess(q, b);
 }
 
-template <bool kCount, Access kAccess>
-int Kernel<kCount, kAccess>::orientation(Index a, Index b, Index p)
+template <bool kCount, Access kAccess, bool kExact>
+int Kernel<kCount, kAccess, kExact>::orientation(Index a, Index b, Index p)
 {
   spendOnExact();
   if (kCount)
@@ -252,8 +276,8 @@ int Kernel<kCount, kAccess>::orientation(Index a, Index b, Index p)
   return orient2dExact(xy_[a], xy_[b], xy_[p]);
 }
 
-template <bool kCount, Access kAccess>
-bool Kernel<kCount, kAccess>::refill()
+template <bool kCount, Access kAccess, bool kExact>
+bool Kernel<kCount, kAccess, kExact>::refill()
 {
   budget_ = kStepsPerRefill;
   ticker_.finished(insertedSinceAsking_);
@@ -261,9 +285,12 @@ bool Kernel<kCount, kAccess>::refill()
   return ticker_.ask();
 }
 
-template class Kernel<false, Access::Alone>;
-template class Kernel<true, Access::Alone>;
-template class Kernel<false, Access::Shared>;
+template class Kernel<false, Access::Alone, false>;
+template class Kernel<true, Access::Alone, false>;
+template class Kernel<false, Access::Shared, false>;
+template class Kernel<false, Access::Alone, true>;
+template class Kernel<true, Access::Alone, true>;
+template class Kernel<false, Access::Shared, true>;
 
 } // namespace AHD_TARGET
 } // namespace ahd

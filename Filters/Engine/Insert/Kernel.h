@@ -2,6 +2,7 @@
 #ifndef ahd_Kernel_h
 #define ahd_Kernel_h
 
+#include "Frame.h"
 #include "Insert.h"
 
 #include "../Core/Chunks.h"
@@ -10,14 +11,21 @@
 
 #include <array>
 
+/// For what the hot loop keeps in registers.
+#if defined(__GNUC__) || defined(__clang__)
+#define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
+#else
+#define AHD_ALWAYS_INLINE inline
+#endif
+
 namespace ahd
 {
 inline namespace AHD_TARGET
 {
 
-/// A vertex as the new point sees it. For the ghost all its numbers are NaN, which no
-/// floating-point filter accepts: that is how ghosts leave the fast path without a test of their
-/// own.
+/// A vertex as the new point sees it. The ghost is a point far away, for which the in-circle filter
+/// answers as it should; where there is no place for it, all its numbers are NaN, which no filter
+/// accepts (Frame.h). So ghosts need no test of their own on the fast path.
 struct Corner : Lifted
 {
   Index vertex;
@@ -56,14 +64,17 @@ enum class Access
 };
 
 /// Inserts one point after the other: locate, carve the cavity, fill it with the star.
-/// This is the hot loop of the engine; see Algorithm.md for what was measured.
-template <bool kCount, Access kAccess>
+/// This is the hot loop of the engine; see Algorithm.md for what was measured. kExact: for frames
+/// on a grid. Ties are broken there without a branch; elsewhere that would take the registers.
+template <bool kCount, Access kAccess, bool kExact>
 class Kernel
 {
 public:
-  Kernel(const RankedPoints& points, Mesh& mesh, Ticker& ticker, Territory territory = Territory())
-    : xy_(points.xy.data())
-    , guard_(guardFor(points.bounds))
+  Kernel(const Frame& frame, Mesh& mesh, Ticker& ticker, Territory territory = Territory())
+    : xy_(frame.points.xy.data())
+    , guard_(frame.guard)
+    , perturbation_(frame.perturbation)
+    , exactBelow_(frame.exactBelow)
     , data_(mesh.data())
     , ghost_(mesh.ghost())
     , territory_(territory)
@@ -82,7 +93,12 @@ public:
     }
     ++insertedSinceAsking_;
     prefetchForWrite(data_ + fresh + kPointsAhead * 2 * Mesh::kSlotSize);
-    return carve({ p, next, fresh }, hint);
+    const Insertion result = carve({ p, next, fresh }, hint);
+    if (hint == kNoIndex)
+    {
+      hint = hintOutside(next, fresh);
+    }
+    return result;
   }
 
   const InsertionWork& work() const { return work_; }
@@ -144,7 +160,7 @@ private:
   //--- locate -------------------------------------------------------------------------------------
 
   /// The triangle of a slot, from its second corner on.
-  Root rootAt(const Point& at, Mesh::Slot slot) const
+  AHD_ALWAYS_INLINE Root rootAt(const Point& at, Mesh::Slot slot) const
   {
     const Corner a = seenFrom(at, xy_, data_[slot + 1]);
     const Corner b = seenFrom(at, xy_, data_[slot + 2]);
@@ -152,12 +168,17 @@ private:
     return { a, b, c, cross(a, b), cross(b, c), cross(c, a) };
   }
 
-  bool isInConflict(const Root& root, Index p)
+  AHD_ALWAYS_INLINE bool isInConflict(const Root& root, Index p)
   {
     const double det = inCircleDeterminant(root.a, root.b, root.c, root.ab, root.bc, root.ca);
-    return inCircleIsCertain(det, root.a.z, root.b.z, root.c.z, guard_)
-      ? det > 0
-      : conflicts(root.a.vertex, root.b.vertex, root.c.vertex, p);
+    const double bound = inCircleErrorBound(root.a.z, root.b.z, root.c.z, guard_);
+    if (kExact && bound < exactBelow_)
+    {
+      return perturbedDeterminant(
+               det, root.a, root.b, root.c, root.ab, root.bc, root.ca, perturbation_) > 0;
+    }
+    return std::fabs(det) > bound ? det > 0
+                                  : conflicts(root.a.vertex, root.b.vertex, root.c.vertex, p);
   }
 
   /// From a hint that is not in conflict with p to a slot that is.
@@ -267,6 +288,7 @@ private:
 
   Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
   void writeStar(Index p, std::size_t triangles);
+  Mesh::Slot hintOutside(Index next, Mesh::Slot star);
   const PendingEdge* pendingEnd() const { return pending_.data() + pending_.size(); }
   PendingEdge* spillPending();
 
@@ -293,14 +315,10 @@ private:
   /// An exact answer is about to be asked for, within a step.
   void spendOnExact() { budget_ -= budget_ > kStepsOfExact ? kStepsOfExact : budget_ - 1; }
 
-  static double guardFor(const Bounds& bounds)
-  {
-    const double diagonal = squaredLength(bounds.xmax - bounds.xmin, bounds.ymax - bounds.ymin);
-    return inCircleGuard(4 * diagonal);
-  }
-
   const Point* xy_;
   double guard_; ///< what underflow may cost an in-circle determinant (see Filters.h)
+  double perturbation_;
+  double exactBelow_; ///< with bounds below this they are exact (see Filters.h)
   std::uint32_t* data_;
   Index ghost_;
   Territory territory_;

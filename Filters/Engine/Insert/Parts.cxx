@@ -25,24 +25,24 @@ void storeLarger(std::atomic<Mesh::Slot>& place, Mesh::Slot slot)
 
 } // namespace
 
-Parts::Parts(
-  const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count)
-  : points_(points)
+Parts::Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count)
+  : frame_(frame)
+  , points_(frame.points)
   , mesh_(mesh)
   , ticker_(ticker)
   , rounds_(round.rounds)
   , stride_(round.stride)
   , known_(round.stride * kControlStride)
   , parts_(count)
-  , starts_(new std::atomic<Mesh::Slot>[points.count / known_ + 1])
+  , starts_(new std::atomic<Mesh::Slot>[points_.count / known_ + 1])
 {
   waiting_.allocate(rounds_.size(stride_));
-  const std::size_t blocks = points.count / known_;
+  const std::size_t blocks = points_.count / known_;
   for (std::size_t k = 0; k < count; ++k)
   {
     const Share share(blocks, k, count);
     const std::size_t begin = share.begin * known_;
-    const std::size_t end = k + 1 < count ? share.end * known_ : points.count;
+    const std::size_t end = k + 1 < count ? share.end * known_ : points_.count;
     parts_[k].territory = { static_cast<Index>(begin), static_cast<Index>(end - begin) };
     parts_[k].begin = rounds_.index(stride_, begin);
   }
@@ -89,14 +89,19 @@ void Parts::noteStarts(Mesh::Slot begin, Mesh::Slot end)
 bool Parts::insertOwn(SharedWork& work)
 {
   const bool done = inParallel(ticker_, parts_.size(),
-    [&](std::size_t k, Ticker& ticker) { return insertOwnOf(parts_[k], ticker); });
+    [&](std::size_t k, Ticker& ticker)
+    {
+      return frame_.isOnGrid() ? insertOwnOf<true>(parts_[k], ticker)
+                               : insertOwnOf<false>(parts_[k], ticker);
+    });
   account(work);
   return done;
 }
 
+template <bool kExact>
 bool Parts::insertOwnOf(Part& part, Ticker& ticker)
 {
-  SharedKernel kernel(points_, mesh_, ticker, part.territory);
+  SharedKernel<kExact> kernel(frame_, mesh_, ticker, part.territory);
   const std::size_t end = rounds_.index(
     stride_, std::size_t(part.territory.begin) + part.territory.size);
   Mesh::Slot hint = startFor(part.territory.begin);
@@ -132,14 +137,19 @@ bool Parts::insertOwnOf(Part& part, Ticker& ticker)
 bool Parts::insertWaiting(SharedWork& work)
 {
   const bool done = inParallel(ticker_, parts_.size(),
-    [&](std::size_t k, Ticker& ticker) { return insertWaitingOf(parts_[k], ticker); });
+    [&](std::size_t k, Ticker& ticker)
+    {
+      return frame_.isOnGrid() ? insertWaitingOf<true>(parts_[k], ticker)
+                               : insertWaitingOf<false>(parts_[k], ticker);
+    });
   account(work);
   return done;
 }
 
+template <bool kExact>
 bool Parts::insertWaitingOf(Part& part, Ticker& ticker)
 {
-  SharedKernel kernel(points_, mesh_, ticker, part.territory);
+  SharedKernel<kExact> kernel(frame_, mesh_, ticker, part.territory);
   const std::size_t end = part.begin + part.waiting;
   std::size_t waiting = part.begin;
   for (std::size_t i = part.begin; i < end; ++i)

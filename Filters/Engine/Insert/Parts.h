@@ -32,14 +32,13 @@ class Parts
 public:
   /// REQUIRES: all points of the rounds before are in the mesh; 2 <= count, and each part gets at
   /// least kControlStride points of the round. Throws std::bad_alloc.
-  Parts(
-    const RankedPoints& points, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
+  Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
 
   /// Inserts the round; the last that wait by `alone`. Returns false if the work is to be
   /// cancelled. `tooManyWaited`: cavities here are so large (points on a parabola, or hundreds of
   /// orders of magnitude apart) that one thread alone is faster.
-  template <bool kCount>
-  bool insert(Kernel<kCount, Access::Alone>& alone, SharedWork& work, bool& tooManyWaited)
+  template <typename KernelAlone>
+  bool insert(KernelAlone& alone, SharedWork& work, bool& tooManyWaited)
   {
     if (!findStarts() || !insertOwn(work))
     {
@@ -58,7 +57,8 @@ public:
   }
 
 private:
-  using SharedKernel = Kernel<false, Access::Shared>;
+  template <bool kExact>
+  using SharedKernel = Kernel<false, Access::Shared, kExact>;
 
   struct Part
   {
@@ -74,8 +74,10 @@ private:
   bool findStarts();
   void noteStarts(Mesh::Slot begin, Mesh::Slot end);
   bool insertOwn(SharedWork& work);
+  template <bool kExact>
   bool insertOwnOf(Part& part, Ticker& ticker);
   bool insertWaiting(SharedWork& work);
+  template <bool kExact>
   bool insertWaitingOf(Part& part, Ticker& ticker);
   void join();
   std::size_t waiting() const;
@@ -94,8 +96,8 @@ private:
     return Mesh::freshSlots(rounds_.before(stride_) + rounds_.index(stride_, v));
   }
 
-  template <bool kCount>
-  bool insertLast(Kernel<kCount, Access::Alone>& alone, SharedWork& work)
+  template <typename KernelAlone>
+  bool insertLast(KernelAlone& alone, SharedWork& work)
   {
     for (const Part& part : parts_)
     {
@@ -114,6 +116,7 @@ private:
     return true;
   }
 
+  const Frame& frame_;
   const RankedPoints& points_;
   Mesh& mesh_;
   Ticker& ticker_;

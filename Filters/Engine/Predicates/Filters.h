@@ -152,6 +152,98 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
   return std::fabs(det) > inCircleErrorBound(la, lb, lc, guard);
 }
 
+/// The ghost, the vertex at infinity, may be a point: (0, g) with g = kGhostDistance * 2^e, where
+/// all coordinates are below 2^e. Where the in-circle filter is certain, its answer for a triangle
+/// with the ghost is then that for the ghost: p is in conflict with a, b and the ghost if a, b, p
+/// turn counterclockwise. Where it is not, the orientation has to be asked for.
+///
+/// Proof. Let gamma be the vector to (0, g), D the true determinant. D = |gamma|^2 (alpha x beta) +
+/// R with |R| <= |gamma| |alpha| |beta| (|alpha| + |beta|). With c = |gamma| >= 2^70 2^e (1 - u)
+/// and |alpha|, |beta| <= 2^1.5 2^e that is |R| <= 2^-67 c^2 |alpha| |beta| <= 2^-68 s, as s is at
+/// least c^2 (|alpha|^2 + |beta|^2). The bound of the filter exceeds the error of the determinant
+/// by 0.009 u s at least, which is more than |R|. So the computed determinant has the sign of alpha
+/// x beta.
+constexpr double kGhostDistance = 0x1p70;
+/// All exponents of a point set's frame are at most this in magnitude: the coordinates are below
+/// 2^e, |e| <= kFrameExponent, so that nothing overflows and the guard, which has to be enough for
+/// the ghost, too, is at most 2^-678.
+constexpr int kFrameExponent = 100;
+
+/// The computed in-circle determinant of points whose coordinates are multiples of a `unit` is the
+/// true one where its error bound, as inCircleErrorBound() has it, is below this.
+/// REQUIRES: no two coordinates, of x or of y, differ by more than kExactSpan units, and
+/// unit >= 2^-200, so that no determinant underflows.
+///
+/// Proof. In units, A, B, C are integers of at most 2^25 in magnitude, so the differences are
+/// exact, and products of two, and sums of two products, are integers below 2^53: lengths and cross
+/// products are exact, with fused multiply-adds or without. The magnitudes of the terms of the
+/// determinant sum to at most 0.87 s (inCircleIsCertain()), and s is below 2^53 units to the fourth
+/// power, as the bound is above 10 u s. So every term and every partial sum is an integer that a
+/// double has.
+constexpr double kExactSpan = 0x1p25;
+
+inline double exactErrorBound(double unit)
+{
+  return 10.0 * ((unit * unit) * (unit * unit));
+}
+
+/// The determinant of points for which it is exact (exactErrorBound()), where it is 0 raised or
+/// lowered by less than the least that is not 0: positive iff P is in conflict with a, b, c, which
+/// turn counterclockwise. axb is cross(a, b), and so on; `perturbation` is perturbationFor(unit).
+///
+/// If the determinant is 0 the largest of the four points in lexicographic order decides: for P the
+/// answer is no, for the others it is the sign of the area of the triangle that P makes with the
+/// other two (conflictOnCircle() in Stages.h). y is less than 2^26 units apart, so x * 2^26 + y,
+/// which is exact, is larger for the larger point; P has 0. What decides is below 2^52 units or
+/// square units, and the perturbation makes of it less than a quarter of a unit to the fourth
+/// power. No branches, as they would be taken at random.
+inline double perturbedDeterminant(double det, const Lifted& a, const Lifted& b, const Lifted& c,
+  double axb, double bxc, double cxa, double perturbation)
+{
+  constexpr double kColumn = 0x1p26;
+  const double ofA = multiplyAdd(a.x, kColumn, a.y);
+  const double ofB = multiplyAdd(b.x, kColumn, b.y);
+  const double ofC = multiplyAdd(c.x, kColumn, c.y);
+  const double ofAB = ofA > ofB ? ofA : ofB;
+  const double ofABP = ofAB > 0.0 ? ofAB : 0.0;
+  const double area = ofA > ofB ? bxc : cxa;
+  const double decides = area < ofAB ? area : ofAB; // negative if P is larger than A and B
+  return multiplyAdd(ofC > ofABP ? axb : decides, perturbation, det);
+}
+
+inline double perturbationFor(double unit)
+{
+  const double square = unit * unit;
+  return 0x1p-54 * square * (unit < 1.0 ? unit : 1.0);
+}
+
+/// Are these the corners of a rectangle with sides along the axes, p opposite of `far`?
+inline bool isRectangle(const Point& p, const Point& far, const Point& a, const Point& b)
+{
+  return ((a.x == p.x) & (b.y == p.y) & (b.x == far.x) & (a.y == far.y)) |
+    ((b.x == p.x) & (a.y == p.y) & (a.x == far.x) & (b.y == far.y));
+}
+
+/// Neighbours in a grid are the corners of a rectangle, however coordinates were rounded. Is p, if
+/// these are, in conflict with a, b, c, which turn counterclockwise: 1 yes, -1 no? 0: these are
+/// not.
+///
+/// The largest corner decides (conflictOnCircle() in Stages.h). If that is p or opposite of p, the
+/// answer is no: the opposite corner sees p on the wrong side of its edge. For both others it is
+/// yes.
+inline int conflictInRectangle(const Point& a, const Point& b, const Point& c, const Point& p)
+{
+  if (!((a.x == p.x) | (b.x == p.x) | (c.x == p.x)))
+  {
+    return 0;
+  }
+  const Point* const far = isRectangle(p, c, a, b) ? &c
+    : isRectangle(p, a, b, c)                      ? &a
+    : isRectangle(p, b, c, a)                      ? &b
+                                                   : nullptr;
+  return !far ? 0 : (far->x > p.x) != (far->y > p.y) ? 1 : -1;
+}
+
 } // namespace AHD_TARGET
 } // namespace ahd
 

@@ -7,11 +7,14 @@
 
 #include "Core/Dispatch.h"
 #include "Extract/Extractor.h"
+#include "Insert/Frame.h"
 #include "Insert/InsertTargets.h"
 #include "Order/Rank.h"
 #include "Order/Sequence.h"
 
 #include <gtest/gtest.h>
+
+#include <memory>
 
 namespace ahd
 {
@@ -20,6 +23,24 @@ namespace test
 {
 namespace
 {
+
+/// The frame of an insertion for as long as one call lasts; the points are not used after it.
+struct Framed
+{
+  Framed(RankedPoints& points, Ticker& ticker)
+    : framing(points)
+  {
+    EXPECT_TRUE(framing.begin(ticker));
+  }
+  operator const Frame&()
+  {
+    frame = std::make_unique<Frame>(framing.frame());
+    return *frame;
+  }
+
+  Framing framing;
+  std::unique_ptr<Frame> frame;
+};
 
 /// The triangles that `insert(ranked, mesh, ticker)` makes of these points.
 template <typename Insert>
@@ -58,10 +79,10 @@ TEST(DispatchTargets, Avx2IsTheBaseline)
     GTEST_SKIP() << "this processor has no fused multiply-add";
   }
   SharedWork shared;
-  const auto baseline = [&](const RankedPoints& points, Mesh& mesh, Ticker& ticker)
-  { return baseline::insertByRoundsHere(points, mesh, ticker, nullptr, shared); };
-  const auto fused = [&](const RankedPoints& points, Mesh& mesh, Ticker& ticker)
-  { return avx2::insertByRoundsHere(points, mesh, ticker, nullptr, shared); };
+  const auto baseline = [&](RankedPoints& points, Mesh& mesh, Ticker& ticker)
+  { return baseline::insertByRoundsHere(Framed(points, ticker), mesh, ticker, nullptr, shared); };
+  const auto fused = [&](RankedPoints& points, Mesh& mesh, Ticker& ticker)
+  { return avx2::insertByRoundsHere(Framed(points, ticker), mesh, ticker, nullptr, shared); };
   BackwardExecutor threads(3);
   for (const Distribution d : allDistributions())
   {
@@ -81,13 +102,13 @@ TEST(DispatchTargets, Avx2IsTheBaselineForSequences)
   }
   const auto asGiven = [](auto insertSequence)
   {
-    return [insertSequence](const RankedPoints& points, Mesh& mesh, Ticker& ticker)
+    return [insertSequence](RankedPoints& points, Mesh& mesh, Ticker& ticker)
     {
       Buffer<Index> sequence;
       Options options;
       options.order = InsertionOrder::RegularGrid;
       EXPECT_EQ(makeSequence(points, options, ticker, sequence), Status::Ok);
-      return insertSequence(points, sequence, mesh, ticker, nullptr);
+      return insertSequence(Framed(points, ticker), sequence, mesh, ticker, nullptr);
     };
   };
   for (const Distribution d : allDistributions())
@@ -105,11 +126,12 @@ TEST(DispatchTargets, ThePublicOneIsOneOfThem)
   SharedWork shared;
   const std::vector<Point> points = makePoints(Distribution::Uniform, 5000, 9);
   EXPECT_EQ(trianglesBy(points, nullptr,
-              [&](const RankedPoints& ranked, Mesh& mesh, Ticker& ticker)
+              [&](RankedPoints& ranked, Mesh& mesh, Ticker& ticker)
               { return insertByRounds(ranked, mesh, ticker, nullptr, shared); }),
     trianglesBy(points, nullptr,
-      [&](const RankedPoints& ranked, Mesh& mesh, Ticker& ticker)
-      { return baseline::insertByRoundsHere(ranked, mesh, ticker, nullptr, shared); }));
+      [&](RankedPoints& ranked, Mesh& mesh, Ticker& ticker) {
+        return baseline::insertByRoundsHere(Framed(ranked, ticker), mesh, ticker, nullptr, shared);
+      }));
 }
 
 } // namespace
