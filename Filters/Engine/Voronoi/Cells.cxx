@@ -1,52 +1,60 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells.h"
 
-#include "../Core/Chunks.h"
+#include "../Core/Loops.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ahd
 {
 
-bool CellWalk::walk(Ticker& ticker)
+namespace
 {
-  const std::size_t vertices = cellOf_.size();
-  const std::size_t tasks = tasksFor(threadsOf(ticker), vertices, 8, 1 << 13);
-  std::vector<std::vector<Index>> others(tasks);
-  cells_.offsets.assign(cells_.sites.size() + 1, 0);
-  const auto measure = [&](std::size_t task, Ticker& own)
-  { return measureShare(Share(vertices, task, tasks), own, others[task]); };
-  const auto write = [&](std::size_t task, Ticker& own)
-  { return writeShare(Share(vertices, task, tasks), own); };
-  return inParallel(ticker, tasks, measure) && addBorderCells(others, ticker) &&
-    toOffsets(ticker) && inParallel(ticker, tasks, write) && copyBorderCells(ticker);
-}
 
-/// Calls visit(k, corner) for the k-th corner of a cell that does not touch the border; for a last
-/// one too many where it is the first again. `size`: how many there are, 0 for any other cell.
-template <typename Visit>
-bool CellWalk::turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit visit) const
+/// The corners of one cell after the other, of those that do not touch the border.
+class CornersAround
 {
-  size = 0;
+public:
+  CornersAround(const Diagram& diagram, const CellBorder& border)
+    : diagram_(diagram)
+    , border_(border)
+  {
+  }
+
+  /// Finds them; none for any other cell. Returns false if cancelled; throws std::bad_alloc.
+  bool find(Index vertex, Ticker& ticker);
+
+  const CornerId* begin() const { return corners_.data(); }
+  std::size_t size() const { return corners_.size(); }
+
+private:
+  const Diagram& diagram_;
+  const CellBorder& border_;
+  std::vector<CornerId> corners_;
+};
+
+bool CornersAround::find(Index vertex, Ticker& ticker)
+{
+  corners_.clear();
   const HalfEdge start = diagram_.start(vertex);
   const HalfEdge before = diagram_.twin(start);
   if (before == kNoHalfEdge || !border_.isInside(before / 3))
   {
     return true;
   }
-  const std::size_t first = diagram_.standIn(before / 3);
-  std::size_t last = first;
-  std::size_t count = 1;
-  visit(0, static_cast<CornerId>(first));
+  std::size_t last = diagram_.standIn(before / 3);
+  corners_.push_back(static_cast<CornerId>(last));
   for (HalfEdge h = start; h != nextInTriangle(before); h = diagram_.twin(previousInTriangle(h)))
   {
     if (!border_.isInside(h / 3))
     {
+      corners_.clear();
       return true;
     }
     if (const std::size_t corner = diagram_.standIn(h / 3); corner != last)
     {
-      visit(count++, static_cast<CornerId>(corner));
+      corners_.push_back(static_cast<CornerId>(corner));
       last = corner;
     }
     if (!ticker.step())
@@ -54,36 +62,69 @@ bool CellWalk::turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit
       return false;
     }
   }
-  count -= count > 1 && last == first ? 1 : 0;
-  size = count < 3 ? 0 : count;
+  if (corners_.size() > 1 && corners_.back() == corners_.front())
+  {
+    corners_.pop_back();
+  }
+  if (corners_.size() < 3)
+  {
+    corners_.clear();
+  }
   return true;
 }
 
-/// The sizes of the cells, in the places where their offsets will stand; vertices whose cells may
-/// touch the border or have too few corners go to `others`.
+} // namespace
+
+bool CellWalk::walk(Ticker& ticker)
+{
+  const std::size_t vertices = cellOf_.size();
+  const std::size_t tasks = tasksFor(threadsOf(ticker), vertices, 8, 1 << 13);
+  std::vector<std::vector<Index>> others(tasks);
+  const auto measure = [&](std::size_t task, Ticker& own)
+  { return measureShare(Share(vertices, task, tasks), own, others[task]); };
+  const auto write = [&](std::size_t task, Ticker& own)
+  { return writeShare(Share(vertices, task, tasks), own); };
+  return numbers_.begin(cellOf_, ticker) && beginExtents(ticker) &&
+    inParallel(ticker, tasks, measure) && addBorderCells(others, ticker) &&
+    countBorderCells(ticker) && sumUp(ticker) && place(ticker) &&
+    inParallel(ticker, tasks, write) && copyBorderCells(ticker);
+}
+
+bool CellWalk::beginExtents(Ticker& ticker)
+{
+  extents_.allocate(cells_.sites.size() + 1);
+  extents_[cells_.sites.size()] = Extent();
+  return ticker.ask();
+}
+
+/// Vertices whose cells may touch the border or have too few corners go to `others`.
 bool CellWalk::measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others)
 {
+  CornersAround corners(diagram_, border_);
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
-    const Index vertex = static_cast<Index>(v);
-    std::size_t size = 0;
     if (!ticker.step())
     {
       return false;
     }
-    if (cellOf_[v] == kNoIndex)
+    const std::size_t later = std::min(v + kAhead, cellOf_.size() - 1);
+    prefetchForWrite(extents_.data() + (cellOf_[later] == kNoIndex ? 0 : cellOf_[later]));
+    const Index cell = cellOf_[v];
+    if (cell == kNoIndex)
     {
       continue;
     }
-    if (!turnInside(vertex, ticker, size, [](std::size_t, CornerId) {}))
+    const Index vertex = static_cast<Index>(v);
+    if (!corners.find(vertex, ticker))
     {
       return false;
     }
-    if (size == 0)
+    if (corners.size() == 0)
     {
       others.push_back(vertex);
     }
-    cells_.offsets[cellOf_[v] + std::size_t(1)] = static_cast<std::int32_t>(size);
+    extents_[cell] = { static_cast<std::uint32_t>(corners.size()),
+      numbers_.count(cell, corners.begin(), corners.size()) };
   }
   ticker.finished(vertices.end - vertices.begin);
   return true;
@@ -104,57 +145,122 @@ bool CellWalk::addBorderCells(const std::vector<std::vector<Index>>& vertices, T
   return true;
 }
 
-/// Sums the sizes up, and makes room for the corners.
-bool CellWalk::toOffsets(Ticker& ticker)
+/// Each of their corners belongs to several of them: all have to be noted first.
+bool CellWalk::countBorderCells(Ticker& ticker)
 {
+  numbers_.beginBorder();
   for (const BorderCell& cell : borderCells_)
   {
-    cells_.offsets[cellOf_[cell.vertex] + std::size_t(1)] = static_cast<std::int32_t>(
-      cell.end - cell.begin);
-  }
-  std::int32_t sum = 0;
-  const auto sumUp = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
+    for (std::size_t i = cell.begin; i != cell.end; ++i)
     {
-      sum += cells_.offsets[k];
-      cells_.offsets[k] = sum;
+      numbers_.noteBorder(borderCorners_[i], cellOf_[cell.vertex]);
+      if (!ticker.step())
+      {
+        return false;
+      }
     }
+  }
+  for (const BorderCell& cell : borderCells_)
+  {
+    const std::size_t size = cell.end - cell.begin;
+    const Index number = cellOf_[cell.vertex];
+    std::uint32_t points = 0;
+    const bool counted = inChunks(cell.begin, cell.end, ticker,
+      [&](std::size_t a, std::size_t b)
+      { points = numbers_.count(number, borderCorners_.data() + a, b - a, points); });
+    if (!counted)
+    {
+      return false;
+    }
+    extents_[number] = { static_cast<std::uint32_t>(size), points };
+  }
+  return true;
+}
+
+/// From how much each cell has to where it begins; makes room for all.
+bool CellWalk::sumUp(Ticker& ticker)
+{
+  const std::size_t tasks = tasksForLoop(ticker, extents_.size());
+  std::vector<Extent> sums(tasks);
+  const auto add = [&](std::size_t task, Ticker& own)
+  {
+    Extent sum; // on the stack: no thread waits for a line of another
+    const Share share(extents_.size(), task, tasks);
+    const bool done = inChunks(share.begin, share.end, own,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t k = a; k != b; ++k)
+        {
+          sum.add(extents_[k]);
+        }
+      });
+    sums[task] = sum;
+    return done;
   };
-  if (!inChunks(0, cells_.offsets.size(), ticker, sumUp))
+  if (!inParallel(ticker, tasks, add))
   {
     return false;
   }
-  cells_.corners.resize(static_cast<std::size_t>(sum));
-  return true;
+  Extent all;
+  for (Extent& sum : sums)
+  {
+    all.add(std::exchange(sum, all));
+  }
+  cells_.offsets.allocate(extents_.size());
+  cells_.corners.allocate(all.corners);
+  cells_.points.allocate(all.points);
+  return inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
+    {
+      Extent sum = sums[task];
+      const Share share(extents_.size(), task, tasks);
+      return inChunks(share.begin, share.end, own,
+        [&](std::size_t a, std::size_t b)
+        {
+          for (std::size_t k = a; k != b; ++k)
+          {
+            cells_.offsets[k] = static_cast<std::int32_t>(sum.corners);
+            sum.add(std::exchange(extents_[k], sum));
+          }
+        });
+    });
+}
+
+/// Numbers the corners and writes where they are.
+bool CellWalk::place(Ticker& ticker)
+{
+  Point* const points = cells_.points.data();
+  return numbers_.finish(
+    ticker, [this](Index cell) -> const std::uint32_t& { return extents_[cell].points; },
+    [points](std::uint32_t number, const Point& place) { points[number] = place; });
 }
 
 bool CellWalk::writeShare(const Share& vertices, Ticker& ticker)
 {
+  CornersAround corners(diagram_, border_);
+  const std::size_t last = cellOf_.size() - 1;
+  const auto extent = [&](std::size_t v)
+  { return extents_.data() + (cellOf_[v] == kNoIndex ? 0 : cellOf_[v]); };
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
     if (!ticker.step())
     {
       return false;
     }
+    prefetchForRead(extent(std::min(v + 2 * kAhead, last)));
+    prefetchForWrite(cells_.corners.data() + extent(std::min(v + kAhead, last))->corners);
     if (cellOf_[v] == kNoIndex)
     {
       continue;
     }
-    const std::int32_t* const offset = cells_.offsets.data() + cellOf_[v];
-    std::int32_t* const corners = cells_.corners.data() + offset[0];
-    const std::size_t room = static_cast<std::size_t>(offset[1] - offset[0]);
-    std::size_t size = 0;
-    const auto put = [&](std::size_t k, CornerId corner)
-    {
-      if (k < room) // of a border cell whatever fits: it is written again
-      {
-        corners[k] = static_cast<std::int32_t>(corner);
-      }
-    };
-    if (!turnInside(static_cast<Index>(v), ticker, size, put))
+    if (!corners.find(static_cast<Index>(v), ticker))
     {
       return false;
+    }
+    std::int32_t* const to = cells_.corners.data() + extent(v)->corners;
+    for (std::size_t i = 0; i != corners.size(); ++i)
+    {
+      to[i] = static_cast<std::int32_t>(numbers_.ofCentre(corners.begin()[i]));
     }
   }
   ticker.finished(vertices.end - vertices.begin);
@@ -165,14 +271,13 @@ bool CellWalk::copyBorderCells(Ticker& ticker)
 {
   for (const BorderCell& cell : borderCells_)
   {
-    const std::int32_t to = cells_.offsets[cellOf_[cell.vertex]];
+    std::int32_t* const to = cells_.corners.data() + extents_[cellOf_[cell.vertex]].corners;
     const bool copied = inChunks(cell.begin, cell.end, ticker,
       [&](std::size_t a, std::size_t b)
       {
         for (std::size_t i = a; i != b; ++i)
         {
-          cells_.corners[static_cast<std::size_t>(to) + (i - cell.begin)] =
-            static_cast<std::int32_t>(borderCorners_[i]);
+          to[i - cell.begin] = static_cast<std::int32_t>(numbers_[borderCorners_[i]]);
         }
       });
     if (!copied)
@@ -223,8 +328,8 @@ bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Tic
       return false;
     }
   }
-  cells_.offsets.assign(cells_.sites.size() + 1, 0);
-  return toOffsets(ticker) && copyBorderCells(ticker);
+  return beginExtents(ticker) && numbers_.begin(cellOf_, ticker) && countBorderCells(ticker) &&
+    sumUp(ticker) && place(ticker) && copyBorderCells(ticker);
 }
 
 void CellWalk::addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second)
@@ -288,36 +393,6 @@ void CellWalk::pad(Index vertex)
   {
     cell_.push_back(border_.add(diagram_.point(vertex)));
   }
-}
-
-bool CellWalk::number(Ticker& ticker)
-{
-  constexpr std::size_t kAhead = 32; // what is looked at that many corners later is fetched
-  std::vector<BorderCell>().swap(borderCells_);
-  std::vector<CornerId>().swap(borderCorners_);
-  diagram_.forgetStandIns();
-  Buffer<std::uint32_t> numbers;
-  numbers.allocate(border_.corners());
-  cells_.points.reserve(border_.corners());
-  std::int32_t* const corners = cells_.corners.data();
-  const std::size_t count = cells_.corners.size();
-  return fillAll(numbers, kNoCorner, ticker) &&
-    inChunks(0, count, ticker,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const CornerId later = static_cast<CornerId>(corners[std::min(i + kAhead, count - 1)]);
-          prefetchForWrite(numbers.data() + later);
-          const CornerId id = static_cast<CornerId>(corners[i]);
-          if (numbers[id] == kNoCorner)
-          {
-            numbers[id] = static_cast<std::uint32_t>(cells_.points.size());
-            cells_.points.push_back(border_.corner(id));
-          }
-          corners[i] = static_cast<std::int32_t>(numbers[id]);
-        }
-      });
 }
 
 } // namespace ahd

@@ -10,6 +10,7 @@
 #include "ClipBox.h"
 #include "Diagram.h"
 #include "HullBorder.h"
+#include "Sites.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,17 +23,11 @@ namespace
 
 using State = TriangulationAccess::State;
 
-void extend(Bounds& bounds, const Point& p)
+/// No cells.
+void setNone(VoronoiCells& cells)
 {
-  if (bounds.xmin > bounds.xmax)
-  {
-    bounds = { p.x, p.x, p.y, p.y };
-    return;
-  }
-  bounds.xmin = std::min(bounds.xmin, p.x);
-  bounds.xmax = std::max(bounds.xmax, p.x);
-  bounds.ymin = std::min(bounds.ymin, p.y);
-  bounds.ymax = std::max(bounds.ymax, p.y);
+  cells.offsets.allocate(1);
+  cells.offsets[0] = 0;
 }
 
 /// One call of voronoiCells().
@@ -51,7 +46,6 @@ public:
   bool make();
 
 private:
-  bool numberSites();
   bool makeStrips();
   bool makeCells(Diagram& diagram, CellBorder& border);
 
@@ -59,49 +53,25 @@ private:
   const VoronoiClip clip_;
   VoronoiCells& cells_;
   Ticker& ticker_;
-  Buffer<Index> cellOf_; ///< of each vertex; kNoIndex if it is beyond the limit
-  Bounds bounds_;        ///< of the sites
+  Sites sites_;
 };
-
-/// Point after point, so that cells come in the order of the smallest id at each place.
-bool Voronoi::numberSites()
-{
-  const Buffer<Index>& vertexOf = state_.tables.vertexOf;
-  cellOf_.allocate(state_.ranked.count);
-  cells_.sites.reserve(state_.report.inserted);
-  return fillAll(cellOf_, kNoIndex, ticker_) &&
-    inChunks(0, vertexOf.size(), ticker_,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const Index vertex = vertexOf[i];
-          if (vertex != kNoIndex && cellOf_[vertex] == kNoIndex)
-          {
-            cellOf_[vertex] = static_cast<Index>(cells_.sites.size());
-            cells_.sites.push_back(static_cast<std::int32_t>(state_.ranked.id[vertex]));
-            extend(bounds_, state_.points[i]);
-          }
-        }
-      });
-}
 
 bool Voronoi::makeStrips()
 {
   const Point* const places = state_.ranked.xy.data();
-  const ClipBox box(bounds_);
-  if (clip_ == VoronoiClip::Hull || cells_.sites.size() < 2 || !box.hasArea())
+  const ClipBox box(sites_.bounds);
+  if (clip_ == VoronoiClip::Hull || sites_.ids.size() < 2 || !box.hasArea())
   {
-    cells_.sites.clear();
     return ticker_.ask();
   }
+  cells_.sites = std::move(sites_.ids);
   std::vector<Index> line;
   line.reserve(cells_.sites.size());
   const auto collect = [&](std::size_t begin, std::size_t end)
   {
     for (std::size_t v = begin; v < end; ++v)
     {
-      if (cellOf_[v] != kNoIndex)
+      if (sites_.cellOf[v] != kNoIndex)
       {
         line.push_back(static_cast<Index>(v));
       }
@@ -109,23 +79,23 @@ bool Voronoi::makeStrips()
   };
   const auto isBefore = [&](Index a, Index b)
   { return lexicographicallyLess(places[a], places[b]); };
-  Diagram diagram(state_.tables, places);
+  Diagram diagram(state_.tables, places, sites_.bounds);
   BoxBorder border(diagram, box);
-  CellWalk walk(diagram, border, cellOf_, cells_);
-  return inChunks(0, cellOf_.size(), ticker_, collect) && sortAsking(line, ticker_, isBefore) &&
-    walk.walkStrips(line, border, ticker_) && walk.number(ticker_) && ticker_.ask();
+  CellWalk walk(diagram, border, sites_.cellOf, cells_);
+  return inChunks(0, sites_.cellOf.size(), ticker_, collect) && sortAsking(line, ticker_, isBefore) &&
+    walk.walkStrips(line, border, ticker_) && ticker_.ask();
 }
 
 bool Voronoi::makeCells(Diagram& diagram, CellBorder& border)
 {
-  CellWalk walk(diagram, border, cellOf_, cells_);
-  return border.build(ticker_) && walk.walk(ticker_) && walk.number(ticker_) && ticker_.ask();
+  CellWalk walk(diagram, border, sites_.cellOf, cells_);
+  return border.build(ticker_) && walk.walk(ticker_) && ticker_.ask();
 }
 
 bool Voronoi::make()
 {
-  cells_.offsets.assign(1, 0);
-  if (!numberSites())
+  setNone(cells_);
+  if (!numberSites(state_, sites_, ticker_))
   {
     return false;
   }
@@ -133,17 +103,18 @@ bool Voronoi::make()
   {
     return makeStrips();
   }
-  Diagram diagram(state_.tables, state_.ranked.xy.data());
+  cells_.sites = std::move(sites_.ids);
+  Diagram diagram(state_.tables, state_.ranked.xy.data(), sites_.bounds);
   if (!diagram.build(ticker_))
   {
     return false;
   }
   if (clip_ == VoronoiClip::Hull)
   {
-    HullBorder border(diagram, bounds_);
+    HullBorder border(diagram);
     return makeCells(diagram, border);
   }
-  BoxBorder border(diagram, ClipBox(bounds_));
+  BoxBorder border(diagram, ClipBox(sites_.bounds));
   return makeCells(diagram, border);
 }
 
@@ -154,7 +125,6 @@ Status voronoiCells(
 {
   cells = VoronoiCells();
   Status status = delaunay.makeNeighbors(context);
-  status = status != Status::Ok ? status : delaunay.makePointMap(context);
   if (status != Status::Ok)
   {
     return status;
@@ -165,11 +135,13 @@ Status voronoiCells(
       const State* const state = TriangulationAccess::stateOf(std::as_const(delaunay));
       if (!state)
       {
-        cells.offsets.assign(1, 0);
+        setNone(cells);
         return true;
       }
-      // Points twice, triangles for their centres and for what these are joined to.
-      const std::size_t steps = 2 * (state->ranked.count + state->allTriangles);
+      // Vertices for sites and, twice, for cells; triangles for their centres, for what these are
+      // joined to, whether they are inside, and the first cells and the numbers of corners.
+      const std::size_t steps = state->points.count + 3 * state->ranked.count +
+        5 * state->allTriangles;
       Ticker ticker(
         context.progress, Phase::Outputs, steps, state->worthItsWhile(context.executor));
       return Voronoi(*state, clip, cells, ticker).make();
