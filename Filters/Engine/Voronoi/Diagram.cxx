@@ -3,6 +3,7 @@
 
 #include "../Core/Chunks.h"
 #include "../Core/Loops.h"
+#include "CentreBlocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,9 +32,14 @@ bool Diagram::computeCentres(Ticker& ticker)
   return inShares(triangles(), ticker, 8, 1 << 14,
     [&](std::size_t begin, std::size_t end)
     {
+      if (areModest_)
+      {
+        circumcentres()(
+          tables_.corners.data() + 3 * begin, places_, end - begin, centres_.data() + begin);
+      }
       for (std::size_t t = begin; t < end; ++t)
       {
-        centres_[t] = circumcentre(corners(t));
+        centres_[t] = areModest_ ? centres_[t] : circumcentre(corners(t));
         standIns_[t] = static_cast<std::uint32_t>(t);
       }
     });

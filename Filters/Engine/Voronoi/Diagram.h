@@ -18,11 +18,13 @@ namespace ahd
 class Diagram
 {
 public:
-  /// Borrows both. `bounds`: of the vertices. REQUIRES: corners and neighbours.
-  Diagram(const Tables& tables, const Point* places, const Bounds& bounds)
+  /// Borrows both. `bounds`: of the vertices. `areModest`: isModest() of all of them. REQUIRES:
+  /// corners and neighbours.
+  Diagram(const Tables& tables, const Point* places, const Bounds& bounds, bool areModest)
     : tables_(tables)
     , places_(places)
     , bounds_(bounds)
+    , areModest_(areModest)
   {
   }
 
@@ -67,6 +69,7 @@ private:
   const Tables& tables_;
   const Point* places_;
   const Bounds bounds_;
+  const bool areModest_;
   Buffer<Point> centres_;
   Buffer<std::uint32_t> standIns_;
   bool hasJoined_ = false;

@@ -2,6 +2,7 @@
 #include "Sites.h"
 
 #include "../Core/Loops.h"
+#include "Circumcentre.h"
 
 #include <algorithm>
 #include <vector>
@@ -18,15 +19,17 @@ using State = TriangulationAccess::State;
 /// the first one's counts.
 struct Part
 {
-  void extend(const Bounds& b)
+  void extend(const Bounds& b, bool isOtherModest)
   {
     bounds = count == 0 ? b
                         : Bounds{ std::min(bounds.xmin, b.xmin), std::max(bounds.xmax, b.xmax),
                             std::min(bounds.ymin, b.ymin), std::max(bounds.ymax, b.ymax) };
+    areModest = areModest && isOtherModest;
   }
 
   std::size_t count = 0;
   Bounds bounds;
+  bool areModest = true;
 };
 
 /// One call of numberSites().
@@ -143,7 +146,7 @@ bool SiteNumbering::count()
             if (vertexAt_[i] != kNoIndex)
             {
               const Point p = state_.points[i];
-              part.extend({ p.x, p.x, p.y, p.y });
+              part.extend({ p.x, p.x, p.y, p.y }, isModest(p));
               ++part.count;
             }
           }
@@ -160,12 +163,13 @@ bool SiteNumbering::number()
   {
     if (part.count != 0)
     {
-      all.extend(part.bounds);
+      all.extend(part.bounds, part.areModest);
       all.count += part.count;
     }
     part.count = all.count - part.count; // where it begins
   }
   sites_.bounds = all.bounds;
+  sites_.areModest = all.areModest;
   sites_.ids.allocate(all.count);
   const bool areTheirOwn = state_.ranked.duplicates.empty();
   return inParallel(ticker_, parts_.size(),

@@ -17,6 +17,7 @@ struct Sites
   Buffer<Index> cellOf;     ///< of each vertex; kNoIndex if it is beyond the limit
   Buffer<std::int32_t> ids; ///< of each cell: the point that stands for its vertex
   Bounds bounds;            ///< of the sites
+  bool areModest = true;    ///< isModest() of all of them
 };
 
 /// Finds them, on all threads lent. Takes 4 bytes for each point while it works. Returns false if

@@ -79,7 +79,7 @@ bool Voronoi::makeStrips()
   };
   const auto isBefore = [&](Index a, Index b)
   { return lexicographicallyLess(places[a], places[b]); };
-  Diagram diagram(state_.tables, places, sites_.bounds);
+  Diagram diagram(state_.tables, places, sites_.bounds, sites_.areModest);
   BoxBorder border(diagram, box);
   CellWalk walk(diagram, border, sites_.cellOf, cells_);
   return inChunks(0, sites_.cellOf.size(), ticker_, collect) && sortAsking(line, ticker_, isBefore) &&
@@ -104,7 +104,7 @@ bool Voronoi::make()
     return makeStrips();
   }
   cells_.sites = std::move(sites_.ids);
-  Diagram diagram(state_.tables, state_.ranked.xy.data(), sites_.bounds);
+  Diagram diagram(state_.tables, state_.ranked.xy.data(), sites_.bounds, sites_.areModest);
   if (!diagram.build(ticker_))
   {
     return false;

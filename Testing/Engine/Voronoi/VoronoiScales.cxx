@@ -162,7 +162,7 @@ TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
     ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
     ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
     const auto& state = *TriangulationAccess::stateOf(std::as_const(engine.made));
-    Diagram diagram(state.tables, state.ranked.xy.data(), state.ranked.bounds);
+    Diagram diagram(state.tables, state.ranked.xy.data(), state.ranked.bounds, true);
     Ticker ticker(nullptr, Phase::Outputs, 0);
     ASSERT_TRUE(diagram.build(ticker));
     for (std::size_t t = 0; t < diagram.triangles(); ++t)
