@@ -9,83 +9,22 @@
 namespace ahd
 {
 
-namespace
-{
-
-/// The corners of one cell after the other, of those that do not touch the border.
-class CornersAround
-{
-public:
-  CornersAround(const Diagram& diagram, const CellBorder& border)
-    : diagram_(diagram)
-    , border_(border)
-  {
-  }
-
-  /// Finds them; none for any other cell. Returns false if cancelled; throws std::bad_alloc.
-  bool find(Index vertex, Ticker& ticker);
-
-  const CornerId* begin() const { return corners_.data(); }
-  std::size_t size() const { return corners_.size(); }
-
-private:
-  const Diagram& diagram_;
-  const CellBorder& border_;
-  std::vector<CornerId> corners_;
-};
-
-bool CornersAround::find(Index vertex, Ticker& ticker)
-{
-  corners_.clear();
-  const HalfEdge start = diagram_.start(vertex);
-  const HalfEdge before = diagram_.twin(start);
-  if (before == kNoHalfEdge || !border_.isInside(before / 3))
-  {
-    return true;
-  }
-  std::size_t last = diagram_.standIn(before / 3);
-  corners_.push_back(static_cast<CornerId>(last));
-  for (HalfEdge h = start; h != nextInTriangle(before); h = diagram_.twin(previousInTriangle(h)))
-  {
-    if (!border_.isInside(h / 3))
-    {
-      corners_.clear();
-      return true;
-    }
-    if (const std::size_t corner = diagram_.standIn(h / 3); corner != last)
-    {
-      corners_.push_back(static_cast<CornerId>(corner));
-      last = corner;
-    }
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  if (corners_.size() > 1 && corners_.back() == corners_.front())
-  {
-    corners_.pop_back();
-  }
-  if (corners_.size() < 3)
-  {
-    corners_.clear();
-  }
-  return true;
-}
-
-} // namespace
-
 bool CellWalk::walk(Ticker& ticker)
 {
   const std::size_t vertices = cellOf_.size();
   const std::size_t tasks = tasksFor(threadsOf(ticker), vertices, 8, 1 << 13);
-  std::vector<std::vector<Index>> others(tasks);
+  std::vector<InsideCells> inside;
+  inside.reserve(tasks);
+  for (std::size_t task = 0; task < tasks; ++task)
+  {
+    inside.emplace_back(diagram_, border_);
+  }
   const auto measure = [&](std::size_t task, Ticker& own)
-  { return measureShare(Share(vertices, task, tasks), own, others[task]); };
+  { return measureShare(Share(vertices, task, tasks), inside[task], own); };
   const auto write = [&](std::size_t task, Ticker& own)
-  { return writeShare(Share(vertices, task, tasks), own); };
+  { return writeShare(Share(vertices, task, tasks), inside[task], own); };
   return numbers_.begin(cellOf_, ticker) && beginExtents(ticker) &&
-    inParallel(ticker, tasks, measure) && addBorderCells(others, ticker) &&
+    inParallel(ticker, tasks, measure) && addBorderCells(inside, ticker) &&
     countBorderCells(ticker) && sumUp(ticker) && place(ticker) &&
     inParallel(ticker, tasks, write) && copyBorderCells(ticker);
 }
@@ -97,44 +36,44 @@ bool CellWalk::beginExtents(Ticker& ticker)
   return ticker.ask();
 }
 
-/// Vertices whose cells may touch the border or have too few corners go to `others`.
-bool CellWalk::measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others)
+bool CellWalk::measureShare(const Share& vertices, InsideCells& inside, Ticker& ticker)
 {
-  CornersAround corners(diagram_, border_);
+  inside.reserve(vertices.end - vertices.begin);
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
     if (!ticker.step())
     {
       return false;
     }
-    const std::size_t later = std::min(v + kAhead, cellOf_.size() - 1);
-    prefetchForWrite(extents_.data() + (cellOf_[later] == kNoIndex ? 0 : cellOf_[later]));
+    prefetchForWrite(extentOf(v + kAhead));
     const Index cell = cellOf_[v];
     if (cell == kNoIndex)
     {
       continue;
     }
-    const Index vertex = static_cast<Index>(v);
-    if (!corners.find(vertex, ticker))
+    if (!inside.find(static_cast<Index>(v), ticker))
     {
       return false;
     }
-    if (corners.size() == 0)
+    std::uint32_t points = 0;
+    const bool counted = inChunks(0, inside.size(), ticker,
+      [&](std::size_t a, std::size_t b)
+      { points = numbers_.countCentres(cell, inside.corners() + a, b - a, points); });
+    if (!counted)
     {
-      others.push_back(vertex);
+      return false;
     }
-    extents_[cell] = { static_cast<std::uint32_t>(corners.size()),
-      numbers_.count(cell, corners.begin(), corners.size()) };
+    extents_[cell] = { static_cast<std::uint32_t>(inside.size()), points };
   }
   ticker.finished(vertices.end - vertices.begin);
   return true;
 }
 
-bool CellWalk::addBorderCells(const std::vector<std::vector<Index>>& vertices, Ticker& ticker)
+bool CellWalk::addBorderCells(const std::vector<InsideCells>& inside, Ticker& ticker)
 {
-  for (const std::vector<Index>& some : vertices)
+  for (const InsideCells& some : inside)
   {
-    for (const Index vertex : some)
+    for (const Index vertex : some.others())
     {
       if (!turnAtBorder(vertex, ticker))
       {
@@ -235,33 +174,44 @@ bool CellWalk::place(Ticker& ticker)
     [points](std::uint32_t number, const Point& place) { points[number] = place; });
 }
 
-bool CellWalk::writeShare(const Share& vertices, Ticker& ticker)
+/// The cells that were found come in the order in which they were found.
+bool CellWalk::writeShare(const Share& vertices, const InsideCells& inside, Ticker& ticker)
 {
-  CornersAround corners(diagram_, border_);
-  const std::size_t last = cellOf_.size() - 1;
-  const auto extent = [&](std::size_t v)
-  { return extents_.data() + (cellOf_[v] == kNoIndex ? 0 : cellOf_[v]); };
+  const CornerId* corner = inside.all();
+  auto other = inside.others().begin();
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
     if (!ticker.step())
     {
       return false;
     }
-    prefetchForRead(extent(std::min(v + 2 * kAhead, last)));
-    prefetchForWrite(cells_.corners.data() + extent(std::min(v + kAhead, last))->corners);
+    prefetchForRead(extentOf(v + 2 * kAhead));
+    prefetchForWrite(cells_.corners.data() + extentOf(v + kAhead)->corners);
     if (cellOf_[v] == kNoIndex)
     {
       continue;
     }
-    if (!corners.find(static_cast<Index>(v), ticker))
+    if (other != inside.others().end() && *other == v)
+    {
+      ++other;
+      continue;
+    }
+    const Extent* const extent = extentOf(v);
+    std::int32_t* const to = cells_.corners.data() + extent->corners;
+    const std::size_t size = extent[1].corners - extent->corners;
+    const bool written = inChunks(0, size, ticker,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t i = a; i != b; ++i)
+        {
+          to[i] = static_cast<std::int32_t>(numbers_.ofCentre(corner[i]));
+        }
+      });
+    if (!written)
     {
       return false;
     }
-    std::int32_t* const to = cells_.corners.data() + extent(v)->corners;
-    for (std::size_t i = 0; i != corners.size(); ++i)
-    {
-      to[i] = static_cast<std::int32_t>(numbers_.ofCentre(corners.begin()[i]));
-    }
+    corner += size;
   }
   ticker.finished(vertices.end - vertices.begin);
   return true;

@@ -6,6 +6,7 @@
 #include "BoxBorder.h"
 #include "CellBorder.h"
 #include "CornerNumbers.h"
+#include "InsideCells.h"
 #include "Voronoi.h"
 
 #include <vector>
@@ -59,13 +60,20 @@ private:
 
   static constexpr std::size_t kAhead = 16; ///< vertices: what will be written is fetched before
 
+  /// Of the cell of a vertex; of any for one that is none or has none.
+  const Extent* extentOf(std::size_t vertex) const
+  {
+    const Index cell = vertex < cellOf_.size() ? cellOf_[vertex] : kNoIndex;
+    return extents_.data() + (cell == kNoIndex ? 0 : cell);
+  }
+
   bool beginExtents(Ticker& ticker);
-  bool measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others);
-  bool addBorderCells(const std::vector<std::vector<Index>>& vertices, Ticker& ticker);
+  bool measureShare(const Share& vertices, InsideCells& inside, Ticker& ticker);
+  bool addBorderCells(const std::vector<InsideCells>& inside, Ticker& ticker);
   bool countBorderCells(Ticker& ticker);
   bool sumUp(Ticker& ticker);
   bool place(Ticker& ticker);
-  bool writeShare(const Share& vertices, Ticker& ticker);
+  bool writeShare(const Share& vertices, const InsideCells& inside, Ticker& ticker);
   bool copyBorderCells(Ticker& ticker);
 
   bool turnAtBorder(Index vertex, Ticker& ticker);

@@ -41,10 +41,10 @@ public:
   }
 
   /// Numbers those of the corners of a cell that it is the first to have, after `count` that have
-  /// their numbers already, and says how many there are then. Of centres only, unless all on the
-  /// border were noted. Other cells may be at it.
+  /// their numbers already, and says how many there are then. REQUIRES: all on the border were
+  /// noted.
   std::uint32_t count(
-    Index cell, const CornerId* corners, std::size_t size, std::uint32_t count = 0)
+    Index cell, const CornerId* corners, std::size_t size, std::uint32_t count)
   {
     for (std::size_t i = 0; i != size; ++i)
     {
@@ -52,6 +52,22 @@ public:
       {
         number(corners[i]) = count++;
       }
+    }
+    return count;
+  }
+
+  /// The same for a cell with centres only. Others may be at it.
+  std::uint32_t countCentres(
+    Index cell, const CornerId* corners, std::size_t size, std::uint32_t count)
+  {
+    std::uint32_t ofOthers = 0;
+    for (std::size_t i = 0; i != size; ++i)
+    {
+      // Not by a branch, which would be taken at random.
+      std::uint32_t& its = first_[corners[i]] == cell ? number_[corners[i]] : ofOthers;
+      const bool isNew = its == kNoCorner;
+      its = isNew ? count : its;
+      count += isNew ? 1u : 0u;
     }
     return count;
   }

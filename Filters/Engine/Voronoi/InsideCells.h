@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_InsideCells_h
+#define ahd_InsideCells_h
+
+#include "../Core/Buffer.h"
+#include "CellBorder.h"
+
+#include <vector>
+
+namespace ahd
+{
+
+/// The corners of the cells of some vertices in a row, as far as these do not touch the border: as
+/// they are found by one thread, one cell after the other.
+class InsideCells
+{
+public:
+  InsideCells(const Diagram& diagram, const CellBorder& border)
+    : diagram_(diagram)
+    , border_(border)
+  {
+  }
+
+  /// Makes room for the cells of so many vertices; it grows if it has to. Throws std::bad_alloc, as
+  /// does find().
+  void reserve(std::size_t vertices) { corners_.allocate(vertices * kUsual / 4 + 64); }
+
+  /// Finds the corners of one more cell; where it touches the border or has too few, the vertex
+  /// goes to others(). Returns false if cancelled.
+  bool find(Index vertex, Ticker& ticker);
+
+  /// The cell found last.
+  const CornerId* corners() const { return corners_.data() + begin_; }
+  std::size_t size() const { return end_ - begin_; }
+
+  /// All that were found, one after the other; and the vertices whose cells were not.
+  const CornerId* all() const { return corners_.data(); }
+  const std::vector<Index>& others() const { return others_; }
+
+private:
+  static constexpr std::size_t kUsual = 25; ///< corners of four cells: on average there are fewer
+
+  void push(std::size_t corner)
+  {
+    if (end_ == corners_.size())
+    {
+      grow();
+    }
+    corners_[end_++] = static_cast<CornerId>(corner);
+  }
+  void grow();
+  bool turn(Index vertex, Ticker& ticker, bool& isInside);
+
+  const Diagram& diagram_;
+  const CellBorder& border_;
+  Buffer<CornerId> corners_;
+  std::size_t begin_ = 0, end_ = 0;
+  std::vector<Index> others_;
+};
+
+} // namespace ahd
+
+#endif
