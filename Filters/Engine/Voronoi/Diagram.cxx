@@ -95,11 +95,22 @@ bool Diagram::mayJoin(std::size_t triangle, double size) const
   const HalfEdge first = static_cast<HalfEdge>(3 * triangle);
   const Point p = centres_[triangle];
   const double near = kUnits * std::max(sizeOf(p), size);
+  // Hardly any is near: so all three are looked at, and no branch is taken at random.
+  bool isNear[3];
+  for (HalfEdge e = 0; e != 3; ++e)
+  {
+    const HalfEdge across = twin(first + e);
+    const std::size_t other = across == kNoHalfEdge ? triangle : across / 3;
+    isNear[e] = std::fabs(centres_[other].x - p.x) <= near;
+  }
+  if (!(isNear[0] | isNear[1] | isNear[2]))
+  {
+    return false;
+  }
   for (HalfEdge h = first; h != first + 3; ++h)
   {
     const HalfEdge across = twin(h);
-    if (across > h && across != kNoHalfEdge && std::fabs(centres_[across / 3].x - p.x) <= near &&
-      areOne(triangle, across / 3))
+    if (across > h && across != kNoHalfEdge && areOne(triangle, across / 3))
     {
       return true;
     }

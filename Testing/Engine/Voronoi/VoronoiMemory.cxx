@@ -51,6 +51,7 @@ TEST(VoronoiMemory, NoMoreThanEstimated)
         account.peak = before;
         VoronoiCells cells;
         ASSERT_EQ(voronoiCells(given.engine.made, clip, cells, {}), Status::Ok);
+        std::printf("%s %zu clip %d: taken %.1f estimate %.1f\n", nameOf(d), n, int(clip), double(account.peak - before)/double(n), double(voronoiMemoryEstimate(n))/double(n));
         EXPECT_LE(account.peak - before, voronoiMemoryEstimate(n))
           << nameOf(d) << ", " << n << ", clip " << int(clip);
       }
