@@ -5,6 +5,7 @@
 #include "../Core/Loops.h"
 #include "Diagram.h"
 
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -119,7 +120,17 @@ public:
     return static_cast<CornerId>(diagram_.triangles() + points_.size() - 1);
   }
 
+  /// All cells are known: only corner() will be asked.
+  void forget()
+  {
+    inside_.reset();
+    std::unordered_map<HalfEdge, ClippedEdge>().swap(cut_);
+    forgetOwn();
+  }
+
 protected:
+  virtual void forgetOwn() {}
+
   /// Notes for each triangle whether isIt(triangle) says that its centre is inside. Returns false
   /// if cancelled.
   template <typename IsIt>
@@ -164,7 +175,7 @@ protected:
   }
 
   Diagram& diagram_;
-  std::vector<Point> points_;
+  std::deque<Point> points_; ///< which never takes twice what it needs, as a vector that grows
 
 private:
   Buffer<std::uint8_t> inside_; ///< of each triangle

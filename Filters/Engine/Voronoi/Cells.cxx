@@ -66,6 +66,7 @@ bool CellWalk::measureShare(const Share& vertices, InsideCells& inside, Ticker& 
     extents_[cell] = { static_cast<std::uint32_t>(inside.size()), points };
   }
   ticker.finished(vertices.end - vertices.begin);
+  inside.fit();
   return true;
 }
 
@@ -87,31 +88,36 @@ bool CellWalk::addBorderCells(const std::vector<InsideCells>& inside, Ticker& ti
 /// Each of their corners belongs to several of them: all have to be noted first.
 bool CellWalk::countBorderCells(Ticker& ticker)
 {
+  borderCells_.push_back({ kNoIndex, static_cast<std::uint32_t>(borderCorners_.size()) });
+  border_.forget();
+  diagram_.forgetStandIns();
   numbers_.beginBorder();
-  for (const BorderCell& cell : borderCells_)
+  const auto note = [&](std::size_t i, Index cell)
+  { numbers_.noteBorder(borderCorners_[i], cell); };
+  const auto count = [&](std::size_t i, Index cell)
   {
-    for (std::size_t i = cell.begin; i != cell.end; ++i)
+    extents_[cell].points = numbers_.count(cell, borderCorners_[i], extents_[cell].points);
+    ++extents_[cell].corners;
+  };
+  return forBorderCorners(ticker, note) && forBorderCorners(ticker, count);
+}
+
+/// Calls visit(i, cell) for each corner of the cells at the border, where cell is its cell's
+/// number.
+template <typename Visit>
+bool CellWalk::forBorderCorners(Ticker& ticker, Visit visit)
+{
+  for (std::size_t k = 0; k + 1 < borderCells_.size(); ++k)
+  {
+    const Index cell = cellOf_[borderCells_[k].vertex];
+    for (std::size_t i = borderCells_[k].begin; i != borderCells_[k + 1].begin; ++i)
     {
-      numbers_.noteBorder(borderCorners_[i], cellOf_[cell.vertex]);
+      visit(i, cell);
       if (!ticker.step())
       {
         return false;
       }
     }
-  }
-  for (const BorderCell& cell : borderCells_)
-  {
-    const std::size_t size = cell.end - cell.begin;
-    const Index number = cellOf_[cell.vertex];
-    std::uint32_t points = 0;
-    const bool counted = inChunks(cell.begin, cell.end, ticker,
-      [&](std::size_t a, std::size_t b)
-      { points = numbers_.count(number, borderCorners_.data() + a, b - a, points); });
-    if (!counted)
-    {
-      return false;
-    }
-    extents_[number] = { static_cast<std::uint32_t>(size), points };
   }
   return true;
 }
@@ -217,25 +223,15 @@ bool CellWalk::writeShare(const Share& vertices, const InsideCells& inside, Tick
   return true;
 }
 
+/// Their extents have nothing more to say: they move on with the corners.
 bool CellWalk::copyBorderCells(Ticker& ticker)
 {
-  for (const BorderCell& cell : borderCells_)
-  {
-    std::int32_t* const to = cells_.corners.data() + extents_[cellOf_[cell.vertex]].corners;
-    const bool copied = inChunks(cell.begin, cell.end, ticker,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t i = a; i != b; ++i)
-        {
-          to[i - cell.begin] = static_cast<std::int32_t>(numbers_[borderCorners_[i]]);
-        }
-      });
-    if (!copied)
+  return forBorderCorners(ticker,
+    [&](std::size_t i, Index cell)
     {
-      return false;
-    }
-  }
-  return true;
+      cells_.corners[extents_[cell].corners++] = static_cast<std::int32_t>(
+        numbers_[borderCorners_[i]]);
+    });
 }
 
 bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
@@ -266,6 +262,10 @@ bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
 bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker)
 {
   ClippedEdge before;
+  if (!beginExtents(ticker))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < line.size(); ++i)
   {
     const ClippedEdge after = i + 1 == line.size()
@@ -278,8 +278,8 @@ bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Tic
       return false;
     }
   }
-  return beginExtents(ticker) && numbers_.begin(cellOf_, ticker) && countBorderCells(ticker) &&
-    sumUp(ticker) && place(ticker) && copyBorderCells(ticker);
+  return numbers_.begin(cellOf_, ticker) && countBorderCells(ticker) && sumUp(ticker) &&
+    place(ticker) && copyBorderCells(ticker);
 }
 
 void CellWalk::addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second)
@@ -330,9 +330,9 @@ void CellWalk::keep(Index vertex)
   {
     pad(vertex);
   }
-  const std::size_t begin = borderCorners_.size();
+  borderCells_.push_back({ vertex, static_cast<std::uint32_t>(borderCorners_.size()) });
   borderCorners_.insert(borderCorners_.end(), cell_.begin(), cell_.end());
-  borderCells_.push_back({ vertex, begin, borderCorners_.size() });
+  extents_[cellOf_[vertex]] = Extent();
 }
 
 /// What is left of the cell is smaller than the coordinates resolve: its vertex stands for the

@@ -9,6 +9,7 @@
 #include "InsideCells.h"
 #include "Voronoi.h"
 
+#include <deque>
 #include <vector>
 
 namespace ahd
@@ -42,7 +43,7 @@ private:
   struct BorderCell
   {
     Index vertex;
-    std::size_t begin, end; ///< its corners, in borderCorners_
+    std::uint32_t begin; ///< of its corners in borderCorners_, up to those of the next cell
   };
 
   /// How many corners a cell has, and how many no cell before it has; then where both begin.
@@ -71,6 +72,8 @@ private:
   bool measureShare(const Share& vertices, InsideCells& inside, Ticker& ticker);
   bool addBorderCells(const std::vector<InsideCells>& inside, Ticker& ticker);
   bool countBorderCells(Ticker& ticker);
+  template <typename Visit>
+  bool forBorderCorners(Ticker& ticker, Visit visit);
   bool sumUp(Ticker& ticker);
   bool place(Ticker& ticker);
   bool writeShare(const Share& vertices, const InsideCells& inside, Ticker& ticker);
@@ -88,12 +91,12 @@ private:
   const Buffer<Index>& cellOf_;
   VoronoiCells& cells_;
   CornerNumbers numbers_;
-  Buffer<Extent> extents_;     ///< of each cell, and one more
-  std::vector<CornerId> cell_; ///< at work on
-  Stretch entry_ = kNoStretch; ///< of its first edge
-  Stretch exit_ = kNoStretch;  ///< of its last one
-  std::vector<BorderCell> borderCells_;
-  std::vector<CornerId> borderCorners_;
+  Buffer<Extent> extents_;             ///< of each cell, and one more
+  std::vector<CornerId> cell_;         ///< at work on
+  Stretch entry_ = kNoStretch;         ///< of its first edge
+  Stretch exit_ = kNoStretch;          ///< of its last one
+  std::deque<BorderCell> borderCells_; ///< and an end
+  std::deque<CornerId> borderCorners_;
 };
 
 } // namespace ahd

@@ -98,8 +98,8 @@ private:
   double power_ = 1.0; ///< 2^back_, which may be infinite
 };
 
-/// The same for points whose differences need no scaling: areModest(). What is found is the same, as
-/// nothing underflows and powers of two are exact.
+/// The same for points whose differences need no scaling: areModest(). What is found is the same,
+/// as nothing underflows and powers of two are exact.
 class ModestDifferences
 {
 public:

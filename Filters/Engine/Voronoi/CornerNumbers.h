@@ -40,23 +40,19 @@ public:
     }
   }
 
-  /// Numbers those of the corners of a cell that it is the first to have, after `count` that have
-  /// their numbers already, and says how many there are then. REQUIRES: all on the border were
-  /// noted.
-  std::uint32_t count(
-    Index cell, const CornerId* corners, std::size_t size, std::uint32_t count)
+  /// Numbers a corner of the cell if that is the first to have it, after `count` that have their
+  /// numbers already, and says how many there are then. REQUIRES: all on the border were noted.
+  std::uint32_t count(Index cell, CornerId corner, std::uint32_t count)
   {
-    for (std::size_t i = 0; i != size; ++i)
+    const bool isNew = firstCell(corner) == cell && number(corner) == kNoCorner;
+    if (isNew)
     {
-      if (firstCell(corners[i]) == cell && number(corners[i]) == kNoCorner)
-      {
-        number(corners[i]) = count++;
-      }
+      number(corner) = count;
     }
-    return count;
+    return count + (isNew ? 1u : 0u);
   }
 
-  /// The same for a cell with centres only. Others may be at it.
+  /// The same for corners in a row that are all centres. Other cells may be at it.
   std::uint32_t countCentres(
     Index cell, const CornerId* corners, std::size_t size, std::uint32_t count)
   {
@@ -107,10 +103,12 @@ public:
       inChunks(0, borderNumber_.size(), ticker, others);
   }
 
+  /// REQUIRES: finish(). kNoCorner if no cell has it.
   std::uint32_t operator[](CornerId id) const
   {
     return isOnBorder(id) ? borderNumber_[id - centres_] : number_[id];
   }
+  /// Of a triangle's centre.
   std::uint32_t ofCentre(std::size_t triangle) const { return number_[triangle]; }
 
 private:

@@ -59,6 +59,9 @@ public:
   /// is outside, which is a matter of rounding.
   void settle(std::size_t triangle) { centres_[triangle] = within(bounds_, centres_[triangle]); }
 
+  /// Nobody will ask for standIn() any more.
+  void forgetStandIns() { standIns_.reset(); }
+
 private:
   bool computeCentres(Ticker& ticker);
   bool joinCentres(Ticker& ticker);

@@ -25,6 +25,7 @@ public:
 
 protected:
   ClippedEdge cut(HalfEdge h) override;
+  void forgetOwn() override { beyond_.reset(); }
 
 private:
   /// The edge of the hull that the triangle's centre lies beyond; kNoHalfEdge if it is inside.

@@ -7,12 +7,12 @@
 namespace ahd
 {
 
-void InsideCells::grow()
+void InsideCells::resize(std::size_t room)
 {
-  Buffer<CornerId> larger;
-  larger.allocate(end_ + end_ / 4 + 64);
-  std::copy(corners_.begin(), corners_.end(), larger.begin());
-  corners_ = std::move(larger);
+  Buffer<CornerId> other;
+  other.allocate(room);
+  std::copy(corners_.begin(), corners_.begin() + end_, other.begin());
+  corners_ = std::move(other);
 }
 
 bool InsideCells::find(Index vertex, Ticker& ticker)

@@ -5,7 +5,7 @@
 #include "../Core/Buffer.h"
 #include "CellBorder.h"
 
-#include <vector>
+#include <deque>
 
 namespace ahd
 {
@@ -29,13 +29,22 @@ public:
   /// goes to others(). Returns false if cancelled.
   bool find(Index vertex, Ticker& ticker);
 
+  /// All were found: gives back room if most is not needed. Throws std::bad_alloc.
+  void fit()
+  {
+    if (2 * end_ < corners_.size())
+    {
+      resize(end_);
+    }
+  }
+
   /// The cell found last.
   const CornerId* corners() const { return corners_.data() + begin_; }
   std::size_t size() const { return end_ - begin_; }
 
   /// All that were found, one after the other; and the vertices whose cells were not.
   const CornerId* all() const { return corners_.data(); }
-  const std::vector<Index>& others() const { return others_; }
+  const std::deque<Index>& others() const { return others_; }
 
 private:
   static constexpr std::size_t kUsual = 25; ///< corners of four cells: on average there are fewer
@@ -44,18 +53,18 @@ private:
   {
     if (end_ == corners_.size())
     {
-      grow();
+      resize(end_ + end_ / 4 + 64);
     }
     corners_[end_++] = static_cast<CornerId>(corner);
   }
-  void grow();
+  void resize(std::size_t room);
   bool turn(Index vertex, Ticker& ticker, bool& isInside);
 
   const Diagram& diagram_;
   const CellBorder& border_;
   Buffer<CornerId> corners_;
   std::size_t begin_ = 0, end_ = 0;
-  std::vector<Index> others_;
+  std::deque<Index> others_;
 };
 
 } // namespace ahd
