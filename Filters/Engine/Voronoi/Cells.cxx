@@ -92,27 +92,32 @@ bool CellWalk::countBorderCells(Ticker& ticker)
   border_.forget();
   diagram_.forgetStandIns();
   numbers_.beginBorder();
-  const auto note = [&](std::size_t i, Index cell)
-  { numbers_.noteBorder(borderCorners_[i], cell); };
-  const auto count = [&](std::size_t i, Index cell)
+  const auto note = [&](CornerId corner, Index cell, bool) { numbers_.noteBorder(corner, cell); };
+  Extent own;
+  const auto count = [&](CornerId corner, Index cell, bool isLast)
   {
-    extents_[cell].points = numbers_.count(cell, borderCorners_[i], extents_[cell].points);
-    ++extents_[cell].corners;
+    own.points = numbers_.count(cell, corner, own.points);
+    ++own.corners;
+    if (isLast)
+    {
+      extents_[cell] = std::exchange(own, Extent());
+    }
   };
   return forBorderCorners(ticker, note) && forBorderCorners(ticker, count);
 }
 
-/// Calls visit(i, cell) for each corner of the cells at the border, where cell is its cell's
-/// number.
+/// Calls visit(corner, cell, isLast) for each corner of the cells at the border, where cell is its
+/// cell's number, and isLast tells whether it is its last corner.
 template <typename Visit>
 bool CellWalk::forBorderCorners(Ticker& ticker, Visit visit)
 {
-  for (std::size_t k = 0; k + 1 < borderCells_.size(); ++k)
+  auto corner = borderCorners_.begin();
+  for (auto k = borderCells_.begin(); k + 1 != borderCells_.end(); ++k)
   {
-    const Index cell = cellOf_[borderCells_[k].vertex];
-    for (std::size_t i = borderCells_[k].begin; i != borderCells_[k + 1].begin; ++i)
+    const Index cell = cellOf_[k->vertex];
+    for (std::uint32_t left = (k + 1)->begin - k->begin; left != 0; --left)
     {
-      visit(i, cell);
+      visit(*corner++, cell, left == 1);
       if (!ticker.step())
       {
         return false;
@@ -223,14 +228,15 @@ bool CellWalk::writeShare(const Share& vertices, const InsideCells& inside, Tick
   return true;
 }
 
-/// Their extents have nothing more to say: they move on with the corners.
 bool CellWalk::copyBorderCells(Ticker& ticker)
 {
+  std::int32_t* to = nullptr;
   return forBorderCorners(ticker,
-    [&](std::size_t i, Index cell)
+    [&](CornerId corner, Index cell, bool isLast)
     {
-      cells_.corners[extents_[cell].corners++] = static_cast<std::int32_t>(
-        numbers_[borderCorners_[i]]);
+      to = to ? to : cells_.corners.data() + extents_[cell].corners;
+      *to = static_cast<std::int32_t>(numbers_[corner]);
+      to = isLast ? nullptr : to + 1;
     });
 }
 
@@ -332,7 +338,6 @@ void CellWalk::keep(Index vertex)
   }
   borderCells_.push_back({ vertex, static_cast<std::uint32_t>(borderCorners_.size()) });
   borderCorners_.insert(borderCorners_.end(), cell_.begin(), cell_.end());
-  extents_[cellOf_[vertex]] = Extent();
 }
 
 /// What is left of the cell is smaller than the coordinates resolve: its vertex stands for the
