@@ -17,37 +17,49 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt64Array.h"
+#include "vtkTypeInt32Array.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace
 {
 constexpr const char* kIdsName = "OriginalPointIds";
 
-/// The numbers as a VTK array; gives theirs up.
-template <typename Array, typename Number>
-vtkSmartPointer<Array> MakeArray(std::vector<Number>& numbers, const vtkAHDContext& context)
+// Corners of cells are fewer than 2^31, as their numbers are (Engine/Voronoi/Voronoi.h).
+using IdArray = vtkTypeInt32Array;
+
+/// The numbers as a VTK array, in the memory they are in.
+vtkSmartPointer<IdArray> TakeArray(ahd::Buffer<std::int32_t>& numbers)
 {
-  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(numbers.size()));
-  auto* to = array->GetPointer(0);
-  context.ForRange(numbers.size(),
-    [&numbers, to](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        to[i] = static_cast<typename Array::ValueType>(numbers[i]);
-      }
-    });
-  std::vector<Number>().swap(numbers);
+  const vtkIdType count = static_cast<vtkIdType>(numbers.size());
+  if (count == 0)
+  {
+    return vtkAHDNewArray<IdArray>(0);
+  }
+  auto array = vtkSmartPointer<IdArray>::New();
+  array->SetArray(numbers.release(), count, 0, IdArray::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(ahd::Buffer<std::int32_t>::free);
   return array;
 }
 
+vtkSmartPointer<vtkIdTypeArray> MakeIds(
+  ahd::Buffer<std::int32_t>& sites, const vtkAHDContext& context)
+{
+  auto ids = vtkAHDNewArray<vtkIdTypeArray>(static_cast<vtkIdType>(sites.size()));
+  vtkIdType* to = ids->GetPointer(0);
+  context.ForRange(sites.size(),
+    [&sites, to](std::size_t begin, std::size_t end)
+    { std::copy(sites.data() + begin, sites.data() + end, to + begin); });
+  sites.reset();
+  ids->SetName(kIdsName);
+  return ids;
+}
+
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(
-  std::vector<ahd::Point>& corners, const vtkAHDContext& context)
+  ahd::Buffer<ahd::Point>& corners, const vtkAHDContext& context)
 {
   auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * static_cast<vtkIdType>(corners.size()));
   double* to = xyz->GetPointer(0);
@@ -61,7 +73,7 @@ vtkSmartPointer<vtkDoubleArray> MakeCoordinates(
         to[3 * i + 2] = 0.0;
       }
     });
-  std::vector<ahd::Point>().swap(corners);
+  corners.reset();
   xyz->SetNumberOfComponents(3);
   return xyz;
 }
@@ -101,12 +113,10 @@ void vtkAHDVoronoi::Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPo
   points->SetData(MakeCoordinates(used.points, context));
   output->SetPoints(points);
   vtkNew<vtkCellArray> polygons;
-  const auto offsets = MakeArray<vtkTypeInt64Array>(used.offsets, context);
-  polygons->SetData(offsets, MakeArray<vtkTypeInt64Array>(used.corners, context));
+  const auto offsets = TakeArray(used.offsets);
+  polygons->SetData(offsets, TakeArray(used.corners));
   output->SetPolys(polygons);
-  const auto original = MakeArray<vtkIdTypeArray>(used.sites, context);
-  original->SetName(kIdsName);
-  output->GetCellData()->AddArray(original);
+  output->GetCellData()->AddArray(MakeIds(used.sites, context));
   WriteData(surface, output);
 }
 
@@ -132,6 +142,12 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
   const vtkSmartPointer<vtkAbstractArray> original = data->GetAbstractArray(kIdsName);
   auto* ids = vtkIdTypeArray::SafeDownCast(original);
   const vtkIdType count = ids->GetNumberOfValues();
+  if (pointData->GetNumberOfArrays() == 0)
+  {
+    data->Initialize();
+    data->AddArray(original);
+    return;
+  }
   vtkNew<vtkIdList> from;
   vtkNew<vtkIdList> to;
   from->SetNumberOfIds(count);
@@ -165,6 +181,6 @@ bool vtkAHDVoronoi::MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output)
 
 std::size_t vtkAHDVoronoi::EstimateBytes(std::size_t pointCount)
 {
-  // two corners a vertex, six numbers of corners, an offset and an id
-  return pointCount * (2 * 3 * sizeof(double) + 7 * sizeof(vtkTypeInt64) + sizeof(vtkIdType));
+  // two corners a vertex, and an id; the cells are the engine's
+  return pointCount * (2 * 3 * sizeof(double) + sizeof(vtkIdType));
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace ahd
 {
@@ -51,10 +52,12 @@ using Cell = std::vector<Point>;
 
 Cell cellOf(const VoronoiCells& cells, std::size_t k)
 {
+  const auto at = [](const auto& values, std::size_t i)
+  { return i < values.size() ? values[i] : throw std::out_of_range("a corner that is none"); };
   Cell result;
   for (std::int64_t i = cells.offsets[k]; i < cells.offsets[k + 1]; ++i)
   {
-    result.push_back(cells.points.at(std::size_t(cells.corners.at(std::size_t(i)))));
+    result.push_back(at(cells.points, std::size_t(at(cells.corners, std::size_t(i)))));
   }
   return result;
 }

@@ -30,7 +30,7 @@ public:
   {
     if (capacity_ != 0)
     {
-      ::operator delete(data_, std::align_val_t(kAlignment));
+      free(data_);
     }
   }
 
@@ -68,6 +68,16 @@ public:
   }
 
   void reset() { Buffer old(std::move(*this)); }
+
+  /// Gives up its memory, which free() is to be called with; null if it owns none.
+  T* release()
+  {
+    T* const given = capacity_ != 0 ? data_ : nullptr;
+    data_ = nullptr;
+    size_ = capacity_ = 0;
+    return given;
+  }
+  static void free(void* given) { ::operator delete(given, std::align_val_t(kAlignment)); }
 
   /// Bytes it owns.
   std::size_t bytes() const { return capacity_ * sizeof(T); }

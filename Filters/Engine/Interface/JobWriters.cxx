@@ -50,7 +50,7 @@ Status writeVoronoiPoints(JobResult& m, const Target& to)
 
 Status writeVoronoiOffsets(JobResult& m, const Target& to)
 {
-  const std::vector<std::int32_t>& offsets = m.voronoi.offsets;
+  const Buffer<std::int32_t>& offsets = m.voronoi.offsets;
   return fillIds(m.voronoi.sites.size() + 1, to,
     [&](std::size_t i) { return offsets.empty() ? 0 : offsets[i]; }); // without cells the first
 }

@@ -11,7 +11,7 @@ bool BoxBorder::build(Ticker& ticker)
     const Point centre = diagram_.centre(t);
     return box_.hasInside(centre) || box_.hasCentre(diagram_.corners(t), centre);
   };
-  return noteInside(ticker, isIt, box_.bounds());
+  return noteInside(ticker, isIt) && settleInside(ticker);
 }
 
 /// Does the centre of h's triangle, which is not in the box, lie to the left of h, as seen from the

@@ -2,9 +2,10 @@
 #ifndef ahd_CellBorder_h
 #define ahd_CellBorder_h
 
-#include "../Core/Chunks.h"
+#include "../Core/Loops.h"
 #include "Diagram.h"
 
+#include <deque>
 #include <unordered_map>
 #include <vector>
 
@@ -119,31 +120,49 @@ public:
     return static_cast<CornerId>(diagram_.triangles() + points_.size() - 1);
   }
 
+  /// All cells are known: only corner() will be asked.
+  void forget()
+  {
+    inside_.reset();
+    std::unordered_map<HalfEdge, ClippedEdge>().swap(cut_);
+    forgetOwn();
+  }
+
 protected:
-  /// Notes for each triangle whether isIt(triangle) says that its centre is inside, and sees to it
-  /// that what stands for it is within the bounds. Returns false if cancelled.
+  virtual void forgetOwn() {}
+
+  /// Notes for each triangle whether isIt(triangle) says that its centre is inside. Returns false
+  /// if cancelled.
   template <typename IsIt>
-  bool noteInside(Ticker& ticker, IsIt isIt, const Bounds& bounds)
+  bool noteInside(Ticker& ticker, IsIt isIt)
   {
     inside_.allocate(diagram_.triangles());
-    const auto note = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t t = a; t != b; ++t)
+    return inShares(inside_.size(), ticker, 8, 1 << 14,
+      [&](std::size_t a, std::size_t b)
       {
-        inside_[t] = isIt(t) ? 1 : 0;
-      }
-    };
+        for (std::size_t t = a; t != b; ++t)
+        {
+          inside_[t] = isIt(t) ? 1 : 0;
+        }
+      });
+  }
+  void noteOutside(std::size_t triangle) { inside_[triangle] = 0; }
+
+  /// Sees to it that what stands for a centre that is inside is within the bounds. Returns false if
+  /// cancelled.
+  bool settleInside(Ticker& ticker)
+  {
     const auto settle = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t t = a; t != b; ++t)
       {
         if (isInside(t) && diagram_.standIn(t) != t)
         {
-          diagram_.settle(diagram_.standIn(t), bounds);
+          diagram_.settle(diagram_.standIn(t));
         }
       }
     };
-    return inChunks(0, inside_.size(), ticker, note) && inChunks(0, inside_.size(), ticker, settle);
+    return !diagram_.hasJoined() || inChunks(0, inside_.size(), ticker, settle);
   }
 
   /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the
@@ -156,7 +175,7 @@ protected:
   }
 
   Diagram& diagram_;
-  std::vector<Point> points_;
+  std::deque<Point> points_; ///< which never takes twice what it needs, as a vector that grows
 
 private:
   Buffer<std::uint8_t> inside_; ///< of each triangle

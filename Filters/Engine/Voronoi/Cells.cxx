@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Cells.h"
 
-#include "../Core/Chunks.h"
+#include "../Core/Loops.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ahd
 {
@@ -12,88 +13,68 @@ bool CellWalk::walk(Ticker& ticker)
 {
   const std::size_t vertices = cellOf_.size();
   const std::size_t tasks = tasksFor(threadsOf(ticker), vertices, 8, 1 << 13);
-  std::vector<std::vector<Index>> others(tasks);
-  cells_.offsets.assign(cells_.sites.size() + 1, 0);
+  std::vector<InsideCells> inside;
+  inside.reserve(tasks);
+  for (std::size_t task = 0; task < tasks; ++task)
+  {
+    inside.emplace_back(diagram_, border_);
+  }
   const auto measure = [&](std::size_t task, Ticker& own)
-  { return measureShare(Share(vertices, task, tasks), own, others[task]); };
+  { return measureShare(Share(vertices, task, tasks), inside[task], own); };
   const auto write = [&](std::size_t task, Ticker& own)
-  { return writeShare(Share(vertices, task, tasks), own); };
-  return inParallel(ticker, tasks, measure) && addBorderCells(others, ticker) &&
-    toOffsets(ticker) && inParallel(ticker, tasks, write) && copyBorderCells(ticker);
+  { return writeShare(Share(vertices, task, tasks), inside[task], own); };
+  return numbers_.begin(cellOf_, ticker) && beginExtents(ticker) &&
+    inParallel(ticker, tasks, measure) && addBorderCells(inside, ticker) &&
+    countBorderCells(ticker) && sumUp(ticker) && place(ticker) &&
+    inParallel(ticker, tasks, write) && copyBorderCells(ticker);
 }
 
-/// Calls visit(k, corner) for the k-th corner of a cell that does not touch the border; for a last
-/// one too many where it is the first again. `size`: how many there are, 0 for any other cell.
-template <typename Visit>
-bool CellWalk::turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit visit) const
+bool CellWalk::beginExtents(Ticker& ticker)
 {
-  size = 0;
-  const HalfEdge start = diagram_.start(vertex);
-  const HalfEdge before = diagram_.twin(start);
-  if (before == kNoHalfEdge || !border_.isInside(before / 3))
-  {
-    return true;
-  }
-  const std::size_t first = diagram_.standIn(before / 3);
-  std::size_t last = first;
-  std::size_t count = 1;
-  visit(0, static_cast<CornerId>(first));
-  for (HalfEdge h = start; h != nextInTriangle(before); h = diagram_.twin(previousInTriangle(h)))
-  {
-    if (!border_.isInside(h / 3))
-    {
-      return true;
-    }
-    if (const std::size_t corner = diagram_.standIn(h / 3); corner != last)
-    {
-      visit(count++, static_cast<CornerId>(corner));
-      last = corner;
-    }
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  count -= count > 1 && last == first ? 1 : 0;
-  size = count < 3 ? 0 : count;
-  return true;
+  extents_.allocate(cells_.sites.size() + 1);
+  extents_[cells_.sites.size()] = Extent();
+  return ticker.ask();
 }
 
-/// The sizes of the cells, in the places where their offsets will stand; vertices whose cells may
-/// touch the border or have too few corners go to `others`.
-bool CellWalk::measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others)
+bool CellWalk::measureShare(const Share& vertices, InsideCells& inside, Ticker& ticker)
 {
+  inside.reserve(vertices.end - vertices.begin);
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
-    const Index vertex = static_cast<Index>(v);
-    std::size_t size = 0;
     if (!ticker.step())
     {
       return false;
     }
-    if (cellOf_[v] == kNoIndex)
+    prefetchForWrite(extentOf(v + kAhead));
+    const Index cell = cellOf_[v];
+    if (cell == kNoIndex)
     {
       continue;
     }
-    if (!turnInside(vertex, ticker, size, [](std::size_t, CornerId) {}))
+    if (!inside.find(static_cast<Index>(v), ticker))
     {
       return false;
     }
-    if (size == 0)
+    std::uint32_t points = 0;
+    const bool counted = inChunks(0, inside.size(), ticker,
+      [&](std::size_t a, std::size_t b)
+      { points = numbers_.countCentres(cell, inside.corners() + a, b - a, points); });
+    if (!counted)
     {
-      others.push_back(vertex);
+      return false;
     }
-    cells_.offsets[cellOf_[v] + std::size_t(1)] = static_cast<std::int32_t>(size);
+    extents_[cell] = { static_cast<std::uint32_t>(inside.size()), points };
   }
   ticker.finished(vertices.end - vertices.begin);
+  inside.fit();
   return true;
 }
 
-bool CellWalk::addBorderCells(const std::vector<std::vector<Index>>& vertices, Ticker& ticker)
+bool CellWalk::addBorderCells(const std::vector<InsideCells>& inside, Ticker& ticker)
 {
-  for (const std::vector<Index>& some : vertices)
+  for (const InsideCells& some : inside)
   {
-    for (const Index vertex : some)
+    for (const Index vertex : some.others())
     {
       if (!turnAtBorder(vertex, ticker))
       {
@@ -104,58 +85,144 @@ bool CellWalk::addBorderCells(const std::vector<std::vector<Index>>& vertices, T
   return true;
 }
 
-/// Sums the sizes up, and makes room for the corners.
-bool CellWalk::toOffsets(Ticker& ticker)
+/// Each of their corners belongs to several of them: all have to be noted first.
+bool CellWalk::countBorderCells(Ticker& ticker)
 {
-  for (const BorderCell& cell : borderCells_)
+  borderCells_.push_back({ kNoIndex, static_cast<std::uint32_t>(borderCorners_.size()) });
+  border_.forget();
+  diagram_.forgetStandIns();
+  numbers_.beginBorder();
+  const auto note = [&](CornerId corner, Index cell, bool) { numbers_.noteBorder(corner, cell); };
+  Extent own;
+  const auto count = [&](CornerId corner, Index cell, bool isLast)
   {
-    cells_.offsets[cellOf_[cell.vertex] + std::size_t(1)] = static_cast<std::int32_t>(
-      cell.end - cell.begin);
-  }
-  std::int32_t sum = 0;
-  const auto sumUp = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
+    own.points = numbers_.count(cell, corner, own.points);
+    ++own.corners;
+    if (isLast)
     {
-      sum += cells_.offsets[k];
-      cells_.offsets[k] = sum;
+      extents_[cell] = std::exchange(own, Extent());
     }
   };
-  if (!inChunks(0, cells_.offsets.size(), ticker, sumUp))
+  return forBorderCorners(ticker, note) && forBorderCorners(ticker, count);
+}
+
+/// Calls visit(corner, cell, isLast) for each corner of the cells at the border, where cell is its
+/// cell's number, and isLast tells whether it is its last corner.
+template <typename Visit>
+bool CellWalk::forBorderCorners(Ticker& ticker, Visit visit)
+{
+  auto corner = borderCorners_.begin();
+  for (auto k = borderCells_.begin(); k + 1 != borderCells_.end(); ++k)
   {
-    return false;
+    const Index cell = cellOf_[k->vertex];
+    for (std::uint32_t left = (k + 1)->begin - k->begin; left != 0; --left)
+    {
+      visit(*corner++, cell, left == 1);
+      if (!ticker.step())
+      {
+        return false;
+      }
+    }
   }
-  cells_.corners.resize(static_cast<std::size_t>(sum));
   return true;
 }
 
-bool CellWalk::writeShare(const Share& vertices, Ticker& ticker)
+/// From how much each cell has to where it begins; makes room for all.
+bool CellWalk::sumUp(Ticker& ticker)
 {
+  const std::size_t tasks = tasksForLoop(ticker, extents_.size());
+  std::vector<Extent> sums(tasks);
+  const auto add = [&](std::size_t task, Ticker& own)
+  {
+    Extent sum; // on the stack: no thread waits for a line of another
+    const Share share(extents_.size(), task, tasks);
+    const bool done = inChunks(share.begin, share.end, own,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t k = a; k != b; ++k)
+        {
+          sum.add(extents_[k]);
+        }
+      });
+    sums[task] = sum;
+    return done;
+  };
+  if (!inParallel(ticker, tasks, add))
+  {
+    return false;
+  }
+  Extent all;
+  for (Extent& sum : sums)
+  {
+    all.add(std::exchange(sum, all));
+  }
+  cells_.offsets.allocate(extents_.size());
+  cells_.corners.allocate(all.corners);
+  cells_.points.allocate(all.points);
+  return inParallel(ticker, tasks,
+    [&](std::size_t task, Ticker& own)
+    {
+      Extent sum = sums[task];
+      const Share share(extents_.size(), task, tasks);
+      return inChunks(share.begin, share.end, own,
+        [&](std::size_t a, std::size_t b)
+        {
+          for (std::size_t k = a; k != b; ++k)
+          {
+            cells_.offsets[k] = static_cast<std::int32_t>(sum.corners);
+            sum.add(std::exchange(extents_[k], sum));
+          }
+        });
+    });
+}
+
+/// Numbers the corners and writes where they are.
+bool CellWalk::place(Ticker& ticker)
+{
+  Point* const points = cells_.points.data();
+  return numbers_.finish(
+    ticker, [this](Index cell) -> const std::uint32_t& { return extents_[cell].points; },
+    [points](std::uint32_t number, const Point& place) { points[number] = place; });
+}
+
+/// The cells that were found come in the order in which they were found.
+bool CellWalk::writeShare(const Share& vertices, const InsideCells& inside, Ticker& ticker)
+{
+  const CornerId* corner = inside.all();
+  auto other = inside.others().begin();
   for (std::size_t v = vertices.begin; v != vertices.end; ++v)
   {
     if (!ticker.step())
     {
       return false;
     }
+    prefetchForRead(extentOf(v + 2 * kAhead));
+    prefetchForWrite(cells_.corners.data() + extentOf(v + kAhead)->corners);
     if (cellOf_[v] == kNoIndex)
     {
       continue;
     }
-    const std::int32_t* const offset = cells_.offsets.data() + cellOf_[v];
-    std::int32_t* const corners = cells_.corners.data() + offset[0];
-    const std::size_t room = static_cast<std::size_t>(offset[1] - offset[0]);
-    std::size_t size = 0;
-    const auto put = [&](std::size_t k, CornerId corner)
+    if (other != inside.others().end() && *other == v)
     {
-      if (k < room) // of a border cell whatever fits: it is written again
+      ++other;
+      continue;
+    }
+    const Extent* const extent = extentOf(v);
+    std::int32_t* const to = cells_.corners.data() + extent->corners;
+    const std::size_t size = extent[1].corners - extent->corners;
+    const bool written = inChunks(0, size, ticker,
+      [&](std::size_t a, std::size_t b)
       {
-        corners[k] = static_cast<std::int32_t>(corner);
-      }
-    };
-    if (!turnInside(static_cast<Index>(v), ticker, size, put))
+        for (std::size_t i = a; i != b; ++i)
+        {
+          to[i] = static_cast<std::int32_t>(numbers_.ofCentre(corner[i]));
+        }
+      });
+    if (!written)
     {
       return false;
     }
+    corner += size;
   }
   ticker.finished(vertices.end - vertices.begin);
   return true;
@@ -163,24 +230,14 @@ bool CellWalk::writeShare(const Share& vertices, Ticker& ticker)
 
 bool CellWalk::copyBorderCells(Ticker& ticker)
 {
-  for (const BorderCell& cell : borderCells_)
-  {
-    const std::int32_t to = cells_.offsets[cellOf_[cell.vertex]];
-    const bool copied = inChunks(cell.begin, cell.end, ticker,
-      [&](std::size_t a, std::size_t b)
-      {
-        for (std::size_t i = a; i != b; ++i)
-        {
-          cells_.corners[static_cast<std::size_t>(to) + (i - cell.begin)] =
-            static_cast<std::int32_t>(borderCorners_[i]);
-        }
-      });
-    if (!copied)
+  std::int32_t* to = nullptr;
+  return forBorderCorners(ticker,
+    [&](CornerId corner, Index cell, bool isLast)
     {
-      return false;
-    }
-  }
-  return true;
+      to = to ? to : cells_.corners.data() + extents_[cell].corners;
+      *to = static_cast<std::int32_t>(numbers_[corner]);
+      to = isLast ? nullptr : to + 1;
+    });
 }
 
 bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
@@ -211,6 +268,10 @@ bool CellWalk::turnAtBorder(Index vertex, Ticker& ticker)
 bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker)
 {
   ClippedEdge before;
+  if (!beginExtents(ticker))
+  {
+    return false;
+  }
   for (std::size_t i = 0; i < line.size(); ++i)
   {
     const ClippedEdge after = i + 1 == line.size()
@@ -223,8 +284,8 @@ bool CellWalk::walkStrips(const std::vector<Index>& line, BoxBorder& border, Tic
       return false;
     }
   }
-  cells_.offsets.assign(cells_.sites.size() + 1, 0);
-  return toOffsets(ticker) && copyBorderCells(ticker);
+  return numbers_.begin(cellOf_, ticker) && countBorderCells(ticker) && sumUp(ticker) &&
+    place(ticker) && copyBorderCells(ticker);
 }
 
 void CellWalk::addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second)
@@ -275,9 +336,8 @@ void CellWalk::keep(Index vertex)
   {
     pad(vertex);
   }
-  const std::size_t begin = borderCorners_.size();
+  borderCells_.push_back({ vertex, static_cast<std::uint32_t>(borderCorners_.size()) });
   borderCorners_.insert(borderCorners_.end(), cell_.begin(), cell_.end());
-  borderCells_.push_back({ vertex, begin, borderCorners_.size() });
 }
 
 /// What is left of the cell is smaller than the coordinates resolve: its vertex stands for the
@@ -288,36 +348,6 @@ void CellWalk::pad(Index vertex)
   {
     cell_.push_back(border_.add(diagram_.point(vertex)));
   }
-}
-
-bool CellWalk::number(Ticker& ticker)
-{
-  constexpr std::size_t kAhead = 32; // what is looked at that many corners later is fetched
-  std::vector<BorderCell>().swap(borderCells_);
-  std::vector<CornerId>().swap(borderCorners_);
-  diagram_.forgetStandIns();
-  Buffer<std::uint32_t> numbers;
-  numbers.allocate(border_.corners());
-  cells_.points.reserve(border_.corners());
-  std::int32_t* const corners = cells_.corners.data();
-  const std::size_t count = cells_.corners.size();
-  return fillAll(numbers, kNoCorner, ticker) &&
-    inChunks(0, count, ticker,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const CornerId later = static_cast<CornerId>(corners[std::min(i + kAhead, count - 1)]);
-          prefetchForWrite(numbers.data() + later);
-          const CornerId id = static_cast<CornerId>(corners[i]);
-          if (numbers[id] == kNoCorner)
-          {
-            numbers[id] = static_cast<std::uint32_t>(cells_.points.size());
-            cells_.points.push_back(border_.corner(id));
-          }
-          corners[i] = static_cast<std::int32_t>(numbers[id]);
-        }
-      });
 }
 
 } // namespace ahd

@@ -5,8 +5,11 @@
 #include "../Core/Tasks.h"
 #include "BoxBorder.h"
 #include "CellBorder.h"
+#include "CornerNumbers.h"
+#include "InsideCells.h"
 #include "Voronoi.h"
 
+#include <deque>
 #include <vector>
 
 namespace ahd
@@ -22,37 +25,60 @@ public:
     , border_(border)
     , cellOf_(cellOf)
     , cells_(cells)
+    , numbers_(diagram, border)
   {
   }
 
-  /// One cell per vertex that has triangles. Corners are numbers of the border's. Vertex after
-  /// vertex, as neighbours are close in memory then, each cell to its place; in parallel but for
-  /// those at the border. Returns false if cancelled; throws std::bad_alloc.
+  /// One cell per vertex that has triangles. Vertex after vertex, as neighbours are close in memory
+  /// then, each cell and each corner to its place; in parallel but for those at the border. Returns
+  /// false if cancelled; throws std::bad_alloc.
   bool walk(Ticker& ticker);
 
   /// One cell per vertex where there are no triangles. REQUIRES: two vertices at least, in their
   /// order along the line; `border` is this walk's.
   bool walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker);
 
-  /// Renumbers the corners by their first use, and takes over where they are.
-  bool number(Ticker& ticker);
-
 private:
   /// A cell at the border, which is not found by many threads.
   struct BorderCell
   {
     Index vertex;
-    std::size_t begin, end; ///< its corners, in borderCorners_
+    std::uint32_t begin; ///< of its corners in borderCorners_, up to those of the next cell
   };
 
-  bool measureShare(const Share& vertices, Ticker& ticker, std::vector<Index>& others);
-  bool writeShare(const Share& vertices, Ticker& ticker);
-  bool addBorderCells(const std::vector<std::vector<Index>>& vertices, Ticker& ticker);
-  bool toOffsets(Ticker& ticker);
+  /// How many corners a cell has, and how many no cell before it has; then where both begin.
+  struct Extent
+  {
+    void add(const Extent& more)
+    {
+      corners += more.corners;
+      points += more.points;
+    }
+
+    std::uint32_t corners = 0;
+    std::uint32_t points = 0;
+  };
+
+  static constexpr std::size_t kAhead = 16; ///< vertices: what will be written is fetched before
+
+  /// Of the cell of a vertex; of any for one that is none or has none.
+  const Extent* extentOf(std::size_t vertex) const
+  {
+    const Index cell = vertex < cellOf_.size() ? cellOf_[vertex] : kNoIndex;
+    return extents_.data() + (cell == kNoIndex ? 0 : cell);
+  }
+
+  bool beginExtents(Ticker& ticker);
+  bool measureShare(const Share& vertices, InsideCells& inside, Ticker& ticker);
+  bool addBorderCells(const std::vector<InsideCells>& inside, Ticker& ticker);
+  bool countBorderCells(Ticker& ticker);
+  template <typename Visit>
+  bool forBorderCorners(Ticker& ticker, Visit visit);
+  bool sumUp(Ticker& ticker);
+  bool place(Ticker& ticker);
+  bool writeShare(const Share& vertices, const InsideCells& inside, Ticker& ticker);
   bool copyBorderCells(Ticker& ticker);
 
-  template <typename Visit>
-  bool turnInside(Index vertex, Ticker& ticker, std::size_t& size, Visit visit) const;
   bool turnAtBorder(Index vertex, Ticker& ticker);
   void addStrip(Index vertex, const ClippedEdge& first, const ClippedEdge& second);
   void append(Index vertex, const ClippedEdge& piece);
@@ -64,11 +90,13 @@ private:
   CellBorder& border_;
   const Buffer<Index>& cellOf_;
   VoronoiCells& cells_;
-  std::vector<CornerId> cell_; ///< at work on
-  Stretch entry_ = kNoStretch; ///< of its first edge
-  Stretch exit_ = kNoStretch;  ///< of its last one
-  std::vector<BorderCell> borderCells_;
-  std::vector<CornerId> borderCorners_;
+  CornerNumbers numbers_;
+  Buffer<Extent> extents_;             ///< of each cell, and one more
+  std::vector<CornerId> cell_;         ///< at work on
+  Stretch entry_ = kNoStretch;         ///< of its first edge
+  Stretch exit_ = kNoStretch;          ///< of its last one
+  std::deque<BorderCell> borderCells_; ///< and an end
+  std::deque<CornerId> borderCorners_;
 };
 
 } // namespace ahd

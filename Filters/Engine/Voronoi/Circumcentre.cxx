@@ -98,6 +98,23 @@ private:
   double power_ = 1.0; ///< 2^back_, which may be infinite
 };
 
+/// The same for points whose differences need no scaling: areModest(). What is found is the same,
+/// as nothing underflows and powers of two are exact.
+class ModestDifferences
+{
+public:
+  static DoubleDoubleVector between(const Point& from, const Point& to)
+  {
+    return { exactDifference(to.x, from.x), exactDifference(to.y, from.y) };
+  }
+  static double unscaled(double x) { return x; }
+  static double added(double origin, const DoubleDouble& v)
+  {
+    const DoubleDouble sum = exactSum(origin, v.high);
+    return sum.high + (sum.low + v.low);
+  }
+};
+
 /// Upper bound of what products and sums of scaled differences lose by underflow.
 constexpr double kLost = 0x1p-1000;
 
@@ -116,8 +133,8 @@ struct Quotient
 /// The quotient is wrong by the errors of both parts, where those of second order are paid for by
 /// twice as much, and by 2^-100 of itself; adding it and rounding the sum's low part, by less than
 /// 2^-100 of it, and by 2^-1074 where its parts become subnormal.
-bool addedTo(
-  double origin, const Quotient& quotient, const Differences& differences, double& result)
+template <typename Scale>
+bool addedTo(double origin, const Quotient& quotient, const Scale& differences, double& result)
 {
   const double size = std::fabs(quotient.under.high);
   if (!(quotient.underError <= 0x1p-20 * size))
@@ -146,12 +163,9 @@ double sizeOf(
 /// The sides of the triangle are exact. A product of two DoubleDoubles is wrong by less than 2^-103
 /// of itself, a sum by 2^-104 of its operands: so the divisor by less than 2^-102 of the size of
 /// its products, a squared length by as much of itself, and the offset by less than 2^-101.
-bool longCentre(const Corners& t, Point& result)
+template <typename Scale>
+bool longCentre(const Corners& t, const Scale& differences, Point& result)
 {
-  Differences differences(t.a);
-  differences.add(t.b);
-  differences.add(t.c);
-  differences.scale();
   const DoubleDoubleVector u = differences.between(t.a, t.b);
   const DoubleDoubleVector v = differences.between(t.a, t.c);
   const DoubleDouble uu = dot(u, u), vv = dot(v, v);
@@ -167,18 +181,18 @@ bool longCentre(const Corners& t, Point& result)
     coordinate(t.a.y, vv * u.x, uu * v.x, sizeOf(vv, u.x, uu, v.x), result.y);
 }
 
-/// Is it zero, or so far from the ends of the range that neither products of three differences of
-/// such numbers nor the rounding errors of these overflow or underflow?
-bool isModest(double x)
+Differences differencesIn(const Corners& t)
 {
-  const double size = std::fabs(x);
-  return (size >= 0x1p-60 && size <= 0x1p60) || size == 0.0;
+  Differences differences(t.a);
+  differences.add(t.b);
+  differences.add(t.c);
+  differences.scale();
+  return differences;
 }
 
 bool areModest(const Corners& t)
 {
-  return isModest(t.a.x) && isModest(t.a.y) && isModest(t.b.x) && isModest(t.b.y) &&
-    isModest(t.c.x) && isModest(t.c.y);
+  return isModest(t.a) && isModest(t.b) && isModest(t.c);
 }
 
 /// A number in plain double precision, and how far it may be from what it stands for.
@@ -251,8 +265,9 @@ Point stages::circumcentreUnbounded(const Corners& t)
 Point circumcentre(const Corners& triangle)
 {
   Point result;
-  const bool isKnown = (areModest(triangle) && quickCentre(triangle, result)) ||
-    longCentre(triangle, result);
+  const bool isKnown = areModest(triangle)
+    ? quickCentre(triangle, result) || longCentre(triangle, ModestDifferences(), result)
+    : longCentre(triangle, differencesIn(triangle), result);
   return isKnown ? result : stages::circumcentreUnbounded(triangle);
 }
 

@@ -5,6 +5,8 @@
 #include "../Points/Points.h"
 #include "../Predicates/Circles.h"
 
+#include <cmath>
+
 namespace ahd
 {
 
@@ -14,6 +16,14 @@ namespace ahd
 
 /// The centre of the circle through the corners, rounded once. REQUIRES: they are not collinear.
 Point circumcentre(const Corners& triangle);
+
+/// Is each coordinate zero, or so far from the ends of the range that neither products of three
+/// differences of such numbers nor the rounding errors of these overflow or underflow?
+inline bool isModest(const Point& p)
+{
+  const double x = std::fabs(p.x), y = std::fabs(p.y);
+  return ((x >= 0x1p-60 && x <= 0x1p60) || x == 0.0) && ((y >= 0x1p-60 && y <= 0x1p60) || y == 0.0);
+}
 
 /// A segment that a bisector meets.
 struct Line

@@ -3,6 +3,7 @@
 
 #include "../Core/Chunks.h"
 #include "../Core/Loops.h"
+#include "CentreBlocks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,17 +15,12 @@ namespace ahd
 namespace
 {
 
-// What a stand-in is before it is known: none yet; and none yet, of a triangle that has a neighbour
-// whose centre is one with its own.
-constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
-constexpr std::uint32_t kMayJoin = 0xFFFFFFFEu;
+/// Differences of so many times the size of coordinates are a matter of rounding.
+constexpr double kUnits = 2.0 * std::numeric_limits<double>::epsilon();
 
-/// Calls work(begin, end) for pieces of the triangles, on all threads lent. Returns false if
-/// cancelled.
-template <typename Work>
-bool inTriangles(std::size_t triangles, Ticker& ticker, Work work)
+double sizeOf(const Point& p)
 {
-  return inShares(triangles, ticker, 8, 1 << 14, work);
+  return std::max(std::fabs(p.x), std::fabs(p.y));
 }
 
 } // namespace
@@ -32,12 +28,19 @@ bool inTriangles(std::size_t triangles, Ticker& ticker, Work work)
 bool Diagram::computeCentres(Ticker& ticker)
 {
   centres_.allocate(triangles());
-  return inTriangles(triangles(), ticker,
+  standIns_.allocate(triangles());
+  return inShares(triangles(), ticker, 8, 1 << 14,
     [&](std::size_t begin, std::size_t end)
     {
+      if (areModest_)
+      {
+        circumcentres()(
+          tables_.corners.data() + 3 * begin, places_, end - begin, centres_.data() + begin);
+      }
       for (std::size_t t = begin; t < end; ++t)
       {
-        centres_[t] = circumcentre(corners(t));
+        centres_[t] = areModest_ ? centres_[t] : circumcentre(corners(t));
+        standIns_[t] = static_cast<std::uint32_t>(t);
       }
     });
 }
@@ -46,40 +49,68 @@ bool Diagram::computeCentres(Ticker& ticker)
 /// drift away in steps.
 bool Diagram::joinCentres(Ticker& ticker)
 {
-  standIns_.allocate(triangles());
-  const auto look = [&](std::size_t begin, std::size_t end)
+  const std::size_t tasks = tasksFor(threadsOf(ticker), triangles(), 8, 1 << 14);
+  const double size = std::max(
+    sizeOf({ bounds_.xmin, bounds_.ymin }), sizeOf({ bounds_.xmax, bounds_.ymax }));
+  std::vector<std::vector<std::uint32_t>> found(tasks);
+  const auto look = [&](std::size_t task, Ticker& own)
   {
-    for (std::size_t t = begin; t < end; ++t)
-    {
-      standIns_[t] = mayJoin(t) ? kMayJoin : kNobody;
-    }
+    std::vector<std::uint32_t> some;
+    const Share share(triangles(), task, tasks);
+    const bool done = inChunks(share.begin, share.end, own,
+      [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          if (mayJoin(t, size))
+          {
+            some.push_back(static_cast<std::uint32_t>(t));
+          }
+        }
+        own.finished(end - begin);
+      });
+    found[task].swap(some);
+    return done;
   };
-  if (!inTriangles(triangles(), ticker, look))
+  if (!inParallel(ticker, tasks, look))
   {
     return false;
   }
-  for (std::size_t t = 0; t < triangles(); ++t)
+  for (const std::vector<std::uint32_t>& some : found)
   {
-    const std::uint32_t known = standIns_[t];
-    if (known == kNobody)
+    for (const std::uint32_t triangle : some)
     {
-      standIns_[t] = static_cast<std::uint32_t>(t);
-    }
-    if ((known == kMayJoin && !joinTo(t, ticker)) || !ticker.step())
-    {
-      return false;
+      if (!joinTo(triangle, ticker))
+      {
+        return false;
+      }
     }
   }
   return true;
 }
 
-/// Is its centre one with that of a neighbour?
-bool Diagram::mayJoin(std::size_t triangle) const
+/// May a later neighbour's centre be one with its own? `size`: no vertex has a larger coordinate.
+bool Diagram::mayJoin(std::size_t triangle, double size) const
 {
   const HalfEdge first = static_cast<HalfEdge>(3 * triangle);
+  const Point p = centres_[triangle];
+  const double near = kUnits * std::max(sizeOf(p), size);
+  // Hardly any is near: so all three are looked at, and no branch is taken at random.
+  bool isNear[3];
+  for (HalfEdge e = 0; e != 3; ++e)
+  {
+    const HalfEdge across = twin(first + e);
+    const std::size_t other = across == kNoHalfEdge ? triangle : across / 3;
+    isNear[e] = std::fabs(centres_[other].x - p.x) <= near;
+  }
+  if (!(isNear[0] | isNear[1] | isNear[2]))
+  {
+    return false;
+  }
   for (HalfEdge h = first; h != first + 3; ++h)
   {
-    if (twin(h) != kNoHalfEdge && areOne(triangle, twin(h) / 3))
+    const HalfEdge across = twin(h);
+    if (across > h && across != kNoHalfEdge && areOne(triangle, across / 3))
     {
       return true;
     }
@@ -87,10 +118,14 @@ bool Diagram::mayJoin(std::size_t triangle) const
   return false;
 }
 
-bool Diagram::joinTo(std::size_t triangle, Ticker& ticker)
+/// Joins to it those later ones that are one with it, unless it is joined itself.
+bool Diagram::joinTo(std::uint32_t triangle, Ticker& ticker)
 {
-  standIns_[triangle] = static_cast<std::uint32_t>(triangle);
-  stack_.assign(1, static_cast<std::uint32_t>(triangle));
+  if (standIns_[triangle] != triangle)
+  {
+    return ticker.step();
+  }
+  stack_.assign(1, triangle);
   while (!stack_.empty())
   {
     const HalfEdge first = 3 * stack_.back();
@@ -98,9 +133,11 @@ bool Diagram::joinTo(std::size_t triangle, Ticker& ticker)
     for (HalfEdge h = first; h != first + 3; ++h)
     {
       const std::uint32_t other = twin(h) / 3;
-      if (twin(h) != kNoHalfEdge && standIns_[other] >= kMayJoin && areOne(triangle, other))
+      if (twin(h) != kNoHalfEdge && other > triangle && standIns_[other] == other &&
+        areOne(triangle, other))
       {
-        standIns_[other] = static_cast<std::uint32_t>(triangle);
+        standIns_[other] = triangle;
+        hasJoined_ = true;
         stack_.push_back(other);
       }
     }
@@ -115,12 +152,9 @@ bool Diagram::joinTo(std::size_t triangle, Ticker& ticker)
 /// Is the difference of the centres a matter of rounding: of theirs, or of the points' coordinates?
 bool Diagram::areOne(std::size_t a, std::size_t b) const
 {
-  constexpr double kUnits = 2.0 * std::numeric_limits<double>::epsilon();
   const Point p = centres_[a];
   const Point q = centres_[b];
-  const Point corner = point(origin(static_cast<HalfEdge>(3 * a)));
-  const double size = std::max(
-    std::max(std::fabs(p.x), std::fabs(p.y)), std::max(std::fabs(corner.x), std::fabs(corner.y)));
+  const double size = std::max(sizeOf(p), sizeOf(point(origin(static_cast<HalfEdge>(3 * a)))));
   return isFinite(p) && isFinite(q) && std::fabs(p.x - q.x) <= kUnits * size &&
     std::fabs(p.y - q.y) <= kUnits * size;
 }

@@ -18,15 +18,20 @@ namespace ahd
 class Diagram
 {
 public:
-  /// Borrows both. REQUIRES: corners and neighbours.
-  Diagram(const Tables& tables, const Point* places)
+  /// Borrows both. `bounds`: of the vertices. `areModest`: isModest() of all of them. REQUIRES:
+  /// corners and neighbours.
+  Diagram(const Tables& tables, const Point* places, const Bounds& bounds, bool areModest)
     : tables_(tables)
     , places_(places)
+    , bounds_(bounds)
+    , areModest_(areModest)
   {
   }
 
   /// Computes the centres. Returns false if cancelled; throws std::bad_alloc.
   bool build(Ticker& ticker) { return this->computeCentres(ticker) && this->joinCentres(ticker); }
+
+  const Bounds& bounds() const { return bounds_; }
 
   std::size_t triangles() const { return tables_.triangles(); }
   Index origin(HalfEdge h) const { return tables_.origin(h); }
@@ -41,6 +46,9 @@ public:
   /// coordinates resolve.
   std::size_t standIn(std::size_t triangle) const { return standIns_[triangle]; }
 
+  /// Does any centre stand for another triangle's?
+  bool hasJoined() const { return hasJoined_; }
+
   Corners corners(std::size_t triangle) const
   {
     const HalfEdge h = static_cast<HalfEdge>(3 * triangle);
@@ -49,10 +57,7 @@ public:
 
   /// The centre of the triangle stands for one that lies within the bounds: it moves there if it
   /// is outside, which is a matter of rounding.
-  void settle(std::size_t triangle, const Bounds& bounds)
-  {
-    centres_[triangle] = within(bounds, centres_[triangle]);
-  }
+  void settle(std::size_t triangle) { centres_[triangle] = within(bounds_, centres_[triangle]); }
 
   /// Nobody will ask for standIn() any more.
   void forgetStandIns() { standIns_.reset(); }
@@ -60,14 +65,17 @@ public:
 private:
   bool computeCentres(Ticker& ticker);
   bool joinCentres(Ticker& ticker);
-  bool joinTo(std::size_t triangle, Ticker& ticker);
-  bool mayJoin(std::size_t triangle) const;
+  bool joinTo(std::uint32_t triangle, Ticker& ticker);
+  bool mayJoin(std::size_t triangle, double size) const;
   bool areOne(std::size_t a, std::size_t b) const;
 
   const Tables& tables_;
   const Point* places_;
+  const Bounds bounds_;
+  const bool areModest_;
   Buffer<Point> centres_;
   Buffer<std::uint32_t> standIns_;
+  bool hasJoined_ = false;
   std::vector<std::uint32_t> stack_;
 };
 

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HullBorder.h"
 
-#include "../Core/Chunks.h"
-
-#include <algorithm>
-
 namespace ahd
 {
 
@@ -17,22 +13,35 @@ constexpr Stretch kHull = 0;
 bool HullBorder::build(Ticker& ticker)
 {
   beyond_.allocate(diagram_.triangles());
-  if (!fillAll(beyond_, kNoHalfEdge, ticker))
+  HalfEdge first = 0;
+  const auto isInTriangles = [](std::size_t) { return true; };
+  if (!noteInside(ticker, isInTriangles) || !findHullEdge(first, ticker))
   {
     return false;
   }
-  const std::size_t halfEdges = 3 * diagram_.triangles();
-  for (std::size_t i = 0; i < halfEdges; ++i)
+  HalfEdge h = first;
+  do
   {
-    const HalfEdge h = static_cast<HalfEdge>(i);
-    if ((diagram_.twin(h) == kNoHalfEdge && !findBeyond(h, ticker)) ||
-      (h % 3 == 0 && !ticker.step()))
+    if (!findBeyond(h, ticker) || !ticker.step())
+    {
+      return false;
+    }
+    h = diagram_.start(diagram_.target(h)); // the edge of the hull that begins where it ends
+  } while (h != first);
+  return settleInside(ticker);
+}
+
+/// The first half-edge that lies on the hull.
+bool HullBorder::findHullEdge(HalfEdge& found, Ticker& ticker) const
+{
+  for (found = 0; diagram_.twin(found) != kNoHalfEdge; ++found)
+  {
+    if (!ticker.step())
     {
       return false;
     }
   }
-  return noteInside(
-    ticker, [&](std::size_t t) { return isBeyondNone(t); }, bounds_);
+  return true;
 }
 
 /// Marks the triangles of the hull edge's tree.
@@ -40,8 +49,9 @@ bool HullBorder::findBeyond(HalfEdge hullEdge, Ticker& ticker)
 {
   const auto visit = [&](std::size_t triangle)
   {
-    if (isBeyondNone(triangle) && side(triangle, hullEdge) < 0)
+    if (isInside(triangle) && side(triangle, hullEdge) < 0)
     {
+      noteOutside(triangle);
       beyond_[triangle] = hullEdge;
       stack_.push_back(static_cast<std::uint32_t>(triangle));
     }
@@ -78,8 +88,8 @@ ClippedEdge HullBorder::cut(HalfEdge h)
   const HalfEdge twin = diagram_.twin(h);
   const std::size_t right = twin == kNoHalfEdge ? kNoTriangle : twin / 3;
   const std::size_t left = h / 3;
-  const HalfEdge rightEdge = right == kNoTriangle ? h : beyond_[right];
-  const HalfEdge leftEdge = beyond_[left];
+  const HalfEdge rightEdge = right == kNoTriangle ? h : beyond(right);
+  const HalfEdge leftEdge = beyond(left);
   if (rightEdge == leftEdge)
   {
     return {};

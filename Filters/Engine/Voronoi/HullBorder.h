@@ -18,27 +18,27 @@ namespace ahd
 class HullBorder : public CellBorder
 {
 public:
-  /// `bounds`: of the vertices.
-  HullBorder(Diagram& diagram, const Bounds& bounds)
-    : CellBorder(diagram)
-    , bounds_(bounds)
-  {
-  }
+  using CellBorder::CellBorder;
 
   bool build(Ticker& ticker) override;
   void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) override;
 
 protected:
   ClippedEdge cut(HalfEdge h) override;
+  void forgetOwn() override { beyond_.reset(); }
 
 private:
-  bool isBeyondNone(std::size_t triangle) const { return beyond_[triangle] == kNoHalfEdge; }
+  /// The edge of the hull that the triangle's centre lies beyond; kNoHalfEdge if it is inside.
+  HalfEdge beyond(std::size_t triangle) const
+  {
+    return isInside(triangle) ? kNoHalfEdge : beyond_[triangle];
+  }
+  bool findHullEdge(HalfEdge& found, Ticker& ticker) const;
   bool findBeyond(HalfEdge hullEdge, Ticker& ticker);
   int side(std::size_t triangle, HalfEdge hullEdge) const;
   CornerId crossing(HalfEdge h, HalfEdge hullEdge, std::size_t insideTriangle);
 
-  const Bounds bounds_;
-  Buffer<HalfEdge> beyond_; ///< of each triangle: the edge of the hull its centre lies beyond
+  Buffer<HalfEdge> beyond_; ///< of each triangle whose centre is outside
   std::vector<std::uint32_t> stack_;
 };
 

@@ -10,6 +10,7 @@
 #include "ClipBox.h"
 #include "Diagram.h"
 #include "HullBorder.h"
+#include "Sites.h"
 
 #include <algorithm>
 #include <utility>
@@ -22,17 +23,11 @@ namespace
 
 using State = TriangulationAccess::State;
 
-void extend(Bounds& bounds, const Point& p)
+/// No cells.
+void setNone(VoronoiCells& cells)
 {
-  if (bounds.xmin > bounds.xmax)
-  {
-    bounds = { p.x, p.x, p.y, p.y };
-    return;
-  }
-  bounds.xmin = std::min(bounds.xmin, p.x);
-  bounds.xmax = std::max(bounds.xmax, p.x);
-  bounds.ymin = std::min(bounds.ymin, p.y);
-  bounds.ymax = std::max(bounds.ymax, p.y);
+  cells.offsets.allocate(1);
+  cells.offsets[0] = 0;
 }
 
 /// One call of voronoiCells().
@@ -51,7 +46,6 @@ public:
   bool make();
 
 private:
-  bool numberSites();
   bool makeStrips();
   bool makeCells(Diagram& diagram, CellBorder& border);
 
@@ -59,49 +53,25 @@ private:
   const VoronoiClip clip_;
   VoronoiCells& cells_;
   Ticker& ticker_;
-  Buffer<Index> cellOf_; ///< of each vertex; kNoIndex if it is beyond the limit
-  Bounds bounds_;        ///< of the sites
+  Sites sites_;
 };
-
-/// Point after point, so that cells come in the order of the smallest id at each place.
-bool Voronoi::numberSites()
-{
-  const Buffer<Index>& vertexOf = state_.tables.vertexOf;
-  cellOf_.allocate(state_.ranked.count);
-  cells_.sites.reserve(state_.report.inserted);
-  return fillAll(cellOf_, kNoIndex, ticker_) &&
-    inChunks(0, vertexOf.size(), ticker_,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          const Index vertex = vertexOf[i];
-          if (vertex != kNoIndex && cellOf_[vertex] == kNoIndex)
-          {
-            cellOf_[vertex] = static_cast<Index>(cells_.sites.size());
-            cells_.sites.push_back(static_cast<std::int32_t>(state_.ranked.id[vertex]));
-            extend(bounds_, state_.points[i]);
-          }
-        }
-      });
-}
 
 bool Voronoi::makeStrips()
 {
   const Point* const places = state_.ranked.xy.data();
-  const ClipBox box(bounds_);
-  if (clip_ == VoronoiClip::Hull || cells_.sites.size() < 2 || !box.hasArea())
+  const ClipBox box(sites_.bounds);
+  if (clip_ == VoronoiClip::Hull || sites_.ids.size() < 2 || !box.hasArea())
   {
-    cells_.sites.clear();
     return ticker_.ask();
   }
+  cells_.sites = std::move(sites_.ids);
   std::vector<Index> line;
   line.reserve(cells_.sites.size());
   const auto collect = [&](std::size_t begin, std::size_t end)
   {
     for (std::size_t v = begin; v < end; ++v)
     {
-      if (cellOf_[v] != kNoIndex)
+      if (sites_.cellOf[v] != kNoIndex)
       {
         line.push_back(static_cast<Index>(v));
       }
@@ -109,23 +79,23 @@ bool Voronoi::makeStrips()
   };
   const auto isBefore = [&](Index a, Index b)
   { return lexicographicallyLess(places[a], places[b]); };
-  Diagram diagram(state_.tables, places);
+  Diagram diagram(state_.tables, places, sites_.bounds, sites_.areModest);
   BoxBorder border(diagram, box);
-  CellWalk walk(diagram, border, cellOf_, cells_);
-  return inChunks(0, cellOf_.size(), ticker_, collect) && sortAsking(line, ticker_, isBefore) &&
-    walk.walkStrips(line, border, ticker_) && walk.number(ticker_) && ticker_.ask();
+  CellWalk walk(diagram, border, sites_.cellOf, cells_);
+  return inChunks(0, sites_.cellOf.size(), ticker_, collect) &&
+    sortAsking(line, ticker_, isBefore) && walk.walkStrips(line, border, ticker_) && ticker_.ask();
 }
 
 bool Voronoi::makeCells(Diagram& diagram, CellBorder& border)
 {
-  CellWalk walk(diagram, border, cellOf_, cells_);
-  return border.build(ticker_) && walk.walk(ticker_) && walk.number(ticker_) && ticker_.ask();
+  CellWalk walk(diagram, border, sites_.cellOf, cells_);
+  return border.build(ticker_) && walk.walk(ticker_) && ticker_.ask();
 }
 
 bool Voronoi::make()
 {
-  cells_.offsets.assign(1, 0);
-  if (!numberSites())
+  setNone(cells_);
+  if (!numberSites(state_, sites_, ticker_))
   {
     return false;
   }
@@ -133,17 +103,18 @@ bool Voronoi::make()
   {
     return makeStrips();
   }
-  Diagram diagram(state_.tables, state_.ranked.xy.data());
+  cells_.sites = std::move(sites_.ids);
+  Diagram diagram(state_.tables, state_.ranked.xy.data(), sites_.bounds, sites_.areModest);
   if (!diagram.build(ticker_))
   {
     return false;
   }
   if (clip_ == VoronoiClip::Hull)
   {
-    HullBorder border(diagram, bounds_);
+    HullBorder border(diagram);
     return makeCells(diagram, border);
   }
-  BoxBorder border(diagram, ClipBox(bounds_));
+  BoxBorder border(diagram, ClipBox(sites_.bounds));
   return makeCells(diagram, border);
 }
 
@@ -154,7 +125,6 @@ Status voronoiCells(
 {
   cells = VoronoiCells();
   Status status = delaunay.makeNeighbors(context);
-  status = status != Status::Ok ? status : delaunay.makePointMap(context);
   if (status != Status::Ok)
   {
     return status;
@@ -165,11 +135,13 @@ Status voronoiCells(
       const State* const state = TriangulationAccess::stateOf(std::as_const(delaunay));
       if (!state)
       {
-        cells.offsets.assign(1, 0);
+        setNone(cells);
         return true;
       }
-      // Points twice, triangles for their centres and for what these are joined to.
-      const std::size_t steps = 2 * (state->ranked.count + state->allTriangles);
+      // Vertices for sites and, twice, for cells; triangles for their centres, for what these are
+      // joined to, whether they are inside, and the first cells and the numbers of corners.
+      const std::size_t steps = state->points.count + 3 * state->ranked.count +
+        5 * state->allTriangles;
       Ticker ticker(
         context.progress, Phase::Outputs, steps, state->worthItsWhile(context.executor));
       return Voronoi(*state, clip, cells, ticker).make();
@@ -183,17 +155,16 @@ Status voronoiCells(
 
 std::size_t voronoiMemoryEstimate(std::size_t pointCount)
 {
-  // Per triangle: the centre (16), what stands for it (4) or its number as a corner, the edge of
-  // the hull it is beyond (4), whether it is inside (1), and as a corner its place (16). Per point:
-  // the number of its cell (4), offset and site (8), six corners of cells (24). Per edge of the
-  // hull, two corners on the border, with numbers, two edges that are cut (the table's nodes and
-  // buckets), and a cell at the border with eight corners, in arrays that are copied when they grow
-  // (three times). There are two triangles per point, or two edges of the hull for each triangle
-  // less.
-  constexpr std::size_t kPerTriangle = 16 + 4 + 4 + 1 + 16;
-  constexpr std::size_t kPerPoint = 4 + 8 + 24;
-  constexpr std::size_t kPerHullEdge = 2 * (3 * 16 + 4 + 16) + 2 * (48 + 3 * 8) + 3 * (24 + 8 * 4);
-  return pointCount * (2 * kPerTriangle + kPerPoint + kPerHullEdge / 2) + 4096;
+  // What is held in the end; on the way there is less. Per triangle: the centre (16), the first
+  // cell that has it (4) and its number (4), and where it is as a corner (16). Per point: the
+  // number of its cell (4), what this has (8), site (4) and offset (4), and six corners, twice,
+  // with some room (49). With two triangles per point that makes 153 (150 measured). There is a
+  // triangle less for each edge of the hull, and three or four corners in the cell of its end in
+  // place of six, which are not found as those inside: 73 less. But two corners are on the border,
+  // with their places twice (64) and numbers (16), and the cell is listed with its vertex (12) and
+  // its corners (16), and some more where cells have more (207 measured).
+  constexpr std::size_t kPerPoint = 212;
+  return pointCount * kPerPoint + 16384;
 }
 
 } // namespace ahd

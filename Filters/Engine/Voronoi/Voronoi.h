@@ -2,13 +2,13 @@
 #ifndef ahd_Voronoi_h
 #define ahd_Voronoi_h
 
+#include "../Core/Buffer.h"
 #include "../Core/Context.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <vector>
 
 namespace ahd
 {
@@ -26,10 +26,10 @@ enum class VoronoiClip
 /// numbers fit (kMaximumPoints).
 struct VoronoiCells
 {
-  std::vector<Point> points;         ///< the corners, shared by the cells that meet there
-  std::vector<std::int32_t> offsets; ///< cell k has the corners offsets[k] .. offsets[k + 1] - 1
-  std::vector<std::int32_t> corners; ///< numbers of `points`; counterclockwise
-  std::vector<std::int32_t> sites;   ///< the point that stands for each cell's vertex
+  Buffer<Point> points;         ///< the corners, shared by the cells that meet there
+  Buffer<std::int32_t> offsets; ///< cell k has the corners offsets[k] .. offsets[k + 1] - 1
+  Buffer<std::int32_t> corners; ///< numbers of `points`; counterclockwise
+  Buffer<std::int32_t> sites;   ///< the point that stands for each cell's vertex
 };
 
 /// The Voronoi diagram of the vertices: for each the part of the hull (or the bounding box) that is

@@ -126,7 +126,7 @@ class Diagram:
         points.SetData(xyz)
         self.output.SetPoints(points)
         made = []
-        for name, kind in (("voronoi_offsets", vtk.vtkTypeInt64Array), ("voronoi_corners", vtk.vtkTypeInt64Array),
+        for name, kind in (("voronoi_offsets", vtk.vtkTypeInt32Array), ("voronoi_corners", vtk.vtkTypeInt32Array),
                            ("voronoi_sites", vtk.vtkIdTypeArray)):
             data, write = new_array(kind, job.array_shape(name)[0])
             if len(write):

@@ -5,6 +5,7 @@
 #include "ConstrainedRun.h"
 #include "EngineRun.h"
 #include "Executors.h"
+#include "ListOf.h"
 #include "Random.h"
 
 #include "Voronoi/Voronoi.h"
@@ -133,9 +134,9 @@ void expectChosen(const Spatial& points, Options options, Executor* executor)
     EXPECT_EQ(chosen.order, replaced(first.order, best));
     EXPECT_EQ(chosen.pointOfPoint, replaced(first.pointOfPoint, best));
     EXPECT_EQ(chosen.neighbors, first.neighbors);
-    EXPECT_EQ(chosen.cells.sites, replaced(first.cells.sites, best));
-    EXPECT_EQ(chosen.cells.corners, first.cells.corners);
-    EXPECT_EQ(chosen.cells.offsets, first.cells.offsets);
+    EXPECT_EQ(listOf(chosen.cells.sites), replaced(listOf(first.cells.sites), best));
+    EXPECT_EQ(listOf(chosen.cells.corners), listOf(first.cells.corners));
+    EXPECT_EQ(listOf(chosen.cells.offsets), listOf(first.cells.offsets));
     EXPECT_EQ(chosen.outcome.report.duplicates, first.outcome.report.duplicates);
     std::vector<std::int32_t> ranks(first.ranks.size(), kRankNone);
     for (std::size_t i = 0; i < chosen.order.size(); ++i)

@@ -5,6 +5,7 @@
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
+#include "ListOf.h"
 
 #include "Voronoi/Voronoi.h"
 
@@ -371,7 +372,7 @@ TEST(Voronoi, StripsOfCollinearPoints)
   // The diagonal of a box of 4 x 2; the points in no order, one twice.
   const std::vector<Point> points = { { 4, 2 }, { 0, 0 }, { 1, 0.5 }, { 4, 2 }, { 2, 1 } };
   const Made made(points, VoronoiClip::Bounds);
-  ASSERT_EQ(made.cells.sites, (std::vector<std::int32_t>{ 0, 1, 2, 4 }));
+  ASSERT_EQ(listOf(made.cells.sites), (std::vector<std::int32_t>{ 0, 1, 2, 4 }));
   double area = 0.0;
   for (std::size_t k = 0; k < 4; ++k)
   {
@@ -397,7 +398,7 @@ TEST(Voronoi, FewPoints)
     {
       const Made none(points, clip);
       EXPECT_TRUE(none.cells.sites.empty());
-      EXPECT_EQ(none.cells.offsets, std::vector<std::int32_t>{ 0 });
+      EXPECT_EQ(listOf(none.cells.offsets), std::vector<std::int32_t>{ 0 });
     }
   }
   EXPECT_TRUE(Made(two, VoronoiClip::Hull).cells.sites.empty());
@@ -429,8 +430,8 @@ TEST(Voronoi, SameWithThreads)
   const Made one(points, VoronoiClip::Hull);
   ThreadExecutor executor(3);
   const Made three(points, VoronoiClip::Hull, &executor);
-  EXPECT_EQ(one.cells.points, three.cells.points);
-  EXPECT_EQ(one.cells.corners, three.cells.corners);
+  EXPECT_EQ(listOf(one.cells.points), listOf(three.cells.points));
+  EXPECT_EQ(listOf(one.cells.corners), listOf(three.cells.corners));
 }
 
 /// Says stop at one asking.

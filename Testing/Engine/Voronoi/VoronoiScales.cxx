@@ -4,6 +4,7 @@
 // show: the same cells at every scale, and none with an edge of length zero that need not have one.
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "ListOf.h"
 #include "Triangulation/State.h"
 #include "Voronoi/Diagram.h"
 #include "Voronoi/Voronoi.h"
@@ -75,9 +76,9 @@ TEST(VoronoiScales, SameAtEveryScale)
           SCOPED_TRACE(testing::Message() << nameOf(distribution) << ", " << n << " points, clip "
                                           << int(clip) << ", 2^" << exponent);
           const VoronoiCells cells = cellsOf(scaled(points, exponent), clip);
-          EXPECT_EQ(cells.points, scaled(expected.points, exponent));
-          EXPECT_EQ(cells.corners, expected.corners);
-          EXPECT_EQ(cells.offsets, expected.offsets);
+          EXPECT_EQ(listOf(cells.points), scaled(listOf(expected.points), exponent));
+          EXPECT_EQ(listOf(cells.corners), listOf(expected.corners));
+          EXPECT_EQ(listOf(cells.offsets), listOf(expected.offsets));
         }
       }
     }
@@ -161,7 +162,7 @@ TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
     ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
     ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
     const auto& state = *TriangulationAccess::stateOf(std::as_const(engine.made));
-    Diagram diagram(state.tables, state.ranked.xy.data());
+    Diagram diagram(state.tables, state.ranked.xy.data(), state.ranked.bounds, true);
     Ticker ticker(nullptr, Phase::Outputs, 0);
     ASSERT_TRUE(diagram.build(ticker));
     for (std::size_t t = 0; t < diagram.triangles(); ++t)

@@ -4,6 +4,7 @@
 #include "Corpus.h"
 #include "Crossings/Crossings.h"
 #include "Hash.h"
+#include "ListOf.h"
 #include "Merge/Merge.h"
 #include "Voronoi/Voronoi.h"
 
@@ -347,10 +348,10 @@ std::string hashOfVoronoi(const PointView& points, const Way& way)
   {
     VoronoiCells cells;
     run.call([&] { return voronoiCells(run.made(), clip, cells, { way.progress, way.executor }); });
-    run.hash.add(cells.points);
-    run.hash.add(wide(cells.offsets));
-    run.hash.add(wide(cells.corners));
-    run.hash.add(wide(cells.sites));
+    run.hash.add(listOf(cells.points));
+    run.hash.add(wide(listOf(cells.offsets)));
+    run.hash.add(wide(listOf(cells.corners)));
+    run.hash.add(wide(listOf(cells.sites)));
   }
   return run.hash.text();
 }
