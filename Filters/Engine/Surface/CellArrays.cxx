@@ -123,11 +123,13 @@ private:
   const unsigned char* kept_;
   Buffer<std::uint32_t> places_; ///< empty if all are put out
 };
-/// Calls write(state, the selected triangles, ticker), which returns false if it is to be
+/// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
+/// without; it returns false if it is to be
 /// cancelled.
 template <typename Write>
 Status withSelected(
-  Triangulation& triangulation, const Selection& selection, const Context& context, Write write)
+  Triangulation& triangulation, const Selection& selection, const Context& context, Write write,
+  bool (*canDoWithout)(const State&) = [](const State&) { return false; })
 {
   const std::size_t count = selectedCount(triangulation, selection);
   if (count == 0)
@@ -141,7 +143,7 @@ Status withSelected(
       Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
         state.worthItsWhile(context.executor));
       Selected selected(state, selection);
-      return state.makeNumbers(ticker, State::PlacesAre::NotNeeded) &&
+      return (canDoWithout(state) || state.makeNumbers(ticker, State::PlacesAre::NotNeeded)) &&
         selected.number(count, ticker) && write(state, selected, ticker) && ticker.ask();
     });
 }
@@ -151,6 +153,13 @@ bool hasMarks(const Triangulation& triangulation)
 {
   const State* const state = TriangulationAccess::stateOf(triangulation);
   return state && state->hasMarks;
+}
+
+/// Is there a selection, and are there corners without numbers, so that these need not be made?
+bool hasCornersOnly(const Triangulation& triangulation, const Selection& selection)
+{
+  const State* const state = TriangulationAccess::stateOf(triangulation);
+  return state && !selection.kept.empty() && state->hasCorners && !state->hasNumbers;
 }
 
 /// Zeros.
@@ -327,6 +336,26 @@ template <typename Id>
 Status writeSelected(
   Triangulation& triangulation, const Selection& selection, Id* triples, const Context& context)
 {
+  if (hasCornersOnly(triangulation, selection))
+  {
+    const auto write = [&](const State& state, const Selected& selected, Ticker& ticker)
+    {
+      return inShares(state.allTriangles, ticker, 4, kChunk,
+        [&](std::size_t a, std::size_t b)
+        {
+          for (std::size_t h = 3 * a; h != 3 * b; ++h)
+          {
+            if (const std::uint32_t place = selected.placeOf(h / 3); place != kNoIndex)
+            {
+              triples[3 * std::size_t(place) + h % 3] = static_cast<Id>(
+                state.ranked.id[state.tables.corners[h]]);
+            }
+          }
+        });
+    };
+    return withSelected(
+      triangulation, selection, context, write, [](const State&) { return true; });
+  }
   return withSelected(triangulation, selection, context,
     [&](const State& state, const Selected& selected, Ticker& ticker)
     {

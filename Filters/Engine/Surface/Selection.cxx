@@ -179,13 +179,27 @@ bool Selecting::markTriangles(Ticker& ticker)
     return true;
   }
   unsigned char* const kept = out_.kept.data();
+  if (!hasAlpha()) // neighbours are not asked for: by the corners it is sooner done
+  {
+    const Tables& tables = state_.tables;
+    const Index* const v = tables.corners.data();
+    return inShares(state_.allTriangles, ticker, 4, kChunk,
+      [&, v, kept](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t != end; ++t)
+        {
+          const bool isIn = tables.isKept(t) && isSelected(v[3 * t], v[3 * t + 1], v[3 * t + 2]);
+          kept[t] = isIn ? 1 : 0;
+        }
+      });
+  }
   return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(kept, 1), ticker,
     [this, kept](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
     {
       const Index a = triangle.corner(0), b = triangle.corner(1), c = triangle.corner(2);
       fetchCornersOf(slot + kSlotsAhead);
       kept[t] = !isDropped(slot) && isSelected(a, b, c) ? 1 : 0;
-      if (hasAlpha() && kept[t])
+      if (kept[t])
       {
         use(a);
         use(b);
@@ -477,9 +491,8 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
       Ticker ticker(context.progress, Phase::Outputs, state->allTriangles,
         state->worthItsWhile(context.executor));
       // With alpha all points are read again anyway.
-      const auto places = limits.alpha > 0.0 ? State::PlacesAre::NotNeeded
-                                             : State::PlacesAre::Needed;
-      return state->makeNumbers(ticker, places) &&
+      return (limits.alpha > 0.0 ? state->makeNumbers(ticker, State::PlacesAre::NotNeeded)
+                                 : state->makeCorners(ticker)) &&
         Selecting(*state, limits, points, out).run(ticker);
     });
 }
