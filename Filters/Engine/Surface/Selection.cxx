@@ -62,7 +62,6 @@ public:
 
 private:
   static constexpr std::size_t kPointsAhead = 24;
-
   static void fetch(const PointView& points, std::size_t i)
   {
     points.doubles ? prefetchForRead(points.doubles + i * points.stride)
@@ -101,7 +100,6 @@ private:
   };
 
   static constexpr std::size_t kSlotsAhead = 8;
-
   bool hasAlpha() const { return limits_.alpha > 0.0; }
   bool isDropped(std::size_t slot) const { return (state_.marksOf(slot) & kDropped) != 0; }
   void fetchCornersOf(std::size_t slot) const;
