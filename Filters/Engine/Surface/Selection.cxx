@@ -144,10 +144,9 @@ bool Selecting::run(Ticker& ticker)
   }
   if (hasAlpha())
   {
-    const bool isDone = (state_.allTriangles == 0 ? findLinesBetweenCollinear(ticker)
-                                                  : findLines(ticker) && writeLines(ticker)) &&
-      findVertices(ticker);
-    if (!isDone)
+    if (!(state_.allTriangles == 0 ? findLinesBetweenCollinear(ticker)
+                                   : findLines(ticker) && writeLines(ticker)) ||
+      !findVertices(ticker))
     {
       return false;
     }
@@ -172,10 +171,6 @@ bool Selecting::beginUsed(Ticker& ticker)
 bool Selecting::markTriangles(Ticker& ticker)
 {
   out_.kept.resize(state_.allTriangles);
-  if (state_.allTriangles == 0)
-  {
-    return true;
-  }
   unsigned char* const kept = out_.kept.data();
   if (!hasAlpha()) // neighbours are not asked for: by the corners it is sooner done
   {
@@ -191,19 +186,20 @@ bool Selecting::markTriangles(Ticker& ticker)
         }
       });
   }
-  return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(kept, 1), ticker,
-    [this, kept](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
-    {
-      const Index a = triangle.corner(0), b = triangle.corner(1), c = triangle.corner(2);
-      fetchCornersOf(slot + kSlotsAhead);
-      kept[t] = !isDropped(slot) && isSelected(a, b, c) ? 1 : 0;
-      if (kept[t])
+  return state_.allTriangles == 0 ||
+    inMeshOrder(state_.mesh, state_.numbers, TriangleArray(kept, 1), ticker,
+      [this, kept](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
       {
-        use(a);
-        use(b);
-        use(c);
-      }
-    });
+        const Index a = triangle.corner(0), b = triangle.corner(1), c = triangle.corner(2);
+        fetchCornersOf(slot + kSlotsAhead);
+        kept[t] = !isDropped(slot) && isSelected(a, b, c) ? 1 : 0;
+        if (kept[t])
+        {
+          use(a);
+          use(b);
+          use(c);
+        }
+      });
 }
 
 /// The places of the corners of the triangle in the slot, if there is one, will be read.
