@@ -79,6 +79,7 @@ void useTriangulation(const PointView& points, const Options& options, Executor*
   EXPECT_EQ(engine.writeNeighbors(numbers.data(), nullptr, executor), Status::Ok);
   if (!triples.empty())
   {
+    ASSERT_EQ(engine.made.makeNeighbors({ nullptr, executor }), Status::Ok);
     const Location found = engine.made.locate(points[0], triples.size() / 3 - 1);
     EXPECT_EQ(found.kind == Location::Nowhere, !isFinite(points[0]));
   }

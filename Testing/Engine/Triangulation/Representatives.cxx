@@ -110,6 +110,7 @@ All everything(const Spatial& points, const Options& options, Executor* executor
   EXPECT_EQ(engine.writeInsertionRanks(all.ranks.data()), Status::Ok);
   EXPECT_EQ(engine.writeNeighbors(all.neighbors.data()), Status::Ok);
   EXPECT_EQ(voronoiCells(engine.made, VoronoiClip::Bounds, all.cells, {}), Status::Ok);
+  EXPECT_EQ(engine.made.makePointMap({}), Status::Ok);
   for (std::size_t i = 0; i < points.view().count; ++i)
   {
     const Index vertex = engine.made.vertexOf(i);
