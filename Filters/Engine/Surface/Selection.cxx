@@ -53,6 +53,12 @@ private:
   std::vector<unsigned char> used_; ///< of each point: is it a corner of a triangle or line?
 };
 
+/// Are the two points farther from each other?
+bool isLonger(const Point& p, const Point& q, double length)
+{
+  return lengthOf({ { p.x - q.x, p.y - q.y, 0.0 } }) > length;
+}
+
 HalfEdge halfEdge(std::size_t triangle, std::size_t e)
 {
   return static_cast<HalfEdge>(3 * triangle + e);
@@ -119,8 +125,7 @@ bool Selecting::isTooLong(Index a, Index b) const
   {
     return false;
   }
-  const Point p = triangulation_.at(a), q = triangulation_.at(b);
-  return lengthOf({ { p.x - q.x, p.y - q.y, 0.0 } }) > limits_.maximumEdgeLength;
+  return isLonger(triangulation_.at(a), triangulation_.at(b), limits_.maximumEdgeLength);
 }
 
 /// Where the user sees it.
@@ -289,6 +294,28 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
     {
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
       return Selecting(triangulation, limits, points, out).run(ticker);
+    });
+}
+
+Status findShort(const std::int32_t* triples, std::size_t triangles, const PointView& places,
+  double length, const Context& context, std::vector<unsigned char>& kept)
+{
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      kept.assign(triangles, 0);
+      const auto find = [&](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t < end; ++t)
+        {
+          const auto corner = [&](std::size_t k)
+          { return places[static_cast<std::size_t>(triples[3 * t + k])]; };
+          const Point a = corner(0), b = corner(1), c = corner(2);
+          kept[t] = !isLonger(a, b, length) && !isLonger(b, c, length) && !isLonger(c, a, length);
+        }
+      };
+      return inChunks(0, triangles, ticker, find) && ticker.ask();
     });
 }
 
