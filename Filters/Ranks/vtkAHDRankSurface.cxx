@@ -48,7 +48,7 @@ vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks
   , Triangulation(triangulation)
   , Foreign(ranks, context)
   , Own(points.GetCount())
-  , All(points.GetCount() + triangulation.foreignPoints().size())
+  , All(points.GetCount())
 {
 }
 
@@ -80,7 +80,7 @@ void vtkAHDRankSurface::AskForForeign()
   this->Ranks.Together(this->Context,
     [&]
     {
-      for (const ahd::ForeignPoint& point : this->Triangulation.foreignPoints())
+      for (const ahd::ForeignPoint& point : this->Others)
       {
         ids.push_back(point.id);
         owners.push_back(point.block);
@@ -177,7 +177,7 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
   auto ids = MakeArray<vtkIdTypeArray>(kPointIds, this->All);
   vtkIdType* to = std::copy(
     this->Points.GetIds().begin(), this->Points.GetIds().end(), ids->GetPointer(0));
-  for (const ahd::ForeignPoint& point : this->Triangulation.foreignPoints())
+  for (const ahd::ForeignPoint& point : this->Others)
   {
     *to++ = static_cast<vtkIdType>(point.id);
   }
@@ -192,7 +192,7 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
   std::vector<std::int64_t> status(this->Own);
   this->Context.Check(this->Triangulation.writePointStatus(status.data(), this->Context));
   vtkIdType* to = std::copy(status.begin(), status.end(), array->GetPointer(0));
-  for (const ahd::ForeignPoint& point : this->Triangulation.foreignPoints())
+  for (const ahd::ForeignPoint& point : this->Others)
   {
     *to++ = static_cast<vtkIdType>(point.id);
   }
@@ -214,12 +214,13 @@ void vtkAHDRankSurface::Select()
   {
     this->KeepShort();
   }
+  this->KeepUsed();
 }
 
 void vtkAHDRankSurface::KeepShort()
 {
   std::vector<ahd::Point> places;
-  places.reserve(this->All);
+  places.reserve(this->Own + this->Triangulation.foreignPoints().size());
   const ahd::PointView own = this->Points.GetView();
   for (std::size_t i = 0; i < this->Own; ++i)
   {
@@ -230,7 +231,7 @@ void vtkAHDRankSurface::KeepShort()
     places.push_back(point.at);
   }
   const std::size_t count = this->Corners.size() / 3;
-  const ahd::PointView view(places.empty() ? nullptr : &places[0].x, this->All, 2);
+  const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
   this->Context.Check(ahd::findShort(this->Corners.data(), count, view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
@@ -250,6 +251,36 @@ void vtkAHDRankSurface::KeepShort()
   }
   this->Corners.resize(3 * next);
   this->Edges.resize(this->Edges.empty() ? 0 : next);
+}
+
+/// Of the points of others only those that are corners; they are numbered anew.
+void vtkAHDRankSurface::KeepUsed()
+{
+  const std::vector<ahd::ForeignPoint>& known = this->Triangulation.foreignPoints();
+  constexpr vtkTypeInt32 kUnused = -1;
+  std::vector<vtkTypeInt32> numbers(known.size(), kUnused);
+  const auto isForeign = [this](vtkTypeInt32 corner)
+  { return static_cast<std::size_t>(corner) >= this->Own; };
+  for (const vtkTypeInt32 corner : this->Corners)
+  {
+    if (isForeign(corner))
+    {
+      numbers[static_cast<std::size_t>(corner) - this->Own] = 0;
+    }
+  }
+  for (std::size_t k = 0; k < known.size(); ++k)
+  {
+    if (numbers[k] != kUnused)
+    {
+      numbers[k] = static_cast<vtkTypeInt32>(this->Own + this->Others.size());
+      this->Others.push_back(known[k]);
+    }
+  }
+  for (vtkTypeInt32& corner : this->Corners)
+  {
+    corner = isForeign(corner) ? numbers[static_cast<std::size_t>(corner) - this->Own] : corner;
+  }
+  this->All = this->Own + this->Others.size();
 }
 
 void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)

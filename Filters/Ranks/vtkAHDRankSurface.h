@@ -49,6 +49,7 @@ private:
   void WriteIds(vtkPolyData* output);
   void WriteStatus(vtkPolyData* output);
   void KeepShort();
+  void KeepUsed();
   void WriteCells(vtkPolyData* output, std::size_t firstCell);
 
   const vtkAHDSettings& Settings;
@@ -59,7 +60,8 @@ private:
   ahd::BlockTriangulation& Triangulation;
   vtkAHDRoute Foreign; // the way of the other ranks' points
   const std::size_t Own;
-  const std::size_t All; // points, with those of others
+  std::size_t All;                       // points, with those of others
+  std::vector<ahd::ForeignPoint> Others; // those of others, by id
   std::vector<vtkTypeInt32> Corners;
   std::vector<std::uint8_t> Edges; // of each triangle, those that are constraints; if asked for
 };

@@ -196,10 +196,12 @@ def read(algorithm, said):
         bits = [flags >> k & 1 for k in range(3)]
         first = triple.index(min(triple))
         triangles.append(tuple(triple[first:] + triple[:first] + bits[first:] + bits[:first]))
+    used = {i for triangle in triangles for i in triangle[:3]}
     cell_ids = out.GetCellData().GetGlobalIds()
     crossings = out.GetFieldData().GetArray("Crossings")
     return {
         "names": name,
+        "unused": [name[i] for i in range(count) if name[i] not in used],
         "marks": [int(marks.GetValue(i)) for i in range(count)] if marks else [0] * count,
         "places": [repr(out.GetPoint(i)) for i in range(count)],
         "number": out.GetPoints().GetDataType() if count else None,
@@ -267,6 +269,7 @@ def compare(found, expected):
                 sorted(part["arrays"]), sorted(expected["arrays"])))
         for k, name in enumerate(part["names"]):
             is_foreign = part["marks"][k] != expected["marks"][name]
+            check(not is_foreign or name not in part["unused"], "point %d of another rank is no corner" % name)
             check(not is_foreign or part["marks"][k] == expected["marks"][name] | 1, "mark of point %d" % name)
             check(is_foreign or name not in seen, "point %d comes twice" % name)
             if not is_foreign:
