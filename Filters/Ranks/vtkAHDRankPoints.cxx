@@ -20,8 +20,12 @@
 
 namespace
 {
-/// Samples for each block that the plane is cut into.
-constexpr double kSamplesPerBlock = 512.0;
+/// Samples of all ranks: with 512 for each of many, the cuts are near enough to where they would
+/// be; few ranks, of which one that has more than its share is waited for, can have more.
+double CountSamples(std::size_t ranks)
+{
+  return std::max(512.0 * static_cast<double>(ranks), 16384.0);
+}
 
 /// Places of points, three numbers each, as floats or as doubles.
 vtkSmartPointer<vtkDataArray> MakePlaces(std::size_t count, bool areFloats)
@@ -132,7 +136,7 @@ void vtkAHDRankPoints::ShareSamples(ahd::BlockBytes& own) const
 {
   const double all = static_cast<double>(this->Facts.GetPoints() + this->Facts.GetSourcePoints());
   const double mine = static_cast<double>(this->Prepared.points().count);
-  const double most = kSamplesPerBlock * static_cast<double>(this->Ranks.GetCount());
+  const double most = CountSamples(this->Ranks.GetCount());
   std::vector<ahd::Point> samples;
   this->Context.Check(ahd::samplePoints(this->Prepared.points(),
     static_cast<std::size_t>(all > 0.0 ? most * mine / all + 1.0 : 0.0), samples));
