@@ -59,11 +59,15 @@ vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+#endif
 }
 
 vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D()
 {
   this->SetTransform(nullptr);
+  this->SetController(nullptr);
 }
 
 void vtkAdaptiveHilbertDelaunay2D::SetSourceData(vtkPolyData* source)
@@ -180,8 +184,10 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
   {
-    this->Execute(vtkDataObject::GetData(inputVector[0]), vtkDataObject::GetData(inputVector[1]),
-      data, context);
+    vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
+    vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
+    this->IsDistributed() ? this->ExecuteOnRanks(input, source, data, context)
+                          : this->Execute(input, source, data, context);
   }
   catch (const std::bad_alloc&)
   {
@@ -364,6 +370,15 @@ int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformat
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
+  if (this->IsDistributed())
+  {
+    // Whatever a rank has, it has to join the others.
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
   // The first type decides: a filter that takes composite data sets is not run for each block.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
     this->MergeBlocks ? "vtkCompositeDataSet" : "vtkPointSet");
@@ -386,21 +401,6 @@ void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
   this->NumberOfUnfilledLoops = 0;
   this->NumberOfTrimmedTriangles = 0;
   this->ConstrainSeconds = 0.0;
-}
-
-void vtkAdaptiveHilbertDelaunay2D::WarnAboutRanks()
-{
-#if VTK_MODULE_ENABLE_VTK_ParallelCore
-  vtkMultiProcessController* ranks = vtkMultiProcessController::GetGlobalController();
-  if (!this->WarnedAboutRanks && ranks && ranks->GetNumberOfProcesses() > 1 &&
-    ranks->GetLocalProcessId() == 0)
-  {
-    this->WarnedAboutRanks = true;
-    vtkWarningMacro("There are " << ranks->GetNumberOfProcesses()
-                                 << " ranks, and each triangulates its own points only: the "
-                                    "surfaces of the ranks do not join.");
-  }
-#endif
 }
 
 void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
@@ -426,6 +426,8 @@ void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
   os << indent << "GenerateVoronoi: " << (this->GenerateVoronoi ? "On\n" : "Off\n");
   os << indent << "VoronoiClip: " << this->VoronoiClip << "\n";
+  os << indent << "DistributePoints: " << (this->DistributePoints ? "On\n" : "Off\n");
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n";
   os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
   os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";

@@ -25,8 +25,7 @@
  *
  * <b>Limits and errors.</b> At most 2^28 - 2 points. Too many points or too little memory: one
  * error, all outputs empty, nothing thrown. Aborted (SetAbortExecute): outputs empty, no error.
- * Each warning comes once per execution, with counts. With several MPI ranks each triangulates its
- * own points, with a warning.
+ * Each warning comes once per execution, with counts. With several MPI ranks: DistributePoints.
  *
  * @sa
  * vtkDelaunay2D vtkAdaptiveHilbertAlgorithm
@@ -49,6 +48,7 @@ class vtkAHDContext;
 class vtkAHDOutputCache;
 struct vtkAHDDataSets;
 class vtkAbstractTransform;
+class vtkMultiProcessController;
 class vtkPointSet;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
@@ -325,6 +325,33 @@ public:
   ///@}
 
   ///@{
+  /**
+   * Triangulate the points of all ranks of Controller together: exactly the triangles of one rank
+   * that has all inputs and sources, appended in the order of the ranks. Off by default: each rank
+   * its own points, with a warning where there are several. No effect with one rank.
+   *
+   * All ranks have to execute, with the same settings. Each puts out the triangles that it owns, by
+   * place; with its points, which move to their owners with those point data arrays that all ranks
+   * have; and behind these the points of others that are corners, with vtkGhostType DUPLICATEPOINT.
+   * The global ids "GlobalPointIds" number the points as appended, those of sources last;
+   * "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's cells are those of
+   * the rank's own points. Sources that are the same on all ranks count once where their points are
+   * added. What fails on one rank ends in one error on each. Settings that have no meaning across
+   * ranks yet are such errors: Reference.md lists them.
+   */
+  virtual void SetDistributePoints(bool distribute);
+  vtkGetMacro(DistributePoints, bool);
+  vtkBooleanMacro(DistributePoints, bool);
+  ///@}
+
+  ///@{
+  /// The ranks of DistributePoints; by default those of the global controller when the filter is
+  /// made. Null: this process alone. Always null where VTK was built without ParallelCore.
+  virtual void SetController(vtkMultiProcessController* controller);
+  virtual vtkMultiProcessController* GetController();
+  ///@}
+
+  ///@{
   /// Of the last execution; 0 if it was aborted or ended in an error. Points merged by Tolerance;
   /// points added; distinct edges that are constraints, those of dropped triangles included;
   /// segments left out as they cross others (SPLIT: points added); segments that SPLIT led through
@@ -349,6 +376,7 @@ protected:
   ~vtkAdaptiveHilbertDelaunay2D() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void ClearMeasures() override;
   void TakeMeasures(const vtkAHDReport& report) override;
@@ -375,6 +403,8 @@ protected:
   bool MergeBlocks = false;
   bool GenerateVoronoi = false;
   int VoronoiClip = CLIP_TO_HULL;
+  bool DistributePoints = false;
+  vtkMultiProcessController* Controller = nullptr;
 
   // Measures of the last execution.
   vtkIdType NumberOfMergedPoints = 0;
@@ -393,6 +423,11 @@ private:
 
   void Execute(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
     const vtkAHDContext& context);
+  bool IsDistributed() const;
+  void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
+    const vtkAHDContext& context);
+  void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,
+    const vtkAHDSettings& settings, bool hasFailed);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);

@@ -159,7 +159,13 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
                  << " triangles is put out, and nothing else: Alpha, its switches and "
                     "MaximumEdgeLength leave nothing.");
   }
-  if (report.DelaunayTriangles == 0 && report.Counts.inserted + report.Counts.notFinite > 0)
+  if (report.MayBeEmptiedByLoops)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "There is no triangle, because the polygons of the source keep none (see FillRule), or all "
+      "distinct points are collinear.");
+  }
+  else if (report.DelaunayTriangles == 0 && report.Counts.inserted + report.Counts.notFinite > 0)
   {
     WarnOfNoTriangle(filter, report);
   }

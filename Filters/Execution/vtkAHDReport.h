@@ -11,6 +11,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 /// What there is to say of one execution; handed back once, at its end.
 struct vtkAHDReport
@@ -27,15 +29,18 @@ struct vtkAHDReport
   ahd::Report Counts;
   ahd::ConstraintReport Constraints;
   std::size_t DelaunayTriangles = 0; ///< before constraints dropped some
-  std::size_t Triangles = 0;         ///< put out
-  std::size_t Cells = 0;             ///< put out
+  /// There is no triangle, and it is not known whether there was one before loops dropped all.
+  bool MayBeEmptiedByLoops = false;
+  std::size_t Triangles = 0; ///< put out
+  std::size_t Cells = 0;     ///< put out
   std::size_t InputPoints = 0;
   std::size_t MergedPoints = 0;
   std::size_t AddedPoints = 0;
-  std::size_t Crossings = 0;                      ///< that were split
-  std::array<std::int64_t, 2> FirstCrossing = {}; ///< cells: left out, crossed
-  std::size_t BentConstraints = 0;                ///< led through a vertex beside them
-  std::int64_t FirstBentCell = 0;                 ///< of these, if there are any
+  std::size_t Crossings = 0;                              ///< that were split
+  std::array<std::int64_t, 2> FirstCrossing = {};         ///< cells: left out, crossed
+  std::vector<std::array<std::int64_t, 2>> CrossingCells; ///< of all left out, over ranks
+  std::size_t BentConstraints = 0;                        ///< led through a vertex beside them
+  std::int64_t FirstBentCell = 0;                         ///< of these, if there are any
   ahd::UnfitIds UnfitIds;
   ahd::OddPoints OddPoints;
   bool MarksAreUnfit = false;

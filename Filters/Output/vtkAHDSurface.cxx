@@ -273,16 +273,23 @@ void vtkAHDSurface::AddCrossings(
     }
     cells.push_back({ { points.cellOf(out.chain), points.cellOf(out.otherChain) } });
   }
+  WriteCrossings(cells, this->Output);
+}
+
+void vtkAHDSurface::WriteCrossings(
+  const std::vector<std::array<std::int64_t, 2>>& cells, vtkPolyData* output)
+{
   if (cells.empty())
   {
-    this->Output->GetFieldData()->RemoveArray("Crossings"); // the input's
+    output->GetFieldData()->RemoveArray("Crossings"); // the input's
     return;
   }
-  auto rows = MakeArray<vtkIdTypeArray>("Crossings", cells.size(), 2);
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  const std::size_t count = std::min(cells.size(), kMostCrossingRows);
+  auto rows = MakeArray<vtkIdTypeArray>("Crossings", count, 2);
+  for (std::size_t i = 0; i < count; ++i)
   {
     rows->SetValue(static_cast<vtkIdType>(2 * i), static_cast<vtkIdType>(cells[i][0]));
     rows->SetValue(static_cast<vtkIdType>(2 * i + 1), static_cast<vtkIdType>(cells[i][1]));
   }
-  this->Output->GetFieldData()->AddArray(rows);
+  output->GetFieldData()->AddArray(rows);
 }

@@ -8,6 +8,11 @@
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
 class vtkAHDInput;
 class vtkPolyData;
 
@@ -48,6 +53,10 @@ public:
   /// nothing crosses.
   void AddCrossings(
     const ahd::PreparedInput& points, const ahd::Triangulation& triangulation) const;
+
+  /// The same, of these pairs of cells.
+  static void WriteCrossings(
+    const std::vector<std::array<std::int64_t, 2>>& cells, vtkPolyData* output);
 
   /// Upper estimate of the bytes that points in so many numbers take here, beyond
   /// vtkAHDPointOutput's.

@@ -88,7 +88,8 @@ const std::map<std::string, Names>& allowedInTheVtkLayer()
     { "Input", { "Pipeline" } },
     { "Output", { "Input", "Pipeline" } },
     { "Execution", { "Input", "Output", "Pipeline" } },
-    { "", { "Execution", "Input", "Output", "Pipeline", "Distributions" } },
+    { "Ranks", { "Execution", "Input", "Output", "Pipeline" } },
+    { "", { "Execution", "Input", "Output", "Pipeline", "Ranks", "Distributions" } },
   };
   return kAllowed;
 }

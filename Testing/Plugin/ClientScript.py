@@ -66,4 +66,16 @@ surface.Transform.Rotate = [-90, 0, 0]
 check(fingerprint(surface) != expected, "the transform did not reach the server")
 surface.Transform = "None"
 check_equal(fingerprint(surface), expected, "triangles without the transform")
+# One surface over all ranks of the server: the first has read all points, each owns some.
+set_properties(surface, CountWork=0, GenerateInsertionCurve=0, GenerateBoxes=0, DistributePoints=1)
+surface.UpdatePipeline()
+joined = servermanager.Fetch(surface)
+names = joined.GetPointData().GetArray("GlobalPointIds")
+found = set()
+for i in range(joined.GetPolys().GetNumberOfCells()):
+    corners = cell_ids(joined.GetPolys(), i)
+    found.add(frozenset(names.GetValue(k) if names else k for k in corners))
+set_properties(surface, DistributePoints=0)
+check(found == {frozenset(corners) for corners in triangles(surface)}, "triangles of all ranks together differ")
+check_equal(measures(surface)["NumberOfTriangles"], len(found), "number of triangles")
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")

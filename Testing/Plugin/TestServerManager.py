@@ -256,8 +256,8 @@ def test_defaults_and_names_are_those_of_the_class():
     if cls is None:
         check(not EXPECT_PYTHON, "the package adaptivehilbertdelaunay cannot be imported")
         return
-    setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform", "GenerateFate"])
-    getters = set(SETTINGS + MEASURES + ["Source", "Transform", "GenerateFate"])
+    setters = set(SETTINGS + ["SourceData", "SourceConnection", "Transform", "Controller", "GenerateFate"])
+    getters = set(SETTINGS + MEASURES + ["Source", "Transform", "Controller", "GenerateFate"])
     check_equal(own_methods(cls, "Set"), setters, "settings of the class")
     check_equal(own_methods(cls, "Get"), getters, "values of the class")
     fresh = cls()

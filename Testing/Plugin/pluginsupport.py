@@ -35,6 +35,7 @@ SETTINGS = [
     "Tolerance",
     "DuplicatePolicy",
     "MergeBlocks",
+    "DistributePoints",
     "GenerateConstraintEdges",
     "GenerateRegionIds",
     "GenerateNeighbors",

@@ -56,7 +56,14 @@ struct PointsToMeasure
 Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
   const PointsToMeasure& points, const Context& context, Selection& out);
 
-/// Upper estimate of the bytes that it takes, the tables of the triangulation not counted.
+/// The same for triangles that lie in memory, and maximumEdgeLength alone: a byte for each of
+/// `triangles` triples, 1 for those that no edge is too long of. `places`: of each corner.
+/// Returns Ok, Cancelled or OutOfMemory. REQUIRES: length > 0.
+Status findShort(const std::int32_t* triples, std::size_t triangles, const PointView& places,
+  double length, const Context& context, std::vector<unsigned char>& kept);
+
+/// Upper estimate of the bytes that selectBySize() takes, the tables of the triangulation not
+/// counted.
 std::size_t selectionMemoryEstimate(std::size_t pointCount);
 
 } // namespace ahd

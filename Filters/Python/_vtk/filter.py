@@ -133,7 +133,8 @@ class _Executions:
                 ranks.GetLocalProcessId() == 0):
             self._warned_about_ranks = True
             speaker.warn("There are %d ranks, and each triangulates its own points only: the surfaces of the ranks do "
-                         "not join." % ranks.GetNumberOfProcesses())
+                         "not join. DistributePoints has an effect in the compiled class only."
+                         % ranks.GetNumberOfProcesses())
 
 
 class _Ports:
@@ -201,6 +202,20 @@ class _Ports:
     def GetSource(self):
         """The constraints, if they are one vtkPolyData."""
         return self.GetPolyDataInput(1)
+
+
+class _Ranks:
+    """The compiled class's ranks, kept for programs that name them; mixed into the class."""
+
+    _controller = ()  # none was set
+
+    def SetController(self, controller):
+        """No effect in this class, which knows no ranks: see SetDistributePoints."""
+        self._controller = controller
+
+    def GetController(self):
+        """The ranks of the compiled class: by default VTK's global controller, or None."""
+        return self._backend.controller() if self._controller == () else self._controller
 
 
 class _Transforms:
@@ -295,7 +310,7 @@ def make_class(backend):
 
     members = dict(settings.all_methods(), __doc__=ABOUT,
                    ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))
-    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Transforms), members, start, (2, 3))
+    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Ranks, _Transforms), members, start, (2, 3))
     for name, member in settings.properties_of(made).items():
         setattr(made, name, member)
     return made

@@ -105,6 +105,8 @@ SURFACE = (
     Setting("GenerateVoronoi", "bool", False, "Put the Voronoi diagram into output port 2."),
     Setting("VoronoiClip", "enum", 0, "Where outer Voronoi cells end: at the hull or the bounding box of the points.",
             names=("Hull", "Bounds")),
+    Setting("DistributePoints", "bool", False,
+            "No effect in this class, which knows no ranks: on several, each triangulates its own points."),
 )
 
 SETTINGS = INSERTION + SURFACE

@@ -245,6 +245,37 @@ TEST(Selection, TheLimitsAreClosed)
   EXPECT_EQ(select(0, 5).keptCount, 1u);
 }
 
+TEST(Selection, OfTriplesInMemoryIsTheSame)
+{
+  const Surface surface = makeSurface(300, 5);
+  Triangulation triangulation;
+  surface.triangulateInto(triangulation);
+  const std::size_t count = triangulation.report().triangles;
+  std::vector<std::int32_t> triples(3 * count);
+  ASSERT_EQ(triangulation.writeTriangles(triples.data(), Context()), Status::Ok);
+  for (const double length : { 1e-9, 0.0625, 0.1, 0.4, 2.0 })
+  {
+    SizeLimits limits;
+    limits.maximumEdgeLength = length;
+    Selection selection;
+    ASSERT_EQ(
+      selectBySize(triangulation, limits, surface.measured(), Context(), selection), Status::Ok);
+    std::vector<unsigned char> kept;
+    ASSERT_EQ(
+      findShort(triples.data(), count, surface.view(), length, Context(), kept), Status::Ok);
+    EXPECT_EQ(kept, selectedOf(triangulation, selection)) << length;
+  }
+  const std::vector<double> sides = { 0, 0, 3, 0, 0, 4 }; // the longest is 5
+  const std::int32_t triple[] = { 2, 0, 1 };
+  std::vector<unsigned char> kept;
+  for (const double length : { 5.0, std::nextafter(5.0, 0.0) })
+  {
+    ASSERT_EQ(
+      findShort(triple, 1, PointView(sides.data(), 3, 2), length, Context(), kept), Status::Ok);
+    EXPECT_EQ(kept, std::vector<unsigned char>{ static_cast<unsigned char>(length == 5.0) });
+  }
+}
+
 TEST(Selection, CollinearVerticesHaveLinesFromOneToTheNext)
 {
   Surface surface;

@@ -8,7 +8,7 @@ from classtests import FOLDER, WRITES, Case, Filter, Said, Source, cloud, core, 
 
 FILE = FOLDER / "Settings.json"
 VALUES = (-7, 0, 1, 2, 3, 17, 1000000, 2**40, 0.3, 1e300, math.nan, True, "a word", None)
-OBJECTS = ("SetSourceData", "SetSourceConnection", "SetTransform")
+OBJECTS = ("SetSourceData", "SetSourceConnection", "SetTransform", "SetController")
 
 
 def own_names(kind):

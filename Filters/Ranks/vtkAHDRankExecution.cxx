@@ -1,0 +1,358 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankExecution.h"
+
+#include "Engine/Core/Memory.h"
+#include "Engine/Prepare/Stacks.h"
+#include "Output/vtkAHDSurface.h"
+#include "Ranks/vtkAHDRankSurface.h"
+
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <numeric>
+#include <sstream>
+#include <utility>
+
+vtkAHDRankExecution::vtkAHDRankExecution(
+  const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDContext& context)
+  : Settings(settings)
+  , Ranks(ranks)
+  , Context(context)
+{
+}
+
+vtkAHDReport vtkAHDRankExecution::Run(const vtkAHDDataSets& data, ahd::Status before)
+{
+  this->Report.Status = ahd::Status::Ok;
+  try
+  {
+    this->Context.Check(this->Ranks.agree(before));
+    this->Context.SetStages({ 0.3, 1.0, 0.3 });
+    this->Context.NextStage();
+    this->Meet(data);
+    this->RefuseSettings();
+    this->Triangulate(data);
+    vtkAHDSurface::WriteCrossings(this->Report.CrossingCells, data.Outputs[0]);
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    this->Report.Status = stop.Reason;
+    for (vtkPolyData* output : data.Outputs)
+    {
+      output->Initialize();
+    }
+  }
+  return this->Report;
+}
+
+/// REQUIRES: to be called by all ranks alike.
+void vtkAHDRankExecution::StopAll(ahd::Status reason, const std::string& error)
+{
+  this->Said.Error = error;
+  throw vtkAHDStop{ reason };
+}
+
+/// Each rank hears what all have and want.
+void vtkAHDRankExecution::Meet(const vtkAHDDataSets& data)
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      vtkAHDRankFacts facts;
+      vtkAHDReadSettings(this->Settings, facts);
+      vtkAHDReadArrays(data.Input, facts);
+      vtkSmartPointer<vtkPointSet> input = data.Input;
+      if (!input)
+      {
+        input = vtkSmartPointer<vtkPolyData>::New();
+      }
+      const vtkAHDInput counts(this->Settings, input, data.Source);
+      const ahd::InputRequest& request = counts.GetRequest();
+      facts.Points = request.points.count;
+      facts.SourcePoints = request.sourcePoints.count;
+      facts.Segments = ahd::segmentsOf(request);
+      facts.HasMarks = request.points.skip != nullptr;
+      facts.MarksAreUnfit = counts.GetMarksAreUnfit();
+      if (facts.SourcePoints > 0)
+      {
+        facts.Source = vtkAHDFingerprintOf(data.Source, this->Ranks.GetOwn(), this->Context);
+      }
+      facts.Write(own);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->Facts.Of.resize(all.size());
+      for (std::size_t rank = 0; rank < all.size(); ++rank)
+      {
+        this->Facts.Of[rank].Read(all[rank]);
+      }
+    });
+  this->Report.InputPoints = this->Facts.GetPoints();
+  this->Report.AddedPoints = this->Facts.GetSourcePoints();
+  this->Report.Points = this->Report.InputPoints + this->Report.AddedPoints;
+}
+
+void vtkAHDRankExecution::RefuseSettings()
+{
+  const std::string difference = this->Facts.FindDifference(this->Settings);
+  if (!difference.empty())
+  {
+    this->StopAll(ahd::Status::Cancelled,
+      difference +
+        ". Points are distributed over ranks only where all have the same settings. "
+        "Nothing was computed.");
+  }
+  if (const char* unfit = this->Facts.FindUnfit(this->Settings))
+  {
+    this->StopAll(ahd::Status::Cancelled,
+      std::string(unfit) +
+        " has no meaning yet where points are distributed over ranks. Nothing "
+        "was computed. Reset it, or switch DistributePoints off: each rank "
+        "then triangulates its own points.");
+  }
+}
+
+void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
+{
+  vtkAHDRankPoints points(this->Settings, this->Ranks, this->Facts, this->Context);
+  this->Ranks.Together(this->Context, [&] { points.Read(data.Input, data.Source); });
+  vtkAHDRankChains chains;
+  chains.Gather(points, this->Ranks, this->Context);
+  points.MoveToOwners();
+  this->CheckPoints(points, chains);
+  ahd::BlockTriangulation block;
+  this->Context.NextStage();
+  this->MakeBlock(points, chains, block);
+  this->Context.NextStage();
+  vtkAHDRankSurface surface(this->Settings, this->Ranks, this->Facts, this->Context, points, block);
+  this->Ranks.Together(this->Context, [&] { surface.Select(); });
+  const std::size_t firstCell = this->ShareOdds(points, block.report(), surface.GetCellCount());
+  surface.Write(data.Outputs[0], firstCell);
+  this->ReportOn(block.report(), chains);
+}
+
+/// Refuses on all ranks what takes more than there is on one of them.
+void vtkAHDRankExecution::CheckMemory(std::size_t bytes, const char* what)
+{
+  const std::size_t rank = this->Ranks.GetOwn();
+  const bool isLimited = this->Settings.MemoryLimit > 0;
+  this->Estimate = std::max(this->Estimate, bytes);
+  // what is held already is part of the estimate, and of no rank's rest
+  const vtkTypeInt64 there = isLimited
+    ? this->Settings.MemoryLimit
+    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 / this->Facts.CountOnHostOf(rank));
+  const std::int64_t figures[] = { static_cast<std::int64_t>(bytes / 1024), there, isLimited };
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(figures); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Report.Estimate = figures[0];
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    ahd::BytesReader reader(all[k]);
+    const auto needed = reader.read<std::int64_t>();
+    const auto limit = reader.read<std::int64_t>();
+    const bool isByUser = reader.read<std::int64_t>() != 0;
+    if (needed > limit)
+    {
+      std::ostringstream error;
+      error << "Triangulating " << this->Report.Points << " points on " << all.size()
+            << " ranks may take " << needed << " KiB of memory on rank " << k << what << ", but "
+            << (isByUser ? "MemoryLimit allows " : "there are ") << limit
+            << " KiB. Nothing is put out. Take fewer points or more ranks, or set MemoryLimit (in "
+               "KiB, of each rank) to allow more.";
+      this->StopAll(ahd::Status::OutOfMemory, error.str());
+    }
+  }
+}
+
+void vtkAHDRankExecution::CheckPoints(
+  const vtkAHDRankPoints& points, const vtkAHDRankChains& chains)
+{
+  const std::size_t count = points.GetCount();
+  const std::size_t block = ahd::blockMemoryEstimate(
+    count, chains.GetIdCount(), this->Settings.Insertion);
+  if (block == std::size_t(-1))
+  {
+    return; // too many points, which the engine says
+  }
+  constexpr std::size_t kPerId = 4 * sizeof(std::int64_t); // with offsets and cells
+  this->CheckMemory(points.EstimateBytes() + count * (2 * 3 * sizeof(double) + 9) + block +
+      kPerId * chains.GetIdCount() +
+      vtkAHDRankSurface::EstimateBytes(count, this->Settings, this->Facts),
+    "");
+}
+
+/// Once it is known how much ranks have to hand to one. Where that is most of all, they do so at
+/// once rather than in several steps.
+void vtkAHDRankExecution::CheckBorder(
+  ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains)
+{
+  const std::vector<ahd::BorderCount>& borders = blocks.borders();
+  std::size_t points = 0, edges = 0, host = 0;
+  bool isHost = false;
+  for (const ahd::BorderCount& border : borders)
+  {
+    points += border.points;
+    edges += border.edges;
+    isHost = isHost || border.host == this->Ranks.GetOwn();
+  }
+  const bool gathers = points > this->Report.Points / 4;
+  if (gathers)
+  {
+    blocks.gatherTo(host);
+    isHost = this->Ranks.GetOwn() == host;
+  }
+  const std::size_t more = isHost ? ahd::borderMemoryEstimate(points, edges, chains.GetIdCount())
+                                  : 0;
+  std::ostringstream what;
+  what << ", which is to join the " << points << " points that ranks do not triangulate alone";
+  this->CheckMemory(this->Estimate + more, what.str().c_str());
+}
+
+void vtkAHDRankExecution::Step(ahd::BlockTriangulation& block)
+{
+  if (block.waiting() == ahd::BlockTriangulation::Waiting::ForAll)
+  {
+    std::vector<ahd::BlockBytes> all;
+    this->Context.Check(this->Ranks.gather(block.toAll(), all));
+    this->Context.Check(this->Ranks.agree(block.takeAll(all, this->Context)));
+    return;
+  }
+  std::vector<ahd::BlockMessage> out, in;
+  this->Context.Check(this->Ranks.agree(block.giveSome(out, this->Context)));
+  this->Context.Check(this->Ranks.exchange(out, in));
+  this->Context.Check(this->Ranks.agree(block.takeSome(in, this->Context)));
+}
+
+void vtkAHDRankExecution::MakeBlock(
+  const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block)
+{
+  ahd::BlockInput input;
+  input.block = this->Ranks.GetOwn();
+  input.blocks = this->Ranks.GetCount();
+  input.points = points.GetView();
+  input.ids = points.GetIds().data();
+  input.constraints = chains.GetView();
+  input.rule = this->Settings.FillRule;
+  input.options = this->Settings.Insertion;
+  this->Context.Check(this->Ranks.agree(block.begin(input, this->Context)));
+  while (block.waiting() != ahd::BlockTriangulation::Waiting::ForNothing)
+  {
+    if (!block.borders().empty())
+    {
+      this->CheckBorder(block, chains);
+    }
+    this->Step(block);
+  }
+}
+
+/// Looks whether x and y tell the points apart, where the triangles give cause for it. Points at
+/// one place are on one rank; that those of several ranks are on one line is not found out.
+void vtkAHDRankExecution::FindStacks(const vtkAHDRankPoints& points,
+  const ahd::BlocksReport& counts, bool& areStacked, bool& areOnLine)
+{
+  if (this->Settings.IsProjected())
+  {
+    return;
+  }
+  if (counts.triangles == 0)
+  {
+    this->Context.Check(ahd::findIfOnOneLine(points.GetView(), this->Context, areOnLine));
+  }
+  else if (counts.duplicates > counts.vertices / 2 &&
+    this->Settings.Insertion.representative == ahd::Representative::FirstId)
+  {
+    this->Context.Check(ahd::findIfStacked(points.GetView(), this->Context, areStacked));
+  }
+}
+
+/// Tells all what each rank found odd in its points, and how many triangles it has. Returns how
+/// many those before this one have.
+std::size_t vtkAHDRankExecution::ShareOdds(
+  const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles)
+{
+  constexpr std::int64_t kNone = -1;
+  const ahd::PointView& mine = points.GetPrepared().points();
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      ahd::OddPoints odd;
+      bool areStacked = false, areOnLine = true;
+      this->FindStacks(points, counts, areStacked, areOnLine);
+      this->Context.Check(ahd::findOddPoints(mine, this->Context, odd));
+      const std::size_t first = odd.firstNotFinite; // 0 also stands for none
+      const bool isOdd = first > 0 ||
+        (mine.count > 0 && !ahd::isFinite(mine[0]) && !mine.skipped(0));
+      const std::int64_t found[] = { isOdd ? points.GetId(static_cast<std::int64_t>(first)) : kNone,
+        static_cast<std::int64_t>(odd.oddZ), static_cast<std::int64_t>(triangles), areStacked,
+        areOnLine };
+      ahd::BytesWriter(own).write(found);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  std::int64_t firstOdd = kNone;
+  std::size_t before = 0, cells = 0;
+  for (std::size_t rank = 0; rank < all.size(); ++rank)
+  {
+    ahd::BytesReader reader(all[rank]);
+    const auto first = reader.read<std::int64_t>();
+    firstOdd = firstOdd == kNone || (first != kNone && first < firstOdd) ? first : firstOdd;
+    this->Report.OddPoints.oddZ += static_cast<std::size_t>(reader.read<std::int64_t>());
+    before = rank == this->Ranks.GetOwn() ? cells : before;
+    cells += static_cast<std::size_t>(reader.read<std::int64_t>());
+    this->Report.AreStacked = reader.read<std::int64_t>() != 0 || this->Report.AreStacked;
+    this->Report.AreOnOneLine = reader.read<std::int64_t>() != 0 && this->Report.AreOnOneLine;
+  }
+  this->Report.Triangles = cells;
+  this->Report.Cells = cells;
+  this->Report.OddPoints.firstNotFinite = static_cast<std::size_t>(
+    std::max<std::int64_t>(firstOdd, 0));
+  return before;
+}
+
+void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains)
+{
+  vtkAHDReport& report = this->Report;
+  report.Counts.inserted = counts.vertices;
+  report.Counts.duplicates = counts.duplicates;
+  report.Counts.notFinite = counts.notFinite;
+  report.Counts.skipped = counts.skipped;
+  report.Counts.triangles = counts.triangles;
+  report.Constraints = counts.constraints;
+  report.DelaunayTriangles = counts.triangles;
+  report.MayBeEmptiedByLoops = counts.triangles == 0 && chains.HaveLoops();
+  report.UnfitIds = chains.GetUnfitIds();
+  report.Source = chains.GetContent();
+  for (const vtkAHDRankFacts& facts : this->Facts.Of)
+  {
+    report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;
+  }
+  for (std::size_t phase = 0; phase < ahd::kPhases; ++phase)
+  {
+    report.Seconds[phase] = this->Context.GetSeconds(ahd::Phase(phase));
+  }
+  report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
+  report.Estimate = static_cast<vtkTypeInt64>(this->Estimate / 1024);
+  for (const ahd::LeftOut& out : report.Constraints.leftOut)
+  {
+    report.CrossingCells.push_back({ { chains.CellOf(out.chain), chains.CellOf(out.otherChain) } });
+  }
+  if (!report.CrossingCells.empty())
+  {
+    report.FirstCrossing = report.CrossingCells.front();
+  }
+  const std::string partial = this->Facts.GetPartialArrays();
+  if (!partial.empty())
+  {
+    this->Said.Warnings.push_back("Point data arrays that not all ranks have, of one type and with "
+                                  "one value for each point, are not passed on: " +
+      partial + ".");
+  }
+}

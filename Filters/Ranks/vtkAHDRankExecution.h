@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankExecution_h
+#define vtkAHDRankExecution_h
+
+#include "Engine/Distribute/BlockTriangulation.h"
+#include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDReport.h"
+#include "Ranks/vtkAHDRankChains.h"
+#include "Ranks/vtkAHDRankFacts.h"
+#include "Ranks/vtkAHDRankPoints.h"
+#include "Ranks/vtkAHDRanks.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+/**
+ * One execution over all ranks of a controller: each rank gives its points and constraints, and
+ * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface.
+ */
+class vtkAHDRankExecution
+{
+public:
+  /// Borrows all of them.
+  vtkAHDRankExecution(
+    const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDContext& context);
+
+  /// What all ranks say alike, beyond the report.
+  struct Words
+  {
+    std::string Error;                 ///< instead of what the report's Status stands for
+    std::vector<std::string> Warnings; ///< for one rank to say
+  };
+
+  /// Triangulates, and fills the surface, which is empty unless Report::Status is Ok. Collective:
+  /// to be called by all ranks, also by those that have nothing (Input may be null), or that could
+  /// not get what they have (`before` is not Ok). All return the same status, words and counts.
+  vtkAHDReport Run(const vtkAHDDataSets& data, ahd::Status before);
+  const Words& GetWords() const { return this->Said; }
+
+private:
+  void Meet(const vtkAHDDataSets& data);
+  void RefuseSettings();
+  [[noreturn]] void StopAll(ahd::Status reason, const std::string& error);
+  void Triangulate(const vtkAHDDataSets& data);
+  void CheckMemory(std::size_t bytes, const char* what);
+  void CheckPoints(const vtkAHDRankPoints& points, const vtkAHDRankChains& chains);
+  void CheckBorder(ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains);
+  void MakeBlock(
+    const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block);
+  void Step(ahd::BlockTriangulation& block);
+  void FindStacks(const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, bool& areStacked,
+    bool& areOnLine);
+  std::size_t ShareOdds(
+    const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles);
+  void ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains);
+
+  const vtkAHDSettings& Settings;
+  vtkAHDRanks& Ranks;
+  const vtkAHDContext& Context;
+  vtkAHDAllFacts Facts;
+  vtkAHDReport Report;
+  Words Said;
+  std::size_t Estimate = 0; // bytes, of this rank, as far as it is known
+};
+
+#endif

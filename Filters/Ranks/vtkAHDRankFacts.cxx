@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankFacts.h"
+
+#include "Execution/vtkAHDFingerprint.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Ranks/vtkAHDRoute.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkAbstractTransform.h"
+#include "vtkCellArray.h"
+#include "vtkHomogeneousTransform.h"
+#include "vtkMatrix4x4.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <set>
+#include <sstream>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace
+{
+std::uint64_t NameOfHost()
+{
+  char name[256] = {};
+#if defined(__unix__) || defined(__APPLE__)
+  gethostname(name, sizeof(name) - 1);
+#endif
+  return std::hash<std::string>()(name);
+}
+
+void WriteText(ahd::BytesWriter& writer, const std::string& text)
+{
+  writer.writeAll(std::vector<char>(text.begin(), text.end()));
+}
+
+std::string ReadText(ahd::BytesReader& reader)
+{
+  std::vector<char> text;
+  reader.readAll(text);
+  return std::string(text.begin(), text.end());
+}
+
+bool IsNamed(const std::vector<vtkAHDArrayFacts>& arrays, const std::string& name)
+{
+  return std::any_of(arrays.begin(), arrays.end(),
+    [&name](const vtkAHDArrayFacts& array) { return array.Name == name; });
+}
+}
+
+void vtkAHDRankFacts::Write(ahd::BlockBytes& bytes) const
+{
+  ahd::BytesWriter writer(bytes);
+  writer.writeAll(this->Settings);
+  writer.writeAll(this->Transform);
+  const std::uint64_t numbers[] = { this->Points, this->SourcePoints, this->Segments, this->Host,
+    this->AreFloats, this->HasMarks, this->MarksAreUnfit, this->HasSeparateBlocks };
+  writer.write(numbers);
+  writer.write(this->Source);
+  writer.write(std::uint64_t(this->Arrays.size()));
+  for (const vtkAHDArrayFacts& array : this->Arrays)
+  {
+    WriteText(writer, array.Name);
+    const int shape[] = { array.Type, array.Components, array.Attribute };
+    writer.write(shape);
+  }
+  writer.write(std::uint64_t(this->OtherArrays.size()));
+  for (const std::string& name : this->OtherArrays)
+  {
+    WriteText(writer, name);
+  }
+}
+
+void vtkAHDRankFacts::Read(const ahd::BlockBytes& bytes)
+{
+  ahd::BytesReader reader(bytes);
+  reader.readAll(this->Settings);
+  reader.readAll(this->Transform);
+  this->Points = reader.read<std::uint64_t>();
+  this->SourcePoints = reader.read<std::uint64_t>();
+  this->Segments = reader.read<std::uint64_t>();
+  this->Host = reader.read<std::uint64_t>();
+  this->AreFloats = reader.read<std::uint64_t>() != 0;
+  this->HasMarks = reader.read<std::uint64_t>() != 0;
+  this->MarksAreUnfit = reader.read<std::uint64_t>() != 0;
+  this->HasSeparateBlocks = reader.read<std::uint64_t>() != 0;
+  this->Source = reader.read<ahd::Fingerprint>();
+  for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
+  {
+    vtkAHDArrayFacts array;
+    array.Name = ReadText(reader);
+    array.Type = reader.read<int>();
+    array.Components = reader.read<int>();
+    array.Attribute = reader.read<int>();
+    this->Arrays.push_back(array);
+  }
+  for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
+  {
+    this->OtherArrays.push_back(ReadText(reader));
+  }
+}
+
+std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHDSettings& settings)
+{
+  const ahd::Options& insertion = settings.Insertion;
+  return {
+    { "SourceMode", settings.AddSourcePoints },
+    { "CrossingMode", settings.Split },
+    { "ClosedLines", settings.ClosedLinesAreLoops },
+    { "SourceHeights", settings.HeightsFromSurface },
+    { "FillRule", double(settings.FillRule) },
+    { "Alpha", settings.Limits.alpha },
+    { "AlphaTris", settings.Limits.triangles },
+    { "AlphaLines", settings.Limits.lines },
+    { "AlphaVerts", settings.Limits.vertices },
+    { "MaximumEdgeLength", settings.Limits.maximumEdgeLength },
+    { "ProjectionPlaneMode", settings.FitPlane },
+    { "Rim", settings.Trim },
+    { "Tolerance", settings.Tolerance },
+    { "DuplicatePolicy", double(insertion.representative) + 10.0 * settings.ShowMeans },
+    { "BoundingTriangulation", settings.Bounding },
+    { "Offset", settings.Offset },
+    { "InsertionLimit", double(insertion.insertionLimit) },
+    { "CountWork", insertion.countWork },
+    { "GeneratePointStatus", settings.GeneratePointStatus },
+    { "GenerateInsertionRank", settings.GenerateInsertionRank },
+    { "GenerateInsertionCurve", settings.GenerateInsertionCurve },
+    { "GenerateBoxes", insertion.keepBoxes },
+    { "GenerateConstraintEdges", settings.GenerateConstraintEdges },
+    { "GenerateRegionIds", settings.GenerateRegionIds },
+    { "GenerateNeighbors", settings.GenerateNeighbors },
+    { "GenerateVoronoi", settings.GenerateVoronoi },
+    { "VoronoiClip", double(settings.VoronoiClip) },
+  };
+}
+
+void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
+{
+  for (const auto& setting : vtkAHDSettingsToCompare(settings))
+  {
+    facts.Settings.push_back(setting.second);
+  }
+  if (auto* linear = vtkHomogeneousTransform::SafeDownCast(settings.Transform))
+  {
+    vtkNew<vtkMatrix4x4> matrix;
+    linear->GetMatrix(matrix);
+    facts.Transform.assign(matrix->GetData(), matrix->GetData() + 16);
+  }
+  else if (settings.Transform)
+  {
+    // of others nothing but the class can be compared
+    const std::string name = settings.Transform->GetClassName();
+    facts.Transform.assign(name.begin(), name.end());
+  }
+  facts.HasSeparateBlocks = settings.SeparateBlocks;
+  facts.Host = NameOfHost();
+}
+
+void vtkAHDReadArrays(vtkPointSet* input, vtkAHDRankFacts& facts)
+{
+  if (!input || input->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  facts.AreFloats = input->GetPoints()->GetDataType() == VTK_FLOAT;
+  vtkNew<vtkPointData> data;
+  data->ShallowCopy(input->GetPointData());
+  vtkAHDRemoveArraysOfOneName(data);
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const char* name = array->GetName();
+    if (name && std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0)
+    {
+      continue;
+    }
+    if (name && vtkAHDRoute::CanMove(array) &&
+      array->GetNumberOfTuples() == input->GetNumberOfPoints())
+    {
+      facts.Arrays.push_back({ name, array->GetDataType(), array->GetNumberOfComponents(),
+        data->IsArrayAnAttribute(i) });
+    }
+    else
+    {
+      facts.OtherArrays.push_back(name ? name : "one without a name");
+    }
+  }
+}
+
+ahd::Fingerprint vtkAHDFingerprintOf(
+  vtkPolyData* source, std::size_t rank, const vtkAHDContext& context)
+{
+  ahd::Fingerprint all = { { 0, 0 } };
+  vtkPoints* points = source ? source->GetPoints() : nullptr;
+  std::vector<vtkDataArray*> arrays = { points ? points->GetData() : nullptr };
+  for (vtkCellArray* cells :
+    { source ? source->GetLines() : nullptr, source ? source->GetPolys() : nullptr })
+  {
+    arrays.push_back(cells ? cells->GetConnectivityArray() : nullptr);
+    arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    ahd::Fingerprint one;
+    if (!vtkAHDTakeFingerprint(array, context, one))
+    {
+      return { { std::uint64_t(rank), 1 } };
+    }
+    for (std::size_t k = 0; k < all.size(); ++k)
+    {
+      all[k] = all[k] * 0x9E3779B97F4A7C15u + one[k];
+    }
+  }
+  return all;
+}
+
+// --------------------------------------------------------------------------------- of all ranks
+
+std::size_t vtkAHDAllFacts::GetPoints() const
+{
+  std::size_t sum = 0;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    sum += static_cast<std::size_t>(facts.Points);
+  }
+  return sum;
+}
+
+std::size_t vtkAHDAllFacts::GetSourcePoints() const
+{
+  std::size_t sum = 0;
+  for (std::size_t rank = 0; rank < this->Of.size(); ++rank)
+  {
+    sum += this->CountsSource(rank) ? static_cast<std::size_t>(this->Of[rank].SourcePoints) : 0;
+  }
+  return sum;
+}
+
+std::size_t vtkAHDAllFacts::GetSegments() const
+{
+  std::size_t sum = 0;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    sum += static_cast<std::size_t>(facts.Segments);
+  }
+  return sum;
+}
+
+bool vtkAHDAllFacts::AreFloats() const
+{
+  return this->GetSourcePoints() == 0 &&
+    std::all_of(this->Of.begin(), this->Of.end(),
+      [](const vtkAHDRankFacts& facts) { return facts.AreFloats || facts.Points == 0; });
+}
+
+bool vtkAHDAllFacts::HaveMarks() const
+{
+  return std::any_of(
+    this->Of.begin(), this->Of.end(), [](const vtkAHDRankFacts& facts) { return facts.HasMarks; });
+}
+
+bool vtkAHDAllFacts::HaveSeparateBlocks() const
+{
+  return std::any_of(this->Of.begin(), this->Of.end(),
+    [](const vtkAHDRankFacts& facts) { return facts.HasSeparateBlocks; });
+}
+
+std::string vtkAHDAllFacts::FindDifference(const vtkAHDSettings& own) const
+{
+  const auto names = vtkAHDSettingsToCompare(own);
+  std::ostringstream words;
+  for (std::size_t rank = 1; rank < this->Of.size(); ++rank)
+  {
+    for (std::size_t k = 0; k < names.size(); ++k)
+    {
+      const double first = this->Of[0].Settings[k], other = this->Of[rank].Settings[k];
+      if (first != other)
+      {
+        words << names[k].first << " is not the same on ranks 0 and " << rank;
+        return words.str();
+      }
+    }
+    if (this->Of[rank].Transform != this->Of[0].Transform)
+    {
+      words << "Transform is not the same on ranks 0 and " << rank;
+      return words.str();
+    }
+  }
+  return words.str();
+}
+
+const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
+{
+  const bool hasSegments = this->GetSegments() > 0;
+  const std::pair<bool, const char*> unfit[] = {
+    { settings.Insertion.insertionLimit > 0, "InsertionLimit" },
+    { this->HaveSeparateBlocks(), "MergeBlocks off, where the input has blocks," },
+    { settings.Insertion.countWork, "CountWork" },
+    { settings.GenerateInsertionRank, "GenerateInsertionRank" },
+    { settings.GenerateInsertionCurve, "GenerateInsertionCurve" },
+    { settings.Insertion.keepBoxes, "GenerateBoxes" },
+    { settings.GenerateRegionIds, "GenerateRegionIds" },
+    { settings.GenerateNeighbors, "GenerateNeighbors" },
+    { settings.GenerateVoronoi, "GenerateVoronoi" },
+    { settings.Limits.alpha > 0.0, "Alpha" },
+    { settings.FitPlane, "ProjectionPlaneMode Best-Fitting Plane" },
+    { settings.TrimsRim(), "Rim Trimmed (what Automatic is in any other plane than x, y)" },
+    { settings.Tolerance > 0.0, "Tolerance" },
+    { settings.AddsBounding(), "BoundingTriangulation" },
+    { settings.ShowMeans, "DuplicatePolicy Mean z" },
+    { settings.Split && hasSegments, "CrossingMode Split" },
+    { settings.HeightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
+  };
+  for (const auto& one : unfit)
+  {
+    if (one.first)
+    {
+      return one.second;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<vtkAHDArrayFacts> vtkAHDAllFacts::GetArrays() const
+{
+  std::vector<vtkAHDArrayFacts> common;
+  bool isFirst = true;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    if (facts.Points == 0)
+    {
+      continue;
+    }
+    if (isFirst)
+    {
+      common = facts.Arrays;
+      isFirst = false;
+    }
+    std::vector<vtkAHDArrayFacts> both;
+    for (vtkAHDArrayFacts array : common)
+    {
+      const auto found = std::find(facts.Arrays.begin(), facts.Arrays.end(), array);
+      if (found != facts.Arrays.end())
+      {
+        array.Attribute = array.Attribute == found->Attribute ? array.Attribute : -1;
+        both.push_back(array);
+      }
+    }
+    common.swap(both);
+  }
+  return common;
+}
+
+std::string vtkAHDAllFacts::GetPartialArrays() const
+{
+  const std::vector<vtkAHDArrayFacts> common = this->GetArrays();
+  std::set<std::string> names;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    names.insert(facts.OtherArrays.begin(), facts.OtherArrays.end());
+    for (const vtkAHDArrayFacts& array : facts.Arrays)
+    {
+      if (!IsNamed(common, array.Name))
+      {
+        names.insert(array.Name);
+      }
+    }
+  }
+  std::string words;
+  for (const std::string& name : names)
+  {
+    words += (words.empty() ? "" : ", ") + name;
+  }
+  return words;
+}
+
+bool vtkAHDAllFacts::IsOneSource() const
+{
+  return this->Of[0].SourcePoints > 0 &&
+    std::all_of(this->Of.begin(), this->Of.end(),
+      [this](const vtkAHDRankFacts& facts) {
+        return facts.SourcePoints == this->Of[0].SourcePoints && facts.Source == this->Of[0].Source;
+      });
+}
+
+std::size_t vtkAHDAllFacts::CountOnHostOf(std::size_t rank) const
+{
+  return static_cast<std::size_t>(std::count_if(this->Of.begin(), this->Of.end(),
+    [this, rank](const vtkAHDRankFacts& facts) { return facts.Host == this->Of[rank].Host; }));
+}

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankFacts_h
+#define vtkAHDRankFacts_h
+
+#include "Engine/Core/Fingerprint.h"
+#include "Engine/Distribute/BlockBytes.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAHDContext;
+class vtkPointSet;
+class vtkPolyData;
+
+/// A point data array, as ranks compare theirs.
+struct vtkAHDArrayFacts
+{
+  std::string Name;
+  int Type = 0;
+  int Components = 1;
+  int Attribute = -1; ///< which one of VTK's attributes it is; -1: none
+
+  bool operator==(const vtkAHDArrayFacts& other) const
+  {
+    return this->Name == other.Name && this->Type == other.Type &&
+      this->Components == other.Components;
+  }
+};
+
+/// What a rank says of itself before the work begins: settings, and what its input and source are.
+struct vtkAHDRankFacts
+{
+  std::vector<double> Settings; ///< see vtkAHDSettingsToCompare
+  std::vector<double> Transform;
+  std::uint64_t Points = 0;             ///< of the input
+  std::uint64_t SourcePoints = 0;       ///< that are to be added
+  std::uint64_t Segments = 0;           ///< at most
+  std::uint64_t Host = 0;               ///< names the machine
+  bool AreFloats = false;               ///< the coordinates of the input
+  bool HasMarks = false;                ///< are there ghost marks?
+  bool HasSeparateBlocks = false;       ///< that are not to be merged
+  bool MarksAreUnfit = false;           ///< there are some, but not one for each point
+  ahd::Fingerprint Source = {};         ///< of points and cells
+  std::vector<vtkAHDArrayFacts> Arrays; ///< that can be moved, marks excepted
+  std::vector<std::string> OtherArrays; ///< that cannot
+
+  /// Throws std::bad_alloc, as the next one.
+  void Write(ahd::BlockBytes& bytes) const;
+  void Read(const ahd::BlockBytes& bytes);
+};
+
+/// The settings that have to be the same on all ranks, by name.
+std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHDSettings& settings);
+
+/// Fills the settings.
+void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts);
+
+/// Fills what is known of the points' data. `input` may be null.
+void vtkAHDReadArrays(vtkPointSet* input, vtkAHDRankFacts& facts);
+
+/// The fingerprint of the source's points and cells, if these have one; else one of its own.
+ahd::Fingerprint vtkAHDFingerprintOf(
+  vtkPolyData* source, std::size_t rank, const vtkAHDContext& context);
+
+/// What all ranks know of all ranks.
+class vtkAHDAllFacts
+{
+public:
+  std::vector<vtkAHDRankFacts> Of; ///< of each rank
+
+  std::size_t GetPoints() const;
+  std::size_t GetSourcePoints() const;
+  std::size_t GetSegments() const;
+  bool AreFloats() const;
+  bool HaveMarks() const;
+  bool HaveSeparateBlocks() const;
+
+  /// The first setting that differs between ranks, in a sentence; empty if none does.
+  std::string FindDifference(const vtkAHDSettings& own) const;
+  /// The first setting that has no meaning across ranks yet; null if there is none.
+  const char* FindUnfit(const vtkAHDSettings& settings) const;
+  /// The arrays that all ranks with points have, in the order of the first of these.
+  std::vector<vtkAHDArrayFacts> GetArrays() const;
+  /// Those that only some have or that cannot be moved, "A, B"; empty if there is none.
+  std::string GetPartialArrays() const;
+
+  /// Have all ranks the same source? Only if its points are to be added: ids mean others elsewhere.
+  bool IsOneSource() const;
+  /// A rank whose source counts.
+  bool CountsSource(std::size_t rank) const { return rank == 0 || !this->IsOneSource(); }
+  /// How many ranks are on the machine of this one.
+  std::size_t CountOnHostOf(std::size_t rank) const;
+};
+
+#endif

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankPoints.h"
+
+#include "Engine/Distribute/BlockCuts.h"
+#include "Output/vtkAHDPointOutput.h"
+#include "Pipeline/vtkAHDArray.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace
+{
+/// Samples of all ranks: with 512 for each of many, the cuts are near enough to where they would
+/// be; few ranks, of which one that has more than its share is waited for, can have more.
+double CountSamples(std::size_t ranks)
+{
+  return std::max(512.0 * static_cast<double>(ranks), 16384.0);
+}
+
+/// Places of points, three numbers each, as floats or as doubles.
+vtkSmartPointer<vtkDataArray> MakePlaces(std::size_t count, bool areFloats)
+{
+  const auto numbers = static_cast<vtkIdType>(3 * count);
+  vtkSmartPointer<vtkDataArray> places;
+  if (areFloats)
+  {
+    places = vtkAHDNewArray<vtkFloatArray>(numbers);
+  }
+  else
+  {
+    places = vtkAHDNewArray<vtkDoubleArray>(numbers);
+  }
+  places->SetNumberOfComponents(3);
+  return places;
+}
+}
+
+vtkAHDRankPoints::vtkAHDRankPoints(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+  const vtkAHDAllFacts& facts, const vtkAHDContext& context)
+  : Settings(settings)
+  , Ranks(ranks)
+  , Facts(facts)
+  , Context(context)
+  , Route(ranks, context)
+{
+  std::uint64_t before = 0, sourcesBefore = 0;
+  for (std::size_t rank = 0; rank < ranks.GetOwn(); ++rank)
+  {
+    before += facts.Of[rank].Points;
+    sourcesBefore += facts.CountsSource(rank) ? facts.Of[rank].SourcePoints : 0;
+  }
+  this->FirstId = static_cast<std::int64_t>(before);
+  this->FirstSourceId = static_cast<std::int64_t>(facts.GetPoints() + sourcesBefore);
+}
+
+vtkAHDRankPoints::~vtkAHDRankPoints() = default;
+
+/// The input with those arrays that all ranks have; where there are no points, empty ones.
+void vtkAHDRankPoints::CopyInput(vtkPointSet* input)
+{
+  this->Local = vtkSmartPointer<vtkPolyData>::New();
+  const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
+  if (!isEmpty)
+  {
+    this->Local->SetPoints(input->GetPoints());
+  }
+  vtkPointData* data = this->Local->GetPointData();
+  for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
+  {
+    vtkSmartPointer<vtkAbstractArray> array;
+    if (isEmpty)
+    {
+      array.TakeReference(vtkAbstractArray::CreateArray(facts.Type));
+      array->SetNumberOfComponents(facts.Components);
+      array->SetName(facts.Name.c_str());
+    }
+    else
+    {
+      array = input->GetPointData()->GetAbstractArray(facts.Name.c_str());
+    }
+    const int index = data->AddArray(array);
+    if (facts.Attribute >= 0)
+    {
+      data->SetActiveAttribute(index, facts.Attribute);
+    }
+  }
+}
+
+void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
+{
+  this->CopyInput(input);
+  vtkPolyData* counted = this->Facts.CountsSource(this->Ranks.GetOwn()) ? source : nullptr;
+  vtkPointSet* given = input ? input : this->Local.Get();
+  this->Input.reset(new vtkAHDInput(this->Settings, given, counted));
+  this->Input->Open(this->Context);
+  this->Context.Check(ahd::prepare(this->Input->GetRequest(), this->Context, this->Prepared));
+  if (this->Prepared.addedCount() > 0)
+  {
+    this->Combined = vtkSmartPointer<vtkPolyData>::New();
+    vtkAHDPointOutput(this->Local, this->Input->GetSourceOfPoints(), this->Prepared)
+      .Write(this->Combined, this->Context);
+  }
+}
+
+std::int64_t vtkAHDRankPoints::GetId(std::int64_t local) const
+{
+  const auto own = static_cast<std::int64_t>(this->Prepared.inputCount());
+  return local < 0 ? -1 : local < own ? this->FirstId + local : this->FirstSourceId + (local - own);
+}
+
+std::size_t vtkAHDRankPoints::EstimateBytes() const
+{
+  const std::size_t count = this->Prepared.points().count;
+  return this->Input->EstimateBytes() + ahd::preparationMemoryEstimate(this->Input->GetRequest()) +
+    (this->Combined ? vtkAHDPointOutput::EstimateBytes(this->Local, count) : 0) +
+    2 * sizeof(ahd::Index) * count; // of the route, as lists grow
+}
+
+vtkPointData* vtkAHDRankPoints::GetDataToMove() const
+{
+  return (this->Combined ? this->Combined : this->Local)->GetPointData();
+}
+
+/// Some of this rank's points, as many as it has of all.
+void vtkAHDRankPoints::ShareSamples(ahd::BlockBytes& own) const
+{
+  const double all = static_cast<double>(this->Facts.GetPoints() + this->Facts.GetSourcePoints());
+  const double mine = static_cast<double>(this->Prepared.points().count);
+  const double most = CountSamples(this->Ranks.GetCount());
+  std::vector<ahd::Point> samples;
+  this->Context.Check(ahd::samplePoints(this->Prepared.points(),
+    static_cast<std::size_t>(all > 0.0 ? most * mine / all + 1.0 : 0.0), samples));
+  ahd::BytesWriter(own).writeAll(samples);
+}
+
+void vtkAHDRankPoints::FindOwners()
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  ahd::BlockCuts cuts;
+  this->Ranks.Together(this->Context, [&] { this->ShareSamples(own); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      std::vector<ahd::Point> samples;
+      for (const ahd::BlockBytes& bytes : all)
+      {
+        ahd::BytesReader(bytes).readAll(samples);
+      }
+      this->Context.Check(ahd::cutIntoBlocks(samples, this->Ranks.GetCount(), this->Context, cuts));
+    });
+  const ahd::PointView& points = this->Prepared.points();
+  this->Route.ToOwners(
+    points.count, [&points, &cuts](std::size_t i) { return cuts.ownerOf(points[i]); });
+}
+
+/// Ids come ascending from each rank, those of sources behind all others.
+void vtkAHDRankPoints::SortIds(const std::vector<std::int64_t>& arrived)
+{
+  std::vector<ahd::Index> order(arrived.size()), places(arrived.size());
+  std::iota(order.begin(), order.end(), ahd::Index(0));
+  std::sort(order.begin(), order.end(),
+    [&arrived](ahd::Index a, ahd::Index b) { return arrived[a] < arrived[b]; });
+  this->Ids.resize(arrived.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+  {
+    places[order[k]] = static_cast<ahd::Index>(k);
+    this->Ids[k] = arrived[order[k]];
+  }
+  this->Route.SetPlaces(std::move(places));
+}
+
+void vtkAHDRankPoints::MovePlaces()
+{
+  vtkSmartPointer<vtkDataArray> mine;
+  const bool areFloats = this->Facts.AreFloats();
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->Places = MakePlaces(this->GetCount(), areFloats);
+      vtkPoints* points = (this->Combined ? this->Combined : this->Local)->GetPoints();
+      const bool fits = points && points->GetDataType() == this->Places->GetDataType();
+      mine = fits ? points->GetData() : MakePlaces(0, areFloats).Get();
+      if (points && !fits)
+      {
+        mine->DeepCopy(points->GetData());
+      }
+      if (this->Prepared.isProjected())
+      {
+        this->InPlane.resize(3 * this->GetCount());
+      }
+    });
+  this->Route.Move(mine, this->Places, 0);
+  if (this->Settings.IsProjected())
+  {
+    this->Route.Move(this->Prepared.points().doubles, 3 * sizeof(double), this->InPlane.data());
+  }
+}
+
+void vtkAHDRankPoints::MoveMarks()
+{
+  std::vector<unsigned char> mine;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      mine.assign(this->Prepared.points().count, 0);
+      if (const unsigned char* given = this->Input->GetRequest().points.skip)
+      {
+        std::copy(given, given + this->Prepared.inputCount(), mine.begin());
+      }
+      this->Marks = vtkAHDNewArray<vtkUnsignedCharArray>(static_cast<vtkIdType>(this->GetCount()));
+    });
+  this->Route.Move(mine.data(), 1, this->Marks->GetPointer(0));
+}
+
+void vtkAHDRankPoints::MoveToOwners()
+{
+  this->FindOwners();
+  std::vector<std::int64_t> mine, arrived;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      mine.resize(this->Prepared.points().count);
+      for (std::size_t i = 0; i < mine.size(); ++i)
+      {
+        mine[i] = this->GetId(static_cast<std::int64_t>(i));
+      }
+      arrived.resize(this->Route.GetCount());
+    });
+  this->Route.Move(mine.data(), sizeof(std::int64_t), arrived.data());
+  mine = std::vector<std::int64_t>();
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      if (this->Facts.GetSourcePoints() > 0)
+      {
+        this->SortIds(arrived);
+      }
+      else
+      {
+        this->Ids = std::move(arrived);
+      }
+    });
+  this->MovePlaces();
+  if (this->Facts.HaveMarks())
+  {
+    this->MoveMarks();
+  }
+}
+
+ahd::PointView vtkAHDRankPoints::GetView() const
+{
+  ahd::PointView view;
+  if (!this->InPlane.empty())
+  {
+    view = ahd::PointView(this->InPlane.data(), this->GetCount(), 3);
+  }
+  else if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Places))
+  {
+    view = ahd::PointView(floats->GetPointer(0), this->GetCount(), 3);
+  }
+  else
+  {
+    view = ahd::PointView(
+      vtkArrayDownCast<vtkDoubleArray>(this->Places)->GetPointer(0), this->GetCount(), 3);
+  }
+  if (this->Marks)
+  {
+    view.skip = this->Marks->GetPointer(0);
+    view.skipMask = vtkDataSetAttributes::DUPLICATEPOINT | vtkDataSetAttributes::HIDDENPOINT;
+  }
+  return view;
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankPoints_h
+#define vtkAHDRankPoints_h
+
+#include "Engine/Points/Points.h"
+#include "Engine/Prepare/Prepare.h"
+#include "Input/vtkAHDInput.h"
+#include "Ranks/vtkAHDRankFacts.h"
+#include "Ranks/vtkAHDRoute.h"
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkPointData;
+class vtkPointSet;
+
+/**
+ * The points of all ranks: first each on the rank whose input it is of, then each on the rank that
+ * owns its place. All know a point by one id: its number in the appended inputs of all ranks and,
+ * behind these, the sources' points, where these are added.
+ *
+ * What is said to be collective throws vtkAHDStop on all ranks if one cannot go on.
+ */
+class vtkAHDRankPoints
+{
+public:
+  /// Borrows all of them.
+  vtkAHDRankPoints(const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDAllFacts& facts,
+    const vtkAHDContext& context);
+  ~vtkAHDRankPoints();
+
+  /// Reads this rank's input and source. Throws as vtkAHDRanks::Together() wants it.
+  void Read(vtkPointSet* input, vtkPolyData* source);
+
+  /// Takes each point to its owner: places and ids. Collective.
+  void MoveToOwners();
+
+  /// What prepare() made of this rank's own input and source.
+  const vtkAHDInput& GetInput() const { return *this->Input; }
+  const ahd::PreparedInput& GetPrepared() const { return this->Prepared; }
+  /// By its number in that; -1 for what is none.
+  std::int64_t GetId(std::int64_t local) const;
+  /// Upper estimate of the bytes that reading takes.
+  std::size_t EstimateBytes() const;
+
+  // --- Once the points are with their owners ---
+
+  std::size_t GetCount() const { return this->Ids.size(); }
+  const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
+  /// As they are triangulated.
+  ahd::PointView GetView() const;
+  /// Where they are in space: floats or doubles.
+  vtkDataArray* GetPlaces() const { return this->Places; }
+  /// Their ghost marks; null if no rank has any.
+  vtkUnsignedCharArray* GetMarks() const { return this->Marks; }
+
+  /// The way that they have come, for their data, and what is to be sent along.
+  vtkAHDRoute& GetRoute() { return this->Route; }
+  vtkPointData* GetDataToMove() const;
+
+private:
+  void CopyInput(vtkPointSet* input);
+  void ShareSamples(ahd::BlockBytes& own) const;
+  void FindOwners();
+  void SortIds(const std::vector<std::int64_t>& arrived);
+  void MovePlaces();
+  void MoveMarks();
+
+  const vtkAHDSettings& Settings;
+  vtkAHDRanks& Ranks;
+  const vtkAHDAllFacts& Facts;
+  const vtkAHDContext& Context;
+  vtkSmartPointer<vtkPolyData> Local;    // points and what all ranks have of their data
+  vtkSmartPointer<vtkPolyData> Combined; // with the source's behind, where these are added
+  std::unique_ptr<vtkAHDInput> Input;
+  ahd::PreparedInput Prepared;
+  std::int64_t FirstId = 0;       // of the input's points
+  std::int64_t FirstSourceId = 0; // of the source's
+  vtkAHDRoute Route;
+  std::vector<std::int64_t> Ids;
+  vtkSmartPointer<vtkDataArray> Places;
+  std::vector<double> InPlane; // x, y, height; empty where the plane is x, y
+  vtkSmartPointer<vtkUnsignedCharArray> Marks;
+};
+
+#endif

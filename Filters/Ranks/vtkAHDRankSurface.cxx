@@ -1,0 +1,327 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankSurface.h"
+
+#include "Engine/Surface/Selection.h"
+#include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDAttributes.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkTypeInt32Array.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstring>
+#include <vector>
+
+namespace
+{
+template <typename Array>
+vtkSmartPointer<Array> MakeArray(const char* name, std::size_t count)
+{
+  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(count));
+  array->SetName(name);
+  return array;
+}
+
+/// Those that VTK's own generator of global ids uses.
+constexpr const char* kPointIds = "GlobalPointIds";
+constexpr const char* kCellIds = "GlobalCellIds";
+}
+
+vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+  const vtkAHDAllFacts& facts, const vtkAHDContext& context, vtkAHDRankPoints& points,
+  ahd::BlockTriangulation& triangulation)
+  : Settings(settings)
+  , Ranks(ranks)
+  , Facts(facts)
+  , Context(context)
+  , Points(points)
+  , Triangulation(triangulation)
+  , Foreign(ranks, context)
+  , Own(points.GetCount())
+  , All(points.GetCount())
+{
+}
+
+std::size_t vtkAHDRankSurface::EstimateBytes(
+  std::size_t pointCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts)
+{
+  constexpr std::size_t kId = sizeof(vtkIdType);
+  std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.GeneratePointStatus ? kId : 0);
+  std::size_t widest = 3 * sizeof(double); // of what is moved at one time, sent and received
+  for (const vtkAHDArrayFacts& array : facts.GetArrays())
+  {
+    constexpr std::size_t kMost = 32; // a short string; no number is larger
+    const std::size_t width = static_cast<std::size_t>(array.Components) *
+      (array.Type == VTK_STRING ? kMost : sizeof(double));
+    perPoint += width;
+    widest = std::max(widest, width);
+  }
+  const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
+    (settings.GenerateConstraintEdges ? 2 : 0);
+  perPoint += settings.LimitsSize() ? sizeof(ahd::Point) + 2 : 0;
+  return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
+}
+
+/// Asks the owners of foreign points for their places and data.
+void vtkAHDRankSurface::AskForForeign()
+{
+  std::vector<std::int64_t> ids;
+  std::vector<std::size_t> owners;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      for (const ahd::ForeignPoint& point : this->Others)
+      {
+        ids.push_back(point.id);
+        owners.push_back(point.block);
+      }
+    });
+  this->Foreign.Ask(ids, owners, this->Points.GetIds());
+}
+
+void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
+{
+  vtkSmartPointer<vtkDataArray> all;
+  vtkDataArray* own = this->Points.GetPlaces();
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      const auto numbers = static_cast<vtkIdType>(3 * this->All);
+      if (own->GetDataType() == VTK_FLOAT)
+      {
+        all = vtkAHDNewArray<vtkFloatArray>(numbers);
+      }
+      else
+      {
+        all = vtkAHDNewArray<vtkDoubleArray>(numbers);
+      }
+      all->SetNumberOfComponents(3);
+      const std::size_t bytes = 3 * this->Own * static_cast<std::size_t>(own->GetDataTypeSize());
+      std::memcpy(all->GetVoidPointer(0), own->GetVoidPointer(0), bytes);
+    });
+  this->Foreign.Move(own, all, this->Own);
+  vtkNew<vtkPoints> points;
+  points->SetData(all);
+  output->SetPoints(points);
+}
+
+void vtkAHDRankSurface::MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output)
+{
+  vtkSmartPointer<vtkAbstractArray> to;
+  vtkAbstractArray* from = this->Points.GetDataToMove()->GetAbstractArray(facts.Name.c_str());
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      to.TakeReference(vtkAbstractArray::CreateArray(facts.Type));
+      to->SetNumberOfComponents(facts.Components);
+      to->SetName(facts.Name.c_str());
+      to->CopyComponentNames(from);
+      to->SetNumberOfTuples(static_cast<vtkIdType>(this->All));
+    });
+  this->Points.GetRoute().Move(from, to, 0);
+  this->Foreign.Move(to, to, this->Own);
+  vtkPointData* data = output->GetPointData();
+  const int index = data->AddArray(to);
+  if (facts.Attribute >= 0 && facts.Attribute != vtkDataSetAttributes::GLOBALIDS)
+  {
+    data->SetActiveAttribute(index, facts.Attribute);
+  }
+}
+
+void vtkAHDRankSurface::WriteData(vtkPolyData* output)
+{
+  for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
+  {
+    this->MoveData(facts, output);
+  }
+}
+
+/// Points of other ranks are marked as such.
+void vtkAHDRankSurface::WriteMarks(vtkPolyData* output)
+{
+  vtkSmartPointer<vtkUnsignedCharArray> marks;
+  vtkUnsignedCharArray* own = this->Points.GetMarks();
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      marks = MakeArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), this->All);
+      std::fill_n(marks->GetPointer(0), this->All, static_cast<unsigned char>(0));
+      if (own)
+      {
+        std::copy_n(own->GetPointer(0), this->Own, marks->GetPointer(0));
+      }
+    });
+  if (own)
+  {
+    this->Foreign.Move(own, marks, this->Own);
+  }
+  for (std::size_t i = this->Own; i < this->All; ++i)
+  {
+    marks->GetPointer(0)[i] |= static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATEPOINT);
+  }
+  vtkAHDReplaceArray(output->GetPointData(), marks);
+}
+
+void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
+{
+  auto ids = MakeArray<vtkIdTypeArray>(kPointIds, this->All);
+  vtkIdType* to = std::copy(
+    this->Points.GetIds().begin(), this->Points.GetIds().end(), ids->GetPointer(0));
+  for (const ahd::ForeignPoint& point : this->Others)
+  {
+    *to++ = static_cast<vtkIdType>(point.id);
+  }
+  vtkAHDReplaceArray(output->GetPointData(), ids);
+  output->GetPointData()->SetActiveAttribute(kPointIds, vtkDataSetAttributes::GLOBALIDS);
+}
+
+/// The points of others that are here are vertices.
+void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
+{
+  auto array = MakeArray<vtkIdTypeArray>("Fate", this->All);
+  std::vector<std::int64_t> status(this->Own);
+  this->Context.Check(this->Triangulation.writePointStatus(status.data(), this->Context));
+  vtkIdType* to = std::copy(status.begin(), status.end(), array->GetPointer(0));
+  for (const ahd::ForeignPoint& point : this->Others)
+  {
+    *to++ = static_cast<vtkIdType>(point.id);
+  }
+  vtkAHDReplaceArray(output->GetPointData(), array);
+}
+
+void vtkAHDRankSurface::Select()
+{
+  const std::size_t count = this->Triangulation.triangles();
+  this->Corners.resize(3 * count);
+  this->Context.Check(this->Triangulation.writeTriangles(this->Corners.data(), this->Context));
+  if (this->Settings.GenerateConstraintEdges)
+  {
+    this->Edges.resize(count);
+    this->Context.Check(
+      this->Triangulation.writeConstraintEdges(this->Edges.data(), this->Context));
+  }
+  if (this->Settings.Limits.maximumEdgeLength > 0.0)
+  {
+    this->KeepShort();
+  }
+  this->KeepUsed();
+}
+
+void vtkAHDRankSurface::KeepShort()
+{
+  std::vector<ahd::Point> places;
+  places.reserve(this->Own + this->Triangulation.foreignPoints().size());
+  const ahd::PointView own = this->Points.GetView();
+  for (std::size_t i = 0; i < this->Own; ++i)
+  {
+    places.push_back(own[i]);
+  }
+  for (const ahd::ForeignPoint& point : this->Triangulation.foreignPoints())
+  {
+    places.push_back(point.at);
+  }
+  const std::size_t count = this->Corners.size() / 3;
+  const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
+  std::vector<unsigned char> kept;
+  this->Context.Check(ahd::findShort(this->Corners.data(), count, view,
+    this->Settings.Limits.maximumEdgeLength, this->Context, kept));
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    if (kept[t] != 0)
+    {
+      std::copy_n(
+        this->Corners.begin() + vtkIdType(3 * t), 3, this->Corners.begin() + vtkIdType(3 * next));
+      if (!this->Edges.empty())
+      {
+        this->Edges[next] = this->Edges[t];
+      }
+      ++next;
+    }
+  }
+  this->Corners.resize(3 * next);
+  this->Edges.resize(this->Edges.empty() ? 0 : next);
+}
+
+/// Of the points of others only those that are corners; they are numbered anew.
+void vtkAHDRankSurface::KeepUsed()
+{
+  const std::vector<ahd::ForeignPoint>& known = this->Triangulation.foreignPoints();
+  constexpr vtkTypeInt32 kUnused = -1;
+  std::vector<vtkTypeInt32> numbers(known.size(), kUnused);
+  const auto isForeign = [this](vtkTypeInt32 corner)
+  { return static_cast<std::size_t>(corner) >= this->Own; };
+  for (const vtkTypeInt32 corner : this->Corners)
+  {
+    if (isForeign(corner))
+    {
+      numbers[static_cast<std::size_t>(corner) - this->Own] = 0;
+    }
+  }
+  for (std::size_t k = 0; k < known.size(); ++k)
+  {
+    if (numbers[k] != kUnused)
+    {
+      numbers[k] = static_cast<vtkTypeInt32>(this->Own + this->Others.size());
+      this->Others.push_back(known[k]);
+    }
+  }
+  for (vtkTypeInt32& corner : this->Corners)
+  {
+    corner = isForeign(corner) ? numbers[static_cast<std::size_t>(corner) - this->Own] : corner;
+  }
+  this->All = this->Own + this->Others.size();
+}
+
+void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
+{
+  const std::size_t count = this->GetCellCount();
+  auto corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
+  auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
+  auto ids = MakeArray<vtkIdTypeArray>(kCellIds, count);
+  std::copy(this->Corners.begin(), this->Corners.end(), corners->GetPointer(0));
+  for (std::size_t t = 0; t < count; ++t)
+  {
+    offsets->GetPointer(0)[t] = static_cast<vtkTypeInt32>(3 * t);
+    ids->GetPointer(0)[t] = static_cast<vtkIdType>(firstCell + t);
+  }
+  offsets->GetPointer(0)[count] = static_cast<vtkTypeInt32>(3 * count);
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  output->SetPolys(cells);
+  if (this->Settings.GenerateConstraintEdges)
+  {
+    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
+    std::copy(this->Edges.begin(), this->Edges.end(), edges->GetPointer(0));
+    output->GetCellData()->AddArray(edges);
+  }
+  output->GetCellData()->SetGlobalIds(ids);
+}
+
+void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
+{
+  this->AskForForeign();
+  this->WritePlaces(output);
+  this->WriteData(output);
+  this->WriteMarks(output);
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->WriteIds(output);
+      if (this->Settings.GeneratePointStatus)
+      {
+        this->WriteStatus(output);
+      }
+      this->WriteCells(output, firstCell);
+    });
+}

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRanks.h"
+
+#include "vtkCommunicator.h"
+#include "vtkMultiProcessController.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int kTag = 87931; // of messages between two ranks
+/// The most bytes in one message, and in one gathering on each rank: MPI counts with int.
+constexpr std::size_t kPiece = std::size_t(1) << 28;
+
+template <typename Work>
+ahd::Status WithoutThrowing(const Work& work)
+{
+  try
+  {
+    work();
+    return ahd::Status::Ok;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return ahd::Status::OutOfMemory;
+  }
+}
+}
+
+vtkAHDRanks::vtkAHDRanks(vtkMultiProcessController* controller)
+  : Controller(controller)
+  , Own(static_cast<std::size_t>(controller->GetLocalProcessId()))
+  , Count(static_cast<std::size_t>(controller->GetNumberOfProcesses()))
+{
+}
+
+ahd::Status vtkAHDRanks::agree(ahd::Status own)
+{
+  const int said = static_cast<int>(own);
+  int all = said;
+  this->Controller->AllReduce(&said, &all, 1, vtkCommunicator::MAX_OP);
+  return static_cast<ahd::Status>(all);
+}
+
+ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all)
+{
+  std::vector<vtkIdType> sizes, lengths, offsets;
+  ahd::BlockBytes piece;
+  const vtkIdType size = static_cast<vtkIdType>(own.size());
+  const std::size_t most = std::max<std::size_t>(1, kPiece / this->Count);
+  ahd::Status status = this->agree(WithoutThrowing(
+    [&]
+    {
+      sizes.resize(this->Count);
+      lengths.resize(this->Count);
+      offsets.resize(this->Count);
+      all.assign(this->Count, ahd::BlockBytes());
+    }));
+  if (status != ahd::Status::Ok)
+  {
+    return status;
+  }
+  this->Controller->AllGather(&size, sizes.data(), 1);
+  const auto longest = static_cast<std::size_t>(*std::max_element(sizes.begin(), sizes.end()));
+  status = this->agree(WithoutThrowing(
+    [&]
+    {
+      piece.resize(std::min(most, longest) * this->Count + 1);
+      for (std::size_t k = 0; k < this->Count; ++k)
+      {
+        all[k].reserve(static_cast<std::size_t>(sizes[k]));
+      }
+    }));
+  for (std::size_t begin = 0; status == ahd::Status::Ok && begin < longest; begin += most)
+  {
+    vtkIdType offset = 0;
+    for (std::size_t k = 0; k < this->Count; ++k)
+    {
+      const std::size_t of = static_cast<std::size_t>(sizes[k]);
+      lengths[k] = static_cast<vtkIdType>(std::min(most, of - std::min(of, begin)));
+      offsets[k] = offset;
+      offset += lengths[k];
+    }
+    this->Controller->AllGatherV(own.data() + std::min(own.size(), begin), piece.data(),
+      lengths[this->Own], lengths.data(), offsets.data());
+    for (std::size_t k = 0; k < this->Count; ++k)
+    {
+      all[k].insert(
+        all[k].end(), piece.data() + offsets[k], piece.data() + offsets[k] + lengths[k]);
+    }
+  }
+  return status;
+}
+
+/// The rank to exchange with in a round: in each round who exchanges with whom is mutual, and in
+/// GetCount() rounds each rank meets each, itself included.
+std::size_t vtkAHDRanks::GetPartner(std::size_t round) const
+{
+  return (round + this->Count - this->Own) % this->Count;
+}
+
+void vtkAHDRanks::ExchangeSizes(
+  const std::vector<const ahd::BlockBytes*>& to, std::vector<vtkTypeUInt64>& sizes)
+{
+  for (std::size_t round = 0; round < this->Count; ++round)
+  {
+    const std::size_t partner = this->GetPartner(round);
+    const vtkTypeUInt64 size = to[partner] ? to[partner]->size() : 0;
+    const int rank = static_cast<int>(partner);
+    sizes[partner] = size; // of what is for this rank itself
+    if (this->Own < partner)
+    {
+      this->Controller->Send(&size, 1, rank, kTag);
+      this->Controller->Receive(&sizes[partner], 1, rank, kTag);
+    }
+    else if (this->Own > partner)
+    {
+      this->Controller->Receive(&sizes[partner], 1, rank, kTag);
+      this->Controller->Send(&size, 1, rank, kTag);
+    }
+  }
+}
+
+void vtkAHDRanks::Send(std::size_t rank, const ahd::BlockBytes& bytes)
+{
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kPiece)
+  {
+    this->Controller->Send(bytes.data() + begin,
+      static_cast<vtkIdType>(std::min(kPiece, bytes.size() - begin)), static_cast<int>(rank), kTag);
+  }
+}
+
+void vtkAHDRanks::Receive(std::size_t rank, ahd::BlockBytes& bytes)
+{
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kPiece)
+  {
+    this->Controller->Receive(bytes.data() + begin,
+      static_cast<vtkIdType>(std::min(kPiece, bytes.size() - begin)), static_cast<int>(rank), kTag);
+  }
+}
+
+/// The lower rank of two sends first, and each has one partner at a time: so none waits in a ring.
+void vtkAHDRanks::Swap(std::size_t partner, const ahd::BlockBytes* out, ahd::BlockBytes* in)
+{
+  const bool isFirst = this->Own < partner;
+  if (out && isFirst)
+  {
+    this->Send(partner, *out);
+  }
+  if (in)
+  {
+    this->Receive(partner, *in);
+  }
+  if (out && !isFirst)
+  {
+    this->Send(partner, *out);
+  }
+}
+
+ahd::Status vtkAHDRanks::exchange(
+  std::vector<ahd::BlockMessage>& out, std::vector<ahd::BlockMessage>& in)
+{
+  std::vector<const ahd::BlockBytes*> to;
+  std::vector<ahd::BlockBytes*> from;
+  std::vector<vtkTypeUInt64> sizes;
+  ahd::Status status = this->agree(WithoutThrowing(
+    [&]
+    {
+      to.assign(this->Count, nullptr);
+      from.assign(this->Count, nullptr);
+      sizes.resize(this->Count);
+      in.clear();
+      in.reserve(this->Count);
+    }));
+  if (status != ahd::Status::Ok)
+  {
+    return status;
+  }
+  for (const ahd::BlockMessage& message : out)
+  {
+    to[message.block] = &message.bytes;
+  }
+  this->ExchangeSizes(to, sizes);
+  status = this->agree(WithoutThrowing(
+    [&]
+    {
+      for (std::size_t k = 0; k < this->Count; ++k)
+      {
+        if (sizes[k] > 0)
+        {
+          in.emplace_back();
+          in.back().block = k;
+          from[k] = &in.back().bytes;
+          in.back().bytes.resize(k == this->Own ? 0 : static_cast<std::size_t>(sizes[k]));
+        }
+      }
+    }));
+  for (std::size_t round = 0; status == ahd::Status::Ok && round < this->Count; ++round)
+  {
+    const std::size_t partner = this->GetPartner(round);
+    if (partner != this->Own)
+    {
+      this->Swap(partner, to[partner], from[partner]);
+    }
+  }
+  for (ahd::BlockMessage& message : out)
+  {
+    if (status == ahd::Status::Ok && message.block == this->Own && from[this->Own])
+    {
+      from[this->Own]->swap(message.bytes);
+    }
+  }
+  out.clear();
+  return status;
+}

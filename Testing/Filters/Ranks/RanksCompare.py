@@ -1,0 +1,422 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""DistributePoints: several ranks (pvbatch --sym) give what one does, and fail together.
+
+    mpiexec -n RANKS pvbatch --sym RanksCompare.py
+
+Each rank writes what it got into AHD_SCRATCH, and rank 0 compares it with what it gets alone for all inputs appended.
+It goes through all cases whatever it finds, so that no rank waits for one that has given up.
+"""
+
+import os
+import pickle
+import sys
+import traceback
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+
+from vtkmodules.util.misc import calldata_type
+from vtkmodules.vtkCommonCore import (
+    VTK_STRING,
+    vtkBitArray,
+    vtkDoubleArray,
+    vtkFloatArray,
+    vtkIdList,
+    vtkPoints,
+    vtkStringArray,
+    vtkTypeInt64Array,
+    vtkUnsignedCharArray,
+)
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkParallelCore import vtkMultiProcessController
+
+from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
+from rankcases import Piece, cases, pieces, uniform, with_own_points, with_sources
+
+CONTROLLER = vtkMultiProcessController.GetGlobalController()
+RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
+SCRATCH = os.environ["AHD_SCRATCH"]
+TYPES = {"float": vtkFloatArray, "double": vtkDoubleArray, "long": vtkTypeInt64Array, "byte": vtkUnsignedCharArray,
+         "bit": vtkBitArray, "text": vtkStringArray}
+NUMBERS = {"float": 10, "double": 11, "int": 6}
+COUNTS = ["NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
+          "NumberOfTriangles", "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
+          "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops"]
+failures = []
+
+
+def check(condition, what):
+    if not condition:
+        raise AssertionError(what)
+
+
+# ------------------------------------------------------------------------------------ data sets
+
+
+def make_points(points, number):
+    made = vtkPoints()
+    made.SetDataType(NUMBERS[number])
+    for point in points:
+        made.InsertNextPoint(point)
+    return made
+
+
+def make_array(name, kind, values):
+    array = TYPES[kind]()
+    array.SetName(name)
+    if values and isinstance(values[0], tuple):
+        array.SetNumberOfComponents(len(values[0]))
+        for value in values:
+            array.InsertNextTuple(value)
+    else:
+        for value in values:
+            array.InsertNextValue(value)
+    return array
+
+
+def make_input(piece):
+    data = vtkPolyData()
+    data.SetPoints(make_points(piece.points, piece.number))
+    for name, (kind, values) in piece.arrays.items():
+        data.GetPointData().AddArray(make_array(name, kind, values))
+    if "Float" in piece.arrays:
+        data.GetPointData().SetActiveScalars("Float")
+    if piece.marks is not None:
+        data.GetPointData().AddArray(make_array("vtkGhostType", "byte", piece.marks))
+    return data
+
+
+def make_source(source):
+    points, lines, polygons = source
+    data = vtkPolyData()
+    data.SetPoints(make_points(points, "double"))
+    for cells, put in ((lines, data.SetLines), (polygons, data.SetPolys)):
+        array = vtkCellArray()
+        for ids in cells:
+            array.InsertNextCell(len(ids), ids)
+        put(array)
+    return data
+
+
+def appended(made, settings):
+    """All pieces as one rank would have them."""
+    numbers = {piece.number for piece in made if piece.points}
+    whole = Piece([], "float" if numbers == {"float"} else "double")
+    full = [piece for piece in made if piece.points]
+    common = [name for name in (full[0].arrays if full else ())
+              if all(name in piece.arrays and piece.arrays[name][0] == full[0].arrays[name][0] for piece in full)]
+    for name in common:
+        whole.arrays[name] = (full[0].arrays[name][0], [value for piece in full for value in piece.arrays[name][1]])
+    if any(piece.marks is not None for piece in made):
+        whole.marks = [m for piece in made for m in (piece.marks or [0] * len(piece.points))]
+    of_input = not settings.get("SourceMode")
+    sources = [piece.source for piece in made]
+    if not of_input and len(made) > 1 and all(source == sources[0] for source in sources):
+        sources = sources[:1] + [None] * (len(made) - 1)
+    points, lines, polygons = [], [], []
+    for piece, source in zip(made, sources):
+        if source:
+            first = len(whole.points) if of_input else len(points)
+            count = len(piece.points) if of_input else len(source[0])
+            lines += [[first + i if 0 <= i < count else i for i in ids] for ids in source[1]]
+            polygons += [[first + i if 0 <= i < count else i for i in ids] for ids in source[2]]
+            points += source[0]
+        whole.points += piece.points
+    whole.source = (points, lines, polygons) if any(sources) else None
+    return whole
+
+
+# ------------------------------------------------------------------------------------ executions
+
+
+class Said:
+    def __init__(self, algorithm):
+        self.errors, self.warnings = [], []
+
+        @calldata_type(VTK_STRING)
+        def hear(_, event, text):
+            text = text.split("): ", 1)[-1].strip()
+            (self.errors if event == "ErrorEvent" else self.warnings).append(text)
+
+        algorithm.AddObserver("ErrorEvent", hear)
+        algorithm.AddObserver("WarningEvent", hear)
+        executive = algorithm.GetExecutive()
+        executive.AddObserver("ErrorEvent", hear)
+        executive.AddObserver("WarningEvent", hear)
+
+
+def make_filter(piece, settings, distribute):
+    algorithm = vtkAdaptiveHilbertDelaunay2D()
+    algorithm.SetDistributePoints(distribute)
+    if not distribute:
+        algorithm.SetController(None)
+    algorithm.SetKeepTriangulation(False)
+    for name, value in settings.items():
+        if name == "Transform":
+            turn = vtkTransform()
+            turn.RotateX(30)
+            turn.RotateZ(20)
+            algorithm.SetTransform(turn)
+        elif hasattr(algorithm, "Set" + name):
+            getattr(algorithm, "Set" + name)(value)
+    if isinstance(piece, Piece):
+        algorithm.SetInputData(make_input(piece))
+        if piece.source:
+            algorithm.SetSourceData(make_source(piece.source))
+    elif piece is not None:
+        algorithm.SetInputDataObject(0, piece)
+    return algorithm
+
+
+def value_of(array, i):
+    if isinstance(array, vtkStringArray):
+        return array.GetValue(i)
+    return repr(array.GetTuple(i)) if not isinstance(array, vtkTypeInt64Array) else array.GetValue(i)
+
+
+def read(algorithm, said):
+    """What came out, as plain values."""
+    out = algorithm.GetOutput()
+    data, count = out.GetPointData(), out.GetNumberOfPoints()
+    ids = data.GetGlobalIds()
+    marks = data.GetArray("vtkGhostType")
+    name = [ids.GetValue(i) if ids else i for i in range(count)]
+    own = {"GlobalPointIds", "vtkGhostType"}
+    arrays = {array.GetName(): [value_of(array, i) for i in range(count)]
+              for array in (data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays()))
+              if array.GetName() not in own}
+    scalars = data.GetScalars()
+    triangles, polys, corners = [], out.GetPolys(), vtkIdList()
+    edges = out.GetCellData().GetArray("ConstraintEdges")
+    for cell in range(polys.GetNumberOfCells()):
+        polys.GetCellAtId(cell, corners)
+        triple = [name[corners.GetId(k)] for k in range(3)]
+        flags = int(edges.GetValue(cell)) if edges else 0
+        bits = [flags >> k & 1 for k in range(3)]
+        first = triple.index(min(triple))
+        triangles.append(tuple(triple[first:] + triple[:first] + bits[first:] + bits[:first]))
+    used = {i for triangle in triangles for i in triangle[:3]}
+    cell_ids = out.GetCellData().GetGlobalIds()
+    crossings = out.GetFieldData().GetArray("Crossings")
+    return {
+        "names": name,
+        "unused": [name[i] for i in range(count) if name[i] not in used],
+        "marks": [int(marks.GetValue(i)) for i in range(count)] if marks else [0] * count,
+        "places": [repr(out.GetPoint(i)) for i in range(count)],
+        "number": out.GetPoints().GetDataType() if count else None,
+        "arrays": arrays,
+        "scalars": scalars.GetName() if scalars and count else None,
+        "triangles": triangles,
+        "cell ids": [cell_ids.GetValue(i) for i in range(len(triangles))] if cell_ids else [],
+        "counts": {count: getattr(algorithm, "Get" + count)() for count in COUNTS},
+        "crossings": [crossings.GetTuple(i) for i in range(crossings.GetNumberOfTuples())] if crossings else [],
+        "errors": said.errors,
+        "warnings": said.warnings,
+    }
+
+
+def on_all_ranks(name, work):
+    """Does it on each rank; returns what all got, on rank 0, else None."""
+    try:
+        result = work()
+    except Exception:  # the other ranks wait
+        result = traceback.format_exc()
+    path = os.path.join(SCRATCH, "%s of %d, rank %%d.pickle" % (name, RANKS))
+    with open(path % RANK, "wb") as file:
+        pickle.dump(result, file)
+    CONTROLLER.Barrier()
+    if RANK:
+        return None
+    every = []
+    for rank in range(RANKS):
+        with open(path % rank, "rb") as file:
+            every.append(pickle.load(file))
+        os.remove(path % rank)
+    for rank, result in enumerate(every):
+        check(not isinstance(result, str), "rank %d: %s" % (rank, result))
+    return every
+
+
+def run(piece, settings, distribute=True, prepare=None):
+    algorithm = make_filter(piece, settings, distribute)
+    said = Said(algorithm)
+    if prepare:
+        prepare(algorithm)
+    algorithm.Update()
+    return read(algorithm, said)
+
+
+# ------------------------------------------------------------------------------------ comparisons
+
+
+def compare(found, expected):
+    check(not any(part["errors"] for part in found), "errors: %r" % [part["errors"] for part in found])
+    triangles = sorted(triangle for part in found for triangle in part["triangles"])
+    check(triangles == sorted(expected["triangles"]), "%d triangles, not the %d of one rank" % (
+        len(triangles), len(expected["triangles"])))
+    cells = sorted(i for part in found for i in part["cell ids"])
+    check(cells == list(range(len(triangles))), "the global ids of cells have gaps or come twice")
+    seen = set()
+    for part in found:
+        check(part["number"] in (None, expected["number"]), "type of the points: %r, not %r" % (
+            part["number"], expected["number"]))
+        check(part["counts"] == expected["counts"], "counts: %r, not %r" % (part["counts"], expected["counts"]))
+        check(part["crossings"] == expected["crossings"], "crossings")
+        check(part["scalars"] in (None, expected["scalars"]), "scalars: %r" % part["scalars"])
+        if part["names"]:
+            check(set(part["arrays"]) == set(expected["arrays"]), "arrays: %r, not %r" % (
+                sorted(part["arrays"]), sorted(expected["arrays"])))
+        for k, name in enumerate(part["names"]):
+            is_foreign = part["marks"][k] != expected["marks"][name]
+            check(not is_foreign or name not in part["unused"], "point %d of another rank is no corner" % name)
+            check(not is_foreign or part["marks"][k] == expected["marks"][name] | 1, "mark of point %d" % name)
+            check(is_foreign or name not in seen, "point %d comes twice" % name)
+            if not is_foreign:
+                seen.add(name)
+            check(part["places"][k] == expected["places"][name], "place of point %d" % name)
+            for array, values in part["arrays"].items():
+                check(values[k] == expected["arrays"][array][name], "%s of point %d: %r, not %r" % (
+                    array, name, values[k], expected["arrays"][array][name]))
+    check(len(seen) == len(expected["names"]), "%d points of %d" % (len(seen), len(expected["names"])))
+    check(not any(part["warnings"] for part in found[1:]), "other ranks warn too")
+
+
+def compare_warnings(name, found, expected):
+    """Word for word, but for what ranks alone have to say."""
+    said = list(found["warnings"])
+    told = [text for text in expected["warnings"] if "each triangulates its own points" not in text]
+    if name == "partial arrays":
+        text = said.pop()
+        check(text.endswith(": Extra, Float, Long."), "the warning about arrays: " + text)
+    if name == "all dropped":
+        check(len(said) == 1 and "keep none" in said[0], "warnings: %r" % said)
+        return
+    check(said == told, "warnings: %r, not %r" % (said, told))
+
+
+def try_case(name, made, settings):
+    settings = dict(settings)
+    if settings.pop("bad_ids", False) and made[-1].source:
+        made[-1].source[1][1] = [0, 10 ** 6, 1, -5]
+    if settings.pop("turn", False):
+        for piece in made:
+            piece.source[2][0].reverse()
+    found = on_all_ranks("case", lambda: run(made[RANK], settings))
+    if RANK:
+        return
+    expected = run(appended(made, settings), settings, distribute=False)
+    if not settings.get("Transform") and "not finite" != name:
+        check(name in ("nothing", "two points", "one line", "all dropped", "no edge is short") or expected["triangles"],
+              "no triangle to compare")
+    compare(found, expected)
+    compare_warnings(name, found[0], expected)
+
+
+# ------------------------------------------------------------------------------------ failing together
+
+
+def failures_together():
+    """name -> (what each rank does, words of the one error that each says; None: no error)"""
+    some = pieces(uniform(300), RANKS)
+    crossing = with_sources(pieces(uniform(300), RANKS), 8)
+    last = RANK == RANKS - 1
+
+    def abort(algorithm):
+        if last:
+            algorithm.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+            algorithm.SetAbortExecute(1)
+
+    def with_(made=some, prepare=None, **settings):
+        return lambda: run(made[RANK], settings, prepare=prepare)
+
+    unfit = {
+        "InsertionLimit": 7, "CountWork": True, "GenerateInsertionRank": True, "GenerateInsertionCurve": True,
+        "GenerateBoxes": True, "GenerateRegionIds": True, "GenerateNeighbors": True, "GenerateVoronoi": True,
+        "Alpha": 1.0, "Tolerance": 0.1, "BoundingTriangulation": True,
+    }
+    tried = {"unfit " + name: (with_(**{name: value}), name) for name, value in unfit.items()}
+    tried.update({
+        "unfit mean": (with_(DuplicatePolicy=3), "DuplicatePolicy"),
+        "unfit plane": (with_(ProjectionPlaneMode=2), "ProjectionPlaneMode"),
+        "unfit rim": (with_(Rim=2), "Rim"),
+        "unfit rim of a plane": (with_(Transform=True), "Rim"),
+        "unfit split": (with_(crossing, CrossingMode=1), "CrossingMode"),
+        "unfit heights": (with_(with_own_points(pieces(uniform(300), RANKS)), SourceMode=1, SourceHeights=1),
+                          "SourceHeights"),
+        "different rules": (with_(FillRule=int(last)), "FillRule is not the same"),
+        "different planes": (with_(Rim=1, **({"Transform": True} if last else {})), "Transform is not the same"),
+        "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1 KiB"),
+        "a limit on one rank": (with_(MemoryLimit=int(last)), "may take"),
+        "abort": (with_(prepare=abort), None),
+    })
+    return tried
+
+
+def try_failure(name, work, words):
+    found = on_all_ranks("failure", work)
+    for rank, part in enumerate(found or ()):
+        check(not part["names"] and not part["triangles"], "rank %d puts something out" % rank)
+        check(not any(part["counts"].values()), "rank %d counts" % rank)
+        check(len(part["errors"]) == (words is not None), "rank %d says %r" % (rank, part["errors"]))
+        check(words is None or words in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
+        check(part["errors"] == found[0]["errors"], "rank %d says something else than rank 0" % rank)
+
+
+def try_odd_inputs(name, odd):
+    """The last rank has no input, or one without points: the others go on."""
+    made = pieces(uniform(400), RANKS - 1) + [Piece([])]
+    found = on_all_ranks("input", lambda: run(odd if RANK == RANKS - 1 else made[RANK], {}))
+    if RANK:
+        return
+    said = found[-1]["warnings"]
+    check([("has no points" in text) for text in said] == [True] * (odd is not None), "the last rank says %r" % said)
+    found[-1]["warnings"] = []
+    expected = run(appended(made, {}), {}, distribute=False)
+    compare(found, expected)
+
+
+def try_pipeline():
+    """No ghost levels are asked for, and none puts out what it had once others have changed."""
+    made = pieces(uniform(300), RANKS)
+    algorithm = make_filter(made[RANK], {}, True)
+    said = Said(algorithm)
+
+    def twice():
+        algorithm.UpdatePiece(RANK, RANKS, 1)
+        asked = algorithm.GetInputInformation().Get(vtkStreamingDemandDrivenPipeline.UPDATE_NUMBER_OF_GHOST_LEVELS())
+        check(asked == 0, "%r ghost levels are asked for" % asked)
+        algorithm.SetFillRule(1)
+        algorithm.UpdatePiece(RANK, RANKS, 1)
+        return read(algorithm, said)
+
+    found = on_all_ranks("pipeline", twice)
+    if found:
+        compare(found, run(appended(made, {}), {}, distribute=False))
+
+
+def attempt(name, work, *arguments):
+    try:
+        work(*arguments)
+    except Exception:  # the other ranks go on
+        failures.append(name)
+        print("rank %d, %s:" % (RANK, name), traceback.format_exc(), flush=True)
+
+
+check(RANKS > 1, "to be run on several ranks")
+wanted = os.environ.get("AHD_RANK_CASES", "")
+for case, (made, settings) in cases(RANKS).items():
+    if wanted in case:
+        attempt(case, try_case, case, made, settings)
+for case, (work, words) in failures_together().items():
+    if wanted in case:
+        attempt(case, try_failure, case, work, words)
+for case, odd in (("no input", None), ("a table", vtkTable())):
+    if wanted in case:
+        attempt(case, try_odd_inputs, case, odd)
+if wanted in "pipeline":
+    attempt("pipeline", try_pipeline)
+print("rank %d of %d: %s" % (RANK, RANKS, "failed: " + ", ".join(failures) if failures else "passed"), flush=True)
+sys.stdout.flush()
+if failures:
+    sys.exit(1)

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The inputs for which several ranks have to give the triangles of one.
+
+A case is made alike on all ranks: what each rank has as input and source, and the settings of all. `pieces` deals
+points out by their number, not by their place, so that nearly all of them have to move.
+"""
+
+import math
+import random
+
+
+class Piece:
+    """What one rank has."""
+
+    def __init__(self, points, number="double"):
+        self.points = list(points)
+        self.number = number
+        self.marks = None  # ghost marks, one per point
+        self.arrays = {}  # name: (type, values of each point)
+        self.source = None  # (points, lines, polygons)
+
+
+def pieces(points, ranks, number="double"):
+    """Dealt out in rows of 7 points each, with what names them."""
+    dealt = [[] for _ in range(ranks)]
+    for i, point in enumerate(points):
+        dealt[i // 7 % ranks].append(point)
+    made = [Piece(own, number) for own in dealt]
+    for rank, piece in enumerate(made):
+        n = len(piece.points)
+        piece.arrays = {
+            "Float": ("float", [0.5 * i + rank for i in range(n)]),
+            "Triple": ("double", [(i, rank, -i) for i in range(n)]),
+            "Long": ("long", [2 ** 40 + i * ranks + rank for i in range(n)]),
+            "Byte": ("byte", [(i + rank) % 256 for i in range(n)]),
+            "Bit": ("bit", [(i + rank) % 2 for i in range(n)]),
+            "Text": ("text", ["%d of %d" % (i, rank) * (i % 3) for i in range(n)]),
+        }
+    return made
+
+
+def uniform(count, seed=1):
+    draw = random.Random(seed)
+    return [(draw.uniform(-1, 1), draw.uniform(-1, 1), draw.uniform(-1, 1)) for _ in range(count)]
+
+
+def lattice(count, side, seed=1):
+    """With many duplicates and cocircular points; z tells the duplicates apart."""
+    draw = random.Random(seed)
+    return [(float(draw.randrange(side)), float(draw.randrange(side)), float(i % 5)) for i in range(count)]
+
+
+def circle(count):
+    turns = (0.1 + 2 * math.pi * i / count for i in range(count))
+    return [(math.cos(turn), math.sin(turn), 0.0) for turn in turns]
+
+
+def with_sources(made, segments, seed=3):
+    """Each rank has lines between its own points, by their ids, and a polygon."""
+    draw = random.Random(seed)
+    for piece in made:
+        n = len(piece.points)
+        if n > 10:
+            lines = [[draw.randrange(n) for _ in range(2 + k % 3)] for k in range(segments)]
+            corners = sorted(draw.sample(range(n), 5), key=lambda i: math.atan2(piece.points[i][1], piece.points[i][0]))
+            piece.source = ([], lines, [corners])
+    return made
+
+
+def ring(radius, count, turn=0.0):
+    return [(radius * math.cos(turn + 2 * math.pi * k / count), radius * math.sin(turn + 2 * math.pi * k / count), 0.25)
+            for k in range(count)]
+
+
+def with_own_points(made):
+    """Each rank's source has points of its own: a ring as a polygon, and a closed line."""
+    for rank, piece in enumerate(made):
+        outline = ring(0.9 - 0.1 * rank, 9, 0.3)
+        inner = ring(0.2 + 0.05 * rank, 5, 0.1)
+        closed = list(range(9, 14)) + [9]
+        piece.source = (outline + inner, [closed], [list(range(9))])
+    return made
+
+
+def with_one_source(made):
+    """All ranks have the same source."""
+    for piece in made:
+        piece.source = (ring(0.8, 12) + ring(0.4, 6), [], [list(range(12)), list(range(12, 18))])
+    return made
+
+
+def with_marks(made):
+    for piece in made[1:]:
+        piece.marks = [(0, 1, 2, 0, 32)[i % 5] for i in range(len(piece.points))]
+    return made
+
+
+def uneven(points, ranks):
+    """The last rank has everything, the others have nothing, not even arrays."""
+    made = [Piece([]) for _ in range(ranks)]
+    made[-1] = pieces(points, 1)[0]
+    return made
+
+
+def odd(points, ranks):
+    """Points that are not finite, on one rank alone, and z that is not."""
+    made = pieces(points, ranks)
+    own = made[-1].points
+    own[3] = (math.nan, own[3][1], 0.0)
+    own[4] = (own[4][0], math.inf, 0.0)
+    own[5] = (own[5][0], own[5][1], math.nan)
+    return made
+
+
+def partial(points, ranks):
+    made = pieces(points, ranks)
+    del made[0].arrays["Float"]
+    made[-1].arrays["Long"] = ("float", [float(i) for i in range(len(made[-1].points))])
+    made[-1].arrays["Extra"] = ("byte", [1] * len(made[-1].points))
+    return made
+
+
+def mixed(points, ranks):
+    made = pieces(points, ranks)
+    made[0].number = "float"
+    made[0].points = [tuple(float(round(c * 64) / 64) for c in point) for point in made[0].points]
+    return made
+
+
+def cases(ranks):
+    """name -> (pieces, settings)"""
+    everything = {"GeneratePointStatus": True, "GenerateConstraintEdges": True}
+    loops = dict(everything, FillRule=1)
+    coordinates = dict(loops, SourceMode=1)
+    return {
+        "uniform": (pieces(uniform(2000), ranks), everything),
+        "floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in uniform(1500)], ranks, "float"),
+                   everything),
+        "mixed numbers": (mixed(uniform(500), ranks), everything),
+        "whole numbers": (pieces([tuple(float(round(c * 100)) for c in p) for p in uniform(500)], ranks, "int"),
+                          everything),
+        "lattice": (pieces(lattice(3000, 25), ranks), everything),
+        "lowest of duplicates": (pieces(lattice(3000, 25), ranks), dict(everything, DuplicatePolicy=1)),
+        "highest of duplicates": (with_sources(pieces(lattice(2000, 25), ranks), 5),
+                                  dict(everything, DuplicatePolicy=2)),
+        "circle": (pieces(circle(300), ranks), everything),
+        "one line": (pieces([(float(i), 2.0 * i, 0.0) for i in range(100)], ranks), everything),
+        "two points": (pieces([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], ranks), everything),
+        "nothing": (pieces([], ranks), everything),
+        "on one rank": (uneven(uniform(500), ranks), everything),
+        "marks": (with_marks(pieces(uniform(1000), ranks)), everything),
+        "not finite": (odd(uniform(500), ranks), everything),
+        "partial arrays": (partial(uniform(300), ranks), everything),
+        "lines and loops": (with_sources(pieces(uniform(1500), ranks), 12), everything),
+        "even-odd": (with_sources(pieces(uniform(1500), ranks), 4), loops),
+        "constraints on a lattice": (with_sources(pieces(lattice(1500, 30), ranks), 8), everything),
+        "sources' points": (with_own_points(pieces(uniform(800), ranks)), dict(coordinates, ClosedLines=1)),
+        "sources' points, closed lines are lines": (with_own_points(pieces(uniform(800), ranks)), coordinates),
+        "sources' points as floats": (with_own_points(pieces(uniform(200), ranks, "float")), coordinates),
+        "source on an empty rank": (with_own_points(uneven(uniform(300), ranks)), coordinates),
+        "one source": (with_one_source(pieces(uniform(800), ranks)), coordinates),
+        "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(everything, MaximumEdgeLength=0.09)),
+        "no edge is short": (pieces(uniform(90), ranks), dict(everything, MaximumEdgeLength=1e-9)),
+        "a plane": (pieces(uniform(900), ranks), dict(everything, Rim=1, Transform=True)),
+        "unfit ids": (with_sources(pieces(uniform(60), ranks), 3), dict(everything, bad_ids=True)),
+        "all dropped": (with_own_points(pieces([], ranks)), dict(coordinates, FillRule=0, turn=True)),
+    }
