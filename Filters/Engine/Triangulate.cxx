@@ -25,10 +25,12 @@ struct Workspace::Memory
   Scratch scratch;
   Buffer<Index> sequence;
   ConstrainedMesh constrained;
+  Buffer<std::uint32_t> numbers;
 
   std::size_t bytes() const
   {
-    return xy.bytes() + id.bytes() + scratch.bytes() + sequence.bytes() + constrained.bytes();
+    return xy.bytes() + id.bytes() + scratch.bytes() + sequence.bytes() + constrained.bytes() +
+      numbers.bytes();
   }
 };
 
@@ -193,6 +195,7 @@ void TriangulationAccess::takeMemory(Workspace& from, State& to)
     to.ranked.scratch = std::move(memory->scratch);
     to.sequence = std::move(memory->sequence);
     to.constrained = std::move(memory->constrained);
+    to.numbers = std::move(memory->numbers);
   }
 }
 
@@ -211,6 +214,7 @@ void TriangulationAccess::giveMemory(State& from, Workspace& to)
     memory->scratch = std::move(from.ranked.scratch);
     memory->sequence = std::move(from.sequence);
     memory->constrained = std::move(from.constrained);
+    memory->numbers = std::move(from.numbers);
   }
 }
 

@@ -24,7 +24,7 @@ bool insertConstraints(State& state, const ConstraintView& given, FillRule rule,
   state.tables.corners.reset();
   state.tables.twins.reset();
   state.tables.starts.reset();
-  state.hasCorners = state.hasNeighbors = false;
+  state.hasNumbers = state.hasCorners = state.hasTwins = state.hasNeighbors = false;
   if (!state.restorePlaces(ticker) || !(state.hasPointMap || state.makePointMap(ticker)) ||
     !state.constrained.begin(state.mesh, state.ranked.xy.data(), ticker))
   {
@@ -159,11 +159,13 @@ std::size_t trimMemoryEstimate(std::size_t pointCount)
 
 std::size_t tableMemoryEstimate(std::size_t pointCount)
 {
-  // Per point, with two triangles each: corners, flags and neighbours of these, a half-edge, a
-  // vertex; and while neighbours are found a list of half-edges, and where it begins. Vertices with
-  // very many neighbours take 16 bytes for each while these are sorted, twice, and as much again:
-  // more than the extraction takes before.
-  constexpr std::size_t kPerPoint = 24 + 2 + 24 + 4 + 4 + 24 + 4 + 3 * 16;
+  // Per point, with two triangles each: numbers, corners, flags and neighbours of these, a
+  // half-edge, a vertex. While triangles are numbered, a key for each in new memory, and again
+  // where thousands have their lowest corners near to each other; while regions are, the place of
+  // each among the cells, a set, and at most as many sets, with three numbers each.
+  constexpr std::size_t kKept = 8 + 24 + 2 + 24 + 4 + 4;
+  constexpr std::size_t kNumbering = 16 + 16, kRegions = 8 + 8 + 2 * 12;
+  constexpr std::size_t kPerPoint = kKept + std::max(kNumbering, kRegions);
   return pointCount * kPerPoint + 4096;
 }
 

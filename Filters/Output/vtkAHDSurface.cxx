@@ -183,6 +183,10 @@ ahd::Selection vtkAHDSurface::WriteCells(
 
 void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation) const
 {
+  if (this->Settings.GenerateNeighbors) // they want the triangles in order, too
+  {
+    this->Context.Check(triangulation.makeNumbers(this->Context));
+  }
   auto corners = vtkAHDNewArray<IdArray>(
     3 * static_cast<vtkIdType>(triangulation.report().triangles));
   this->Context.Check(triangulation.writeTriangles(corners->GetPointer(0), this->Context));

@@ -6,6 +6,7 @@
 #include "Tasks.h"
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -81,6 +82,42 @@ bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
     total.merge(part);
   }
   return all;
+}
+
+/// Writes what is found among [0, count), in order, by all threads lent where it pays: each share
+/// is first counted, then written from where those before it end. count(a, b) returns how many
+/// [a, b) has; begin(all) makes room; write(a, b, first) writes them from place `first` on and
+/// returns the place behind. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+template <typename Count, typename Begin, typename Write>
+bool countAndWrite(
+  std::size_t items, Ticker& ticker, const Count& count, const Begin& begin, const Write& write)
+{
+  const std::size_t tasks = tasksForLoop(ticker, items);
+  std::vector<std::size_t> places(tasks + 1);
+  const auto inTasks = [&](const auto& work)
+  {
+    return inParallel(ticker, tasks,
+      [&](std::size_t task, Ticker& own)
+      {
+        const Share share(items, task, tasks);
+        std::size_t place = places[task];
+        const bool done = inChunks(share.begin, share.end, own,
+          [&](std::size_t a, std::size_t b) { place = work(a, b, place); });
+        places[task] = place;
+        return done;
+      });
+  };
+  if (!inTasks([&](std::size_t a, std::size_t b, std::size_t n) { return n + count(a, b); }))
+  {
+    return false;
+  }
+  std::size_t sum = 0;
+  for (std::size_t& place : places)
+  {
+    sum += std::exchange(place, sum);
+  }
+  begin(sum);
+  return inTasks(write);
 }
 
 } // namespace ahd

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Extractor.h"
 
-#include "../Core/Tasks.h"
+#include "../Core/Loops.h"
 #include "KeyChains.h"
 #include "SortKeys.h"
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -17,15 +18,107 @@ namespace
 
 using Key = TriangleKeys::Key;
 
-/// Writes the triangles of one block from its sorted keys.
+/// Writes the triangles of keys as triples, each corner as ids[its vertex].
 template <typename Id>
-class BlockWriter
+class TripleSink
 {
 public:
-  BlockWriter(const TriangleKeys& layout, const std::uint32_t* ids, Id* triples)
+  TripleSink(const TriangleKeys& layout, const std::uint32_t* ids, Id* triples)
     : layout_(layout)
     , ids_(ids)
     , triples_(triples)
+  {
+  }
+
+  /// `count` keys of one block, the first of them the key of triangle `first`.
+  void write(const Key* sorted, std::size_t count, std::size_t block, std::size_t first) const
+  {
+    Id* const out = triples_ + 3 * first;
+    if (const std::uint32_t* const ids = ids_)
+    {
+      write(sorted, count, block, out, [ids](std::size_t v) { return Id(ids[v]); });
+    }
+    else
+    {
+      write(sorted, count, block, out, [](std::size_t v) { return Id(v); });
+    }
+  }
+
+  /// Where the keys of so many triangles can be sorted: in the room that these will take, at its
+  /// end. A triangle has at least half as many bytes more than a key, so none is overwritten before
+  /// it has been read.
+  Key* room(std::size_t first, std::size_t count)
+  {
+    static_assert(6 * sizeof(Id) >= 3 * sizeof(Key), "room for the keys");
+    const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(triples_ + 3 * (first + count));
+    return reinterpret_cast<Key*>(end - end % alignof(Key)) - count;
+  }
+
+private:
+  static constexpr std::size_t kTriplesAhead = 32;
+
+  /// Writes each corner as nameOf(its vertex).
+  template <typename NameOf>
+  void write(const Key* sorted, std::size_t count, std::size_t block, Id* out, NameOf nameOf) const
+  {
+    const TriangleKeys layout = layout_;
+    const std::size_t offset = layout.offset();
+    const std::size_t first = block * layout.blockSize() - offset; // modulo 2^64
+    for (const Key* key = sorted; key != sorted + count; ++key, out += 3)
+    {
+      prefetchForWrite(out + 3 * kTriplesAhead);
+      out[0] = nameOf(first + layout.placeInBlock(*key));
+      out[1] = nameOf(layout.second(*key) - offset);
+      out[2] = nameOf(layout.third(*key) - offset);
+    }
+  }
+
+  TriangleKeys layout_;
+  const std::uint32_t* ids_;
+  Id* triples_;
+};
+
+/// Writes the numbers of triangles where their slots say, to the places of their lowest corners.
+class NumberSink
+{
+public:
+  NumberSink(const TriangleKeys& layout, std::uint32_t* numbers)
+    : layout_(layout)
+    , numbers_(numbers)
+  {
+  }
+
+  /// See TripleSink.
+  void write(const Key* sorted, std::size_t count, std::size_t, std::size_t first) const
+  {
+    const TriangleKeys layout = layout_;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      numbers_[layout.third(sorted[i])] |= static_cast<std::uint32_t>((first + i) << 2);
+    }
+  }
+
+  /// Throws std::bad_alloc.
+  Key* room(std::size_t, std::size_t count)
+  {
+    room_.allocate(count);
+    return room_.data();
+  }
+
+private:
+  TriangleKeys layout_;
+  std::uint32_t* numbers_;
+  Buffer<Key> room_;
+};
+
+/// Writes the triangles of one block from its sorted keys.
+template <typename Sink>
+class BlockWriter
+{
+public:
+  BlockWriter(const TriangleKeys& layout, Sink sink)
+    : layout_(layout)
+    , sink_(std::move(sink))
   {
   }
 
@@ -33,10 +126,10 @@ public:
   bool write(const KeyChains& chains, std::size_t block, SmallBlockSorter& sorter, Ticker& ticker)
   {
     const std::size_t count = chains.count(block);
-    Id* const out = triples_ + 3 * chains.begin(block);
+    const std::size_t first = chains.begin(block);
     if (count > SmallBlockSorter::kMostKeys)
     {
-      return writeMany(chains, block, out, ticker);
+      return writeMany(chains, block, ticker);
     }
     if (block != listed_)
     {
@@ -48,7 +141,7 @@ public:
     {
       fetch(i / KeyChains::kKeysPerPiece);
       const std::size_t n = std::min(count - i, KeyChains::kKeysPerPiece);
-      writeTriples(sorted + i, n, block, out + 3 * i);
+      sink_.write(sorted + i, n, block, first + i);
     }
     ticker.finished(count);
     return ticker.step(count);
@@ -56,7 +149,6 @@ public:
 
 private:
   static constexpr std::size_t kCopied = 256; ///< keys at a time
-  static constexpr std::size_t kTriplesAhead = 32;
 
   /// Lists the pieces of a block if it is to be sorted in one go.
   void list(const KeyChains& chains, std::size_t block)
@@ -83,14 +175,11 @@ private:
     }
   }
 
-  /// The keys are sorted in the room that the triangles will take, at its end: a triangle has at
-  /// least half as many bytes more than a key, so none is overwritten before it has been read.
-  bool writeMany(const KeyChains& chains, std::size_t block, Id* out, Ticker& ticker)
+  bool writeMany(const KeyChains& chains, std::size_t block, Ticker& ticker)
   {
-    static_assert(6 * sizeof(Id) >= 3 * sizeof(Key), "room for the keys");
     const std::size_t count = chains.count(block);
-    const std::uintptr_t end = reinterpret_cast<std::uintptr_t>(out + 3 * count);
-    Key* const keys = reinterpret_cast<Key*>(end - end % alignof(Key)) - count;
+    const std::size_t first = chains.begin(block);
+    Key* const keys = sink_.room(first, count);
     Key* to = keys;
     const auto copy = [&](const KeyPiece& piece)
     {
@@ -106,7 +195,7 @@ private:
     {
       const std::size_t n = std::min(kCopied, count - i);
       std::memcpy(some, static_cast<const void*>(keys + i), n * sizeof(Key));
-      writeTriples(some, n, block, out + 3 * i);
+      sink_.write(some, n, block, first + i);
       ticker.finished(n);
       if (!ticker.step(n))
       {
@@ -116,41 +205,59 @@ private:
     return true;
   }
 
-  void writeTriples(const Key* sorted, std::size_t count, std::size_t block, Id* out) const
-  {
-    if (const std::uint32_t* const ids = ids_)
-    {
-      writeTriples(sorted, count, block, out, [ids](std::size_t v) { return Id(ids[v]); });
-    }
-    else
-    {
-      writeTriples(sorted, count, block, out, [](std::size_t v) { return Id(v); });
-    }
-  }
-
-  /// Writes each corner as nameOf(its vertex).
-  template <typename NameOf>
-  void writeTriples(
-    const Key* sorted, std::size_t count, std::size_t block, Id* out, NameOf nameOf) const
-  {
-    const TriangleKeys layout = layout_;
-    const std::size_t offset = layout.offset();
-    const std::size_t first = block * layout.blockSize() - offset; // modulo 2^64
-    for (const Key* key = sorted; key != sorted + count; ++key, out += 3)
-    {
-      prefetchForWrite(out + 3 * kTriplesAhead);
-      out[0] = nameOf(first + layout.placeInBlock(*key));
-      out[1] = nameOf(layout.second(*key) - offset);
-      out[2] = nameOf(layout.third(*key) - offset);
-    }
-  }
-
   TriangleKeys layout_;
-  const std::uint32_t* ids_;
-  Id* triples_;
+  Sink sink_;
   std::vector<KeyPiece> pieces_;
   std::size_t listed_ = std::size_t(-1); ///< the block whose they are
 };
+
+/// Ghosts have no number: all of them are in the last block.
+bool forgetGhosts(const KeyChains& chains, std::uint32_t* numbers, Ticker& ticker)
+{
+  return chains.forEachPiece(chains.finiteBlocks(),
+    [&](const KeyPiece& piece)
+    {
+      for (std::size_t i = 0; i != piece.count; ++i)
+      {
+        numbers[chains.layout().third(piece.keys[i])] = kNotExtracted;
+      }
+      return ticker.step(piece.count);
+    });
+}
+
+/// Writes the triangles in canonical order into makeSink(layout of the keys), one for each task.
+/// `places`: see KeyChains.
+template <typename MakeSink>
+bool writeInOrder(const ExtractedMesh& from, std::uint32_t* places, Scratch& scratch,
+  Ticker& ticker, MakeSink makeSink)
+{
+  constexpr std::size_t kSharesPerThread = 8; // as blocks take unequal time
+  const std::size_t threads = threadsOf(ticker);
+  KeyChains chains(from, places, threads, scratch);
+  if (!chains.fill(ticker) || !(!places || forgetGhosts(chains, places, ticker)))
+  {
+    return false;
+  }
+  const std::size_t shares = threads == 1
+    ? 1
+    : std::min(kSharesPerThread * threads, chains.finiteBlocks());
+  return inParallel(ticker, shares,
+    [&](std::size_t task, Ticker& own)
+    {
+      SmallBlockSorter sorter(chains.layout());
+      BlockWriter<decltype(makeSink(chains.layout()))> writer(
+        chains.layout(), makeSink(chains.layout()));
+      const Share share(chains.finiteBlocks(), task, shares);
+      for (std::size_t block = share.begin; block != share.end; ++block)
+      {
+        if (!writer.write(chains, block, sorter, own))
+        {
+          return false;
+        }
+      }
+      return true;
+    });
+}
 
 } // namespace
 
@@ -186,31 +293,14 @@ template <typename Id>
 bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,
   Scratch& scratch, Ticker& ticker)
 {
-  constexpr std::size_t kSharesPerThread = 8; // as blocks take unequal time
-  const std::size_t threads = threadsOf(ticker);
-  KeyChains chains(from, threads, scratch);
-  if (!chains.fill(ticker))
-  {
-    return false;
-  }
-  const std::size_t shares = threads == 1
-    ? 1
-    : std::min(kSharesPerThread * threads, chains.finiteBlocks());
-  return inParallel(ticker, shares,
-    [&](std::size_t task, Ticker& own)
-    {
-      SmallBlockSorter sorter(chains.layout());
-      BlockWriter<Id> writer(chains.layout(), ids, triples);
-      const Share share(chains.finiteBlocks(), task, shares);
-      for (std::size_t block = share.begin; block != share.end; ++block)
-      {
-        if (!writer.write(chains, block, sorter, own))
-        {
-          return false;
-        }
-      }
-      return true;
-    });
+  return writeInOrder(from, nullptr, scratch, ticker,
+    [=](const TriangleKeys& layout) { return TripleSink<Id>(layout, ids, triples); });
+}
+
+bool numberCanonical(const Mesh& mesh, std::uint32_t* numbers, Scratch& scratch, Ticker& ticker)
+{
+  return writeInOrder(mesh, numbers, scratch, ticker,
+    [=](const TriangleKeys& layout) { return NumberSink(layout, numbers); });
 }
 
 template bool writeCanonical(

@@ -51,6 +51,14 @@ template <typename Id>
 bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,
   Scratch& scratch, Ticker& ticker);
 
+constexpr std::uint32_t kNotExtracted = 0xFFFFFFFFu;
+
+/// Of each slot, counted from 0, the place of its triangle in the canonical order, times 4, plus
+/// the place of the triangle's lowest corner in the slot; kNotExtracted for ghosts. Like
+/// writeCanonical, and where thousands of triangles have their lowest corners near to each other, 8
+/// bytes more for each of these.
+bool numberCanonical(const Mesh& mesh, std::uint32_t* numbers, Scratch& scratch, Ticker& ticker);
+
 } // namespace ahd
 
 #endif

@@ -16,6 +16,14 @@
 namespace ahd
 {
 
+/// The place of the lowest corner. Without branches: which it is, is as good as random.
+inline unsigned placeOfLowest(const std::uint32_t* corners)
+{
+  const unsigned isSecond = corners[1] < corners[0] ? 1u : 0u;
+  const unsigned isThird = corners[2] < std::min(corners[0], corners[1]) ? 1u : 0u;
+  return (isSecond & (isThird - 1u)) | isThird << 1;
+}
+
 /// Distributes the keys of all triangles to the blocks of their lowest corners, in one pass over
 /// the mesh; then each block can be sorted by itself, in the cache. How many keys a block gets is
 /// not known before, so they wait in chains of pieces: a chain for each block and task, which takes
@@ -30,11 +38,13 @@ public:
 
   static constexpr std::size_t kKeysPerPiece = 64; ///< at most: eight cache lines
 
-  /// Allocates at most kExtractBytesPerPoint for each vertex. Throws std::bad_alloc. REQUIRES: room
-  /// for a key per slot in `scratch`.
-  KeyChains(const ExtractedMesh& from, std::size_t threads, Scratch& scratch)
+  /// With `places` the third number of the keys is the slot, and places[slot] becomes the place of
+  /// the lowest corner in each that is not left out. Allocates at most kExtractBytesPerPoint for
+  /// each vertex. Throws std::bad_alloc. REQUIRES: room for a key per slot in `scratch`.
+  KeyChains(const ExtractedMesh& from, std::uint32_t* places, std::size_t threads, Scratch& scratch)
     : from_(from)
-    , layout_(from.mesh)
+    , layout_(from.mesh, places ? TriangleKeys::Third::Slot : TriangleKeys::Third::Corner)
+    , places_(places)
     , tasks_(tasksFor(threads, slots(), 1, kChunk))
   {
     // The pieces that a task begins and does not fill take no more than half a key per vertex.
@@ -58,7 +68,12 @@ public:
   bool fill(Ticker& ticker)
   {
     std::fill(chains_.begin(), chains_.end(), Chain());
-    const auto work = [this](std::size_t task, Ticker& own) { return distribute(task, own); };
+    const auto work = [this](std::size_t task, Ticker& own)
+    {
+      return layout_.third() == TriangleKeys::Third::Corner
+        ? distribute<TriangleKeys::Third::Corner>(task, own)
+        : distribute<TriangleKeys::Third::Slot>(task, own);
+    };
     return inParallel(ticker, tasks_, work) && sumUp(ticker);
   }
 
@@ -135,8 +150,8 @@ private:
     return chain.pieces == 0 ? 0 : static_cast<std::size_t>(chain.end - keysOf(chain.last));
   }
 
-  /// Calls visit(corners) for every triangle of a share of the slots that is not to be left out,
-  /// ghosts included.
+  /// Calls visit(corners, slot) for every triangle of a share of the slots that is not to be left
+  /// out, ghosts included.
   template <typename Visit>
   bool forEachTriangle(const Share& share, Ticker& ticker, Visit visit) const
   {
@@ -148,21 +163,26 @@ private:
         {
           if (!marks || (marks[slot] & leaveOut) == 0)
           {
-            visit(data + slot * Mesh::kSlotSize);
+            visit(data + slot * Mesh::kSlotSize, slot);
           }
         }
       });
   }
 
+  template <TriangleKeys::Third kThird>
   bool distribute(std::size_t task, Ticker& ticker)
   {
     Chain* const chains = &chainOf(task, 0);
     const std::size_t mask = bytesPerPiece() - 1;
     return forEachTriangle(Share(slots(), task, tasks_), ticker,
-      [this, layout = layout_, chains, mask](const std::uint32_t* corners)
+      [this, layout = layout_, chains, mask](const std::uint32_t* corners, std::size_t slot)
       {
+        if (kThird == TriangleKeys::Third::Slot)
+        {
+          places_[slot] = placeOfLowest(corners);
+        }
         prefetchForRead(corners + kTrianglesAhead * Mesh::kSlotSize);
-        const auto blockAndKey = layout(corners);
+        const auto blockAndKey = layout.template blockAndKey<kThird>(corners, slot);
         Chain& chain = chains[blockAndKey.first];
         if ((reinterpret_cast<std::uintptr_t>(chain.end) & mask) == 0)
         {
@@ -210,6 +230,7 @@ private:
 
   ExtractedMesh from_;
   TriangleKeys layout_;
+  std::uint32_t* places_;
   std::size_t tasks_;
   std::size_t keysPerPiece_ = kKeysPerPiece; ///< a power of two; fewer where there are many tasks
   Key* keys_ = nullptr;                      ///< the first piece, in the scratch

@@ -21,25 +21,39 @@ namespace ahd
 /// Vertices are renumbered for this: by their distance from the end, such that the ghost begins a
 /// block of its own, the last, and still counts as lower than any other when the lowest corner is
 /// looked for. So the ghost triangles come last, and no loop has to branch on them.
+///
+/// As no two triangles have the same two first corners, the third number may as well be the slot.
 class TriangleKeys
 {
 public:
   using Key = std::uint64_t;
 
-  explicit TriangleKeys(const Mesh& mesh)
-    : ghost_(mesh.ghost())
+  /// What the third number of a key is.
+  enum class Third
   {
-    for (blockBits_ = kBlockBits; true; blockBits_ = kFewBlockBits)
+    Corner,
+    Slot ///< counted from 0, not by its half-edges
+  };
+
+  explicit TriangleKeys(const Mesh& mesh, Third third = Third::Corner)
+    : ghost_(mesh.ghost())
+    , third_(third)
+  {
+    for (blockBits_ = kBlockBits; true; --blockBits_)
     {
       const std::uint32_t mask = (1u << blockBits_) - 1;
       ghostNumber_ = (ghost_ + mask) & ~mask;
       cornerBits_ = bitLength(ghostNumber_ - 1);
-      if (blockBits_ + 2 * cornerBits_ <= 64)
+      thirdBits_ = third == Third::Corner ? cornerBits_
+                                          : bitLength(mesh.end() / Mesh::kSlotSize - 1);
+      if (bits() <= 64)
       {
         return;
       }
     }
   }
+
+  Third third() const { return third_; }
 
   /// The number of blocks, that of the ghost included.
   std::size_t blocks() const { return (ghostNumber_ >> blockBits_) + 1; }
@@ -53,8 +67,9 @@ public:
     return (lowest + ghostNumber_) >> blockBits_;
   }
 
-  /// Block and key.
-  std::pair<std::size_t, Key> operator()(const std::uint32_t* corners) const
+  /// Block and key of a triangle. REQUIRES: kThird == third(); its slot, if that is to be in it.
+  template <Third kThird>
+  std::pair<std::size_t, Key> blockAndKey(const std::uint32_t* corners, std::size_t slot) const
   {
     const std::uint32_t a = corners[0] - ghost_, b = corners[1] - ghost_, c = corners[2] - ghost_;
     // The lowest corner and the one after it, without branches: which it is, is as good as random.
@@ -63,30 +78,31 @@ public:
     const std::uint32_t next = static_cast<std::uint32_t>(first);
     const std::uint32_t v0 = lowest + ghostNumber_;
     const Key v1 = next + ghostNumber_;
-    const Key v2 = (a ^ b ^ c ^ lowest ^ next) + ghostNumber_;
+    const Key v2 = kThird == Third::Slot ? Key(slot) : (a ^ b ^ c ^ lowest ^ next) + ghostNumber_;
     const Key inBlock = v0 & ((1u << blockBits_) - 1);
-    return { v0 >> blockBits_, ((inBlock << cornerBits_ | v1) << cornerBits_) | v2 };
+    return { v0 >> blockBits_, ((inBlock << cornerBits_ | v1) << thirdBits_) | v2 };
   }
 
   /// The lowest corner's place in its block.
-  std::size_t placeInBlock(Key key) const { return std::size_t(key >> (2 * cornerBits_)); }
-  /// The numbers of the two other corners: vertices, plus offset().
-  std::size_t second(Key key) const { return std::size_t(key >> cornerBits_ & cornerMask()); }
-  std::size_t third(Key key) const { return std::size_t(key & cornerMask()); }
+  std::size_t placeInBlock(Key key) const { return std::size_t(key >> (cornerBits_ + thirdBits_)); }
+  /// The numbers of the two other corners: vertices, plus offset(). Of the third, or the slot.
+  std::size_t second(Key key) const { return std::size_t(key >> thirdBits_ & maskOf(cornerBits_)); }
+  std::size_t third(Key key) const { return std::size_t(key & maskOf(thirdBits_)); }
   std::size_t offset() const { return ghostNumber_ - ghost_; }
   /// How many low bits of a key may be set.
-  unsigned bits() const { return blockBits_ + 2 * cornerBits_; }
+  unsigned bits() const { return blockBits_ + cornerBits_ + thirdBits_; }
 
 private:
-  Key cornerMask() const { return (Key(1) << cornerBits_) - 1; }
+  static Key maskOf(unsigned bits) { return (Key(1) << bits) - 1; }
 
-  static constexpr unsigned kBlockBits = 10;
-  static constexpr unsigned kFewBlockBits = 8; ///< for which there is room up to kMaximumPoints
+  static constexpr unsigned kBlockBits = 10; ///< at kMaximumPoints there is room for 8, or 7
 
   std::uint32_t ghost_;
+  Third third_;
   std::uint32_t ghostNumber_ = 0;
   unsigned blockBits_ = 0;
   unsigned cornerBits_ = 0;
+  unsigned thirdBits_ = 0;
 };
 
 } // namespace ahd

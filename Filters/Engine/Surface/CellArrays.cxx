@@ -2,11 +2,14 @@
 #include "CellArrays.h"
 
 #include "../Core/Border.h"
-#include "../Core/Chunks.h"
-#include "../Core/Tasks.h"
+#include "../Core/Loops.h"
+#include "../Core/SortAsking.h"
+#include "../Triangulation/MeshOrder.h"
 #include "../Triangulation/State.h"
 
 #include <algorithm>
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -26,187 +29,300 @@ std::size_t selectedCount(const Triangulation& triangulation, const Selection& s
   return selection.kept.empty() ? triangulation.report().triangles : selection.keptCount;
 }
 
+using State = TriangulationAccess::State;
+
 /// The triangles that are put out, and their places among these.
 class Selected
 {
 public:
-  Selected(const Tables& tables, const Selection& selection)
-    : tables_(tables)
+  Selected(const State& state, const Selection& selection)
+    : state_(state)
     , kept_(selection.kept.empty() ? nullptr : selection.kept.data())
   {
   }
 
-  /// Returns false if cancelled; throws std::bad_alloc. `count`: of the triangles put out.
+  /// REQUIRES: State::makeNumbers(). `count`: of the triangles put out. Returns false if cancelled,
+  /// as all below; throws std::bad_alloc.
   bool number(std::size_t count, Ticker& ticker)
   {
-    if (count == tables_.triangles())
+    const std::size_t all = state_.allTriangles;
+    if (count == all)
     {
       return true;
     }
-    numbers_.allocate(tables_.triangles());
-    std::uint32_t next = 0;
-    return inChunks(0, tables_.triangles(), ticker,
-      [&](std::size_t a, std::size_t b)
+    places_.allocate(all);
+    return (kept_ ? markSelected(ticker) : markKept(ticker)) && countUp(ticker);
+  }
+
+  /// kNoIndex for one that is not put out. REQUIRES: number().
+  std::uint32_t placeOf(std::size_t triangle) const
+  {
+    return places_.empty() ? static_cast<std::uint32_t>(triangle) : places_[triangle];
+  }
+  /// The same of the triangle in a slot; kNoIndex for ghosts as well.
+  std::uint32_t placeOfSlot(std::size_t slot) const
+  {
+    const std::uint32_t number = state_.numbers[slot];
+    return number == kNotExtracted ? kNoIndex : placeOf(triangleOf(number));
+  }
+
+  /// Calls visit(its place, its slot, OrderedTriangle) for each, on all threads lent. It writes to
+  /// `array`. REQUIRES: number().
+  template <typename Visit>
+  bool each(const TriangleArray& array, Ticker& ticker, const Visit& visit) const
+  {
+    return inMeshOrder(state_.mesh, state_.numbers, array, ticker,
+      [&](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
       {
-        for (std::size_t t = a; t != b; ++t)
+        if (const std::uint32_t place = placeOf(t); place != kNoIndex)
         {
-          numbers_[t] = contains(t) ? next++ : kNoIndex;
+          visit(std::size_t(place), slot, triangle);
         }
       });
   }
 
-  /// kNoIndex for one that is not put out. REQUIRES: number().
-  std::uint32_t numberOf(std::size_t triangle) const
+private:
+  bool markSelected(Ticker& ticker)
   {
-    return numbers_.empty() ? static_cast<std::uint32_t>(triangle) : numbers_[triangle];
-  }
-
-  /// Calls visit(triangle, its place) for each, on all threads lent. Returns false if cancelled.
-  /// REQUIRES: number().
-  template <typename Visit>
-  bool each(Ticker& ticker, Visit visit) const
-  {
-    const std::size_t tasks = tasksFor(threadsOf(ticker), tables_.triangles(), 4, kChunk);
-    return inParallel(ticker, tasks,
-      [&](std::size_t task, Ticker& own)
+    return inChunksOf(places_.size(), ticker,
+      [this](std::size_t a, std::size_t b)
       {
-        const Share share(tables_.triangles(), task, tasks);
-        return inChunks(share.begin, share.end, own,
-          [&](std::size_t a, std::size_t b)
-          {
-            for (std::size_t t = a; t != b; ++t)
-            {
-              if (const std::uint32_t place = numberOf(t); place != kNoIndex)
-              {
-                visit(t, std::size_t(place));
-              }
-            }
-            own.finished(b - a);
-          });
+        for (std::size_t t = a; t != b; ++t)
+        {
+          places_[t] = kept_[t] != 0 ? 0 : kNoIndex;
+        }
       });
   }
 
-private:
-  bool contains(std::size_t triangle) const
+  bool markKept(Ticker& ticker)
   {
-    return kept_ ? kept_[triangle] != 0 : tables_.isKept(triangle);
+    return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(places_.data(), 1), ticker,
+      [this](std::size_t t, std::size_t slot, const OrderedTriangle&)
+      { places_[t] = (state_.marksOf(slot) & kDropped) == 0 ? 0 : kNoIndex; });
   }
 
-  const Tables& tables_;
-  const unsigned char* kept_;
-  Buffer<std::uint32_t> numbers_; ///< empty if all are put out
-};
+  /// The triangles marked get their places.
+  bool countUp(Ticker& ticker)
+  {
+    return countAndWrite(
+      places_.size(), ticker,
+      [this](std::size_t a, std::size_t b)
+      { return std::size_t(std::count(places_.data() + a, places_.data() + b, 0u)); },
+      [](std::size_t) {},
+      [this](std::size_t a, std::size_t b, std::size_t next)
+      {
+        for (std::size_t t = a; t != b; ++t)
+        {
+          places_[t] = places_[t] == kNoIndex ? kNoIndex : static_cast<std::uint32_t>(next++);
+        }
+        return next;
+      });
+  }
 
-/// Calls write(tables, the selected triangles, ticker) with the tables that make(context) makes.
-/// `write` returns false if it is to be cancelled.
-template <typename Make, typename Write>
-Status withSelected(Triangulation& triangulation, const Selection& selection,
-  const Context& context, Make make, Write write)
+  const State& state_;
+  const unsigned char* kept_;
+  Buffer<std::uint32_t> places_; ///< empty if all are put out
+};
+/// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
+/// without; it returns false if it is to be
+/// cancelled.
+template <typename Write>
+Status withSelected(
+  Triangulation& triangulation, const Selection& selection, const Context& context, Write write,
+  bool (*canDoWithout)(const State&) = [](const State&) { return false; })
 {
   const std::size_t count = selectedCount(triangulation, selection);
   if (count == 0)
   {
     return Status::Ok;
   }
-  if (const Status made = make(context); made != Status::Ok)
+  return unlessCancelled(
+    [&]
+    {
+      State& state = *TriangulationAccess::stateOf(triangulation);
+      Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
+        state.worthItsWhile(context.executor));
+      Selected selected(state, selection);
+      return (canDoWithout(state) || state.makeNumbers(ticker, State::PlacesAre::NotNeeded)) &&
+        selected.number(count, ticker) && write(state, selected, ticker) && ticker.ask();
+    });
+}
+
+/// Are there constraint edges, or triangles that are dropped?
+bool hasMarks(const Triangulation& triangulation)
+{
+  const State* const state = TriangulationAccess::stateOf(triangulation);
+  return state && state->hasMarks;
+}
+
+/// Is there a selection, and are there corners without numbers, so that these need not be made?
+bool hasCornersOnly(const Triangulation& triangulation, const Selection& selection)
+{
+  const State* const state = TriangulationAccess::stateOf(triangulation);
+  return state && !selection.kept.empty() && state->hasCorners && !state->hasNumbers;
+}
+
+/// Zeros.
+template <typename Number>
+Status writeAll(
+  Triangulation& triangulation, Number* numbers, std::size_t count, const Context& context)
+{
+  if (count == 0)
   {
-    return made;
+    return Status::Ok;
   }
   return unlessCancelled(
     [&]
     {
-      const TriangulationAccess::State& state = *TriangulationAccess::stateOf(triangulation);
-      Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
-        state.worthItsWhile(context.executor));
-      Selected selected(state.tables, selection);
-      return selected.number(count, ticker) && write(state, selected, ticker) && ticker.ask();
+      const State& state = *TriangulationAccess::stateOf(triangulation);
+      Ticker ticker(context.progress, Phase::Outputs, count, state.worthItsWhile(context.executor));
+      return inShares(count, ticker, 4, kChunk,
+               [=](std::size_t a, std::size_t b)
+               { std::fill(numbers + a, numbers + b, Number(0)); }) &&
+        ticker.ask();
     });
 }
 
-/// Visits the triangles that loops keep, region by region.
-class RegionFlood
+/// Finds out which triangles no constraint edge separates, by joining sets of slots. In the end
+/// each slot has the number of its set, and sets are numbered as they appear among the cells.
+class RegionFinder
 {
 public:
-  explicit RegionFlood(const Tables& tables)
-    : tables_(tables)
+  /// Borrows both.
+  RegionFinder(const State& state, const Selected& selected)
+    : state_(state)
+    , selected_(selected)
   {
   }
 
-  /// Returns false if cancelled, as flood does; throws std::bad_alloc, as it does.
-  bool begin(Ticker& ticker)
+  /// Writes the region of each selected triangle. Returns false if the work is to be cancelled, as
+  /// all below; throws std::bad_alloc.
+  template <typename Id>
+  bool write(Id* out, Ticker& ticker)
   {
-    regions_.allocate(tables_.triangles());
-    return fillAll(regions_, kNoIndex, ticker);
+    return join(ticker) && nameSets(ticker) && numberSets(ticker) &&
+      selected_.each(TriangleArray(out, 1), ticker,
+        [&](std::size_t place, std::size_t slot, const OrderedTriangle&)
+        { out[place] = static_cast<Id>(regionOf_[setOf_[slot]]); });
   }
 
-  /// kNoIndex if flood() has not come there.
-  std::uint32_t regionOf(std::size_t triangle) const { return regions_[triangle]; }
-
-  bool flood(std::size_t start, std::uint32_t region, Ticker& ticker)
+private:
+  bool isKept(std::size_t slot) const
   {
-    visit(start, region);
-    while (!waiting_.empty())
+    return state_.numbers[slot] != kNotExtracted && (state_.marksOf(slot) & kDropped) == 0;
+  }
+
+  bool join(Ticker& ticker);
+  bool joinTo(std::uint32_t slot, std::uint32_t other, Ticker& ticker);
+  bool findRoot(std::uint32_t& slot, Ticker& ticker);
+  bool nameSets(Ticker& ticker);
+  bool numberSets(Ticker& ticker);
+
+  const State& state_;
+  const Selected& selected_;
+  Buffer<std::uint32_t> setOf_; ///< of each slot; first one of its set before it, or itself
+  std::uint32_t sets_ = 0;
+  std::vector<std::uint32_t> regionOf_; ///< of each set
+};
+
+bool RegionFinder::join(Ticker& ticker)
+{
+  const std::uint32_t* const data = state_.mesh.data();
+  setOf_.allocate(state_.numbers.size());
+  for (std::uint32_t slot = 0; slot != setOf_.size(); ++slot)
+  {
+    setOf_[slot] = isKept(slot) ? slot : kNoIndex;
+    const unsigned marks = state_.marksOf(slot);
+    for (unsigned e = 0; e < 3 && setOf_[slot] != kNoIndex; ++e)
     {
-      const HalfEdge first = 3 * waiting_.back();
-      waiting_.pop_back();
-      for (HalfEdge h = first; h != first + 3; ++h)
-      {
-        const HalfEdge twin = tables_.twins[h];
-        if (twin != kNoHalfEdge && !tables_.isConstrained(h) && tables_.isKept(twin / 3) &&
-          regions_[twin / 3] == kNoIndex)
-        {
-          visit(twin / 3, region);
-        }
-      }
-      if (!ticker.step())
+      const std::uint32_t other = data[slot * Mesh::kSlotSize + Mesh::kTwin + e] / Mesh::kSlotSize;
+      if (other < slot && (marks >> e & 1u) == 0 && setOf_[other] != kNoIndex &&
+        !joinTo(slot, other, ticker))
       {
         return false;
       }
     }
-    return true;
-  }
-
-private:
-  void visit(std::size_t triangle, std::uint32_t region)
-  {
-    regions_[triangle] = region;
-    waiting_.push_back(static_cast<std::uint32_t>(triangle));
-  }
-
-  const Tables& tables_;
-  Buffer<std::uint32_t> regions_;
-  std::vector<std::uint32_t> waiting_;
-};
-
-/// In ascending order, on this thread: regions are numbered as they appear.
-template <typename Id>
-bool numberRegions(const Tables& tables, const Selected& selected, Id* out, Ticker& ticker)
-{
-  RegionFlood flood(tables);
-  if (!flood.begin(ticker))
-  {
-    return false;
-  }
-  std::uint32_t regions = 0;
-  for (std::size_t t = 0; t < tables.triangles(); ++t)
-  {
-    const std::uint32_t place = selected.numberOf(t);
     if (!ticker.step())
     {
       return false;
     }
-    if (place == kNoIndex)
-    {
-      continue;
-    }
-    if (flood.regionOf(t) == kNoIndex && !flood.flood(t, regions++, ticker))
+  }
+  return true;
+}
+
+/// Of two sets the root is the first slot of both.
+bool RegionFinder::joinTo(std::uint32_t slot, std::uint32_t other, Ticker& ticker)
+{
+  if (!findRoot(slot, ticker) || !findRoot(other, ticker))
+  {
+    return false;
+  }
+  setOf_[std::max(slot, other)] = std::min(slot, other);
+  return true;
+}
+
+/// Goes on to the root; on the way, each slot is led to the one after the next.
+bool RegionFinder::findRoot(std::uint32_t& slot, Ticker& ticker)
+{
+  while (setOf_[slot] != slot)
+  {
+    setOf_[slot] = setOf_[setOf_[slot]];
+    slot = setOf_[slot];
+    if (!ticker.step())
     {
       return false;
     }
-    out[place] = static_cast<Id>(flood.regionOf(t));
-    ticker.finished(1);
   }
   return true;
+}
+
+/// A slot before it in the same set has its name already.
+bool RegionFinder::nameSets(Ticker& ticker)
+{
+  return inChunks(0, setOf_.size(), ticker,
+    [this](std::size_t a, std::size_t b)
+    {
+      for (std::size_t slot = a; slot != b; ++slot)
+      {
+        if (setOf_[slot] != kNoIndex)
+        {
+          setOf_[slot] = setOf_[slot] == slot ? sets_++ : setOf_[setOf_[slot]];
+        }
+      }
+    });
+}
+
+bool RegionFinder::numberSets(Ticker& ticker)
+{
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> firsts(sets_); // place of a cell, set
+  const auto begin = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t set = a; set != b; ++set)
+    {
+      firsts[set] = { kNoIndex, static_cast<std::uint32_t>(set) };
+    }
+  };
+  const auto look = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t slot = a; slot != b; ++slot)
+    {
+      if (setOf_[slot] != kNoIndex)
+      {
+        std::uint32_t& first = firsts[setOf_[slot]].first;
+        first = std::min(first, selected_.placeOfSlot(slot));
+      }
+    }
+  };
+  regionOf_.resize(sets_);
+  const auto number = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      regionOf_[firsts[i].second] = static_cast<std::uint32_t>(i);
+    }
+  };
+  return inChunks(0, sets_, ticker, begin) && inChunks(0, setOf_.size(), ticker, look) &&
+    sortAsking(firsts, ticker, std::less<>()) && inChunks(0, sets_, ticker, number);
 }
 
 } // namespace
@@ -220,18 +336,35 @@ template <typename Id>
 Status writeSelected(
   Triangulation& triangulation, const Selection& selection, Id* triples, const Context& context)
 {
-  return withSelected(
-    triangulation, selection, context,
-    [&](const Context& c) { return triangulation.makeCorners(c); },
-    [&](const TriangulationAccess::State& state, const Selected& selected, Ticker& ticker)
+  if (hasCornersOnly(triangulation, selection))
+  {
+    const auto write = [&](const State& state, const Selected& selected, Ticker& ticker)
     {
-      return selected.each(ticker,
-        [&](std::size_t t, std::size_t place)
+      return inShares(state.allTriangles, ticker, 4, kChunk,
+        [&](std::size_t a, std::size_t b)
         {
-          for (std::size_t e = 0; e < 3; ++e)
+          for (std::size_t h = 3 * a; h != 3 * b; ++h)
           {
-            triples[3 * place + e] = static_cast<Id>(
-              state.ranked.id[state.tables.corners[3 * t + e]]);
+            if (const std::uint32_t place = selected.placeOf(h / 3); place != kNoIndex)
+            {
+              triples[3 * std::size_t(place) + h % 3] = static_cast<Id>(
+                state.ranked.id[state.tables.corners[h]]);
+            }
+          }
+        });
+    };
+    return withSelected(
+      triangulation, selection, context, write, [](const State&) { return true; });
+  }
+  return withSelected(triangulation, selection, context,
+    [&](const State& state, const Selected& selected, Ticker& ticker)
+    {
+      return selected.each(TriangleArray(triples, 3), ticker,
+        [&](std::size_t place, std::size_t, const OrderedTriangle& triangle)
+        {
+          for (unsigned k = 0; k < 3; ++k)
+          {
+            triples[3 * place + k] = static_cast<Id>(state.ranked.id[triangle.corner(k)]);
           }
         });
     });
@@ -243,20 +376,16 @@ Status writeNeighbors(
 {
   const std::size_t before = cellsBefore(selection);
   std::fill(neighbors, neighbors + 3 * before, Id(-1));
-  return withSelected(
-    triangulation, selection, context,
-    [&](const Context& c) { return triangulation.makeNeighbors(c); },
-    [&](const TriangulationAccess::State& state, const Selected& selected, Ticker& ticker)
+  return withSelected(triangulation, selection, context,
+    [&](const State&, const Selected& selected, Ticker& ticker)
     {
-      return selected.each(ticker,
-        [&](std::size_t t, std::size_t place)
+      return selected.each(TriangleArray(neighbors + 3 * before, 3), ticker,
+        [&](std::size_t place, std::size_t, const OrderedTriangle& triangle)
         {
-          for (std::size_t e = 0; e < 3; ++e)
+          for (unsigned k = 0; k < 3; ++k)
           {
-            const HalfEdge twin = state.tables.twins[3 * t + e];
-            const std::uint32_t other = twin == kNoHalfEdge ? kNoIndex
-                                                            : selected.numberOf(twin / 3);
-            neighbors[3 * (before + place) + e] = other == kNoIndex
+            const std::uint32_t other = selected.placeOfSlot(triangle.twin(k) / Mesh::kSlotSize);
+            neighbors[3 * (before + place) + k] = other == kNoIndex
               ? Id(-1)
               : static_cast<Id>(before + other);
           }
@@ -268,16 +397,20 @@ Status writeConstraintEdges(Triangulation& triangulation, const Selection& selec
   std::uint8_t* edges, const Context& context)
 {
   const std::size_t before = cellsBefore(selection);
+  if (!hasMarks(triangulation))
+  {
+    return writeAll(triangulation, edges, cellCount(triangulation, selection), context);
+  }
   std::fill(edges, edges + before, std::uint8_t(0));
-  return withSelected(
-    triangulation, selection, context,
-    [&](const Context& c) { return triangulation.makeCorners(c); },
-    [&](const TriangulationAccess::State& state, const Selected& selected, Ticker& ticker)
+  return withSelected(triangulation, selection, context,
+    [&](const State& state, const Selected& selected, Ticker& ticker)
     {
-      const Buffer<std::uint8_t>& flags = state.tables.flags;
-      return selected.each(ticker,
-        [&](std::size_t t, std::size_t place)
-        { edges[before + place] = static_cast<std::uint8_t>(flags.empty() ? 0u : flags[t] & 7u); });
+      return selected.each(TriangleArray(edges + before, 1), ticker,
+        [&](std::size_t place, std::size_t slot, const OrderedTriangle& triangle)
+        {
+          edges[before + place] = Tables::flagOf(
+            state.marksOf(slot) & kConstrainedEdges, triangle.lowest());
+        });
     });
 }
 
@@ -287,11 +420,14 @@ Status writeRegions(
 {
   const std::size_t before = cellsBefore(selection);
   std::fill(regions, regions + before, Id(-1));
-  return withSelected(
-    triangulation, selection, context,
-    [&](const Context& c) { return triangulation.makeNeighbors(c); },
-    [&](const TriangulationAccess::State& state, const Selected& selected, Ticker& ticker)
-    { return numberRegions(state.tables, selected, regions + before, ticker); });
+  if (!hasMarks(triangulation)) // a convex polygon is one region
+  {
+    return writeAll(
+      triangulation, regions + before, selectedCount(triangulation, selection), context);
+  }
+  return withSelected(triangulation, selection, context,
+    [&](const State& state, const Selected& selected, Ticker& ticker)
+    { return RegionFinder(state, selected).write(regions + before, ticker); });
 }
 
 #define AHD_WRITES(Id)                                                                             \

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ahd
 {
@@ -11,11 +12,6 @@ namespace
 
 /// VTK's largest double, and so the largest alpha: a circle too large for any.
 constexpr double kLargestRadius = 1e299;
-
-Vector3 minus(const Vector3& a, const Vector3& b)
-{
-  return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
-}
 
 Vector3 times(const Vector3& v, double factor)
 {
@@ -45,8 +41,8 @@ double scaleOf(double length)
 double lengthOf(const Vector3& v)
 {
   // std::hypot takes many times as long.
-  const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
-  return square > 1e-290 && square < 1e300 ? std::sqrt(square) : std::hypot(v[0], v[1], v[2]);
+  const double square = dot(v, v);
+  return isOrdinarySquare(square) ? std::sqrt(square) : std::hypot(v[0], v[1], v[2]);
 }
 
 double circumradius(const Vector3& a, const Vector3& b, const Vector3& c)
@@ -66,6 +62,29 @@ double circumradius(const Vector3& a, const Vector3& b, const Vector3& c)
   const double radius = area == 0.0 ? kLargestRadius
                                     : lengths[0] * lengths[1] * lengths[2] / (2.0 * area) / scale;
   return radius > kLargestRadius ? kLargestRadius : radius;
+}
+
+RadiusLimit::RadiusLimit(double limit)
+  : limit_(limit)
+  , square_(4.0 * limit * limit)
+  , isModerate_(limit > 1e-40 && limit < 1e40)
+{
+}
+
+LengthLimit::LengthLimit(double limit)
+  : limit_(limit)
+  , largest_(limit * limit)
+  , isModerate_(limit > 1e-140 && limit < 1e140)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  while (isModerate_ && std::sqrt(largest_) > limit)
+  {
+    largest_ = std::nextafter(largest_, 0.0);
+  }
+  while (isModerate_ && std::sqrt(std::nextafter(largest_, kInfinity)) <= limit)
+  {
+    largest_ = std::nextafter(largest_, kInfinity);
+  }
 }
 
 } // namespace ahd

@@ -4,27 +4,87 @@
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
 #include "../Core/SortAsking.h"
-#include "../Triangulation/Triangulation.h"
+#include "../Triangulation/MeshOrder.h"
+#include "../Triangulation/State.h"
 #include "Circumradius.h"
-#include "Vectors.h"
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
 
 namespace ahd
 {
 namespace
 {
 
-/// One call of selectBySize(), when the tables are made. What returns a bool returns false if the
-/// work is to be cancelled.
+using State = TriangulationAccess::State;
+
+/// Where the user sees the vertices, read in their order.
+class Places
+{
+public:
+  /// Puts the places of the triangulation back as well, if they are gone. Returns false if
+  /// cancelled; throws std::bad_alloc.
+  bool read(State& state, const PointView& inSpace, Ticker& ticker)
+  {
+    const PointView& points = state.points;
+    xy_ = state.ranked.xy.data();
+    isUpright_ = points.doubles == inSpace.doubles && points.floats == inSpace.floats &&
+      points.stride == inSpace.stride;
+    isUpright_ ? z_.allocate(state.ranked.count) : places_.allocate(state.ranked.count);
+    const bool isGone = state.arePlacesGone;
+    const auto work = [&, isGone](std::size_t a, std::size_t b)
+    {
+      const std::uint32_t* const id = state.ranked.id.data();
+      for (std::size_t v = a; v != b; ++v)
+      {
+        fetch(inSpace, id[std::min(v + kPointsAhead, b - 1)]);
+        isUpright_ ? void(z_[v] = inSpace.z(id[v])) : void(places_[v] = inSpace.place(id[v]));
+        if (isGone)
+        {
+          state.ranked.xy[v] = points[id[v]];
+        }
+      }
+    };
+    return inShares(state.ranked.count, ticker, 4, kChunk, work) && state.havePlaces();
+  }
+
+  /// It will be asked for this one.
+  void fetch(Index vertex) const
+  {
+    isUpright_ ? prefetchForRead(z_.data() + vertex) : prefetchForRead(places_.data() + vertex);
+  }
+
+  Vector3 operator()(Index vertex) const
+  {
+    return isUpright_ ? Vector3{ { xy_[vertex].x, xy_[vertex].y, z_[vertex] } } : places_[vertex];
+  }
+
+private:
+  static constexpr std::size_t kPointsAhead = 24;
+  static void fetch(const PointView& points, std::size_t i)
+  {
+    points.doubles ? prefetchForRead(points.doubles + i * points.stride)
+                   : prefetchForRead(points.floats + i * points.stride);
+  }
+
+  const Point* xy_ = nullptr;
+  bool isUpright_ = false; ///< x and y are those of the triangulation
+  Buffer<double> z_;
+  Buffer<Vector3> places_; ///< if not isUpright_
+};
+
+/// One call of selectBySize(), when the triangles have numbers. What returns a bool returns false
+/// if the work is to be cancelled.
 class Selecting
 {
 public:
-  Selecting(const Triangulation& triangulation, const SizeLimits& limits,
-    const PointsToMeasure& points, Selection& out)
-    : triangulation_(triangulation)
+  Selecting(State& state, const SizeLimits& limits, const PointsToMeasure& points, Selection& out)
+    : state_(state)
     , limits_(limits)
     , points_(points)
+    , radius_(limits.alpha)
+    , length_(limits.maximumEdgeLength)
     , out_(out)
   {
   }
@@ -32,46 +92,61 @@ public:
   bool run(Ticker& ticker);
 
 private:
+  /// What is found out of the triangles that are too large: bit k is set if edge k is a line.
+  struct Edges
+  {
+    Buffer<unsigned char> lines;
+    Buffer<std::uint32_t> slots; ///< only of triangles with lines
+  };
+
+  static constexpr std::size_t kSlotsAhead = 8;
+  bool hasAlpha() const { return limits_.alpha > 0.0; }
+  bool isDropped(std::size_t slot) const { return (state_.marksOf(slot) & kDropped) != 0; }
+  void fetchCornersOf(std::size_t slot) const;
+  bool isSelected(Index a, Index b, Index c) const;
+  bool isTooLong(Index a, Index b) const;
+  bool isLine(Index a, Index b) const;
+  void use(Index vertex) { used_[vertex].store(1, std::memory_order_relaxed); }
+
+  bool beginUsed(Ticker& ticker);
   bool markTriangles(Ticker& ticker);
-  bool markUsed(Ticker& ticker);
   bool findLines(Ticker& ticker);
-  void findLinesOf(std::size_t triangle);
+  unsigned linesOf(std::size_t triangle, const OrderedTriangle& corners);
+  bool writeLines(Ticker& ticker);
   bool findLinesBetweenCollinear(Ticker& ticker);
   bool findVertices(Ticker& ticker);
-  bool countKept(Ticker& ticker);
+  bool markAlone(Buffer<unsigned char>& marks, Ticker& ticker) const;
+  bool markAloneBeside(Buffer<unsigned char>& marks, Ticker& ticker) const;
   void hide();
-  bool isSelected(std::size_t triangle) const;
-  bool isTooLong(Index a, Index b) const;
-  void addLine(Index a, Index b);
-  Vector3 placeOf(Index vertex) const;
-  Index cornerOf(HalfEdge h) const { return triangulation_.pointOf(triangulation_.origin(h)); }
+  bool countKept(Ticker& ticker);
 
-  const Triangulation& triangulation_;
+  State& state_;
   const SizeLimits& limits_;
   const PointsToMeasure& points_;
+  const RadiusLimit radius_;
+  const LengthLimit length_;
   Selection& out_;
-  std::vector<unsigned char> used_; ///< of each point: is it a corner of a triangle or line?
+  Places inSpace_;
+  Buffer<std::atomic<unsigned char>> used_; ///< of each vertex: by a triangle or line?
+  Edges edges_;
 };
-
-HalfEdge halfEdge(std::size_t triangle, std::size_t e)
-{
-  return static_cast<HalfEdge>(3 * triangle + e);
-}
 
 bool Selecting::run(Ticker& ticker)
 {
-  if (!ticker.ask() || !markTriangles(ticker))
+  if (!ticker.ask() ||
+    !(hasAlpha() ? inSpace_.read(state_, points_.inSpace, ticker) : state_.restorePlaces(ticker)))
   {
     return false;
   }
-  if (limits_.alpha > 0.0)
+  if (!beginUsed(ticker) || !markTriangles(ticker))
   {
-    used_.assign(triangulation_.points().count, 0);
-    const bool areCollinear = triangulation_.triangleCount() == 0;
-    const bool isDone = markUsed(ticker) &&
-      (areCollinear ? findLinesBetweenCollinear(ticker) : findLines(ticker)) &&
-      findVertices(ticker);
-    if (!isDone)
+    return false;
+  }
+  if (hasAlpha())
+  {
+    if (!(state_.allTriangles == 0 ? findLinesBetweenCollinear(ticker)
+                                   : findLines(ticker) && writeLines(ticker)) ||
+      !findVertices(ticker))
     {
       return false;
     }
@@ -80,162 +155,284 @@ bool Selecting::run(Ticker& ticker)
   return countKept(ticker) && ticker.ask();
 }
 
-bool Selecting::markTriangles(Ticker& ticker)
+bool Selecting::beginUsed(Ticker& ticker)
 {
-  const std::size_t count = triangulation_.triangleCount();
-  out_.kept.resize(count);
-  return inChunksOf(count, ticker,
-    [this](std::size_t begin, std::size_t end)
+  used_.allocate(hasAlpha() ? state_.ranked.count : 0);
+  return inChunksOf(used_.size(), ticker,
+    [this](std::size_t a, std::size_t b)
     {
-      for (std::size_t t = begin; t < end; ++t)
+      for (std::size_t v = a; v != b; ++v)
       {
-        out_.kept[t] = isSelected(t) ? 1 : 0;
+        used_[v].store(0, std::memory_order_relaxed);
       }
     });
 }
 
-bool Selecting::isSelected(std::size_t triangle) const
+bool Selecting::markTriangles(Ticker& ticker)
 {
-  if (!triangulation_.isKept(triangle))
+  out_.kept.resize(state_.allTriangles);
+  unsigned char* const kept = out_.kept.data();
+  if (!hasAlpha()) // neighbours are not asked for: by the corners it is sooner done
   {
-    return false;
+    const Tables& tables = state_.tables;
+    const Index* const v = tables.corners.data();
+    return inShares(state_.allTriangles, ticker, 4, kChunk,
+      [&, v, kept](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t t = begin; t != end; ++t)
+        {
+          const bool isIn = tables.isKept(t) && isSelected(v[3 * t], v[3 * t + 1], v[3 * t + 2]);
+          kept[t] = isIn ? 1 : 0;
+        }
+      });
   }
-  const HalfEdge h = halfEdge(triangle, 0);
-  const Index a = triangulation_.origin(h);
-  const Index b = triangulation_.origin(h + 1);
-  const Index c = triangulation_.origin(h + 2);
-  if (isTooLong(a, b) || isTooLong(b, c) || isTooLong(c, a))
-  {
-    return false;
-  }
-  // Not the same as <= where it is NaN.
-  return !(limits_.alpha > 0.0 && circumradius(placeOf(a), placeOf(b), placeOf(c)) > limits_.alpha);
+  return state_.allTriangles == 0 ||
+    inMeshOrder(state_.mesh, state_.numbers, TriangleArray(kept, 1), ticker,
+      [this, kept](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
+      {
+        const Index a = triangle.corner(0), b = triangle.corner(1), c = triangle.corner(2);
+        fetchCornersOf(slot + kSlotsAhead);
+        kept[t] = !isDropped(slot) && isSelected(a, b, c) ? 1 : 0;
+        if (kept[t])
+        {
+          use(a);
+          use(b);
+          use(c);
+        }
+      });
 }
 
-/// Is the edge between the two vertices?
+/// The places of the corners of the triangle in the slot, if there is one, will be read.
+void Selecting::fetchCornersOf(std::size_t slot) const
+{
+  const std::uint32_t* const corners = state_.mesh.data() +
+    std::min(slot, state_.numbers.size() - 1) * Mesh::kSlotSize;
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    prefetchForRead(state_.ranked.xy.data() + corners[k]);
+    inSpace_.fetch(corners[k]);
+  }
+}
+
+bool Selecting::isSelected(Index a, Index b, Index c) const
+{
+  return !(isTooLong(a, b) || isTooLong(b, c) || isTooLong(c, a)) &&
+    !(hasAlpha() && radius_.isExceeded(inSpace_(a), inSpace_(b), inSpace_(c)));
+}
+
+/// Is the edge between the two vertices, in the plane?
 bool Selecting::isTooLong(Index a, Index b) const
 {
   if (!(limits_.maximumEdgeLength > 0.0))
   {
     return false;
   }
-  const Point p = triangulation_.at(a), q = triangulation_.at(b);
-  return lengthOf({ { p.x - q.x, p.y - q.y, 0.0 } }) > limits_.maximumEdgeLength;
+  const Point p = state_.ranked.xy[a], q = state_.ranked.xy[b];
+  return length_.isExceeded({ { p.x - q.x, p.y - q.y, 0.0 } });
 }
 
-/// Where the user sees it.
-Vector3 Selecting::placeOf(Index vertex) const
+/// Is an edge a line, if no triangle of it is put out?
+bool Selecting::isLine(Index a, Index b) const
 {
-  return points_.inSpace.place(triangulation_.pointOf(vertex));
-}
-
-bool Selecting::markUsed(Ticker& ticker)
-{
-  return inChunks(0, triangulation_.triangleCount(), ticker,
-    [this](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t h = 3 * begin; h < 3 * end; ++h)
-      {
-        used_[cornerOf(static_cast<HalfEdge>(h))] |= out_.kept[h / 3];
-      }
-    });
+  const Vector3 p = inSpace_(a), q = inSpace_(b);
+  return 0.5 * lengthOf({ { p[0] - q[0], p[1] - q[1], p[2] - q[2] } }) <= limits_.alpha &&
+    !isTooLong(a, b);
 }
 
 bool Selecting::findLines(Ticker& ticker)
 {
-  return inChunks(0, triangulation_.triangleCount(), ticker,
-    [this](std::size_t begin, std::size_t end)
+  edges_.lines.allocate(state_.allTriangles);
+  edges_.slots.allocate(state_.allTriangles);
+  unsigned char* const lines = edges_.lines.data();
+  return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(lines, 1), ticker,
+    [this, lines](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
     {
-      for (std::size_t t = begin; t < end; ++t)
+      lines[t] = 0;
+      if (!out_.kept[t] && !isDropped(slot))
       {
-        if (triangulation_.isKept(t) && !out_.kept[t])
-        {
-          findLinesOf(t);
-        }
+        lines[t] = static_cast<unsigned char>(linesOf(t, triangle));
+        edges_.slots[t] = static_cast<std::uint32_t>(slot);
       }
     });
 }
 
 /// Those edges of a triangle that is too large which are not part of one that is put out. Of two
 /// triangles that are too large the first has their edge.
-void Selecting::findLinesOf(std::size_t triangle)
+unsigned Selecting::linesOf(std::size_t triangle, const OrderedTriangle& corners)
 {
-  for (std::size_t e = 0; e < 3; ++e)
+  unsigned lines = 0;
+  for (unsigned k = 0; k < 3; ++k)
   {
-    const HalfEdge h = halfEdge(triangle, e);
-    const HalfEdge twin = triangulation_.twin(h);
-    const std::size_t other = twin / 3;
-    if (twin == kNoHalfEdge || !triangulation_.isKept(other) ||
-      (other > triangle && !out_.kept[other]))
+    const std::size_t slot = corners.twin(k) / Mesh::kSlotSize;
+    const std::uint32_t number = state_.numbers[slot];
+    const std::size_t other = triangleOf(number);
+    const bool isAlone = number == kNotExtracted || isDropped(slot);
+    const Index a = corners.corner(k), b = corners.corner((k + 1) % 3);
+    if ((isAlone || (other > triangle && !out_.kept[other])) && isLine(a, b))
     {
-      addLine(triangulation_.origin(h), triangulation_.target(h));
+      use(a);
+      use(b);
+      lines |= 1u << k;
     }
   }
+  return lines;
 }
 
+bool Selecting::writeLines(Ticker& ticker)
+{
+  constexpr unsigned char kCount[8] = { 0, 1, 1, 2, 1, 2, 2, 3 };
+  const unsigned char* const lines = edges_.lines.data();
+  const auto count = [=](std::size_t a, std::size_t b)
+  {
+    return std::accumulate(lines + a, lines + b, std::size_t(0),
+      [&](std::size_t sum, unsigned char bits) { return sum + kCount[bits]; });
+  };
+  const auto write = [&](std::size_t a, std::size_t b, std::size_t line)
+  {
+    for (std::size_t t = a; t != b; ++t)
+    {
+      for (unsigned k = 0; lines[t] >> k != 0; ++k)
+      {
+        if ((lines[t] >> k & 1u) != 0)
+        {
+          const std::uint32_t slot = edges_.slots[t];
+          const OrderedTriangle triangle(state_.mesh.data(), slot, state_.numbers[slot]);
+          const Index from = triangle.corner(k), to = triangle.corner((k + 1) % 3);
+          out_.lines[2 * line] = static_cast<std::int32_t>(state_.ranked.id[from]);
+          out_.lines[2 * line++ + 1] = static_cast<std::int32_t>(state_.ranked.id[to]);
+        }
+      }
+    }
+    return line;
+  };
+  return countAndWrite(
+    edges_.lines.size(), ticker, count, [this](std::size_t n) { out_.lines.resize(2 * n); }, write);
+}
+
+/// From each vertex to the next.
 bool Selecting::findLinesBetweenCollinear(Ticker& ticker)
 {
+  if (!state_.hasPointMap && !state_.makePointMap(ticker))
+  {
+    return false;
+  }
   std::vector<Index> vertices;
-  const bool all = inChunks(0, triangulation_.vertexCount(), ticker,
+  const bool all = inChunks(0, state_.ranked.count, ticker,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t v = begin; v < end; ++v)
       {
-        const Index vertex = static_cast<Index>(v);
-        if (triangulation_.vertexOf(triangulation_.pointOf(vertex)) == vertex)
+        if (state_.tables.vertexOf[state_.ranked.id[v]] == v)
         {
-          vertices.push_back(vertex); // not beyond the limit
+          vertices.push_back(static_cast<Index>(v)); // not beyond the limit
         }
       }
     });
-  const auto isLess = [this](Index a, Index b)
-  { return lexicographicallyLess(triangulation_.at(a), triangulation_.at(b)); };
+  const Point* const at = state_.ranked.xy.data();
+  const auto isLess = [at](Index a, Index b) { return lexicographicallyLess(at[a], at[b]); };
   return all && sortAsking(vertices, ticker, isLess) &&
     inChunks(1, vertices.size(), ticker,
       [&](std::size_t begin, std::size_t end)
       {
         for (std::size_t i = begin; i < end; ++i)
         {
-          addLine(vertices[i - 1], vertices[i]);
+          const Index a = vertices[i - 1], b = vertices[i];
+          if (isLine(a, b))
+          {
+            use(a);
+            use(b);
+            out_.lines.push_back(static_cast<std::int32_t>(state_.ranked.id[a]));
+            out_.lines.push_back(static_cast<std::int32_t>(state_.ranked.id[b]));
+          }
         }
       });
 }
 
-/// Adds the edge between two vertices, unless it is too long.
-void Selecting::addLine(Index a, Index b)
+/// What is known of a point: is it one that is put out by itself?
+enum : unsigned char
 {
-  const Index first = triangulation_.pointOf(a);
-  const Index second = triangulation_.pointOf(b);
-  const Vector3 p = placeOf(a), q = placeOf(b);
-  if (0.5 * lengthOf({ { p[0] - q[0], p[1] - q[1], p[2] - q[2] } }) <= limits_.alpha &&
-    !isTooLong(a, b))
+  kIsNotAlone,
+  kIsAlone,
+  kIsBeyond ///< the limit on insertions: it is not put out
+};
+
+bool Selecting::findVertices(Ticker& ticker)
+{
+  Buffer<unsigned char> marks;
+  marks.allocate(state_.points.count);
+  const bool done = inChunksOf(marks.size(), ticker,
+    [&](std::size_t a, std::size_t b)
+    { std::fill(marks.data() + a, marks.data() + b, kIsNotAlone); });
+  if (!done || !markAlone(marks, ticker) || !markAloneBeside(marks, ticker))
   {
-    used_[first] = 1;
-    used_[second] = 1;
-    out_.lines.push_back(static_cast<std::int32_t>(first));
-    out_.lines.push_back(static_cast<std::int32_t>(second));
+    return false;
   }
+  const auto count = [&](std::size_t a, std::size_t b)
+  { return std::size_t(std::count(marks.data() + a, marks.data() + b, kIsAlone)); };
+  const auto write = [&](std::size_t a, std::size_t b, std::size_t next)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      if (marks[i] == kIsAlone)
+      {
+        out_.vertices[next++] = static_cast<std::int32_t>(i);
+      }
+    }
+    return next;
+  };
+  return countAndWrite(
+    marks.size(), ticker, count, [this](std::size_t n) { out_.vertices.resize(n); }, write);
 }
 
-/// A merged point is taken for what it was merged into.
-bool Selecting::findVertices(Ticker& ticker)
+/// Vertices.
+bool Selecting::markAlone(Buffer<unsigned char>& marks, Ticker& ticker) const
+{
+  const std::uint32_t* const id = state_.ranked.id.data();
+  const auto alone = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t v = a; v != b; ++v)
+    {
+      if (used_[v].load(std::memory_order_relaxed) == 0)
+      {
+        marks[id[v]] = kIsAlone;
+      }
+    }
+  };
+  const auto beyond = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = state_.report.inserted + a; i != state_.report.inserted + b; ++i)
+    {
+      marks[id[state_.sequence[i]]] = kIsBeyond;
+    }
+  };
+  return inChunksOf(state_.ranked.count, ticker, alone) &&
+    inChunksOf(state_.report.beyondLimit, ticker, beyond);
+}
+
+/// Points at the places of vertices, or merged into one.
+bool Selecting::markAloneBeside(Buffer<unsigned char>& marks, Ticker& ticker) const
 {
   static const std::vector<MergedPoint> kNone;
   const std::vector<MergedPoint>& merged = points_.merged ? *points_.merged : kNone;
-  std::size_t next = 0; // of merged
-  return inChunks(0, used_.size(), ticker,
-    [&](std::size_t begin, std::size_t end)
+  const auto beside = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
     {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const bool isMerged = next < merged.size() && merged[next].id == i;
-        const std::size_t at = isMerged ? merged[next++].keptId : i;
-        if (!used_[i] && triangulation_.vertexOf(at) != kNoIndex)
-        {
-          out_.vertices.push_back(static_cast<std::int32_t>(i));
-        }
-      }
-    });
+      const auto& duplicate = state_.ranked.duplicates[i];
+      marks[duplicate.id] = marks[duplicate.keptId] == kIsBeyond ? kIsBeyond : kIsAlone;
+    }
+  };
+  const auto mergedInto = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      const std::size_t at = merged[i].keptId;
+      const bool isIn = isFinite(state_.points[at]) && !state_.points.skipped(at);
+      marks[merged[i].id] = isIn && marks[at] != kIsBeyond ? kIsAlone : kIsNotAlone;
+    }
+  };
+  return inChunksOf(state_.ranked.duplicates.size(), ticker, beside) &&
+    inChunksOf(merged.size(), ticker, mergedInto);
 }
 
 void Selecting::hide()
@@ -254,17 +451,21 @@ void Selecting::hide()
   }
 }
 
+struct Sum
+{
+  std::size_t value = 0;
+  void merge(const Sum& other) { value += other.value; }
+};
+
 bool Selecting::countKept(Ticker& ticker)
 {
-  out_.keptCount = 0;
-  return inChunks(0, out_.kept.size(), ticker,
-    [this](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t t = begin; t < end; ++t)
-      {
-        out_.keptCount += out_.kept[t];
-      }
-    });
+  Sum sum;
+  const unsigned char* const kept = out_.kept.data();
+  const bool done = gather(out_.kept.size(), ticker, sum,
+    [kept](Sum& part, std::size_t a, std::size_t b)
+    { part.value += std::accumulate(kept + a, kept + b, 0u); });
+  out_.keptCount = sum.value;
+  return done;
 }
 
 } // namespace
@@ -273,22 +474,20 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
   const PointsToMeasure& points, const Context& context, Selection& out)
 {
   out = Selection();
-  const bool isAlpha = limits.alpha > 0.0;
-  Status status = isAlpha ? triangulation.makeNeighbors(context)
-                          : triangulation.makeCorners(context);
-  if (status == Status::Ok && isAlpha)
+  State* const state = TriangulationAccess::stateOf(triangulation).get();
+  if (!state)
   {
-    status = triangulation.makePointMap(context);
-  }
-  if (status != Status::Ok)
-  {
-    return status;
+    return Status::Ok;
   }
   return unlessCancelled(
     [&]
     {
-      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
-      return Selecting(triangulation, limits, points, out).run(ticker);
+      Ticker ticker(context.progress, Phase::Outputs, state->allTriangles,
+        state->worthItsWhile(context.executor));
+      // With alpha all points are read again anyway.
+      return (limits.alpha > 0.0 ? state->makeNumbers(ticker, State::PlacesAre::NotNeeded)
+                                 : state->makeCorners(ticker)) &&
+        Selecting(*state, limits, points, out).run(ticker);
     });
 }
 

@@ -5,6 +5,7 @@
 #include "../Core/Loops.h"
 #include "../Core/Tasks.h"
 #include "../Extract/Extractor.h"
+#include "MeshOrder.h"
 
 #include <algorithm>
 #include <limits>
@@ -12,94 +13,58 @@
 namespace ahd
 {
 
-namespace
-{
-
-/// Finds triangles by the half-edge they begin with: in canonical order they are sorted by it.
-class TriangleFinder
-{
-public:
-  /// Returns false if cancelled; throws std::bad_alloc.
-  bool begin(const Buffer<Index>& corners, std::size_t vertices, Ticker& ticker)
-  {
-    corners_ = corners.data();
-    const std::size_t triangles = corners.size() / 3;
-    first_.allocate(vertices + 1);
-    std::size_t vertex = 0;
-    const auto note = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t t = a; t != b; ++t)
-      {
-        for (; vertex <= corners_[3 * t]; ++vertex)
-        {
-          first_[vertex] = static_cast<Index>(t);
-        }
-      }
-    };
-    if (!inChunks(0, triangles, ticker, note))
-    {
-      return false;
-    }
-    return inChunks(vertex, vertices + 1, ticker,
-      [&](std::size_t a, std::size_t b)
-      { std::fill(first_.data() + a, first_.data() + b, static_cast<Index>(triangles)); });
-  }
-
-  /// The triangle with the lowest corner `lowest`, followed by `next`. REQUIRES: there is one.
-  std::size_t find(Index lowest, Index next) const
-  {
-    std::size_t low = first_[lowest], high = first_[std::size_t(lowest) + 1];
-    while (high - low > 1)
-    {
-      const std::size_t middle = low + (high - low) / 2;
-      (corners_[3 * middle + 1] <= next ? low : high) = middle;
-    }
-    return low;
-  }
-
-private:
-  const Index* corners_ = nullptr;
-  Buffer<Index> first_; ///< of each vertex: the first triangle that begins there or later
-};
-
-/// The flag of a triangle that has these marks, when it begins with corner `lowest` of its slot.
-/// The edge opposite to corner e of a slot begins at the corner after it.
-std::uint8_t flagOf(std::uint8_t marks, unsigned lowest)
-{
-  unsigned flag = (marks & kDropped) != 0 ? Tables::kDroppedTriangle : 0u;
-  for (unsigned e = 0; e < 3; ++e)
-  {
-    flag |= (unsigned(marks) >> (lowest + 2 + e) % 3 & 1u) << e;
-  }
-  return static_cast<std::uint8_t>(flag);
-}
-
-} // namespace
-
 bool Triangulation::State::restorePlaces(Ticker& ticker)
 {
   if (!arePlacesGone)
   {
     return true;
   }
-  const std::size_t tasks = tasksFor(threadsOf(ticker), ranked.count, 1, kChunk);
-  const bool done = inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
+  const auto read = [this](std::size_t a, std::size_t b)
+  {
+    for (std::size_t v = a; v != b; ++v)
     {
-      const Share share(ranked.count, task, tasks);
-      return inChunks(share.begin, share.end, own,
-        [&](std::size_t a, std::size_t b)
-        {
-          for (std::size_t v = a; v != b; ++v)
-          {
-            ranked.xy[v] = points[ranked.id[v]];
-          }
-        });
-    });
-  constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-  ranked.xy[ranked.count] = { kNaN, kNaN };
-  arePlacesGone = !done;
-  return done;
+      ranked.xy[v] = points[ranked.id[v]];
+    }
+  };
+  return inShares(ranked.count, ticker, 1, kChunk, read) && havePlaces();
+}
+
+bool Triangulation::State::havePlaces()
+{
+  if (arePlacesGone)
+  {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    ranked.xy[ranked.count] = { kNaN, kNaN }; // the ghost's
+    arePlacesGone = false;
+  }
+  return true;
+}
+
+/// Room for the extraction: where the places were, if these are gone.
+void Triangulation::State::makeScratch(Scratch& scratch)
+{
+  if (arePlacesGone)
+  {
+    scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
+  }
+  else
+  {
+    scratch.allocate(ranked.count * kExtractScratchPerPoint);
+  }
+}
+
+bool Triangulation::State::makeNumbers(Ticker& ticker, PlacesAre places)
+{
+  if (hasNumbers || allTriangles == 0)
+  {
+    return true;
+  }
+  arePlacesGone = arePlacesGone || places == PlacesAre::NotNeeded;
+  numbers.allocate(mesh.end() / Mesh::kSlotSize);
+  Scratch scratch;
+  makeScratch(scratch);
+  hasNumbers = numberCanonical(mesh, numbers.data(), scratch, ticker);
+  return hasNumbers;
 }
 
 bool Triangulation::State::makeCorners(Ticker& ticker)
@@ -108,25 +73,33 @@ bool Triangulation::State::makeCorners(Ticker& ticker)
   {
     return true;
   }
-  if (allTriangles != 0)
-  {
-    tables.corners.allocate(3 * allTriangles);
-    Scratch scratch;
-    if (arePlacesGone)
-    {
-      scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
-    }
-    else
-    {
-      scratch.allocate(ranked.count * kExtractScratchPerPoint);
-    }
-    if (!writeCanonical(mesh, nullptr, tables.corners.data(), scratch, ticker))
-    {
-      return false;
-    }
-  }
-  hasCorners = restorePlaces(ticker) && makeFlags(ticker) && ticker.ask();
+  const bool needsNumbers = hasMarks; // the flags do
+  hasCorners = (!needsNumbers || makeNumbers(ticker)) && listCorners(ticker) && makeFlags(ticker);
   return hasCorners;
+}
+
+bool Triangulation::State::listCorners(Ticker& ticker)
+{
+  if (allTriangles == 0)
+  {
+    return true;
+  }
+  tables.corners.allocate(3 * allTriangles);
+  Index* const corners = tables.corners.data();
+  if (!hasNumbers)
+  {
+    Scratch scratch;
+    makeScratch(scratch);
+    return writeCanonical(mesh, nullptr, corners, scratch, ticker);
+  }
+  return inMeshOrder(mesh, numbers, TriangleArray(corners, 3), ticker,
+    [=](std::size_t t, std::size_t, const OrderedTriangle& triangle)
+    {
+      for (unsigned k = 0; k < 3; ++k)
+      {
+        corners[3 * t + k] = triangle.corner(k);
+      }
+    });
 }
 
 bool Triangulation::State::makeFlags(Ticker& ticker)
@@ -135,39 +108,69 @@ bool Triangulation::State::makeFlags(Ticker& ticker)
   {
     return true;
   }
-  TriangleFinder finder;
   tables.flags.allocate(allTriangles);
-  if (!finder.begin(tables.corners, ranked.count, ticker) ||
-    !fillAll(tables.flags, std::uint8_t(0), ticker))
+  return makeNumbers(ticker) &&
+    inMeshOrder(mesh, numbers, TriangleArray(tables.flags.data(), 1), ticker,
+      [this](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
+      { tables.flags[t] = Tables::flagOf(marksOf(slot), triangle.lowest()); });
+}
+
+bool Triangulation::State::makeTwins(Ticker& ticker)
+{
+  if (hasTwins || allTriangles == 0)
+  {
+    return true;
+  }
+  if (!makeNumbers(ticker) || !makeCorners(ticker))
   {
     return false;
   }
-  const std::size_t tasks = tasksFor(threadsOf(ticker), constrained.triangles(), 1, kChunk);
+  tables.twins.allocate(3 * allTriangles);
+  HalfEdge* const twins = tables.twins.data();
+  hasTwins = inMeshOrder(mesh, numbers, TriangleArray(twins, 3), ticker,
+    [this, twins](std::size_t t, std::size_t, const OrderedTriangle& triangle)
+    {
+      for (unsigned k = 0; k < 3; ++k)
+      {
+        const Mesh::Halfedge twin = triangle.twin(k);
+        const std::uint32_t number = numbers[twin / Mesh::kSlotSize];
+        twins[3 * t + k] = number == kNotExtracted ? kNoHalfEdge : halfEdgeOf(number, twin);
+      }
+    });
+  return hasTwins;
+}
+
+/// Of each vertex the first half-edge, but that of the hull if it has one.
+bool Triangulation::State::makeStarts(Ticker& ticker)
+{
+  Buffer<HalfEdge>& starts = tables.starts;
+  starts.allocate(ranked.count);
+  const std::size_t halfEdges = 3 * allTriangles;
   const auto note = [&](std::size_t a, std::size_t b)
   {
-    for (std::size_t k = a; k != b; ++k)
+    for (std::size_t i = a; i != b; ++i)
     {
-      const Mesh::Slot slot = Mesh::slotOfTriangle(k);
-      const std::uint8_t marks = constrained.marks(slot);
-      if (marks != 0 && !constrained.isGhost(slot))
+      const std::size_t h = halfEdges - 1 - i; // so the first is the last that is noted
+      starts[tables.corners[h]] = static_cast<HalfEdge>(h);
+    }
+  };
+  const auto noteHull = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t h = a; h != b; ++h)
+    {
+      if (tables.twins[h] == kNoHalfEdge)
       {
-        const Index* const v = constrained.data() + slot;
-        const unsigned lowest = static_cast<unsigned>(std::min_element(v, v + 3) - v);
-        tables.flags[finder.find(v[lowest], v[(lowest + 1) % 3])] = flagOf(marks, lowest);
+        starts[tables.corners[h]] = static_cast<HalfEdge>(h);
       }
     }
   };
-  return inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      const Share share(constrained.triangles(), task, tasks);
-      return inChunks(share.begin, share.end, own, note);
-    });
+  return fillAll(starts, kNoHalfEdge, ticker) && inChunks(0, halfEdges, ticker, note) &&
+    inChunks(0, halfEdges, ticker, noteHull);
 }
 
 bool Triangulation::State::makeNeighbors(Ticker& ticker)
 {
-  hasNeighbors = hasNeighbors || (findNeighbors(tables, ranked.count, ticker) && ticker.ask());
+  hasNeighbors = hasNeighbors || (makeTwins(ticker) && makeStarts(ticker) && ticker.ask());
   return hasNeighbors;
 }
 

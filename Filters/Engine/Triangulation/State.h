@@ -31,8 +31,13 @@ struct Triangulation::State
   ConstrainedMesh constrained;
   ConstraintReport constraints;
 
+  /// The place of the triangle in each slot in the canonical order of all, dropped ones included;
+  /// kNotExtracted for ghosts. What it holds is there if hasNumbers.
+  Buffer<std::uint32_t> numbers;
+  bool hasNumbers = false;
   Tables tables;
   bool hasCorners = false;
+  bool hasTwins = false;
   bool hasNeighbors = false;
   bool hasPointMap = false;
   bool arePlacesGone = false; ///< ranked.xy served as scratch
@@ -46,14 +51,35 @@ struct Triangulation::State
     return points.count < kLeastForThreads ? nullptr : lent;
   }
 
+  /// What is known of the triangle in a slot beyond its corners: see ConstrainedMesh.
+  std::uint8_t marksOf(std::size_t slot) const
+  {
+    return hasMarks ? constrained.marks(Mesh::slotOfTriangle(slot)) : std::uint8_t(0);
+  }
+
   /// Reads the places of the vertices again where they are gone. Returns false if cancelled, as all
   /// below; throws std::bad_alloc.
   bool restorePlaces(Ticker& ticker);
+  /// Who has read them all tells it here; returns true.
+  bool havePlaces();
 
+  enum class PlacesAre
+  {
+    Needed,
+    NotNeeded ///< their memory may be used: restorePlaces() before they are
+  };
+  bool makeNumbers(Ticker& ticker, PlacesAre places = PlacesAre::Needed);
+  /// Corners and flags; they need no places.
   bool makeCorners(Ticker& ticker);
   bool makeFlags(Ticker& ticker);
+  /// Corners, flags and neighbours.
+  bool makeTwins(Ticker& ticker);
   bool makeNeighbors(Ticker& ticker);
   bool makePointMap(Ticker& ticker);
+
+  void makeScratch(Scratch& scratch);
+  bool listCorners(Ticker& ticker);
+  bool makeStarts(Ticker& ticker);
 
   template <typename Id>
   bool writeTriangles(Id* triples, Ticker& ticker);

@@ -19,6 +19,15 @@ struct Tables
   /// A flag of a triangle; bits 0 to 2 say which of its edges are constraints.
   static constexpr std::uint8_t kDroppedTriangle = 8;
 
+  /// The flag of a triangle with these marks (ConstrainedMesh.h), the lowest of whose corners is
+  /// the one with that number in its slot.
+  static std::uint8_t flagOf(std::uint8_t marks, unsigned lowest)
+  {
+    constexpr std::uint8_t kFromLowest[3][8] = { { 0, 2, 4, 6, 1, 3, 5, 7 },
+      { 0, 1, 2, 3, 4, 5, 6, 7 }, { 0, 4, 1, 5, 2, 6, 3, 7 } };
+    return static_cast<std::uint8_t>(kFromLowest[lowest][marks & 7u] | (marks & 8u));
+  }
+
   Buffer<Index> corners;      ///< the vertex where each half-edge begins
   Buffer<std::uint8_t> flags; ///< of each triangle; empty without constraints
   Buffer<HalfEdge> twins;     ///< of each half-edge
@@ -41,10 +50,6 @@ struct Tables
     return corners.bytes() + flags.bytes() + twins.bytes() + starts.bytes() + vertexOf.bytes();
   }
 };
-
-/// Fills `twins` and `starts` from the corners. Returns false if cancelled; throws std::bad_alloc.
-/// Takes 28 bytes a vertex while it works.
-bool findNeighbors(Tables& tables, std::size_t vertices, Ticker& ticker);
 
 } // namespace ahd
 

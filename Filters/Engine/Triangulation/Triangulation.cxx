@@ -46,9 +46,9 @@ Index Triangulation::pointOf(Index vertex) const
   return state_->ranked.id[vertex];
 }
 
-Status Triangulation::makeCorners(const Context& context)
+Status Triangulation::makeNumbers(const Context& context)
 {
-  if (!state_ || state_->hasCorners)
+  if (!state_)
   {
     return Status::Ok;
   }
@@ -57,23 +57,38 @@ Status Triangulation::makeCorners(const Context& context)
     {
       Ticker ticker(context.progress, Phase::Outputs, state_->allTriangles,
         state_->worthItsWhile(context.executor));
-      return state_->makeCorners(ticker);
+      return state_->makeNumbers(ticker, State::PlacesAre::NotNeeded) && ticker.ask();
     });
 }
 
-Status Triangulation::makeNeighbors(const Context& context)
+Status Triangulation::makeCorners(const Context& context)
 {
-  if (!state_ || state_->hasNeighbors)
+  if (!state_ || (state_->hasCorners && !state_->arePlacesGone))
   {
     return Status::Ok;
   }
   return unlessCancelled(
     [&]
     {
-      const std::size_t work = state_->allTriangles * (state_->hasCorners ? 1 : 2);
+      Ticker ticker(context.progress, Phase::Outputs, state_->allTriangles,
+        state_->worthItsWhile(context.executor));
+      return state_->makeCorners(ticker) && state_->restorePlaces(ticker) && ticker.ask();
+    });
+}
+
+Status Triangulation::makeNeighbors(const Context& context)
+{
+  if (!state_ || (state_->hasNeighbors && !state_->arePlacesGone))
+  {
+    return Status::Ok;
+  }
+  return unlessCancelled(
+    [&]
+    {
+      const std::size_t work = 3 * state_->allTriangles;
       Ticker ticker(
         context.progress, Phase::Outputs, work, state_->worthItsWhile(context.executor));
-      return state_->makeCorners(ticker) && state_->makeNeighbors(ticker);
+      return state_->makeNeighbors(ticker) && state_->restorePlaces(ticker) && ticker.ask();
     });
 }
 

@@ -104,11 +104,14 @@ public:
 
   // --- Tables ---
 
-  /// Corners, constraint edges, which triangles are kept: 24 bytes a point, 2 more with
+  /// The place of each triangle in the canonical order: 8 bytes a point. Nothing needs to be asked
+  /// for it: who will want neighbours, regions or constraint edges and calls it before
+  /// writeTriangles() has the triangles put in order once, not twice.
+  Status makeNumbers(const Context& context);
+  /// Corners, constraint edges, which triangles are kept: 24 bytes a point, 10 more with
   /// constraints; 16 more where the vertices' places have to be read again.
   Status makeCorners(const Context& context);
-  /// Neighbours, and a half-edge from each vertex: 28 bytes a point, 48 more while it works. Makes
-  /// the corners too.
+  /// Neighbours, and a half-edge from each vertex: 36 bytes a point. Makes the corners too.
   Status makeNeighbors(const Context& context);
   /// The vertex of each point: 4 bytes a point.
   Status makePointMap(const Context& context);

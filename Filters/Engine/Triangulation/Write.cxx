@@ -5,6 +5,7 @@
 #include "../Core/Chunks.h"
 #include "../Core/Loops.h"
 #include "../Extract/Extractor.h"
+#include "MeshOrder.h"
 
 #include <algorithm>
 
@@ -24,10 +25,22 @@ bool writeInShares(std::size_t items, Ticker& ticker, Write write)
 
 } // namespace
 
-/// From the mesh, unless there are corners: then the places of the vertices are not to be lost.
+/// By what there is: numbers, corners (then the places of the vertices are not to be lost), or the
+/// mesh alone.
 template <typename Id>
 bool Triangulation::State::writeTriangles(Id* triples, Ticker& ticker)
 {
+  if (hasNumbers && report.triangles == allTriangles)
+  {
+    const auto write = [&](std::size_t t, std::size_t, const OrderedTriangle& triangle)
+    {
+      for (unsigned k = 0; k < 3; ++k)
+      {
+        triples[3 * t + k] = static_cast<Id>(ranked.id[triangle.corner(k)]);
+      }
+    };
+    return inMeshOrder(mesh, numbers, TriangleArray(triples, 3), ticker, write) && ticker.ask();
+  }
   if (hasCorners)
   {
     return writeKept(triples, ticker) && ticker.ask();

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace ahd
 {
@@ -48,6 +49,36 @@ TEST(Circumradius, LengthsNeitherOverflowNorUnderflow)
     EXPECT_NEAR(
       lengthOf({ { 2 * size, -3 * size, 6 * size } }) / size, 7.0, size < 1e-300 ? 1e-2 : 1e-14);
   }
+}
+
+TEST(Circumradius, LimitsDecideAsTheRoundedNumbersDo)
+{
+  std::mt19937_64 random(1); // its sequence is fixed by the standard
+  const auto fraction = [&random] { return double(random() >> 11) * 0x1p-53; };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const double size : { 1e-300, 1e-142, 1e-60, 1e-39, 1.0, 1e39, 1e60, 1e142, 1e290 })
+  {
+    for (int i = 0; i < 300; ++i)
+    {
+      const double flat = i % 3 == 0 ? 1e-5 : i % 3 == 1 ? 1e-15 : 1.0;
+      Xyz p[3];
+      for (Xyz& at : p)
+      {
+        at = { { size * fraction(), flat * size * fraction(), flat * size * fraction() } };
+      }
+      const double radius = circumradius(p[0], p[1], p[2]), length = lengthOf(p[0]);
+      for (const double factor : { 0.5, 1 - 1e-9, 1 - 1e-12, 1.0, 1 + 1e-12, 1 + 1e-9, 2.0 })
+      {
+        EXPECT_EQ(RadiusLimit(factor * radius).isExceeded(p[0], p[1], p[2]), factor < 1.0);
+        EXPECT_EQ(LengthLimit(factor * length).isExceeded(p[0]), factor < 1.0);
+      }
+      EXPECT_TRUE(RadiusLimit(std::nextafter(radius, 0.0)).isExceeded(p[0], p[1], p[2]));
+      EXPECT_FALSE(RadiusLimit(std::nextafter(radius, kInfinity)).isExceeded(p[0], p[1], p[2]));
+      EXPECT_TRUE(LengthLimit(std::nextafter(length, 0.0)).isExceeded(p[0]));
+    }
+  }
+  EXPECT_FALSE(RadiusLimit(1.0).isExceeded({ { 0, 0, kNaN } }, { { 9, 0, 0 } }, { { 0, 9, 0 } }));
+  EXPECT_FALSE(LengthLimit(1.0).isExceeded({ { 9, kNaN, 0 } }));
 }
 
 } // namespace

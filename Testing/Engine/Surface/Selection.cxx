@@ -128,10 +128,10 @@ private:
 };
 
 /// Those of the triangles that loops keep.
-std::vector<unsigned char> selectedOf(
-  const Triangulation& triangulation, const Selection& selection)
+std::vector<unsigned char> selectedOf(Triangulation& triangulation, const Selection& selection)
 {
   std::vector<unsigned char> result;
+  EXPECT_EQ(triangulation.makeCorners(Context()), Status::Ok);
   EXPECT_EQ(selection.kept.size(), triangulation.triangleCount());
   for (std::size_t t = 0; t < selection.kept.size(); ++t)
   {
