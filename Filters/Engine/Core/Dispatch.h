@@ -25,6 +25,21 @@
 #define AHD_HAS_X86_TARGETS 0
 #endif
 
+/// Are there the instructions for two doubles at once, which every x86-64 processor has?
+#if defined(__SSE2__) || defined(_M_X64)
+#define AHD_HAS_X86_PAIRS 1
+#else
+#define AHD_HAS_X86_PAIRS 0
+#endif
+
+/// For small functions of hot loops, and those that are to have the instruction set of their
+/// caller.
+#if defined(__GNUC__) || defined(__clang__)
+#define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
+#else
+#define AHD_ALWAYS_INLINE inline
+#endif
+
 namespace ahd
 {
 

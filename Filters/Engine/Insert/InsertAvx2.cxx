@@ -22,6 +22,8 @@
 #include <vector>
 
 #if AHD_HAS_X86_TARGETS
+#include <immintrin.h>
+
 #undef AHD_TARGET
 #define AHD_TARGET avx2
 #ifdef __clang__

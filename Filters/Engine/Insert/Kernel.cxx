@@ -6,34 +6,35 @@ namespace ahd
 inline namespace AHD_TARGET
 {
 
-/// Depth first through the triangles in conflict with p, counterclockwise, so that the edges of the
-/// cavity's border are met in the order in which they stand around p, and the star's triangles can
-/// be written and linked at once.
+/// The star is there from the beginning, as a ring of triangles around p that are linked to each
+/// other and to what lies beyond them, and it grows: where the triangle beyond one of its edges is
+/// in conflict with p, the star's triangle on that edge is split in two.
 ///
-///             c                 Edge a-b of the cavity, with p on its left; the triangle on its
-///           /   \               outer side has corners c, b, a. If that is in conflict with p, the
-///          /     \              edge is replaced by a-c and c-b, and its slot is free; else a-b is
-///         b <---- a             a border edge, and the star gets the triangle p, a, b.
+///             c                 Triangle p, a, b of the star; the triangle beyond a-b has corners
+///           /   \               c, b, a and is in conflict with p. Then p, a, c stays in the place
+///          /     \              of p, a, b, and p, c, b takes the slot of the triangle that goes.
+///         b <---- a             Beyond a-c and c-b are two more triangles, which are tested next.
 ///          \     /
 ///             p
 ///
-/// No triangle is marked: the cavity has no vertex inside, so its dual graph is a tree and no
-/// triangle is met twice. The number of free slots always equals the number of open edges (root: 1
-/// freed and 2 fresh for 3 edges; each conflict: 1 slot, 1 edge more; each border edge takes one),
-/// so each open edge carries a slot; where there are very many, they wait in these slots.
+/// Both are tested at once: half of all that is known of an edge is the same, and what costs time
+/// is not so much to find an answer as to find, after one that was guessed wrong, the next. So the
+/// answers come in pairs, early (FilterPairs.h), and what lies behind both triangles is read before
+/// it is known whether it will be needed. One of them, if in conflict, is next; the other one waits
+/// in a list through the unused numbers of the star's triangles, so that no cavity is too large.
 ///
-/// While the star is written, the triangle whose wedge at p holds the next point becomes the hint.
-/// That choice is made in floating point, and without a branch, as it would be mispredicted; a
-/// wrong hint (rounding, or the ghost's NaN) costs steps, never the result.
+/// No triangle is marked: the cavity has no vertex inside, so its dual graph is a tree and no
+/// triangle is met twice.
+///
+/// The star's triangle whose wedge at p holds the next point becomes the hint. That choice is made
+/// in floating point, and without a branch, as it would be mispredicted; a wrong hint (rounding, or
+/// the ghost's NaN) costs steps, never the result.
 template <bool kCount, Access kAccess, bool kExact>
 Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slot& hint)
 {
-  std::uint32_t* const data = data_;
   const Point* const xy = xy_;
   const Index p = cavity.p;
-  const Point at = xy[p];
-  const double towardsX = xy[cavity.next].x - at.x;
-  const double towardsY = xy[cavity.next].y - at.y;
+  const Pair at = coordinates(xy[p]);
   Mesh::Slot slot = hint;
   Root root = rootAt(at, slot);
   if (kCount)
@@ -49,106 +50,80 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     }
     root = rootAt(at, slot);
   }
-  if (kShared && !(owns(root.a.vertex) && owns(root.b.vertex) && owns(root.c.vertex)))
+  if (kShared && !(owns(root.a) && owns(root.b) && owns(root.c)))
   {
     return Insertion::Deferred;
   }
 
-  Corner a = root.a;
-  Corner b = root.b;
-  double crossed = root.ab;
-  Mesh::Halfedge twin = data[slot + Mesh::kTwin];
-  const Mesh::Slot fresh = cavity.fresh;
-  PendingEdge* top = pending_.data();
-  *top++ = pendingTo(a, root.ca, data[slot + 2 + Mesh::kTwin], Mesh::Slot(fresh + Mesh::kSlotSize));
-  *top++ = pendingTo(root.c, root.bc, data[slot + 1 + Mesh::kTwin], fresh);
-  countRemoved();
+  const VectorPair origin{ lows(at, at), highs(at, at) };
+  const Pair way = coordinates(xy[cavity.next]) - at;
+  const VectorPair towards{ lows(way, way), highs(way, way) };
 
-  std::size_t stars = 0;
-  Mesh::Slot firstStar = kNoIndex;
-  Mesh::Slot previousStar = fresh +
-    Mesh::kSlotSize; // not written yet: takes the first link in vain
-  Mesh::Slot hintForNext = kNoIndex;
-  unsigned startIsRight = a.x * towardsY - a.y * towardsX < 0;
+  // The root is looked at like a triangle beyond an edge a-c of a star of two.
+  const std::uint32_t* const twins = data_ + slot + Mesh::kTwin;
+  const Mesh::Halfedge closing = twins[2];
+  const Beyond beyondRoot{ twins[0], twins[1], data_[twins[0]], data_[twins[1]] };
+  const unsigned rightOfBC = signs(cross(root.edges.b, towards));
+  Removed t{ openStar(cavity, root, closing), slot, root.b, (rightOfBC & 1) != 0, root.edges,
+    beyondRoot };
+  Place end = 2 * Mesh::kSlotSize; // if Shared, of the star
+  const Place closingPlace = t.place + Mesh::kSlotSize;
+  Place hintPlace = firstHint({ t.place, kShared ? end : slot, closingPlace },
+    signs(root.edges.crossed), signs(cross(root.edges.a, towards)), rightOfBC);
+  Place waiting = kNoIndex;
+  if (closingInConflict(root, closing, origin, p))
+  {
+    star()[closingPlace + 3] = waiting;
+    waiting = closingPlace;
+  }
   for (;;)
   {
-    const Corner apex = seenFrom(at, xy, data[twin]);
-    const double crossedIn = cross(a, apex);
-    const double crossedOut = cross(apex, b);
-    const double det = multiplyAdd(
-      a.z, crossedOut, multiplyAdd(b.z, crossedIn, -(apex.z * crossed)));
-    const double bound = inCircleErrorBound(a.z, b.z, apex.z, guard_);
-    if (kExact && bound < exactBelow_
-        ? perturbedDeterminant(det, b, a, apex, -crossed, crossedIn, crossedOut, perturbation_) > 0
-        : std::fabs(det) > bound ? det > 0
-                                 : conflicts(b.vertex, a.vertex, apex.vertex, p))
+    countRemoved();
+    if (kShared && (end == star_.size() || !owns(t.apex)))
     {
-      countRemoved();
-      if (kShared && !owns(apex.vertex))
-      {
-        return Insertion::Deferred;
-      }
-      if (!spend())
-      {
-        return Insertion::Cancelled;
-      }
-      *top++ = pendingTo(
-        b, crossedOut, data[Mesh::previous(twin) + Mesh::kTwin], Mesh::slotOf(twin));
-      if (top == pendingEnd())
-      {
-        if (kShared)
-        {
-          return Insertion::Deferred;
-        }
-        top = spillPending();
-      }
-      twin = data[Mesh::next(twin) + Mesh::kTwin];
-      b = apex;
-      crossed = crossedIn;
-      continue;
+      return Insertion::Deferred;
     }
-
-    // A border edge: write the star's triangle p, a, b and link it.
+    if (!spend())
+    {
+      return Insertion::Cancelled;
+    }
+    Beyond first, second;
+    if (!kShared)
+    {
+      first = beyond(t.beyond.first);
+      second = beyond(t.beyond.second);
+    }
+    const LiftedPair apices = liftedFrom(origin, xy[t.beyond.firstApex], xy[t.beyond.secondApex]);
+    const InCirclePair seen = test(t.edges, apices);
+    const unsigned right = signs(cross(apices, towards));
+    const unsigned inside = seen.certain == 3 ? seen.inside
+                                              : decide(seen, t.place, t.apex, t.beyond, p);
+    const Place added = split(t, p, end);
+    const Place refined = t.apexIsRight ? t.place : added;
+    hintPlace = hintPlace == t.place ? refined : hintPlace;
     if (kShared)
     {
-      if (stars == kMostDeferredWrites)
+      end += Mesh::kSlotSize;
+    }
+    if ((inside & 1) != 0)
+    {
+      if ((inside & 2) != 0)
       {
-        return Insertion::Deferred;
+        (star() + added)[3] = waiting;
+        waiting = added;
       }
-      star_[stars++] = { slot, a.vertex, b.vertex, twin };
+      t = { t.place, Mesh::slotOf(t.beyond.first), t.beyond.firstApex, (right & 1) != 0,
+        lowEdges(t.edges, apices), kShared ? beyond(t.beyond.first) : first };
     }
-    else
+    else if ((inside & 2) != 0)
     {
-      data[slot] = p;
-      data[slot + 1] = a.vertex;
-      data[slot + 2] = b.vertex;
-      data[slot + Mesh::kTwin] = twin;
-      data[twin + Mesh::kTwin] = slot;
-      data[slot + 2 + Mesh::kTwin] = previousStar + 1;
-      data[previousStar + 1 + Mesh::kTwin] = slot + 2;
-      firstStar = firstStar == kNoIndex ? slot : firstStar;
-      previousStar = slot;
+      t = { added, Mesh::slotOf(t.beyond.second), t.beyond.secondApex, (right & 2) != 0,
+        highEdges(t.edges, apices), kShared ? beyond(t.beyond.second) : second };
     }
-
-    const unsigned endIsRight = b.x * towardsY - b.y * towardsX < 0;
-    hintForNext = endIsRight > startIsRight ? slot : hintForNext;
-    startIsRight = endIsRight;
-    a = b;
-    if (top != pending_.data())
+    else if (waiting != kNoIndex)
     {
-      --top;
-      b = Corner{ { top->x, top->y, top->z }, top->end };
-      crossed = top->crossed;
-      twin = top->twin;
-      slot = top->slot;
-    }
-    else if (spilled_ != kNoIndex)
-    {
-      slot = spilled_;
-      b = seenFrom(at, xy, data[slot]);
-      crossed = cross(a, b);
-      twin = data[slot + 1];
-      spilled_ = data[slot + 2];
+      t = waitingAt(waiting, at, towards);
+      waiting = (star() + waiting)[3];
     }
     else
     {
@@ -157,70 +132,172 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   }
   if (kShared)
   {
-    writeStar(p, stars);
+    writeStar(p, end);
   }
-  else
+  hint = kShared ? star()[hintPlace + 7] : hintPlace;
+  if ((data_ + hint)[1] == ghost_ || (data_ + hint)[2] == ghost_)
   {
-    data[previousStar + 1 + Mesh::kTwin] = firstStar + 2;
-    data[firstStar + 2 + Mesh::kTwin] = previousStar + 1;
+    hint = hintOutside(cavity.next, hint);
   }
-  hint = hintForNext;
   return Insertion::Done;
 }
 
-/// From any triangle of the star of p, in none of whose wedges the next point was found: that lies
-/// outside of the hull, mostly. Returns the ghost of the star on its side, if there is one.
+/// From a ghost of the star of p: the one of its two ghosts on the side of the next point.
 template <bool kCount, Access kAccess, bool kExact>
-Mesh::Slot Kernel<kCount, kAccess, kExact>::hintOutside(Index next, Mesh::Slot star)
+Mesh::Slot Kernel<kCount, kAccess, kExact>::hintOutside(Index next, Mesh::Slot ghost) const
 {
-  Mesh::Slot slot = star;
-  do
-  {
-    const Mesh::Slot after = Mesh::slotOf(data_[slot + 1 + Mesh::kTwin]);
-    if (data_[slot + 2] == ghost_)
-    {
-      const Point& p = xy_[data_[slot]];
-      const Lifted towards = liftedFrom(p, xy_[next]);
-      return cross(liftedFrom(p, xy_[data_[after + 2]]), towards) < 0 ? after : slot;
-    }
-    slot = after;
-  } while (slot != star && spend());
-  return star;
+  const bool isFirst = data_[ghost + 2] == ghost_;
+  const Mesh::Slot before = isFirst ? ghost : Mesh::slotOf(data_[ghost + 2 + Mesh::kTwin]);
+  const Mesh::Slot after = isFirst ? Mesh::slotOf(data_[ghost + 1 + Mesh::kTwin]) : ghost;
+  const Point& p = xy_[data_[ghost]];
+  const Lifted towards = liftedFrom(p, xy_[next]);
+  return cross(liftedFrom(p, xy_[data_[after + 2]]), towards) < 0 ? after : before;
 }
 
-/// Writes the triangles p, a, b that carve() has put aside, and links each to the next.
+/// Which of the star's triangles on a root's edges a-b, b-c and c-a is the hint: the one with the
+/// next point in its wedge, that is on the right of the ray through its end and not of that through
+/// its start. If there is none, p is outside the root, and the next point behind the same edge.
+/// `behind` tells of a-b and b-c whether p is behind them, `ofAB` and `ofBC` of which of their ends
+/// the next point is on the right.
 template <bool kCount, Access kAccess, bool kExact>
-void Kernel<kCount, kAccess, kExact>::writeStar(Index p, std::size_t triangles)
+AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
+Kernel<kCount, kAccess, kExact>::firstHint(
+  const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC)
 {
-  Mesh::Slot previous = star_[triangles - 1].slot;
-  for (std::size_t i = 0; i < triangles; ++i)
-  {
-    const StarTriangle t = star_[i];
-    data_[t.slot] = p;
-    data_[t.slot + 1] = t.a;
-    data_[t.slot + 2] = t.b;
-    data_[t.slot + Mesh::kTwin] = t.twin;
-    data_[t.twin + Mesh::kTwin] = t.slot;
-    data_[t.slot + 2 + Mesh::kTwin] = previous + 1;
-    data_[previous + 1 + Mesh::kTwin] = t.slot + 2;
-    previous = t.slot;
-  }
+  Place hint = places.ca;
+  hint = (behind & 2) != 0 ? places.bc : hint;
+  hint = (behind & 1) != 0 ? places.ab : hint;
+  hint = (ofAB & 1) > ofBC >> 1 ? places.ca : hint;
+  hint = ofBC >> 1 > (ofBC & 1) ? places.bc : hint;
+  hint = ofAB >> 1 > (ofAB & 1) ? places.ab : hint;
+  return hint;
 }
 
-/// Moves the open edges, which fill their room, to the slots they carry: end, twin, and the slot of
-/// the one below. So a cavity of any size needs no more memory. Returns where the next edge goes.
+/// The star of two triangles, p, a, c and p, c, a. Returns where the first one stands; the other
+/// one is beside it.
 template <bool kCount, Access kAccess, bool kExact>
-typename Kernel<kCount, kAccess, kExact>::PendingEdge*
-Kernel<kCount, kAccess, kExact>::spillPending()
+AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
+Kernel<kCount, kAccess, kExact>::openStar(
+  const Cavity& cavity, const Root& root, Mesh::Halfedge closingTwin)
 {
-  for (const PendingEdge& edge : pending_)
+  const Place place = kShared ? 0 : cavity.fresh;
+  const Place closing = place + Mesh::kSlotSize;
+  std::uint32_t* const t = star() + place;
+  t[0] = cavity.p;
+  t[1] = root.a;
+  t[2] = root.c;
+  t[5] = closing + 2;
+  t[6] = closing + 1;
+  t[8] = cavity.p;
+  t[9] = root.c;
+  t[10] = root.a;
+  t[12] = closingTwin;
+  t[13] = place + 2;
+  t[14] = place + 1;
+  if (kShared)
   {
-    data_[edge.slot] = edge.end;
-    data_[edge.slot + 1] = edge.twin;
-    data_[edge.slot + 2] = spilled_;
-    spilled_ = edge.slot;
+    t[7] = cavity.fresh;
+    t[15] = cavity.fresh + Mesh::kSlotSize;
   }
-  return pending_.data();
+  else
+  {
+    (data_ + closingTwin)[Mesh::kTwin] = closing;
+  }
+  return place;
+}
+
+/// Splits the star's triangle on the edge across which a triangle was removed. Returns where the
+/// second half stands; if Shared, that is `end`.
+template <bool kCount, Access kAccess, bool kExact>
+AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
+Kernel<kCount, kAccess, kExact>::split(const Removed& removed, Index p, Place end)
+{
+  const Place added = kShared ? end : removed.slot;
+  std::uint32_t* const u = star() + removed.place;
+  std::uint32_t* const v = star() + added;
+  const Index b = u[2];
+  const Mesh::Halfedge after = u[5];
+  u[2] = removed.apex;
+  u[4] = removed.beyond.first;
+  u[5] = added + 2;
+  v[0] = p;
+  v[1] = removed.apex;
+  v[2] = b;
+  v[4] = removed.beyond.second;
+  v[5] = after;
+  v[6] = removed.place + 1;
+  if (kShared)
+  {
+    v[7] = removed.slot;
+  }
+  else
+  {
+    (data_ + removed.beyond.first)[Mesh::kTwin] = removed.place;
+    (data_ + removed.beyond.second)[Mesh::kTwin] = added;
+    (data_ + after)[Mesh::kTwin] = added + 1;
+  }
+  return added;
+}
+
+/// Is the triangle beyond the root's edge c-a in conflict with p?
+template <bool kCount, Access kAccess, bool kExact>
+AHD_ALWAYS_INLINE bool Kernel<kCount, kAccess, kExact>::closingInConflict(
+  const Root& root, Mesh::Halfedge twin, const VectorPair& origin, Index p)
+{
+  const Index apex = data_[twin];
+  const LiftedPair beyond = liftedFrom(origin, xy_[apex], xy_[apex]);
+  const InCirclePair seen = test(root.closing, beyond);
+  return (seen.certain & 1) != 0 ? (seen.inside & 1) != 0 : conflicts(root.a, root.c, apex, p);
+}
+
+/// The triangle beyond the star's triangle at `place`, which is in conflict with p.
+template <bool kCount, Access kAccess, bool kExact>
+AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Removed
+Kernel<kCount, kAccess, kExact>::waitingAt(Place place, Pair at, const VectorPair& towards) const
+{
+  const std::uint32_t* const t = star() + place;
+  const Mesh::Halfedge twin = t[Mesh::kTwin];
+  const Index apex = data_[twin];
+  const Pair a = coordinates(xy_[t[1]]) - at;
+  const Pair b = coordinates(xy_[t[2]]) - at;
+  const Pair c = coordinates(xy_[apex]) - at;
+  const LiftedPair ac = lifted(a, c), cb = lifted(c, b);
+  const bool isRight = (signs(cross(cb, towards)) & 1) != 0;
+  return { place, Mesh::slotOf(twin), apex, isRight, { ac, cb, cross(ac, cb) }, beyond(twin) };
+}
+
+/// Which of the two triangles beyond a removed one are in conflict with p, by the exact predicate
+/// where the filter is not certain. REQUIRES: the star has not been split there yet.
+template <bool kCount, Access kAccess, bool kExact>
+unsigned Kernel<kCount, kAccess, kExact>::decide(
+  InCirclePair seen, Place place, Index apex, Beyond beyond, Index p)
+{
+  const std::uint32_t* const t = star() + place;
+  const bool first = (seen.certain & 1) != 0 ? (seen.inside & 1) != 0
+                                             : conflicts(apex, t[1], beyond.firstApex, p);
+  const bool second = (seen.certain & 2) != 0 ? (seen.inside & 2) != 0
+                                              : conflicts(t[2], apex, beyond.secondApex, p);
+  return (first ? 1u : 0u) + (second ? 2u : 0u);
+}
+
+/// Writes the star that was put aside, and links it.
+template <bool kCount, Access kAccess, bool kExact>
+void Kernel<kCount, kAccess, kExact>::writeStar(Index p, std::size_t end)
+{
+  for (std::size_t i = 0; i < end; i += Mesh::kSlotSize)
+  {
+    const std::uint32_t* const t = star_.data() + i;
+    const Mesh::Slot slot = t[7];
+    const Mesh::Slot after = star_[t[5] - 2 + 7];
+    std::uint32_t* const to = data_ + slot;
+    to[0] = p;
+    to[1] = t[1];
+    to[2] = t[2];
+    to[4] = t[4];
+    to[5] = after + 2;
+    (data_ + after)[6] = slot + 1;
+    (data_ + t[4])[Mesh::kTwin] = slot;
+  }
 }
 
 template <bool kCount, Access kAccess, bool kExact>

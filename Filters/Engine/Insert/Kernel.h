@@ -6,17 +6,10 @@
 #include "Insert.h"
 
 #include "../Core/Chunks.h"
-#include "../Predicates/Filters.h"
+#include "../Predicates/FilterPairs.h"
 #include "../Predicates/Predicates.h"
 
 #include <array>
-
-/// For what the hot loop keeps in registers.
-#if defined(__GNUC__) || defined(__clang__)
-#define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
-#else
-#define AHD_ALWAYS_INLINE inline
-#endif
 
 namespace ahd
 {
@@ -73,8 +66,7 @@ public:
   Kernel(const Frame& frame, Mesh& mesh, Ticker& ticker, Territory territory = Territory())
     : xy_(frame.points.xy.data())
     , guard_(frame.guard)
-    , perturbation_(frame.perturbation)
-    , exactBelow_(frame.exactBelow)
+    , exactly_{ frame.exactBelow, frame.perturbation }
     , data_(mesh.data())
     , ghost_(mesh.ghost())
     , territory_(territory)
@@ -87,47 +79,15 @@ public:
   /// REQUIRES, if Shared: the hint's triangle has an owned vertex.
   Insertion insert(Index p, Index next, Mesh::Slot fresh, Mesh::Slot& hint)
   {
-    if (!spend())
-    {
-      return Insertion::Cancelled;
-    }
     ++insertedSinceAsking_;
-    prefetchForWrite(data_ + fresh + kPointsAhead * 2 * Mesh::kSlotSize);
-    const Insertion result = carve({ p, next, fresh }, hint);
-    if (hint == kNoIndex)
-    {
-      hint = hintOutside(next, fresh);
-    }
-    return result;
+    prefetchForWrite(data_ + fresh + kSlotsAhead * Mesh::kSlotSize);
+    prefetchForRead(xy_ + p + kVerticesAhead);
+    return carve({ p, next, fresh }, hint);
   }
 
   const InsertionWork& work() const { return work_; }
 
 private:
-  /// An edge of the cavity found so far whose outer side is still to be looked at: it runs from the
-  /// end of the edge handled before it to `end`.
-  struct PendingEdge
-  {
-    double x, y, z; ///< its end, as a Corner
-    Index end;
-    Mesh::Halfedge twin; ///< the edge in the triangle on its outer side
-    double crossed;      ///< cross(start, end): twice the area of the star's triangle on this edge
-    Mesh::Slot slot;     ///< a free slot: the cavity has as many as open edges
-  };
-
-  static PendingEdge pendingTo(Corner end, double crossed, Mesh::Halfedge twin, Mesh::Slot slot)
-  {
-    return PendingEdge{ end.x, end.y, end.z, end.vertex, twin, crossed, slot };
-  }
-
-  /// A triangle of the star, not yet written.
-  struct StarTriangle
-  {
-    Mesh::Slot slot;
-    Index a, b;
-    Mesh::Halfedge twin;
-  };
-
   /// What carve() is to do.
   struct Cavity
   {
@@ -135,11 +95,35 @@ private:
     Mesh::Slot fresh;
   };
 
-  /// A triangle as the new point sees it, and its edges: what locating and carving both look at.
+  /// A triangle a, b, c that the insertion begins with: its edges a-b and b-c, and c-a.
   struct Root
   {
-    Corner a, b, c;
-    double ab, bc, ca; ///< cross(a, b), and so on
+    Index a, b, c;
+    EdgePair edges;
+    EdgePair closing; ///< c-a, and a-b once more
+  };
+
+  /// Where a triangle of the star stands: its slot. If Shared: its slot in `star_`, as nothing is
+  /// written to the mesh before all of them are known.
+  using Place = std::uint32_t;
+
+  /// The triangles beyond two edges: the edges' names there, and the apices.
+  struct Beyond
+  {
+    Mesh::Halfedge first, second;
+    Index firstApex, secondApex;
+  };
+
+  /// A triangle in conflict with p, met across the edge of the star's triangle at `place`. Its
+  /// other edges, which meet in its apex, take the place of that edge.
+  struct Removed
+  {
+    Place place;
+    Mesh::Slot slot; ///< its own
+    Index apex;
+    bool apexIsRight; ///< of the way from p to the next point
+    EdgePair edges;
+    Beyond beyond;
   };
 
   static constexpr bool kShared = kAccess == Access::Shared;
@@ -147,9 +131,9 @@ private:
   /// An exact answer counts as so many steps. At the ends of the exponent range it may take 500
   /// times as long as one; where it takes as long as two, as on lattices, asking costs nothing yet.
   static constexpr std::size_t kStepsOfExact = 16;
-  static constexpr std::size_t kMostOpenEdges = 64;
-  static constexpr std::size_t kPointsAhead = 4; ///< whose fresh slots are fetched
-  static constexpr std::size_t kMostDeferredWrites = kShared ? 2 * kMostOpenEdges : 1;
+  static constexpr std::size_t kSlotsAhead = 8;     ///< fetched, those of four points
+  static constexpr std::size_t kVerticesAhead = 16; ///< fetched: their coordinates
+  static constexpr std::size_t kMostKept = 128; ///< triangles of a star that are not yet written
 
   // Not slots, as they are not multiples of eight.
   static constexpr Mesh::Slot kCancelled = kNoIndex;
@@ -159,26 +143,31 @@ private:
 
   //--- locate -------------------------------------------------------------------------------------
 
-  /// The triangle of a slot, from its second corner on.
-  AHD_ALWAYS_INLINE Root rootAt(const Point& at, Mesh::Slot slot) const
+  /// The triangle of a slot as it is seen from p, which is `at`.
+  AHD_ALWAYS_INLINE Root rootAt(Pair at, Mesh::Slot slot) const
   {
-    const Corner a = seenFrom(at, xy_, data_[slot + 1]);
-    const Corner b = seenFrom(at, xy_, data_[slot + 2]);
-    const Corner c = seenFrom(at, xy_, data_[slot]);
-    return { a, b, c, cross(a, b), cross(b, c), cross(c, a) };
+    const std::uint32_t* const corners = data_ + slot;
+    const Pair a = coordinates(xy_[corners[1]]) - at;
+    const Pair b = coordinates(xy_[corners[2]]) - at;
+    const Pair c = coordinates(xy_[corners[0]]) - at;
+    const LiftedPair ab = lifted(a, b), bc = lifted(b, c), ca = lifted(c, a);
+    return { corners[1], corners[2], corners[0], { ab, bc, cross(ab, bc) },
+      { ca, ab, cross(ca, ab) } };
   }
 
   AHD_ALWAYS_INLINE bool isInConflict(const Root& root, Index p)
   {
-    const double det = inCircleDeterminant(root.a, root.b, root.c, root.ab, root.bc, root.ca);
-    const double bound = inCircleErrorBound(root.a.z, root.b.z, root.c.z, guard_);
-    if (kExact && bound < exactBelow_)
+    const Lifted a = lowOf(root.edges.a), b = highOf(root.edges.a), c = lowOf(root.closing.a);
+    const double axb = low(root.edges.crossed);
+    const double bxc = high(root.edges.crossed);
+    const double cxa = low(root.closing.crossed);
+    const double det = inCircleDeterminant(a, b, c, axb, bxc, cxa);
+    const double bound = inCircleErrorBound(a.z, b.z, c.z, guard_);
+    if (kExact && bound < exactly_.below)
     {
-      return perturbedDeterminant(
-               det, root.a, root.b, root.c, root.ab, root.bc, root.ca, perturbation_) > 0;
+      return perturbedDeterminant(det, a, b, c, axb, bxc, cxa, exactly_.perturbation) > 0;
     }
-    return std::fabs(det) > bound ? det > 0
-                                  : conflicts(root.a.vertex, root.b.vertex, root.c.vertex, p);
+    return std::fabs(det) > bound ? det > 0 : conflicts(root.a, root.b, root.c, p);
   }
 
   /// From a hint that is not in conflict with p to a slot that is.
@@ -287,10 +276,38 @@ private:
   //--- cavity and star ----------------------------------------------------------------------------
 
   Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
-  void writeStar(Index p, std::size_t triangles);
-  Mesh::Slot hintOutside(Index next, Mesh::Slot star);
-  const PendingEdge* pendingEnd() const { return pending_.data() + pending_.size(); }
-  PendingEdge* spillPending();
+  bool closingInConflict(const Root& root, Mesh::Halfedge twin, const VectorPair& at, Index p);
+  Removed waitingAt(Place place, Pair at, const VectorPair& towards) const;
+  /// Which of two triangles are in conflict with p, by the filter or, on a grid, exactly.
+  AHD_ALWAYS_INLINE InCirclePair test(const EdgePair& edges, const LiftedPair& apices) const
+  {
+    return kExact ? perturbedInCircle(edges, apices, both(guard_), exactly_)
+                  : inCircle(edges, apices, both(guard_));
+  }
+  unsigned decide(InCirclePair seen, Place place, Index apex, Beyond beyond, Index p);
+  void writeStar(Index p, std::size_t end);
+  Mesh::Slot hintOutside(Index next, Mesh::Slot ghost) const;
+
+  /// The star's triangles: in the mesh, or put aside.
+  std::uint32_t* star() { return kShared ? star_.data() : data_; }
+  const std::uint32_t* star() const { return kShared ? star_.data() : data_; }
+
+  /// What lies beyond the edges after and before h of its triangle.
+  AHD_ALWAYS_INLINE Beyond beyond(Mesh::Halfedge h) const
+  {
+    const Mesh::Halfedge first = (data_ + Mesh::next(h))[Mesh::kTwin];
+    const Mesh::Halfedge second = (data_ + Mesh::previous(h))[Mesh::kTwin];
+    return { first, second, data_[first], data_[second] };
+  }
+
+  /// Of the star's triangles on the edges of a root.
+  struct RootPlaces
+  {
+    Place ab, bc, ca;
+  };
+  static Place firstHint(const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC);
+  Place openStar(const Cavity& cavity, const Root& root, Mesh::Halfedge closingTwin);
+  Place split(const Removed& removed, Index p, Place end);
 
   void countRemoved()
   {
@@ -317,15 +334,12 @@ private:
 
   const Point* xy_;
   double guard_; ///< what underflow may cost an in-circle determinant (see Filters.h)
-  double perturbation_;
-  double exactBelow_; ///< with bounds below this they are exact (see Filters.h)
+  Exactly exactly_;
   std::uint32_t* data_;
   Index ghost_;
   Territory territory_;
   Ticker& ticker_;
-  std::array<PendingEdge, kMostOpenEdges> pending_;    ///< the topmost open edges
-  std::array<StarTriangle, kMostDeferredWrites> star_; ///< if Shared: what is to be written
-  Mesh::Slot spilled_ = kNoIndex; ///< slot of the topmost of those below them, if there are any
+  std::array<std::uint32_t, kShared ? kMostKept * Mesh::kSlotSize : 1> star_; ///< put aside
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;

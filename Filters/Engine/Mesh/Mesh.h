@@ -18,6 +18,8 @@ namespace ahd
 ///
 ///     v0 v1 v2 -   n0 n1 n2 -
 ///
+/// What stands at the dashes means nothing: an insertion keeps notes there.
+///
 /// A half-edge is named by 8 * slot + e, e in {0, 1, 2}: the edge of that triangle opposite to
 /// corner e. Its apex (that corner) stands at its own name, its twin (the same edge seen from the
 /// neighbour) four places on, so both are one load away. Corners are counterclockwise:

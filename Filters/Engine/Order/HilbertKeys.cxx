@@ -3,12 +3,6 @@
 
 #include "../Core/Dispatch.h"
 
-#if defined(__GNUC__) || defined(__clang__)
-#define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
-#else
-#define AHD_ALWAYS_INLINE inline
-#endif
-
 namespace ahd
 {
 

@@ -197,10 +197,11 @@ inline double exactErrorBound(double unit)
 /// which is exact, is larger for the larger point; P has 0. What decides is below 2^52 units or
 /// square units, and the perturbation makes of it less than a quarter of a unit to the fourth
 /// power. No branches, as they would be taken at random.
+constexpr double kColumn = 0x1p26;
+
 inline double perturbedDeterminant(double det, const Lifted& a, const Lifted& b, const Lifted& c,
   double axb, double bxc, double cxa, double perturbation)
 {
-  constexpr double kColumn = 0x1p26;
   const double ofA = multiplyAdd(a.x, kColumn, a.y);
   const double ofB = multiplyAdd(b.x, kColumn, b.y);
   const double ofC = multiplyAdd(c.x, kColumn, c.y);

@@ -2,7 +2,7 @@
 //
 // The filters the insertion kernel inlines: never certain and wrong, uncertain about the vertex at
 // infinity, and certain often enough to be of use.
-#include "Predicates/Filters.h"
+#include "Predicates/FilterPairs.h"
 
 #include "ExactSigns.h"
 #include "PredicatesCases.h"
@@ -76,6 +76,49 @@ void askFilters(const Quadruple& q, Tally& tally)
   }
 }
 
+VectorPair twice(const Point& p)
+{
+  return { both(p.x), both(p.y) };
+}
+
+EdgePair edgesFrom(const VectorPair& p, const Point (&from)[2], const Point (&to)[2])
+{
+  const LiftedPair a = liftedFrom(p, from[0], from[1]), b = liftedFrom(p, to[0], to[1]);
+  return { a, b, cross(a, b) };
+}
+
+/// Asks the filter of two triangles at once, about each cyclic order of the first three points
+/// beside the next.
+void askPairs(const Quadruple& q, Tally& tally)
+{
+  const Pair guard = both(guardOf(q));
+  const VectorPair p = twice(q[3]);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const Point corners[4] = { q[k], q[(k + 1) % 3], q[(k + 2) % 3], q[k] };
+    const EdgePair edges = edgesFrom(p, { corners[0], corners[1] }, { corners[1], corners[2] });
+    const InCirclePair seen = inCircle(edges, liftedFrom(p, corners[2], corners[3]), guard);
+    for (unsigned i = 0; i < 2; ++i)
+    {
+      ++tally.asked;
+      if ((seen.certain >> i & 1) != 0)
+      {
+        ++tally.certain;
+        const int sign = oracleInCircle(corners[i + 1], corners[i], q[(k + 2 + i) % 3], q[3]);
+        ASSERT_EQ((seen.inside >> i & 1) != 0 ? 1 : -1, sign)
+          << "in-circle " << i << " of " << hexText(corners[i + 1]) << hexText(corners[i])
+          << hexText(q[(k + 2 + i) % 3]) << hexText(q[3]);
+      }
+    }
+  }
+}
+
+void askAll(const Quadruple& q, Tally& tally)
+{
+  askFilters(q, tally);
+  askPairs(q, tally);
+}
+
 TEST(PredicatesFilters, WhatIsCertainIsRight)
 {
   for (const Family family : { Family::AnyExponents, Family::AnyBits, Family::Extremes,
@@ -89,7 +132,7 @@ TEST(PredicatesFilters, WhatIsCertainIsRight)
     Tally tally;
     for (int i = 0; i < (slowOracle ? kCases / 10 : kCases); ++i)
     {
-      askFilters(source.draw(), tally);
+      askAll(source.draw(), tally);
       if (HasFatalFailure())
       {
         return;
@@ -116,7 +159,7 @@ TEST(PredicatesFilters, WhatIsCertainIsRightAtEveryScale)
       Tally tally;
       if (std::isfinite(q[0].x + q[1].x + q[2].x + q[3].x + q[0].y + q[1].y + q[2].y + q[3].y))
       {
-        askFilters(q, tally);
+        askAll(q, tally);
       }
       ASSERT_FALSE(HasFatalFailure()) << "scale 2^" << exponent;
     }
@@ -140,7 +183,7 @@ TEST(PredicatesFilters, UnderflowIsNotMagnifiedByAFarPoint)
       std::ldexp(q[1].y, 1) + std::ldexp(digit(), nearby - 60) };
     q[3] = { 0, 0 };
     Tally tally;
-    askFilters(q, tally);
+    askAll(q, tally);
     ASSERT_FALSE(HasFatalFailure()) << "case " << i << ", 2^" << nearby << " and 2^" << faraway;
   }
 }
@@ -161,6 +204,22 @@ TEST(PredicatesFilters, ThePointAtInfinityIsUncertain)
   EXPECT_FALSE(orientIsCertain(cross(a, ghost), a.z, ghost.z));
 }
 
+/// Of two triangles at once, the one beside it is certain all the same.
+TEST(PredicatesFilters, OfAPairOnlyThePointAtInfinityIsUncertain)
+{
+  const Point ghost{ kNan, kNan }, a{ 0, 0 }, b{ 1, 0 }, c{ 0.5, -2 };
+  const VectorPair p = twice({ 0.25, 0.5 });
+  const Pair guard = both(inCircleGuard(10.0));
+  const Point triples[3][3] = { { ghost, b, c }, { a, ghost, c }, { a, b, ghost } };
+  for (const auto& t : triples)
+  {
+    const EdgePair first = edgesFrom(p, { t[0], a }, { t[1], b });
+    EXPECT_EQ(inCircle(first, liftedFrom(p, t[2], c), guard).certain, 2u);
+    const EdgePair second = edgesFrom(p, { a, t[0] }, { b, t[1] });
+    EXPECT_EQ(inCircle(second, liftedFrom(p, c, t[2]), guard).certain, 1u);
+  }
+}
+
 TEST(PredicatesFilters, InfinityIsUncertain)
 {
   EXPECT_FALSE(orientIsCertain(kInfinity, kInfinity, 1.0));
@@ -176,7 +235,7 @@ TEST(PredicatesFilters, RandomPointsAreNearlyAlwaysCertain)
   Tally tally;
   for (int i = 0; i < kCases; ++i)
   {
-    askFilters(source.draw(), tally);
+    askAll(source.draw(), tally);
   }
   EXPECT_GT(tally.certain, tally.asked - tally.asked / 1000);
 }
