@@ -2,6 +2,7 @@
 #ifndef ahd_Circumradius_h
 #define ahd_Circumradius_h
 
+#include "../Points/Points.h"
 #include "Vectors.h"
 
 #include <algorithm>
@@ -49,6 +50,11 @@ public:
   explicit LengthLimit(double limit);
 
   bool isExceeded(const Vector3& v) const;
+  /// By two points of the plane.
+  bool isExceeded(const Point& p, const Point& q) const
+  {
+    return isExceeded(Vector3{ { p.x - q.x, p.y - q.y, 0.0 } });
+  }
 
 private:
   double limit_;

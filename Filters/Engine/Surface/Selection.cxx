@@ -131,12 +131,6 @@ private:
   Edges edges_;
 };
 
-/// Are the two points farther from each other?
-bool isLonger(const Point& p, const Point& q, const LengthLimit& limit)
-{
-  return limit.isExceeded({ { p.x - q.x, p.y - q.y, 0.0 } });
-}
-
 bool Selecting::run(Ticker& ticker)
 {
   if (!ticker.ask() ||
@@ -233,7 +227,7 @@ bool Selecting::isTooLong(Index a, Index b) const
   {
     return false;
   }
-  return isLonger(state_.ranked.xy[a], state_.ranked.xy[b], length_);
+  return length_.isExceeded(state_.ranked.xy[a], state_.ranked.xy[b]);
 }
 
 /// Is an edge a line, if no triangle of it is put out?
@@ -493,29 +487,6 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
       return (limits.alpha > 0.0 ? state->makeNumbers(ticker, State::PlacesAre::NotNeeded)
                                  : state->makeCorners(ticker)) &&
         Selecting(*state, limits, points, out).run(ticker);
-    });
-}
-
-Status findShort(const std::int32_t* triples, std::size_t triangles, const PointView& places,
-  double length, const Context& context, std::vector<unsigned char>& kept)
-{
-  return unlessCancelled(
-    [&]
-    {
-      Ticker ticker(context.progress, Phase::Outputs, 0);
-      const LengthLimit limit(length);
-      kept.assign(triangles, 0);
-      const auto find = [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t t = begin; t < end; ++t)
-        {
-          const auto corner = [&](std::size_t k)
-          { return places[static_cast<std::size_t>(triples[3 * t + k])]; };
-          const Point a = corner(0), b = corner(1), c = corner(2);
-          kept[t] = !isLonger(a, b, limit) && !isLonger(b, c, limit) && !isLonger(c, a, limit);
-        }
-      };
-      return inChunks(0, triangles, ticker, find) && ticker.ask();
     });
 }
 
