@@ -131,7 +131,7 @@ private:
     kBelow = 1,   ///< in the region of what was final below
     kOpen = 2,    ///< a ghost, or not final
     kGone = 4,    ///< dropped by loops
-    kVisited = 8, ///< by the search that takes kept regions
+    kSeen = 8, ///< by the search that takes kept regions
     kTested = 16  ///< by the search for what is final
   };
 

@@ -127,11 +127,11 @@ bool Part::takeKept(const Kept& kept, Ticker& ticker)
   }
   isAnyDropped_ = true;
   const auto mayEnter = [&](Mesh::Halfedge, Mesh::Slot next)
-  { return isSettled(next) && (label(next) & kVisited) == 0; };
+  { return isSettled(next) && (label(next) & kSeen) == 0; };
   for (std::size_t i = 0; i != borderEdges_.size(); ++i)
   {
-    const std::uint8_t found = kept.edges[i] != 0 ? kVisited : kVisited | kGone;
-    if ((label(borderEdges_[i]) & kVisited) == 0 &&
+    const std::uint8_t found = kept.edges[i] != 0 ? kSeen : kSeen | kGone;
+    if ((label(borderEdges_[i]) & kSeen) == 0 &&
       !flood(Mesh::slotOf(borderEdges_[i]), found, mayEnter, ticker))
     {
       return false;
