@@ -128,11 +128,11 @@ public:
 private:
   enum : std::uint8_t
   {
-    kBelow = 1,   ///< in the region of what was final below
-    kOpen = 2,    ///< a ghost, or not final
-    kGone = 4,    ///< dropped by loops
-    kSeen = 8, ///< by the search that takes kept regions
-    kTested = 16  ///< by the search for what is final
+    kBelow = 1,  ///< in the region of what was final below
+    kOpen = 2,   ///< a ghost, or not final
+    kGone = 4,   ///< dropped by loops
+    kSeen = 8,   ///< by the search that takes kept regions
+    kTested = 16 ///< by the search for what is final
   };
 
   /// What a triangle is tested against.
