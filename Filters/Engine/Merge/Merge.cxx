@@ -57,7 +57,7 @@ public:
   {
     if (std::isfinite(distance)) // else all is in one row
     {
-      unit_ = distance < 0x1p-900 ? 0x1p200 : distance < 0x1p1000 ? 1.0 : 0.25;
+      unit_ = distance < 0x1p-900 ? 0x1p200 : distance < 0x1p900 ? 1.0 : 0.25;
       reach_ = 1.125 * (unit_ * distance);
       scale_ = 1.0 / (2.0 * (unit_ * distance));
     }
