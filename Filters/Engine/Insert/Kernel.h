@@ -292,9 +292,14 @@ private:
   std::uint32_t* star() { return kShared ? star_.data() : data_; }
   const std::uint32_t* star() const { return kShared ? star_.data() : data_; }
 
-  /// What lies beyond the edges after and before h of its triangle.
+  /// What lies beyond the edges after and before h of its triangle. If Shared and its apex is not
+  /// owned, nothing is read: one of those edges may belong to others whole, and carve() ends there.
   AHD_ALWAYS_INLINE Beyond beyond(Mesh::Halfedge h) const
   {
+    if (kShared && !owns(data_[h]))
+    {
+      return {};
+    }
     const Mesh::Halfedge first = (data_ + Mesh::next(h))[Mesh::kTwin];
     const Mesh::Halfedge second = (data_ + Mesh::previous(h))[Mesh::kTwin];
     return { first, second, data_[first], data_[second] };
