@@ -7,17 +7,6 @@
 #include <cstdio>
 #include <numeric>
 
-// The sanitizer has this form of its own, which it would not let the above release.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept
-try
-{
-  return ahd::test::ownAllocate(size, alignof(std::max_align_t));
-}
-catch (const std::bad_alloc&)
-{
-  return nullptr;
-}
-
 namespace ahd
 {
 namespace fuzz
