@@ -36,7 +36,8 @@ view.Background = [1, 1, 1]
 display = Show(surface, view)
 display.Scale = [0.77, 1, 4 / 111195]  # cos(40 degrees), 1, metres to degrees, four times too high
 ColorBy(display, ("POINTS", "elevation"))
-GetColorTransferFunction("elevation").ApplyPreset("Viridis (matplotlib)", True)
+viridis = "Viridis" if GetParaViewVersion() >= (6, 1) else "Viridis (matplotlib)"
+GetColorTransferFunction("elevation").ApplyPreset(viridis, True)
 view.CameraPosition = [-15.6, 39.2, 1.0]
 view.CameraFocalPoint = [-15.05, 40.2, -0.08]
 view.CameraViewUp = [0, 0, 1]
