@@ -148,7 +148,10 @@ Ended run(std::size_t cancelAt)
         if (ended.statuses[b] == Status::Ok)
         {
           triangles[b] = made.triangles();
-          ended.reported = b == kBlocks - 1 ? made.report().triangles : ended.reported;
+          if (b == kBlocks - 1)
+          {
+            ended.reported = made.report().triangles;
+          }
         }
       });
   }
