@@ -29,10 +29,17 @@ double vtkAHDProgress::SteadyClock()
 void vtkAHDProgress::SetStages(const std::vector<double>& weights)
 {
   this->Stages.set(weights);
+  this->StagesBegun.clear();
+  this->StagesBegun.reserve(weights.size());
 }
 
 void vtkAHDProgress::NextStage()
 {
+  const std::size_t begun = this->StagesBegun.size();
+  if (begun < this->Stages.count() && begun < this->StagesBegun.capacity())
+  {
+    this->StagesBegun.push_back(this->Now());
+  }
   this->MoveTo(this->Stages.next());
 }
 

@@ -43,6 +43,9 @@ public:
   /// Wall-clock seconds from the beginning of a phase to that of the next.
   double GetSeconds(ahd::Phase phase) const { return this->Seconds[std::size_t(phase)]; }
 
+  /// When each of the stages that were set began, by the clock.
+  const std::vector<double>& GetStages() const { return this->StagesBegun; }
+
 private:
   static double SteadyClock();
   bool IsAborted() const;
@@ -55,6 +58,7 @@ private:
   double Shown = 0.0;                            // what observers were told last
   double ToldAt = 0.0;                           // when
   std::array<double, ahd::kPhases> Seconds = {}; // of each phase
+  std::vector<double> StagesBegun;
   bool InPhase = false;
   ahd::Phase Current = ahd::Phase::Read;
   double Begun = 0.0;

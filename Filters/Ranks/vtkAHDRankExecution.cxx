@@ -28,7 +28,8 @@ vtkAHDReport vtkAHDRankExecution::Run(const vtkAHDDataSets& data, ahd::Status be
   try
   {
     this->Context.Check(this->Ranks.agree(before));
-    this->Context.SetStages({ 0.3, 1.0, 0.3 });
+    this->Context.SetStages(
+      { 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
     this->Context.NextStage();
     this->Meet(data);
     this->RefuseSettings();
@@ -242,6 +243,7 @@ void vtkAHDRankExecution::MakeBlock(
   input.rule = this->Settings.FillRule;
   input.options = this->Settings.Insertion;
   this->Context.Check(this->Ranks.agree(block.begin(input, this->Context)));
+  this->Context.NextStage();
   while (block.waiting() != ahd::BlockTriangulation::Waiting::ForNothing)
   {
     if (!block.borders().empty())

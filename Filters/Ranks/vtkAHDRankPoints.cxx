@@ -15,11 +15,11 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace
 {
+constexpr std::size_t kAsk = std::size_t(1) << 14; // points between two askings
 /// Samples of all ranks: with 512 for each of many, the cuts are near enough to where they would
 /// be; few ranks, of which one that has more than its share is waited for, can have more.
 double CountSamples(std::size_t ranks)
@@ -123,7 +123,7 @@ std::size_t vtkAHDRankPoints::EstimateBytes() const
   const std::size_t count = this->Prepared.points().count;
   return this->Input->EstimateBytes() + ahd::preparationMemoryEstimate(this->Input->GetRequest()) +
     (this->Combined ? vtkAHDPointOutput::EstimateBytes(this->Local, count) : 0) +
-    2 * sizeof(ahd::Index) * count; // of the route, as lists grow
+    vtkAHDRoute::EstimateBytes(count);
 }
 
 vtkPointData* vtkAHDRankPoints::GetDataToMove() const
@@ -165,18 +165,28 @@ void vtkAHDRankPoints::FindOwners()
     points.count, [&points, &cuts](std::size_t i) { return cuts.ownerOf(points[i]); });
 }
 
-/// Ids come ascending from each rank, those of sources behind all others.
+/// Ids come ascending from each rank, those of its source behind those of its input; sources' ids
+/// are larger than all others. So either kind is in order.
 void vtkAHDRankPoints::SortIds(const std::vector<std::int64_t>& arrived)
 {
-  std::vector<ahd::Index> order(arrived.size()), places(arrived.size());
-  std::iota(order.begin(), order.end(), ahd::Index(0));
-  std::sort(order.begin(), order.end(),
-    [&arrived](ahd::Index a, ahd::Index b) { return arrived[a] < arrived[b]; });
+  const auto firstOfSources = static_cast<std::int64_t>(this->Facts.GetPoints());
+  std::vector<ahd::Index> places(arrived.size());
   this->Ids.resize(arrived.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
+  std::size_t next = 0;
+  for (const bool isOfSource : { false, true })
   {
-    places[order[k]] = static_cast<ahd::Index>(k);
-    this->Ids[k] = arrived[order[k]];
+    for (std::size_t k = 0; k < arrived.size(); ++k)
+    {
+      if (k % kAsk == 0)
+      {
+        this->Context.StopIfAborted();
+      }
+      if ((arrived[k] >= firstOfSources) == isOfSource)
+      {
+        places[k] = static_cast<ahd::Index>(next);
+        this->Ids[next++] = arrived[k];
+      }
+    }
   }
   this->Route.SetPlaces(std::move(places));
 }
@@ -227,19 +237,10 @@ void vtkAHDRankPoints::MoveMarks()
 void vtkAHDRankPoints::MoveToOwners()
 {
   this->FindOwners();
-  std::vector<std::int64_t> mine, arrived;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      mine.resize(this->Prepared.points().count);
-      for (std::size_t i = 0; i < mine.size(); ++i)
-      {
-        mine[i] = this->GetId(static_cast<std::int64_t>(i));
-      }
-      arrived.resize(this->Route.GetCount());
-    });
-  this->Route.Move(mine.data(), sizeof(std::int64_t), arrived.data());
-  mine = std::vector<std::int64_t>();
+  std::vector<std::int64_t> arrived;
+  this->Ranks.Together(this->Context, [&] { arrived.resize(this->Route.GetCount()); });
+  this->Route.MoveValues(
+    [this](ahd::Index i) { return this->GetId(static_cast<std::int64_t>(i)); }, arrived.data());
   this->Ranks.Together(this->Context,
     [&]
     {

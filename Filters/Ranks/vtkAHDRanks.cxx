@@ -92,8 +92,6 @@ ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::Blo
   return status;
 }
 
-/// The rank to exchange with in a round: in each round who exchanges with whom is mutual, and in
-/// GetCount() rounds each rank meets each, itself included.
 std::size_t vtkAHDRanks::GetPartner(std::size_t round) const
 {
   return (round + this->Count - this->Own) % this->Count;
@@ -105,7 +103,7 @@ void vtkAHDRanks::ExchangeSizes(
   for (std::size_t round = 0; round < this->Count; ++round)
   {
     const std::size_t partner = this->GetPartner(round);
-    const vtkTypeUInt64 size = to[partner] ? to[partner]->size() : 0;
+    const vtkTypeUInt64 size = to[partner]->size();
     const int rank = static_cast<int>(partner);
     sizes[partner] = size; // of what is for this rank itself
     if (this->Own < partner)
@@ -121,39 +119,37 @@ void vtkAHDRanks::ExchangeSizes(
   }
 }
 
-void vtkAHDRanks::Send(std::size_t rank, const ahd::BlockBytes& bytes)
+void vtkAHDRanks::Send(std::size_t rank, const void* from, std::size_t bytes)
 {
-  for (std::size_t begin = 0; begin < bytes.size(); begin += kPiece)
+  for (std::size_t begin = 0; begin < bytes; begin += kPiece)
   {
-    this->Controller->Send(bytes.data() + begin,
-      static_cast<vtkIdType>(std::min(kPiece, bytes.size() - begin)), static_cast<int>(rank), kTag);
+    this->Controller->Send(static_cast<const unsigned char*>(from) + begin,
+      static_cast<vtkIdType>(std::min(kPiece, bytes - begin)), static_cast<int>(rank), kTag);
   }
 }
 
-void vtkAHDRanks::Receive(std::size_t rank, ahd::BlockBytes& bytes)
+void vtkAHDRanks::Receive(std::size_t rank, void* to, std::size_t bytes)
 {
-  for (std::size_t begin = 0; begin < bytes.size(); begin += kPiece)
+  for (std::size_t begin = 0; begin < bytes; begin += kPiece)
   {
-    this->Controller->Receive(bytes.data() + begin,
-      static_cast<vtkIdType>(std::min(kPiece, bytes.size() - begin)), static_cast<int>(rank), kTag);
+    this->Controller->Receive(static_cast<unsigned char*>(to) + begin,
+      static_cast<vtkIdType>(std::min(kPiece, bytes - begin)), static_cast<int>(rank), kTag);
   }
 }
 
 /// The lower rank of two sends first, and each has one partner at a time: so none waits in a ring.
-void vtkAHDRanks::Swap(std::size_t partner, const ahd::BlockBytes* out, ahd::BlockBytes* in)
+void vtkAHDRanks::Swap(
+  std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes)
 {
   const bool isFirst = this->Own < partner;
-  if (out && isFirst)
+  if (isFirst)
   {
-    this->Send(partner, *out);
+    this->Send(partner, out, outBytes);
   }
-  if (in)
+  this->Receive(partner, in, inBytes);
+  if (!isFirst)
   {
-    this->Receive(partner, *in);
-  }
-  if (out && !isFirst)
-  {
-    this->Send(partner, *out);
+    this->Send(partner, out, outBytes);
   }
 }
 
@@ -163,11 +159,13 @@ ahd::Status vtkAHDRanks::exchange(
   std::vector<const ahd::BlockBytes*> to;
   std::vector<ahd::BlockBytes*> from;
   std::vector<vtkTypeUInt64> sizes;
+  const ahd::BlockBytes nothing;
+  ahd::BlockBytes none;
   ahd::Status status = this->agree(WithoutThrowing(
     [&]
     {
-      to.assign(this->Count, nullptr);
-      from.assign(this->Count, nullptr);
+      to.assign(this->Count, &nothing);
+      from.assign(this->Count, &none);
       sizes.resize(this->Count);
       in.clear();
       in.reserve(this->Count);
@@ -200,12 +198,13 @@ ahd::Status vtkAHDRanks::exchange(
     const std::size_t partner = this->GetPartner(round);
     if (partner != this->Own)
     {
-      this->Swap(partner, to[partner], from[partner]);
+      this->Swap(partner, to[partner]->data(), to[partner]->size(), from[partner]->data(),
+        from[partner]->size());
     }
   }
   for (ahd::BlockMessage& message : out)
   {
-    if (status == ahd::Status::Ok && message.block == this->Own && from[this->Own])
+    if (status == ahd::Status::Ok && message.block == this->Own && sizes[this->Own] > 0)
     {
       from[this->Own]->swap(message.bytes);
     }

@@ -28,6 +28,14 @@ public:
   std::size_t GetOwn() const { return this->Own; }
   std::size_t GetCount() const { return this->Count; }
 
+  /// The rank to exchange with in a round: in each round who exchanges with whom is mutual, and in
+  /// GetCount() rounds each rank meets each, itself included. Not collective.
+  std::size_t GetPartner(std::size_t round) const;
+  /// Exchanges bytes with the partner of a round. Both know how many go either way; 0: nothing is
+  /// sent. Called by these two alike. REQUIRES: the partner is another rank.
+  void Swap(
+    std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes);
+
   ahd::Status agree(ahd::Status own) override;
   ahd::Status gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all) override;
   ahd::Status exchange(
@@ -61,12 +69,10 @@ private:
     }
   }
 
-  std::size_t GetPartner(std::size_t round) const;
   void ExchangeSizes(
     const std::vector<const ahd::BlockBytes*>& to, std::vector<vtkTypeUInt64>& sizes);
-  void Swap(std::size_t partner, const ahd::BlockBytes* out, ahd::BlockBytes* in);
-  void Send(std::size_t rank, const ahd::BlockBytes& bytes);
-  void Receive(std::size_t rank, ahd::BlockBytes& bytes);
+  void Send(std::size_t rank, const void* from, std::size_t bytes);
+  void Receive(std::size_t rank, void* to, std::size_t bytes);
 
   vtkMultiProcessController* const Controller;
   const std::size_t Own;

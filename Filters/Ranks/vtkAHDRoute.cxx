@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string>
+#include <type_traits>
 
 namespace
 {
@@ -38,6 +39,103 @@ unsigned char* BytesOf(vtkDataArray* array, std::size_t tuple)
 {
   return static_cast<unsigned char*>(array->GetVoidPointer(0)) + tuple * WidthOf(array);
 }
+
+using Index = ahd::Index;
+using Bytes = unsigned char;
+
+/// Calls work(width), for usual widths with a constant, so that a tuple is copied by one or two
+/// instructions.
+template <typename Work>
+void WithWidth(std::size_t width, const Work& work)
+{
+  using std::integral_constant;
+  switch (width)
+  {
+    case 1:
+      return work(integral_constant<std::size_t, 1>());
+    case 2:
+      return work(integral_constant<std::size_t, 2>());
+    case 4:
+      return work(integral_constant<std::size_t, 4>());
+    case 8:
+      return work(integral_constant<std::size_t, 8>());
+    case 12:
+      return work(integral_constant<std::size_t, 12>());
+    case 16:
+      return work(integral_constant<std::size_t, 16>());
+    case 24:
+      return work(integral_constant<std::size_t, 24>());
+    default:
+      return work(width);
+  }
+}
+
+/// Tuple numbers[k] of `from` becomes tuple k of `to`.
+void Gather(const void* from, const Index* numbers, std::size_t count, std::size_t width, Bytes* to)
+{
+  const auto* const tuples = static_cast<const Bytes*>(from);
+  const auto isGap = [](Index a, Index b) { return b != a + 1; };
+  if (count > 0 && std::adjacent_find(numbers, numbers + count, isGap) == numbers + count)
+  {
+    std::memcpy(to, tuples + numbers[0] * width, count * width);
+    return;
+  }
+  WithWidth(width,
+    [&](auto known)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        std::memcpy(to + k * known, tuples + numbers[k] * known, known);
+      }
+    });
+}
+
+void StopUnless(bool isGoing)
+{
+  if (!isGoing)
+  {
+    throw vtkAHDStop{ ahd::Status::Cancelled };
+  }
+}
+
+/// Tuple k of `from` becomes tuple numbers[k] of `to`.
+void Scatter(
+  const Bytes* from, const Index* numbers, std::size_t count, std::size_t width, void* to)
+{
+  auto* const tuples = static_cast<Bytes*>(to);
+  WithWidth(width,
+    [&](auto known)
+    {
+      for (std::size_t k = 0; k < count; ++k)
+      {
+        std::memcpy(tuples + numbers[k] * known, from + k * known, known);
+      }
+    });
+}
+}
+
+/// Lists the tuples of each owner.
+void vtkAHDRoute::List(const ahd::Buffer<std::uint32_t>& owners)
+{
+  std::vector<std::size_t> counts(this->Ranks.GetCount());
+  this->Out.assign(this->Ranks.GetCount(), Tuples());
+  const auto forAll = [&](const auto& work)
+  {
+    for (std::size_t i = 0; i < owners.size(); ++i)
+    {
+      if (i % kAsk == 0)
+      {
+        this->Context.StopIfAborted();
+      }
+      work(i);
+    }
+  };
+  forAll([&](std::size_t i) { ++counts[owners[i]]; });
+  for (std::size_t rank = 0; rank < counts.size(); ++rank)
+  {
+    this->Out[rank].reserve(counts[rank]);
+  }
+  forAll([&](std::size_t i) { this->Out[owners[i]].push_back(static_cast<ahd::Index>(i)); });
 }
 
 /// Tells each rank how many tuples it gets from this one.
@@ -132,10 +230,8 @@ void vtkAHDRoute::ForArrivals(const Messages& in, const Work& work) const
   for (const ahd::BlockMessage& message : in)
   {
     const std::size_t first = this->FirstOf[message.block];
-    const std::size_t end = message.block + 1 < this->FirstOf.size()
-      ? this->FirstOf[message.block + 1]
-      : this->Arrivals;
-    for (std::size_t k = 0; k < end - first; ++k)
+    const std::size_t count = this->CountFrom(message.block);
+    for (std::size_t k = 0; k < count; ++k)
     {
       if (k % kAsk == 0)
       {
@@ -146,45 +242,81 @@ void vtkAHDRoute::ForArrivals(const Messages& in, const Work& work) const
   }
 }
 
+/// How many tuples come from a rank.
+std::size_t vtkAHDRoute::CountFrom(std::size_t rank) const
+{
+  const std::size_t end = rank + 1 < this->FirstOf.size() ? this->FirstOf[rank + 1]
+                                                          : this->Arrivals;
+  return end - this->FirstOf[rank];
+}
+
+/// Calls work(begin, end) for stretches of [0, count), and asks between them whether to abort; then
+/// the rest is left out, and this returns false.
+template <typename Work>
+bool vtkAHDRoute::Try(std::size_t count, const Work& work) const
+{
+  for (std::size_t begin = 0; begin < count; begin += kAsk)
+  {
+    if (this->Context.IsAborted())
+    {
+      return false;
+    }
+    work(begin, std::min(count, begin + kAsk));
+  }
+  return true;
+}
+
+/// Moves tuples, packed by pack(), to `to`. Ranks go on sending where one is to abort, as others
+/// wait for it: they agree on it in the end.
+void vtkAHDRoute::Carry(std::size_t width, void* to, const Pack& pack)
+{
+  ahd::Buffer<unsigned char> out, in;
+  const std::size_t most = std::max<std::size_t>(1, kPiece / width);
+  bool isGoing = true;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      out.allocate(most * width);
+      in.allocate(most * width);
+    });
+  for (std::size_t round = 0; round < this->Ranks.GetCount(); ++round)
+  {
+    const std::size_t partner = this->Ranks.GetPartner(round);
+    const bool isOwn = partner == this->Ranks.GetOwn();
+    const Tuples& tuples = this->Out[partner];
+    const std::size_t count = tuples.size(), coming = this->CountFrom(partner);
+    for (std::size_t done = 0; done < std::max(count, coming); done += most)
+    {
+      const std::size_t going = std::min(most, count - std::min(count, done));
+      const std::size_t arriving = std::min(most, coming - std::min(coming, done));
+      const std::size_t first = this->FirstOf[partner] + done;
+      const bool isInOrder = this->Places.empty() && arriving > 0;
+      unsigned char* const end = isInOrder ? static_cast<unsigned char*>(to) + first * width
+                                           : in.data();
+      unsigned char* const packed = isOwn ? end : out.data();
+      isGoing = isGoing &&
+        this->Try(going,
+          [&](std::size_t k, std::size_t last)
+          { pack(tuples.data() + done + k, last - k, packed + k * width); });
+      if (!isOwn)
+      {
+        this->Ranks.Swap(partner, packed, going * width, end, arriving * width);
+      }
+      isGoing = isGoing &&
+        (isInOrder ||
+          this->Try(arriving,
+            [&](std::size_t k, std::size_t last)
+            { Scatter(end + k * width, this->Places.data() + first + k, last - k, width, to); }));
+    }
+  }
+  this->Ranks.Together(this->Context, [&] { StopUnless(isGoing); });
+}
+
 void vtkAHDRoute::Move(const void* from, std::size_t width, void* to)
 {
-  Messages out, in;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      for (std::size_t rank = 0; rank < this->Out.size(); ++rank)
-      {
-        const Tuples& tuples = this->Out[rank];
-        if (tuples.empty())
-        {
-          continue;
-        }
-        out.emplace_back();
-        out.back().block = rank;
-        out.back().bytes.resize(tuples.size() * width);
-        unsigned char* bytes = out.back().bytes.data();
-        const auto* tuple = static_cast<const unsigned char*>(from);
-        this->Context.ForRange(tuples.size(),
-          [&tuples, bytes, tuple, width](std::size_t begin, std::size_t end)
-          {
-            for (std::size_t k = begin; k < end; ++k)
-            {
-              std::memcpy(bytes + k * width, tuple + tuples[k] * width, width);
-            }
-          });
-      }
-    });
-  this->Send(out, in);
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      this->ForArrivals(in,
-        [to, width](const ahd::BlockMessage& message, std::size_t k, std::size_t place)
-        {
-          std::memcpy(static_cast<unsigned char*>(to) + place * width,
-            message.bytes.data() + k * width, width);
-        });
-    });
+  this->Carry(width, to,
+    [from, width](const ahd::Index* tuples, std::size_t count, unsigned char* bytes)
+    { Gather(from, tuples, count, width, bytes); });
 }
 
 bool vtkAHDRoute::CanMove(vtkAbstractArray* array)

@@ -285,6 +285,26 @@ TEST(Progress, TheTimeOfAPhaseIsFromItsBeginningToTheNext)
   EXPECT_EQ(progress.GetSeconds(ahd::Phase::Insert), 0.0);
 }
 
+TEST(Progress, ItIsKnownWhenEachStageBegan)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  vtkAHDProgress progress(filter, clockOfTests);
+  for (const std::size_t stages : { 3, 2 })
+  {
+    progress.SetStages(std::vector<double>(stages, 1.0));
+    EXPECT_TRUE(progress.GetStages().empty());
+    std::vector<double> expected;
+    for (std::size_t stage = 0; stage < stages + 2; ++stage) // all is done before the last ones
+    {
+      now += 1.0;
+      progress.NextStage();
+      expected.push_back(now);
+    }
+    expected.resize(stages);
+    EXPECT_EQ(progress.GetStages(), expected);
+  }
+}
+
 TEST(Progress, MovesInEveryStageAndPhase)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;

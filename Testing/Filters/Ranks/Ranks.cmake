@@ -9,7 +9,7 @@ function (ahd_add_rank_test ranks script label)
   file(MAKE_DIRECTORY "${own}")
   add_test(NAME "${test}"
     COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_PREFLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
-      "$<TARGET_FILE:ParaView::pvbatch>" --sym "${CMAKE_CURRENT_SOURCE_DIR}/Ranks/${script}")
+      "$<TARGET_FILE:ParaView::pvbatch>" --sym "${CMAKE_CURRENT_SOURCE_DIR}/Ranks/${script}" ${ARGN})
   set(environment "PYTHONPATH=${ahd_python_path}:${ahd_vtk_python_path}" PYTHONDONTWRITEBYTECODE=1
     "AHD_SCRATCH=${own}" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
     OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1)
@@ -19,6 +19,7 @@ endfunction ()
 
 ahd_add_rank_test(2 RanksCompare.py filter)
 ahd_add_rank_test(4 RanksCompare.py filter)
+ahd_add_rank_test(2 RanksSurvey.py filter 500000)
 ahd_add_rank_test(4 RanksSurvey.py filter)
 if (AHD_LONG_TESTS)
   ahd_add_rank_test(3 RanksCompare.py long)
