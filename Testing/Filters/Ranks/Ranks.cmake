@@ -19,6 +19,7 @@ endfunction ()
 
 ahd_add_rank_test(2 RanksCompare.py filter)
 ahd_add_rank_test(4 RanksCompare.py filter)
+ahd_add_rank_test(3 RanksSeam.py filter)
 ahd_add_rank_test(4 RanksSurvey.py filter)
 if (AHD_LONG_TESTS)
   ahd_add_rank_test(3 RanksCompare.py long)
