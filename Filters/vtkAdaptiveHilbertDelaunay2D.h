@@ -333,6 +333,7 @@ public:
    * All ranks have to execute, with the same settings. Each puts out the triangles that it owns, by
    * place; with its points, which move to their owners with those point data arrays that all ranks
    * have; and behind these the points of others that are corners, with vtkGhostType DUPLICATEPOINT.
+   * Layers of ghost cells, marked as well, are put out where the filters behind ask for them.
    * The global ids "GlobalPointIds" number the points as appended, those of sources last;
    * "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's cells are those of
    * the rank's own points. Sources that are the same on all ranks count once where their points are

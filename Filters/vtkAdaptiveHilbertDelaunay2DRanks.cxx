@@ -90,6 +90,8 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(
   this->ClearMeasures();
   const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
   settings.SeparateBlocks = hasBlocks && !this->MergeBlocks;
+  settings.GhostLevels = this->GetOutputInformation(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   const bool hasPoints = hasBlocks || vtkPointSet::SafeDownCast(input);
   if (input && !hasPoints)
   {

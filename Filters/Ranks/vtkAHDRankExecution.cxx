@@ -129,10 +129,13 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
   ahd::BlockTriangulation block;
   this->Context.NextStage();
   this->MakeBlock(points, chains, block);
+  this->BlockEstimate = this->Estimate;
   this->Context.NextStage();
   vtkAHDRankSurface surface(this->Settings, this->Ranks, this->Facts, this->Context, points, block);
+  this->CheckGhosts(block.ghostTriangles());
   this->Ranks.Together(this->Context, [&] { surface.Select(); });
   const std::size_t firstCell = this->ShareOdds(points, block.report(), surface.GetCellCount());
+  this->TakeGhosts(surface, firstCell);
   surface.Write(data.Outputs[0], firstCell);
   this->ReportOn(block.report(), chains);
 }
@@ -214,6 +217,32 @@ void vtkAHDRankExecution::CheckBorder(
   std::ostringstream what;
   what << ", which is to join the " << points << " points that ranks do not triangulate alone";
   this->CheckMemory(this->Estimate + more, what.str().c_str());
+}
+
+/// Refuses layers of ghosts that take more than there is.
+void vtkAHDRankExecution::CheckGhosts(std::size_t cells)
+{
+  if (this->Facts.GetGhostLevels() > 0)
+  {
+    this->CheckMemory(this->BlockEstimate +
+        vtkAHDRankSurface::EstimateGhostBytes(cells, this->Settings, this->Facts),
+      ", ghost cells included");
+  }
+}
+
+/// Layer after layer.
+void vtkAHDRankExecution::TakeGhosts(vtkAHDRankSurface& surface, std::size_t firstCell)
+{
+  if (this->Facts.GetGhostLevels() > 0)
+  {
+    surface.GetGhosts().Begin(firstCell);
+  }
+  for (int level = 0; level < this->Facts.GetGhostLevels(); ++level)
+  {
+    surface.GetGhosts().Ask();
+    this->CheckGhosts(surface.GetGhosts().CountAll());
+    surface.GetGhosts().Take();
+  }
 }
 
 void vtkAHDRankExecution::Step(ahd::BlockTriangulation& block)

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+class vtkAHDRankSurface;
+
 /**
  * One execution over all ranks of a controller: each rank gives its points and constraints, and
  * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface.
@@ -49,6 +51,8 @@ private:
   void MakeBlock(
     const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block);
   void Step(ahd::BlockTriangulation& block);
+  void CheckGhosts(std::size_t cells);
+  void TakeGhosts(vtkAHDRankSurface& surface, std::size_t firstCell);
   void FindStacks(const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, bool& areStacked,
     bool& areOnLine);
   std::size_t ShareOdds(
@@ -61,7 +65,8 @@ private:
   vtkAHDAllFacts Facts;
   vtkAHDReport Report;
   Words Said;
-  std::size_t Estimate = 0; // bytes, of this rank, as far as it is known
+  std::size_t Estimate = 0;      // bytes, of this rank, as far as it is known
+  std::size_t BlockEstimate = 0; // without ghosts
 };
 
 #endif

@@ -63,7 +63,8 @@ void vtkAHDRankFacts::Write(ahd::BlockBytes& bytes) const
   writer.writeAll(this->Settings);
   writer.writeAll(this->Transform);
   const std::uint64_t numbers[] = { this->Points, this->SourcePoints, this->Segments, this->Host,
-    this->AreFloats, this->HasMarks, this->MarksAreUnfit, this->HasSeparateBlocks };
+    this->GhostLevels, this->AreFloats, this->HasMarks, this->MarksAreUnfit,
+    this->HasSeparateBlocks };
   writer.write(numbers);
   writer.write(this->Source);
   writer.write(std::uint64_t(this->Arrays.size()));
@@ -89,6 +90,7 @@ void vtkAHDRankFacts::Read(const ahd::BlockBytes& bytes)
   this->SourcePoints = reader.read<std::uint64_t>();
   this->Segments = reader.read<std::uint64_t>();
   this->Host = reader.read<std::uint64_t>();
+  this->GhostLevels = reader.read<std::uint64_t>();
   this->AreFloats = reader.read<std::uint64_t>() != 0;
   this->HasMarks = reader.read<std::uint64_t>() != 0;
   this->MarksAreUnfit = reader.read<std::uint64_t>() != 0;
@@ -162,6 +164,7 @@ void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
     facts.Transform.assign(name.begin(), name.end());
   }
   facts.HasSeparateBlocks = settings.SeparateBlocks;
+  facts.GhostLevels = static_cast<std::uint64_t>(std::max(settings.GhostLevels, 0));
   facts.Host = NameOfHost();
 }
 
@@ -272,6 +275,16 @@ bool vtkAHDAllFacts::HaveSeparateBlocks() const
 {
   return std::any_of(this->Of.begin(), this->Of.end(),
     [](const vtkAHDRankFacts& facts) { return facts.HasSeparateBlocks; });
+}
+
+int vtkAHDAllFacts::GetGhostLevels() const
+{
+  std::uint64_t most = 0;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    most = std::max(most, facts.GhostLevels);
+  }
+  return static_cast<int>(most);
 }
 
 std::string vtkAHDAllFacts::FindDifference(const vtkAHDSettings& own) const

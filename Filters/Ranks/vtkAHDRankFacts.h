@@ -41,6 +41,7 @@ struct vtkAHDRankFacts
   std::uint64_t SourcePoints = 0;       ///< that are to be added
   std::uint64_t Segments = 0;           ///< at most
   std::uint64_t Host = 0;               ///< names the machine
+  std::uint64_t GhostLevels = 0;        ///< that are asked for
   bool AreFloats = false;               ///< the coordinates of the input
   bool HasMarks = false;                ///< are there ghost marks?
   bool HasSeparateBlocks = false;       ///< that are not to be merged
@@ -79,6 +80,8 @@ public:
   bool AreFloats() const;
   bool HaveMarks() const;
   bool HaveSeparateBlocks() const;
+  /// Layers of ghosts that are put out: as many as any rank is asked for.
+  int GetGhostLevels() const;
 
   /// The first setting that differs between ranks, in a sentence; empty if none does.
   std::string FindDifference(const vtkAHDSettings& own) const;

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 #include <vector>
 
 namespace
@@ -49,12 +50,14 @@ vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks
   , Foreign(ranks, context)
   , Own(points.GetCount())
   , All(points.GetCount())
+  , Ghosts(ranks, context, points, triangulation, this->Cells, this->Around)
 {
 }
 
 std::size_t vtkAHDRankSurface::EstimateBytes(
   std::size_t pointCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts)
 {
+  const bool hasGhosts = facts.GetGhostLevels() > 0;
   constexpr std::size_t kId = sizeof(vtkIdType);
   std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.GeneratePointStatus ? kId : 0);
   std::size_t widest = 3 * sizeof(double); // of what is moved at one time, sent and received
@@ -67,9 +70,19 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
     widest = std::max(widest, width);
   }
   const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
-    (settings.GenerateConstraintEdges ? 2 : 0);
-  perPoint += settings.LimitsSize() ? sizeof(ahd::Point) + 2 : 0;
+    (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
+  perPoint += (settings.LimitsSize() ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
+}
+
+/// A ghost is read, or is sent, comes, is kept and sorted; it has three points at most that come
+/// with it, each of them asked for.
+std::size_t vtkAHDRankSurface::EstimateGhostBytes(
+  std::size_t cellCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts)
+{
+  constexpr std::size_t kPerPoint = 6 * sizeof(vtkAHDRankGhosts::Corner) + 8 * sizeof(vtkIdType);
+  return cellCount * (5 * sizeof(vtkAHDRankGhosts::Cell) + 3 * kPerPoint) +
+    EstimateBytes(3 * cellCount, settings, facts);
 }
 
 /// Asks the owners of foreign points for their places and data.
@@ -80,10 +93,10 @@ void vtkAHDRankSurface::AskForForeign()
   this->Ranks.Together(this->Context,
     [&]
     {
-      for (const ahd::ForeignPoint& point : this->Others)
+      for (const vtkAHDRankGhosts::Corner& point : this->Others)
       {
-        ids.push_back(point.id);
-        owners.push_back(point.block);
+        ids.push_back(point.Id);
+        owners.push_back(static_cast<std::size_t>(point.Rank));
       }
     });
   this->Foreign.Ask(ids, owners, this->Points.GetIds());
@@ -177,9 +190,9 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
   auto ids = MakeArray<vtkIdTypeArray>(kPointIds, this->All);
   vtkIdType* to = std::copy(
     this->Points.GetIds().begin(), this->Points.GetIds().end(), ids->GetPointer(0));
-  for (const ahd::ForeignPoint& point : this->Others)
+  for (const vtkAHDRankGhosts::Corner& point : this->Others)
   {
-    *to++ = static_cast<vtkIdType>(point.id);
+    *to++ = static_cast<vtkIdType>(point.Id);
   }
   vtkAHDReplaceArray(output->GetPointData(), ids);
   output->GetPointData()->SetActiveAttribute(kPointIds, vtkDataSetAttributes::GLOBALIDS);
@@ -192,9 +205,9 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
   std::vector<std::int64_t> status(this->Own);
   this->Context.Check(this->Triangulation.writePointStatus(status.data(), this->Context));
   vtkIdType* to = std::copy(status.begin(), status.end(), array->GetPointer(0));
-  for (const ahd::ForeignPoint& point : this->Others)
+  for (const vtkAHDRankGhosts::Corner& point : this->Others)
   {
-    *to++ = static_cast<vtkIdType>(point.id);
+    *to++ = static_cast<vtkIdType>(point.Id);
   }
   vtkAHDReplaceArray(output->GetPointData(), array);
 }
@@ -202,24 +215,46 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
 void vtkAHDRankSurface::Select()
 {
   const std::size_t count = this->Triangulation.triangles();
-  this->Corners.resize(3 * count);
-  this->Context.Check(this->Triangulation.writeTriangles(this->Corners.data(), this->Context));
-  if (this->Settings.GenerateConstraintEdges)
+  const bool hasEdges = this->Settings.GenerateConstraintEdges;
+  this->Cells.Corners.resize(3 * count);
+  this->Context.Check(
+    this->Triangulation.writeTriangles(this->Cells.Corners.data(), this->Context));
+  if (hasEdges)
   {
-    this->Edges.resize(count);
+    this->Cells.Edges.resize(count);
     this->Context.Check(
-      this->Triangulation.writeConstraintEdges(this->Edges.data(), this->Context));
+      this->Triangulation.writeConstraintEdges(this->Cells.Edges.data(), this->Context));
+  }
+  if (this->Facts.GetGhostLevels() > 0)
+  {
+    this->ReadAround();
   }
   if (this->Settings.Limits.maximumEdgeLength > 0.0)
   {
-    this->KeepShort();
+    std::vector<ahd::Point> places;
+    this->ListPlaces(places);
+    this->KeepShort(places, this->Cells);
+    this->KeepShort(places, this->Around);
   }
-  this->KeepUsed();
 }
 
-void vtkAHDRankSurface::KeepShort()
+void vtkAHDRankSurface::ReadAround()
 {
-  std::vector<ahd::Point> places;
+  const std::size_t count = this->Triangulation.ghostTriangles();
+  this->Around.Corners.resize(3 * count);
+  this->Context.Check(
+    this->Triangulation.writeGhostTriangles(this->Around.Corners.data(), this->Context));
+  if (this->Settings.GenerateConstraintEdges)
+  {
+    this->Around.Edges.resize(count);
+    this->Context.Check(
+      this->Triangulation.writeGhostConstraintEdges(this->Around.Edges.data(), this->Context));
+  }
+}
+
+/// Of own points and those of others, as they are triangulated.
+void vtkAHDRankSurface::ListPlaces(std::vector<ahd::Point>& places) const
+{
   places.reserve(this->Own + this->Triangulation.foreignPoints().size());
   const ahd::PointView own = this->Points.GetView();
   for (std::size_t i = 0; i < this->Own; ++i)
@@ -230,10 +265,15 @@ void vtkAHDRankSurface::KeepShort()
   {
     places.push_back(point.at);
   }
-  const std::size_t count = this->Corners.size() / 3;
+}
+
+void vtkAHDRankSurface::KeepShort(
+  const std::vector<ahd::Point>& places, vtkAHDRankTriangles& cells) const
+{
+  const std::size_t count = cells.GetCount();
   const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
-  this->Context.Check(ahd::findShort(this->Corners.data(), count, view,
+  this->Context.Check(ahd::findShort(cells.Corners.data(), count, view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
   std::size_t next = 0;
   for (std::size_t t = 0; t < count; ++t)
@@ -241,75 +281,128 @@ void vtkAHDRankSurface::KeepShort()
     if (kept[t] != 0)
     {
       std::copy_n(
-        this->Corners.begin() + vtkIdType(3 * t), 3, this->Corners.begin() + vtkIdType(3 * next));
-      if (!this->Edges.empty())
+        cells.Corners.begin() + vtkIdType(3 * t), 3, cells.Corners.begin() + vtkIdType(3 * next));
+      if (!cells.Edges.empty())
       {
-        this->Edges[next] = this->Edges[t];
+        cells.Edges[next] = cells.Edges[t];
       }
       ++next;
     }
   }
-  this->Corners.resize(3 * next);
-  this->Edges.resize(this->Edges.empty() ? 0 : next);
+  cells.Corners.resize(3 * next);
+  cells.Edges.resize(cells.Edges.empty() ? 0 : next);
 }
 
-/// Of the points of others only those that are corners; they are numbered anew.
-void vtkAHDRankSurface::KeepUsed()
+/// Of the points of others only those that are corners of what is put out; own triangles get their
+/// numbers.
+void vtkAHDRankSurface::ListOthers()
 {
+  using Corner = vtkAHDRankGhosts::Corner;
   const std::vector<ahd::ForeignPoint>& known = this->Triangulation.foreignPoints();
-  constexpr vtkTypeInt32 kUnused = -1;
-  std::vector<vtkTypeInt32> numbers(known.size(), kUnused);
+  std::vector<unsigned char> isUsed(known.size(), 0);
   const auto isForeign = [this](vtkTypeInt32 corner)
   { return static_cast<std::size_t>(corner) >= this->Own; };
-  for (const vtkTypeInt32 corner : this->Corners)
+  for (const vtkTypeInt32 corner : this->Cells.Corners)
   {
     if (isForeign(corner))
     {
-      numbers[static_cast<std::size_t>(corner) - this->Own] = 0;
+      isUsed[static_cast<std::size_t>(corner) - this->Own] = 1;
     }
   }
   for (std::size_t k = 0; k < known.size(); ++k)
   {
-    if (numbers[k] != kUnused)
+    if (isUsed[k] != 0)
     {
-      numbers[k] = static_cast<vtkTypeInt32>(this->Own + this->Others.size());
-      this->Others.push_back(known[k]);
+      this->Others.push_back({ known[k].id, known[k].block });
     }
   }
-  for (vtkTypeInt32& corner : this->Corners)
-  {
-    corner = isForeign(corner) ? numbers[static_cast<std::size_t>(corner) - this->Own] : corner;
-  }
+  this->Ghosts.AddForeign(this->Others);
   this->All = this->Own + this->Others.size();
+  for (vtkTypeInt32& corner : this->Cells.Corners)
+  {
+    if (isForeign(corner))
+    {
+      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(corner) - this->Own];
+      corner = this->NumberOf(Corner{ point.id, point.block });
+    }
+  }
+}
+
+/// In the output.
+vtkTypeInt32 vtkAHDRankSurface::NumberOf(const vtkAHDRankGhosts::Corner& corner) const
+{
+  const std::vector<std::int64_t>& ids = this->Points.GetIds();
+  if (corner.Rank == this->Ranks.GetOwn())
+  {
+    return static_cast<vtkTypeInt32>(
+      std::lower_bound(ids.begin(), ids.end(), corner.Id) - ids.begin());
+  }
+  const auto found = std::lower_bound(
+    this->Others.begin(), this->Others.end(), corner, vtkAHDRankGhosts::IsBefore);
+  return static_cast<vtkTypeInt32>(this->Own + std::size_t(found - this->Others.begin()));
+}
+
+void vtkAHDRankSurface::WriteCorners(vtkPolyData* output) const
+{
+  const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
+  const std::size_t count = this->GetCellCount() + ghosts.size();
+  auto corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
+  auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
+  vtkTypeInt32* to = std::copy(
+    this->Cells.Corners.begin(), this->Cells.Corners.end(), corners->GetPointer(0));
+  for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
+  {
+    for (const vtkAHDRankGhosts::Corner& corner : ghost.Corners)
+    {
+      *to++ = this->NumberOf(corner);
+    }
+  }
+  for (std::size_t t = 0; t <= count; ++t)
+  {
+    offsets->GetPointer(0)[t] = static_cast<vtkTypeInt32>(3 * t);
+  }
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(offsets, corners);
+  output->SetPolys(cells);
 }
 
 void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 {
-  const std::size_t count = this->GetCellCount();
-  auto corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
-  auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
+  this->WriteCorners(output);
+  const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
+  const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
+  vtkCellData* data = output->GetCellData();
   auto ids = MakeArray<vtkIdTypeArray>(kCellIds, count);
-  std::copy(this->Corners.begin(), this->Corners.end(), corners->GetPointer(0));
-  for (std::size_t t = 0; t < count; ++t)
+  std::iota(ids->GetPointer(0), ids->GetPointer(0) + own, static_cast<vtkIdType>(firstCell));
+  for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
-    offsets->GetPointer(0)[t] = static_cast<vtkTypeInt32>(3 * t);
-    ids->GetPointer(0)[t] = static_cast<vtkIdType>(firstCell + t);
+    ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].Id);
   }
-  offsets->GetPointer(0)[count] = static_cast<vtkTypeInt32>(3 * count);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, corners);
-  output->SetPolys(cells);
   if (this->Settings.GenerateConstraintEdges)
   {
     auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
-    std::copy(this->Edges.begin(), this->Edges.end(), edges->GetPointer(0));
-    output->GetCellData()->AddArray(edges);
+    unsigned char* to = std::copy(
+      this->Cells.Edges.begin(), this->Cells.Edges.end(), edges->GetPointer(0));
+    for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
+    {
+      *to++ = static_cast<unsigned char>(ghost.Edges);
+    }
+    data->AddArray(edges);
   }
-  output->GetCellData()->SetGlobalIds(ids);
+  if (this->Facts.GetGhostLevels() > 0)
+  {
+    auto marks = MakeArray<vtkUnsignedCharArray>(vtkDataSetAttributes::GhostArrayName(), count);
+    std::fill_n(marks->GetPointer(0), own, static_cast<unsigned char>(0));
+    std::fill_n(marks->GetPointer(0) + own, ghosts.size(),
+      static_cast<unsigned char>(vtkDataSetAttributes::DUPLICATECELL));
+    data->AddArray(marks);
+  }
+  data->SetGlobalIds(ids);
 }
 
 void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
 {
+  this->Ranks.Together(this->Context, [&] { this->ListOthers(); });
   this->AskForForeign();
   this->WritePlaces(output);
   this->WriteData(output);

@@ -3,19 +3,20 @@
 #define vtkAHDRankSurface_h
 
 #include "Engine/Distribute/BlockTriangulation.h"
+#include "Ranks/vtkAHDRankGhosts.h"
 #include "Ranks/vtkAHDRankPoints.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 class vtkAbstractArray;
 class vtkPolyData;
 
 /**
- * One rank's share of the surface: the triangles that it owns; its points, and behind them those of
- * other ranks that are corners of these triangles; the data of both.
+ * One rank's share of the surface: the triangles that it owns and, behind them, the layers of
+ * ghosts that are asked for; its points, and behind them those of other ranks that are corners of
+ * these triangles; the data of both.
  *
  * Collective; throws vtkAHDStop on all ranks if one cannot go on.
  */
@@ -29,16 +30,22 @@ public:
   /// Finds out which of the triangles are put out: those that MaximumEdgeLength leaves. Not
   /// collective; throws as vtkAHDRanks::Together() wants it.
   void Select();
-  /// How many these are.
-  std::size_t GetCellCount() const { return this->Corners.size() / 3; }
+  /// How many these are, ghosts not counted.
+  std::size_t GetCellCount() const { return this->Cells.GetCount(); }
 
-  /// Fills the output. REQUIRES: Select(). `firstCell`: how many triangles the ranks before this
-  /// one have.
+  /// The layers of ghosts. REQUIRES: Select(), and GhostLevels.
+  vtkAHDRankGhosts& GetGhosts() { return this->Ghosts; }
+
+  /// Fills the output, with the ghosts that were taken. REQUIRES: Select(). `firstCell`: how many
+  /// triangles the ranks before this one have.
   void Write(vtkPolyData* output, std::size_t firstCell);
 
   /// Upper estimate of the bytes that so many points take here.
   static std::size_t EstimateBytes(
     std::size_t pointCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts);
+  /// Of the bytes that so many ghosts take.
+  static std::size_t EstimateGhostBytes(
+    std::size_t cellCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts);
 
 private:
   void AskForForeign();
@@ -48,8 +55,12 @@ private:
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
   void WriteStatus(vtkPolyData* output);
-  void KeepShort();
-  void KeepUsed();
+  void ReadAround();
+  void ListPlaces(std::vector<ahd::Point>& places) const;
+  void KeepShort(const std::vector<ahd::Point>& places, vtkAHDRankTriangles& cells) const;
+  void ListOthers();
+  vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
+  void WriteCorners(vtkPolyData* output) const;
   void WriteCells(vtkPolyData* output, std::size_t firstCell);
 
   const vtkAHDSettings& Settings;
@@ -60,10 +71,10 @@ private:
   ahd::BlockTriangulation& Triangulation;
   vtkAHDRoute Foreign; // the way of the other ranks' points
   const std::size_t Own;
-  std::size_t All;                       // points, with those of others
-  std::vector<ahd::ForeignPoint> Others; // those of others, by id
-  std::vector<vtkTypeInt32> Corners;
-  std::vector<std::uint8_t> Edges; // of each triangle, those that are constraints; if asked for
+  std::size_t All; // points, with those of others
+  vtkAHDRankTriangles Cells, Around;
+  vtkAHDRankGhosts Ghosts;
+  std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
 };
 
 #endif

@@ -208,6 +208,26 @@ Status BlockTriangulation::writeConstraintEdges(std::uint8_t* edges, const Conte
     });
 }
 
+Status BlockTriangulation::writeGhostConstraintEdges(
+  std::uint8_t* edges, const Context& context) const
+{
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0);
+      return inChunks(state_->sharedOwn, state_->shared.size(), ticker,
+               [&](std::size_t a, std::size_t b)
+               {
+                 for (std::size_t t = a; t != b; ++t)
+                 {
+                   *edges++ = static_cast<std::uint8_t>(
+                     state_->shared[t].flags & ~OwnedTriangles::kGhost);
+                 }
+               }) &&
+        ticker.ask();
+    });
+}
+
 Status BlockTriangulation::writePointStatus(std::int64_t* status, const Context& context)
 {
   Triangulation& own = state_->own().triangulation();

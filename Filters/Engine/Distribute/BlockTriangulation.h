@@ -140,11 +140,14 @@ public:
   /// a function of all points and of where they are. May be called again after any outcome.
   template <typename Id>
   Status writeTriangles(Id* triples, const Context& context);
-  /// The triangles of other blocks, likewise.
+  /// The triangles of other blocks, likewise: those of one block in the order in which it has them,
+  /// with the same corners first.
   template <typename Id>
   Status writeGhostTriangles(Id* triples, const Context& context) const;
   /// A byte for each of triangles(): bit e is set if its edge from corner e on is a constraint.
   Status writeConstraintEdges(std::uint8_t* edges, const Context& context) const;
+  /// The same for ghostTriangles().
+  Status writeGhostConstraintEdges(std::uint8_t* edges, const Context& context) const;
   /// What became of each of the block's points (Result.h), in the ids that all blocks know.
   Status writePointStatus(std::int64_t* status, const Context& context);
 

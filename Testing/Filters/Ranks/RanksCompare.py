@@ -187,17 +187,22 @@ def read(algorithm, said):
               for array in (data.GetAbstractArray(k) for k in range(data.GetNumberOfArrays()))
               if array.GetName() not in own}
     scalars = data.GetScalars()
-    triangles, polys, corners = [], out.GetPolys(), vtkIdList()
+    every, polys, corners = [], out.GetPolys(), vtkIdList()
     edges = out.GetCellData().GetArray("ConstraintEdges")
+    cell_marks = out.GetCellData().GetArray("vtkGhostType")
+    cell_ids = out.GetCellData().GetGlobalIds()
     for cell in range(polys.GetNumberOfCells()):
         polys.GetCellAtId(cell, corners)
         triple = [name[corners.GetId(k)] for k in range(3)]
         flags = int(edges.GetValue(cell)) if edges else 0
         bits = [flags >> k & 1 for k in range(3)]
         first = triple.index(min(triple))
-        triangles.append(tuple(triple[first:] + triple[:first] + bits[first:] + bits[:first]))
-    used = {i for triangle in triangles for i in triangle[:3]}
-    cell_ids = out.GetCellData().GetGlobalIds()
+        every.append(tuple(triple[first:] + triple[:first] + bits[first:] + bits[:first]))
+    used = {i for triangle in every for i in triangle[:3]}
+    numbers = [cell_ids.GetValue(i) for i in range(len(every))] if cell_ids else []
+    ghosts = [i for i in range(len(every)) if cell_marks and cell_marks.GetValue(i) == 1]
+    own = len(every) - len(ghosts)
+    check(ghosts == list(range(own, len(every))), "ghost cells are not behind own ones")
     crossings = out.GetFieldData().GetArray("Crossings")
     return {
         "names": name,
@@ -207,8 +212,10 @@ def read(algorithm, said):
         "number": out.GetPoints().GetDataType() if count else None,
         "arrays": arrays,
         "scalars": scalars.GetName() if scalars and count else None,
-        "triangles": triangles,
-        "cell ids": [cell_ids.GetValue(i) for i in range(len(triangles))] if cell_ids else [],
+        "triangles": every[:own],
+        "cell ids": numbers[:own],
+        "ghosts": [(numbers[i], every[i]) for i in ghosts],
+        "has cell marks": cell_marks is not None,
         "counts": {count: getattr(algorithm, "Get" + count)() for count in COUNTS},
         "crossings": [crossings.GetTuple(i) for i in range(crossings.GetNumberOfTuples())] if crossings else [],
         "errors": said.errors,
@@ -243,7 +250,10 @@ def run(piece, settings, distribute=True, prepare=None):
     said = Said(algorithm)
     if prepare:
         prepare(algorithm)
-    algorithm.Update()
+    if distribute:
+        algorithm.UpdatePiece(RANK, RANKS, settings.get("GhostLevels", 0))
+    else:
+        algorithm.Update()
     return read(algorithm, said)
 
 
@@ -282,6 +292,23 @@ def compare(found, expected):
     check(not any(part["warnings"] for part in found[1:]), "other ranks warn too")
 
 
+def compare_ghosts(found, expected, levels):
+    """Layer after layer, each as its owner has it."""
+    cells = {number: cell for part in found for number, cell in zip(part["cell ids"], part["triangles"])}
+    for rank, part in enumerate(found):
+        check(part["has cell marks"] == (levels > 0), "rank %d: the marks of cells" % rank)
+        own = set(part["cell ids"])
+        points = {name for name, mark in zip(part["names"], part["marks"]) if mark == expected["marks"][name]}
+        points |= {point for number in own for point in cells[number][:3]}
+        layers = set()
+        for _ in range(levels):
+            layers = {number for number, cell in cells.items() if points.intersection(cell[:3])}
+            points |= {point for number in layers for point in cells[number][:3]}
+        wanted = [(number, cells[number]) for number in sorted(layers - own)]
+        check(part["ghosts"] == wanted, "rank %d: %d ghosts, not %d, or others" % (
+            rank, len(part["ghosts"]), len(wanted)))
+
+
 def compare_warnings(name, found, expected):
     """Word for word, but for what ranks alone have to say."""
     said = list(found["warnings"])
@@ -307,9 +334,10 @@ def try_case(name, made, settings):
         return
     expected = run(appended(made, settings), settings, distribute=False)
     if not settings.get("Transform") and "not finite" != name:
-        check(name in ("nothing", "two points", "one line", "all dropped", "no edge is short") or expected["triangles"],
-              "no triangle to compare")
+        empty = ("nothing", "two points", "one line", "all dropped", "no edge is short", "ghosts of nothing")
+        check(name in empty or expected["triangles"], "no triangle to compare")
     compare(found, expected)
+    compare_ghosts(found, expected, settings.get("GhostLevels", 0))
     compare_warnings(name, found[0], expected)
 
 
@@ -392,7 +420,34 @@ def try_pipeline():
 
     found = on_all_ranks("pipeline", twice)
     if found:
-        compare(found, run(appended(made, {}), {}, distribute=False))
+        expected = run(appended(made, {}), {}, distribute=False)
+        compare(found, expected)
+        compare_ghosts(found, expected, 1)
+
+
+def try_more_ghosts():
+    """Who has asked for fewer layers before gets those that are asked for now, if they fit; one rank asks for all."""
+    made = pieces(uniform(300), RANKS)
+    algorithm = make_filter(made[RANK], {}, True)
+    said = Said(algorithm)
+
+    def with_more():
+        algorithm.UpdatePiece(RANK, RANKS, 0)
+        before = read(algorithm, said)
+        algorithm.UpdatePiece(RANK, RANKS, 2 if RANK == 0 else 1)
+        after = read(algorithm, said)
+        algorithm.SetMemoryLimit(algorithm.GetMemoryEstimate() - 1)
+        algorithm.UpdatePiece(RANK, RANKS, 2)
+        check(len(said.errors) == 1 and "ghost cells included" in said.errors[0], "errors: %r" % said.errors)
+        check(algorithm.GetOutput().GetNumberOfPoints() == 0, "ghosts that do not fit")
+        return dict(before, errors=[]), dict(after, errors=[])
+
+    found = on_all_ranks("more ghosts", with_more)
+    if found:
+        expected = run(appended(made, {}), {}, distribute=False)
+        for levels, parts in zip((0, 2), zip(*found)):
+            compare(parts, expected)
+            compare_ghosts(parts, expected, levels)
 
 
 def attempt(name, work, *arguments):
@@ -414,8 +469,9 @@ for case, (work, words) in failures_together().items():
 for case, odd in (("no input", None), ("a table", vtkTable())):
     if wanted in case:
         attempt(case, try_odd_inputs, case, odd)
-if wanted in "pipeline":
-    attempt("pipeline", try_pipeline)
+for case, work in (("pipeline", try_pipeline), ("more ghosts", try_more_ghosts)):
+    if wanted in case:
+        attempt(case, work)
 print("rank %d of %d: %s" % (RANK, RANKS, "failed: " + ", ".join(failures) if failures else "passed"), flush=True)
 sys.stdout.flush()
 if failures:

@@ -4,7 +4,10 @@
 #include "Engine.h"
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <numeric>
+#include <utility>
 
 namespace ahd
 {
@@ -187,6 +190,7 @@ private:
     around_.assign(points_.count, 0);
     each([&](std::size_t b) { return collectFrom(b); });
     compareAround();
+    expect(ghosts_ == shared_, "ghosts that are not as their owner has them, in its order");
     expect(result_.flags.size() == result_.report.triangles, "the sum of the triangles");
     normalise(result_);
   }
@@ -240,8 +244,47 @@ private:
       }
     }
     result_.flags.insert(result_.flags.end(), flags.begin(), flags.end());
+    listShared(b, triples, flags, shared_);
     countAround(b, triples);
     return Status::Ok;
+  }
+
+  /// Triangles by the block that they are of and one that owns another corner: ids, flags.
+  using SharedRows =
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::array<std::int64_t, 4>>>;
+
+  /// Lists triangles of block b, or ghosts there, that others own a corner of.
+  void listShared(std::size_t b, const std::vector<std::int32_t>& triples,
+    const std::vector<std::uint8_t>& flags, SharedRows& rows) const
+  {
+    const std::vector<std::int64_t>& own = dealt_[b].ids;
+    for (std::size_t t = 0; t < flags.size(); ++t)
+    {
+      std::array<std::int64_t, 4> row = { { 0, 0, 0, flags[t] } };
+      std::array<std::size_t, 3> owners;
+      for (std::size_t e = 0; e < 3; ++e)
+      {
+        const auto number = std::size_t(triples[3 * t + e]);
+        const bool isOwn = number < own.size();
+        const ForeignPoint* const foreign = isOwn
+          ? nullptr
+          : &blocks_[b].foreignPoints()[number - own.size()];
+        row[e] = isOwn ? own[number] : foreign->id;
+        owners[e] = isOwn ? b : foreign->block;
+      }
+      if (owners[0] != b)
+      {
+        rows[{ owners[0], b }].push_back(row);
+        continue;
+      }
+      for (std::size_t e = 1; e < 3; ++e)
+      {
+        if (owners[e] != b && (e == 1 || owners[e] != owners[1]))
+        {
+          rows[{ b, owners[e] }].push_back(row);
+        }
+      }
+    }
   }
 
   /// Counts the triangles around each own vertex, ghosts included.
@@ -251,6 +294,10 @@ private:
     triples.resize(own + 3 * blocks_[b].ghostTriangles());
     expect(
       blocks_[b].writeGhostTriangles(triples.data() + own, way_.context) == Status::Ok, "ghosts");
+    std::vector<std::uint8_t> flags(blocks_[b].ghostTriangles());
+    expect(blocks_[b].writeGhostConstraintEdges(flags.data(), way_.context) == Status::Ok,
+      "edges of ghosts");
+    listShared(b, { triples.begin() + std::ptrdiff_t(own), triples.end() }, flags, ghosts_);
     for (std::size_t t = 0; t < triples.size(); t += 3)
     {
       std::size_t owned = 0;
@@ -294,6 +341,7 @@ private:
   std::vector<BlockTriangulation> blocks_;
   std::size_t levels_ = 0;
   std::vector<std::int32_t> around_; ///< by id: triangles on the own block
+  SharedRows shared_, ghosts_;
   BlocksOutcome result_;
 };
 
