@@ -121,7 +121,7 @@ void vtkAHDRankExecution::RefuseSettings()
 void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
 {
   vtkAHDRankPoints points(this->Settings, this->Ranks, this->Facts, this->Context);
-  this->Ranks.Together(this->Context, [&] { points.Read(data.Input, data.Source); });
+  points.Read(data.Input, data.Source);
   vtkAHDRankChains chains;
   chains.Gather(points, this->Ranks, this->Context);
   points.MoveToOwners();
@@ -133,11 +133,12 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
   this->Context.NextStage();
   vtkAHDRankSurface surface(this->Settings, this->Ranks, this->Facts, this->Context, points, block);
   this->CheckGhosts(block.ghostTriangles());
-  this->Ranks.Together(this->Context, [&] { surface.Select(); });
+  surface.Select();
   const std::size_t firstCell = this->ShareOdds(points, block.report(), surface.GetCellCount());
   this->TakeGhosts(surface, firstCell);
   surface.Write(data.Outputs[0], firstCell);
   this->ReportOn(block.report(), chains);
+  this->ReportOn(surface.GetRim());
 }
 
 /// Refuses on all ranks what takes more than there is on one of them.
@@ -222,7 +223,7 @@ void vtkAHDRankExecution::CheckBorder(
 /// Refuses layers of ghosts that take more than there is.
 void vtkAHDRankExecution::CheckGhosts(std::size_t cells)
 {
-  if (this->Facts.GetGhostLevels() > 0)
+  if (this->Facts.GetGhostLevels() > 0 || this->Settings.TrimsRim())
   {
     this->CheckMemory(this->BlockEstimate +
         vtkAHDRankSurface::EstimateGhostBytes(cells, this->Settings, this->Facts),
@@ -346,6 +347,15 @@ std::size_t vtkAHDRankExecution::ShareOdds(
   this->Report.OddPoints.firstNotFinite = static_cast<std::size_t>(
     std::max<std::int64_t>(firstOdd, 0));
   return before;
+}
+
+void vtkAHDRankExecution::ReportOn(const vtkAHDRankRim& rim)
+{
+  ahd::Report& counts = this->Report.Counts;
+  counts.triangles -= rim.GetTriangles();
+  counts.trimmed = rim.GetTriangles();
+  counts.bareVertices = rim.GetBareVertices();
+  counts.trimmedArea = rim.GetArea();
 }
 
 void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains)

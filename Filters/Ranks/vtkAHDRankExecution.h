@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+class vtkAHDRankRim;
 class vtkAHDRankSurface;
 
 /**
@@ -57,6 +58,7 @@ private:
     bool& areOnLine);
   std::size_t ShareOdds(
     const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles);
+  void ReportOn(const vtkAHDRankRim& rim);
   void ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains);
 
   const vtkAHDSettings& Settings;

@@ -325,8 +325,9 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
     { settings.GenerateNeighbors, "GenerateNeighbors" },
     { settings.GenerateVoronoi, "GenerateVoronoi" },
     { settings.Limits.alpha > 0.0, "Alpha" },
-    { settings.FitPlane, "ProjectionPlaneMode Best-Fitting Plane" },
-    { settings.TrimsRim(), "Rim Trimmed (what Automatic is in any other plane than x, y)" },
+    { settings.TrimsRim() && hasSegments,
+      "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
+      "constraints," },
     { settings.Tolerance > 0.0, "Tolerance" },
     { settings.AddsBounding(), "BoundingTriangulation" },
     { settings.ShowMeans, "DuplicatePolicy Mean z" },

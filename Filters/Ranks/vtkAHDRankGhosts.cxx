@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankGhosts.h"
 
-#include "Engine/Core/SortAsking.h"
-
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -13,6 +11,25 @@ bool IsSame(const vtkAHDRankGhosts::Corner& p, const vtkAHDRankGhosts::Corner& q
 {
   return p.Id == q.Id;
 }
+}
+
+void vtkAHDRankTriangles::Keep(const std::vector<unsigned char>& kept)
+{
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < kept.size(); ++t)
+  {
+    if (kept[t] != 0)
+    {
+      std::copy_n(this->Corners.data() + 3 * t, 3, this->Corners.data() + 3 * next);
+      if (!this->Edges.empty())
+      {
+        this->Edges[next] = this->Edges[t];
+      }
+      ++next;
+    }
+  }
+  this->Corners.resize(3 * next);
+  this->Edges.resize(this->Edges.empty() ? 0 : next);
 }
 
 vtkAHDRankGhosts::vtkAHDRankGhosts(vtkAHDRanks& ranks, const vtkAHDContext& context,
@@ -42,12 +59,8 @@ template <typename Item, typename Less, typename Same>
 void vtkAHDRankGhosts::SortOnce(
   std::vector<Item>& items, const Less& isLess, const Same& isSame) const
 {
-  const ahd::Context context = this->Context;
-  ahd::Ticker ticker(context.progress, ahd::Phase::Outputs, 0);
-  if (!ahd::sortAsking(items, ticker, isLess))
-  {
-    throw vtkAHDStop{ ahd::Status::Cancelled };
-  }
+  this->Context.StopIfAborted();
+  std::sort(items.begin(), items.end(), isLess);
   items.erase(std::unique(items.begin(), items.end(), isSame), items.end());
 }
 

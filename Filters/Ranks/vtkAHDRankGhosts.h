@@ -18,6 +18,8 @@ struct vtkAHDRankTriangles
   std::vector<std::uint8_t> Edges;   ///< of each, those that are constraints; if asked for
 
   std::size_t GetCount() const { return this->Corners.size() / 3; }
+  /// Keeps those whose byte is not 0, in order.
+  void Keep(const std::vector<unsigned char>& kept);
 };
 
 /**

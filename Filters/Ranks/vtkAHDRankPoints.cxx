@@ -2,6 +2,7 @@
 #include "Ranks/vtkAHDRankPoints.h"
 
 #include "Engine/Distribute/BlockCuts.h"
+#include "Engine/Surface/PlaneFit.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Pipeline/vtkAHDArray.h"
 
@@ -98,12 +99,52 @@ void vtkAHDRankPoints::CopyInput(vtkPointSet* input)
 
 void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
 {
-  this->CopyInput(input);
-  vtkPolyData* counted = this->Facts.CountsSource(this->Ranks.GetOwn()) ? source : nullptr;
-  vtkPointSet* given = input ? input : this->Local.Get();
-  this->Input.reset(new vtkAHDInput(this->Settings, given, counted));
-  this->Input->Open(this->Context);
-  this->Context.Check(ahd::prepare(this->Input->GetRequest(), this->Context, this->Prepared));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->CopyInput(input);
+      vtkPolyData* counted = this->Facts.CountsSource(this->Ranks.GetOwn()) ? source : nullptr;
+      vtkPointSet* given = input ? input : this->Local.Get();
+      this->Input.reset(new vtkAHDInput(this->Settings, given, counted));
+      this->Input->Open(this->Context);
+    });
+  if (this->Settings.FitPlane)
+  {
+    this->FitPlane();
+  }
+  this->Ranks.Together(this->Context, [this] { this->Prepare(); });
+}
+
+/// To the inputs of all ranks.
+void vtkAHDRankPoints::FitPlane()
+{
+  const ahd::Context context = this->Context;
+  ahd::PlaneFitting fitting(this->Input->GetRequest().points, !this->Facts.AreFloats());
+  while (!fitting.isDone())
+  {
+    ahd::BlockBytes own;
+    std::vector<ahd::BlockBytes> all;
+    this->Ranks.Together(this->Context,
+      [&]
+      {
+        ahd::Ticker ticker(context.progress, ahd::Phase::Merge, 0, context.executor);
+        if (!fitting.look(ticker))
+        {
+          throw vtkAHDStop{ ahd::Status::Cancelled };
+        }
+        fitting.tell(own);
+      });
+    this->Context.Check(this->Ranks.gather(own, all));
+    fitting.hear(all);
+  }
+  this->Plane.take(fitting.fit());
+}
+
+void vtkAHDRankPoints::Prepare()
+{
+  ahd::InputRequest request = this->Input->GetRequest();
+  request.plane = &this->Plane;
+  this->Context.Check(ahd::prepare(request, this->Context, this->Prepared));
   if (this->Prepared.addedCount() > 0)
   {
     this->Combined = vtkSmartPointer<vtkPolyData>::New();

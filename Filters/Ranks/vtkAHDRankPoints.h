@@ -35,7 +35,7 @@ public:
     const vtkAHDContext& context);
   ~vtkAHDRankPoints();
 
-  /// Reads this rank's input and source. Throws as vtkAHDRanks::Together() wants it.
+  /// Reads this rank's input and source. Collective.
   void Read(vtkPointSet* input, vtkPolyData* source);
 
   /// Takes each point to its owner: places and ids. Collective.
@@ -66,6 +66,8 @@ public:
 
 private:
   void CopyInput(vtkPointSet* input);
+  void FitPlane();
+  void Prepare();
   void ShareSamples(ahd::BlockBytes& own) const;
   void FindOwners();
   void SortIds(const std::vector<std::int64_t>& arrived);
@@ -79,6 +81,7 @@ private:
   vtkSmartPointer<vtkPolyData> Local;    // points and what all ranks have of their data
   vtkSmartPointer<vtkPolyData> Combined; // with the source's behind, where these are added
   std::unique_ptr<vtkAHDInput> Input;
+  ahd::Plane Plane; // of all ranks, if one is to be fitted
   ahd::PreparedInput Prepared;
   std::int64_t FirstId = 0;       // of the input's points
   std::int64_t FirstSourceId = 0; // of the source's

@@ -50,6 +50,7 @@ vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks
   , Foreign(ranks, context)
   , Own(points.GetCount())
   , All(points.GetCount())
+  , Rim(ranks, context, points, triangulation, this->Places)
   , Ghosts(ranks, context, points, triangulation, this->Cells, this->Around)
 {
 }
@@ -71,7 +72,9 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
   }
   const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
     (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
-  perPoint += (settings.LimitsSize() ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0);
+  const bool hasPlaces = settings.LimitsSize() || settings.TrimsRim();
+  perPoint += (hasPlaces ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0) +
+    (settings.TrimsRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
 }
 
@@ -214,27 +217,43 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
 
 void vtkAHDRankSurface::Select()
 {
+  const bool isLimited = this->Settings.Limits.maximumEdgeLength > 0.0;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->ReadTriangles();
+      if (this->Facts.GetGhostLevels() > 0 || this->Settings.TrimsRim())
+      {
+        this->ReadAround();
+      }
+      if (isLimited || this->Settings.TrimsRim())
+      {
+        this->ListPlaces();
+      }
+      if (isLimited)
+      {
+        this->KeepShort(this->Cells);
+        this->KeepShort(this->Around);
+      }
+    });
+  if (this->Settings.TrimsRim())
+  {
+    this->TrimRim();
+  }
+  this->Places = std::vector<ahd::Point>();
+}
+
+void vtkAHDRankSurface::ReadTriangles()
+{
   const std::size_t count = this->Triangulation.triangles();
-  const bool hasEdges = this->Settings.GenerateConstraintEdges;
   this->Cells.Corners.resize(3 * count);
   this->Context.Check(
     this->Triangulation.writeTriangles(this->Cells.Corners.data(), this->Context));
-  if (hasEdges)
+  if (this->Settings.GenerateConstraintEdges)
   {
     this->Cells.Edges.resize(count);
     this->Context.Check(
       this->Triangulation.writeConstraintEdges(this->Cells.Edges.data(), this->Context));
-  }
-  if (this->Facts.GetGhostLevels() > 0)
-  {
-    this->ReadAround();
-  }
-  if (this->Settings.Limits.maximumEdgeLength > 0.0)
-  {
-    std::vector<ahd::Point> places;
-    this->ListPlaces(places);
-    this->KeepShort(places, this->Cells);
-    this->KeepShort(places, this->Around);
   }
 }
 
@@ -252,9 +271,9 @@ void vtkAHDRankSurface::ReadAround()
   }
 }
 
-/// Of own points and those of others, as they are triangulated.
-void vtkAHDRankSurface::ListPlaces(std::vector<ahd::Point>& places) const
+void vtkAHDRankSurface::ListPlaces()
 {
+  std::vector<ahd::Point>& places = this->Places;
   places.reserve(this->Own + this->Triangulation.foreignPoints().size());
   const ahd::PointView own = this->Points.GetView();
   for (std::size_t i = 0; i < this->Own; ++i)
@@ -267,30 +286,23 @@ void vtkAHDRankSurface::ListPlaces(std::vector<ahd::Point>& places) const
   }
 }
 
-void vtkAHDRankSurface::KeepShort(
-  const std::vector<ahd::Point>& places, vtkAHDRankTriangles& cells) const
+void vtkAHDRankSurface::KeepShort(vtkAHDRankTriangles& cells) const
 {
-  const std::size_t count = cells.GetCount();
+  const std::vector<ahd::Point>& places = this->Places;
   const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
-  this->Context.Check(ahd::findShort(cells.Corners.data(), count, view,
+  this->Context.Check(ahd::findShort(cells.Corners.data(), cells.GetCount(), view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
-  std::size_t next = 0;
-  for (std::size_t t = 0; t < count; ++t)
-  {
-    if (kept[t] != 0)
-    {
-      std::copy_n(
-        cells.Corners.begin() + vtkIdType(3 * t), 3, cells.Corners.begin() + vtkIdType(3 * next));
-      if (!cells.Edges.empty())
-      {
-        cells.Edges[next] = cells.Edges[t];
-      }
-      ++next;
-    }
-  }
-  cells.Corners.resize(3 * next);
-  cells.Edges.resize(cells.Edges.empty() ? 0 : next);
+  cells.Keep(kept);
+}
+
+/// Collective.
+void vtkAHDRankSurface::TrimRim()
+{
+  std::vector<unsigned char> kept, keptAround;
+  this->Rim.Trim(this->Cells, this->Around, kept, keptAround);
+  this->Cells.Keep(kept);
+  this->Around.Keep(keptAround);
 }
 
 /// Of the points of others only those that are corners of what is put out; own triangles get their

@@ -5,6 +5,7 @@
 #include "Engine/Distribute/BlockTriangulation.h"
 #include "Ranks/vtkAHDRankGhosts.h"
 #include "Ranks/vtkAHDRankPoints.h"
+#include "Ranks/vtkAHDRankRim.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
@@ -27,11 +28,14 @@ public:
   vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDAllFacts& facts,
     const vtkAHDContext& context, vtkAHDRankPoints& points, ahd::BlockTriangulation& triangulation);
 
-  /// Finds out which of the triangles are put out: those that MaximumEdgeLength leaves. Not
-  /// collective; throws as vtkAHDRanks::Together() wants it.
+  /// Finds out which of the triangles are put out: those that MaximumEdgeLength leaves, or
+  /// trimming.
   void Select();
   /// How many these are, ghosts not counted.
   std::size_t GetCellCount() const { return this->Cells.GetCount(); }
+
+  /// What trimming took away. REQUIRES: Select().
+  const vtkAHDRankRim& GetRim() const { return this->Rim; }
 
   /// The layers of ghosts. REQUIRES: Select(), and GhostLevels.
   vtkAHDRankGhosts& GetGhosts() { return this->Ghosts; }
@@ -55,9 +59,11 @@ private:
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
   void WriteStatus(vtkPolyData* output);
+  void ReadTriangles();
   void ReadAround();
-  void ListPlaces(std::vector<ahd::Point>& places) const;
-  void KeepShort(const std::vector<ahd::Point>& places, vtkAHDRankTriangles& cells) const;
+  void ListPlaces();
+  void KeepShort(vtkAHDRankTriangles& cells) const;
+  void TrimRim();
   void ListOthers();
   vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
   void WriteCorners(vtkPolyData* output) const;
@@ -73,6 +79,8 @@ private:
   const std::size_t Own;
   std::size_t All; // points, with those of others
   vtkAHDRankTriangles Cells, Around;
+  std::vector<ahd::Point> Places; // of own points, then foreign ones, as they are triangulated
+  vtkAHDRankRim Rim;
   vtkAHDRankGhosts Ghosts;
   std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
 };

@@ -220,7 +220,11 @@ Status Preparation::project()
     return Status::Ok;
   }
   out_.isProjected_ = true;
-  if (request_.fitPlane)
+  if (request_.fitPlane && request_.plane)
+  {
+    out_.plane_ = *request_.plane;
+  }
+  else if (request_.fitPlane)
   {
     PointView own = out_.points_;
     own.count = out_.inputCount_;

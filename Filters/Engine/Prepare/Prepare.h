@@ -67,6 +67,7 @@ struct InputRequest
   bool meanHeights = false; ///< it has the mean of all instead
 
   bool fitPlane = false;                  ///< triangulate in the plane that fits the input best
+  const Plane* plane = nullptr;           ///< that plane, if it was fitted to more than the input
   const Projection* projection = nullptr; ///< or in this one; null: in x, y
   double tolerance = 0.0;                 ///< merge within this part of the diagonal of the points
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y

@@ -21,12 +21,17 @@ Status Plane::fit(const PointView& points, const Context& context)
       {
         return false;
       }
-      origin_ = fit.origin;
-      height_ = fit.height;
-      shrink_ = fit.shrink;
-      orient(fit.normal);
+      take(fit);
       return true;
     });
+}
+
+void Plane::take(const PlaneFit& fit)
+{
+  origin_ = fit.origin;
+  height_ = fit.height;
+  shrink_ = fit.shrink;
+  orient(fit.normal);
 }
 
 void Plane::orient(Vector3 normal)

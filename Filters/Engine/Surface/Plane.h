@@ -12,6 +12,8 @@
 namespace ahd
 {
 
+struct PlaneFit;
+
 /// The plane that fits points best, and where a point lies in it.
 ///
 /// Best: least sum of squared distances from the plane (total least squares), so that no direction
@@ -34,6 +36,8 @@ public:
   /// Fits. Points that are left out or have a coordinate that is not finite do not count; without
   /// any others the plane is z = 0. Returns Ok, Cancelled or OutOfMemory.
   Status fit(const PointView& points, const Context& context);
+  /// Becomes one that was fitted in steps.
+  void take(const PlaneFit& fit);
 
   /// Unit vectors at right angles to each other, right handed in this order.
   const Vector3& firstAxis() const { return axes_[0]; }

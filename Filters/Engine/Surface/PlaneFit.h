@@ -6,6 +6,9 @@
 #include "../Points/Points.h"
 #include "Vectors.h"
 
+#include <memory>
+#include <vector>
+
 namespace ahd
 {
 
@@ -31,6 +34,35 @@ struct PlaneFit
 /// Returns false if the work is to be cancelled; throws std::bad_alloc. `fit` is to be new.
 /// REQUIRES: points.stride is 3.
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
+
+/// fitPlane() in steps, for points of which others have parts: the plane of all, bit for bit as if
+/// one had them. All who have a part go on alike:
+///
+///     while not isDone(): look(), tell() each other, hear() what all have told
+class PlaneFitting
+{
+public:
+  /// Of the own part, which it borrows, and may be empty. `areDoubles`: do the coordinates of all
+  /// parts count as doubles? Else all are floats. REQUIRES: points.stride is 3.
+  PlaneFitting(const PointView& points, bool areDoubles);
+  ~PlaneFitting();
+
+  bool isDone() const;
+  /// Looks at the own part. Returns false if the work is to be cancelled; throws std::bad_alloc.
+  bool look(Ticker& ticker);
+  /// Some thousand bytes at most. Throws std::bad_alloc.
+  void tell(std::vector<unsigned char>& bytes) const;
+  /// What all parts have told, one's own included, in the same order for all.
+  void hear(const std::vector<std::vector<unsigned char>>& all);
+  /// The same where there are no others.
+  void goOn();
+  /// REQUIRES: isDone().
+  const PlaneFit& fit() const;
+
+private:
+  class Work;
+  std::unique_ptr<Work> work_;
+};
 
 } // namespace ahd
 

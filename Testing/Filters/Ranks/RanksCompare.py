@@ -42,7 +42,7 @@ TYPES = {"float": vtkFloatArray, "double": vtkDoubleArray, "long": vtkTypeInt64A
 NUMBERS = {"float": 10, "double": 11, "int": 6}
 COUNTS = ["NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
           "NumberOfTriangles", "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-          "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops"]
+          "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "NumberOfTrimmedTriangles"]
 failures = []
 
 
@@ -334,8 +334,11 @@ def try_case(name, made, settings):
         return
     expected = run(appended(made, settings), settings, distribute=False)
     if not settings.get("Transform") and "not finite" != name:
-        empty = ("nothing", "two points", "one line", "all dropped", "no edge is short", "ghosts of nothing")
+        empty = ("nothing", "two points", "one line", "all dropped", "no edge is short", "ghosts of nothing",
+                 "a fitted plane of nothing", "a fitted plane of a line", "all is trimmed")
         check(name in empty or expected["triangles"], "no triangle to compare")
+        is_trimmed = "trimmed" in name and name != "trimmed in a plane"
+        check(not is_trimmed or expected["counts"]["NumberOfTrimmedTriangles"] > 50, "nothing is trimmed")
     compare(found, expected)
     compare_ghosts(found, expected, settings.get("GhostLevels", 0))
     compare_warnings(name, found[0], expected)
@@ -366,9 +369,8 @@ def failures_together():
     tried = {"unfit " + name: (with_(**{name: value}), name) for name, value in unfit.items()}
     tried.update({
         "unfit mean": (with_(DuplicatePolicy=3), "DuplicatePolicy"),
-        "unfit plane": (with_(ProjectionPlaneMode=2), "ProjectionPlaneMode"),
-        "unfit rim": (with_(Rim=2), "Rim"),
-        "unfit rim of a plane": (with_(Transform=True), "Rim"),
+        "unfit rim": (with_(crossing, Rim=2), "Rim"),
+        "unfit rim of a plane": (with_(crossing, Transform=True), "Rim"),
         "unfit split": (with_(crossing, CrossingMode=1), "CrossingMode"),
         "unfit heights": (with_(with_own_points(pieces(uniform(300), RANKS)), SourceMode=1, SourceHeights=1),
                           "SourceHeights"),

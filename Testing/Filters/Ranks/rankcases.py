@@ -67,6 +67,30 @@ def with_sources(made, segments, seed=3):
     return made
 
 
+def bowed(side, seed=1):
+    """A lattice whose sides bend inwards, but for noise: flat triangles all along its rim, some deep."""
+    draw = random.Random(seed)
+    at = [-1 + 2 * k / (side - 1) for k in range(side)]
+    return [(x * (1 - 0.02 * (1 - abs(y))) + draw.uniform(-1, 1) * 1e-3,
+             y * (1 - 0.02 * (1 - abs(x))) + draw.uniform(-1, 1) * 1e-3, 0.1 * x * y) for x in at for y in at]
+
+
+def shuffled(points, seed=1):
+    points = list(points)
+    random.Random(seed).shuffle(points)
+    return points
+
+
+def tilted(points):
+    """Far from the origin, in a plane that is nearly vertical."""
+    return [(1e6 + 0.2 * x - 0.9 * y, 0.4 * x + 0.3 * y + z / 8, 50.0 + x + y / 3) for x, y, z in points]
+
+
+def arc(count):
+    """All triangles are flat."""
+    return [(k / count, (k / count) ** 2 / 50, 0.0) for k in range(count)]
+
+
 def ring(radius, count, turn=0.0):
     return [(radius * math.cos(turn + 2 * math.pi * k / count), radius * math.sin(turn + 2 * math.pi * k / count), 0.25)
             for k in range(count)]
@@ -171,6 +195,31 @@ def cases(ranks):
         "ghosts of one rank": (uneven(uniform(500), ranks)[::-1], dict(everything, GhostLevels=1)),
         "ghosts of nothing": (pieces([], ranks), dict(everything, GhostLevels=2)),
         "all triangles are ghosts": (pieces(uniform(12), ranks), dict(everything, GhostLevels=9)),
+        "a fitted plane": (pieces(tilted(uniform(1500)), ranks), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in uniform(500)], ranks,
+                                            "float"), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of floats and doubles": (mixed(uniform(300), ranks), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of marked points": (with_marks(pieces(tilted(uniform(900)), ranks)),
+                                            dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane, not all finite": (odd(tilted(uniform(500)), ranks), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of one rank": (uneven(tilted(uniform(500)), ranks), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of a line": (pieces([(0.1 * i, 0.2 * i, 1.0) for i in range(90)], ranks),
+                                     dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane of nothing": (pieces([], ranks), dict(everything, ProjectionPlaneMode=2)),
+        "a fitted plane and sources' points": (with_own_points(pieces(tilted(uniform(800)), ranks)),
+                                               dict(coordinates, ProjectionPlaneMode=2, Rim=1)),
+        "trimmed": (pieces(shuffled(bowed(40)), ranks), dict(everything, Rim=2)),
+        "trimmed, dealt by rows": (pieces(bowed(30), ranks), dict(everything, Rim=2, GhostLevels=1)),
+        "trimmed, where ranks know no corner beyond": (
+            pieces(shuffled([(0.2 * x, 4 * y, z) for x, y, z in bowed(40)]), ranks),
+            dict(everything, Rim=2, GhostLevels=1)),
+        "a hull edge of two ranks before a third": (
+            pieces([(0.9 * x, 4 * y, z) for x, y, z in uniform(800)]
+                   + [(1.0, -4.0, 0.0), (0.95, 0.01, 0.0), (1.0, 4.0, 0.0)], ranks), dict(everything, Rim=2)),
+        "trimmed in a fitted plane": (pieces(shuffled(tilted(bowed(30))), ranks),
+                                      dict(everything, ProjectionPlaneMode=2, GhostLevels=2)),
+        "trimmed in a plane": (pieces(shuffled(bowed(20)), ranks), dict(everything, Transform=True)),
+        "all is trimmed": (pieces(shuffled(arc(300)), ranks), dict(everything, Rim=2)),
         "unfit ids": (with_sources(pieces(uniform(60), ranks), 3), dict(everything, bad_ids=True)),
         "all dropped": (with_own_points(pieces([], ranks)), dict(coordinates, FillRule=0, turn=True)),
     }
