@@ -297,7 +297,7 @@ void vtkAHDRankExecution::FindStacks(const vtkAHDRankPoints& points,
   {
     this->Context.Check(ahd::findIfOnOneLine(points.GetView(), this->Context, areOnLine));
   }
-  else if (counts.duplicates > counts.vertices / 2 &&
+  else if (counts.duplicates > counts.vertices / 2 && !this->Settings.ShowMeans &&
     this->Settings.Insertion.representative == ahd::Representative::FirstId)
   {
     this->Context.Check(ahd::findIfStacked(points.GetView(), this->Context, areStacked));

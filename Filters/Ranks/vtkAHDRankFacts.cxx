@@ -330,7 +330,6 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
       "constraints," },
     { settings.Tolerance > 0.0, "Tolerance" },
     { settings.AddsBounding(), "BoundingTriangulation" },
-    { settings.ShowMeans, "DuplicatePolicy Mean z" },
     { settings.Split && hasSegments, "CrossingMode Split" },
     { settings.HeightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
   };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankSurface.h"
 
+#include "Engine/Surface/Means.h"
 #include "Engine/Surface/Selection.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
@@ -73,6 +74,10 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
   const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
     (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
   const bool hasPlaces = settings.LimitsSize() || settings.TrimsRim();
+  // a pair of numbers for each duplicate, as a vector grows, a mean, and the vertex of each point
+  perPoint += settings.ShowMeans
+    ? 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) + sizeof(ahd::Index)
+    : 0;
   perPoint += (hasPlaces ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0) +
     (settings.TrimsRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
@@ -124,11 +129,38 @@ void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
       all->SetNumberOfComponents(3);
       const std::size_t bytes = 3 * this->Own * static_cast<std::size_t>(own->GetDataTypeSize());
       std::memcpy(all->GetVoidPointer(0), own->GetVoidPointer(0), bytes);
+      if (this->Settings.ShowMeans)
+      {
+        this->ShowMeans(all);
+      }
     });
-  this->Foreign.Move(own, all, this->Own);
+  this->Foreign.Move(all, all, this->Own);
   vtkNew<vtkPoints> points;
   points->SetData(all);
   output->SetPoints(points);
+}
+
+/// Own points that stand for several at one place are shown at their mean. All at a place are on
+/// one rank.
+void vtkAHDRankSurface::ShowMeans(vtkDataArray* places)
+{
+  ahd::PointView own;
+  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Points.GetPlaces()))
+  {
+    own = ahd::PointView(floats->GetPointer(0), this->Own, 3);
+  }
+  else
+  {
+    own = ahd::PointView(
+      vtkArrayDownCast<vtkDoubleArray>(this->Points.GetPlaces())->GetPointer(0), this->Own, 3);
+  }
+  std::vector<ahd::Mean> means;
+  this->Context.Check(
+    ahd::findMeans(this->Triangulation.ownPoints(), this->Own, own, this->Context, means));
+  for (const ahd::Mean& mean : means)
+  {
+    places->SetTuple(static_cast<vtkIdType>(mean.id), mean.position.data());
+  }
 }
 
 void vtkAHDRankSurface::MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output)

@@ -12,6 +12,7 @@
 #include <vector>
 
 class vtkAbstractArray;
+class vtkDataArray;
 class vtkPolyData;
 
 /**
@@ -54,6 +55,7 @@ public:
 private:
   void AskForForeign();
   void WritePlaces(vtkPolyData* output);
+  void ShowMeans(vtkDataArray* places);
   void WriteData(vtkPolyData* output);
   void MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output);
   void WriteMarks(vtkPolyData* output);

@@ -228,6 +228,11 @@ Status BlockTriangulation::writeGhostConstraintEdges(
     });
 }
 
+Triangulation& BlockTriangulation::ownPoints()
+{
+  return state_->own().triangulation();
+}
+
 Status BlockTriangulation::writePointStatus(std::int64_t* status, const Context& context)
 {
   Triangulation& own = state_->own().triangulation();

@@ -17,6 +17,8 @@
 namespace ahd
 {
 
+class Triangulation;
+
 /// What one block knows at the beginning. All but its points and their ids is the same for all
 /// blocks.
 struct BlockInput
@@ -148,6 +150,9 @@ public:
   Status writeConstraintEdges(std::uint8_t* edges, const Context& context) const;
   /// The same for ghostTriangles().
   Status writeGhostConstraintEdges(std::uint8_t* edges, const Context& context) const;
+  /// The triangulation of the block's own points, to look up which of them are at one place: those
+  /// are all there are. Its triangles are none of the result.
+  Triangulation& ownPoints();
   /// What became of each of the block's points (Result.h), in the ids that all blocks know.
   Status writePointStatus(std::int64_t* status, const Context& context);
 

@@ -368,7 +368,6 @@ def failures_together():
     }
     tried = {"unfit " + name: (with_(**{name: value}), name) for name, value in unfit.items()}
     tried.update({
-        "unfit mean": (with_(DuplicatePolicy=3), "DuplicatePolicy"),
         "unfit rim": (with_(crossing, Rim=2), "Rim"),
         "unfit rim of a plane": (with_(crossing, Transform=True), "Rim"),
         "unfit split": (with_(crossing, CrossingMode=1), "CrossingMode"),
