@@ -122,6 +122,9 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
 {
   vtkAHDRankPoints points(this->Settings, this->Ranks, this->Facts, this->Context);
   points.Read(data.Input, data.Source);
+  constexpr std::size_t kBounding = 8;
+  this->Report.AddedPoints += points.AreBounded() ? kBounding : 0;
+  this->Report.Points += points.AreBounded() ? kBounding : 0;
   vtkAHDRankChains chains;
   chains.Gather(points, this->Ranks, this->Context);
   points.MoveToOwners();

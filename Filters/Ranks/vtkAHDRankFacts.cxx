@@ -329,7 +329,6 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
       "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
       "constraints," },
     { settings.Tolerance > 0.0, "Tolerance" },
-    { settings.AddsBounding(), "BoundingTriangulation" },
     { settings.Split && hasSegments, "CrossingMode Split" },
     { settings.HeightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
   };

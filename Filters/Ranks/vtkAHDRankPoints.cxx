@@ -16,11 +16,35 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 namespace
 {
 constexpr std::size_t kAsk = std::size_t(1) << 14; // points between two askings
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Around places; empty (Low > High) around none.
+struct Box
+{
+  ahd::Vector3 Low = { { kInfinity, kInfinity, kInfinity } };
+  ahd::Vector3 High = { { -kInfinity, -kInfinity, -kInfinity } };
+
+  /// What is NaN or infinite, or between none, does not count.
+  void Add(const ahd::Vector3& low, const ahd::Vector3& high)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if (std::isfinite(low[k]) && std::isfinite(high[k]))
+      {
+        this->Low[k] = std::min(this->Low[k], low[k]);
+        this->High[k] = std::max(this->High[k], high[k]);
+      }
+    }
+  }
+};
+
 /// Samples of all ranks: with 512 for each of many, the cuts are near enough to where they would
 /// be; few ranks, of which one that has more than its share is waited for, can have more.
 double CountSamples(std::size_t ranks)
@@ -112,7 +136,48 @@ void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
   {
     this->FitPlane();
   }
+  if (this->Settings.AddsBounding())
+  {
+    this->FindBounds();
+  }
   this->Ranks.Together(this->Context, [this] { this->Prepare(); });
+}
+
+/// Of the points of all ranks.
+void vtkAHDRankPoints::FindBounds()
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      Box box;
+      for (const ahd::PointView* points :
+        { &this->Input->GetRequest().points, &this->Input->GetRequest().sourcePoints })
+      {
+        for (std::size_t i = 0; i < points->count; ++i)
+        {
+          if (i % kAsk == 0)
+          {
+            this->Context.StopIfAborted();
+          }
+          if (ahd::isFinite((*points)[i]) && !points->skipped(i))
+          {
+            const ahd::Vector3 p = points->place(i);
+            box.Add(p, p);
+          }
+        }
+      }
+      ahd::BytesWriter(own).write(box);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  Box whole;
+  for (const ahd::BlockBytes& bytes : all)
+  {
+    const Box box = ahd::BytesReader(bytes).read<Box>();
+    whole.Add(box.Low, box.High);
+  }
+  this->Bounds = { { whole.Low, whole.High } };
 }
 
 /// To the inputs of all ranks.
@@ -144,6 +209,8 @@ void vtkAHDRankPoints::Prepare()
 {
   ahd::InputRequest request = this->Input->GetRequest();
   request.plane = &this->Plane;
+  request.bounds = &this->Bounds;
+  request.bounding = request.bounding && this->Ranks.GetOwn() + 1 == this->Ranks.GetCount();
   this->Context.Check(ahd::prepare(request, this->Context, this->Prepared));
   if (this->Prepared.addedCount() > 0)
   {
@@ -232,10 +299,16 @@ void vtkAHDRankPoints::SortIds(const std::vector<std::int64_t>& arrived)
   this->Route.SetPlaces(std::move(places));
 }
 
+/// Where points are added, places are doubles.
+bool vtkAHDRankPoints::AreFloats() const
+{
+  return this->Facts.AreFloats() && !this->AreBounded();
+}
+
 void vtkAHDRankPoints::MovePlaces()
 {
   vtkSmartPointer<vtkDataArray> mine;
-  const bool areFloats = this->Facts.AreFloats();
+  const bool areFloats = this->AreFloats();
   this->Ranks.Together(this->Context,
     [&]
     {

@@ -12,6 +12,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -46,6 +47,8 @@ public:
   const ahd::PreparedInput& GetPrepared() const { return this->Prepared; }
   /// By its number in that; -1 for what is none.
   std::int64_t GetId(std::int64_t local) const;
+  /// Are the eight bounding points added? They are on the last rank, behind all others.
+  bool AreBounded() const { return this->Bounds[0][0] <= this->Bounds[1][0]; }
   /// Upper estimate of the bytes that reading takes.
   std::size_t EstimateBytes() const;
 
@@ -67,10 +70,12 @@ public:
 private:
   void CopyInput(vtkPointSet* input);
   void FitPlane();
+  void FindBounds();
   void Prepare();
   void ShareSamples(ahd::BlockBytes& own) const;
   void FindOwners();
   void SortIds(const std::vector<std::int64_t>& arrived);
+  bool AreFloats() const;
   void MovePlaces();
   void MoveMarks();
 
@@ -82,6 +87,8 @@ private:
   vtkSmartPointer<vtkPolyData> Combined; // with the source's behind, where these are added
   std::unique_ptr<vtkAHDInput> Input;
   ahd::Plane Plane; // of all ranks, if one is to be fitted
+  std::array<ahd::Vector3, 2> Bounds = { { { { 1, 1, 1 } },
+    { { 0, 0, 0 } } } }; // of all, if there are to be points around them
   ahd::PreparedInput Prepared;
   std::int64_t FirstId = 0;       // of the input's points
   std::int64_t FirstSourceId = 0; // of the source's

@@ -283,7 +283,12 @@ Status Preparation::addBounding()
   }
   Box box;
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
-  if (!findBox(out_.points_, ticker, box))
+  if (request_.bounds)
+  {
+    box.low = (*request_.bounds)[0];
+    box.high = (*request_.bounds)[1];
+  }
+  else if (!findBox(out_.points_, ticker, box))
   {
     return Status::Cancelled;
   }

@@ -72,7 +72,10 @@ struct InputRequest
   double tolerance = 0.0;                 ///< merge within this part of the diagonal of the points
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
   double offset = 1.0;   ///< how far out they lie
-  bool split = false;    ///< split constraints where they cross
+  /// Around what they lie, if it is more than these points: the lowest and the highest coordinates
+  /// of those with finite x, y; z the finite ones. None: low is above high.
+  const std::array<Vector3, 2>* bounds = nullptr;
+  bool split = false; ///< split constraints where they cross
   /// A run that would have to split in more places (splitAtCrossings()) ends with
   /// Status::TooManyCrossings, before it does.
   std::size_t mostCrossings = std::size_t(-1);

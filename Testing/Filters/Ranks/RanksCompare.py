@@ -335,7 +335,8 @@ def try_case(name, made, settings):
     expected = run(appended(made, settings), settings, distribute=False)
     if not settings.get("Transform") and "not finite" != name:
         empty = ("nothing", "two points", "one line", "all dropped", "no edge is short", "ghosts of nothing",
-                 "a fitted plane of nothing", "a fitted plane of a line", "all is trimmed")
+                 "bounding points of nothing", "a fitted plane of nothing", "a fitted plane of a line",
+                 "all is trimmed")
         check(name in empty or expected["triangles"], "no triangle to compare")
         is_trimmed = "trimmed" in name and name != "trimmed in a plane"
         check(not is_trimmed or expected["counts"]["NumberOfTrimmedTriangles"] > 50, "nothing is trimmed")
@@ -364,7 +365,7 @@ def failures_together():
     unfit = {
         "InsertionLimit": 7, "CountWork": True, "GenerateInsertionRank": True, "GenerateInsertionCurve": True,
         "GenerateBoxes": True, "GenerateRegionIds": True, "GenerateNeighbors": True, "GenerateVoronoi": True,
-        "Alpha": 1.0, "Tolerance": 0.1, "BoundingTriangulation": True,
+        "Alpha": 1.0, "Tolerance": 0.1,
     }
     tried = {"unfit " + name: (with_(**{name: value}), name) for name, value in unfit.items()}
     tried.update({

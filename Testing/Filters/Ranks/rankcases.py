@@ -151,82 +151,117 @@ def mixed(points, ranks):
     return made
 
 
+EVERYTHING = {"GeneratePointStatus": True, "GenerateConstraintEdges": True}
+LOOPS = dict(EVERYTHING, FillRule=1)
+COORDINATES = dict(LOOPS, SourceMode=1)
+
+
 def cases(ranks):
     """name -> (pieces, settings)"""
-    everything = {"GeneratePointStatus": True, "GenerateConstraintEdges": True}
-    loops = dict(everything, FillRule=1)
-    coordinates = dict(loops, SourceMode=1)
+    return dict(plain_cases(ranks), **ghost_cases(ranks), **plane_cases(ranks), **bounding_cases(ranks))
+
+
+def plain_cases(ranks):
     return {
-        "uniform": (pieces(uniform(2000), ranks), everything),
+        "uniform": (pieces(uniform(2000), ranks), EVERYTHING),
         "floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in uniform(1500)], ranks, "float"),
-                   everything),
-        "mixed numbers": (mixed(uniform(500), ranks), everything),
+                   EVERYTHING),
+        "mixed numbers": (mixed(uniform(500), ranks), EVERYTHING),
         "whole numbers": (pieces([tuple(float(round(c * 100)) for c in p) for p in uniform(500)], ranks, "int"),
-                          everything),
-        "lattice": (pieces(lattice(3000, 25), ranks), everything),
-        "lowest of duplicates": (pieces(lattice(3000, 25), ranks), dict(everything, DuplicatePolicy=1)),
-        "mean of duplicates": (pieces(lattice(3000, 25), ranks), dict(everything, DuplicatePolicy=3, GhostLevels=1)),
+                          EVERYTHING),
+        "lattice": (pieces(lattice(3000, 25), ranks), EVERYTHING),
+        "lowest of duplicates": (pieces(lattice(3000, 25), ranks), dict(EVERYTHING, DuplicatePolicy=1)),
+        "mean of duplicates": (pieces(lattice(3000, 25), ranks), dict(EVERYTHING, DuplicatePolicy=3, GhostLevels=1)),
         "mean of floats": (pieces([(x / 7, y / 3, z / 11) for x, y, z in lattice(900, 12)], ranks, "float"),
-                           dict(everything, DuplicatePolicy=3)),
+                           dict(EVERYTHING, DuplicatePolicy=3)),
         "mean in a plane, not all finite": (odd([(x / 7, y / 3, x + z / 11) for x, y, z in lattice(900, 12)], ranks),
-                                            dict(everything, DuplicatePolicy=3, ProjectionPlaneMode=2)),
+                                            dict(EVERYTHING, DuplicatePolicy=3, ProjectionPlaneMode=2)),
         "mean with sources' points": (with_own_points(pieces(lattice(900, 12), ranks)),
-                                      dict(coordinates, DuplicatePolicy=3)),
+                                      dict(COORDINATES, DuplicatePolicy=3)),
         "highest of duplicates": (with_sources(pieces(lattice(2000, 25), ranks), 5),
-                                  dict(everything, DuplicatePolicy=2)),
-        "circle": (pieces(circle(300), ranks), everything),
-        "one line": (pieces([(float(i), 2.0 * i, 0.0) for i in range(100)], ranks), everything),
-        "two points": (pieces([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], ranks), everything),
-        "nothing": (pieces([], ranks), everything),
-        "on one rank": (uneven(uniform(500), ranks), everything),
-        "marks": (with_marks(pieces(uniform(1000), ranks)), everything),
-        "not finite": (odd(uniform(500), ranks), everything),
-        "partial arrays": (partial(uniform(300), ranks), everything),
-        "lines and loops": (with_sources(pieces(uniform(1500), ranks), 12), everything),
-        "even-odd": (with_sources(pieces(uniform(1500), ranks), 4), loops),
-        "constraints on a lattice": (with_sources(pieces(lattice(1500, 30), ranks), 8), everything),
-        "sources' points": (with_own_points(pieces(uniform(800), ranks)), dict(coordinates, ClosedLines=1)),
-        "sources' points, closed lines are lines": (with_own_points(pieces(uniform(800), ranks)), coordinates),
-        "sources' points as floats": (with_own_points(pieces(uniform(200), ranks, "float")), coordinates),
-        "source on an empty rank": (with_own_points(uneven(uniform(300), ranks)), coordinates),
-        "one source": (with_one_source(pieces(uniform(800), ranks)), coordinates),
-        "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(everything, MaximumEdgeLength=0.09)),
-        "no edge is short": (pieces(uniform(90), ranks), dict(everything, MaximumEdgeLength=1e-9)),
-        "a plane": (pieces(uniform(900), ranks), dict(everything, Rim=1, Transform=True)),
-        "ghosts": (pieces(uniform(2000), ranks), dict(everything, GhostLevels=1)),
-        "two layers of ghosts": (with_sources(pieces(lattice(1500, 30), ranks), 8), dict(everything, GhostLevels=2)),
-        "three layers of ghosts": (with_sources(pieces(uniform(1500), ranks), 4), dict(loops, GhostLevels=3)),
-        "ghosts on a circle": (pieces(circle(100), ranks), dict(everything, GhostLevels=1)),
-        "short ghosts": (pieces(uniform(900), ranks), dict(everything, MaximumEdgeLength=0.09, GhostLevels=2)),
-        "ghosts with marks": (with_marks(pieces(uniform(1000), ranks)), dict(everything, GhostLevels=1)),
-        "ghosts of one rank": (uneven(uniform(500), ranks)[::-1], dict(everything, GhostLevels=1)),
-        "ghosts of nothing": (pieces([], ranks), dict(everything, GhostLevels=2)),
-        "all triangles are ghosts": (pieces(uniform(12), ranks), dict(everything, GhostLevels=9)),
-        "a fitted plane": (pieces(tilted(uniform(1500)), ranks), dict(everything, ProjectionPlaneMode=2)),
+                                  dict(EVERYTHING, DuplicatePolicy=2)),
+        "circle": (pieces(circle(300), ranks), EVERYTHING),
+        "one line": (pieces([(float(i), 2.0 * i, 0.0) for i in range(100)], ranks), EVERYTHING),
+        "two points": (pieces([(0.0, 0.0, 0.0), (1.0, 0.0, 0.0)], ranks), EVERYTHING),
+        "nothing": (pieces([], ranks), EVERYTHING),
+        "on one rank": (uneven(uniform(500), ranks), EVERYTHING),
+        "marks": (with_marks(pieces(uniform(1000), ranks)), EVERYTHING),
+        "not finite": (odd(uniform(500), ranks), EVERYTHING),
+        "partial arrays": (partial(uniform(300), ranks), EVERYTHING),
+        "lines and loops": (with_sources(pieces(uniform(1500), ranks), 12), EVERYTHING),
+        "even-odd": (with_sources(pieces(uniform(1500), ranks), 4), LOOPS),
+        "constraints on a lattice": (with_sources(pieces(lattice(1500, 30), ranks), 8), EVERYTHING),
+        "sources' points": (with_own_points(pieces(uniform(800), ranks)), dict(COORDINATES, ClosedLines=1)),
+        "sources' points, closed lines are lines": (with_own_points(pieces(uniform(800), ranks)), COORDINATES),
+        "sources' points as floats": (with_own_points(pieces(uniform(200), ranks, "float")), COORDINATES),
+        "source on an empty rank": (with_own_points(uneven(uniform(300), ranks)), COORDINATES),
+        "one source": (with_one_source(pieces(uniform(800), ranks)), COORDINATES),
+        "short edges": (with_sources(pieces(uniform(900), ranks), 4), dict(EVERYTHING, MaximumEdgeLength=0.09)),
+        "no edge is short": (pieces(uniform(90), ranks), dict(EVERYTHING, MaximumEdgeLength=1e-9)),
+        "a plane": (pieces(uniform(900), ranks), dict(EVERYTHING, Rim=1, Transform=True)),
+        "unfit ids": (with_sources(pieces(uniform(60), ranks), 3), dict(EVERYTHING, bad_ids=True)),
+        "all dropped": (with_own_points(pieces([], ranks)), dict(COORDINATES, FillRule=0, turn=True)),
+    }
+
+
+def ghost_cases(ranks):
+    return {
+        "ghosts": (pieces(uniform(2000), ranks), dict(EVERYTHING, GhostLevels=1)),
+        "two layers of ghosts": (with_sources(pieces(lattice(1500, 30), ranks), 8), dict(EVERYTHING, GhostLevels=2)),
+        "three layers of ghosts": (with_sources(pieces(uniform(1500), ranks), 4), dict(LOOPS, GhostLevels=3)),
+        "ghosts on a circle": (pieces(circle(100), ranks), dict(EVERYTHING, GhostLevels=1)),
+        "short ghosts": (pieces(uniform(900), ranks), dict(EVERYTHING, MaximumEdgeLength=0.09, GhostLevels=2)),
+        "ghosts with marks": (with_marks(pieces(uniform(1000), ranks)), dict(EVERYTHING, GhostLevels=1)),
+        "ghosts of one rank": (uneven(uniform(500), ranks)[::-1], dict(EVERYTHING, GhostLevels=1)),
+        "ghosts of nothing": (pieces([], ranks), dict(EVERYTHING, GhostLevels=2)),
+        "all triangles are ghosts": (pieces(uniform(12), ranks), dict(EVERYTHING, GhostLevels=9)),
+    }
+
+
+def plane_cases(ranks):
+    """Fitted planes, trimmed rims."""
+    return {
+        "a fitted plane": (pieces(tilted(uniform(1500)), ranks), dict(EVERYTHING, ProjectionPlaneMode=2)),
         "a fitted plane of floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in uniform(500)], ranks,
-                                            "float"), dict(everything, ProjectionPlaneMode=2)),
-        "a fitted plane of floats and doubles": (mixed(uniform(300), ranks), dict(everything, ProjectionPlaneMode=2)),
+                                            "float"), dict(EVERYTHING, ProjectionPlaneMode=2)),
+        "a fitted plane of floats and doubles": (mixed(uniform(300), ranks), dict(EVERYTHING, ProjectionPlaneMode=2)),
         "a fitted plane of marked points": (with_marks(pieces(tilted(uniform(900)), ranks)),
-                                            dict(everything, ProjectionPlaneMode=2)),
-        "a fitted plane, not all finite": (odd(tilted(uniform(500)), ranks), dict(everything, ProjectionPlaneMode=2)),
-        "a fitted plane of one rank": (uneven(tilted(uniform(500)), ranks), dict(everything, ProjectionPlaneMode=2)),
+                                            dict(EVERYTHING, ProjectionPlaneMode=2)),
+        "a fitted plane, not all finite": (odd(tilted(uniform(500)), ranks), dict(EVERYTHING, ProjectionPlaneMode=2)),
+        "a fitted plane of one rank": (uneven(tilted(uniform(500)), ranks), dict(EVERYTHING, ProjectionPlaneMode=2)),
         "a fitted plane of a line": (pieces([(0.1 * i, 0.2 * i, 1.0) for i in range(90)], ranks),
-                                     dict(everything, ProjectionPlaneMode=2)),
-        "a fitted plane of nothing": (pieces([], ranks), dict(everything, ProjectionPlaneMode=2)),
+                                     dict(EVERYTHING, ProjectionPlaneMode=2)),
+        "a fitted plane of nothing": (pieces([], ranks), dict(EVERYTHING, ProjectionPlaneMode=2)),
         "a fitted plane and sources' points": (with_own_points(pieces(tilted(uniform(800)), ranks)),
-                                               dict(coordinates, ProjectionPlaneMode=2, Rim=1)),
-        "trimmed": (pieces(shuffled(bowed(40)), ranks), dict(everything, Rim=2)),
-        "trimmed, dealt by rows": (pieces(bowed(30), ranks), dict(everything, Rim=2, GhostLevels=1)),
+                                               dict(COORDINATES, ProjectionPlaneMode=2, Rim=1)),
+        "trimmed": (pieces(shuffled(bowed(40)), ranks), dict(EVERYTHING, Rim=2)),
+        "trimmed, dealt by rows": (pieces(bowed(30), ranks), dict(EVERYTHING, Rim=2, GhostLevels=1)),
         "trimmed, where ranks know no corner beyond": (
             pieces(shuffled([(0.2 * x, 4 * y, z) for x, y, z in bowed(40)]), ranks),
-            dict(everything, Rim=2, GhostLevels=1)),
+            dict(EVERYTHING, Rim=2, GhostLevels=1)),
         "a hull edge of two ranks before a third": (
             pieces([(0.9 * x, 4 * y, z) for x, y, z in uniform(800)]
-                   + [(1.0, -4.0, 0.0), (0.95, 0.01, 0.0), (1.0, 4.0, 0.0)], ranks), dict(everything, Rim=2)),
+                   + [(1.0, -4.0, 0.0), (0.95, 0.01, 0.0), (1.0, 4.0, 0.0)], ranks), dict(EVERYTHING, Rim=2)),
         "trimmed in a fitted plane": (pieces(shuffled(tilted(bowed(30))), ranks),
-                                      dict(everything, ProjectionPlaneMode=2, GhostLevels=2)),
-        "trimmed in a plane": (pieces(shuffled(bowed(20)), ranks), dict(everything, Transform=True)),
-        "all is trimmed": (pieces(shuffled(arc(300)), ranks), dict(everything, Rim=2)),
-        "unfit ids": (with_sources(pieces(uniform(60), ranks), 3), dict(everything, bad_ids=True)),
-        "all dropped": (with_own_points(pieces([], ranks)), dict(coordinates, FillRule=0, turn=True)),
+                                      dict(EVERYTHING, ProjectionPlaneMode=2, GhostLevels=2)),
+        "trimmed in a plane": (pieces(shuffled(bowed(20)), ranks), dict(EVERYTHING, Transform=True)),
+        "all is trimmed": (pieces(shuffled(arc(300)), ranks), dict(EVERYTHING, Rim=2)),
+    }
+
+
+def bounding_cases(ranks):
+    return {
+        "bounding points": (pieces(uniform(700), ranks), dict(EVERYTHING, BoundingTriangulation=True, GhostLevels=1)),
+        "bounding points of floats": (pieces([tuple(round(c * 64) / 64 for c in p) for p in uniform(300)], ranks,
+                                             "float"), dict(EVERYTHING, BoundingTriangulation=True, Offset=2.5)),
+        "bounding points of marked points": (with_marks(pieces(uniform(300), ranks)),
+                                             dict(EVERYTHING, BoundingTriangulation=True)),
+        "bounding points, not all finite": (odd(uniform(300), ranks), dict(EVERYTHING, BoundingTriangulation=True)),
+        "bounding points of one rank": (uneven(uniform(300), ranks)[::-1],
+                                        dict(EVERYTHING, BoundingTriangulation=True)),
+        "bounding points of sources' points": (with_own_points(pieces(uniform(300), ranks)),
+                                               dict(COORDINATES, BoundingTriangulation=True)),
+        "bounding points and lines": (with_sources(pieces(uniform(300), ranks), 4),
+                                      dict(EVERYTHING, BoundingTriangulation=True, MaximumEdgeLength=0.4)),
+        "bounding points of nothing": (pieces([], ranks), dict(EVERYTHING, BoundingTriangulation=True)),
     }
