@@ -79,7 +79,7 @@ void takeEngines(BenchmarkFlags& flags, const std::string& value, std::string& e
   {
     const bool isThreads = word.rfind("threads", 0) == 0 && std::atoi(word.c_str() + 7) > 0;
     const bool isScaled = word.rfind("times", 0) == 0 && std::atof(word.c_str() + 5) > 0;
-    static const std::vector<std::string> others = { "ours", "cgal", "float", "shuffled" };
+    static const std::vector<std::string> others = { "ours", "cgal", "c", "float", "shuffled" };
     if (!isThreads && !isScaled && std::find(others.begin(), others.end(), word) == others.end())
     {
       error += "no engine is called " + word + "\n";

@@ -20,6 +20,7 @@ struct BenchmarkFlags
 
   /// What triangulates them, and by which clock:
   ///   ours, cgal   by the CPU time of the thread
+  ///   c            ours, through the C interface
   ///   float        ours, with coordinates of 32 bits
   ///   shuffled     ours, the points in random order
   ///   times<x>     ours, all coordinates times x

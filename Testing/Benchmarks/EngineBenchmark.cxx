@@ -13,6 +13,7 @@
 #include "CgalRun.h"
 #endif
 #include "Executors.h"
+#include "Interface/ahd.h"
 #include "Triangulate.h"
 
 #include <benchmark/benchmark.h>
@@ -117,6 +118,39 @@ struct Ours
   }
 };
 
+/// The same through the C interface, which is what the wheel calls.
+struct OursInC
+{
+  ahd_job* const job = ahd_job_new();
+  std::unique_ptr<std::int32_t[]> triples;
+  std::uint64_t capacity = 0;
+
+  OursInC() = default;
+  OursInC(const OursInC&) = delete;
+  OursInC& operator=(const OursInC&) = delete;
+  ~OursInC() { ahd_job_free(job); }
+
+  std::size_t triangulate(const std::vector<Point>& points)
+  {
+    const ahd_array view = { points.data(), AHD_FLOAT64, 2, std::int64_t(points.size()),
+      sizeof(Point), sizeof(double) };
+    std::uint64_t triangles = 0, three = 0;
+    if (ahd_set_int(job, "threads", 1) != AHD_OK || ahd_set_array(job, "points", &view) != AHD_OK ||
+      ahd_run(job) != AHD_OK || ahd_array_size(job, "triangles", &triangles, &three) != AHD_OK)
+    {
+      return 0;
+    }
+    if (capacity < triangles)
+    {
+      triples.reset(new std::int32_t[triangles * three]);
+      capacity = triangles;
+    }
+    return ahd_get_array(job, "triangles", AHD_INT32, triples.get(), triangles * three) == AHD_OK
+      ? std::size_t(triangles)
+      : 0;
+  }
+};
+
 /// The points of a case as its engine gets them.
 std::vector<Point> pointsFor(const Case& c)
 {
@@ -165,6 +199,19 @@ void triangulateOurs(benchmark::State& state, const Case& c)
     });
 }
 
+void triangulateInC(benchmark::State& state, const Case& c)
+{
+  static std::map<std::size_t, OursInC> kept;
+  const std::vector<Point>& points = pointsOf(c);
+  measure(state, c,
+    [&](const auto& done)
+    {
+      const std::size_t triangles = kept[c.n].triangulate(points);
+      done();
+      return triangles;
+    });
+}
+
 void triangulateByCgal(benchmark::State& state, const Case& c)
 {
 #ifdef AHD_WITH_CGAL
@@ -185,7 +232,9 @@ void registerAll(const BenchmarkFlags& flags)
       for (const std::string& engine : flags.engines)
       {
         const Case c{ engine, distribution, n, flags.cold };
-        const auto run = engine == "cgal" ? triangulateByCgal : triangulateOurs;
+        const auto run = engine == "cgal" ? triangulateByCgal
+          : engine == "c"                 ? triangulateInC
+                                          : triangulateOurs;
         benchmark::RegisterBenchmark(
           c.name().c_str(), [=](benchmark::State& state) { run(state, c); })
           ->UseManualTime()

@@ -188,6 +188,25 @@ def before_rows(programs, plan):
         yield Row(f"Beside commit {BEFORE}, {powered(size)} points", name, measure, ("here", BEFORE), "<=", target)
 
 
+def interface_rows(programs, plan):
+    for size in (plan.small, plan.middle):
+        for cold in (False, True):
+            def measure(size=size, cold=cold):
+                sides, repeat = {"C interface": "c", "engine": "ours"}, plan.repeat[size]
+                samples = {side: [] for side in sides}
+                for _ in range(repeat if cold else 1):
+                    calls = [[side] for side in sides] if cold else [list(sides)]
+                    for call in calls:
+                        runs = [(sides[side], "Uniform") for side in call]
+                        found = programs.engine(size, runs, 1 if cold else repeat, cold)
+                        for side in call:
+                            samples[side] += found[sides[side], "Uniform", size]
+                return samples
+
+            name = f"{powered(size)}, {'cold' if cold else 'warm'}"
+            yield Row("The C interface beside the engine", name, measure, ("C interface", "engine"), "<=", 1.05)
+
+
 # --- Threads ------------------------------------------------------------------------------------------
 
 
@@ -326,8 +345,8 @@ def count_rows(programs, plan):
 
 
 SECTIONS = [
-    warm_rows, cold_rows, degenerate_rows, uniform_rows, growth_rows, before_rows, thread_rows, filter_rows,
-    feature_rows, constraint_rows, count_rows,
+    warm_rows, cold_rows, degenerate_rows, uniform_rows, growth_rows, before_rows, interface_rows, thread_rows,
+    filter_rows, feature_rows, constraint_rows, count_rows,
 ]
 
 
