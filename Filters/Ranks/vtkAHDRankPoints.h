@@ -65,7 +65,6 @@ public:
   vtkPointData* GetDataToMove() const;
 
 private:
-  void CopyInput(vtkPointSet* input);
   void ShareSamples(ahd::BlockBytes& own) const;
   void FindOwners();
   void SortIds(const std::vector<std::int64_t>& arrived);
