@@ -162,8 +162,7 @@ void vtkAdaptiveHilbertDelaunay2D::SetMergeBlocks(bool merge)
   if (this->MergeBlocks != merge)
   {
     this->MergeBlocks = merge;
-    // the input port is described anew when it is asked for next
-    this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+    this->DescribePortsAnew();
     this->Modified();
   }
 }
@@ -175,6 +174,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   vtkAHDDataSets data;
   for (int port = 0; port < 3; ++port)
   {
+    // null where it has blocks
     data.Outputs[static_cast<std::size_t>(port)] = vtkPolyData::GetData(outputVector, port);
   }
   vtkAHDProgress progress(this);
@@ -186,7 +186,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   {
     vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-    this->IsDistributed() ? this->ExecuteOnRanks(input, source, data, context)
+    this->IsDistributed() ? this->ExecuteOnRanks(input, source, outputVector, context)
                           : this->Execute(input, source, data, context);
   }
   catch (const std::bad_alloc&)
@@ -227,7 +227,10 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
 {
   for (vtkPolyData* output : data.Outputs)
   {
-    output->Initialize();
+    if (output)
+    {
+      output->Initialize();
+    }
   }
   this->Cache->Forget();
   this->ClearMeasures();
@@ -274,7 +277,7 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   this->MemoryEstimate = report.Estimate;
   if (report.Status != ahd::Status::Ok)
   {
-    vtkAHDSayError(this, settings, report);
+    vtkAHDSayError(this, report);
     this->Cache->Forget();
     return;
   }
@@ -370,6 +373,7 @@ int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformat
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()); // all types, as Set() is for the first
   if (this->IsDistributed())
   {
     // Whatever a rank has, it has to join the others.

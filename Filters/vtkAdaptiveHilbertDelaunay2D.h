@@ -46,6 +46,7 @@ class Workspace;
 }
 class vtkAHDContext;
 class vtkAHDOutputCache;
+class vtkAHDRankBlocks;
 struct vtkAHDDataSets;
 class vtkAbstractTransform;
 class vtkMultiProcessController;
@@ -372,11 +373,16 @@ public:
   /// When the filter or its Transform was changed last.
   vtkMTimeType GetMTime() override;
 
+  /// Across ranks, the outputs have blocks where these are triangulated each by itself.
+  vtkTypeBool ProcessRequest(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
+
 protected:
   vtkAdaptiveHilbertDelaunay2D();
   ~vtkAdaptiveHilbertDelaunay2D() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void ClearMeasures() override;
@@ -425,8 +431,13 @@ private:
   void Execute(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
     const vtkAHDContext& context);
   bool IsDistributed() const;
-  void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
+  void DescribePortsAnew();
+  void MakeOutputs(vtkDataObject* input, vtkInformationVector* outputs) const;
+  void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputs,
     const vtkAHDContext& context);
+  void ExecuteBlocksOnRanks(
+    const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs);
+  void ExecuteOneOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data);
   void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,
     const vtkAHDSettings& settings, bool hasFailed);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);

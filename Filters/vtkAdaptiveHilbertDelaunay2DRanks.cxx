@@ -8,30 +8,37 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "Pipeline/vtkAHDThreads.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObjectTree.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkPointSet.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
+#include "Ranks/vtkAHDRankBlocks.h"
 #include "Ranks/vtkAHDRankExecution.h"
 #include "vtkMultiProcessController.h"
 #endif
 
 #include <new>
 #include <string>
+#include <vector>
 
 void vtkAdaptiveHilbertDelaunay2D::SetDistributePoints(bool distribute)
 {
   if (this->DistributePoints != distribute)
   {
     this->DistributePoints = distribute;
-    this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+    this->DescribePortsAnew();
     this->Modified();
   }
 }
@@ -42,7 +49,7 @@ void vtkAdaptiveHilbertDelaunay2D::SetController(vtkMultiProcessController* cont
   if (this->Controller != controller)
   {
     vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
-    this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+    this->DescribePortsAnew();
   }
 #else
   static_cast<void>(controller);
@@ -80,19 +87,174 @@ int vtkAdaptiveHilbertDelaunay2D::RequestUpdateExtent(
   return result;
 }
 
+/// What ports take and give is asked for anew when it is needed next.
+void vtkAdaptiveHilbertDelaunay2D::DescribePortsAnew()
+{
+  this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
+  {
+    this->GetOutputPortInformation(port)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+  }
+}
+
+int vtkAdaptiveHilbertDelaunay2D::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  const int result = this->Superclass::FillOutputPortInformation(port, info);
+  if (this->IsDistributed() && !this->MergeBlocks)
+  {
+    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // as MakeOutputs() makes them
+  }
+  return result;
+}
+
+vtkTypeBool vtkAdaptiveHilbertDelaunay2D::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->IsDistributed() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    this->MakeOutputs(vtkDataObject::GetData(inputs[0]), outputs);
+    return 1;
+  }
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+/// Outputs of the type of the input, if that has blocks to be triangulated each by itself. Where
+/// there is no input, others may have blocks: outputs stay what they were.
+void vtkAdaptiveHilbertDelaunay2D::MakeOutputs(
+  vtkDataObject* input, vtkInformationVector* outputs) const
+{
+  auto* blocks = this->MergeBlocks ? nullptr : vtkDataObjectTree::SafeDownCast(input);
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject* now = vtkDataObject::GetData(outputs, port);
+    const char* const name = blocks ? blocks->GetClassName() : "vtkPolyData";
+    const bool fits = now && (!input || std::string(now->GetClassName()) == name);
+    vtkSmartPointer<vtkDataObject> made = now;
+    if (!fits)
+    {
+      made = vtkSmartPointer<vtkDataObject>::Take(
+        blocks ? blocks->NewInstance() : static_cast<vtkDataObject*>(vtkPolyData::New()));
+      outputs->GetInformationObject(port)->Set(vtkDataObject::DATA_OBJECT(), made);
+    }
+  }
+}
+
 /// Execute() over ranks. None leaves before all have agreed on it.
-void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(
-  vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data, const vtkAHDContext& context)
+void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source,
+  vtkInformationVector* outputs, const vtkAHDContext& context)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  this->Cache->Forget();
+  this->ClearMeasures();
+  vtkAHDRanks ranks(this->Controller);
+  std::unique_ptr<vtkAHDRankBlocks> blocks;
+  try
+  {
+    blocks.reset(new vtkAHDRankBlocks(ranks, context, input, this->MergeBlocks));
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    vtkAHDReport report;
+    report.Status = stop.Reason;
+    vtkAHDSayError(this, report);
+    return;
+  }
+  if (!blocks->GetDifference().empty())
+  {
+    vtkErrorMacro(<< blocks->GetDifference()
+                  << ". Where MergeBlocks is off, block by block is triangulated over all ranks, "
+                     "and each has to have the same ones, but for those that it lacks. Nothing was "
+                     "computed. Switch MergeBlocks on for one surface of all.");
+    return;
+  }
+  if (blocks->HaveBlocks())
+  {
+    this->ExecuteBlocksOnRanks(*blocks, source, outputs);
+    return;
+  }
+  vtkAHDDataSets data;
+  for (std::size_t port = 0; port < data.Outputs.size(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
+    if (!vtkPolyData::GetData(info)) // it had blocks before
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+    }
+    data.Outputs[port] = vtkPolyData::GetData(info);
+  }
+  this->ExecuteOneOnRanks(input, source, data);
+#else
+  static_cast<void>(input);
+  static_cast<void>(source);
+  static_cast<void>(outputs);
+  static_cast<void>(context);
+#endif
+}
+
+/// Each block of all ranks by itself, in their order. The measures are those of the last.
+void vtkAdaptiveHilbertDelaunay2D::ExecuteBlocksOnRanks(
+  const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  std::vector<vtkSmartPointer<vtkDataObject>> made;
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    made.push_back(blocks.MakeOutput());
+  }
+  for (std::size_t k = 0; k < blocks.GetCount(); ++k)
+  {
+    vtkDataObject* block = blocks.GetBlock(k);
+    vtkAHDDataSets data;
+    std::vector<vtkSmartPointer<vtkPolyData>> parts;
+    for (std::size_t port = 0; port < made.size(); ++port)
+    {
+      parts.push_back(vtkSmartPointer<vtkPolyData>::New());
+      data.Outputs[port] = parts[port];
+      if (block)
+      {
+        parts[port]->GetFieldData()->PassData(block->GetFieldData()); // as the pipeline does
+      }
+    }
+    this->ClearMeasures();
+    this->ExecuteOneOnRanks(block, source, data);
+    for (std::size_t port = 0; port < made.size(); ++port)
+    {
+      blocks.SetBlock(k, made[port], parts[port]);
+    }
+  }
+  for (std::size_t port = 0; port < made.size(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
+    vtkDataObject* now = vtkDataObject::GetData(info);
+    if (now && std::string(now->GetClassName()) == made[port]->GetClassName())
+    {
+      now->ShallowCopy(made[port]);
+    }
+    else
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), made[port]);
+    }
+  }
+#else
+  static_cast<void>(blocks);
+  static_cast<void>(source);
+  static_cast<void>(outputs);
+#endif
+}
+
+/// `input` may be null, or nothing that has points.
+void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
+  vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data)
 {
   vtkAHDSettings settings;
   this->ReadSettings(settings);
-  this->Cache->Forget();
-  this->ClearMeasures();
-  const bool hasBlocks = vtkCompositeDataSet::SafeDownCast(input) != nullptr;
-  settings.SeparateBlocks = hasBlocks && !this->MergeBlocks;
   settings.GhostLevels = this->GetOutputInformation(0)->Get(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  const bool hasPoints = hasBlocks || vtkPointSet::SafeDownCast(input);
+  vtkAHDProgress progress(this);
+  ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
+  const vtkAHDContext context(progress, threads);
+  const bool hasPoints = vtkCompositeDataSet::SafeDownCast(input) ||
+    vtkPointSet::SafeDownCast(input);
   if (input && !hasPoints)
   {
     vtkWarningMacro("A " << input->GetClassName()
@@ -126,7 +288,8 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
   vtkAHDRankExecution execution(settings, ranks, context);
   const ahd::Status reason = context.IsAborted() ? ahd::Status::Cancelled
                                                  : ahd::Status::OutOfMemory;
-  const vtkAHDReport report = execution.Run(data, hasFailed ? reason : ahd::Status::Ok);
+  const vtkAHDReport report = execution.Run(
+    data, hasFailed ? reason : ahd::Status::Ok, *this->Workspace);
   const vtkAHDRankExecution::Words& words = execution.GetWords();
   this->MemoryEstimate = report.Estimate;
   if (report.Status != ahd::Status::Ok)
@@ -137,7 +300,7 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
     }
     else
     {
-      vtkAHDSayError(this, settings, report);
+      vtkAHDSayError(this, report);
     }
     return;
   }
@@ -149,6 +312,11 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
     for (const std::string& warning : words.Warnings)
     {
       vtkWarningMacro(<< warning);
+    }
+    if (!words.OneRank.empty() && !this->WarnedAboutRanks)
+    {
+      this->WarnedAboutRanks = true; // once, as some move such a setting step by step
+      vtkWarningMacro(<< words.OneRank);
     }
   }
 #else

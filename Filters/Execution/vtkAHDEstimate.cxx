@@ -15,8 +15,7 @@
 
 #include <algorithm>
 
-/// Upper estimate of all that is allocated, for what is known of sizes: points and segments before
-/// the work begins; crossings once they are split, boxes once the points are sorted.
+/// Crossings are known once they are split, boxes once the points are sorted.
 std::size_t vtkAHDExecution::EstimateBytes() const
 {
   const std::size_t count = this->Known.Points;
@@ -99,6 +98,7 @@ bool vtkAHDExecution::FitsInMemory()
   // where it might be too much.
   const std::size_t bytes = this->EstimateBytes();
   const bool isLimited = this->Settings.MemoryLimit > 0;
+  this->Report.IsLimited = isLimited;
   if (isLimited && this->Workspace.bytes() / 1024 > bytes / 1024)
   {
     this->Workspace.release();

@@ -43,6 +43,10 @@ public:
   /// is not too much and nothing went wrong.
   vtkAHDReport Run(const vtkAHDOutputs& outputs);
 
+  /// Upper estimate of all that is allocated, for what is known of sizes: points and segments
+  /// before Run(), where no value is looked at.
+  std::size_t EstimateBytes() const;
+
 private:
   /// What is known of what the execution has to deal with.
   struct Sizes
@@ -72,7 +76,6 @@ private:
   void FindStacks(const Results& results);
   void ReportOn(const Results& results);
   void GiveBack(Results& results);
-  std::size_t EstimateBytes() const;
   std::size_t EstimateTables() const;
   std::size_t EstimateOutputs() const;
   void UpdateEstimate();

@@ -13,46 +13,41 @@
 
 namespace
 {
-void SayTooManyBoxes(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void SayTooManyBoxes(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
     "The grid of " << report.Points << " points has more than " << report.MostBoxes
                    << " boxes, and putting out more may take more memory than "
-                   << (settings.MemoryLimit > 0 ? "MemoryLimit allows, " : "there is, ")
-                   << report.Limit
+                   << (report.IsLimited ? "MemoryLimit allows, " : "there is, ") << report.Limit
                    << " KiB. Nothing was computed. Switch GenerateBoxes off, take fewer points or "
                       "a larger Nmax, or set MemoryLimit (in KiB) to allow more.");
 }
 
-void SayRefused(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void SayRefused(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
     "Triangulating " << report.Points << " points may take " << report.Estimate
                      << " KiB of memory, but "
-                     << (settings.MemoryLimit > 0 ? "MemoryLimit allows " : "there are ")
-                     << report.Limit
+                     << (report.IsLimited ? "MemoryLimit allows " : "there are ") << report.Limit
                      << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in "
                         "KiB) to allow more.");
 }
 
-void SayTooManyCrossings(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void SayTooManyCrossings(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
     "The lines and polygons of the source cross in more than "
       << report.MostCrossings << " places. Splitting them there and triangulating " << report.Points
       << " points and the crossings may take more than " << report.Estimate
-      << " KiB of memory, but " << (settings.MemoryLimit > 0 ? "MemoryLimit allows " : "there are ")
+      << " KiB of memory, but " << (report.IsLimited ? "MemoryLimit allows " : "there are ")
       << report.Limit
       << " KiB. Nothing was computed. Take fewer lines, switch CrossingMode to Leave Out, or set "
          "MemoryLimit (in KiB) to allow more.");
 }
 
-void SayOutOfMemory(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void SayOutOfMemory(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
-  const bool isLimited = settings.MemoryLimit > 0 && report.Estimate > report.Limit;
+  const bool isLimited = report.IsLimited && report.Estimate > report.Limit;
   vtkErrorWithObjectMacro(filter,
     "Out of memory while triangulating "
       << report.Points << " points; about " << report.Estimate << " KiB are needed"
@@ -302,8 +297,7 @@ void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count)
        << " can be triangulated.");
 }
 
-void vtkAHDSayError(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
+void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   switch (report.Status)
   {
@@ -314,14 +308,13 @@ void vtkAHDSayError(
       vtkAHDSayTooManyPoints(filter, report.Points);
       return;
     case ahd::Status::TooManyBoxes:
-      SayTooManyBoxes(filter, settings, report);
+      SayTooManyBoxes(filter, report);
       return;
     case ahd::Status::TooManyCrossings:
-      SayTooManyCrossings(filter, settings, report);
+      SayTooManyCrossings(filter, report);
       return;
     case ahd::Status::OutOfMemory:
-      report.IsRefused ? SayRefused(filter, settings, report)
-                       : SayOutOfMemory(filter, settings, report);
+      report.IsRefused ? SayRefused(filter, report) : SayOutOfMemory(filter, report);
   }
 }
 

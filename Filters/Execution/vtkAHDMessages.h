@@ -12,8 +12,7 @@ struct vtkAHDSettings;
 void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count);
 
 /// Says in one error why an execution came to nothing, unless it was the user who cancelled.
-void vtkAHDSayError(
-  vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report);
+void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report);
 
 /// Warns of what there is to be warned of after an execution, each at most once.
 void vtkAHDSayWarnings(

@@ -22,6 +22,7 @@ struct vtkAHDReport
   std::size_t Points = 0;        ///< all, as far as they were known when it ended
   vtkTypeInt64 Estimate = 0;     ///< of memory, KiB
   vtkTypeInt64 Limit = 0;        ///< on memory, KiB
+  bool IsLimited = false;        ///< it is MemoryLimit, and not what there is
   std::size_t MostBoxes = 0;     ///< for which there was memory
   std::size_t MostCrossings = 0; ///< the same
 

@@ -27,8 +27,7 @@ struct vtkAHDSettings
   vtkAbstractTransform* Transform = nullptr; ///< null: none is used
   bool TransformIsMissing = false;           ///< although it is asked for
   double Tolerance = 0.0;
-  bool SeparateBlocks = false; ///< the input has blocks, and these are not merged
-  bool ShowMeans = false;      ///< of z, at duplicates
+  bool ShowMeans = false; ///< of z, at duplicates
   bool Bounding = false;
   double Offset = 1.0;
   bool Trim = false; ///< the rim, where nothing else bounds the surface

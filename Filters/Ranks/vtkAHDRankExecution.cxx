@@ -4,6 +4,7 @@
 #include "Engine/Core/Memory.h"
 #include "Engine/Prepare/Stacks.h"
 #include "Output/vtkAHDSurface.h"
+#include "Ranks/vtkAHDGatheredExecution.h"
 #include "Ranks/vtkAHDRankSurface.h"
 
 #include "vtkPointSet.h"
@@ -22,7 +23,8 @@ vtkAHDRankExecution::vtkAHDRankExecution(
 {
 }
 
-vtkAHDReport vtkAHDRankExecution::Run(const vtkAHDDataSets& data, ahd::Status before)
+vtkAHDReport vtkAHDRankExecution::Run(
+  const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace)
 {
   this->Report.Status = ahd::Status::Ok;
   try
@@ -32,8 +34,10 @@ vtkAHDReport vtkAHDRankExecution::Run(const vtkAHDDataSets& data, ahd::Status be
       { 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
     this->Context.NextStage();
     this->Meet(data);
-    this->RefuseSettings();
-    this->Triangulate(data);
+    this->CompareSettings();
+    const char* setting = this->Facts.FindUnfit(this->Settings);
+    setting ? this->TriangulateOnOne(data, setting, workspace) : this->Triangulate(data);
+    this->WarnOfArrays();
     vtkAHDSurface::WriteCrossings(this->Report.CrossingCells, data.Outputs[0]);
   }
   catch (const vtkAHDStop& stop)
@@ -98,7 +102,7 @@ void vtkAHDRankExecution::Meet(const vtkAHDDataSets& data)
   this->Report.Points = this->Report.InputPoints + this->Report.AddedPoints;
 }
 
-void vtkAHDRankExecution::RefuseSettings()
+void vtkAHDRankExecution::CompareSettings()
 {
   const std::string difference = this->Facts.FindDifference(this->Settings);
   if (!difference.empty())
@@ -108,14 +112,24 @@ void vtkAHDRankExecution::RefuseSettings()
         ". Points are distributed over ranks only where all have the same settings. "
         "Nothing was computed.");
   }
-  if (const char* unfit = this->Facts.FindUnfit(this->Settings))
+}
+
+void vtkAHDRankExecution::TriangulateOnOne(
+  const vtkAHDDataSets& data, const char* setting, ahd::Workspace& workspace)
+{
+  if (this->Report.Points > ahd::kMaximumPoints)
   {
-    this->StopAll(ahd::Status::Cancelled,
-      std::string(unfit) +
-        " has no meaning yet where points are distributed over ranks. Nothing "
-        "was computed. Reset it, or switch DistributePoints off: each rank "
-        "then triangulates its own points.");
+    throw vtkAHDStop{ ahd::Status::TooManyPoints };
   }
+  vtkAHDGatheredExecution execution(
+    this->Settings, this->Ranks, this->Facts, this->Context, setting);
+  const std::string refusal = execution.FindHost(data, workspace, this->Report);
+  if (!refusal.empty())
+  {
+    this->StopAll(ahd::Status::OutOfMemory, refusal);
+  }
+  execution.Run(data, workspace, this->Report);
+  this->Said.OneRank = execution.GetWarning();
 }
 
 void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
@@ -392,6 +406,10 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHD
   {
     report.FirstCrossing = report.CrossingCells.front();
   }
+}
+
+void vtkAHDRankExecution::WarnOfArrays()
+{
   const std::string partial = this->Facts.GetPartialArrays();
   if (!partial.empty())
   {

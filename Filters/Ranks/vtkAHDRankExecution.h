@@ -19,7 +19,8 @@ class vtkAHDRankSurface;
 
 /**
  * One execution over all ranks of a controller: each rank gives its points and constraints, and
- * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface.
+ * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface. Where a
+ * setting asks for what ranks have no method for, one of them gets all: vtkAHDGatheredExecution.
  */
 class vtkAHDRankExecution
 {
@@ -33,17 +34,20 @@ public:
   {
     std::string Error;                 ///< instead of what the report's Status stands for
     std::vector<std::string> Warnings; ///< for one rank to say
+    std::string OneRank;               ///< the same, if one rank has done it all; empty if not
   };
 
   /// Triangulates, and fills the surface, which is empty unless Report::Status is Ok. Collective:
   /// to be called by all ranks, also by those that have nothing (Input may be null), or that could
-  /// not get what they have (`before` is not Ok). All return the same status, words and counts.
-  vtkAHDReport Run(const vtkAHDDataSets& data, ahd::Status before);
+  /// not get what they have (`before` is not Ok). All return the same status, words and counts. The
+  /// workspace is used where one rank has to do it all.
+  vtkAHDReport Run(const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace);
   const Words& GetWords() const { return this->Said; }
 
 private:
   void Meet(const vtkAHDDataSets& data);
-  void RefuseSettings();
+  void CompareSettings();
+  void TriangulateOnOne(const vtkAHDDataSets& data, const char* setting, ahd::Workspace& workspace);
   [[noreturn]] void StopAll(ahd::Status reason, const std::string& error);
   void Triangulate(const vtkAHDDataSets& data);
   void CheckMemory(std::size_t bytes, const char* what);
@@ -60,6 +64,7 @@ private:
     const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles);
   void ReportOn(const vtkAHDRankRim& rim);
   void ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains);
+  void WarnOfArrays();
 
   const vtkAHDSettings& Settings;
   vtkAHDRanks& Ranks;

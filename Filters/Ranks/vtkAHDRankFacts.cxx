@@ -38,18 +38,6 @@ std::uint64_t NameOfHost()
   return std::hash<std::string>()(name);
 }
 
-void WriteText(ahd::BytesWriter& writer, const std::string& text)
-{
-  writer.writeAll(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string ReadText(ahd::BytesReader& reader)
-{
-  std::vector<char> text;
-  reader.readAll(text);
-  return std::string(text.begin(), text.end());
-}
-
 bool IsNamed(const std::vector<vtkAHDArrayFacts>& arrays, const std::string& name)
 {
   return std::any_of(arrays.begin(), arrays.end(),
@@ -63,21 +51,18 @@ void vtkAHDRankFacts::Write(ahd::BlockBytes& bytes) const
   writer.writeAll(this->Settings);
   writer.writeAll(this->Transform);
   const std::uint64_t numbers[] = { this->Points, this->SourcePoints, this->Segments, this->Host,
-    this->GhostLevels, this->AreFloats, this->HasMarks, this->MarksAreUnfit,
-    this->HasSeparateBlocks };
+    this->GhostLevels, this->AreFloats, this->HasMarks, this->MarksAreUnfit };
   writer.write(numbers);
   writer.write(this->Source);
   writer.write(std::uint64_t(this->Arrays.size()));
   for (const vtkAHDArrayFacts& array : this->Arrays)
   {
-    WriteText(writer, array.Name);
-    const int shape[] = { array.Type, array.Components, array.Attribute };
-    writer.write(shape);
+    array.Write(writer);
   }
   writer.write(std::uint64_t(this->OtherArrays.size()));
   for (const std::string& name : this->OtherArrays)
   {
-    WriteText(writer, name);
+    vtkAHDWriteText(writer, name);
   }
 }
 
@@ -94,20 +79,16 @@ void vtkAHDRankFacts::Read(const ahd::BlockBytes& bytes)
   this->AreFloats = reader.read<std::uint64_t>() != 0;
   this->HasMarks = reader.read<std::uint64_t>() != 0;
   this->MarksAreUnfit = reader.read<std::uint64_t>() != 0;
-  this->HasSeparateBlocks = reader.read<std::uint64_t>() != 0;
   this->Source = reader.read<ahd::Fingerprint>();
   for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
   {
     vtkAHDArrayFacts array;
-    array.Name = ReadText(reader);
-    array.Type = reader.read<int>();
-    array.Components = reader.read<int>();
-    array.Attribute = reader.read<int>();
+    array.Read(reader);
     this->Arrays.push_back(array);
   }
   for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
   {
-    this->OtherArrays.push_back(ReadText(reader));
+    this->OtherArrays.push_back(vtkAHDReadText(reader));
   }
 }
 
@@ -132,6 +113,10 @@ std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHD
     { "BoundingTriangulation", settings.Bounding },
     { "Offset", settings.Offset },
     { "InsertionLimit", double(insertion.insertionLimit) },
+    { "InsertionOrder", double(insertion.order) },
+    { "ControlPoints", double(insertion.controlPoints) },
+    { "GeneRotation", insertion.geneRotation },
+    { "Nmax", double(insertion.nmax) },
     { "CountWork", insertion.countWork },
     { "GeneratePointStatus", settings.GeneratePointStatus },
     { "GenerateInsertionRank", settings.GenerateInsertionRank },
@@ -163,7 +148,6 @@ void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
     const std::string name = settings.Transform->GetClassName();
     facts.Transform.assign(name.begin(), name.end());
   }
-  facts.HasSeparateBlocks = settings.SeparateBlocks;
   facts.GhostLevels = static_cast<std::uint64_t>(std::max(settings.GhostLevels, 0));
   facts.Host = NameOfHost();
 }
@@ -189,8 +173,7 @@ void vtkAHDReadArrays(vtkPointSet* input, vtkAHDRankFacts& facts)
     if (name && vtkAHDRoute::CanMove(array) &&
       array->GetNumberOfTuples() == input->GetNumberOfPoints())
     {
-      facts.Arrays.push_back({ name, array->GetDataType(), array->GetNumberOfComponents(),
-        data->IsArrayAnAttribute(i) });
+      facts.Arrays.emplace_back(data, i);
     }
     else
     {
@@ -271,12 +254,6 @@ bool vtkAHDAllFacts::HaveMarks() const
     this->Of.begin(), this->Of.end(), [](const vtkAHDRankFacts& facts) { return facts.HasMarks; });
 }
 
-bool vtkAHDAllFacts::HaveSeparateBlocks() const
-{
-  return std::any_of(this->Of.begin(), this->Of.end(),
-    [](const vtkAHDRankFacts& facts) { return facts.HasSeparateBlocks; });
-}
-
 int vtkAHDAllFacts::GetGhostLevels() const
 {
   std::uint64_t most = 0;
@@ -316,7 +293,6 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
   const bool hasSegments = this->GetSegments() > 0;
   const std::pair<bool, const char*> unfit[] = {
     { settings.Insertion.insertionLimit > 0, "InsertionLimit" },
-    { this->HaveSeparateBlocks(), "MergeBlocks off, where the input has blocks," },
     { settings.Insertion.countWork, "CountWork" },
     { settings.GenerateInsertionRank, "GenerateInsertionRank" },
     { settings.GenerateInsertionCurve, "GenerateInsertionCurve" },
@@ -370,6 +346,30 @@ std::vector<vtkAHDArrayFacts> vtkAHDAllFacts::GetArrays() const
     common.swap(both);
   }
   return common;
+}
+
+vtkSmartPointer<vtkPolyData> vtkAHDAllFacts::SelectArrays(vtkPointSet* input) const
+{
+  auto selected = vtkSmartPointer<vtkPolyData>::New();
+  const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
+  if (!isEmpty)
+  {
+    selected->SetPoints(input->GetPoints());
+  }
+  for (const vtkAHDArrayFacts& facts : this->GetArrays())
+  {
+    vtkSmartPointer<vtkAbstractArray> array;
+    if (isEmpty)
+    {
+      array = facts.Make(0);
+    }
+    else
+    {
+      array = input->GetPointData()->GetAbstractArray(facts.Name.c_str());
+    }
+    facts.AddTo(selected->GetPointData(), array);
+  }
+  return selected;
 }
 
 std::string vtkAHDAllFacts::GetPartialArrays() const

@@ -5,6 +5,8 @@
 #include "Engine/Core/Fingerprint.h"
 #include "Engine/Distribute/BlockBytes.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "Ranks/vtkAHDArrayFacts.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
@@ -16,21 +18,6 @@
 class vtkAHDContext;
 class vtkPointSet;
 class vtkPolyData;
-
-/// A point data array, as ranks compare theirs.
-struct vtkAHDArrayFacts
-{
-  std::string Name;
-  int Type = 0;
-  int Components = 1;
-  int Attribute = -1; ///< which one of VTK's attributes it is; -1: none
-
-  bool operator==(const vtkAHDArrayFacts& other) const
-  {
-    return this->Name == other.Name && this->Type == other.Type &&
-      this->Components == other.Components;
-  }
-};
 
 /// What a rank says of itself before the work begins: settings, and what its input and source are.
 struct vtkAHDRankFacts
@@ -44,7 +31,6 @@ struct vtkAHDRankFacts
   std::uint64_t GhostLevels = 0;        ///< that are asked for
   bool AreFloats = false;               ///< the coordinates of the input
   bool HasMarks = false;                ///< are there ghost marks?
-  bool HasSeparateBlocks = false;       ///< that are not to be merged
   bool MarksAreUnfit = false;           ///< there are some, but not one for each point
   ahd::Fingerprint Source = {};         ///< of points and cells
   std::vector<vtkAHDArrayFacts> Arrays; ///< that can be moved, marks excepted
@@ -79,16 +65,19 @@ public:
   std::size_t GetSegments() const;
   bool AreFloats() const;
   bool HaveMarks() const;
-  bool HaveSeparateBlocks() const;
   /// Layers of ghosts that are put out: as many as any rank is asked for.
   int GetGhostLevels() const;
 
   /// The first setting that differs between ranks, in a sentence; empty if none does.
   std::string FindDifference(const vtkAHDSettings& own) const;
-  /// The first setting that has no meaning across ranks yet; null if there is none.
+  /// The first setting that ranks have no method for: one of them has to triangulate all points.
+  /// Null if there is none.
   const char* FindUnfit(const vtkAHDSettings& settings) const;
   /// The arrays that all ranks with points have, in the order of the first of these.
   std::vector<vtkAHDArrayFacts> GetArrays() const;
+  /// The points of a rank's input with these arrays; empty ones where there are no points. `input`
+  /// may be null.
+  vtkSmartPointer<vtkPolyData> SelectArrays(vtkPointSet* input) const;
   /// Those that only some have or that cannot be moved, "A, B"; empty if there is none.
   std::string GetPartialArrays() const;
 

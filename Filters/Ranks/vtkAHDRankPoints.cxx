@@ -90,43 +90,12 @@ vtkAHDRankPoints::vtkAHDRankPoints(const vtkAHDSettings& settings, vtkAHDRanks& 
 
 vtkAHDRankPoints::~vtkAHDRankPoints() = default;
 
-/// The input with those arrays that all ranks have; where there are no points, empty ones.
-void vtkAHDRankPoints::CopyInput(vtkPointSet* input)
-{
-  this->Local = vtkSmartPointer<vtkPolyData>::New();
-  const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
-  if (!isEmpty)
-  {
-    this->Local->SetPoints(input->GetPoints());
-  }
-  vtkPointData* data = this->Local->GetPointData();
-  for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
-  {
-    vtkSmartPointer<vtkAbstractArray> array;
-    if (isEmpty)
-    {
-      array.TakeReference(vtkAbstractArray::CreateArray(facts.Type));
-      array->SetNumberOfComponents(facts.Components);
-      array->SetName(facts.Name.c_str());
-    }
-    else
-    {
-      array = input->GetPointData()->GetAbstractArray(facts.Name.c_str());
-    }
-    const int index = data->AddArray(array);
-    if (facts.Attribute >= 0)
-    {
-      data->SetActiveAttribute(index, facts.Attribute);
-    }
-  }
-}
-
 void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
 {
   this->Ranks.Together(this->Context,
     [&]
     {
-      this->CopyInput(input);
+      this->Local = this->Facts.SelectArrays(input);
       vtkPolyData* counted = this->Facts.CountsSource(this->Ranks.GetOwn()) ? source : nullptr;
       vtkPointSet* given = input ? input : this->Local.Get();
       this->Input.reset(new vtkAHDInput(this->Settings, given, counted));

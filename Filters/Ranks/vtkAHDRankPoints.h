@@ -68,7 +68,6 @@ public:
   vtkPointData* GetDataToMove() const;
 
 private:
-  void CopyInput(vtkPointSet* input);
   void FitPlane();
   void FindBounds();
   void Prepare();

@@ -146,7 +146,8 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
   vtkAHDDataSets data;
   data.Input = input;
   data.Outputs = { { output, order, cells } };
-  const vtkAHDReport report = execution.Run(data, ahd::Status::Ok);
+  ahd::Workspace workspace;
+  const vtkAHDReport report = execution.Run(data, ahd::Status::Ok, workspace);
   const double ended = now();
   std::vector<double> stages = progress.GetStages();
   stages.push_back(ended);

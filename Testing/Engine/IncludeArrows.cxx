@@ -41,6 +41,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Surface", { "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
+    { "Sample", { "Arithmetic", "Points", "Order", "Predicates", "Triangulation" } },
     { "Distribute",
       { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
     { "Interface",

@@ -32,7 +32,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
-from rankcases import Piece, cases, pieces, uniform, with_own_points, with_sources
+from rankcases import Piece, cases, pieces, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -87,16 +87,23 @@ def make_input(piece):
     return data
 
 
-def make_source(source):
+def make_source(source, arrays=None):
     points, lines, polygons = source
     data = vtkPolyData()
     data.SetPoints(make_points(points, "double"))
+    for name, (kind, values) in (arrays or {}).items():
+        data.GetPointData().AddArray(make_array(name, kind, values))
     for cells, put in ((lines, data.SetLines), (polygons, data.SetPolys)):
         array = vtkCellArray()
         for ids in cells:
             array.InsertNextCell(len(ids), ids)
         put(array)
     return data
+
+
+def appended_id(i, first, count):
+    """What is no point's on its rank is none's."""
+    return first + i if 0 <= i < count else i + 10 ** 7 if 0 <= i < 10 ** 5 else i
 
 
 def appended(made, settings):
@@ -119,9 +126,11 @@ def appended(made, settings):
         if source:
             first = len(whole.points) if of_input else len(points)
             count = len(piece.points) if of_input else len(source[0])
-            lines += [[first + i if 0 <= i < count else i for i in ids] for ids in source[1]]
-            polygons += [[first + i if 0 <= i < count else i for i in ids] for ids in source[2]]
+            lines += [[appended_id(i, first, count) for i in ids] for ids in source[1]]
+            polygons += [[appended_id(i, first, count) for i in ids] for ids in source[2]]
             points += source[0]
+            for name, (kind, values) in piece.source_arrays.items():
+                whole.source_arrays.setdefault(name, (kind, []))[1].extend(values)
         whole.points += piece.points
     whole.source = (points, lines, polygons) if any(sources) else None
     return whole
@@ -163,7 +172,7 @@ def make_filter(piece, settings, distribute):
     if isinstance(piece, Piece):
         algorithm.SetInputData(make_input(piece))
         if piece.source:
-            algorithm.SetSourceData(make_source(piece.source))
+            algorithm.SetSourceData(make_source(piece.source, piece.source_arrays))
     elif piece is not None:
         algorithm.SetInputDataObject(0, piece)
     return algorithm
@@ -351,7 +360,6 @@ def try_case(name, made, settings):
 def failures_together():
     """name -> (what each rank does, words of the one error that each says; None: no error)"""
     some = pieces(uniform(300), RANKS)
-    crossing = with_sources(pieces(uniform(300), RANKS), 8)
     last = RANK == RANKS - 1
 
     def abort(algorithm):
@@ -362,25 +370,13 @@ def failures_together():
     def with_(made=some, prepare=None, **settings):
         return lambda: run(made[RANK], settings, prepare=prepare)
 
-    unfit = {
-        "InsertionLimit": 7, "CountWork": True, "GenerateInsertionRank": True, "GenerateInsertionCurve": True,
-        "GenerateBoxes": True, "GenerateRegionIds": True, "GenerateNeighbors": True, "GenerateVoronoi": True,
-        "Alpha": 1.0, "Tolerance": 0.1,
-    }
-    tried = {"unfit " + name: (with_(**{name: value}), name) for name, value in unfit.items()}
-    tried.update({
-        "unfit rim": (with_(crossing, Rim=2), "Rim"),
-        "unfit rim of a plane": (with_(crossing, Transform=True), "Rim"),
-        "unfit split": (with_(crossing, CrossingMode=1), "CrossingMode"),
-        "unfit heights": (with_(with_own_points(pieces(uniform(300), RANKS)), SourceMode=1, SourceHeights=1),
-                          "SourceHeights"),
+    return {
         "different rules": (with_(FillRule=int(last)), "FillRule is not the same"),
         "different planes": (with_(Rim=1, **({"Transform": True} if last else {})), "Transform is not the same"),
         "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1 KiB"),
         "a limit on one rank": (with_(MemoryLimit=int(last)), "may take"),
         "abort": (with_(prepare=abort), None),
-    })
-    return tried
+    }
 
 
 def try_failure(name, work, words):
@@ -460,21 +456,27 @@ def attempt(name, work, *arguments):
         print("rank %d, %s:" % (RANK, name), traceback.format_exc(), flush=True)
 
 
+def finish():
+    """Says how it went, and ends with a status if it did not go well."""
+    print("rank %d of %d: %s" % (RANK, RANKS, "failed: " + ", ".join(failures) if failures else "passed"), flush=True)
+    sys.stdout.flush()
+    if failures:
+        sys.exit(1)
+
+
 check(RANKS > 1, "to be run on several ranks")
-wanted = os.environ.get("AHD_RANK_CASES", "")
-for case, (made, settings) in cases(RANKS).items():
-    if wanted in case:
-        attempt(case, try_case, case, made, settings)
-for case, (work, words) in failures_together().items():
-    if wanted in case:
-        attempt(case, try_failure, case, work, words)
-for case, odd in (("no input", None), ("a table", vtkTable())):
-    if wanted in case:
-        attempt(case, try_odd_inputs, case, odd)
-for case, work in (("pipeline", try_pipeline), ("more ghosts", try_more_ghosts)):
-    if wanted in case:
-        attempt(case, work)
-print("rank %d of %d: %s" % (RANK, RANKS, "failed: " + ", ".join(failures) if failures else "passed"), flush=True)
-sys.stdout.flush()
-if failures:
-    sys.exit(1)
+WANTED = os.environ.get("AHD_RANK_CASES", "")
+if __name__ == "__main__":
+    for case, (made, settings) in cases(RANKS).items():
+        if WANTED in case:
+            attempt(case, try_case, case, made, settings)
+    for case, (work, words) in failures_together().items():
+        if WANTED in case:
+            attempt(case, try_failure, case, work, words)
+    for case, odd in (("no input", None), ("a table", vtkTable())):
+        if WANTED in case:
+            attempt(case, try_odd_inputs, case, odd)
+    for case, work in (("pipeline", try_pipeline), ("more ghosts", try_more_ghosts)):
+        if WANTED in case:
+            attempt(case, work)
+    finish()

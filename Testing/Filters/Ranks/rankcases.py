@@ -18,6 +18,7 @@ class Piece:
         self.marks = None  # ghost marks, one per point
         self.arrays = {}  # name: (type, values of each point)
         self.source = None  # (points, lines, polygons)
+        self.source_arrays = {}  # of its points
 
 
 def pieces(points, ranks, number="double"):
@@ -264,4 +265,58 @@ def bounding_cases(ranks):
         "bounding points and lines": (with_sources(pieces(uniform(300), ranks), 4),
                                       dict(EVERYTHING, BoundingTriangulation=True, MaximumEdgeLength=0.4)),
         "bounding points of nothing": (pieces([], ranks), dict(EVERYTHING, BoundingTriangulation=True)),
+    }
+
+
+def with_values(made):
+    """The sources' points have values in two arrays, of other types than the input's."""
+    for piece in made:
+        count = len(piece.source[0]) if piece.source else 0
+        piece.source_arrays = {"Float": ("double", [0.1 * i for i in range(count)]),
+                               "Long": ("float", [2.5 * i for i in range(count)])}
+    return made
+
+
+def gathered_cases(ranks):
+    """name -> (pieces, settings, the setting that has one rank do it all)"""
+    everything, coordinates = EVERYTHING, COORDINATES
+    few = uniform(300)
+    lines = dict(everything, GenerateRegionIds=True)
+    return {
+        "limit": (pieces(few, ranks), dict(everything, InsertionLimit=50), "InsertionLimit"),
+        "order": (pieces(few, ranks), {"GenerateInsertionRank": True}, "GenerateInsertionRank"),
+        "curve": (pieces(few, ranks), {"GenerateInsertionCurve": True, "GenerateBoxes": True, "Nmax": 4},
+                  "GenerateInsertionCurve"),
+        "boxes": (pieces(few, ranks), {"GenerateBoxes": True}, "GenerateBoxes"),
+        "work": (pieces(few, ranks), {"CountWork": True}, "CountWork"),
+        "regions": (with_sources(pieces(few, ranks), 6), lines, "GenerateRegionIds"),
+        "neighbours": (with_sources(pieces(few, ranks), 6), dict(everything, GenerateNeighbors=True),
+                       "GenerateNeighbors"),
+        "voronoi": (pieces(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi, floats": (pieces([tuple(round(c * 4096) / 4096 for c in p) for p in few], ranks, "float"),
+                            {"GenerateVoronoi": True}, "GenerateVoronoi"),
+        "voronoi, whole numbers": (pieces([tuple(float(round(c * 100)) for c in p) for p in few], ranks, "int"),
+                                   {"GenerateVoronoi": True}, "GenerateVoronoi"),
+        "voronoi, marks": (with_marks(pieces(few, ranks)), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi, not finite": (odd(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi, on one rank": (uneven(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi of nothing": (pieces([], ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi of a plane": (pieces(few, ranks), dict(everything, GenerateVoronoi=True, Rim=1, Transform=True),
+                               "GenerateVoronoi"),
+        "alpha": (with_sources(pieces(few, ranks), 4),
+                  dict(everything, Alpha=0.1, AlphaLines=True, AlphaVerts=True, MaximumEdgeLength=0.3), "Alpha"),
+        "tolerance": (pieces(few, ranks), dict(everything, Tolerance=0.02), "Tolerance"),
+        "trimmed, with lines": (with_sources(pieces(shuffled(bowed(16)), ranks), 3), dict(everything, Rim=2), "Rim"),
+        "split": (with_sources(pieces(few, ranks), 5), dict(everything, CrossingMode=1), "CrossingMode"),
+        "split on a lattice": (with_sources(pieces(lattice(300, 12), ranks), 5), dict(everything, CrossingMode=1),
+                               "CrossingMode"),
+        "unfit ids": (with_sources(pieces(few, ranks), 3), dict(lines, bad_ids=True), "GenerateRegionIds"),
+        "sources' points": (with_values(with_own_points(pieces(few, ranks))),
+                            dict(coordinates, ClosedLines=1, GenerateRegionIds=True), "GenerateRegionIds"),
+        "source on an empty rank": (with_values(with_own_points(uneven(few, ranks))),
+                                    dict(coordinates, GenerateRegionIds=True), "GenerateRegionIds"),
+        "one source": (with_values(with_one_source(pieces(few, ranks))), dict(coordinates, GenerateVoronoi=True),
+                       "GenerateVoronoi"),
+        "from surface": (with_values(with_own_points(pieces(few, ranks))), dict(coordinates, SourceHeights=1),
+                         "SourceHeights"),
     }

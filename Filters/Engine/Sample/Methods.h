@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Methods_h
+#define ahd_Methods_h
+
+#include "Spots.h"
+#include "VertexLine.h"
+#include "VertexTree.h"
+#include "Weights.h"
+
+namespace ahd
+{
+
+// Each finds the weights at one place after the other, from where the last one was. Weights are
+// those of the last call until the next one. weightsAt() returns false if the work is to be
+// cancelled; the natural neighbours' throws std::bad_alloc. REQUIRES: finite places.
+
+/// The weights of a place on an edge or vertex, by any method that is linear along edges.
+class RimWeights
+{
+public:
+  explicit RimWeights(const SampledSurface& surface)
+    : surface_(surface)
+  {
+  }
+
+  Weights onEdge(HalfEdge h, const Point& place);
+  Weights onVertex(HalfEdge h);
+
+private:
+  SampledSurface surface_;
+  Index vertices_[2];
+  double weights_[2];
+};
+
+/// SampleMethod::Linear in triangles.
+class LinearMethod
+{
+public:
+  /// REQUIRES: triangles.
+  explicit LinearMethod(const SampledSurface& surface)
+    : surface_(surface)
+    , finder_(surface)
+    , rim_(surface)
+  {
+  }
+
+  bool weightsAt(const Point& place, Ticker& ticker, Weights& found);
+
+private:
+  SampledSurface surface_;
+  SpotFinder finder_;
+  RimWeights rim_;
+  double weights_[3];
+};
+
+/// The weights of the corners of a triangle at a place in it.
+inline void triangleWeights(
+  const SampledSurface& surface, HalfEdge first, const Point& place, double (&weights)[3])
+{
+  const Index* const v = surface.tables->corners.data() + first;
+  const Point a = surface.at(v[0]), b = surface.at(v[1]), c = surface.at(v[2]);
+  isEasy(a, b, c) ? easyWeights(a, b, c, place, weights) : hardWeights(a, b, c, place, weights);
+}
+
+/// All methods but Nearest where all vertices are collinear.
+class LineMethod
+{
+public:
+  explicit LineMethod(const VertexLine& line)
+    : line_(&line)
+  {
+  }
+
+  bool weightsAt(const Point& place, Ticker& ticker, Weights& found);
+
+private:
+  void findEnds(Weights& found) const;
+
+  const VertexLine* line_;
+  Index vertices_[2];
+  double weights_[2];
+};
+
+/// SampleMethod::Nearest.
+class NearestMethod
+{
+public:
+  /// REQUIRES: the tree is not empty.
+  explicit NearestMethod(const VertexTree& tree)
+    : tree_(&tree)
+  {
+  }
+
+  bool weightsAt(const Point& place, Ticker& ticker, Weights& found);
+
+private:
+  const VertexTree* tree_;
+  std::size_t last_ = 0;
+  Index vertex_;
+  double weight_ = 1.0;
+};
+
+/// No method: there are no vertices.
+class NoMethod
+{
+public:
+  bool weightsAt(const Point&, Ticker& ticker, Weights& found)
+  {
+    found = Weights();
+    return ticker.step();
+  }
+};
+
+} // namespace ahd
+
+#endif

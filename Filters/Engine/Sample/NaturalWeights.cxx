@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NaturalWeights.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+
+namespace
+{
+
+double valueOf(double a)
+{
+  return a;
+}
+double valueOf(const DoubleDouble& a)
+{
+  return a.value();
+}
+
+void subtract(double a, double b, double& difference)
+{
+  difference = a - b;
+}
+void subtract(double a, double b, DoubleDouble& difference)
+{
+  difference = exactDifference(a, b);
+}
+
+/// The unit of rounding.
+template <typename Number>
+constexpr double kUnit = 0x1p-53;
+template <>
+constexpr double kUnit<DoubleDouble> = 0x1p-100;
+
+/// Most that weights may be wrong by.
+constexpr double kMostError = 0x1p-42;
+
+template <typename Vector>
+auto crossOf(const Vector& a, const Vector& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
+template <typename Vector>
+auto squareOf(const Vector& a)
+{
+  return a.x * a.x + a.y * a.y;
+}
+
+} // namespace
+
+template <typename Number>
+bool NaturalWeights<Number>::compute(const SampledSurface& surface, const Cavity& cavity,
+  const Point& place, double scale, bool isLaplace, std::vector<double>& weights)
+{
+  surface_ = &surface;
+  place_ = place;
+  scale_ = scale;
+  isLaplace_ = isLaplace;
+  flatness_ = size_ = 0.0;
+  nearest_ = std::numeric_limits<double>::infinity();
+  goAround(cavity);
+  weights.resize(cavity.vertices().size());
+  return areGood(finish(weights));
+}
+
+template <typename Number>
+typename NaturalWeights<Number>::Vector NaturalWeights<Number>::seen(Index vertex) const
+{
+  const Point v = surface_->at(vertex);
+  Vector result;
+  subtract(v.x * scale_, place_.x * scale_, result.x);
+  subtract(v.y * scale_, place_.y * scale_, result.y);
+  return result;
+}
+
+/// A centre, and what is to be known of it to bound the errors.
+template <typename Number>
+typename NaturalWeights<Number>::Vector NaturalWeights<Number>::noted(
+  const Vector& numerators, const Number& divisor, double size)
+{
+  const Number inverse = Number{ 1.0 } / divisor;
+  const Vector centre{ numerators.x * inverse, numerators.y * inverse };
+  // Where something is NaN, or the divisor negative, which is a matter of rounding, too.
+  const double flatness = size / valueOf(divisor);
+  flatness_ = flatness > 0.0 ? std::max(flatness_, flatness)
+                             : std::numeric_limits<double>::infinity();
+  const double x = valueOf(centre.x), y = valueOf(centre.y);
+  size_ = std::max(size_, std::max(size, x * x + y * y));
+  return centre;
+}
+
+/// Of a triangle of the cavity.
+template <typename Number>
+typename NaturalWeights<Number>::Vector NaturalWeights<Number>::centreOf(std::size_t triangle)
+{
+  const Index* const v = surface_->tables->corners.data() + 3 * triangle;
+  const Vector a = seen(v[0]), b = seen(v[1]), c = seen(v[2]);
+  const Number A = squareOf(a), B = squareOf(b), C = squareOf(c);
+  const Number area = crossOf(a, b) + crossOf(b, c) + crossOf(c, a);
+  const double size = std::max({ valueOf(A), valueOf(B), valueOf(C) });
+  return noted({ A * (b.y - c.y) + B * (c.y - a.y) + C * (a.y - b.y),
+                 A * (c.x - b.x) + B * (a.x - c.x) + C * (b.x - a.x) },
+    area + area, size);
+}
+
+/// Of a triangle that has the place as a corner.
+template <typename Number>
+typename NaturalWeights<Number>::Vector NaturalWeights<Number>::centreOf(
+  const Vector& a, const Vector& b)
+{
+  const Number A = squareOf(a), B = squareOf(b), area = crossOf(a, b);
+  nearest_ = std::min(nearest_, valueOf(A));
+  return noted(
+    { A * b.y - B * a.y, B * a.x - A * b.x }, area + area, std::max(valueOf(A), valueOf(B)));
+}
+
+/// Adds what each side of the parts gives to twice their areas: a side between the centres P and Q
+/// is P x Q for the part to its left, and as much less for the one to its right.
+template <typename Number>
+void NaturalWeights<Number>::goAround(const Cavity& cavity)
+{
+  const Tables& tables = *surface_->tables;
+  areas_.assign(1, Number{ 0.0 });
+  rim_.clear();
+  crossed_.clear();
+  lengths_.clear();
+  centres_.assign(1, isLaplace_ ? Vector() : centreOf(cavity.triangle()));
+  for (const Cavity::Step& step : cavity.steps())
+  {
+    if (step.kind == Cavity::Step::Border)
+    {
+      const Vector a = seen(tables.origin(step.halfEdge)), b = seen(tables.target(step.halfEdge));
+      rim_.push_back(centreOf(a, b));
+      lengths_.push_back(valueOf(squareOf(a)));
+      const Number side = crossOf(centres_.back(), rim_.back());
+      areas_.back() = areas_.back() - side;
+      areas_.push_back(side);
+    }
+    else if (isLaplace_)
+    {
+      continue;
+    }
+    else if (step.kind == Cavity::Step::Enter)
+    {
+      const Vector centre = centreOf(tables.twins[step.halfEdge] / 3);
+      crossed_.push_back(crossOf(centres_.back(), centre));
+      areas_.back() = areas_.back() - crossed_.back();
+      centres_.push_back(centre);
+    }
+    else
+    {
+      centres_.pop_back();
+      areas_.back() = areas_.back() + crossed_.back();
+      crossed_.pop_back();
+    }
+  }
+}
+
+/// The length of the side of the place's cell towards a vertex, over its distance.
+template <typename Number>
+double NaturalWeights<Number>::length(std::size_t k) const
+{
+  const Vector &before = rim_[k == 0 ? rim_.size() - 1 : k - 1], &after = rim_[k];
+  const double x = valueOf(after.x - before.x), y = valueOf(after.y - before.y);
+  return std::sqrt((x * x + y * y) / lengths_[k]);
+}
+
+/// Returns the sum that the weights had before they were divided by it.
+template <typename Number>
+double NaturalWeights<Number>::finish(std::vector<double>& weights) const
+{
+  double sum = 0.0;
+  for (std::size_t k = 0; k != weights.size(); ++k)
+  {
+    const Vector& before = rim_[k == 0 ? rim_.size() - 1 : k - 1];
+    const Number own = k == 0 ? areas_[0] + areas_.back() : areas_[k];
+    const double part = isLaplace_ ? length(k) : valueOf(own + crossOf(before, rim_[k]));
+    weights[k] = part > 0.0 ? part : 0.0;
+    sum += weights[k];
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return sum;
+}
+
+/// May the weights be relied on, if they summed to this?
+///
+/// Let z be the largest squared length, r a centre's, f the flatness, u the unit of rounding. The
+/// numerators of a centre are wrong by 8 u z sqrt(z), its divisor by 4 u z; so the centre is by 8 u
+/// f (sqrt(z) + sqrt(r)), which is at most 16 u f sqrt(s) with s = max(z, r). A side's product of
+/// two is then wrong by 32 u f s and some 2 u s. A weight has a few sides; all have the sum.
+template <typename Number>
+bool NaturalWeights<Number>::areGood(double sum) const
+{
+  const bool isInRange = size_ > 0x1p-400 && size_ < 0x1p400;
+  const double error = 32.0 * kUnit<Number> * flatness_ *
+    (isLaplace_ ? std::sqrt(size_ / nearest_) : size_);
+  return isInRange && error < kMostError * sum && std::isfinite(sum);
+}
+
+template class NaturalWeights<double>;
+template class NaturalWeights<DoubleDouble>;
+
+/// The power of two that makes the farthest vertex of the cavity about 1 away.
+double NaturalMethod::scaleAround(const Point& place) const
+{
+  double far = 0.0;
+  for (const Index vertex : cavity_.vertices())
+  {
+    const Point v = surface_.at(vertex);
+    far = std::max(
+      { far, std::fabs(0.25 * v.x - 0.25 * place.x), std::fabs(0.25 * v.y - 0.25 * place.y) });
+  }
+  int exponent = 0;
+  std::frexp(std::max(far, 0x1p-1000), &exponent);
+  return std::ldexp(1.0, -std::max(exponent + 2, -1000));
+}
+
+bool NaturalMethod::weightsInside(
+  const Spot& spot, const Point& place, Ticker& ticker, Weights& found)
+{
+  if (!cavity_.find(surface_, spot.halfEdge / 3, place, ticker))
+  {
+    return false;
+  }
+  found = { cavity_.vertices().data(), nullptr, cavity_.vertices().size(), spot.halfEdge };
+  if (!quick_.compute(surface_, cavity_, place, 1.0, isLaplace_, weights_) &&
+    !careful_.compute(surface_, cavity_, place, scaleAround(place), isLaplace_, weights_))
+  {
+    const HalfEdge first = spot.halfEdge / 3 * 3;
+    triangleWeights(surface_, first, place, inTriangle_);
+    found = { surface_.tables->corners.data() + first, inTriangle_, 3, first };
+    return true;
+  }
+  found.weights = weights_.data();
+  return true;
+}
+
+bool NaturalMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found)
+{
+  Spot spot;
+  if (!finder_.find(place, ticker, spot))
+  {
+    return false;
+  }
+  switch (spot.kind)
+  {
+    case Spot::InTriangle:
+      return weightsInside(spot, place, ticker, found);
+    case Spot::OnEdge:
+      if (Cavity::isCrossable(surface_, spot.halfEdge))
+      {
+        return weightsInside(spot, place, ticker, found);
+      }
+      found = rim_.onEdge(spot.halfEdge, place);
+      break;
+    case Spot::OnVertex:
+      found = rim_.onVertex(spot.halfEdge);
+      break;
+    default:
+      found = Weights();
+  }
+  return true;
+}
+
+} // namespace ahd

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Weights.h"
+
+#include "../Arithmetic/DoubleDouble.h"
+#include "../Arithmetic/WideQuotient.h"
+#include "../Arithmetic/WideVectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace ahd
+{
+
+namespace
+{
+
+/// The power of two that makes the larger extent of the points about 1, as far as doubles reach.
+double unitScale(std::initializer_list<Point> points)
+{
+  Point low = *points.begin(), high = low;
+  for (const Point& p : points)
+  {
+    low = { std::min(low.x, p.x), std::min(low.y, p.y) };
+    high = { std::max(high.x, p.x), std::max(high.y, p.y) };
+  }
+  // Of quarters, so that nothing overflows.
+  const double extent = std::max(0.25 * high.x - 0.25 * low.x, 0.25 * high.y - 0.25 * low.y);
+  int exponent = 0;
+  std::frexp(std::max(extent, 0x1p-1000), &exponent);
+  return std::ldexp(1.0, -std::max(exponent + 2, -1000));
+}
+
+DoubleDoubleVector between(const Point& from, const Point& to, double scale)
+{
+  return { exactDifference(to.x * scale, from.x * scale),
+    exactDifference(to.y * scale, from.y * scale) };
+}
+
+/// Each area exactly, and its part of all, rounded once.
+void exactWeights(
+  const Point& a, const Point& b, const Point& c, const Point& p, double (&weights)[3])
+{
+  using namespace stages;
+  const Unit unit{ &a, &b, &c, &p };
+  const WideVector A(unit, p, a), B(unit, p, b), C(unit, p, c);
+  const auto all = crossUnbounded(WideVector(unit, a, b), WideVector(unit, a, c));
+  weights[0] = roundedQuotient(crossUnbounded(B, C), all, 0);
+  weights[1] = roundedQuotient(crossUnbounded(C, A), all, 0);
+  weights[2] = roundedQuotient(crossUnbounded(A, B), all, 0);
+}
+
+/// Areas in units of the longest edge's square below this are not worth 40 bits, of 100.
+constexpr double kLeastArea = 0x1p-50;
+
+} // namespace
+
+void hardWeights(
+  const Point& a, const Point& b, const Point& c, const Point& p, double (&weights)[3])
+{
+  const double scale = unitScale({ a, b, c });
+  const DoubleDoubleVector A = between(p, a, scale), B = between(p, b, scale),
+                           C = between(p, c, scale);
+  const DoubleDouble u = cross(B, C), v = cross(C, A), w = cross(A, B);
+  const double all = (u + v + w).value();
+  if (!(all > kLeastArea))
+  {
+    exactWeights(a, b, c, p, weights);
+    return;
+  }
+  weights[0] = std::max(0.0, u.value() / all);
+  weights[1] = std::max(0.0, v.value() / all);
+  weights[2] = std::max(0.0, w.value() / all);
+}
+
+void edgeWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2])
+{
+  const double scale = unitScale({ a, b });
+  const double x = b.x * scale - a.x * scale, y = b.y * scale - a.y * scale;
+  if (std::fabs(x) >= std::fabs(y))
+  {
+    weights[0] = (b.x * scale - p.x * scale) / x;
+    weights[1] = (p.x * scale - a.x * scale) / x;
+  }
+  else
+  {
+    weights[0] = (b.y * scale - p.y * scale) / y;
+    weights[1] = (p.y * scale - a.y * scale) / y;
+  }
+}
+
+Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&value)[3])
+{
+  const double scale = unitScale({ a, b, c });
+  const DoubleDoubleVector U = between(a, b, scale), V = between(a, c, scale);
+  const double area = cross(U, V).value();
+  // Neither products of values nor those that are taken of them for their rounding overflow.
+  const double largest = std::max(
+    { std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2]) });
+  const double less = largest > 0x1p400 ? 0x1p-700 : 1.0;
+  const DoubleDouble u = exactDifference(value[1] * less, value[0] * less);
+  const DoubleDouble v = exactDifference(value[2] * less, value[0] * less);
+  const double x = (u * V.y - v * U.y).value(), y = (v * U.x - u * V.x).value();
+  return { x / area * scale / less, y / area * scale / less };
+}
+
+Point slopeAlong(const Point& a, const Point& b, double atA, double atB)
+{
+  const double scale = unitScale({ a, b });
+  const double x = b.x * scale - a.x * scale, y = b.y * scale - a.y * scale;
+  const double rise = (atB - atA) / (x * x + y * y) * scale;
+  return { x * rise, y * rise };
+}
+
+} // namespace ahd

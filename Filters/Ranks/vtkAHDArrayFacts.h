@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDArrayFacts_h
+#define vtkAHDArrayFacts_h
+
+#include "Engine/Distribute/BlockBytes.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkDataSetAttributes;
+
+/// Text among other bytes. Both throw std::bad_alloc.
+void vtkAHDWriteText(ahd::BytesWriter& writer, const std::string& text);
+std::string vtkAHDReadText(ahd::BytesReader& reader);
+
+/// A point data array, as ranks compare theirs.
+struct vtkAHDArrayFacts
+{
+  std::string Name;
+  int Type = 0;
+  int Components = 1;
+  int Attribute = -1;                      ///< which one of VTK's attributes it is; -1: none
+  std::vector<std::string> ComponentNames; ///< of each component; none if none is named
+
+  vtkAHDArrayFacts() = default;
+  /// Those of array `index`.
+  vtkAHDArrayFacts(vtkDataSetAttributes* data, int index);
+
+  /// An array of so many tuples that is like this one, values not set. Throws std::bad_alloc.
+  vtkSmartPointer<vtkAbstractArray> Make(std::size_t count) const;
+  /// Adds one, and makes it the attribute that it is.
+  void AddTo(vtkDataSetAttributes* data, vtkAbstractArray* array) const;
+
+  /// Throws std::bad_alloc, as the next one.
+  void Write(ahd::BytesWriter& writer) const;
+  void Read(ahd::BytesReader& reader);
+
+  bool operator==(const vtkAHDArrayFacts& other) const
+  {
+    return this->Name == other.Name && this->Type == other.Type &&
+      this->Components == other.Components;
+  }
+};
+
+#endif

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankGather_h
+#define vtkAHDRankGather_h
+
+#include "Execution/vtkAHDExecution.h"
+#include "Ranks/vtkAHDRankFacts.h"
+#include "Ranks/vtkAHDRoute.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/**
+ * The inputs and sources of all ranks on one of them, appended in the order of the ranks.
+ *
+ * Points that are added to those of the input have values in its arrays as vtkAHDPointOutput gives
+ * them; other arrays of a source stay behind. Ids in the cells of a rank's source, which name its
+ * own points, become those of the appended ones. What is said to be collective throws vtkAHDStop on
+ * all ranks if one cannot go on.
+ */
+class vtkAHDRankGather
+{
+public:
+  /// Borrows all of them.
+  vtkAHDRankGather(const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDAllFacts& facts,
+    const vtkAHDContext& context);
+
+  /// Hears how much each rank has. Collective.
+  void Measure(const vtkAHDDataSets& data);
+
+  // --- Once that is known, the same on all ranks ---
+
+  /// Data sets of the sizes and types that the appended ones will have, and with nothing in memory:
+  /// for estimates, which look at no value.
+  vtkSmartPointer<vtkPolyData> OutlineInput() const;
+  vtkSmartPointer<vtkPolyData> OutlineSource() const;
+  /// Upper estimate of the bytes that the appended data sets take, with those that any rank has
+  /// taken to make its own.
+  std::size_t EstimateBytes() const;
+  /// Of those besides, on the rank that they go to, while they come.
+  std::size_t EstimateBytesOnTheWay() const;
+  /// Of those that a rank takes to send what it has.
+  std::size_t EstimateBytesToSend(std::size_t rank) const;
+  /// What there is in the appended source besides lines and polygons.
+  vtkAHDInput::SourceContent GetContent() const;
+
+  /// Moves all to one rank. Collective. REQUIRES: Measure() of the same data.
+  void MoveTo(std::size_t host, const vtkAHDDataSets& data);
+
+  /// On that rank; on others they have no points.
+  vtkPolyData* GetInput() const { return this->Input; }
+  vtkPolyData* GetSource() const { return this->Source; }
+  /// What an id that is no point's is in the source that it comes from.
+  std::int64_t GetGivenId(std::int64_t id) const;
+
+private:
+  static constexpr std::size_t kKinds = 3; // of cells: vertices, lines, polygons
+  struct CellCounts
+  {
+    std::uint64_t Count = 0;
+    std::uint64_t Ids = 0;
+  };
+  struct Sizes // of what one rank has
+  {
+    std::uint64_t InputBytes = 0;  // that making the input has taken
+    std::uint64_t DataBytes = 0;   // of the arrays that all have
+    std::uint64_t WidestBytes = 0; // of what is sent at one time
+    std::array<CellCounts, kKinds> Cells = {};
+    vtkAHDInput::SourceContent Content;
+  };
+  using CellArrays = std::array<vtkCellArray*, kKinds>;
+
+  static CellArrays CellsOf(vtkPolyData* source);
+  bool AddsSource() const { return this->Facts.GetSourcePoints() > 0; }
+  vtkPolyData* CountedSource(const vtkAHDDataSets& data) const;
+  Sizes MeasureOwn(const vtkAHDDataSets& data) const;
+  CellCounts GetCells(std::size_t kind) const;
+  std::size_t GetWidth() const;
+  std::int64_t GetFirstId() const;
+  std::int64_t GetIdCount() const;
+  void MovePoints(vtkPolyData* from, bool areFloats, vtkAHDRoute& route, vtkPolyData* to);
+  void MoveMarks(vtkPointSet* input, vtkAHDRoute& route);
+  void MoveCells(vtkPolyData* source);
+  void WriteCells(vtkPolyData* source, std::int64_t ownIds, ahd::BlockBytes& bytes) const;
+  void ReadCells(const std::vector<ahd::BlockMessage>& messages);
+  vtkSmartPointer<vtkPolyData> ReadSourcePoints(vtkPolyData* source) const;
+
+  const vtkAHDSettings& Settings;
+  vtkAHDRanks& Ranks;
+  const vtkAHDAllFacts& Facts;
+  const vtkAHDContext& Context;
+  std::vector<Sizes> Of; // of each rank
+  std::size_t Host = 0;
+  vtkSmartPointer<vtkPolyData> Input;
+  vtkSmartPointer<vtkPolyData> Source;
+};
+
+#endif

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_SampleCase_h
+#define ahd_SampleCase_h
+
+// A surface and what it is sampled by, for the tests of Sample/.
+#include "ConstraintMakers.h"
+#include "Engine.h"
+#include "EngineRun.h"
+#include "ExactSigns.h"
+#include "Random.h"
+#include "SampleOracle.h"
+
+#include "Sample/Sample.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace ahd
+{
+namespace test
+{
+
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+
+/// A triangulation, and a sampler of it.
+struct SampledCase
+{
+  explicit SampledCase(const std::vector<Point>& where, const Options& options = Options())
+    : points(where)
+  {
+    EXPECT_EQ(engine.run(viewOf(points), options), Status::Ok);
+  }
+  explicit SampledCase(const ConstraintCase& given, FillRule rule = FillRule::EvenOdd)
+    : points(given.points)
+  {
+    EXPECT_EQ(engine.run(viewOf(points)), Status::Ok);
+    EXPECT_EQ(engine.constrain(given.constraints.view(), rule), Status::Ok);
+  }
+
+  void prepare(SampleMethod method, const unsigned char* kept = nullptr)
+  {
+    ASSERT_EQ(sampler.prepare(engine.made, kept, method, {}), Status::Ok);
+  }
+
+  /// Ids of the kept triangles.
+  std::vector<std::int32_t> triples()
+  {
+    std::vector<std::int32_t> result(3 * engine.report().triangles);
+    EXPECT_EQ(engine.writeTriangles(result.data()), Status::Ok);
+    return result;
+  }
+
+  std::vector<Point> points;
+  Engine engine;
+  Sampler sampler;
+};
+
+/// All that values() gives for one array.
+struct SampledValues
+{
+  std::vector<double> values;
+  std::vector<unsigned char> mask;
+  std::vector<double> gradients;
+  SampleReport report;
+  Status status = Status::Ok;
+};
+
+inline SampledValues sample(const Sampler& sampler, const SamplePlaces& places,
+  const std::vector<double>& values, const Context& context = Context(), bool slopes = false)
+{
+  SampledValues result;
+  result.values.assign(places.count(), -77.0);
+  result.mask.assign(places.count(), 77);
+  result.gradients.assign(slopes ? 2 * places.count() : 0, -77.0);
+  const SampleArray array{ values.data(), 1, result.values.data(),
+    slopes ? result.gradients.data() : nullptr };
+  result.status = sampler.values(places, &array, 1, result.mask.data(), result.report, context);
+  return result;
+}
+
+/// The weights of each place.
+inline std::vector<PointWeights> weightsAt(const Sampler& sampler, const std::vector<Point>& places)
+{
+  SampleWeights weights;
+  SampleReport report;
+  EXPECT_EQ(sampler.weights(SamplePlaces(viewOf(places)), weights, report, {}), Status::Ok);
+  std::vector<PointWeights> result(places.size());
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    for (std::uint64_t i = weights.offsets[k]; i < weights.offsets[k + 1]; ++i)
+    {
+      EXPECT_GE(weights.weights[i], 0.0);
+      EXPECT_EQ(result[k].count(weights.points[i]), 0u) << "twice";
+      result[k][weights.points[i]] = weights.weights[i];
+    }
+  }
+  return result;
+}
+
+inline double sumOf(const PointWeights& weights)
+{
+  double sum = 0.0;
+  for (const auto& weight : weights)
+  {
+    sum += weight.second;
+  }
+  return sum;
+}
+
+/// The largest difference between weights; infinite if one has no value and the other has.
+inline double differenceOf(const PointWeights& a, const PointWeights& b)
+{
+  double most = a.empty() == b.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  for (const auto& weight : a)
+  {
+    const auto found = b.find(weight.first);
+    most = std::max(most, std::fabs(weight.second - (found == b.end() ? 0.0 : found->second)));
+  }
+  for (const auto& weight : b)
+  {
+    most = std::max(most, a.count(weight.first) == 0 ? weight.second : 0.0);
+  }
+  return most;
+}
+
+/// Places within the bounds of the points and somewhat beyond, on points, between two of them, and
+/// anywhere.
+inline std::vector<Point> placesAmong(
+  const std::vector<Point>& points, std::size_t count, std::uint64_t seed)
+{
+  Random random(seed);
+  std::vector<Point> places;
+  while (places.size() < count)
+  {
+    const Point a = points[random.below(points.size())], b = points[random.below(points.size())];
+    const Point c = points[random.below(points.size())];
+    const double t = 1.2 * random.unit() - 0.1, s = random.unit();
+    const Point onLine{ a.x + t * (b.x - a.x), a.y + t * (b.y - a.y) };
+    const Point middle{ 0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y };
+    const Point anywhere{ onLine.x + s * (c.x - onLine.x), onLine.y + s * (c.y - onLine.y) };
+    const Point choices[] = { a, middle, onLine, anywhere, anywhere, anywhere, anywhere, anywhere };
+    places.push_back(choices[random.below(8)]);
+  }
+  return places;
+}
+
+} // namespace test
+} // namespace ahd
+
+#endif

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A Sampler where it is cancelled, has no memory, or several threads; no more memory than
+// estimated. This program's operator new counts, and fails when told to.
+#include "Executors.h"
+#include "Listeners.h"
+#include "OwnMemory.h"
+#include "SampleCase.h"
+
+#include <cstring>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+const SampleMethod kMethods[] = { SampleMethod::Linear, SampleMethod::NaturalNeighbor,
+  SampleMethod::Laplace, SampleMethod::Nearest };
+
+template <typename T>
+bool areSame(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+}
+
+bool areSame(const SampledValues& a, const SampledValues& b)
+{
+  return areSame(a.values, b.values) && areSame(a.gradients, b.gradients) &&
+    areSame(a.mask, b.mask) && std::memcmp(&a.report, &b.report, sizeof a.report) == 0;
+}
+
+std::vector<double> valuesFor(const std::vector<Point>& points)
+{
+  std::vector<double> values;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const Point p = points[k];
+    values.push_back(k % 97 == 5 ? kNotANumber : std::sin(9 * p.x) * std::cos(7 * p.y));
+  }
+  return values;
+}
+
+/// A raster that reaches beyond the unit square.
+SampleRaster rasterOf(std::size_t columns, std::size_t rows)
+{
+  return { { -0.05, -0.03 }, { 1.1 / double(columns), 1.06 / double(rows) }, columns, rows };
+}
+
+std::vector<Point> pointsOf(const SampleRaster& raster)
+{
+  std::vector<Point> result;
+  const SamplePlaces places(raster);
+  for (std::size_t k = 0; k < places.count(); ++k)
+  {
+    result.push_back(places[k]);
+  }
+  return result;
+}
+
+/// The same bytes from one thread and several, on a raster and at its places in another order.
+TEST(SampleTrouble, ThreadsAndOtherPlacesHaveNoSay)
+{
+  ThreadExecutor threads(3);
+  SampledCase given(makePoints(Distribution::Uniform, reduced(20000), 1));
+  SampledCase holes(nestedLoops(30));
+  for (SampledCase* made : { &given, &holes })
+  {
+    Bounds b{ 0, 1, 0, 1 };
+    for (const Point& p : made->points)
+    {
+      b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
+        std::max(b.ymax, p.y) };
+    }
+    SampleRaster raster = rasterOf(reduced(300), 290);
+    raster.spacing = { raster.spacing.x * (b.xmax - b.xmin), raster.spacing.y * (b.ymax - b.ymin) };
+    const std::vector<double> values = valuesFor(made->points);
+    for (const SampleMethod method : kMethods)
+    {
+      SCOPED_TRACE(int(method));
+      made->prepare(method);
+      const bool slopes = method == SampleMethod::Linear;
+      const SampledValues alone = sample(
+        made->sampler, SamplePlaces(raster), values, Context(), slopes);
+      Listener listener;
+      EXPECT_TRUE(areSame(alone,
+        sample(made->sampler, SamplePlaces(raster), values, { &listener, &threads }, slopes)));
+      const std::vector<Point> places = pointsOf(raster);
+      EXPECT_TRUE(areSame(
+        alone, sample(made->sampler, SamplePlaces(viewOf(places)), values, Context(), slopes)));
+      EXPECT_TRUE(areSame(alone,
+        sample(
+          made->sampler, SamplePlaces(viewOf(places)), values, { nullptr, &threads }, slopes)));
+      EXPECT_GT(alone.report.valued, 1000u);
+      EXPECT_GT(alone.report.outside + (method == SampleMethod::Nearest), 0u);
+    }
+  }
+}
+
+/// What a call is to be wrapped by: prepares and samples anew.
+Status sampleAnew(SampledCase& given, SampleMethod method, const SamplePlaces& places,
+  const std::vector<double>& values, const Context& context)
+{
+  const Status status = given.sampler.prepare(given.engine.made, nullptr, method, context);
+  if (status != Status::Ok)
+  {
+    return status;
+  }
+  SampleWeights weights;
+  SampleReport report;
+  const Status weighed = given.sampler.weights(places, weights, report, context);
+  return weighed != Status::Ok ? weighed : sample(given.sampler, places, values, context).status;
+}
+
+TEST(SampleTrouble, AnyAskingCanCancelAlsoWithThreads)
+{
+  ThreadExecutor threads(3);
+  const SampleRaster raster = rasterOf(60, 50);
+  const std::vector<Point> few = placesAmong({ { 0, 0 }, { 1, 0 }, { 0.3, 1 } }, 3000, 1);
+  for (const Distribution d : { Distribution::Uniform, Distribution::Collinear })
+  {
+    SampledCase given(makePoints(d, 3000, 1));
+    ASSERT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
+    const std::vector<double> values = valuesFor(given.points);
+    for (const SampleMethod method : kMethods)
+    {
+      for (const SamplePlaces& places : { SamplePlaces(raster), SamplePlaces(viewOf(few)) })
+      {
+        Listener all;
+        ASSERT_EQ(sampleAnew(given, method, places, values, { &all, nullptr }), Status::Ok);
+        for (std::size_t k = 1; k <= all.askings(); ++k)
+        {
+          Listener listener(k);
+          ASSERT_EQ(
+            sampleAnew(given, method, places, values, { &listener, nullptr }), Status::Cancelled);
+          EXPECT_EQ(listener.askings(), k) << "nobody is asked again";
+        }
+        Listener early(2);
+        EXPECT_EQ(
+          sampleAnew(given, method, places, values, { &early, &threads }), Status::Cancelled);
+      }
+    }
+  }
+}
+
+/// Asked at least once for so many places, of any kind.
+TEST(SampleTrouble, AsksOftenEnough)
+{
+  SampledCase given(makePoints(Distribution::Uniform, 30, 1));
+  const std::vector<double> values = valuesFor(given.points);
+  const SampleRaster raster = rasterOf(1000, 1000);
+  for (const SampleMethod method : kMethods)
+  {
+    given.prepare(method);
+    Listener listener;
+    ASSERT_EQ(sample(given.sampler, SamplePlaces(raster), values, { &listener, nullptr }).status,
+      Status::Ok);
+    EXPECT_GE(listener.askings(), 1000000 / kStepsPerAsking) << int(method);
+  }
+}
+
+TEST(SampleTrouble, AnyAllocationCanFail)
+{
+  const SampleRaster raster = rasterOf(30, 20);
+  const std::vector<Point> few = placesAmong({ { 0, 0 }, { 1, 0 }, { 0.3, 1 } }, 300, 1);
+  for (const Distribution d : { Distribution::Uniform, Distribution::Collinear })
+  {
+    const std::vector<Point> points = makePoints(d, 300, 1);
+    const std::vector<double> values = valuesFor(points);
+    for (const SampleMethod method : kMethods)
+    {
+      for (const SamplePlaces& places : { SamplePlaces(raster), SamplePlaces(viewOf(few)) })
+      {
+        std::size_t failed = 0;
+        for (;; ++failed)
+        {
+          account.countsNothing = true;
+          SampledCase given(points);
+          std::vector<double> out(places.count());
+          const SampleArray array{ values.data(), 1, out.data(), nullptr };
+          SampleWeights weights;
+          SampleReport report;
+          const std::size_t before = account.blocks;
+          account.countsNothing = false;
+          account.allocations = 0;
+          account.failAt = failed + 1;
+          Status status = given.sampler.prepare(given.engine.made, nullptr, method, {});
+          status = status != Status::Ok ? status
+                                        : given.sampler.weights(places, weights, report, {});
+          status = status != Status::Ok
+            ? status
+            : given.sampler.values(places, &array, 1, nullptr, report, {});
+          account.failAt = 0;
+          if (status == Status::Ok)
+          {
+            break;
+          }
+          ASSERT_EQ(status, Status::OutOfMemory) << "allocation " << failed + 1;
+          ASSERT_TRUE(account.blocks >= before);
+          const SampledValues again = sample(given.sampler, places, values);
+          ASSERT_EQ(again.status, Status::Ok);
+        }
+        EXPECT_GT(failed, 5u);
+      }
+    }
+  }
+}
+
+TEST(SampleTrouble, NothingLeaks)
+{
+  const std::size_t before = account.held;
+  {
+    SampledCase given(makePoints(Distribution::Uniform, 300, 1));
+    const std::vector<double> values = valuesFor(given.points);
+    for (const SampleMethod method : kMethods)
+    {
+      ASSERT_EQ(sampleAnew(given, method, SamplePlaces(rasterOf(30, 20)), values, {}), Status::Ok);
+    }
+  }
+  EXPECT_EQ(account.held, before);
+}
+
+TEST(SampleTrouble, TakesNoMoreMemoryThanEstimated)
+{
+  const SampleRaster raster = rasterOf(300, 200);
+  const std::vector<Point> scattered = makePoints(Distribution::Uniform, 60000, 9);
+  for (const Distribution d : { Distribution::Uniform, Distribution::Collinear })
+  {
+    SampledCase given(makePoints(d, reduced(50000), 1));
+    const std::vector<double> values = valuesFor(given.points);
+    ASSERT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
+    for (const SampleMethod method : kMethods)
+    {
+      for (const SamplePlaces& places : { SamplePlaces(raster), SamplePlaces(viewOf(scattered)) })
+      {
+        std::vector<double> out(places.count());
+        const SampleArray array{ values.data(), 1, out.data(), nullptr };
+        SampleReport report;
+        given.sampler = Sampler();
+        const std::size_t before = account.held;
+        account.peak = before;
+        given.prepare(method);
+        ASSERT_EQ(given.sampler.values(places, &array, 1, nullptr, report, {}), Status::Ok);
+        const std::size_t taken = account.peak - before;
+        const std::size_t estimate = sampleMemoryEstimate(given.points.size(), places, 1);
+        EXPECT_LE(taken, estimate) << int(method);
+        EXPECT_GE(4 * taken, estimate) << int(method);
+      }
+    }
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
