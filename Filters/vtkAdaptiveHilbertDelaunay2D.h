@@ -338,8 +338,10 @@ public:
    * The global ids "GlobalPointIds" number the points as appended, those of sources last;
    * "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's cells are those of
    * the rank's own points. Sources that are the same on all ranks count once where their points are
-   * added. What fails on one rank ends in one error on each. Settings that have no meaning across
-   * ranks yet are such errors: Reference.md lists them.
+   * added. What fails on one rank ends in one error on each. Settings that ranks have no method for
+   * have one rank triangulate all points and put out everything, if there is room on it; a warning
+   * names the first: Reference.md lists them. With MergeBlocks off, block k of all ranks is
+   * triangulated by itself, for each k.
    */
   virtual void SetDistributePoints(bool distribute);
   vtkGetMacro(DistributePoints, bool);
@@ -449,6 +451,7 @@ private:
   const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution
   const std::unique_ptr<vtkAHDOutputCache> Cache;  // the last execution's outputs
   bool WarnedAboutRanks = false;
+  bool WarnedAboutOneRank = false;
 };
 
 #endif

@@ -313,9 +313,9 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
     {
       vtkWarningMacro(<< warning);
     }
-    if (!words.OneRank.empty() && !this->WarnedAboutRanks)
+    if (!words.OneRank.empty() && !this->WarnedAboutOneRank)
     {
-      this->WarnedAboutRanks = true; // once, as some move such a setting step by step
+      this->WarnedAboutOneRank = true; // once, as some move such a setting step by step
       vtkWarningMacro(<< words.OneRank);
     }
   }
@@ -337,8 +337,11 @@ void vtkAdaptiveHilbertDelaunay2D::WarnAboutRanks()
     this->WarnedAboutRanks = true;
     vtkWarningMacro("There are " << ranks->GetNumberOfProcesses()
                                  << " ranks, and each triangulates its own points only: the "
-                                    "surfaces of the ranks do not join. DistributePoints "
-                                    "triangulates the points of all together.");
+                                    "surfaces of the ranks do not join. "
+                                 << (this->DistributePoints
+                                        ? "DistributePoints has no effect without a Controller."
+                                        : "DistributePoints triangulates the points of all "
+                                          "together."));
   }
 #endif
 }

@@ -109,6 +109,8 @@ class _Driver(VTKPythonAlgorithmBase):
 
     def __init__(self):
         self._worker = _vtk_class(self.vtk_class)()
+        if hasattr(self._worker, "SetController"):  # each rank its own points: the worker's outputs become these
+            self._worker.SetController(None)
         ports = self._worker.GetNumberOfInputPorts()
         self._inputs = [None] * ports
         # Behind the worker's ports there is one more, which ParaView does not know: see SetTransform.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every rank of pvbatch --sym triangulates its own piece of a sphere, twice."""
+"""Two ranks of pvbatch --sym triangulate a sphere, each having a piece: together, then each its own, twice."""
 
 from paraview.simple import *
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
@@ -12,6 +12,13 @@ rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 
 # A sphere comes in pieces, one for each rank.
 surface = AdaptiveHilbertDelaunay2D(Input=Sphere())
+surface.UpdatePipeline()
+marks = surface.GetClientSideObject().GetOutputDataObject(0).GetCellData().GetArray("vtkGhostType")
+cells = surface.GetDataInformation().GetNumberOfCells()
+own = sum(marks.GetValue(i) == 0 for i in range(cells)) if marks else cells
+together = measures(surface)["NumberOfTriangles"]
+print("rank %d of %d: %d of %d triangles together" % (rank, ranks, own, together), flush=True)
+surface.DistributePoints = 0
 surface.UpdatePipeline()
 surface.GenerateFate = 1
 surface.GenerateInsertionCurve = 1

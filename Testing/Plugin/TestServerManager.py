@@ -265,7 +265,9 @@ def test_defaults_and_names_are_those_of_the_class():
     check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
     # and vtkDelaunay2D's rule, where most outlines that people have run the other way
     check_equal((proxy.FillRule, fresh.GetFillRule()), ("Even-odd", 0), "the defaults of FillRule")
-    for name in set(SETTINGS + MEASURES) - {"SourceMode", "FillRule"}:
+    # and a program that updates on one rank alone must not wait for the others
+    check_equal((proxy.DistributePoints, fresh.GetDistributePoints()), (1, False), "the defaults of DistributePoints")
+    for name in set(SETTINGS + MEASURES) - {"SourceMode", "FillRule", "DistributePoints"}:
         shown = servermanager.vtkSMPropertyHelper(sm, name).GetAsDouble()
         check_equal(shown, float(getattr(fresh, "Get" + name)()), "default of " + name)
 

@@ -41,7 +41,7 @@ OTHERS = {
     "Tolerance": 0.001,
     "DuplicatePolicy": "Mean z",
     "MergeBlocks": 1,
-    "DistributePoints": 1,
+    "DistributePoints": 0,
     "KeepTriangulation": 0,
     "GenerateConstraintEdges": 1,
     "GenerateRegionIds": 1,
