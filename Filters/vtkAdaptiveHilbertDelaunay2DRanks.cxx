@@ -164,7 +164,8 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(vtkDataObject* input, vtkDataO
     vtkErrorMacro(<< blocks->GetDifference()
                   << ". Where MergeBlocks is off, block by block is triangulated over all ranks, "
                      "and each has to have the same ones, but for those that it lacks. Nothing was "
-                     "computed. Switch MergeBlocks on for one surface of all.");
+                     "computed. Switch MergeBlocks on for one surface of all, or DistributePoints "
+                     "off: each rank then triangulates its own.");
     return;
   }
   if (blocks->HaveBlocks())

@@ -141,6 +141,7 @@ void vtkAHDGatheredExecution::ShareRooms(ahd::Workspace& workspace, std::vector<
     [&]
     {
       Room room;
+      room.Needed = static_cast<std::int64_t>(this->EstimateBytes(workspace) / 1024);
       room.IsByUser = this->Settings.MemoryLimit > 0;
       const std::size_t there = ahd::availableMemory() / 1024 + workspace.bytes() / 1024;
       constexpr std::size_t kPlenty = std::size_t(1) << 50;
@@ -188,7 +189,7 @@ std::string vtkAHDGatheredExecution::FindHost(
   this->Ranks.Together(this->Context,
     [&]
     {
-      const auto needed = static_cast<std::int64_t>(this->EstimateBytes(workspace) / 1024);
+      const std::int64_t needed = rooms[0].Needed;
       const auto most = std::max_element(
         rooms.begin(), rooms.end(), [](const Room& a, const Room& b) { return a.Limit < b.Limit; });
       this->Host = needed <= rooms[0].Limit ? 0 : static_cast<std::size_t>(most - rooms.begin());

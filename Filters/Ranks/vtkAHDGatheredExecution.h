@@ -36,7 +36,8 @@ public:
 private:
   struct Room // on one rank
   {
-    std::int64_t Limit = 0; // KiB
+    std::int64_t Needed = 0; // KiB, as this rank estimates it: it is the first whose word counts
+    std::int64_t Limit = 0;  // KiB
     std::int64_t IsByUser = 0;
     std::int64_t Share = 0; // of the limit, where other ranks work on the same machine
   };

@@ -26,7 +26,7 @@ public:
   }
 };
 
-std::vector<std::string> warningsOfTwoRuns(int rank, int ranks)
+std::vector<std::string> warningsOfTwoRuns(int rank, int ranks, bool distribute = false)
 {
   vtkNew<Pretended> communicator;
   communicator->Be(rank, ranks);
@@ -34,6 +34,11 @@ std::vector<std::string> warningsOfTwoRuns(int rank, int ranks)
   controller->SetCommunicator(communicator);
   vtkMultiProcessController::SetGlobalController(controller);
   WatchedFilter filter;
+  if (distribute)
+  {
+    filter->SetController(nullptr);
+    filter->DistributePointsOn();
+  }
   filter->SetInputData(makeCloud(latticePoints(100, 1000)));
   filter->Update();
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
@@ -54,5 +59,13 @@ TEST(Ranks, SeveralRanksAreSaidOnceByTheFirst)
   const std::vector<std::string> first = warningsOfTwoRuns(0, 3);
   ASSERT_EQ(first.size(), 1u);
   EXPECT_NE(first[0].find("3 ranks"), std::string::npos) << first[0];
+  EXPECT_NE(first[0].find("DistributePoints triangulates"), std::string::npos) << first[0];
   EXPECT_TRUE(warningsOfTwoRuns(1, 3).empty());
+}
+
+TEST(Ranks, WithoutAControllerThereAreNoneToDistributeTo)
+{
+  const std::vector<std::string> said = warningsOfTwoRuns(0, 3, true);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_NE(said[0].find("has no effect without a Controller"), std::string::npos) << said[0];
 }

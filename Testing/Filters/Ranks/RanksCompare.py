@@ -67,6 +67,7 @@ def make_array(name, kind, values):
     array.SetName(name)
     if values and isinstance(values[0], tuple):
         array.SetNumberOfComponents(len(values[0]))
+        array.SetComponentName(1, "the second")
         for value in values:
             array.InsertNextTuple(value)
     else:

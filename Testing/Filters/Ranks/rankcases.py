@@ -299,6 +299,7 @@ def gathered_cases(ranks):
                                    {"GenerateVoronoi": True}, "GenerateVoronoi"),
         "voronoi, marks": (with_marks(pieces(few, ranks)), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
         "voronoi, not finite": (odd(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
+        "voronoi, partial arrays": (partial(few, ranks), {"GenerateVoronoi": True}, "GenerateVoronoi"),
         "voronoi, on one rank": (uneven(few, ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
         "voronoi of nothing": (pieces([], ranks), dict(everything, GenerateVoronoi=True), "GenerateVoronoi"),
         "voronoi of a plane": (pieces(few, ranks), dict(everything, GenerateVoronoi=True, Rim=1, Transform=True),
