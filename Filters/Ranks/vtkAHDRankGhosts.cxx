@@ -66,8 +66,7 @@ vtkAHDRankGhosts::Corner vtkAHDRankGhosts::CornerOf(vtkTypeInt32 number) const
 const vtkTypeInt32* vtkAHDRankGhosts::CornersOf(std::size_t place) const
 {
   const std::size_t own = this->Own.GetCount();
-  return place < own ? this->Own.Corners.data() + 3 * place
-                     : this->Around.Corners.data() + 3 * (place - own);
+  return place < own ? this->Own.At(place) : this->Around.At(place - own);
 }
 
 vtkAHDRankGhosts::Cell vtkAHDRankGhosts::CellOf(std::size_t place) const
@@ -120,7 +119,7 @@ void vtkAHDRankGhosts::Exchange(std::vector<Numbers>& to, std::vector<Numbers>& 
 void vtkAHDRankGhosts::ListIds(std::vector<Numbers>& to) const
 {
   to.assign(this->Ranks.GetCount(), Numbers());
-  for (std::size_t t = 0; t < this->Own.GetCount(); ++t)
+  for (std::size_t t = this->Own.Inside; t < this->Own.GetCount(); ++t)
   {
     this->StopIfAborted(t);
     const vtkTypeInt32* corners = this->CornersOf(t); // the lowest is own
@@ -168,12 +167,13 @@ void vtkAHDRankGhosts::ListNew(std::vector<Corner>& corners) const
 {
   if (!this->HasLayer)
   {
-    for (std::size_t i = 0; i < this->Own.Corners.size(); ++i)
+    for (std::size_t i = 3 * this->Own.Inside; i < 3 * this->Own.GetCount(); ++i)
     {
       this->StopIfAborted(i);
-      if (static_cast<std::size_t>(this->Own.Corners[i]) >= this->OwnPoints)
+      const vtkTypeInt32 corner = *(this->Own.At(0) + i);
+      if (static_cast<std::size_t>(corner) >= this->OwnPoints)
       {
-        corners.push_back(this->CornerOf(this->Own.Corners[i]));
+        corners.push_back(this->CornerOf(corner));
       }
     }
   }

@@ -60,16 +60,16 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
   const bool hasGhosts = facts.GetGhostLevels() > 0;
   constexpr std::size_t kId = sizeof(vtkIdType);
   std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.GeneratePointStatus ? kId : 0);
-  std::size_t widest = 3 * sizeof(double); // of what is moved at one time, sent and received
+  std::size_t widest = 0; // of strings that are moved at one time, sent and received
   for (const vtkAHDArrayFacts& array : facts.GetArrays())
   {
     constexpr std::size_t kMost = 32; // a short string; no number is larger
     const std::size_t width = static_cast<std::size_t>(array.Components) *
       (array.Type == VTK_STRING ? kMost : sizeof(double));
     perPoint += width;
-    widest = std::max(widest, width);
+    widest = array.Type == VTK_STRING ? std::max(widest, width) : widest;
   }
-  const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
+  const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) + kId +
     (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
   perPoint += (settings.LimitsSize() ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
@@ -105,24 +105,8 @@ void vtkAHDRankSurface::AskForForeign()
 void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
 {
   vtkSmartPointer<vtkDataArray> all;
-  vtkDataArray* own = this->Points.GetPlaces();
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      const auto numbers = static_cast<vtkIdType>(3 * this->All);
-      if (own->GetDataType() == VTK_FLOAT)
-      {
-        all = vtkAHDNewArray<vtkFloatArray>(numbers);
-      }
-      else
-      {
-        all = vtkAHDNewArray<vtkDoubleArray>(numbers);
-      }
-      all->SetNumberOfComponents(3);
-      const std::size_t bytes = 3 * this->Own * static_cast<std::size_t>(own->GetDataTypeSize());
-      std::memcpy(all->GetVoidPointer(0), own->GetVoidPointer(0), bytes);
-    });
-  this->Foreign.Move(own, all, this->Own);
+  this->Ranks.Together(this->Context, [&] { all = this->Points.TakePlaces(this->All); });
+  this->Foreign.Move(all, all, this->Own);
   vtkNew<vtkPoints> points;
   points->SetData(all);
   output->SetPoints(points);
@@ -198,8 +182,9 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
   output->GetPointData()->SetActiveAttribute(kPointIds, vtkDataSetAttributes::GLOBALIDS);
 }
 
-/// The points of others that are here are vertices.
-void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
+/// The points of others that are here are vertices. REQUIRES: the places have not been taken, as
+/// the triangulation looks at them.
+void vtkAHDRankSurface::MakeStatus()
 {
   auto array = MakeArray<vtkIdTypeArray>("Fate", this->All);
   std::vector<std::int64_t> status(this->Own);
@@ -209,16 +194,16 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
   {
     *to++ = static_cast<vtkIdType>(point.Id);
   }
-  vtkAHDReplaceArray(output->GetPointData(), array);
+  this->Status = array;
 }
 
 void vtkAHDRankSurface::Select()
 {
   const std::size_t count = this->Triangulation.triangles();
   const bool hasEdges = this->Settings.GenerateConstraintEdges;
-  this->Cells.Corners.resize(3 * count);
-  this->Context.Check(
-    this->Triangulation.writeTriangles(this->Cells.Corners.data(), this->Context));
+  this->Cells.Resize(count);
+  this->Cells.Inside = this->Triangulation.insideTriangles();
+  this->Context.Check(this->Triangulation.writeTriangles(this->Cells.At(0), this->Context));
   if (hasEdges)
   {
     this->Cells.Edges.resize(count);
@@ -241,9 +226,8 @@ void vtkAHDRankSurface::Select()
 void vtkAHDRankSurface::ReadAround()
 {
   const std::size_t count = this->Triangulation.ghostTriangles();
-  this->Around.Corners.resize(3 * count);
-  this->Context.Check(
-    this->Triangulation.writeGhostTriangles(this->Around.Corners.data(), this->Context));
+  this->Around.Resize(count);
+  this->Context.Check(this->Triangulation.writeGhostTriangles(this->Around.At(0), this->Context));
   if (this->Settings.GenerateConstraintEdges)
   {
     this->Around.Edges.resize(count);
@@ -273,15 +257,15 @@ void vtkAHDRankSurface::KeepShort(
   const std::size_t count = cells.GetCount();
   const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
-  this->Context.Check(ahd::findShort(cells.Corners.data(), count, view,
+  this->Context.Check(ahd::findShort(count > 0 ? cells.At(0) : nullptr, count, view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
-  std::size_t next = 0;
+  std::size_t next = 0, inside = 0;
   for (std::size_t t = 0; t < count; ++t)
   {
     if (kept[t] != 0)
     {
-      std::copy_n(
-        cells.Corners.begin() + vtkIdType(3 * t), 3, cells.Corners.begin() + vtkIdType(3 * next));
+      std::copy_n(cells.At(t), 3, cells.At(next));
+      inside += t < cells.Inside ? 1 : 0;
       if (!cells.Edges.empty())
       {
         cells.Edges[next] = cells.Edges[t];
@@ -289,7 +273,8 @@ void vtkAHDRankSurface::KeepShort(
       ++next;
     }
   }
-  cells.Corners.resize(3 * next);
+  cells.Resize(next);
+  cells.Inside = inside;
   cells.Edges.resize(cells.Edges.empty() ? 0 : next);
 }
 
@@ -302,11 +287,12 @@ void vtkAHDRankSurface::ListOthers()
   std::vector<unsigned char> isUsed(known.size(), 0);
   const auto isForeign = [this](vtkTypeInt32 corner)
   { return static_cast<std::size_t>(corner) >= this->Own; };
-  for (const vtkTypeInt32 corner : this->Cells.Corners)
+  vtkTypeInt32* const end = this->Cells.At(this->Cells.GetCount());
+  for (const vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
   {
-    if (isForeign(corner))
+    if (isForeign(*corner))
     {
-      isUsed[static_cast<std::size_t>(corner) - this->Own] = 1;
+      isUsed[static_cast<std::size_t>(*corner) - this->Own] = 1;
     }
   }
   for (std::size_t k = 0; k < known.size(); ++k)
@@ -318,12 +304,12 @@ void vtkAHDRankSurface::ListOthers()
   }
   this->Ghosts.AddForeign(this->Others);
   this->All = this->Own + this->Others.size();
-  for (vtkTypeInt32& corner : this->Cells.Corners)
+  for (vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
   {
-    if (isForeign(corner))
+    if (isForeign(*corner))
     {
-      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(corner) - this->Own];
-      corner = this->NumberOf(Corner{ point.id, point.block });
+      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(*corner) - this->Own];
+      *corner = this->NumberOf(Corner{ point.id, point.block });
     }
   }
 }
@@ -342,14 +328,14 @@ vtkTypeInt32 vtkAHDRankSurface::NumberOf(const vtkAHDRankGhosts::Corner& corner)
   return static_cast<vtkTypeInt32>(this->Own + std::size_t(found - this->Others.begin()));
 }
 
-void vtkAHDRankSurface::WriteCorners(vtkPolyData* output) const
+/// The memory of own triangles becomes that of the output.
+void vtkAHDRankSurface::WriteCorners(vtkPolyData* output)
 {
   const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
-  const std::size_t count = this->GetCellCount() + ghosts.size();
-  auto corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
+  const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
   auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
-  vtkTypeInt32* to = std::copy(
-    this->Cells.Corners.begin(), this->Cells.Corners.end(), corners->GetPointer(0));
+  this->Cells.Resize(count);
+  vtkTypeInt32* to = this->Cells.At(own);
   for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
   {
     for (const vtkAHDRankGhosts::Corner& corner : ghost.Corners)
@@ -357,23 +343,32 @@ void vtkAHDRankSurface::WriteCorners(vtkPolyData* output) const
       *to++ = this->NumberOf(corner);
     }
   }
-  for (std::size_t t = 0; t <= count; ++t)
-  {
-    offsets->GetPointer(0)[t] = static_cast<vtkTypeInt32>(3 * t);
-  }
+  vtkTypeInt32* const offset = offsets->GetPointer(0);
+  this->Context.ForRange(count + 1,
+    [offset](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        offset[t] = static_cast<vtkTypeInt32>(3 * t);
+      }
+    });
   vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, corners);
+  cells->SetData(offsets, this->Cells.Corners);
+  this->Cells.Corners = nullptr;
   output->SetPolys(cells);
 }
 
 void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 {
-  this->WriteCorners(output);
   const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
+  this->WriteCorners(output);
   vtkCellData* data = output->GetCellData();
   auto ids = MakeArray<vtkIdTypeArray>(kCellIds, count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + own, static_cast<vtkIdType>(firstCell));
+  vtkIdType* const id = ids->GetPointer(0);
+  this->Context.ForRange(own,
+    [id, firstCell](std::size_t begin, std::size_t end)
+    { std::iota(id + begin, id + end, static_cast<vtkIdType>(firstCell + begin)); });
   for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
     ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].Id);
@@ -402,7 +397,15 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 
 void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
 {
-  this->Ranks.Together(this->Context, [&] { this->ListOthers(); });
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->ListOthers();
+      if (this->Settings.GeneratePointStatus)
+      {
+        this->MakeStatus();
+      }
+    });
   this->AskForForeign();
   this->WritePlaces(output);
   this->WriteData(output);
@@ -411,9 +414,9 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
     [&]
     {
       this->WriteIds(output);
-      if (this->Settings.GeneratePointStatus)
+      if (this->Status)
       {
-        this->WriteStatus(output);
+        vtkAHDReplaceArray(output->GetPointData(), this->Status);
       }
       this->WriteCells(output, firstCell);
     });

@@ -54,13 +54,13 @@ private:
   void MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output);
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
-  void WriteStatus(vtkPolyData* output);
+  void MakeStatus();
   void ReadAround();
   void ListPlaces(std::vector<ahd::Point>& places) const;
   void KeepShort(const std::vector<ahd::Point>& places, vtkAHDRankTriangles& cells) const;
   void ListOthers();
   vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
-  void WriteCorners(vtkPolyData* output) const;
+  void WriteCorners(vtkPolyData* output);
   void WriteCells(vtkPolyData* output, std::size_t firstCell);
 
   const vtkAHDSettings& Settings;
@@ -74,6 +74,7 @@ private:
   std::size_t All; // points, with those of others
   vtkAHDRankTriangles Cells, Around;
   vtkAHDRankGhosts Ghosts;
+  vtkSmartPointer<vtkAbstractArray> Status;
   std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
 };
 
