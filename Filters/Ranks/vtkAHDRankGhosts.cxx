@@ -13,10 +13,11 @@ bool IsSame(const vtkAHDRankGhosts::Corner& p, const vtkAHDRankGhosts::Corner& q
 }
 }
 
-void vtkAHDRankTriangles::Keep(const std::vector<unsigned char>& kept)
+void vtkAHDRankTriangles::Keep(const unsigned char* kept)
 {
+  const std::size_t count = this->GetCount();
   std::size_t next = 0;
-  for (std::size_t t = 0; t < kept.size(); ++t)
+  for (std::size_t t = 0; t < count; ++t)
   {
     if (kept[t] != 0)
     {

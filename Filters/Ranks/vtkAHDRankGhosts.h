@@ -19,7 +19,7 @@ struct vtkAHDRankTriangles
 
   std::size_t GetCount() const { return this->Corners.size() / 3; }
   /// Keeps those whose byte is not 0, in order.
-  void Keep(const std::vector<unsigned char>& kept);
+  void Keep(const unsigned char* kept);
 };
 
 /**

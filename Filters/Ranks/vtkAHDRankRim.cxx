@@ -4,17 +4,8 @@
 #include "Engine/Predicates/Predicates.h"
 
 #include <algorithm>
-#include <iterator>
+#include <numeric>
 #include <utility>
-
-namespace
-{
-/// Twice the area of a triangle, rounded.
-double DoubledArea(const ahd::Point& a, const ahd::Point& b, const ahd::Point& c)
-{
-  return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
-}
-}
 
 vtkAHDRankRim::vtkAHDRankRim(vtkAHDRanks& ranks, const vtkAHDContext& context,
   const vtkAHDRankPoints& points, const ahd::BlockTriangulation& triangulation,
@@ -29,8 +20,7 @@ vtkAHDRankRim::vtkAHDRankRim(vtkAHDRanks& ranks, const vtkAHDContext& context,
 
 void vtkAHDRankRim::StopIfAborted(std::size_t step) const
 {
-  constexpr std::size_t kAsk = std::size_t(1) << 14;
-  if (step % kAsk == 0)
+  if (step % kPiece == 0)
   {
     this->Context.StopIfAborted();
   }
@@ -56,6 +46,16 @@ std::int64_t vtkAHDRankRim::IdOf(vtkTypeInt32 number) const
                              : this->Foreign[place - this->Points.GetCount()].id;
 }
 
+/// Twice the area of a triangle, rounded.
+double vtkAHDRankRim::DoubledArea(std::size_t triangle) const
+{
+  const vtkTypeInt32* corners = this->CornersOf(triangle);
+  const ahd::Point& a = this->Places[static_cast<std::size_t>(corners[0])];
+  const ahd::Point& b = this->Places[static_cast<std::size_t>(corners[1])];
+  const ahd::Point& c = this->Places[static_cast<std::size_t>(corners[2])];
+  return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
+}
+
 /// The edge over which a triangle is flat, by the number of the corner that it begins at; -1 if
 /// there is none.
 int vtkAHDRankRim::FlatEdgeOf(std::size_t triangle) const
@@ -73,26 +73,32 @@ int vtkAHDRankRim::FlatEdgeOf(std::size_t triangle) const
   return -1;
 }
 
-/// Counts them before, as there are few or very many.
+/// On all threads; finds out the area on the way.
 void vtkAHDRankRim::FindFlat()
 {
-  const std::size_t all = this->Own->GetCount() + this->Around->GetCount();
-  std::size_t count = 0;
+  const std::size_t own = this->Own->GetCount(), all = own + this->Around->GetCount();
+  std::vector<signed char> edges(all);
+  std::vector<double> areas(all / kPiece + 1, 0.0); // by pieces: the same with any threads
+  this->Context.ForRange(all,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        edges[t] = static_cast<signed char>(this->FlatEdgeOf(t));
+        areas[t / kPiece] += t < own ? this->DoubledArea(t) : 0.0;
+      }
+    });
+  const auto isFlat = [](signed char edge) { return edge >= 0; };
+  this->Flats.reserve(static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), isFlat)));
+  this->Whole = std::accumulate(areas.begin(), areas.end(), 0.0);
   for (std::size_t t = 0; t < all; ++t)
   {
     this->StopIfAborted(t);
-    count += this->FlatEdgeOf(t) >= 0 ? 1 : 0;
-  }
-  this->Flats.reserve(count);
-  for (std::size_t t = 0; this->Flats.size() < count; ++t)
-  {
-    this->StopIfAborted(t);
-    const int edge = this->FlatEdgeOf(t);
-    if (edge >= 0)
+    if (isFlat(edges[t]))
     {
       const vtkTypeInt32* c = this->CornersOf(t);
       this->Flats.push_back(
-        { static_cast<ahd::Index>(t), c[edge], c[(edge + 1) % 3], None, Unknown, 0 });
+        { static_cast<ahd::Index>(t), c[edges[t]], c[(edges[t] + 1) % 3], None, Unknown, 0 });
     }
   }
 }
@@ -293,52 +299,43 @@ void vtkAHDRankRim::HearAnswers(const std::vector<ahd::BlockBytes>& all)
   }
 }
 
-/// What this rank has of the counts.
-void vtkAHDRankRim::Count(const std::vector<unsigned char>& ownKept,
-  const std::vector<unsigned char>& aroundKept, ahd::BlockBytes& bytes) const
+/// What this rank has of the counts. `kept`: of own triangles, and behind them those around.
+void vtkAHDRankRim::Count(const std::vector<unsigned char>& kept, ahd::BlockBytes& bytes) const
 {
-  enum : unsigned char
-  {
-    kHasLost = 1,
-    kHasOne = 2
-  };
-  std::vector<unsigned char> marks(this->Places.size(), 0);
-  double lost = 0.0, whole = 0.0;
+  std::vector<unsigned char> isBare(this->Places.size(), 0);
+  double lost = 0.0;
   std::uint64_t triangles = 0, bare = 0;
-  const std::size_t own = ownKept.size();
-  for (std::size_t t = 0; t < own + aroundKept.size(); ++t)
+  for (const Flat& flat : this->Flats)
+  {
+    const bool isOwn = flat.Triangle < this->Own->GetCount();
+    if (flat.Fate != Kept)
+    {
+      const vtkTypeInt32* c = this->CornersOf(flat.Triangle);
+      std::for_each(
+        c, c + 3, [&isBare](vtkTypeInt32 corner) { isBare[static_cast<std::size_t>(corner)] = 1; });
+      lost += isOwn ? this->DoubledArea(flat.Triangle) : 0.0;
+      triangles += isOwn ? 1 : 0;
+    }
+  }
+  for (std::size_t t = 0; t < kept.size(); ++t)
   {
     this->StopIfAborted(t);
-    const bool isKept = (t < own ? ownKept[t] : aroundKept[t - own]) != 0;
     const vtkTypeInt32* c = this->CornersOf(t);
-    std::array<std::size_t, 3> at;
-    for (std::size_t k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3 && kept[t] != 0; ++k)
     {
-      at[k] = static_cast<std::size_t>(c[k]);
-      marks[at[k]] |= isKept ? kHasOne : kHasLost;
-    }
-    if (t < own)
-    {
-      const double area = DoubledArea(
-        this->Places[at[0]], this->Places[at[1]], this->Places[at[2]]);
-      whole += area;
-      lost += isKept ? 0.0 : area;
-      triangles += isKept ? 0 : 1;
+      isBare[static_cast<std::size_t>(c[k])] = 0;
     }
   }
-  for (std::size_t i = 0; i < this->Points.GetCount(); ++i)
-  {
-    bare += marks[i] == kHasLost ? 1 : 0;
-  }
+  bare = static_cast<std::uint64_t>(std::count(
+    isBare.begin(), isBare.begin() + static_cast<std::ptrdiff_t>(this->Points.GetCount()), 1));
   ahd::BytesWriter writer(bytes);
   writer.write(triangles);
   writer.write(bare);
   writer.write(lost);
-  writer.write(whole);
+  writer.write(this->Whole);
 }
 
-void vtkAHDRankRim::Trim(const vtkAHDRankTriangles& own, const vtkAHDRankTriangles& around,
-  std::vector<unsigned char>& ownKept, std::vector<unsigned char>& aroundKept)
+void vtkAHDRankRim::Trim(vtkAHDRankTriangles& own, vtkAHDRankTriangles& around)
 {
   this->Own = &own;
   this->Around = &around;
@@ -358,16 +355,15 @@ void vtkAHDRankRim::Trim(const vtkAHDRankTriangles& own, const vtkAHDRankTriangl
     [&]
     {
       this->HearAnswers(all);
-      ownKept.assign(own.GetCount(), 1);
-      aroundKept.assign(around.GetCount(), 1);
+      std::vector<unsigned char> kept(own.GetCount() + around.GetCount(), 1);
       for (const Flat& flat : this->Flats)
       {
-        const bool isOwn = flat.Triangle < ownKept.size();
-        unsigned char& kept = isOwn ? ownKept[flat.Triangle]
-                                    : aroundKept[flat.Triangle - ownKept.size()];
-        kept = flat.Fate == Kept ? 1 : 0;
+        kept[flat.Triangle] = flat.Fate == Kept ? 1 : 0;
       }
-      this->Count(ownKept, aroundKept, counts);
+      this->Count(kept, counts);
+      const unsigned char* aroundKept = kept.data() + own.GetCount();
+      own.Keep(kept.data());
+      around.Keep(aroundKept);
     });
   this->Context.Check(this->Ranks.gather(counts, all));
   double lost = 0.0, whole = 0.0;

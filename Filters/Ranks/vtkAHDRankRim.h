@@ -25,12 +25,11 @@ public:
     const ahd::BlockTriangulation& triangulation, const std::vector<ahd::Point>& places);
 
   /// For each own point, at most: marks; two triangles, which may be flat.
-  static constexpr std::size_t kBytesPerPoint = 3 + 2 * 44;
+  static constexpr std::size_t kBytesPerPoint = 2 + 2 * 2 + 2 * 44;
 
-  /// Of each triangle, is it kept? `around`: all triangles of others that have an own point.
-  /// Collective; throws vtkAHDStop on all ranks.
-  void Trim(const vtkAHDRankTriangles& own, const vtkAHDRankTriangles& around,
-    std::vector<unsigned char>& ownKept, std::vector<unsigned char>& aroundKept);
+  /// Takes them out of both. `around`: all triangles of others that have an own point. Collective;
+  /// throws vtkAHDStop on all ranks.
+  void Trim(vtkAHDRankTriangles& own, vtkAHDRankTriangles& around);
 
   /// Of all ranks: triangles that were taken away, vertices that are in no triangle any more, the
   /// area of those triangles as a part of all.
@@ -57,6 +56,8 @@ private:
   };
   static constexpr ahd::Index None = ahd::kNoIndex;
 
+  static constexpr std::size_t kPiece = std::size_t(1) << 14; // steps between two askings
+
   void StopIfAborted(std::size_t step) const;
   const vtkTypeInt32* CornersOf(std::size_t triangle) const;
   std::int64_t IdOf(vtkTypeInt32 number) const;
@@ -66,14 +67,14 @@ private:
   void ForHalfEdges(
     std::size_t triangles, const std::vector<unsigned char>& isFrom, const Visit& visit) const;
   void FindBeyond();
+  double DoubledArea(std::size_t triangle) const;
   int FlatEdgeOf(std::size_t triangle) const;
   Flat* FlatOf(ahd::Index triangle);
   void Follow();
   void ShareAsked();
   void Answer(ahd::BlockBytes& bytes);
   void HearAnswers(const std::vector<ahd::BlockBytes>& all);
-  void Count(const std::vector<unsigned char>& ownKept,
-    const std::vector<unsigned char>& aroundKept, ahd::BlockBytes& bytes) const;
+  void Count(const std::vector<unsigned char>& kept, ahd::BlockBytes& bytes) const;
 
   vtkAHDRanks& Ranks;
   const vtkAHDContext& Context;
@@ -85,6 +86,7 @@ private:
   std::vector<Flat> Flats;         // by triangle
   std::vector<HalfEdge> Asked;     // of all ranks, sorted
   std::vector<vtkTypeInt32> Fates; // beyond these; from 0 on: as beyond this one
+  double Whole = 0.0;              // twice the area of own triangles
   std::size_t Triangles = 0;
   std::size_t BareVertices = 0;
   double Area = 0.0;

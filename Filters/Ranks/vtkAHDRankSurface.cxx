@@ -270,7 +270,7 @@ void vtkAHDRankSurface::Select()
     });
   if (this->Settings.TrimsRim())
   {
-    this->TrimRim();
+    this->Rim.Trim(this->Cells, this->Around);
   }
   this->Places = std::vector<ahd::Point>();
 }
@@ -325,16 +325,7 @@ void vtkAHDRankSurface::KeepShort(vtkAHDRankTriangles& cells) const
   std::vector<unsigned char> kept;
   this->Context.Check(ahd::findShort(cells.Corners.data(), cells.GetCount(), view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
-  cells.Keep(kept);
-}
-
-/// Collective.
-void vtkAHDRankSurface::TrimRim()
-{
-  std::vector<unsigned char> kept, keptAround;
-  this->Rim.Trim(this->Cells, this->Around, kept, keptAround);
-  this->Cells.Keep(kept);
-  this->Around.Keep(keptAround);
+  cells.Keep(kept.data());
 }
 
 /// Of the points of others only those that are corners of what is put out; own triangles get their

@@ -65,7 +65,6 @@ private:
   void ReadAround();
   void ListPlaces();
   void KeepShort(vtkAHDRankTriangles& cells) const;
-  void TrimRim();
   void ListOthers();
   vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
   void WriteCorners(vtkPolyData* output) const;
