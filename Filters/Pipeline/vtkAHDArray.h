@@ -27,4 +27,25 @@ vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count)
   return array;
 }
 
+/// Makes room for `count` numbers in an array of vtkAHDNewArray(): those that it has stay, as far
+/// as there is room. Large ones are not copied where the system can move their pages. Throws
+/// std::bad_alloc, and leaves it as it was.
+template <typename Array>
+void vtkAHDResizeArray(Array* array, vtkIdType count)
+{
+  using Value = typename Array::ValueType;
+  constexpr int kFree = Array::VTK_DATA_ARRAY_FREE;
+  Value* values = array->GetPointer(0);
+  const vtkIdType before = array->GetNumberOfValues();
+  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(Value);
+  array->SetArray(values, before, 1); // it is not to free what realloc() has freed
+  void* resized = std::realloc(values, bytes > 0 ? bytes : 1);
+  array->SetArray(
+    static_cast<Value*>(resized ? resized : values), resized ? count : before, 0, kFree);
+  if (!resized)
+  {
+    throw std::bad_alloc();
+  }
+}
+
 #endif

@@ -204,7 +204,10 @@ void vtkAHDRankExecution::CheckPoints(
     return; // too many points, which the engine says
   }
   constexpr std::size_t kPerId = 4 * sizeof(std::int64_t); // with offsets and cells
-  this->CheckMemory(points.EstimateBytes() + count * (2 * 3 * sizeof(double) + 9) + block +
+  // an id, a mark and a place in the plane; that in space becomes the output's
+  const std::size_t perPoint = sizeof(std::int64_t) + 1 +
+    (this->Settings.IsProjected() ? 3 * sizeof(double) : 0);
+  this->CheckMemory(points.EstimateBytes() + count * perPoint + block +
       kPerId * chains.GetIdCount() +
       vtkAHDRankSurface::EstimateBytes(count, this->Settings, this->Facts),
     "");

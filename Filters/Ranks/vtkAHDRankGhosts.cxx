@@ -16,12 +16,13 @@ bool IsSame(const vtkAHDRankGhosts::Corner& p, const vtkAHDRankGhosts::Corner& q
 void vtkAHDRankTriangles::Keep(const unsigned char* kept)
 {
   const std::size_t count = this->GetCount();
-  std::size_t next = 0;
+  std::size_t next = 0, inside = 0;
   for (std::size_t t = 0; t < count; ++t)
   {
     if (kept[t] != 0)
     {
-      std::copy_n(this->Corners.data() + 3 * t, 3, this->Corners.data() + 3 * next);
+      std::copy_n(this->At(t), 3, this->At(next));
+      inside += t < this->Inside ? 1 : 0;
       if (!this->Edges.empty())
       {
         this->Edges[next] = this->Edges[t];
@@ -29,7 +30,8 @@ void vtkAHDRankTriangles::Keep(const unsigned char* kept)
       ++next;
     }
   }
-  this->Corners.resize(3 * next);
+  this->Resize(next);
+  this->Inside = inside;
   this->Edges.resize(this->Edges.empty() ? 0 : next);
 }
 
@@ -80,8 +82,7 @@ vtkAHDRankGhosts::Corner vtkAHDRankGhosts::CornerOf(vtkTypeInt32 number) const
 const vtkTypeInt32* vtkAHDRankGhosts::CornersOf(std::size_t place) const
 {
   const std::size_t own = this->Own.GetCount();
-  return place < own ? this->Own.Corners.data() + 3 * place
-                     : this->Around.Corners.data() + 3 * (place - own);
+  return place < own ? this->Own.At(place) : this->Around.At(place - own);
 }
 
 vtkAHDRankGhosts::Cell vtkAHDRankGhosts::CellOf(std::size_t place) const
@@ -134,7 +135,7 @@ void vtkAHDRankGhosts::Exchange(std::vector<Numbers>& to, std::vector<Numbers>& 
 void vtkAHDRankGhosts::ListIds(std::vector<Numbers>& to) const
 {
   to.assign(this->Ranks.GetCount(), Numbers());
-  for (std::size_t t = 0; t < this->Own.GetCount(); ++t)
+  for (std::size_t t = this->Own.Inside; t < this->Own.GetCount(); ++t)
   {
     this->StopIfAborted(t);
     const vtkTypeInt32* corners = this->CornersOf(t); // the lowest is own
@@ -182,12 +183,13 @@ void vtkAHDRankGhosts::ListNew(std::vector<Corner>& corners) const
 {
   if (!this->HasLayer)
   {
-    for (std::size_t i = 0; i < this->Own.Corners.size(); ++i)
+    for (std::size_t i = 3 * this->Own.Inside; i < 3 * this->Own.GetCount(); ++i)
     {
       this->StopIfAborted(i);
-      if (static_cast<std::size_t>(this->Own.Corners[i]) >= this->OwnPoints)
+      const vtkTypeInt32 corner = *(this->Own.At(0) + i);
+      if (static_cast<std::size_t>(corner) >= this->OwnPoints)
       {
-        corners.push_back(this->CornerOf(this->Own.Corners[i]));
+        corners.push_back(this->CornerOf(corner));
       }
     }
   }

@@ -3,8 +3,11 @@
 #define vtkAHDRankGhosts_h
 
 #include "Engine/Distribute/BlockTriangulation.h"
+#include "Pipeline/vtkAHDArray.h"
 #include "Ranks/vtkAHDRankPoints.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkTypeInt32Array.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,10 +17,32 @@
 /// ahd::BlockTriangulation: own points, behind them its foreign ones.
 struct vtkAHDRankTriangles
 {
-  std::vector<vtkTypeInt32> Corners; ///< three of each
-  std::vector<std::uint8_t> Edges;   ///< of each, those that are constraints; if asked for
+  vtkSmartPointer<vtkTypeInt32Array> Corners; ///< three of each; null where there are none
+  std::vector<std::uint8_t> Edges;            ///< of each, those that are constraints; if asked for
+  std::size_t Inside = 0; ///< so many, the first ones, have no point of other ranks
 
-  std::size_t GetCount() const { return this->Corners.size() / 3; }
+  std::size_t GetCount() const
+  {
+    return this->Corners ? static_cast<std::size_t>(this->Corners->GetNumberOfValues()) / 3 : 0;
+  }
+  /// The three corners of a triangle, and those of all behind it.
+  vtkTypeInt32* At(std::size_t triangle) const
+  {
+    return this->Corners->GetPointer(0) + 3 * triangle;
+  }
+  /// Keeps what there is. Throws std::bad_alloc.
+  void Resize(std::size_t count)
+  {
+    const auto numbers = static_cast<vtkIdType>(3 * count);
+    if (this->Corners)
+    {
+      vtkAHDResizeArray(this->Corners.Get(), numbers);
+    }
+    else
+    {
+      this->Corners = vtkAHDNewArray<vtkTypeInt32Array>(numbers);
+    }
+  }
   /// Keeps those whose byte is not 0, in order.
   void Keep(const unsigned char* kept);
 };

@@ -343,6 +343,20 @@ void vtkAHDRankPoints::MoveToOwners()
   }
 }
 
+vtkSmartPointer<vtkDataArray> vtkAHDRankPoints::TakePlaces(std::size_t count)
+{
+  const auto numbers = static_cast<vtkIdType>(3 * count);
+  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Places))
+  {
+    vtkAHDResizeArray(floats, numbers);
+  }
+  else
+  {
+    vtkAHDResizeArray(vtkArrayDownCast<vtkDoubleArray>(this->Places), numbers);
+  }
+  return std::move(this->Places);
+}
+
 ahd::PointView vtkAHDRankPoints::GetView() const
 {
   ahd::PointView view;

@@ -30,8 +30,7 @@ void vtkAHDRankRim::StopIfAborted(std::size_t step) const
 const vtkTypeInt32* vtkAHDRankRim::CornersOf(std::size_t triangle) const
 {
   const std::size_t own = this->Own->GetCount();
-  return triangle < own ? this->Own->Corners.data() + 3 * triangle
-                        : this->Around->Corners.data() + 3 * (triangle - own);
+  return triangle < own ? this->Own->At(triangle) : this->Around->At(triangle - own);
 }
 
 bool vtkAHDRankRim::IsOwn(vtkTypeInt32 number) const

@@ -62,16 +62,16 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
   const bool hasGhosts = facts.GetGhostLevels() > 0;
   constexpr std::size_t kId = sizeof(vtkIdType);
   std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.GeneratePointStatus ? kId : 0);
-  std::size_t widest = 3 * sizeof(double); // of what is moved at one time, sent and received
+  std::size_t widest = 0; // of strings that are moved at one time, sent and received
   for (const vtkAHDArrayFacts& array : facts.GetArrays())
   {
     constexpr std::size_t kMost = 32; // a short string; no number is larger
     const std::size_t width = static_cast<std::size_t>(array.Components) *
       (array.Type == VTK_STRING ? kMost : sizeof(double));
     perPoint += width;
-    widest = std::max(widest, width);
+    widest = array.Type == VTK_STRING ? std::max(widest, width) : widest;
   }
-  const std::size_t perTriangle = (3 + 3 + 1) * sizeof(vtkTypeInt32) + kId +
+  const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) + kId +
     (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
   const bool hasPlaces = settings.LimitsSize() || settings.TrimsRim();
   // a pair of numbers for each duplicate, as a vector grows, a mean, and the vertex of each point
@@ -113,25 +113,18 @@ void vtkAHDRankSurface::AskForForeign()
 void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
 {
   vtkSmartPointer<vtkDataArray> all;
-  vtkDataArray* own = this->Points.GetPlaces();
   this->Ranks.Together(this->Context,
     [&]
     {
-      const auto numbers = static_cast<vtkIdType>(3 * this->All);
-      if (own->GetDataType() == VTK_FLOAT)
-      {
-        all = vtkAHDNewArray<vtkFloatArray>(numbers);
-      }
-      else
-      {
-        all = vtkAHDNewArray<vtkDoubleArray>(numbers);
-      }
-      all->SetNumberOfComponents(3);
-      const std::size_t bytes = 3 * this->Own * static_cast<std::size_t>(own->GetDataTypeSize());
-      std::memcpy(all->GetVoidPointer(0), own->GetVoidPointer(0), bytes);
+      std::vector<ahd::Mean> means;
       if (this->Settings.ShowMeans)
       {
-        this->ShowMeans(all);
+        this->FindMeans(means);
+      }
+      all = this->Points.TakePlaces(this->All);
+      for (const ahd::Mean& mean : means)
+      {
+        all->SetTuple(static_cast<vtkIdType>(mean.id), mean.position.data());
       }
     });
   this->Foreign.Move(all, all, this->Own);
@@ -140,9 +133,9 @@ void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
   output->SetPoints(points);
 }
 
-/// Own points that stand for several at one place are shown at their mean. All at a place are on
-/// one rank.
-void vtkAHDRankSurface::ShowMeans(vtkDataArray* places)
+/// Where own points that stand for several at one place are shown: at their mean. All at a place
+/// are on one rank. REQUIRES: the places have not been taken.
+void vtkAHDRankSurface::FindMeans(std::vector<ahd::Mean>& means)
 {
   ahd::PointView own;
   if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Points.GetPlaces()))
@@ -154,13 +147,8 @@ void vtkAHDRankSurface::ShowMeans(vtkDataArray* places)
     own = ahd::PointView(
       vtkArrayDownCast<vtkDoubleArray>(this->Points.GetPlaces())->GetPointer(0), this->Own, 3);
   }
-  std::vector<ahd::Mean> means;
   this->Context.Check(
     ahd::findMeans(this->Triangulation.ownPoints(), this->Own, own, this->Context, means));
-  for (const ahd::Mean& mean : means)
-  {
-    places->SetTuple(static_cast<vtkIdType>(mean.id), mean.position.data());
-  }
 }
 
 void vtkAHDRankSurface::MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output)
@@ -233,8 +221,9 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
   output->GetPointData()->SetActiveAttribute(kPointIds, vtkDataSetAttributes::GLOBALIDS);
 }
 
-/// The points of others that are here are vertices.
-void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
+/// The points of others that are here are vertices. REQUIRES: the places have not been taken, as
+/// the triangulation looks at them.
+void vtkAHDRankSurface::MakeStatus()
 {
   auto array = MakeArray<vtkIdTypeArray>("Fate", this->All);
   std::vector<std::int64_t> status(this->Own);
@@ -244,7 +233,7 @@ void vtkAHDRankSurface::WriteStatus(vtkPolyData* output)
   {
     *to++ = static_cast<vtkIdType>(point.Id);
   }
-  vtkAHDReplaceArray(output->GetPointData(), array);
+  this->Status = array;
 }
 
 void vtkAHDRankSurface::Select()
@@ -278,9 +267,9 @@ void vtkAHDRankSurface::Select()
 void vtkAHDRankSurface::ReadTriangles()
 {
   const std::size_t count = this->Triangulation.triangles();
-  this->Cells.Corners.resize(3 * count);
-  this->Context.Check(
-    this->Triangulation.writeTriangles(this->Cells.Corners.data(), this->Context));
+  this->Cells.Resize(count);
+  this->Cells.Inside = this->Triangulation.insideTriangles();
+  this->Context.Check(this->Triangulation.writeTriangles(this->Cells.At(0), this->Context));
   if (this->Settings.GenerateConstraintEdges)
   {
     this->Cells.Edges.resize(count);
@@ -292,9 +281,8 @@ void vtkAHDRankSurface::ReadTriangles()
 void vtkAHDRankSurface::ReadAround()
 {
   const std::size_t count = this->Triangulation.ghostTriangles();
-  this->Around.Corners.resize(3 * count);
-  this->Context.Check(
-    this->Triangulation.writeGhostTriangles(this->Around.Corners.data(), this->Context));
+  this->Around.Resize(count);
+  this->Context.Check(this->Triangulation.writeGhostTriangles(this->Around.At(0), this->Context));
   if (this->Settings.GenerateConstraintEdges)
   {
     this->Around.Edges.resize(count);
@@ -323,7 +311,8 @@ void vtkAHDRankSurface::KeepShort(vtkAHDRankTriangles& cells) const
   const std::vector<ahd::Point>& places = this->Places;
   const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
-  this->Context.Check(ahd::findShort(cells.Corners.data(), cells.GetCount(), view,
+  const std::size_t count = cells.GetCount();
+  this->Context.Check(ahd::findShort(count > 0 ? cells.At(0) : nullptr, count, view,
     this->Settings.Limits.maximumEdgeLength, this->Context, kept));
   cells.Keep(kept.data());
 }
@@ -337,11 +326,12 @@ void vtkAHDRankSurface::ListOthers()
   std::vector<unsigned char> isUsed(known.size(), 0);
   const auto isForeign = [this](vtkTypeInt32 corner)
   { return static_cast<std::size_t>(corner) >= this->Own; };
-  for (const vtkTypeInt32 corner : this->Cells.Corners)
+  vtkTypeInt32* const end = this->Cells.At(this->Cells.GetCount());
+  for (const vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
   {
-    if (isForeign(corner))
+    if (isForeign(*corner))
     {
-      isUsed[static_cast<std::size_t>(corner) - this->Own] = 1;
+      isUsed[static_cast<std::size_t>(*corner) - this->Own] = 1;
     }
   }
   for (std::size_t k = 0; k < known.size(); ++k)
@@ -353,12 +343,12 @@ void vtkAHDRankSurface::ListOthers()
   }
   this->Ghosts.AddForeign(this->Others);
   this->All = this->Own + this->Others.size();
-  for (vtkTypeInt32& corner : this->Cells.Corners)
+  for (vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
   {
-    if (isForeign(corner))
+    if (isForeign(*corner))
     {
-      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(corner) - this->Own];
-      corner = this->NumberOf(Corner{ point.id, point.block });
+      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(*corner) - this->Own];
+      *corner = this->NumberOf(Corner{ point.id, point.block });
     }
   }
 }
@@ -377,14 +367,14 @@ vtkTypeInt32 vtkAHDRankSurface::NumberOf(const vtkAHDRankGhosts::Corner& corner)
   return static_cast<vtkTypeInt32>(this->Own + std::size_t(found - this->Others.begin()));
 }
 
-void vtkAHDRankSurface::WriteCorners(vtkPolyData* output) const
+/// The memory of own triangles becomes that of the output.
+void vtkAHDRankSurface::WriteCorners(vtkPolyData* output)
 {
   const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
-  const std::size_t count = this->GetCellCount() + ghosts.size();
-  auto corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
+  const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
   auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
-  vtkTypeInt32* to = std::copy(
-    this->Cells.Corners.begin(), this->Cells.Corners.end(), corners->GetPointer(0));
+  this->Cells.Resize(count);
+  vtkTypeInt32* to = this->Cells.At(own);
   for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
   {
     for (const vtkAHDRankGhosts::Corner& corner : ghost.Corners)
@@ -392,23 +382,32 @@ void vtkAHDRankSurface::WriteCorners(vtkPolyData* output) const
       *to++ = this->NumberOf(corner);
     }
   }
-  for (std::size_t t = 0; t <= count; ++t)
-  {
-    offsets->GetPointer(0)[t] = static_cast<vtkTypeInt32>(3 * t);
-  }
+  vtkTypeInt32* const offset = offsets->GetPointer(0);
+  this->Context.ForRange(count + 1,
+    [offset](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t t = begin; t < end; ++t)
+      {
+        offset[t] = static_cast<vtkTypeInt32>(3 * t);
+      }
+    });
   vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, corners);
+  cells->SetData(offsets, this->Cells.Corners);
+  this->Cells.Corners = nullptr;
   output->SetPolys(cells);
 }
 
 void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 {
-  this->WriteCorners(output);
   const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
+  this->WriteCorners(output);
   vtkCellData* data = output->GetCellData();
   auto ids = MakeArray<vtkIdTypeArray>(kCellIds, count);
-  std::iota(ids->GetPointer(0), ids->GetPointer(0) + own, static_cast<vtkIdType>(firstCell));
+  vtkIdType* const id = ids->GetPointer(0);
+  this->Context.ForRange(own,
+    [id, firstCell](std::size_t begin, std::size_t end)
+    { std::iota(id + begin, id + end, static_cast<vtkIdType>(firstCell + begin)); });
   for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
     ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].Id);
@@ -437,7 +436,15 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 
 void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
 {
-  this->Ranks.Together(this->Context, [&] { this->ListOthers(); });
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->ListOthers();
+      if (this->Settings.GeneratePointStatus)
+      {
+        this->MakeStatus();
+      }
+    });
   this->AskForForeign();
   this->WritePlaces(output);
   this->WriteData(output);
@@ -446,9 +453,9 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
     [&]
     {
       this->WriteIds(output);
-      if (this->Settings.GeneratePointStatus)
+      if (this->Status)
       {
-        this->WriteStatus(output);
+        vtkAHDReplaceArray(output->GetPointData(), this->Status);
       }
       this->WriteCells(output, firstCell);
     });

@@ -55,19 +55,19 @@ public:
 private:
   void AskForForeign();
   void WritePlaces(vtkPolyData* output);
-  void ShowMeans(vtkDataArray* places);
+  void FindMeans(std::vector<ahd::Mean>& means);
   void WriteData(vtkPolyData* output);
   void MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output);
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
-  void WriteStatus(vtkPolyData* output);
   void ReadTriangles();
+  void MakeStatus();
   void ReadAround();
   void ListPlaces();
   void KeepShort(vtkAHDRankTriangles& cells) const;
   void ListOthers();
   vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
-  void WriteCorners(vtkPolyData* output) const;
+  void WriteCorners(vtkPolyData* output);
   void WriteCells(vtkPolyData* output, std::size_t firstCell);
 
   const vtkAHDSettings& Settings;
@@ -83,6 +83,7 @@ private:
   std::vector<ahd::Point> Places; // of own points, then foreign ones, as they are triangulated
   vtkAHDRankRim Rim;
   vtkAHDRankGhosts Ghosts;
+  vtkSmartPointer<vtkAbstractArray> Status;
   std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
 };
 

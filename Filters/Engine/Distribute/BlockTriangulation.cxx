@@ -125,6 +125,11 @@ std::size_t BlockTriangulation::triangles() const
   return state_->own().finalTriangles() + state_->sharedOwn;
 }
 
+std::size_t BlockTriangulation::insideTriangles() const
+{
+  return state_->own().finalTriangles();
+}
+
 std::size_t BlockTriangulation::ghostTriangles() const
 {
   return state_->shared.size() - state_->sharedOwn;

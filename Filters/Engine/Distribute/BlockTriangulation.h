@@ -130,6 +130,8 @@ public:
   const BlocksReport& report() const;
   /// How many of the triangles are on this block.
   std::size_t triangles() const;
+  /// How many of them, the first ones, have own corners only, as no other block took part in them.
+  std::size_t insideTriangles() const;
   /// How many triangles of other blocks have a corner that is this one's. With them each of its
   /// vertices has all its triangles.
   std::size_t ghostTriangles() const;
