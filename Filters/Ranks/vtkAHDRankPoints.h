@@ -59,8 +59,9 @@ public:
   /// As they are triangulated.
   ahd::PointView GetView() const;
   /// Where they are in space: floats or doubles.
-  /// Given away, with room for so many points; there is no view of them after that. Throws
-  /// std::bad_alloc.
+  vtkDataArray* GetPlaces() const { return this->Places; }
+  /// The same, given away, with room for so many points; there is no view of them after that.
+  /// Throws std::bad_alloc.
   vtkSmartPointer<vtkDataArray> TakePlaces(std::size_t count);
   /// Their ghost marks; null if no rank has any.
   vtkUnsignedCharArray* GetMarks() const { return this->Marks; }

@@ -11,6 +11,10 @@
 #include <cstddef>
 #include <vector>
 
+namespace ahd
+{
+struct Mean;
+}
 class vtkAbstractArray;
 class vtkDataArray;
 class vtkPolyData;
