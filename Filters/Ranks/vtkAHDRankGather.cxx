@@ -382,16 +382,15 @@ vtkSmartPointer<vtkPolyData> vtkAHDRankGather::ReadSourcePoints(vtkPolyData* sou
 
 // ------------------------------------------------------------------------------------------ cells
 
-/// Of this rank's points among those that ids in sources name.
+/// Of this rank's points among those that ids in sources name. Where only the first rank's source
+/// counts, no other asks.
 std::int64_t vtkAHDRankGather::GetFirstId() const
 {
   std::uint64_t first = 0;
   for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
   {
     const vtkAHDRankFacts& facts = this->Facts.Of[rank];
-    first += this->Settings.SourceIdsAreOfInput ? facts.Points
-      : this->Facts.CountsSource(rank)          ? facts.SourcePoints
-                                                : 0;
+    first += this->Settings.SourceIdsAreOfInput ? facts.Points : facts.SourcePoints;
   }
   return static_cast<std::int64_t>(first);
 }

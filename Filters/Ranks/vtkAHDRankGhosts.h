@@ -43,7 +43,7 @@ struct vtkAHDRankTriangles
       this->Corners = vtkAHDNewArray<vtkTypeInt32Array>(numbers);
     }
   }
-  /// Keeps those whose byte is not 0, in order. Throws std::bad_alloc.
+  /// Keeps those whose byte is not 0, in order.
   void Keep(const unsigned char* kept);
 };
 

@@ -357,21 +357,22 @@ vtkSmartPointer<vtkDataArray> vtkAHDRankPoints::TakePlaces(std::size_t count)
   return std::move(this->Places);
 }
 
-ahd::PointView vtkAHDRankPoints::GetPlaces() const
-{
-  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Places))
-  {
-    return ahd::PointView(floats->GetPointer(0), this->GetCount(), 3);
-  }
-  return ahd::PointView(
-    vtkArrayDownCast<vtkDoubleArray>(this->Places)->GetPointer(0), this->GetCount(), 3);
-}
-
 ahd::PointView vtkAHDRankPoints::GetView() const
 {
-  ahd::PointView view = this->InPlane.empty()
-    ? this->GetPlaces()
-    : ahd::PointView(this->InPlane.data(), this->GetCount(), 3);
+  ahd::PointView view;
+  if (!this->InPlane.empty())
+  {
+    view = ahd::PointView(this->InPlane.data(), this->GetCount(), 3);
+  }
+  else if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Places))
+  {
+    view = ahd::PointView(floats->GetPointer(0), this->GetCount(), 3);
+  }
+  else
+  {
+    view = ahd::PointView(
+      vtkArrayDownCast<vtkDoubleArray>(this->Places)->GetPointer(0), this->GetCount(), 3);
+  }
   if (this->Marks)
   {
     view.skip = this->Marks->GetPointer(0);

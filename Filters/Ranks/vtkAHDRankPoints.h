@@ -58,10 +58,10 @@ public:
   const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
   /// As they are triangulated.
   ahd::PointView GetView() const;
-  /// Where they are in space.
-  ahd::PointView GetPlaces() const;
-  /// These, floats or doubles, given away with room for so many points; there is no view of them
-  /// after that. Throws std::bad_alloc.
+  /// Where they are in space: floats or doubles.
+  vtkDataArray* GetPlaces() const { return this->Places; }
+  /// The same, given away, with room for so many points; there is no view of them after that.
+  /// Throws std::bad_alloc.
   vtkSmartPointer<vtkDataArray> TakePlaces(std::size_t count);
   /// Their ghost marks; null if no rank has any.
   vtkUnsignedCharArray* GetMarks() const { return this->Marks; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankSurface.h"
 
+#include "Engine/Surface/Means.h"
 #include "Engine/Surface/Selection.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
@@ -112,23 +113,42 @@ void vtkAHDRankSurface::AskForForeign()
 void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
 {
   vtkSmartPointer<vtkDataArray> all;
-  this->Ranks.Together(this->Context, [&] { all = this->Points.TakePlaces(this->All); });
-  for (const ahd::Mean& mean : this->Means)
-  {
-    all->SetTuple(static_cast<vtkIdType>(mean.id), mean.position.data());
-  }
-  this->Means = std::vector<ahd::Mean>();
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      std::vector<ahd::Mean> means;
+      if (this->Settings.ShowMeans)
+      {
+        this->FindMeans(means);
+      }
+      all = this->Points.TakePlaces(this->All);
+      for (const ahd::Mean& mean : means)
+      {
+        all->SetTuple(static_cast<vtkIdType>(mean.id), mean.position.data());
+      }
+    });
   this->Foreign.Move(all, all, this->Own);
   vtkNew<vtkPoints> points;
   points->SetData(all);
   output->SetPoints(points);
 }
 
-/// Where own points are shown that stand for several at one place. All at a place are on one rank.
-void vtkAHDRankSurface::FindMeans()
+/// Where own points that stand for several at one place are shown: at their mean. All at a place
+/// are on one rank. REQUIRES: the places have not been taken.
+void vtkAHDRankSurface::FindMeans(std::vector<ahd::Mean>& means)
 {
-  this->Context.Check(ahd::findMeans(this->Triangulation.ownPoints(), this->Own,
-    this->Points.GetPlaces(), this->Context, this->Means));
+  ahd::PointView own;
+  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Points.GetPlaces()))
+  {
+    own = ahd::PointView(floats->GetPointer(0), this->Own, 3);
+  }
+  else
+  {
+    own = ahd::PointView(
+      vtkArrayDownCast<vtkDoubleArray>(this->Points.GetPlaces())->GetPointer(0), this->Own, 3);
+  }
+  this->Context.Check(
+    ahd::findMeans(this->Triangulation.ownPoints(), this->Own, own, this->Context, means));
 }
 
 void vtkAHDRankSurface::MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output)
@@ -423,10 +443,6 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
       if (this->Settings.GeneratePointStatus)
       {
         this->MakeStatus();
-      }
-      if (this->Settings.ShowMeans)
-      {
-        this->FindMeans(); // while the places are where the triangulation has read them
       }
     });
   this->AskForForeign();

@@ -3,7 +3,6 @@
 #define vtkAHDRankSurface_h
 
 #include "Engine/Distribute/BlockTriangulation.h"
-#include "Engine/Surface/Means.h"
 #include "Ranks/vtkAHDRankGhosts.h"
 #include "Ranks/vtkAHDRankPoints.h"
 #include "Ranks/vtkAHDRankRim.h"
@@ -12,7 +11,12 @@
 #include <cstddef>
 #include <vector>
 
+namespace ahd
+{
+struct Mean;
+}
 class vtkAbstractArray;
+class vtkDataArray;
 class vtkPolyData;
 
 /**
@@ -55,13 +59,13 @@ public:
 private:
   void AskForForeign();
   void WritePlaces(vtkPolyData* output);
-  void FindMeans();
+  void FindMeans(std::vector<ahd::Mean>& means);
   void WriteData(vtkPolyData* output);
   void MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output);
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
-  void MakeStatus();
   void ReadTriangles();
+  void MakeStatus();
   void ReadAround();
   void ListPlaces();
   void KeepShort(vtkAHDRankTriangles& cells) const;
@@ -84,7 +88,6 @@ private:
   vtkAHDRankRim Rim;
   vtkAHDRankGhosts Ghosts;
   vtkSmartPointer<vtkAbstractArray> Status;
-  std::vector<ahd::Mean> Means;
   std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
 };
 

@@ -102,7 +102,8 @@ std::vector<std::map<std::int64_t, double>> exactNaturalWeights(
     {
       if (found.third && one.second != 0)
       {
-        result[k][ids.find(one.first)->second] = CGAL::to_double(one.second / found.second);
+        result[k][ids.find(one.first)->second] = CGAL::to_double(
+          CGAL::exact(one.second / found.second));
       }
     }
   }

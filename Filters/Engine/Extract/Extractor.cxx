@@ -259,9 +259,9 @@ bool writeInOrder(const ExtractedMesh& from, std::uint32_t* places, Scratch& scr
     });
 }
 
-} // namespace
-
-std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
+/// The vertices on the hull by a walk along it, which waits for memory at each: as many as there
+/// are, or more than `most`. 0: to be cancelled.
+std::size_t walkAlongHull(const Mesh& mesh, std::size_t most, Ticker& ticker)
 {
   const std::uint32_t* data = mesh.data();
   Mesh::Halfedge start = 0;
@@ -285,8 +285,43 @@ std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
     {
       return 0;
     }
-  } while (h != start);
+  } while (h != start && count <= most);
   return count;
+}
+
+struct Ghosts
+{
+  std::size_t count = 0;
+  void merge(const Ghosts& other) { count += other.count; }
+};
+
+/// The triangles that have the ghost as a corner: each edge of the hull has one. 0: to be
+/// cancelled.
+std::size_t countGhosts(const Mesh& mesh, Ticker& ticker)
+{
+  Ghosts ghosts;
+  const std::uint32_t ghost = mesh.ghost();
+  const std::uint32_t* const data = mesh.data();
+  const bool done = gather(mesh.end() / Mesh::kSlotSize, ticker, ghosts,
+    [=](Ghosts& some, std::size_t a, std::size_t b)
+    {
+      for (const std::uint32_t* t = data + a * Mesh::kSlotSize; t != data + b * Mesh::kSlotSize;
+           t += Mesh::kSlotSize)
+      {
+        some.count += ((t[0] == ghost) | (t[1] == ghost) | (t[2] == ghost)) ? 1u : 0u;
+      }
+    });
+  return done ? ghosts.count : 0;
+}
+
+} // namespace
+
+std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker)
+{
+  // Passing over a triangle takes so many times less than a step along the hull.
+  const std::size_t most = mesh.end() / Mesh::kSlotSize / 16;
+  const std::size_t count = walkAlongHull(mesh, most, ticker);
+  return count <= most ? count : countGhosts(mesh, ticker);
 }
 
 template <typename Id>

@@ -13,7 +13,8 @@ namespace ahd
 {
 
 /// Number of vertices on the hull, collinear ones included: the ghost's neighbours.
-/// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel.
+/// REQUIRES: a mesh with a triangle. Returns 0 if the caller wants to cancel. Throws
+/// std::bad_alloc.
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
 /// A mesh, and which of its triangles to leave out.

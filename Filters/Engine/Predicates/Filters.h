@@ -160,9 +160,11 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
 /// Proof. Let gamma be the vector to (0, g), D the true determinant. D = |gamma|^2 (alpha x beta) +
 /// R with |R| <= |gamma| |alpha| |beta| (|alpha| + |beta|). With c = |gamma| >= 2^70 2^e (1 - u)
 /// and |alpha|, |beta| <= 2^1.5 2^e that is |R| <= 2^-67 c^2 |alpha| |beta| <= 2^-68 s, as s is at
-/// least c^2 (|alpha|^2 + |beta|^2). The bound of the filter exceeds the error of the determinant
-/// by 0.009 u s at least, which is more than |R|. So the computed determinant has the sign of alpha
-/// x beta.
+/// least c^2 (|alpha|^2 + |beta|^2). The error of the determinant, one triangle at a time or two
+/// (FilterPairs.h), is at most ((1 + u)^10 - 1) s < 10 u s + 46 u^2 s. The bound, computed and
+/// compared, stands for at least 10.01 u s (1 - u)^15 > 10.01 u s - 151 u^2 s. So it exceeds the
+/// error by 0.009 u s > 2^-60 s, which is 2^8 times |R|: the computed determinant has the sign of
+/// alpha x beta. Which of the three corners is the ghost has no say in s or R.
 constexpr double kGhostDistance = 0x1p70;
 /// All exponents of a point set's frame are at most this in magnitude: the coordinates are below
 /// 2^e, |e| <= kFrameExponent, so that nothing overflows and the guard, which has to be enough for

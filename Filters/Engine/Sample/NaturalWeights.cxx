@@ -80,14 +80,14 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::seen(Index verte
 /// A centre, and what is to be known of it to bound the errors.
 template <typename Number>
 typename NaturalWeights<Number>::Vector NaturalWeights<Number>::noted(
-  const Vector& numerators, const Number& divisor, double size)
+  const Vector& numerators, const Number& divisor, double size, double sides)
 {
   const Number inverse = Number{ 1.0 } / divisor;
   const Vector centre{ numerators.x * inverse, numerators.y * inverse };
   // Where something is NaN, or the divisor negative, which is a matter of rounding, too.
-  const double flatness = size / valueOf(divisor);
-  flatness_ = flatness > 0.0 ? std::max(flatness_, flatness)
-                             : std::numeric_limits<double>::infinity();
+  const double area = valueOf(divisor), flatness = sides / (area * area);
+  flatness_ = (area > 0.0) & (flatness > 0.0) ? std::max(flatness_, flatness)
+                                              : std::numeric_limits<double>::infinity();
   const double x = valueOf(centre.x), y = valueOf(centre.y);
   size_ = std::max(size_, std::max(size, x * x + y * y));
   return centre;
@@ -104,7 +104,7 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::centreOf(std::si
   const double size = std::max({ valueOf(A), valueOf(B), valueOf(C) });
   return noted({ A * (b.y - c.y) + B * (c.y - a.y) + C * (a.y - b.y),
                  A * (c.x - b.x) + B * (a.x - c.x) + C * (b.x - a.x) },
-    area + area, size);
+    area + area, size, size * size);
 }
 
 /// Of a triangle that has the place as a corner.
@@ -114,8 +114,8 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::centreOf(
 {
   const Number A = squareOf(a), B = squareOf(b), area = crossOf(a, b);
   nearest_ = std::min(nearest_, valueOf(A));
-  return noted(
-    { A * b.y - B * a.y, B * a.x - A * b.x }, area + area, std::max(valueOf(A), valueOf(B)));
+  return noted({ A * b.y - B * a.y, B * a.x - A * b.x }, area + area,
+    std::max(valueOf(A), valueOf(B)), valueOf(A) * valueOf(B));
 }
 
 /// Adds what each side of the parts gives to twice their areas: a side between the centres P and Q
@@ -191,15 +191,17 @@ double NaturalWeights<Number>::finish(std::vector<double>& weights) const
 
 /// May the weights be relied on, if they summed to this?
 ///
-/// Let z be the largest squared length, r a centre's, f the flatness, u the unit of rounding. The
-/// numerators of a centre are wrong by 8 u z sqrt(z), its divisor by 4 u z; so the centre is by 8 u
-/// f (sqrt(z) + sqrt(r)), which is at most 16 u f sqrt(s) with s = max(z, r). A side's product of
-/// two is then wrong by 32 u f s and some 2 u s. A weight has a few sides; all have the sum.
+/// Let z be the largest squared length, r a centre's, u the unit of rounding. Of p with an edge
+/// from a to b: let f be |a| |b| over the divisor. The numerators are wrong by 4 u |a| |b| (|a| +
+/// |b|), the divisor by 4 u |a| |b|, so the centre is by 8 u f (sqrt(z) + sqrt(r)). Of a triangle
+/// of the cavity the same holds with z over the divisor for f. Both are at most 16 u f sqrt(s),
+/// with the largest f and s = max(z, r). A side's product of two centres is then wrong by 32 u f s
+/// and some 2 u s. A weight has a few sides; all have the sum.
 template <typename Number>
 bool NaturalWeights<Number>::areGood(double sum) const
 {
   const bool isInRange = size_ > 0x1p-400 && size_ < 0x1p400;
-  const double error = 32.0 * kUnit<Number> * flatness_ *
+  const double error = 32.0 * kUnit<Number> * std::sqrt(flatness_) *
     (isLaplace_ ? std::sqrt(size_ / nearest_) : size_);
   return isInRange && error < kMostError * sum && std::isfinite(sum);
 }

@@ -36,7 +36,7 @@ private:
   Vector seen(Index vertex) const;
   Vector centreOf(std::size_t triangle);
   Vector centreOf(const Vector& a, const Vector& b);
-  Vector noted(const Vector& numerators, const Number& divisor, double size);
+  Vector noted(const Vector& numerators, const Number& divisor, double size, double sides);
   void goAround(const Cavity& cavity);
   bool areGood(double sum) const;
   double length(std::size_t k) const;
@@ -46,7 +46,7 @@ private:
   Point place_{ 0.0, 0.0 };
   double scale_ = 1.0;
   bool isLaplace_ = false;
-  double flatness_ = 0.0;       ///< the most that a squared length is, over twice a triangle's area
+  double flatness_ = 0.0;       ///< the most that sides are over their product, squared
   double size_ = 0.0;           ///< the largest squared length, of vertices and centres
   double nearest_ = 0.0;        ///< the least one of a vertex
   std::vector<Number> areas_;   ///< of each vertex, twice; and of the first once more

@@ -6,6 +6,7 @@
 #include "../Triangulation/State.h"
 #include "Methods.h"
 #include "NaturalWeights.h"
+#include "RasterScan.h"
 #include "Values.h"
 #include "Visits.h"
 
@@ -104,9 +105,20 @@ Status Sampler::values(const SamplePlaces& places, const SampleArray* arrays, st
       SampledColumns columns;
       const bool leavesOut = state.method == SampleMethod::NaturalNeighbor ||
         state.method == SampleMethod::Laplace;
-      return ticker.ask() && columns.build(state.made, arrays, count, places.count(), ticker) &&
-        state.visitAll(
-          places, ValueSink(columns, state.surface, mask, leavesOut), report, ticker) &&
+      if (!ticker.ask() || !columns.build(state.made, arrays, count, places.count(), ticker))
+      {
+        return false;
+      }
+      if (places.isRaster() && state.method == SampleMethod::Linear && state.hasTriangles())
+      {
+        RasterScan scan(state.surface, places.raster(), columns, mask);
+        if (scan.isApplicable(state.bounds()))
+        {
+          return scan.run(report, ticker) && ticker.ask();
+        }
+      }
+      return state.visitAll(
+               places, ValueSink(columns, state.surface, mask, leavesOut), report, ticker) &&
         ticker.ask();
     });
 }

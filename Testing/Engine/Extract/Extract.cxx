@@ -120,6 +120,30 @@ void expectCanonical(const std::vector<Point>& points, const std::string& what)
   }
 }
 
+/// Few of many by a walk along the hull, many by a look at each triangle.
+TEST(Extract, HullVerticesAreTheGhostsNeighboursOnThreads)
+{
+  for (const Distribution d :
+    { Distribution::Uniform, Distribution::OnCircle, Distribution::NearlyCollinear })
+  {
+    for (const std::size_t n : { std::size_t(5), std::size_t(1000), reduced(300000) })
+    {
+      Made made(makePoints(d, n, 1));
+      std::size_t ghosts = 0;
+      for (std::size_t t = 0; t < made.triangles(); ++t)
+      {
+        ghosts += made.isFinite(t) ? 0 : 1;
+      }
+      for (const unsigned count : { 1u, 3u })
+      {
+        ThreadExecutor threads(count);
+        Ticker ticker(nullptr, Phase::Insert, n, &threads);
+        EXPECT_EQ(countHullVertices(made.mesh, ticker), ghosts) << nameOf(d) << ", " << n;
+      }
+    }
+  }
+}
+
 TEST(Extract, IsAPlainSort)
 {
   for (const Distribution d : allDistributions())

@@ -164,6 +164,15 @@ TEST(WorkCounts, FarClustersAreNoHarderThanOne)
   EXPECT_LT(countedRun(points).np(), 1.6);
 }
 
+/// Where all points are on the hull, the next one is mostly outside, and the walk begins at the
+/// hull's edge on its side; from that on the other side it tests 2.87 and 7.54 triangles a point.
+TEST(WorkCounts, WalksBeginOnTheSideOfTheNextPoint)
+{
+  const std::size_t n = 100000;
+  EXPECT_LT(countedRun(makePoints(Distribution::OnCircle, n, 1)).np(), 2.7);
+  EXPECT_LT(countedRun(makePoints(Distribution::OnParabola, n, 1)).np(), 7.4);
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd

@@ -391,6 +391,27 @@ TEST(Merge, ATinyDistanceOnAnEndlessLine)
   }
 }
 
+/// Beside coordinates at the ends of the range rows are few, however large the distance: the row
+/// above the highest place is no endless number of rows above the one below it.
+TEST(Merge, LargeDistancesAtTheEndsOfTheRange)
+{
+  constexpr double kMost = std::numeric_limits<double>::max();
+  for (int exponent = 960; exponent <= 1023; ++exponent)
+  {
+    const double distance = std::ldexp(1.0, exponent);
+    std::vector<Point> points;
+    for (const double end : { kMost, -kMost })
+    {
+      const double inwards = end > 0.0 ? -distance : distance;
+      points.insert(points.end(),
+        { { 0.0, end }, { 0.0, end + inwards }, { 0.0, end + 3.0 * inwards },
+          { 0.5 * distance, end + 2.5 * inwards }, { end, 0.0 }, { end, distance } });
+    }
+    expectAsDefined(viewOf(points), distance);
+    expectAsDefined(viewOf(points), std::nextafter(distance, 0.0));
+  }
+}
+
 TEST(Merge, CancelledAtAnyAsking)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, 20000, 1);

@@ -239,8 +239,10 @@ TEST(Tables, CanBeMadeAfterAnyCancelling)
   Engine engine;
   const auto make = [&](Progress* progress)
   {
-    const Status made = engine.made.makeNeighbors({ progress, nullptr });
-    return made == Status::Ok ? engine.made.makePointMap({ progress, nullptr }) : made;
+    const Context context{ progress, nullptr };
+    Status made = engine.made.makeNumbers(context);
+    made = made == Status::Ok ? engine.made.makeNeighbors(context) : made;
+    return made == Status::Ok ? engine.made.makePointMap(context) : made;
   };
   std::size_t stopped = 0;
   for (std::size_t at = 1; stopped < at; ++at)
@@ -265,6 +267,81 @@ TEST(Tables, CanBeMadeAfterAnyCancelling)
   }
 }
 
+/// What is written and asked, of an engine whose triangles were numbered first.
+void expectAfterNumbers(
+  Engine& engine, const std::vector<std::int32_t>& expected, const Context& context)
+{
+  ASSERT_EQ(engine.made.makeNumbers(context), Status::Ok);
+  ASSERT_EQ(engine.made.makeNumbers(context), Status::Ok) << "again";
+  std::vector<std::int32_t> triples(expected.size(), -7);
+  ASSERT_EQ(engine.made.writeTriangles(triples.data(), context), Status::Ok);
+  EXPECT_EQ(triples, expected);
+  ASSERT_EQ(engine.made.makeNeighbors(context), Status::Ok);
+  EXPECT_EQ(keptTriples(engine.made), expected);
+  expectTwins(engine.made);
+  expectTurns(engine.made);
+}
+
+TEST(Tables, NumbersFirstOnThreads)
+{
+  ThreadExecutor threads(3);
+  for (const Input& input : inputs())
+  {
+    SCOPED_TRACE(input.name);
+    const Outcome expected = triangulate(input.points);
+    for (Executor* const executor :
+      { static_cast<Executor*>(nullptr), static_cast<Executor*>(&threads) })
+    {
+      Engine engine;
+      ASSERT_EQ(engine.run(viewOf(input.points), Options(), nullptr, executor), Status::Ok);
+      expectAfterNumbers(engine, expected.triples, { nullptr, executor });
+      ASSERT_EQ(engine.made.makePointMap({}), Status::Ok);
+      expectVertices(engine.made, expected.pointStatus);
+    }
+  }
+}
+
+/// Numbers of before are those of other triangles; some of those numbered are dropped.
+TEST(Tables, NumbersBeforeConstraintsAndAfter)
+{
+  for (const ConstraintCase& given : { nestedLoops(30), edgesOfOthers(20000, 2000) })
+  {
+    const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);
+    Engine engine;
+    ASSERT_EQ(engine.run(given.view()), Status::Ok);
+    ASSERT_EQ(engine.made.makeNumbers({}), Status::Ok);
+    ASSERT_EQ(engine.constrain(given.constraints.view(), FillRule::EvenOdd), Status::Ok);
+    expectAfterNumbers(engine, expected.triples, {});
+  }
+}
+
+class Asked : public Progress
+{
+public:
+  bool advance(Phase, double) override { return ++times != 0; }
+  std::size_t times = 0;
+};
+
+/// Who calls it first has the triangles put in order once.
+TEST(Tables, NumbersFirstSaveWork)
+{
+  const std::vector<Point> points = makePoints(Distribution::Uniform, reduced(100000), 1);
+  std::size_t asked[2];
+  for (const bool numbersFirst : { false, true })
+  {
+    Engine engine;
+    ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
+    std::vector<std::int32_t> triples(3 * engine.report().triangles);
+    Asked progress;
+    const Context context{ &progress, nullptr };
+    ASSERT_EQ(numbersFirst ? engine.made.makeNumbers(context) : Status::Ok, Status::Ok);
+    ASSERT_EQ(engine.made.writeTriangles(triples.data(), context), Status::Ok);
+    ASSERT_EQ(engine.made.makeNeighbors(context), Status::Ok);
+    asked[numbersFirst ? 1 : 0] = progress.times;
+  }
+  EXPECT_LT(asked[1] + points.size() / kStepsPerAsking, asked[0]);
+}
+
 TEST(Tables, CanBeMadeAfterAnyWantOfMemory)
 {
   const std::vector<Point> points = hubs(100);
@@ -275,7 +352,8 @@ TEST(Tables, CanBeMadeAfterAnyWantOfMemory)
     Engine engine;
     ASSERT_EQ(engine.run(viewOf(points)), Status::Ok);
     account.failAt = account.allocations + k;
-    status = engine.made.makeNeighbors({});
+    status = engine.made.makeNumbers({});
+    status = status == Status::Ok ? engine.made.makeNeighbors({}) : status;
     account.failAt = 0;
     ASSERT_TRUE(status == Status::Ok || status == Status::OutOfMemory);
     ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
@@ -293,6 +371,7 @@ TEST(Tables, TakeNoMoreMemoryThanEstimated)
     ASSERT_EQ(engine.run(viewOf(input.points)), Status::Ok);
     const std::size_t before = account.held;
     account.peak = before;
+    ASSERT_EQ(engine.made.makeNumbers({}), Status::Ok);
     ASSERT_EQ(engine.made.makeNeighbors({}), Status::Ok);
     ASSERT_EQ(engine.made.makePointMap({}), Status::Ok);
     EXPECT_LE(account.peak - before, tableMemoryEstimate(input.points.size()) + 100000)

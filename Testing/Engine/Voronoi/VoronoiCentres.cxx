@@ -2,6 +2,7 @@
 //
 // Circumcentres of many triangles at once are those of one at a time, bit by bit, as compiled for
 // each kind of processor; these are held to exact ones in VoronoiCorners.cxx.
+#include "Predicates/Predicates.h"
 #include "Voronoi/CentreBlocks.h"
 #include "Voronoi/Circumcentre.h"
 
@@ -19,42 +20,72 @@ namespace
 
 constexpr std::size_t kTriangles = 10001; // no multiple of what is computed at once
 
-/// Triangles of points that are `origin` and `size` times a number below 1, on a lattice with
-/// `steps` steps if that is not 0.
-std::vector<Point> corners(double origin, double size, double steps, std::uint64_t seed)
+class Drawn
 {
-  std::mt19937_64 random(seed);
-  const auto any = [&]
+public:
+  explicit Drawn(std::uint64_t seed)
+    : random_(seed)
   {
-    const double x = std::ldexp(double(random() >> 11), -53);
-    return origin + size * (steps > 0.0 ? std::floor(x * steps) / steps : x);
-  };
+  }
+  double unit() { return std::ldexp(double(random_() >> 11), -53); }
+  /// `steps` of them from 0 to below 1; any number if that is 0.
+  double of(double steps) { return steps > 0.0 ? std::floor(unit() * steps) / steps : unit(); }
+  std::uint64_t below(std::uint64_t end) { return random_() % end; }
+
+private:
+  std::mt19937_64 random_;
+};
+
+/// Triples of corners, all by make(), without flat ones.
+template <typename Make>
+std::vector<Point> triangles(Make make)
+{
   std::vector<Point> result;
   while (result.size() < 3 * kTriangles)
   {
-    const Point a{ any(), any() }, b{ any(), any() }, c{ any(), any() };
-    const bool isFlat = (b.x - a.x) * (c.y - a.y) == (b.y - a.y) * (c.x - a.x);
-    if (!isFlat)
+    const Corners t = make();
+    if (orient2d(t.a, t.b, t.c) != 0)
     {
-      result.insert(result.end(), { a, b, c });
+      result.insert(result.end(), { t.a, t.b, t.c });
     }
   }
   return result;
 }
 
-void expectTheSame(CentresOf* compute, const std::vector<Point>& places)
+void expectTheSame(CentresOf* compute, const std::vector<Point>& places, std::size_t count)
 {
-  std::vector<Index> vertices(places.size());
+  // The last corner first, and every other triangle turned round: who stands where is not its
+  // place.
+  std::vector<Index> vertices(3 * count);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
-    vertices[i] = static_cast<Index>(i);
+    const std::size_t t = count - 1 - i / 3, k = t % 2 != 0 ? 2 - i % 3 : i % 3;
+    vertices[i] = static_cast<Index>(3 * t + k);
   }
-  std::vector<Point> centres(kTriangles);
-  compute(vertices.data(), places.data(), kTriangles, centres.data());
-  for (std::size_t t = 0; t < kTriangles; ++t)
+  std::vector<Point> centres(count + 1, Point{ -7.0, -7.0 });
+  compute(vertices.data(), places.data(), count, centres.data());
+  EXPECT_EQ(centres[count], (Point{ -7.0, -7.0 })) << "beyond the last of " << count;
+  for (std::size_t t = 0; t < count; ++t)
   {
-    const Point one = circumcentre({ places[3 * t], places[3 * t + 1], places[3 * t + 2] });
-    ASSERT_EQ(std::memcmp(&one, &centres[t], sizeof one), 0) << t;
+    const Index* const v = &vertices[3 * t];
+    const Point one = circumcentre({ places[v[0]], places[v[1]], places[v[2]] });
+    ASSERT_EQ(std::memcmp(&one, &centres[t], sizeof one), 0) << t << " of " << count;
+  }
+}
+
+void expectTheSame(const std::vector<Point>& places)
+{
+  for (const std::size_t count : { std::size_t(0), std::size_t(1), std::size_t(31), std::size_t(32),
+         std::size_t(33), kTriangles })
+  {
+    expectTheSame(circumcentres(), places, count);
+    expectTheSame(baseline::circumcentresHere, places, count);
+#if AHD_HAS_X86_TARGETS
+    if (processorHas(InstructionSet::Avx2))
+    {
+      expectTheSame(avx2::circumcentresHere, places, count);
+    }
+#endif
   }
 }
 
@@ -69,16 +100,54 @@ TEST(VoronoiCentres, ManyAtOnceAreThoseOfOne)
   std::uint64_t seed = 1;
   for (const auto& set : kSets)
   {
-    const std::vector<Point> places = corners(set.origin, set.size, set.steps, seed++);
     SCOPED_TRACE(seed);
-    expectTheSame(circumcentres(), places);
-    expectTheSame(baseline::circumcentresHere, places);
-#if AHD_HAS_X86_TARGETS
-    if (processorHas(InstructionSet::Avx2))
+    Drawn drawn(seed++);
+    const auto any = [&]
     {
-      expectTheSame(avx2::circumcentresHere, places);
-    }
-#endif
+      const double x = set.origin + set.size * drawn.of(set.steps);
+      return Point{ x, set.origin + set.size * drawn.of(set.steps) };
+    };
+    expectTheSame(triangles(
+      [&]
+      {
+        const Point a = any(), b = any();
+        return Corners{ a, b, any() };
+      }));
+  }
+}
+
+/// Flatter and flatter, beyond what is computed at once: centres far away, on either side.
+TEST(VoronoiCentres, OfNearlyFlatTriangles)
+{
+  Drawn drawn(20);
+  expectTheSame(triangles(
+    [&]
+    {
+      const double flat = std::ldexp(drawn.unit() - 0.5, -int(drawn.below(50)));
+      const Point a{ drawn.unit(), drawn.unit() }, b{ drawn.unit(), drawn.unit() };
+      const double way = drawn.of(drawn.below(2) == 0 ? 4.0 : 0.0);
+      const Point c{ a.x + way * (b.x - a.x) - flat * (b.y - a.y),
+        a.y + way * (b.y - a.y) + flat * (b.x - a.x) };
+      return Corners{ a, b, isModest(c) ? c : b };
+    }));
+}
+
+/// Right angles with sides of a few units in the last place: half of the centres' coordinates lie
+/// in the middle between two doubles, or so near to it that only the last bits tell.
+TEST(VoronoiCentres, BetweenTwoDoubles)
+{
+  for (const double origin : { 1.0, -1.0, 1.5, 0x1p20 })
+  {
+    Drawn drawn(30);
+    const double unit = 0x1p-52 * std::fabs(origin);
+    expectTheSame(triangles(
+      [&]
+      {
+        const auto units = [&] { return unit * double(drawn.below(16)); };
+        const Point a{ origin + units(), origin + units() };
+        const double far = drawn.below(2) == 0 ? units() : 0.25 * drawn.unit();
+        return Corners{ a, { a.x + units(), a.y }, { a.x + units() * drawn.of(2.0), a.y + far } };
+      }));
   }
 }
 

@@ -17,8 +17,8 @@ from vtkmodules.vtkCommonDataModel import (
 )
 
 from RanksCompare import (
-    RANK, RANKS, WANTED, Said, appended, attempt, check, compare, finish, make_filter, make_input, on_all_ranks, read,
-    run,
+    RANK, RANKS, WANTED, Said, appended, attempt, check, compare, finish, make_array, make_filter, make_input,
+    on_all_ranks, read, run,
 )
 from rankcases import Piece, pieces, uniform, with_one_source
 
@@ -70,6 +70,7 @@ def make_multi(blocks):
             data.SetBlock(k, make_multi(block))
         elif block is not None:
             data.SetBlock(k, make_input(block))
+            data.GetBlock(k).GetFieldData().AddArray(make_array("Number", "byte", [k]))
         data.GetMetaData(k).Set(vtkCompositeDataSet.NAME(), "block %d" % k)
     return data
 
@@ -89,7 +90,9 @@ def run_blocks(data, settings, port=0):
     algorithm.Update()
     out = algorithm.GetOutputDataObject(port)
     every = [leaf and read(OfBlock(leaf), said) for leaf in leaves(out)]
+    numbers = [leaf and leaf.GetFieldData().GetArray("Number") for leaf in leaves(out)]
     return {"structure": structure(out), "blocks": every, "errors": said.errors, "warnings": said.warnings,
+            "numbers": [array and int(array.GetValue(0)) for array in numbers],
             "triangulations": algorithm.GetNumberOfTriangulations()}
 
 
@@ -122,6 +125,8 @@ def try_multi(settings):
         check(part["structure"] == expected, "rank %d: %r, not %r" % (rank, part["structure"], expected))
         check(part["triangulations"] == 3, "%d blocks were triangulated" % part["triangulations"])
         check(part["blocks"][2] is None, "a block that no rank has")
+        numbers = [0, None if rank == 1 else 0, None, 2]
+        check(part["numbers"] == numbers, "field data: %r, not %r" % (part["numbers"], numbers))
     for k, made in ((0, first), (1, second), (3, third)):
         compare_block(found, k, made, settings)
 
@@ -198,6 +203,8 @@ def try_changes():
                        lambda: algorithm.SetInputDataObject(0, make_input(first[RANK])),
                        lambda: algorithm.SetInputDataObject(0, own), algorithm.DistributePointsOff):
             change()
+            algorithm.UpdateDataObject()
+            kinds.append(algorithm.GetOutputDataObject(0).GetClassName())
             algorithm.Update()
             out = algorithm.GetOutputDataObject(0)
             kinds.append(out.GetClassName())
@@ -206,7 +213,8 @@ def try_changes():
 
     for kinds in on_all_ranks("changes", work) or ():
         blocks, one = "vtkMultiBlockDataSet", "vtkPolyData"
-        check(kinds == [blocks, one, blocks, one, blocks, blocks], repr(kinds))
+        check(kinds[1::2] == [blocks, one, blocks, one, blocks, blocks], repr(kinds))
+        check(kinds[::2] == kinds[1::2], "outputs become others in the execution: %r" % kinds)
 
 
 def try_nothing():

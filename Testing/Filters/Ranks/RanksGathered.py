@@ -117,19 +117,29 @@ def try_case(made, settings, setting):
     check(said[:-1] == told, "warnings: %r, not %r" % (said, told))
 
 
-def try_other_host():
-    """Where rank 0 may not take it all, another one does."""
+def try_hosts(limit, is_first):
+    """Where rank 0 may take all, it does, though others may take more; where it may not, another one does."""
     made = pieces(uniform(1500), RANKS)
     settings = {"GenerateVoronoi": True}
-    found = on_all_ranks("host", lambda: run(made[RANK], dict(settings, MemoryLimit=600 if RANK == 0 else 0)))
+    found = on_all_ranks("host", lambda: run(made[RANK], dict(settings, MemoryLimit=10 ** 6 if RANK else limit)))
     if RANK:
         return
     hosts = [rank for rank, part in enumerate(found) if part["names"]]
-    check(len(hosts) == 1 and hosts[0] > 0, "ranks that put something out: %r" % hosts)
+    check(len(hosts) == 1 and (hosts[0] == 0) == is_first, "ranks that put something out: %r" % hosts)
     said = found[0]["warnings"]
     check(len(said) == 1 and SAID_ONCE + "%d of" % hosts[0] in said[0], "said: %r" % said)
     found[0]["warnings"] = []
     compare_whole(found, run(appended(made, settings), settings, distribute=False), hosts[0])
+
+
+def try_unfit_marks():
+    """Of one rank, said by the first."""
+    made = pieces(uniform(100), RANKS)
+    made[-1].arrays["vtkGhostType"] = ("float", [1.0] * len(made[-1].points))
+    found = on_all_ranks("marks", lambda: run(made[RANK], {"GenerateVoronoi": True}))
+    if found:
+        check("vtkGhostType does not have one value" in found[0]["warnings"][0], "said: %r" % found[0]["warnings"])
+        check(found[0]["measures"]["NumberOfPointsInserted"] == 100, "points were left out")
 
 
 def try_again():
@@ -175,7 +185,8 @@ def failures():
         "the limit's figure": (with_(Alpha=0.1, MemoryLimit=400), "MemoryLimit allows 400 KiB"),
         "a limit where it is sent": (with_(GenerateNeighbors=True, MemoryLimit=int(last)),
                                      "they are sent there may take"),
-        "too many boxes": (with_(GenerateBoxes=True, Nmax=1, MemoryLimit=3000), "boxes"),
+        "too many boxes": (with_(GenerateBoxes=True, Nmax=1, MemoryLimit=3000),
+                           "more memory than MemoryLimit allows, 3000 KiB"),
         "abort at the beginning": (with_(abort_at(RANKS - 1, 0.0), GenerateVoronoi=True, Tolerance=0.01), None),
         "abort in the middle": (with_(abort_at(0, 0.4), GenerateVoronoi=True), None),
         "different orders": (with_(InsertionLimit=20, Nmax=50 + int(last)), "Nmax is not the same"),
@@ -188,7 +199,8 @@ for name, (made, settings, setting) in gathered_cases(RANKS).items():
 for name, (work, words) in failures().items():
     if WANTED in name:
         attempt(name, try_failure, name, work, words)
-for name, work in (("other host", try_other_host), ("again", try_again)):
+for name, work in (("other host", (try_hosts, 600, False)), ("first host", (try_hosts, 10 ** 5, True)),
+                   ("again", (try_again,)), ("unfit marks", (try_unfit_marks,))):
     if WANTED in name:
-        attempt(name, work)
+        attempt(name, *work)
 finish()

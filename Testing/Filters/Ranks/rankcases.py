@@ -277,6 +277,13 @@ def with_values(made):
     return made
 
 
+def with_points_alone(made):
+    """Sources that constrain nothing, which is said with how many points they have."""
+    for piece in made:
+        piece.source = (ring(0.5, 4), [], [])
+    return made
+
+
 def gathered_cases(ranks):
     """name -> (pieces, settings, the setting that has one rank do it all)"""
     everything, coordinates = EVERYTHING, COORDINATES
@@ -316,6 +323,7 @@ def gathered_cases(ranks):
                             dict(coordinates, ClosedLines=1, GenerateRegionIds=True), "GenerateRegionIds"),
         "source on an empty rank": (with_values(with_own_points(uneven(few, ranks))),
                                     dict(coordinates, GenerateRegionIds=True), "GenerateRegionIds"),
+        "points alone in sources": (with_points_alone(pieces(few, ranks)), lines, "GenerateRegionIds"),
         "one source": (with_values(with_one_source(pieces(few, ranks))), dict(coordinates, GenerateVoronoi=True),
                        "GenerateVoronoi"),
         "from surface": (with_values(with_own_points(pieces(few, ranks))), dict(coordinates, SourceHeights=1),
