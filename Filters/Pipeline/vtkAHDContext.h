@@ -64,9 +64,9 @@ public:
     }
   }
 
-  /// Calls work(begin, end) for pieces of [0, count), on all threads where it pays, and asks on the
-  /// calling thread between its pieces whether the filter is to abort. Throws vtkAHDStop if so.
-  /// `work` throws nothing.
+  /// Calls work(begin, end) for pieces of [0, count), each from a multiple of 2^14 on, on all
+  /// threads where it pays, and asks on the calling thread between its pieces whether the filter is
+  /// to abort. Throws vtkAHDStop if so. `work` throws nothing.
   template <typename Work>
   void ForRange(std::size_t count, const Work& work) const
   {

@@ -77,7 +77,8 @@ void vtkAHDRankRim::FindFlat()
 {
   const std::size_t own = this->Own->GetCount(), all = own + this->Around->GetCount();
   std::vector<signed char> edges(all);
-  std::vector<double> areas(all / kPiece + 1, 0.0); // by pieces: the same with any threads
+  std::vector<double> areas(
+    all / kPiece + 1, 0.0); // by ForRange()'s pieces: the same with any threads
   this->Context.ForRange(all,
     [&](std::size_t begin, std::size_t end)
     {
