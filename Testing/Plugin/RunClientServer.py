@@ -68,7 +68,7 @@ def main(ranks, command):
         # CountWork and others; the plugin in Python works on each rank alone
         warnings = [line for line in printed.splitlines() if "is computed on one rank" in line]
         one_does_all = ranks > 1 and not os.environ["AHD_PLUGIN"].endswith(".py")
-        check_equal(len(warnings), int(one_does_all), "warnings about one of %d ranks printed by the %s" % (ranks, where))
+        check_equal(len(warnings), int(one_does_all), "warnings of %d ranks about one, by the %s" % (ranks, where))
     print("passed: client and server")
 
 
