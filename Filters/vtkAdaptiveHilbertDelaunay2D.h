@@ -439,6 +439,7 @@ private:
     const vtkAHDContext& context);
   void ExecuteBlocksOnRanks(
     const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs);
+  bool WarnOfInput(vtkDataObject* input);
   void ExecuteOneOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data);
   void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,
     const vtkAHDSettings& settings, bool hasFailed);

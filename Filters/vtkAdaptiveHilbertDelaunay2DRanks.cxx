@@ -170,6 +170,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(vtkDataObject* input, vtkDataO
   }
   if (blocks->HaveBlocks())
   {
+    this->WarnOfInput(input);
     this->ExecuteBlocksOnRanks(*blocks, source, outputs);
     return;
   }
@@ -243,6 +244,19 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteBlocksOnRanks(
 #endif
 }
 
+/// Returns whether it has points or blocks, and warns if it is something that has none.
+bool vtkAdaptiveHilbertDelaunay2D::WarnOfInput(vtkDataObject* input)
+{
+  const bool hasPoints = vtkCompositeDataSet::SafeDownCast(input) ||
+    vtkPointSet::SafeDownCast(input);
+  if (input && !hasPoints)
+  {
+    vtkWarningMacro("A " << input->GetClassName()
+                         << " has no points of its own: nothing was triangulated for it.");
+  }
+  return hasPoints;
+}
+
 /// `input` may be null, or nothing that has points.
 void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
   vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data)
@@ -254,13 +268,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
   const vtkAHDContext context(progress, threads);
-  const bool hasPoints = vtkCompositeDataSet::SafeDownCast(input) ||
-    vtkPointSet::SafeDownCast(input);
-  if (input && !hasPoints)
-  {
-    vtkWarningMacro("A " << input->GetClassName()
-                         << " has no points of its own: nothing was triangulated for it.");
-  }
+  const bool hasPoints = this->WarnOfInput(input);
   vtkNew<vtkPolyData> nothing;
   std::unique_ptr<vtkAHDMergedBlocks> merged;
   try

@@ -14,19 +14,17 @@ import time
 
 from pluginsupport import check_equal, run, scratch
 
-RANKS, COMMAND = int(sys.argv[1]), sys.argv[2:]
-
 
 def read_log():
     with open(scratch("server.log"), errors="replace") as log:
         return log.read()
 
 
-def start_server():
+def start_server(command):
     """Starts a server on a port of its choice and waits until it listens there. Returns both."""
     with open(scratch("server.log"), "w") as log:
         server = subprocess.Popen(
-            COMMAND + ["--dr", "--server-port=0", "--hostname=localhost"],
+            command + ["--dr", "--server-port=0", "--hostname=localhost"],
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
@@ -53,21 +51,26 @@ def stop_server(server):
     raise AssertionError("the server does not end")
 
 
-server, port = start_server()
-try:
-    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ClientScript.py")
-    status, client_log = run([os.environ["AHD_PVPYTHON"], "--dr", script, port])
-finally:
-    ended = stop_server(server)
-    print(read_log())
-check_equal(status, 0, "exit status of the client")
-check_equal(ended, 0, "exit status of the server")
+def main(ranks, command):
+    server, port = start_server(command)
+    try:
+        script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "ClientScript.py")
+        status, client_log = run([os.environ["AHD_PVPYTHON"], "--dr", script, port])
+    finally:
+        ended = stop_server(server)
+        print(read_log())
+    check_equal(status, 0, "exit status of the client")
+    check_equal(ended, 0, "exit status of the server")
 
-for where, printed in (("client", client_log), ("server", read_log())):
-    warnings = [line for line in printed.splitlines() if "triangulates its own points" in line]
-    check_equal(len(warnings), 1 if RANKS > 1 else 0, "warnings about %d ranks printed by the %s" % (RANKS, where))
-    # CountWork and others; the plugin in Python works on each rank alone
-    warnings = [line for line in printed.splitlines() if "is computed on one rank" in line]
-    one_does_all = RANKS > 1 and not os.environ["AHD_PLUGIN"].endswith(".py")
-    check_equal(len(warnings), int(one_does_all), "warnings about one of %d ranks printed by the %s" % (RANKS, where))
-print("passed: client and server")
+    for where, printed in (("client", client_log), ("server", read_log())):
+        warnings = [line for line in printed.splitlines() if "triangulates its own points" in line]
+        check_equal(len(warnings), 1 if ranks > 1 else 0, "warnings about %d ranks printed by the %s" % (ranks, where))
+        # CountWork and others; the plugin in Python works on each rank alone
+        warnings = [line for line in printed.splitlines() if "is computed on one rank" in line]
+        one_does_all = ranks > 1 and not os.environ["AHD_PLUGIN"].endswith(".py")
+        check_equal(len(warnings), int(one_does_all), "warnings of %d ranks about one, by the %s" % (ranks, where))
+    print("passed: client and server")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]), sys.argv[2:])

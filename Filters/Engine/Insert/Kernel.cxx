@@ -18,10 +18,12 @@ inline namespace AHD_TARGET
 ///             p
 ///
 /// Both are tested at once: half of all that is known of an edge is the same, and what costs time
-/// is not so much to find an answer as to find, after one that was guessed wrong, the next. So the
-/// answers come in pairs, early (FilterPairs.h), and what lies behind both triangles is read before
-/// it is known whether it will be needed. One of them, if in conflict, is next; the other one waits
-/// in a list through the unused numbers of the star's triangles, so that no cavity is too large.
+/// is not so much to find an answer as to find, after one that was guessed wrong, the next. So what
+/// can be chosen without a branch is, and the answers come in pairs, early (FilterPairs.h), and
+/// what lies behind both triangles is read before it is known whether it will be needed. One of
+/// them, if in conflict, is next; the other one waits in a list through the unused numbers of the
+/// star's triangles, so that no cavity is too large: it is written there in any case, and listed by
+/// a mask.
 ///
 /// No triangle is marked: the cavity has no vertex inside, so its dual graph is a tree and no
 /// triangle is met twice.
@@ -70,12 +72,10 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   const Place closingPlace = t.place + Mesh::kSlotSize;
   Place hintPlace = firstHint({ t.place, kShared ? end : slot, closingPlace },
     signs(root.edges.crossed), signs(cross(root.edges.a, towards)), rightOfBC);
-  Place waiting = kNoIndex;
-  if (closingInConflict(root, closing, origin, p))
-  {
-    star()[closingPlace + 3] = waiting;
-    waiting = closingPlace;
-  }
+  // Written in any case, and chosen by a mask: a branch would be taken at random.
+  star()[closingPlace + 3] = kNoIndex;
+  const Place isWaiting = 0u - (closingInConflict(root, closing, origin, p) ? 1u : 0u);
+  Place waiting = (closingPlace & isWaiting) | ~isWaiting;
   for (;;)
   {
     countRemoved();
@@ -107,11 +107,9 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     }
     if ((inside & 1) != 0)
     {
-      if ((inside & 2) != 0)
-      {
-        (star() + added)[3] = waiting;
-        waiting = added;
-      }
+      // The other one waits, if it is in conflict, too: again by a mask.
+      (star() + added)[3] = waiting;
+      waiting ^= (waiting ^ added) & (0u - (inside >> 1));
       t = { t.place, Mesh::slotOf(t.beyond.first), t.beyond.firstApex, (right & 1) != 0,
         lowEdges(t.edges, apices), kShared ? beyond(t.beyond.first) : first };
     }
@@ -164,12 +162,14 @@ AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
 Kernel<kCount, kAccess, kExact>::firstHint(
   const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC)
 {
-  Place hint = places.ca;
-  hint = (behind & 2) != 0 ? places.bc : hint;
-  hint = (behind & 1) != 0 ? places.ab : hint;
-  hint = (ofAB & 1) > ofBC >> 1 ? places.ca : hint;
-  hint = ofBC >> 1 > (ofBC & 1) ? places.bc : hint;
-  hint = ofAB >> 1 > (ofAB & 1) ? places.ab : hint;
+  // By masks, as compilers make branches of some choices here, which would be taken at random.
+  const auto choose = [](unsigned yes, Place a, Place b)
+  { return b ^ ((a ^ b) & (0u - (yes & 1u))); };
+  Place hint = choose(behind >> 1, places.bc, places.ca);
+  hint = choose(behind, places.ab, hint);
+  hint = choose(ofAB & ~(ofBC >> 1), places.ca, hint);
+  hint = choose(ofBC >> 1 & ~ofBC, places.bc, hint);
+  hint = choose(ofAB >> 1 & ~ofAB, places.ab, hint);
   return hint;
 }
 

@@ -133,9 +133,10 @@ public:
   Sampler(Sampler&&) noexcept;
   Sampler& operator=(Sampler&&) noexcept;
 
-  /// Begins with a surface, which is to outlive this and not to change. Makes the tables that are
-  /// needed. `kept`: one byte per triangle, as in a Selection (borrowed); null: see isKept().
-  /// Returns Ok, Cancelled or OutOfMemory; unless Ok, there is no surface.
+  /// Begins with a surface, which is to outlive this, and of which nothing is to be made or written
+  /// from now on (it may use the memory of the vertices' places). Makes the tables that are needed.
+  /// `kept`: one byte per triangle, as in a Selection (borrowed); null: see isKept(). Returns Ok,
+  /// Cancelled or OutOfMemory; unless Ok, there is no surface.
   Status prepare(
     Triangulation& surface, const unsigned char* kept, SampleMethod method, const Context& context);
 

@@ -5,11 +5,13 @@
 // Everything the engine can do, in one go, for tests of what happens when it ends in the middle.
 #include "Crossings/Crossings.h"
 #include "Merge/Merge.h"
+#include "Sample/Sample.h"
 #include "Voronoi/Voronoi.h"
 
 #include "ConstrainedRun.h"
 #include "ConstraintMakers.h"
 
+#include <algorithm>
 #include <functional>
 #include <string>
 #include <vector>
@@ -58,6 +60,15 @@ public:
       [&] { return t.writeNeighbors(neighbors_.data(), p, e); },
       [&] { return t.writeConstraintEdges(edges_.data(), p, e); },
       [&] { return t.writeRegions(regions_.data(), p, e); },
+      [&] {
+        return sampler_.prepare(t.made, nullptr, SampleMethod::NaturalNeighbor, { p, e });
+      },
+      [&] {
+        return sample(SamplePlaces(raster()), { p, e });
+      },
+      [&] {
+        return sample(SamplePlaces(given_.view()), { p, e });
+      },
     };
     gatherPoints();
     for (const Call& call : calls)
@@ -101,10 +112,20 @@ public:
     add(cells_.offsets);
     add(cells_.corners);
     add(cells_.sites);
+    add(sampled_);
     return all;
   }
 
 private:
+  static SampleRaster raster() { return { { 0.0, 0.0 }, { 0.05, 0.05 }, 21, 22 }; }
+
+  Status sample(const SamplePlaces& places, const Context& context)
+  {
+    SampleReport report;
+    const SampleArray array{ heights_.data(), 1, sampled_.data(), nullptr };
+    return sampler_.values(places, &array, 1, nullptr, report, context);
+  }
+
   /// Without those that were merged, with the crossings that were found.
   void gatherPoints()
   {
@@ -135,6 +156,12 @@ private:
     pointStatus_.resize(all_.size());
     ranks_.resize(all_.size());
     order_.resize(t.report().inserted);
+    heights_.resize(all_.size());
+    for (std::size_t k = 0; k < all_.size(); ++k)
+    {
+      heights_[k] = double(k);
+    }
+    sampled_.resize(std::max(given_.points.size(), raster().columns * raster().rows));
   }
 
   const ConstraintCase& given_;
@@ -147,6 +174,8 @@ private:
   std::vector<std::int64_t> triples_, neighbors_, pointStatus_, order_, ranks_, regions_;
   std::vector<std::uint8_t> edges_;
   VoronoiCells cells_;
+  Sampler sampler_;
+  std::vector<double> heights_, sampled_;
 };
 
 } // namespace test

@@ -10,6 +10,7 @@
 
 #include "Crossings/Crossings.h"
 #include "Merge/Merge.h"
+#include "Sample/Sample.h"
 #include "Voronoi/Voronoi.h"
 
 #include <gtest/gtest.h>
@@ -102,6 +103,30 @@ void useVoronoi(const PointView& points, Executor* executor)
   }
 }
 
+void useSampler(const PointView& points, Executor* executor)
+{
+  const Context context{ nullptr, executor };
+  Engine engine;
+  ASSERT_EQ(engine.run(points, Options(), nullptr, executor), Status::Ok);
+  const SampleRaster raster{ { 0.1, 0.2 }, { 0.1, 0.2 }, 8, 5 };
+  PointView few = points;
+  few.count = std::min<std::size_t>(points.count, 100);
+  std::vector<double> values(points.count, 1.0);
+  std::vector<double> out(std::max(points.count, raster.columns * raster.rows));
+  const SampleArray array{ values.data(), 1, out.data(), nullptr };
+  for (const SampleMethod method :
+    { SampleMethod::Linear, SampleMethod::NaturalNeighbor, SampleMethod::Nearest })
+  {
+    Sampler sampler;
+    SampleReport report;
+    ASSERT_EQ(sampler.prepare(engine.made, nullptr, method, context), Status::Ok);
+    for (const SamplePlaces& places : { SamplePlaces(few), SamplePlaces(raster) })
+    {
+      EXPECT_EQ(sampler.values(places, &array, 1, nullptr, report, context), Status::Ok);
+    }
+  }
+}
+
 void useMerge(const PointView& points)
 {
   for (const double distance : { 1e-3, 0.3, std::numeric_limits<double>::infinity() })
@@ -143,6 +168,7 @@ void Stack::useAll(const std::vector<Point>& points)
     useTriangulation(view, Options(), nullptr);
     useTriangulation(view, Options(), &executor);
     useVoronoi(view, &executor);
+    useSampler(view, &executor);
     useMerge(view);
     useBlocks(view, ConstraintView(), FillRule::Orientation);
   };

@@ -14,6 +14,7 @@ from vtkmodules.vtkCommonDataModel import (
     vtkMultiBlockDataSet,
     vtkPartitionedDataSet,
     vtkPartitionedDataSetCollection,
+    vtkTable,
 )
 
 from RanksCompare import (
@@ -147,13 +148,15 @@ def try_gathered():
         check(counts == [rank == 0] * 2, "rank %d has Voronoi cells: %r" % (rank, counts))
 
 
-def try_partitions():
-    """Ranks have as many partitions as they have: one more each, but for the last, which has nothing at all."""
+def try_partitions(nothing):
+    """Ranks have as many partitions as they have: one more each, but for the last, which has `nothing`."""
     made = [pieces(uniform(200 + k, 7 + k), RANKS) for k in range(RANKS - 1)]
-    data = make_collection([made[k][RANK] for k in range(RANK + 1)]) if RANK < RANKS - 1 else None
+    data = make_collection([made[k][RANK] for k in range(RANK + 1)]) if RANK < RANKS - 1 else nothing
     found = on_all_ranks("partitions", lambda: run_blocks(data, STATUS))
     if RANK:
         return
+    said = ["has no points" in text for part in found for text in part["warnings"]]
+    check(said == [True] * (nothing is not None), "said: %r" % [part["warnings"] for part in found])
     for part in found:
         check(part["structure"] == ("collection", ["parts"]), "structure: %r" % (part["structure"],))
         check(len(part["blocks"]) == RANKS - 1, "%d partitions" % len(part["blocks"]))
@@ -227,7 +230,8 @@ some = pieces(uniform(50), 4)
 tries = {
     "multi-block": (try_multi, STATUS),
     "multi-block, one rank does it all": (try_gathered,),
-    "partitions": (try_partitions,),
+    "partitions": (try_partitions, None),
+    "partitions and a table": (try_partitions, vtkTable()),
     "source": (try_source,),
     "different counts": (try_different, make_multi(some[:3] if last else some[:2]), RANKS - 1),
     "different depths": (try_different, make_multi([[some[0]]] if last else [some[0]]), RANKS - 1),
