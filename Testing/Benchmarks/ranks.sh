@@ -24,7 +24,7 @@ while [ $# -gt 0 ]; do
     -h | --help) help && exit 0 ;;
     --points) points=$2 && shift ;;
     --rounds) rounds=$2 && shift ;;
-    --cpu) cpu=--cpu ;;
+    --cpu) cpu=--cpu && export OMPI_MCA_mpi_yield_when_idle=1 ;;
     *) echo "unknown option: $1. See --help." >&2 && exit 1 ;;
   esac
   shift
