@@ -86,8 +86,8 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::noted(
   const Vector centre{ numerators.x * inverse, numerators.y * inverse };
   // Where something is NaN, or the divisor negative, which is a matter of rounding, too.
   const double area = valueOf(divisor), flatness = sides / (area * area);
-  flatness_ = (area > 0.0) & (flatness > 0.0) ? std::max(flatness_, flatness)
-                                              : std::numeric_limits<double>::infinity();
+  const bool isFlat = !((area > 0.0) & (flatness > 0.0));
+  flatness_ = isFlat ? std::numeric_limits<double>::infinity() : std::max(flatness_, flatness);
   const double x = valueOf(centre.x), y = valueOf(centre.y);
   size_ = std::max(size_, std::max(size, x * x + y * y));
   return centre;

@@ -216,6 +216,37 @@ TEST(SampleRaster, AsCellByCellNextToEdges)
   }
 }
 
+/// Cells a few units in the last place from where their row crosses an edge.
+TEST(SampleRaster, AsCellByCellWhereRoundingWouldMislead)
+{
+  Random random(4);
+  const std::vector<double> values{ 1.0, 2.0, 4.0, 8.0 };
+  std::size_t valued = 0;
+  for (std::size_t i = 0; i < reduced(4000); ++i)
+  {
+    std::vector<Point> points;
+    for (int k = 0; k < 4; ++k)
+    {
+      points.push_back({ random.unit(), random.unit() });
+    }
+    SampledCase given(points);
+    given.prepare(SampleMethod::Linear);
+    const Point &a = points[0], &b = points[1];
+    const double y = a.y + random.unit() * (b.y - a.y);
+    double x = a.x + (y - a.y) * ((b.x - a.x) / (b.y - a.y));
+    for (std::size_t k = random.below(3); k != 0; --k)
+    {
+      x = std::nextafter(x, i % 2 == 0 ? 2.0 : -1.0);
+    }
+    const SampleRaster raster{ { x, y }, { 0.25, 0.25 }, 2, 2 };
+    const std::vector<Point> cells = pointsOf(raster);
+    const SampledValues found = sample(given.sampler, SamplePlaces(raster), values);
+    ASSERT_EQ(difference(found, sample(given.sampler, SamplePlaces(viewOf(cells)), values)), "");
+    valued += found.report.valued;
+  }
+  EXPECT_GT(valued, reduced(4000) / 2);
+}
+
 TEST(SampleRaster, SeveralArraysOfSeveralComponentsWithoutMask)
 {
   SampledCase given(makePoints(Distribution::Uniform, 200, 1));
