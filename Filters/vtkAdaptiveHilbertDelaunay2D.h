@@ -43,6 +43,7 @@
 namespace ahd
 {
 class Workspace;
+enum class Status;
 }
 class vtkAHDContext;
 class vtkAHDOutputCache;
@@ -439,6 +440,7 @@ private:
     const vtkAHDContext& context);
   void ExecuteBlocksOnRanks(
     const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs);
+  void SayAbort(ahd::Status status);
   bool WarnOfInput(vtkDataObject* input);
   void ExecuteOneOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data);
   void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,

@@ -156,6 +156,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(vtkDataObject* input, vtkDataO
   {
     vtkAHDReport report;
     report.Status = stop.Reason;
+    this->SayAbort(stop.Reason);
     vtkAHDSayError(this, report);
     return;
   }
@@ -309,6 +310,7 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
     }
     else
     {
+      this->SayAbort(report.Status);
       vtkAHDSayError(this, report);
     }
     return;
@@ -333,6 +335,20 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
   static_cast<void>(context);
   static_cast<void>(settings);
   static_cast<void>(hasFailed);
+#endif
+}
+
+/// VTK executes a filter that was aborted anew, even if nothing has changed: so it has to know of
+/// it on all ranks, as the one that was told to abort would wait for the others.
+void vtkAdaptiveHilbertDelaunay2D::SayAbort(ahd::Status status)
+{
+#if AHD_VTK_HAS_CHECK_ABORT
+  if (status == ahd::Status::Cancelled)
+  {
+    this->SetAbortOutput(true);
+  }
+#else
+  static_cast<void>(status);
 #endif
 }
 

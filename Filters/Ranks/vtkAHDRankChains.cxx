@@ -102,12 +102,13 @@ void vtkAHDRankChains::Append(const std::vector<Part>& parts)
   for (std::size_t rank = 0; rank < parts.size(); ++rank)
   {
     const Part& part = parts[rank];
-    if (part.Unfit.count > 0 && this->Unfit.count == 0)
+    const std::int64_t own = part.Unfit.firstCell;
+    const std::int64_t cell = own < part.LineCells ? firstLine[rank] + own
+                                                   : firstPolygon[rank] + own - part.LineCells;
+    if (part.Unfit.count > 0 && (this->Unfit.count == 0 || cell < this->Unfit.firstCell))
     {
-      const std::int64_t cell = part.Unfit.firstCell;
       this->Unfit.firstId = part.Unfit.firstId;
-      this->Unfit.firstCell = cell < part.LineCells ? firstLine[rank] + cell
-                                                    : firstPolygon[rank] + cell - part.LineCells;
+      this->Unfit.firstCell = cell;
     }
     this->Unfit.count += part.Unfit.count;
   }

@@ -29,7 +29,7 @@ vtkAHDReport vtkAHDRankExecution::Run(
   this->Report.Status = ahd::Status::Ok;
   try
   {
-    this->Context.Check(this->Ranks.agree(before));
+    this->CheckBefore(this->Ranks.agree(before));
     this->Context.SetStages(
       { 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
     this->Context.NextStage();
@@ -49,6 +49,18 @@ vtkAHDReport vtkAHDRankExecution::Run(
     }
   }
   return this->Report;
+}
+
+/// Stops all if one could not get what it has. The rank that could not has said why.
+void vtkAHDRankExecution::CheckBefore(ahd::Status status)
+{
+  if (status != ahd::Status::Ok && status != ahd::Status::Cancelled)
+  {
+    this->StopAll(status,
+      "The blocks of a rank could not be merged, as they have too many points or there is too "
+      "little memory. Nothing was computed on any rank.");
+  }
+  this->Context.Check(status);
 }
 
 /// REQUIRES: to be called by all ranks alike.
@@ -218,25 +230,40 @@ void vtkAHDRankExecution::CheckPoints(
 void vtkAHDRankExecution::CheckBorder(
   ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains)
 {
-  const std::vector<ahd::BorderCount>& borders = blocks.borders();
-  std::size_t points = 0, edges = 0, host = 0;
-  bool isHost = false;
-  for (const ahd::BorderCount& border : borders)
+  constexpr std::size_t kHost = 0;
+  std::size_t points = 0;
+  for (const ahd::BorderCount& border : blocks.borders())
   {
     points += border.points;
-    edges += border.edges;
-    isHost = isHost || border.host == this->Ranks.GetOwn();
   }
   const bool gathers = points > this->Report.Points / 4;
+  std::vector<std::size_t> joined(this->Ranks.GetCount(), 0), held(joined), edges(joined);
+  for (const ahd::BorderCount& border : blocks.borders())
+  {
+    const std::size_t host = gathers ? kHost : border.to;
+    joined[host] += border.points;
+    for (const std::size_t rank : { border.host, host }) // it comes back as triangles
+    {
+      held[rank] += border.points;
+      edges[rank] += border.edges;
+    }
+  }
+  if (*std::max_element(joined.begin(), joined.end()) > ahd::kMaximumPoints)
+  {
+    throw vtkAHDStop{ ahd::Status::TooManyPoints };
+  }
   if (gathers)
   {
-    blocks.gatherTo(host);
-    isHost = this->Ranks.GetOwn() == host;
+    blocks.gatherTo(kHost);
   }
-  const std::size_t more = isHost ? ahd::borderMemoryEstimate(points, edges, chains.GetIdCount())
-                                  : 0;
+  const std::size_t own = this->Ranks.GetOwn();
+  const std::size_t more = held[own] == 0
+    ? 0
+    : ahd::borderMemoryEstimate(
+        std::min(held[own], ahd::kMaximumPoints), edges[own], chains.GetIdCount());
   std::ostringstream what;
-  what << ", which is to join the " << points << " points that ranks do not triangulate alone";
+  what << ", which is to join " << (gathers ? "" : "some of ") << "the " << points
+       << " points that ranks do not triangulate alone";
   this->CheckMemory(this->Estimate + more, what.str().c_str());
 }
 

@@ -52,6 +52,7 @@ private:
   void Triangulate(const vtkAHDDataSets& data);
   void CheckMemory(std::size_t bytes, const char* what);
   void CheckPoints(const vtkAHDRankPoints& points, const vtkAHDRankChains& chains);
+  void CheckBefore(ahd::Status status);
   void CheckBorder(ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains);
   void MakeBlock(
     const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block);

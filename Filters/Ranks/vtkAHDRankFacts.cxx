@@ -9,6 +9,7 @@
 #include "vtkAbstractArray.h"
 #include "vtkAbstractTransform.h"
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkHomogeneousTransform.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -197,7 +198,13 @@ ahd::Fingerprint vtkAHDFingerprintOf(
   for (vtkDataArray* array : arrays)
   {
     ahd::Fingerprint one;
-    if (!vtkAHDTakeFingerprint(array, context, one))
+    vtkSmartPointer<vtkDataArray> lying = array;
+    if (array && !array->HasStandardMemoryLayout())
+    {
+      lying.TakeReference(vtkDataArray::CreateDataArray(array->GetDataType()));
+      lying->DeepCopy(array);
+    }
+    if (!vtkAHDTakeFingerprint(lying, context, one))
     {
       return { { std::uint64_t(rank), 1 } };
     }

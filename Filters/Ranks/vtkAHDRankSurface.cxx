@@ -155,20 +155,15 @@ void vtkAHDRankSurface::MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* out
 {
   vtkSmartPointer<vtkAbstractArray> to;
   vtkAbstractArray* from = this->Points.GetDataToMove()->GetAbstractArray(facts.Name.c_str());
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      to.TakeReference(vtkAbstractArray::CreateArray(facts.Type));
-      to->SetNumberOfComponents(facts.Components);
-      to->SetName(facts.Name.c_str());
-      to->CopyComponentNames(from);
-      to->SetNumberOfTuples(static_cast<vtkIdType>(this->All));
-    });
+  this->Ranks.Together(this->Context, [&] { to = facts.Make(this->All); });
   this->Points.GetRoute().Move(from, to, 0);
   this->Foreign.Move(to, to, this->Own);
   vtkPointData* data = output->GetPointData();
   const int index = data->AddArray(to);
-  if (facts.Attribute >= 0 && facts.Attribute != vtkDataSetAttributes::GLOBALIDS)
+  // global ids are this filter's own; pedigree ids would have to name each point
+  const bool areAdded = this->Facts.GetSourcePoints() > 0 || this->Points.AreBounded();
+  if (facts.Attribute >= 0 && facts.Attribute != vtkDataSetAttributes::GLOBALIDS &&
+    !(areAdded && facts.Attribute == vtkDataSetAttributes::PEDIGREEIDS))
   {
     data->SetActiveAttribute(index, facts.Attribute);
   }
@@ -372,6 +367,10 @@ void vtkAHDRankSurface::WriteCorners(vtkPolyData* output)
 {
   const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
+  if (count > static_cast<std::size_t>(VTK_TYPE_INT32_MAX) / 3)
+  {
+    throw vtkAHDStop{ ahd::Status::TooManyPoints };
+  }
   auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
   this->Cells.Resize(count);
   vtkTypeInt32* to = this->Cells.At(own);

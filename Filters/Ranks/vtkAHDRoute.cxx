@@ -141,33 +141,36 @@ void vtkAHDRoute::List(const ahd::Buffer<std::uint32_t>& owners)
 /// Tells each rank how many tuples it gets from this one.
 void vtkAHDRoute::TellCounts()
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
+  Messages out, in;
   this->Ranks.Together(this->Context,
     [&]
     {
-      ahd::BytesWriter writer(own);
-      for (const Tuples& tuples : this->Out)
+      for (std::size_t rank = 0; rank < this->Out.size(); ++rank)
       {
-        writer.write(std::uint64_t(tuples.size()));
+        if (!this->Out[rank].empty())
+        {
+          out.emplace_back();
+          out.back().block = rank;
+          ahd::BytesWriter(out.back().bytes).write(std::uint64_t(this->Out[rank].size()));
+        }
       }
     });
-  this->Context.Check(this->Ranks.gather(own, all));
+  this->Send(out, in);
   this->Ranks.Together(this->Context,
     [&]
     {
+      std::vector<std::size_t> counts(this->Ranks.GetCount(), 0);
+      for (const ahd::BlockMessage& message : in)
+      {
+        ahd::BytesReader reader(message.bytes);
+        counts[message.block] = static_cast<std::size_t>(reader.read<std::uint64_t>());
+      }
       this->FirstOf.clear();
       this->Arrivals = 0;
-      for (const ahd::BlockBytes& bytes : all)
+      for (const std::size_t count : counts)
       {
-        ahd::BytesReader reader(bytes);
-        std::uint64_t count = 0;
-        for (std::size_t k = 0; k <= this->Ranks.GetOwn(); ++k)
-        {
-          count = reader.read<std::uint64_t>();
-        }
         this->FirstOf.push_back(this->Arrivals);
-        this->Arrivals += static_cast<std::size_t>(count);
+        this->Arrivals += count;
       }
     });
 }

@@ -106,7 +106,12 @@ void BlockTriangulation::State::takeCounts(const std::vector<BlockBytes>& all)
   {
     ++halvings;
   }
-  fronts.push_back(front.rows() == 1 ? front.gatheredTo(0) : front.above(halvings));
+  const BlockFront above = front.rows() == 1 ? front.gatheredTo(0) : front.above(halvings);
+  for (std::size_t k = 0; k != front.rows(); ++k)
+  {
+    borders[k].to = above.hostOf(above.rowOf(front.row(k).begin));
+  }
+  fronts.push_back(above);
   step = Step::Up;
 }
 

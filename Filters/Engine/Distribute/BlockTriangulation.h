@@ -56,6 +56,7 @@ struct BorderCount
   std::size_t host;       ///< the block that it is sent from
   std::size_t points = 0; ///< 32 bytes each
   std::size_t edges = 0;  ///< 8 bytes each
+  std::size_t to = 0;     ///< the block that it is sent to, unless all is gathered
 };
 
 /// Counts of all blocks together, the same on each, when all is done.

@@ -141,21 +141,23 @@ private:
       : each([&](std::size_t b) { return blocks_[b].takeSome(in[b], context_); });
   }
 
-  /// Any block may be the host of the nodes to come.
   void addEstimates()
   {
-    std::size_t points = 0, edges = 0;
+    std::array<std::size_t, kBlocks> points = {}, edges = {};
     for (const BorderCount& count : blocks_[0].borders())
     {
-      points += count.points;
-      edges += count.edges;
+      for (const std::size_t b : { count.host, count.to })
+      {
+        points[b] += count.points;
+        edges[b] += count.edges;
+      }
     }
     const std::size_t ids = constraints_.chains == 0
       ? 0
       : std::size_t(constraints_.offsets[constraints_.chains]);
-    for (std::size_t& estimate : estimate_)
+    for (std::size_t b = 0; b < kBlocks; ++b)
     {
-      estimate += points == 0 ? 0 : borderMemoryEstimate(points, edges, ids);
+      estimate_[b] += points[b] == 0 ? 0 : borderMemoryEstimate(points[b], edges[b], ids);
     }
   }
 

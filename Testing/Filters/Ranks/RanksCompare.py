@@ -16,14 +16,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 from vtkmodules.util.misc import calldata_type
 from vtkmodules.vtkCommonCore import (
-    VTK_STRING,
-    vtkBitArray,
-    vtkDoubleArray,
-    vtkFloatArray,
-    vtkIdList,
-    vtkPoints,
-    vtkStringArray,
-    vtkTypeInt64Array,
+    VTK_STRING, vtkBitArray, vtkDoubleArray, vtkFloatArray, vtkIdList, vtkPoints, vtkStringArray, vtkTypeInt64Array,
     vtkUnsignedCharArray,
 )
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkTable
@@ -449,6 +442,26 @@ def try_more_ghosts():
             compare_ghosts(parts, expected, levels)
 
 
+def try_again_after_abort():
+    """What one rank aborted all make anew, although nothing has changed on the others."""
+    made = pieces(uniform(300), RANKS)
+    algorithm = make_filter(made[RANK], {}, True)
+    said = Said(algorithm)
+
+    def again():
+        if RANK == RANKS - 1:
+            algorithm.SetAbortExecute(1)
+        algorithm.UpdatePiece(RANK, RANKS, 0)
+        check(algorithm.GetOutput().GetNumberOfPoints() == 0, "an output after an abort")
+        algorithm.SetAbortExecute(0)
+        algorithm.UpdatePiece(RANK, RANKS, 0)
+        return read(algorithm, said)
+
+    found = on_all_ranks("again", again)
+    if found:
+        compare(found, run(appended(made, {}), {}, distribute=False))
+
+
 def attempt(name, work, *arguments):
     try:
         work(*arguments)
@@ -477,7 +490,8 @@ if __name__ == "__main__":
     for case, odd in (("no input", None), ("a table", vtkTable())):
         if WANTED in case:
             attempt(case, try_odd_inputs, case, odd)
-    for case, work in (("pipeline", try_pipeline), ("more ghosts", try_more_ghosts)):
+    others = {"pipeline": try_pipeline, "more ghosts": try_more_ghosts, "again": try_again_after_abort}
+    for case, work in others.items():
         if WANTED in case:
             attempt(case, work)
     finish()
