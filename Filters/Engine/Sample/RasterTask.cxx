@@ -62,6 +62,15 @@ RasterTask::Edge RasterTask::edgeBetween(unsigned from, unsigned to) const
   return { a, b, (b.x - a.x) / (b.y - a.y), halfEdge_ + begin };
 }
 
+/// Where the edge is at this y, which lies between its ends.
+inline double RasterTask::crossingAt(const Edge& edge, double y)
+{
+  const double up = y - edge.from.y;
+  return edge.from.x +
+    (std::isfinite(edge.slope) ? up * edge.slope
+                               : up / (edge.to.y - edge.from.y) * (edge.to.x - edge.from.x));
+}
+
 namespace
 {
 
@@ -125,7 +134,7 @@ std::size_t RasterTask::firstBeyond(
 /// REQUIRES: the row lies between the ends of the edge.
 inline RasterTask::Columns RasterTask::crossed(const Edge& edge, std::size_t row) const
 {
-  const double x = edge.from.x + (grid_.y[row] - edge.from.y) * edge.slope;
+  const double x = crossingAt(edge, grid_.y[row]);
   const std::size_t column = columnNear(x);
   const double* const at = grid_.x + column;
   if ((*at - x > grid_.error) & (x - at[-1] > grid_.error))
@@ -235,7 +244,7 @@ bool RasterTask::scanRowOfCorner(const Edge& longEdge, std::size_t row, Ticker& 
   }
   if (y == corners_[middle_].y && y != corners_[low_].y && y != corners_[high_].y)
   {
-    const double x = longEdge.from.x + (y - longEdge.from.y) * longEdge.slope;
+    const double x = crossingAt(longEdge, y);
     first = std::min(first, x - 2.0 * grid_.error);
     last = std::max(last, x + 2.0 * grid_.error);
   }

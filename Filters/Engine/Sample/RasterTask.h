@@ -30,7 +30,8 @@ public:
   /// rounded differences. y lies between the ends of the edge, so the product is at most 2 M, and
   /// has five roundings: it is wrong by less than 5.01 u 2 M, and the sum by u M (1 + 11 u) more. A
   /// slope that underflows loses 2^-1075 times 2^301 at most. 11.1 u M in all; compared with it is
-  /// a rounded difference.
+  /// a rounded difference. Where the slope overflows, the quotient is that of the heights, at most
+  /// 1: the same five roundings, and the same loss if it underflows.
   static constexpr double kCrossingError = 12.0 * 0x1p-53;
 
   /// Borrows all.
@@ -48,7 +49,7 @@ private:
   struct Edge
   {
     Point from, to;
-    double slope;
+    double slope; ///< x over y; may be infinite
     HalfEdge halfEdge;
   };
   /// The columns [first, last) of a row.
@@ -61,6 +62,7 @@ private:
 
   void load(std::size_t triangle);
   Edge edgeBetween(unsigned from, unsigned to) const;
+  static double crossingAt(const Edge& edge, double y);
   std::size_t firstRow(double y) const;
   std::size_t columnNear(double x) const;
   int sideOf(const Edge& edge, const Point& place) const;

@@ -247,6 +247,19 @@ TEST(SampleRaster, AsCellByCellWhereRoundingWouldMislead)
   EXPECT_GT(valued, reduced(4000) / 2);
 }
 
+/// Edges so flat that x over y is more than any double.
+TEST(SampleRaster, AsCellByCellAcrossEdgesWhoseSlopeOverflows)
+{
+  for (const double sign : { 1.0, -1.0 })
+  {
+    SampledCase given({ { 0, 0 }, { sign * 1e90, 2e-230 }, { sign * -1e90, 4e-230 }, { 0, -1 } });
+    given.prepare(SampleMethod::Linear);
+    EXPECT_GT(expectAsCellByCell(given, { { -1e90, 2e-230 }, { 5e89, 0.5 }, 5, 3 }), 2u);
+    EXPECT_GT(expectAsCellByCell(given, { { -1e90, 3e-230 }, { 1e88, 0.5 }, 201, 1 }), 70u);
+    EXPECT_GT(expectAsCellByCell(given, { { -1e90, -0.5 }, { 1e88, 0.5 }, 201, 2 }), 90u);
+  }
+}
+
 TEST(SampleRaster, SeveralArraysOfSeveralComponentsWithoutMask)
 {
   SampledCase given(makePoints(Distribution::Uniform, 200, 1));
