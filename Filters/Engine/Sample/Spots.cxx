@@ -50,6 +50,10 @@ bool SpotOwner::ofVertex(Index vertex, Ticker& ticker, Spot& spot) const
 
 bool SpotFinder::find(const Point& place, Ticker& ticker, Spot& spot)
 {
+  if (!ticker.step()) // a walk may end where it begins
+  {
+    return false;
+  }
   const Tables& tables = *surface_.tables;
   const Locator locator(tables, surface_.places);
   const Location found = locator.locate(place, hint_, tables.triangles(), ticker);

@@ -140,6 +140,10 @@ std::size_t VertexTree::itemsOn(std::size_t level) const
 bool VertexTree::findNearest(
   const Point& place, std::size_t hint, Ticker& ticker, std::size_t& found) const
 {
+  if (!ticker.step()) // there may be no nodes
+  {
+    return false;
+  }
   Search search(*this, place);
   search.look(hint);
   // Depth first; on each level on the way down, what comes next and where it ends. The vertices are

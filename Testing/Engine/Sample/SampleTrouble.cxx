@@ -150,19 +150,33 @@ TEST(SampleTrouble, AnyAskingCanCancelAlsoWithThreads)
   }
 }
 
-/// Asked at least once for so many places, of any kind.
+/// Asked at least once for so many places, of any kind: also where all are beyond the hull, or
+/// there is one vertex alone.
 TEST(SampleTrouble, AsksOftenEnough)
 {
-  SampledCase given(makePoints(Distribution::Uniform, 30, 1));
-  const std::vector<double> values = valuesFor(given.points);
-  const SampleRaster raster = rasterOf(1000, 1000);
-  for (const SampleMethod method : kMethods)
+  std::vector<SampleRaster> rasters{ rasterOf(500, 500) };
+  for (const Point& beyond : { Point{ -3, -3 }, Point{ 2, 2 }, Point{ -3, 2 }, Point{ 2, -3 } })
   {
-    given.prepare(method);
-    Listener listener;
-    ASSERT_EQ(sample(given.sampler, SamplePlaces(raster), values, { &listener, nullptr }).status,
-      Status::Ok);
-    EXPECT_GE(listener.askings(), 1000000 / kStepsPerAsking) << int(method);
+    rasters.push_back({ beyond, { 0.002, 0.002 }, 500, 500 });
+  }
+  for (const std::size_t points : { 30, 3, 1 })
+  {
+    SampledCase given(makePoints(Distribution::Uniform, points, 1));
+    const std::vector<double> values = valuesFor(given.points);
+    for (const SampleMethod method : kMethods)
+    {
+      given.prepare(method);
+      for (const SampleRaster& raster : rasters)
+      {
+        Listener listener;
+        const SampledValues found = sample(
+          given.sampler, SamplePlaces(raster), values, { &listener, nullptr });
+        ASSERT_EQ(found.status, Status::Ok);
+        EXPECT_GE(listener.askings(), 250000 / kStepsPerAsking)
+          << int(method) << ", " << points << " points, from " << raster.origin.x << " "
+          << raster.origin.y;
+      }
+    }
   }
 }
 
