@@ -26,11 +26,22 @@ void extend(Bounds& bounds, const Bounds& more)
     std::min(bounds.ymin, more.ymin), std::max(bounds.ymax, more.ymax) };
 }
 
+/// The power of two that makes this about 2^500, so that squares do not overflow, and what is far
+/// smaller does not underflow in them.
+double scaleOf(double largest)
+{
+  constexpr double kScaled = 0x1p499;
+  constexpr int kLeast = -500;
+  return std::ldexp(kScaled, -std::max(std::ilogb(largest), kLeast));
+}
+
 /// What two squared distances that are the same may differ by, as a part of either: each has two
-/// rounded differences, squares and a sum. An exact comparison is for what differs by less.
+/// rounded differences, squares and a sum. Differences of distances tell more about what differs by
+/// less.
 constexpr double kSame = 0x1p-48;
-/// ... or by less than this: it is far more than squares can lose where they underflow.
-constexpr double kGuard = 0x1p-1000;
+/// ... or by less than this: it is far more than coordinates up to 2^500 that lose 2^-1074 make of
+/// it.
+constexpr double kGuard = 0x1p-560;
 
 } // namespace
 
@@ -41,7 +52,8 @@ public:
   Search(const VertexTree& tree, const Point& place)
     : tree_(tree)
     , place_(place)
-    , scale_(std::max(sizeOf(place), tree.largest_) > 0x1p500 ? 0x1p-600 : 1.0)
+    , scale_(scaleOf(std::max(sizeOf(place), tree.largest_)))
+    , scaled_{ place.x * scale_, place.y * scale_ }
   {
   }
 
@@ -49,22 +61,23 @@ public:
   void look(std::size_t k)
   {
     const Point p = tree_.places_[tree_.vertices_[k]];
-    const double d = squared(p.x * scale_ - place_.x * scale_, p.y * scale_ - place_.y * scale_);
+    const Point c{ p.x * scale_, p.y * scale_ };
+    const double d = squared(c.x - scaled_.x, c.y - scaled_.y);
     if (best_ == kNone || d + kGuard < distance_ * (1.0 - kSame) ||
-      (!(d > distance_ * (1.0 + kSame) + kGuard) && isBefore(p)))
+      (!(d > distance_ * (1.0 + kSame) + kGuard) && !isFarther(c) && isBefore(p)))
     {
       best_ = k;
+      nearest_ = c;
       distance_ = d;
     }
   }
 
   bool mayHaveNearer(const Bounds& b) const
   {
-    const double x = std::max(
-      b.xmin * scale_ - place_.x * scale_, place_.x * scale_ - b.xmax * scale_);
-    const double y = std::max(
-      b.ymin * scale_ - place_.y * scale_, place_.y * scale_ - b.ymax * scale_);
-    return !(squared(std::max(x, 0.0), std::max(y, 0.0)) > distance_ * (1.0 + kSame) + kGuard);
+    const Point c{ std::max(b.xmin * scale_, std::min(scaled_.x, b.xmax * scale_)),
+      std::max(b.ymin * scale_, std::min(scaled_.y, b.ymax * scale_)) };
+    return !(squared(c.x - scaled_.x, c.y - scaled_.y) > distance_ * (1.0 + kSame) + kGuard) &&
+      !isFarther(c);
   }
 
   std::size_t best() const { return best_; }
@@ -73,6 +86,23 @@ private:
   static constexpr std::size_t kNone = std::size_t(-1);
 
   static double squared(double x, double y) { return x * x + y * y; }
+
+  /// Is a scaled place certainly farther than the best so far? Seen from afar, squared distances are
+  /// all the same up to rounding; what they differ by is not.
+  ///
+  /// With p the place, q the best and c the other, |c - p|^2 - |q - p|^2 is the sum, over x and y,
+  /// of (c - q) ((c - p) + (q - p)). That has six roundings at most, each of no more than u of the
+  /// sum of |c - q| (|c - p| + |q - p|).
+  bool isFarther(const Point& c) const
+  {
+    constexpr double kRounding = 0x1p-49;
+    const Point &p = scaled_, &q = nearest_;
+    const double more = (c.x - q.x) * ((c.x - p.x) + (q.x - p.x)) +
+      (c.y - q.y) * ((c.y - p.y) + (q.y - p.y));
+    const double size = std::fabs(c.x - q.x) * (std::fabs(c.x - p.x) + std::fabs(q.x - p.x)) +
+      std::fabs(c.y - q.y) * (std::fabs(c.y - p.y) + std::fabs(q.y - p.y));
+    return more > kRounding * size + kGuard;
+  }
 
   bool isBefore(const Point& p) const
   {
@@ -83,8 +113,10 @@ private:
 
   const VertexTree& tree_;
   const Point& place_;
-  const double scale_; ///< so that nothing overflows
+  const double scale_;
+  const Point scaled_; ///< the place
   std::size_t best_ = kNone;
+  Point nearest_{ 0.0, 0.0 }; ///< the best one, scaled
   double distance_ = std::numeric_limits<double>::infinity();
 };
 

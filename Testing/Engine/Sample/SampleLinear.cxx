@@ -3,6 +3,7 @@
 // Linear and nearest values: weights against their definitions in rational arithmetic, at places
 // inside, on edges, on vertices and outside; linear functions; holes, dropped triangles; collinear
 // points; duplicates; what is NaN.
+#include "Listeners.h"
 #include "SampleCase.h"
 
 #include "Surface/Selection.h"
@@ -164,6 +165,29 @@ TEST(SampleLinear, SlopesAreThoseOfTheTriangle)
   EXPECT_TRUE(std::isnan(found.gradients[6]) && std::isnan(found.gradients[7]));
 }
 
+/// A triangle of which nothing is left in 106 bits; the same far smaller.
+TEST(SampleLinear, SlopesInATriangleOfNoAreaButForWideIntegers)
+{
+  const double X = 2.0 / 3.0, Y = 0.7;
+  for (const double scale : { 1.0, 0x1p-800 })
+  {
+    SampledCase given(
+      { { 0x1p-120 * scale, 0 }, { X * scale, Y * scale }, { 0.5 * X * scale, 0.5 * Y * scale } });
+    given.prepare(SampleMethod::Linear);
+    const std::vector<Point> places{ given.points[2] };
+    const std::vector<double> values{ 1.0, 2.0, 1.0 };
+    const SampledValues found = sample(
+      given.sampler, SamplePlaces(viewOf(places)), values, {}, true);
+    ASSERT_EQ(found.mask[0], 1);
+    // The longest edge would reach the origin with 0: from there it is 2^-120 to 1.
+    EXPECT_DOUBLE_EQ(found.gradients[0] * scale, 0x1p120);
+    EXPECT_DOUBLE_EQ(found.gradients[1] * scale, (2.0 - 0x1p120 * X) / Y);
+    const SampledValues none = sample(
+      given.sampler, SamplePlaces(viewOf(places)), { 1.0, kNotANumber, 2.0 }, {}, true);
+    EXPECT_TRUE(std::isnan(none.gradients[0]) && std::isnan(none.gradients[1]));
+  }
+}
+
 /// A square with a square hole; places in and on the hole.
 TEST(SampleLinear, HolesHaveNoValueTheirBorderHas)
 {
@@ -253,6 +277,70 @@ TEST(SampleLinear, BetweenCollinearPoints)
     EXPECT_DOUBLE_EQ(found.gradients[3], 4.0 / 5.0);
     EXPECT_EQ(found.report.withoutValue, method == SampleMethod::Linear ? 2u : 1u);
     EXPECT_EQ(found.report.leftOut, method == SampleMethod::Linear ? 0u : 1u);
+  }
+}
+
+/// Edges so short that a coordinate which both ends share is 2^1060 times as large.
+TEST(SampleLinear, OnShortEdgesAlongAnAxisFarAway)
+{
+  for (const bool isUpright : { false, true })
+  {
+    const auto at = [isUpright](double x, double y) {
+      return isUpright ? Point{ y, x } : Point{ x, y };
+    };
+    SampledCase given({ at(0, 1e160), at(1e-160, 1e160) });
+    given.prepare(SampleMethod::Linear);
+    const std::vector<Point> places{ at(2.5e-161, 1e160) };
+    const PointWeights found = weightsAt(given.sampler, places)[0];
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_DOUBLE_EQ(found.at(0), 0.75);
+    EXPECT_DOUBLE_EQ(found.at(1), 0.25);
+    const SampledValues slopes = sample(
+      given.sampler, SamplePlaces(viewOf(places)), { 1.0, 3.0 }, {}, true);
+    EXPECT_DOUBLE_EQ(slopes.values[0], 1.5);
+    EXPECT_DOUBLE_EQ(slopes.gradients[isUpright ? 1 : 0], 2e160);
+    EXPECT_EQ(slopes.gradients[isUpright ? 0 : 1], 0.0);
+  }
+}
+
+/// Seen from afar, all vertices are equally far up to rounding: still the nearest, and not by
+/// looking at each.
+TEST(SampleLinear, NearestFromAfar)
+{
+  const std::vector<double> far{ 1e10, 1e16, 1e30, 0x1p501, 1e200, 1e308 };
+  std::vector<Point> places;
+  for (const double r : far)
+  {
+    const Point around[] = { { r, r }, { -r, r }, { r, 0.3 }, { 0.3, -r }, { -r, -0.6 * r },
+      { 0.1 * r, 0.9 * r } };
+    places.insert(places.end(), std::begin(around), std::end(around));
+  }
+  for (const double scale : { 1.0, 0x1p-400 })
+  {
+    std::vector<Point> points = makePoints(Distribution::Uniform, reduced(4000), 1);
+    for (Point& p : points)
+    {
+      p = { p.x * scale, p.y * scale };
+    }
+    SampledCase given(points);
+    given.prepare(SampleMethod::Nearest);
+    const std::vector<std::int32_t> none;
+    const SampleOracle oracle(given.points, none);
+    const std::vector<PointWeights> found = weightsAt(given.sampler, places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      ASSERT_EQ(found[k], oracle.nearest(places[k])) << hexText(places[k]);
+    }
+    std::vector<Point> many;
+    for (std::size_t k = 0; k < reduced(4000); ++k)
+    {
+      many.push_back(places[k % places.size()]);
+    }
+    Listener listener;
+    const SampledValues sampled = sample(given.sampler, SamplePlaces(viewOf(many)),
+      std::vector<double>(points.size()), { &listener, nullptr });
+    EXPECT_EQ(sampled.report.valued, many.size());
+    EXPECT_LT(listener.askings(), many.size() / 10) << "of 8192 steps";
   }
 }
 
