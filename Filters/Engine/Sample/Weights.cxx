@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <limits>
 
 namespace ahd
 {
@@ -29,6 +30,13 @@ double unitScale(std::initializer_list<Point> points)
   int exponent = 0;
   std::frexp(std::max(extent, 0x1p-1000), &exponent);
   return std::ldexp(1.0, -std::max(exponent + 2, -1000));
+}
+
+/// A coordinate that both ends of an edge share may be so much larger than the edge is long that it
+/// overflows; those that differ are at most 2^53 times as large as their difference.
+double scaledDifference(double a, double b, double scale)
+{
+  return a == b ? 0.0 : a * scale - b * scale;
 }
 
 DoubleDoubleVector between(const Point& from, const Point& to, double scale)
@@ -53,6 +61,27 @@ void exactWeights(
 /// Areas in units of the longest edge's square below this are not worth 40 bits, of 100.
 constexpr double kLeastArea = 0x1p-50;
 
+/// Numerators and area exactly; each quotient is rounded once.
+Point exactSlope(const Point& a, const Point& b, const Point& c, const double (&value)[3])
+{
+  using namespace stages;
+  if (!std::isfinite(value[0]) || !std::isfinite(value[1]) || !std::isfinite(value[2]))
+  {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    return { kNaN, kNaN };
+  }
+  const Unit unit{ &a, &b, &c };
+  const auto area = crossUnbounded(WideVector(unit, a, b), WideVector(unit, a, c));
+  // The differences of both edges, as vectors: of values, of x and of y.
+  const Point from{ value[0], value[0] }, to{ value[1], value[2] };
+  const Unit unitOfValues{ &from, &to };
+  const WideVector rise(unitOfValues, from, to);
+  const WideVector x(unit, { a.x, a.x }, { b.x, c.x }), y(unit, { a.y, a.y }, { b.y, c.y });
+  const int exponent = unitOfValues.exponent() - unit.exponent();
+  return { roundedQuotient(crossUnbounded(rise, y), area, exponent),
+    roundedQuotient(crossUnbounded(x, rise), area, exponent) };
+}
+
 } // namespace
 
 void hardWeights(
@@ -76,7 +105,7 @@ void hardWeights(
 void edgeWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2])
 {
   const double scale = unitScale({ a, b });
-  const double x = b.x * scale - a.x * scale, y = b.y * scale - a.y * scale;
+  const double x = scaledDifference(b.x, a.x, scale), y = scaledDifference(b.y, a.y, scale);
   if (std::fabs(x) >= std::fabs(y))
   {
     weights[0] = (b.x * scale - p.x * scale) / x;
@@ -94,6 +123,10 @@ Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&val
   const double scale = unitScale({ a, b, c });
   const DoubleDoubleVector U = between(a, b, scale), V = between(a, c, scale);
   const double area = cross(U, V).value();
+  if (!(area > kLeastArea))
+  {
+    return exactSlope(a, b, c, value);
+  }
   // Neither products of values nor those that are taken of them for their rounding overflow.
   const double largest = std::max(
     { std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2]) });
@@ -107,7 +140,7 @@ Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&val
 Point slopeAlong(const Point& a, const Point& b, double atA, double atB)
 {
   const double scale = unitScale({ a, b });
-  const double x = b.x * scale - a.x * scale, y = b.y * scale - a.y * scale;
+  const double x = scaledDifference(b.x, a.x, scale), y = scaledDifference(b.y, a.y, scale);
   const double rise = (atB - atA) / (x * x + y * y) * scale;
   return { x * rise, y * rise };
 }
