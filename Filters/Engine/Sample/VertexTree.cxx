@@ -87,8 +87,8 @@ private:
 
   static double squared(double x, double y) { return x * x + y * y; }
 
-  /// Is a scaled place certainly farther than the best so far? Seen from afar, squared distances are
-  /// all the same up to rounding; what they differ by is not.
+  /// Is a scaled place certainly farther than the best so far? Seen from afar, squared distances
+  /// are all the same up to rounding; what they differ by is not.
   ///
   /// With p the place, q the best and c the other, |c - p|^2 - |q - p|^2 is the sum, over x and y,
   /// of (c - q) ((c - p) + (q - p)). That has six roundings at most, each of no more than u of the
