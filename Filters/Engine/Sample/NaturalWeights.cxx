@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "NaturalWeights.h"
 
+#include "../Core/Chunks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -36,7 +38,7 @@ template <>
 constexpr double kUnit<DoubleDouble> = 0x1p-100;
 
 /// Most that weights may be wrong by.
-constexpr double kMostError = 0x1p-42;
+constexpr double kMostError = 0x1p-40;
 
 template <typename Vector>
 auto crossOf(const Vector& a, const Vector& b)
@@ -54,7 +56,7 @@ auto squareOf(const Vector& a)
 
 template <typename Number>
 bool NaturalWeights<Number>::compute(const SampledSurface& surface, const Cavity& cavity,
-  const Point& place, double scale, bool isLaplace, std::vector<double>& weights)
+  const Point& place, double scale, bool isLaplace, Ticker& ticker, std::vector<double>& weights)
 {
   surface_ = &surface;
   place_ = place;
@@ -62,9 +64,8 @@ bool NaturalWeights<Number>::compute(const SampledSurface& surface, const Cavity
   isLaplace_ = isLaplace;
   flatness_ = size_ = 0.0;
   nearest_ = std::numeric_limits<double>::infinity();
-  goAround(cavity);
   weights.resize(cavity.vertices().size());
-  return areGood(finish(weights));
+  return goAround(cavity, ticker) && finish(weights, ticker);
 }
 
 template <typename Number>
@@ -121,43 +122,55 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::centreOf(
 /// Adds what each side of the parts gives to twice their areas: a side between the centres P and Q
 /// is P x Q for the part to its left, and as much less for the one to its right.
 template <typename Number>
-void NaturalWeights<Number>::goAround(const Cavity& cavity)
+inline void NaturalWeights<Number>::go(const Cavity::Step& step)
 {
   const Tables& tables = *surface_->tables;
+  if (step.kind == Cavity::Step::Border)
+  {
+    const Vector a = seen(tables.origin(step.halfEdge)), b = seen(tables.target(step.halfEdge));
+    rim_.push_back(centreOf(a, b));
+    lengths_.push_back(valueOf(squareOf(a)));
+    const Number side = crossOf(centres_.back(), rim_.back());
+    areas_.back() = areas_.back() - side;
+    areas_.push_back(side);
+  }
+  else if (isLaplace_)
+  {
+    return;
+  }
+  else if (step.kind == Cavity::Step::Enter)
+  {
+    const Vector centre = centreOf(tables.twins[step.halfEdge] / 3);
+    crossed_.push_back(crossOf(centres_.back(), centre));
+    areas_.back() = areas_.back() - crossed_.back();
+    centres_.push_back(centre);
+  }
+  else
+  {
+    centres_.pop_back();
+    areas_.back() = areas_.back() + crossed_.back();
+    crossed_.pop_back();
+  }
+}
+
+/// Returns false if the work is to be cancelled.
+template <typename Number>
+bool NaturalWeights<Number>::goAround(const Cavity& cavity, Ticker& ticker)
+{
   areas_.assign(1, Number{ 0.0 });
   rim_.clear();
   crossed_.clear();
   lengths_.clear();
   centres_.assign(1, isLaplace_ ? Vector() : centreOf(cavity.triangle()));
-  for (const Cavity::Step& step : cavity.steps())
-  {
-    if (step.kind == Cavity::Step::Border)
+  const std::vector<Cavity::Step>& steps = cavity.steps();
+  return inChunks(0, steps.size(), ticker,
+    [&](std::size_t first, std::size_t last)
     {
-      const Vector a = seen(tables.origin(step.halfEdge)), b = seen(tables.target(step.halfEdge));
-      rim_.push_back(centreOf(a, b));
-      lengths_.push_back(valueOf(squareOf(a)));
-      const Number side = crossOf(centres_.back(), rim_.back());
-      areas_.back() = areas_.back() - side;
-      areas_.push_back(side);
-    }
-    else if (isLaplace_)
-    {
-      continue;
-    }
-    else if (step.kind == Cavity::Step::Enter)
-    {
-      const Vector centre = centreOf(tables.twins[step.halfEdge] / 3);
-      crossed_.push_back(crossOf(centres_.back(), centre));
-      areas_.back() = areas_.back() - crossed_.back();
-      centres_.push_back(centre);
-    }
-    else
-    {
-      centres_.pop_back();
-      areas_.back() = areas_.back() + crossed_.back();
-      crossed_.pop_back();
-    }
-  }
+      for (std::size_t k = first; k != last; ++k)
+      {
+        go(steps[k]);
+      }
+    });
 }
 
 /// The length of the side of the place's cell towards a vertex, over its distance.
@@ -169,78 +182,111 @@ double NaturalWeights<Number>::length(std::size_t k) const
   return std::sqrt((x * x + y * y) / lengths_[k]);
 }
 
-/// Returns the sum that the weights had before they were divided by it.
+/// Returns false if the work is to be cancelled.
 template <typename Number>
-double NaturalWeights<Number>::finish(std::vector<double>& weights) const
+bool NaturalWeights<Number>::finish(std::vector<double>& weights, Ticker& ticker)
 {
   double sum = 0.0;
-  for (std::size_t k = 0; k != weights.size(); ++k)
+  const auto measure = [&](std::size_t first, std::size_t last)
   {
-    const Vector& before = rim_[k == 0 ? rim_.size() - 1 : k - 1];
-    const Number own = k == 0 ? areas_[0] + areas_.back() : areas_[k];
-    const double part = isLaplace_ ? length(k) : valueOf(own + crossOf(before, rim_[k]));
-    weights[k] = part > 0.0 ? part : 0.0;
-    sum += weights[k];
-  }
-  for (double& weight : weights)
+    for (std::size_t k = first; k != last; ++k)
+    {
+      const Vector& before = rim_[k == 0 ? rim_.size() - 1 : k - 1];
+      const Number own = k == 0 ? areas_[0] + areas_.back() : areas_[k];
+      const double part = isLaplace_ ? length(k) : valueOf(own + crossOf(before, rim_[k]));
+      weights[k] = part > 0.0 ? part : 0.0;
+      sum += weights[k];
+    }
+  };
+  const auto divide = [&](std::size_t first, std::size_t last)
   {
-    weight /= sum;
-  }
-  return sum;
+    for (std::size_t k = first; k != last; ++k)
+    {
+      weights[k] /= sum;
+    }
+  };
+  const bool done = inChunks(0, weights.size(), ticker, measure) &&
+    inChunks(0, weights.size(), ticker, divide);
+  sum_ = sum;
+  return done;
 }
 
-/// May the weights be relied on, if they summed to this?
+/// Let z be the largest squared length, r a centre's, s the larger one, u the unit of rounding.
+/// Differences are wrong by u of themselves, so are squared lengths by 4 u.
 ///
-/// Let z be the largest squared length, r a centre's, u the unit of rounding. Of p with an edge
-/// from a to b: let f be |a| |b| over the divisor. The numerators are wrong by 4 u |a| |b| (|a| +
-/// |b|), the divisor by 4 u |a| |b|, so the centre is by 8 u f (sqrt(z) + sqrt(r)). Of a triangle
-/// of the cavity the same holds with z over the divisor for f. Both are at most 16 u f sqrt(s),
-/// with the largest f and s = max(z, r). A side's product of two centres is then wrong by 32 u f s
-/// and some 2 u s. A weight has a few sides; all have the sum.
+/// Of p with an edge from a to b: let f be |a| |b| over the divisor, at least 1/2. The numerators
+/// are wrong by 7 u |a| |b| (|a| + |b|), the divisor, twice a product, by 8 u |a| |b|, the division
+/// by 2 u; so the centre is by f u (14 sqrt(z) + 8 sqrt(r) + 4 sqrt(r)), 26 f u sqrt(s). Laplace's
+/// sides, between two of them, are wrong by 52 f u sqrt(s).
+///
+/// Of a triangle of the cavity: let f be z over the divisor, at least 1/6. Its sides sum to less
+/// than 5.2 sqrt(z), and each makes a numerator wrong by 8 u z for each unit of its length, each
+/// corner by 2 u z sqrt(z): 48 u z sqrt(z). The divisor, twice the sum of three products, is by
+/// 34 u z, the division by 2 u; so the centre is by 94 f u sqrt(s).
+///
+/// With the largest f, a product of two centres is wrong by 188 f u s and 2 u s, less than
+/// 200 f u s. A weight has a few such sides; all are divided by the sum.
 template <typename Number>
-bool NaturalWeights<Number>::areGood(double sum) const
+bool NaturalWeights<Number>::areGood() const
 {
   const bool isInRange = size_ > 0x1p-400 && size_ < 0x1p400;
-  const double error = 32.0 * kUnit<Number> * std::sqrt(flatness_) *
-    (isLaplace_ ? std::sqrt(size_ / nearest_) : size_);
-  return isInRange && error < kMostError * sum && std::isfinite(sum);
+  const double error = kUnit<Number> * std::sqrt(flatness_) *
+    (isLaplace_ ? 52.0 * std::sqrt(size_ / nearest_) : 200.0 * size_);
+  return isInRange && error < kMostError * sum_ && std::isfinite(sum_);
 }
 
 template class NaturalWeights<double>;
 template class NaturalWeights<DoubleDouble>;
 
-/// The power of two that makes the farthest vertex of the cavity about 1 away.
-double NaturalMethod::scaleAround(const Point& place) const
+/// The power of two that makes the farthest vertex of the cavity about 1 away. Returns false if the
+/// work is to be cancelled.
+bool NaturalMethod::findScale(const Point& place, Ticker& ticker, double& scale) const
 {
   double far = 0.0;
-  for (const Index vertex : cavity_.vertices())
+  const std::vector<Index>& vertices = cavity_.vertices();
+  const auto measure = [&](std::size_t first, std::size_t last)
   {
-    const Point v = surface_.at(vertex);
-    far = std::max(
-      { far, std::fabs(0.25 * v.x - 0.25 * place.x), std::fabs(0.25 * v.y - 0.25 * place.y) });
-  }
+    for (std::size_t k = first; k != last; ++k)
+    {
+      const Point v = surface_.at(vertices[k]);
+      far = std::max(
+        { far, std::fabs(0.25 * v.x - 0.25 * place.x), std::fabs(0.25 * v.y - 0.25 * place.y) });
+    }
+  };
+  const bool done = inChunks(0, vertices.size(), ticker, measure);
   int exponent = 0;
   std::frexp(std::max(far, 0x1p-1000), &exponent);
-  return std::ldexp(1.0, -std::max(exponent + 2, -1000));
+  scale = std::ldexp(1.0, -std::max(exponent + 2, -1000));
+  return done;
 }
 
 bool NaturalMethod::weightsInside(
   const Spot& spot, const Point& place, Ticker& ticker, Weights& found)
 {
-  if (!cavity_.find(surface_, spot.halfEdge / 3, place, ticker))
+  if (!cavity_.find(surface_, spot.halfEdge / 3, place, ticker) ||
+    !quick_.compute(surface_, cavity_, place, 1.0, isLaplace_, ticker, weights_))
   {
     return false;
   }
-  found = { cavity_.vertices().data(), nullptr, cavity_.vertices().size(), spot.halfEdge };
-  if (!quick_.compute(surface_, cavity_, place, 1.0, isLaplace_, weights_) &&
-    !careful_.compute(surface_, cavity_, place, scaleAround(place), isLaplace_, weights_))
+  bool areGood = quick_.areGood();
+  if (!areGood)
   {
-    const HalfEdge first = spot.halfEdge / 3 * 3;
-    triangleWeights(surface_, first, place, inTriangle_);
-    found = { surface_.tables->corners.data() + first, inTriangle_, 3, first };
+    double scale = 1.0;
+    if (!findScale(place, ticker, scale) ||
+      !careful_.compute(surface_, cavity_, place, scale, isLaplace_, ticker, weights_))
+    {
+      return false;
+    }
+    areGood = careful_.areGood();
+  }
+  if (areGood)
+  {
+    found = { cavity_.vertices().data(), weights_.data(), weights_.size(), spot.halfEdge };
     return true;
   }
-  found.weights = weights_.data();
+  const HalfEdge first = spot.halfEdge / 3 * 3;
+  triangleWeights(surface_, first, place, inTriangle_);
+  found = { surface_.tables->corners.data() + first, inTriangle_, 3, first };
   return true;
 }
 

@@ -22,10 +22,12 @@ class NaturalWeights
 {
 public:
   /// Puts weights that sum to 1 into `weights`, one for each vertex of the cavity. `scale`: a power
-  /// of two. Returns false if they may be wrong by more than some 2^-42; then `weights` are not to
-  /// be used. Throws std::bad_alloc.
+  /// of two. Returns false if the work is to be cancelled; throws std::bad_alloc.
   bool compute(const SampledSurface& surface, const Cavity& cavity, const Point& place,
-    double scale, bool isLaplace, std::vector<double>& weights);
+    double scale, bool isLaplace, Ticker& ticker, std::vector<double>& weights);
+
+  /// If not, the last weights may be wrong by more than some 2^-40, and are not to be used.
+  bool areGood() const;
 
 private:
   struct Vector
@@ -37,10 +39,10 @@ private:
   Vector centreOf(std::size_t triangle);
   Vector centreOf(const Vector& a, const Vector& b);
   Vector noted(const Vector& numerators, const Number& divisor, double size, double sides);
-  void goAround(const Cavity& cavity);
-  bool areGood(double sum) const;
+  void go(const Cavity::Step& step);
+  bool goAround(const Cavity& cavity, Ticker& ticker);
   double length(std::size_t k) const;
-  double finish(std::vector<double>& weights) const;
+  bool finish(std::vector<double>& weights, Ticker& ticker);
 
   const SampledSurface* surface_ = nullptr;
   Point place_{ 0.0, 0.0 };
@@ -49,6 +51,7 @@ private:
   double flatness_ = 0.0;       ///< the most that sides are over their product, squared
   double size_ = 0.0;           ///< the largest squared length, of vertices and centres
   double nearest_ = 0.0;        ///< the least one of a vertex
+  double sum_ = 0.0;            ///< that weights had before they were divided by it
   std::vector<Number> areas_;   ///< of each vertex, twice; and of the first once more
   std::vector<Vector> rim_;     ///< centres of the triangles of p with the edges of the border
   std::vector<Vector> centres_; ///< of the triangles that were entered and not left
@@ -73,7 +76,7 @@ public:
 
 private:
   bool weightsInside(const Spot& spot, const Point& place, Ticker& ticker, Weights& found);
-  double scaleAround(const Point& place) const;
+  bool findScale(const Point& place, Ticker& ticker, double& scale) const;
 
   SampledSurface surface_;
   bool isLaplace_;

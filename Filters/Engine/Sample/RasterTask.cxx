@@ -208,8 +208,11 @@ bool RasterTask::scanRows(const Edge& longEdge, unsigned from, unsigned to, std:
     const Columns begin = crossed(left, row), behind = crossed(right, row);
     if ((begin.first != begin.last) | (behind.first != behind.last))
     {
-      putOnEdge(left.halfEdge, begin, row);
-      putOnEdge(right.halfEdge, behind, row);
+      if (!putOnEdge(left.halfEdge, begin, row, ticker) ||
+        !putOnEdge(right.halfEdge, behind, row, ticker))
+      {
+        return false;
+      }
     }
     const Columns inside{ begin.last, behind.first };
     if (isFast_ & (inside.last - inside.first <= kFew))
@@ -274,11 +277,9 @@ bool RasterTask::putCell(std::size_t column, std::size_t row, Ticker& ticker)
       {
         return false;
       }
-      if (spot.halfEdge / 3 == halfEdge_ / 3)
-      {
-        sink_.put(cellOf(column, row), rim_.onVertex(spot.halfEdge));
-      }
-      return ticker.step(kStepsOfCell);
+      return ticker.step(kStepsOfCell) &&
+        (spot.halfEdge / 3 != halfEdge_ / 3 ||
+          sink_.put(cellOf(column, row), rim_.onVertex(spot.halfEdge), ticker));
     }
   }
   for (HalfEdge h = halfEdge_; h != end; ++h)
@@ -292,27 +293,30 @@ bool RasterTask::putCell(std::size_t column, std::size_t row, Ticker& ticker)
   }
   if (on != kNoHalfEdge)
   {
-    putOnEdge(on, { column, column + 1 }, row);
-    return ticker.step(kStepsOfCell);
+    return ticker.step(kStepsOfCell) && putOnEdge(on, { column, column + 1 }, row, ticker);
   }
   return putInside({ column, column + 1 }, row, ticker);
 }
 
-void RasterTask::putOnEdge(HalfEdge h, Columns columns, std::size_t row)
+bool RasterTask::putOnEdge(HalfEdge h, Columns columns, std::size_t row, Ticker& ticker)
 {
   if (columns.first == columns.last)
   {
-    return;
+    return true;
   }
   const Spot spot = owner_.ofEdge(h);
   if (spot.halfEdge / 3 != halfEdge_ / 3)
   {
-    return;
+    return true;
   }
   for (std::size_t k = columns.first; k != columns.last; ++k)
   {
-    sink_.put(cellOf(k, row), rim_.onEdge(spot.halfEdge, placeOf(k, row)));
+    if (!sink_.put(cellOf(k, row), rim_.onEdge(spot.halfEdge, placeOf(k, row)), ticker))
+    {
+      return false;
+    }
   }
+  return true;
 }
 
 bool RasterTask::putInside(Columns columns, std::size_t row, Ticker& ticker)
@@ -324,17 +328,9 @@ bool RasterTask::putInside(Columns columns, std::size_t row, Ticker& ticker)
     {
       putFast({ first, last }, row);
     }
-    else
+    else if (!putAny({ first, last }, row, ticker))
     {
-      for (std::size_t k = first; k != last; ++k)
-      {
-        double weights[3];
-        const Point place = placeOf(k, row);
-        isEasy_ ? easyWeights(corners_[0], corners_[1], corners_[2], place, weights)
-                : hardWeights(corners_[0], corners_[1], corners_[2], place, weights);
-        sink_.put(
-          cellOf(k, row), { surface_.tables->corners.data() + halfEdge_, weights, 3, halfEdge_ });
-      }
+      return false;
     }
     if (!ticker.step(last - first))
     {
@@ -343,6 +339,23 @@ bool RasterTask::putInside(Columns columns, std::size_t row, Ticker& ticker)
     first = last;
   }
   return ticker.step();
+}
+
+bool RasterTask::putAny(Columns columns, std::size_t row, Ticker& ticker)
+{
+  double weights[3];
+  const Weights found{ surface_.tables->corners.data() + halfEdge_, weights, 3, halfEdge_ };
+  for (std::size_t k = columns.first; k != columns.last; ++k)
+  {
+    const Point place = placeOf(k, row);
+    isEasy_ ? easyWeights(corners_[0], corners_[1], corners_[2], place, weights)
+            : hardWeights(corners_[0], corners_[1], corners_[2], place, weights);
+    if (!sink_.put(cellOf(k, row), found, ticker))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// What the sink does with one component of finite values: the same sums.

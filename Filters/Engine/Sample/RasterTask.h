@@ -74,8 +74,9 @@ private:
     Ticker& ticker);
   bool scanRowOfCorner(const Edge& longEdge, std::size_t row, Ticker& ticker);
   bool putCell(std::size_t column, std::size_t row, Ticker& ticker);
-  void putOnEdge(HalfEdge h, Columns columns, std::size_t row);
+  bool putOnEdge(HalfEdge h, Columns columns, std::size_t row, Ticker& ticker);
   bool putInside(Columns columns, std::size_t row, Ticker& ticker);
+  bool putAny(Columns columns, std::size_t row, Ticker& ticker);
   void putFast(Columns columns, std::size_t row);
 
   Point placeOf(std::size_t column, std::size_t row) const

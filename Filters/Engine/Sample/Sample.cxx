@@ -178,14 +178,17 @@ Status Sampler::weights(const SamplePlaces& places, SampleWeights& out, SampleRe
 std::size_t sampleMemoryEstimate(
   std::size_t pointCount, const SamplePlaces& places, std::size_t components)
 {
-  // Per point: its values; the list of vertices (4), a node for eight of them (32 / 7), and while
-  // the list is made a mark (1) and a list more (4). Per place that is not on a raster: key and
-  // number, twice, of a block of places; for a raster nothing but where its columns and rows are.
+  // Per component: what its array is read by. Per point: its values; the list of vertices (4), a
+  // node for eight of them (32 / 7), and while the list is made a mark (1) and a list more (4). Per
+  // place that is not on a raster: key and number, twice, of a block of places; for a raster
+  // nothing but where its columns and rows are.
   constexpr std::size_t kPerPoint = 14, kPerPlace = 32, kBlock = std::size_t(1) << 22;
   const std::size_t ofPlaces = places.isRaster()
     ? (places.raster().columns + places.raster().rows) * sizeof(double)
     : std::min(places.count(), kBlock) * kPerPlace;
-  return pointCount * (kPerPoint + components * sizeof(double)) + ofPlaces + 16384;
+  constexpr std::size_t kPerComponent = sizeof(SampledColumn) + sizeof(Buffer<double>);
+  return components * kPerComponent + pointCount * (kPerPoint + components * sizeof(double)) +
+    ofPlaces + 16384;
 }
 
 } // namespace ahd

@@ -56,7 +56,7 @@ bool SampledColumns::build(const TriangulationAccess::State* state, const Sample
   return true;
 }
 
-void ValueSink::put(std::size_t place, const Weights& weights)
+bool ValueSink::put(std::size_t place, const Weights& weights, Ticker& ticker)
 {
   ++report_.valued;
   if (mask_)
@@ -67,22 +67,21 @@ void ValueSink::put(std::size_t place, const Weights& weights)
   {
     for (std::size_t c = 0; c != column.components; ++c)
     {
-      double sum = 0.0;
-      for (std::size_t k = 0; k != weights.count; ++k)
+      double value = 0.0;
+      if (!addUp(column, c, weights, ticker, value))
       {
-        sum += weights.weights[k] * column.at(weights.vertices[k], c);
+        return false;
       }
-      if (leavesOut_ && std::isnan(sum))
+      if (std::isnan(value))
       {
-        sum = sumOfOthers(column, c, weights);
-        ++(std::isnan(sum) ? report_.withoutValue : report_.leftOut);
-      }
-      else if (std::isnan(sum))
-      {
-        ++report_.withoutValue;
+        if (leavesOut_ && !sumOfOthers(column, c, weights, ticker, value))
+        {
+          return false;
+        }
+        ++(std::isnan(value) ? report_.withoutValue : report_.leftOut);
       }
       const std::size_t at = place * column.components + c;
-      column.out[at] = sum;
+      column.out[at] = value;
       if (column.gradients)
       {
         const Point slope = slopeOf(column, c, weights);
@@ -91,6 +90,7 @@ void ValueSink::put(std::size_t place, const Weights& weights)
       }
     }
   }
+  return true;
 }
 
 void ValueSink::putNone(std::size_t place, bool isFinite)
@@ -111,21 +111,43 @@ void ValueSink::putNone(std::size_t place, bool isFinite)
   }
 }
 
-/// NaN if there are none.
-double ValueSink::sumOfOthers(
-  const SampledColumn& column, std::size_t component, const Weights& weights) const
+/// Returns false if the work is to be cancelled.
+bool ValueSink::addUp(const SampledColumn& column, std::size_t component, const Weights& weights,
+  Ticker& ticker, double& sum) const
 {
-  double sum = 0.0, all = 0.0;
-  for (std::size_t k = 0; k != weights.count; ++k)
+  sum = 0.0;
+  const auto add = [&](std::size_t a, std::size_t b)
   {
-    const double value = column.at(weights.vertices[k], component);
-    if (!std::isnan(value))
+    for (std::size_t k = a; k != b; ++k)
     {
-      sum += weights.weights[k] * value;
-      all += weights.weights[k];
+      sum += weights.weights[k] * column.at(weights.vertices[k], component);
     }
-  }
-  return all > 0.0 ? sum / all : kNaN;
+  };
+  return inChunks(0, weights.count, ticker, add);
+}
+
+/// Of those that are no NaN, over the sum of their weights; NaN if there are none. Returns false if
+/// the work is to be cancelled.
+bool ValueSink::sumOfOthers(const SampledColumn& column, std::size_t component,
+  const Weights& weights, Ticker& ticker, double& sum) const
+{
+  double all = 0.0;
+  sum = 0.0;
+  const auto add = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      const double value = column.at(weights.vertices[k], component);
+      if (!std::isnan(value))
+      {
+        sum += weights.weights[k] * value;
+        all += weights.weights[k];
+      }
+    }
+  };
+  const bool done = inChunks(0, weights.count, ticker, add);
+  sum = all > 0.0 ? sum / all : kNaN;
+  return done;
 }
 
 Point ValueSink::slopeOf(

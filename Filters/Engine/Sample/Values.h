@@ -2,6 +2,7 @@
 #ifndef ahd_Values_h
 #define ahd_Values_h
 
+#include "../Core/Chunks.h"
 #include "../Triangulation/State.h"
 #include "Sample.h"
 #include "Spots.h"
@@ -68,15 +69,18 @@ public:
   {
   }
 
-  void put(std::size_t place, const Weights& weights);
+  /// Returns false if the work is to be cancelled.
+  bool put(std::size_t place, const Weights& weights, Ticker& ticker);
   /// There is no value.
   void putNone(std::size_t place, bool isFinite);
 
   const SampleReport& report() const { return report_; }
 
 private:
-  double sumOfOthers(
-    const SampledColumn& column, std::size_t component, const Weights& weights) const;
+  bool addUp(const SampledColumn& column, std::size_t component, const Weights& weights,
+    Ticker& ticker, double& sum) const;
+  bool sumOfOthers(const SampledColumn& column, std::size_t component, const Weights& weights,
+    Ticker& ticker, double& sum) const;
   Point slopeOf(const SampledColumn& column, std::size_t component, const Weights& weights) const;
 
   const SampledColumns* columns_;
@@ -95,10 +99,11 @@ public:
   {
   }
 
-  void put(std::size_t place, const Weights& weights)
+  bool put(std::size_t place, const Weights& weights, Ticker& ticker)
   {
     counts_[place] = weights.count;
     ++report_.valued;
+    return ticker.step();
   }
   void putNone(std::size_t place, bool isFinite)
   {
@@ -123,14 +128,18 @@ public:
   {
   }
 
-  void put(std::size_t place, const Weights& weights)
+  bool put(std::size_t place, const Weights& weights, Ticker& ticker)
   {
     const std::uint64_t begin = out_->offsets[place];
-    for (std::size_t k = 0; k != weights.count; ++k)
+    const auto write = [&](std::size_t a, std::size_t b)
     {
-      out_->points[begin + k] = static_cast<std::int32_t>(ids_[weights.vertices[k]]);
-      out_->weights[begin + k] = weights.weights[k];
-    }
+      for (std::size_t k = a; k != b; ++k)
+      {
+        out_->points[begin + k] = static_cast<std::int32_t>(ids_[weights.vertices[k]]);
+        out_->weights[begin + k] = weights.weights[k];
+      }
+    };
+    return inChunks(0, weights.count, ticker, write);
   }
   void putNone(std::size_t, bool) {}
   SampleReport report() const { return {}; }

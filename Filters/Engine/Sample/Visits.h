@@ -57,8 +57,12 @@ public:
     {
       return false;
     }
-    found.count == 0 ? sink_.putNone(k, true) : sink_.put(k, found);
-    return true;
+    if (found.count == 0)
+    {
+      sink_.putNone(k, true);
+      return true;
+    }
+    return sink_.put(k, found, ticker);
   }
 
   SampleReport report() const { return sink_.report(); }

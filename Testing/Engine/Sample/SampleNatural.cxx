@@ -243,6 +243,36 @@ TEST(SampleNatural, NothingIsSeenBeyondDroppedTriangles)
   }
 }
 
+/// Nearer and nearer to an edge of the hull: as by definition, Laplace's all the way; Sibson's
+/// until they are Linear's, which hardly differ by then.
+TEST(SampleNatural, NextToTheHullWeightsAreLinears)
+{
+  // The first of them is a neighbour of places between the last two.
+  SampledCase given({ { 0.3, 0.7 }, { 0.8, 0.9 }, { 0.5, 0.1 }, { 0, 0 }, { 1, 0 } });
+  const std::vector<std::int32_t> triples = given.triples();
+  const SampleOracle oracle(given.points, triples);
+  std::vector<Point> places;
+  for (int k = 0; k != 60; ++k)
+  {
+    places.push_back({ 1.0 / 3.0, std::ldexp(1.0, -k - 4) });
+  }
+  given.prepare(SampleMethod::Linear);
+  const std::vector<PointWeights> linear = weightsAt(given.sampler, places);
+  given.prepare(SampleMethod::Laplace);
+  const std::vector<PointWeights> laplace = weightsAt(given.sampler, places);
+  given.prepare(SampleMethod::NaturalNeighbor);
+  const std::vector<PointWeights> sibson = weightsAt(given.sampler, places);
+  for (std::size_t k = 0; k != places.size(); ++k)
+  {
+    SCOPED_TRACE(testing::Message() << places[k].y);
+    EXPECT_LE(differenceOf(laplace[k], oracle.laplace(places[k])), 1e-14);
+    const PointWeights expected = oracle.sibson(places[k]);
+    EXPECT_EQ(expected.count(0), 1u);
+    EXPECT_LE(differenceOf(sibson[k], expected), places[k].y > 0x1p-28 ? 1e-14 : 1e-8);
+    EXPECT_TRUE(places[k].y > 0x1p-36 || sibson[k] == linear[k]);
+  }
+}
+
 TEST(SampleNatural, NeighborsWithoutValueAreLeftOut)
 {
   SampledCase given({ { 0, 0 }, { 4, 0 }, { 4, 4 }, { 0, 4 } });

@@ -48,6 +48,17 @@ std::size_t fewer(std::size_t rows)
   return reduced(20000) == 20000 ? rows : rows / 5;
 }
 
+Bounds boundsOf(const std::vector<Point>& points)
+{
+  Bounds b{ points[0].x, points[0].x, points[0].y, points[0].y };
+  for (const Point& p : points)
+  {
+    b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
+      std::max(b.ymax, p.y) };
+  }
+  return b;
+}
+
 /// A raster that reaches beyond the unit square.
 SampleRaster rasterOf(std::size_t columns, std::size_t rows)
 {
@@ -73,12 +84,7 @@ TEST(SampleTrouble, ThreadsAndOtherPlacesHaveNoSay)
   SampledCase holes(nestedLoops(30));
   for (SampledCase* made : { &given, &holes })
   {
-    Bounds b{ 0, 1, 0, 1 };
-    for (const Point& p : made->points)
-    {
-      b = { std::min(b.xmin, p.x), std::max(b.xmax, p.x), std::min(b.ymin, p.y),
-        std::max(b.ymax, p.y) };
-    }
+    const Bounds b = boundsOf(made->points);
     SampleRaster raster = rasterOf(290, fewer(300));
     raster.spacing = { raster.spacing.x * (b.xmax - b.xmin), raster.spacing.y * (b.ymax - b.ymin) };
     const std::vector<double> values = valuesFor(made->points);
@@ -180,6 +186,42 @@ TEST(SampleTrouble, AsksOftenEnough)
   }
 }
 
+/// Points on a circle, and a place near its centre: all are its neighbours.
+std::vector<Point> placeAmidst(const std::vector<Point>& points)
+{
+  const Bounds b = boundsOf(points);
+  return { { 0.499 * b.xmin + 0.501 * b.xmax, 0.5 * (b.ymin + b.ymax) } };
+}
+
+/// Neighbours are gone through many times, each time with asking: with Laplace in the search (8
+/// steps for each), twice, as the weights are not good at once, around the place (3), to measure
+/// and divide (2), once for the scale, and to hand over; with NaturalNeighbor the weights are not
+/// even good the second time, so there are three to hand over.
+TEST(SampleTrouble, AsksOftenEnoughAroundOnePlace)
+{
+  constexpr std::size_t n = 100000, kSteps = 8 + 2 * (3 + 2) + 1, kMissing = 3;
+  SampledCase given(makePoints(Distribution::OnCircle, n, 1));
+  const std::vector<Point> where = placeAmidst(given.points);
+  const SamplePlaces places(viewOf(where));
+  const std::vector<double> values = valuesFor(given.points);
+  for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
+  {
+    SCOPED_TRACE(int(method));
+    given.prepare(method);
+    const std::size_t more = method == SampleMethod::Laplace ? 1 : 0;
+    SampleWeights weights;
+    SampleReport report;
+    Listener ofWeights, ofValues;
+    ASSERT_EQ(given.sampler.weights(places, weights, report, { &ofWeights, nullptr }), Status::Ok);
+    EXPECT_EQ(weights.points.size(), more == 1 ? n : 3);
+    const std::size_t batch = kStepsPerAsking / 2;
+    EXPECT_GE((ofWeights.askings() + kMissing) * batch, (2 * kSteps + more) * n) << "each twice";
+    const SampledValues found = sample(given.sampler, places, values, { &ofValues, nullptr });
+    EXPECT_EQ(found.report.leftOut, more) << "they are added up again without the NaNs";
+    EXPECT_GE((ofValues.askings() + kMissing) * batch, (kSteps + 2 * more) * n);
+  }
+}
+
 TEST(SampleTrouble, AnyAllocationCanFail)
 {
   const SampleRaster raster = rasterOf(30, 20);
@@ -241,6 +283,22 @@ TEST(SampleTrouble, NothingLeaks)
   EXPECT_EQ(account.held, before);
 }
 
+/// The bytes that prepare() and values() take, for arrays that are all the same.
+std::size_t bytesTaken(SampledCase& given, SampleMethod method, const SamplePlaces& places,
+  const std::vector<double>& values, std::size_t arrays = 1)
+{
+  std::vector<double> out(places.count());
+  const std::vector<SampleArray> all(arrays, { values.data(), 1, out.data(), nullptr });
+  SampleReport report;
+  EXPECT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
+  given.sampler = Sampler();
+  const std::size_t before = account.held;
+  account.peak = before;
+  given.prepare(method);
+  EXPECT_EQ(given.sampler.values(places, all.data(), arrays, nullptr, report, {}), Status::Ok);
+  return account.peak - before;
+}
+
 TEST(SampleTrouble, TakesNoMoreMemoryThanEstimated)
 {
   const SampleRaster raster = rasterOf(300, 200);
@@ -249,25 +307,43 @@ TEST(SampleTrouble, TakesNoMoreMemoryThanEstimated)
   {
     SampledCase given(makePoints(d, reduced(50000), 1));
     const std::vector<double> values = valuesFor(given.points);
-    ASSERT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
     for (const SampleMethod method : kMethods)
     {
       for (const SamplePlaces& places : { SamplePlaces(raster), SamplePlaces(viewOf(scattered)) })
       {
-        std::vector<double> out(places.count());
-        const SampleArray array{ values.data(), 1, out.data(), nullptr };
-        SampleReport report;
-        given.sampler = Sampler();
-        const std::size_t before = account.held;
-        account.peak = before;
-        given.prepare(method);
-        ASSERT_EQ(given.sampler.values(places, &array, 1, nullptr, report, {}), Status::Ok);
-        const std::size_t taken = account.peak - before;
+        const std::size_t taken = bytesTaken(given, method, places, values);
         const std::size_t estimate = sampleMemoryEstimate(given.points.size(), places, 1);
         EXPECT_LE(taken, estimate) << int(method);
         EXPECT_GE(4 * taken, estimate) << int(method);
       }
     }
+  }
+}
+
+/// Many arrays of few values.
+TEST(SampleTrouble, TakesNoMoreMemoryThanEstimatedForArrays)
+{
+  SampledCase given({ { 0, 0 }, { 1, 0 }, { 0, 1 } });
+  const std::vector<Point> where{ { 0.2, 0.2 } };
+  const SamplePlaces places(viewOf(where));
+  const std::size_t taken = bytesTaken(given, SampleMethod::Linear, places, { 1, 2, 3 }, 10000);
+  EXPECT_LE(taken, sampleMemoryEstimate(3, places, 10000));
+  EXPECT_GE(2 * taken, sampleMemoryEstimate(3, places, 10000));
+}
+
+/// What the estimate does not count.
+TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachNeighbor)
+{
+  const std::size_t n = 70000; // a bit more than a power of two: vectors have just grown
+  SampledCase given(makePoints(Distribution::OnCircle, n, 1));
+  const std::vector<Point> where = placeAmidst(given.points);
+  const SamplePlaces places(viewOf(where));
+  for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
+  {
+    const std::size_t taken = bytesTaken(given, method, places, valuesFor(given.points));
+    const std::size_t estimate = sampleMemoryEstimate(n, places, 1);
+    EXPECT_LE(taken, estimate + 450 * n) << int(method);
+    EXPECT_GE(taken, estimate + 100 * n) << int(method);
   }
 }
 
