@@ -22,7 +22,8 @@ const SampleMethod kMethods[] = { SampleMethod::Linear, SampleMethod::NaturalNei
 template <typename T>
 bool areSame(const std::vector<T>& a, const std::vector<T>& b)
 {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
 }
 
 bool areSame(const SampledValues& a, const SampledValues& b)
