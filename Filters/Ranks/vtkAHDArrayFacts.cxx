@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDArrayFacts.h"
 
+#include "Pipeline/vtkAHDArray.h"
+
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
 
 #include <cstdint>
 #include <new>
@@ -17,6 +22,36 @@ std::string vtkAHDReadText(ahd::BytesReader& reader)
   std::vector<char> text;
   reader.readAll(text);
   return std::string(text.begin(), text.end());
+}
+
+vtkSmartPointer<vtkDataArray> vtkAHDMakePlaces(std::size_t count, bool areFloats)
+{
+  const auto numbers = static_cast<vtkIdType>(3 * count);
+  vtkSmartPointer<vtkDataArray> places;
+  if (areFloats)
+  {
+    places = vtkAHDNewArray<vtkFloatArray>(numbers);
+  }
+  else
+  {
+    places = vtkAHDNewArray<vtkDoubleArray>(numbers);
+  }
+  places->SetNumberOfComponents(3);
+  return places;
+}
+
+vtkSmartPointer<vtkDataArray> vtkAHDPlacesOf(vtkPoints* points, bool areFloats)
+{
+  if (points && points->GetDataType() == (areFloats ? VTK_FLOAT : VTK_DOUBLE))
+  {
+    return points->GetData();
+  }
+  vtkSmartPointer<vtkDataArray> places = vtkAHDMakePlaces(0, areFloats);
+  if (points)
+  {
+    places->DeepCopy(points->GetData());
+  }
+  return places;
 }
 
 vtkAHDArrayFacts::vtkAHDArrayFacts(vtkDataSetAttributes* data, int index)

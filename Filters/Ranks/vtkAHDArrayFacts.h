@@ -10,11 +10,18 @@
 #include <vector>
 
 class vtkAbstractArray;
+class vtkDataArray;
 class vtkDataSetAttributes;
+class vtkPoints;
 
 /// Text among other bytes. Both throw std::bad_alloc.
 void vtkAHDWriteText(ahd::BytesWriter& writer, const std::string& text);
 std::string vtkAHDReadText(ahd::BytesReader& reader);
+
+/// Places of points, three numbers each, as floats or as doubles: as many, not set, or those of
+/// `points`, which may be null. Both throw std::bad_alloc.
+vtkSmartPointer<vtkDataArray> vtkAHDMakePlaces(std::size_t count, bool areFloats);
+vtkSmartPointer<vtkDataArray> vtkAHDPlacesOf(vtkPoints* points, bool areFloats);
 
 /// A point data array, as ranks compare theirs.
 struct vtkAHDArrayFacts

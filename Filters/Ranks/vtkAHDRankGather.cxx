@@ -55,15 +55,6 @@ std::size_t BytesOf(vtkAbstractArray* array)
       static_cast<std::size_t>(std::max(1, array->GetDataTypeSize())));
 }
 
-/// Places of points, as floats or as doubles.
-vtkSmartPointer<vtkAbstractArray> MakePlaces(std::size_t count, bool areFloats)
-{
-  vtkAHDArrayFacts facts;
-  facts.Type = areFloats ? VTK_FLOAT : VTK_DOUBLE;
-  facts.Components = 3;
-  return facts.Make(count);
-}
-
 /// Cells that come one after the other from several ranks.
 struct Chain
 {
@@ -311,14 +302,8 @@ void vtkAHDRankGather::MovePoints(
   move(
     [&]
     {
-      all = MakePlaces(route.GetCount(), areFloats);
-      mine = from->GetPoints() ? from->GetPoints()->GetData() : MakePlaces(0, areFloats).Get();
-      if (mine->GetDataType() != all->GetDataType())
-      {
-        const auto converted = MakePlaces(0, areFloats);
-        converted->DeepCopy(mine);
-        mine = converted;
-      }
+      all = vtkAHDMakePlaces(route.GetCount(), areFloats);
+      mine = vtkAHDPlacesOf(from->GetPoints(), areFloats);
     });
   vtkNew<vtkPoints> points;
   points->SetData(vtkArrayDownCast<vtkDataArray>(all));

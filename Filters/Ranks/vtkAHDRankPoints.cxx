@@ -52,22 +52,6 @@ double CountSamples(std::size_t ranks)
   return std::max(512.0 * static_cast<double>(ranks), 16384.0);
 }
 
-/// Places of points, three numbers each, as floats or as doubles.
-vtkSmartPointer<vtkDataArray> MakePlaces(std::size_t count, bool areFloats)
-{
-  const auto numbers = static_cast<vtkIdType>(3 * count);
-  vtkSmartPointer<vtkDataArray> places;
-  if (areFloats)
-  {
-    places = vtkAHDNewArray<vtkFloatArray>(numbers);
-  }
-  else
-  {
-    places = vtkAHDNewArray<vtkDoubleArray>(numbers);
-  }
-  places->SetNumberOfComponents(3);
-  return places;
-}
 }
 
 vtkAHDRankPoints::vtkAHDRankPoints(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
@@ -281,14 +265,9 @@ void vtkAHDRankPoints::MovePlaces()
   this->Ranks.Together(this->Context,
     [&]
     {
-      this->Places = MakePlaces(this->GetCount(), areFloats);
-      vtkPoints* points = (this->Combined ? this->Combined : this->Local)->GetPoints();
-      const bool fits = points && points->GetDataType() == this->Places->GetDataType();
-      mine = fits ? points->GetData() : MakePlaces(0, areFloats).Get();
-      if (points && !fits)
-      {
-        mine->DeepCopy(points->GetData());
-      }
+      this->Places = vtkAHDMakePlaces(this->GetCount(), areFloats);
+      vtkPolyData* from = this->Combined ? this->Combined : this->Local;
+      mine = vtkAHDPlacesOf(from->GetPoints(), areFloats);
       if (this->Prepared.isProjected())
       {
         this->InPlane.resize(3 * this->GetCount());

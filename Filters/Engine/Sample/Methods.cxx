@@ -20,6 +20,13 @@ Weights RimWeights::onVertex(HalfEdge h)
   return { vertices_, weights_, 1, h };
 }
 
+Weights RimWeights::at(const Spot& spot, const Point& place)
+{
+  return spot.kind == Spot::OnEdge ? onEdge(spot.halfEdge, place)
+    : spot.kind == Spot::OnVertex  ? onVertex(spot.halfEdge)
+                                   : Weights();
+}
+
 bool LinearMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found)
 {
   Spot spot;
@@ -27,21 +34,13 @@ bool LinearMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found)
   {
     return false;
   }
-  switch (spot.kind)
+  if (spot.kind != Spot::InTriangle)
   {
-    case Spot::InTriangle:
-      triangleWeights(surface_, spot.halfEdge, place, weights_);
-      found = { surface_.tables->corners.data() + spot.halfEdge, weights_, 3, spot.halfEdge };
-      break;
-    case Spot::OnEdge:
-      found = rim_.onEdge(spot.halfEdge, place);
-      break;
-    case Spot::OnVertex:
-      found = rim_.onVertex(spot.halfEdge);
-      break;
-    default:
-      found = Weights();
+    found = rim_.at(spot, place);
+    return true;
   }
+  triangleWeights(surface_, spot.halfEdge, place, weights_);
+  found = { surface_.tables->corners.data() + spot.halfEdge, weights_, 3, spot.halfEdge };
   return true;
 }
 

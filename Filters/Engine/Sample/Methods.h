@@ -25,6 +25,8 @@ public:
 
   Weights onEdge(HalfEdge h, const Point& place);
   Weights onVertex(HalfEdge h);
+  /// Of a spot that is in no triangle: on an edge or a vertex, else none.
+  Weights at(const Spot& spot, const Point& place);
 
 private:
   SampledSurface surface_;

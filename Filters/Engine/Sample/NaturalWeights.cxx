@@ -297,23 +297,12 @@ bool NaturalMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found
   {
     return false;
   }
-  switch (spot.kind)
+  if (spot.kind == Spot::InTriangle ||
+    (spot.kind == Spot::OnEdge && Cavity::isCrossable(surface_, spot.halfEdge)))
   {
-    case Spot::InTriangle:
-      return weightsInside(spot, place, ticker, found);
-    case Spot::OnEdge:
-      if (Cavity::isCrossable(surface_, spot.halfEdge))
-      {
-        return weightsInside(spot, place, ticker, found);
-      }
-      found = rim_.onEdge(spot.halfEdge, place);
-      break;
-    case Spot::OnVertex:
-      found = rim_.onVertex(spot.halfEdge);
-      break;
-    default:
-      found = Weights();
+    return weightsInside(spot, place, ticker, found);
   }
+  found = rim_.at(spot, place);
   return true;
 }
 

@@ -15,6 +15,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace ahd
@@ -78,6 +79,58 @@ inline SampledValues sample(const Sampler& sampler, const SamplePlaces& places,
     slopes ? result.gradients.data() : nullptr };
   result.status = sampler.values(places, &array, 1, result.mask.data(), result.report, context);
   return result;
+}
+
+template <typename T>
+bool areSame(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() &&
+    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+inline bool areSame(const SampledValues& a, const SampledValues& b)
+{
+  return areSame(a.values, b.values) && areSame(a.gradients, b.gradients) &&
+    areSame(a.mask, b.mask) && std::memcmp(&a.report, &b.report, sizeof a.report) == 0;
+}
+
+inline std::vector<Point> pointsOf(const SampleRaster& raster)
+{
+  std::vector<Point> result;
+  const SamplePlaces places(raster);
+  for (std::size_t k = 0; k < places.count(); ++k)
+  {
+    result.push_back(places[k]);
+  }
+  return result;
+}
+
+/// Of the nine points with coordinates 0, 1 and 2 those whose bit is set.
+inline std::vector<Point> someOfNine(unsigned mask)
+{
+  std::vector<Point> points;
+  for (unsigned k = 0; k < 9; ++k)
+  {
+    if ((mask >> k & 1u) != 0)
+    {
+      points.push_back({ double(k % 3), double(k / 3) });
+    }
+  }
+  return points;
+}
+
+/// In steps of a quarter, from `low` to `high` in x and y.
+inline std::vector<Point> placesBetween(double low, double high)
+{
+  std::vector<Point> places;
+  for (double y = low; y <= high; y += 0.25)
+  {
+    for (double x = low; x <= high; x += 0.25)
+    {
+      places.push_back({ x, y });
+    }
+  }
+  return places;
 }
 
 /// The weights of each place.

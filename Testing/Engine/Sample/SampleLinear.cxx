@@ -68,24 +68,10 @@ TEST(SampleLinear, WeightsAreThoseOfTheDefinition)
 /// Each place of a finer lattice, among all sets of points of a small one.
 TEST(SampleLinear, AllPlacesAmongAllSmallSets)
 {
-  std::vector<Point> places;
-  for (double y = -0.5; y <= 2.5; y += 0.25)
-  {
-    for (double x = -0.5; x <= 2.5; x += 0.25)
-    {
-      places.push_back({ x, y });
-    }
-  }
+  const std::vector<Point> places = placesBetween(-0.5, 2.5);
   for (unsigned mask = 1; mask < 1u << 9; ++mask)
   {
-    std::vector<Point> points;
-    for (unsigned k = 0; k < 9; ++k)
-    {
-      if ((mask >> k & 1u) != 0)
-      {
-        points.push_back({ double(k % 3), double(k / 3) });
-      }
-    }
+    const std::vector<Point> points = someOfNine(mask);
     SampledCase given(points);
     const std::vector<std::int32_t> triples = given.triples();
     const SampleOracle oracle(points, triples);

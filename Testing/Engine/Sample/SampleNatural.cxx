@@ -80,25 +80,11 @@ TEST(SampleNatural, WeightsAreThoseOfTheDefinition)
 
 TEST(SampleNatural, AllPlacesAmongAllSmallSets)
 {
-  std::vector<Point> places;
-  for (double y = -0.25; y <= 2.25; y += 0.25)
-  {
-    for (double x = -0.25; x <= 2.25; x += 0.25)
-    {
-      places.push_back({ x, y });
-    }
-  }
+  const std::vector<Point> places = placesBetween(-0.25, 2.25);
   const std::size_t step = reduced(100) == 100 ? 3 : 41;
   for (unsigned mask = 1; mask < 1u << 9; mask += unsigned(step))
   {
-    std::vector<Point> points;
-    for (unsigned k = 0; k < 9; ++k)
-    {
-      if ((mask >> k & 1u) != 0)
-      {
-        points.push_back({ double(k % 3), double(k / 3) });
-      }
-    }
+    const std::vector<Point> points = someOfNine(mask);
     SampledCase given(points);
     const std::vector<std::int32_t> triples = given.triples();
     const SampleOracle oracle(points, triples);

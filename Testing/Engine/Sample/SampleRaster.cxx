@@ -15,24 +15,6 @@ namespace test
 namespace
 {
 
-std::vector<Point> pointsOf(const SampleRaster& raster)
-{
-  std::vector<Point> result;
-  const SamplePlaces places(raster);
-  for (std::size_t k = 0; k < places.count(); ++k)
-  {
-    result.push_back(places[k]);
-  }
-  return result;
-}
-
-template <typename T>
-bool areSame(const std::vector<T>& a, const std::vector<T>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
 std::string difference(const SampledValues& a, const SampledValues& b)
 {
   for (std::size_t k = 0; k < a.mask.size(); ++k)

@@ -19,19 +19,6 @@ namespace
 const SampleMethod kMethods[] = { SampleMethod::Linear, SampleMethod::NaturalNeighbor,
   SampleMethod::Laplace, SampleMethod::Nearest };
 
-template <typename T>
-bool areSame(const std::vector<T>& a, const std::vector<T>& b)
-{
-  return a.size() == b.size() &&
-    (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
-}
-
-bool areSame(const SampledValues& a, const SampledValues& b)
-{
-  return areSame(a.values, b.values) && areSame(a.gradients, b.gradients) &&
-    areSame(a.mask, b.mask) && std::memcmp(&a.report, &b.report, sizeof a.report) == 0;
-}
-
 std::vector<double> valuesFor(const std::vector<Point>& points)
 {
   std::vector<double> values;
@@ -64,17 +51,6 @@ Bounds boundsOf(const std::vector<Point>& points)
 SampleRaster rasterOf(std::size_t columns, std::size_t rows)
 {
   return { { -0.05, -0.03 }, { 1.1 / double(columns), 1.06 / double(rows) }, columns, rows };
-}
-
-std::vector<Point> pointsOf(const SampleRaster& raster)
-{
-  std::vector<Point> result;
-  const SamplePlaces places(raster);
-  for (std::size_t k = 0; k < places.count(); ++k)
-  {
-    result.push_back(places[k]);
-  }
-  return result;
 }
 
 /// The same bytes from one thread and several, on a raster and at its places in another order.
