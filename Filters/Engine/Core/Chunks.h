@@ -43,6 +43,7 @@ inline void prefetchForWrite(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address, 1);
+  asm volatile(""); // no instruction; else GCC drops calls of functions that do nothing but fetch
 #else
   (void)address;
 #endif
@@ -53,6 +54,7 @@ inline void prefetchForRead(const void* address)
 {
 #if defined(__GNUC__) || defined(__clang__)
   __builtin_prefetch(address, 0);
+  asm volatile(""); // as above
 #else
   (void)address;
 #endif
