@@ -26,16 +26,17 @@ bool RasterScan::isApplicable(const Bounds& bounds)
   {
     return false;
   }
-  const Point last = raster_.at(raster_.columns - 1, raster_.rows - 1);
+  const Point first = raster_.at(0, 0), last = raster_.at(raster_.columns - 1, raster_.rows - 1);
   const double x = std::max({ std::fabs(bounds.xmin), std::fabs(bounds.xmax),
-    std::fabs(raster_.origin.x), std::fabs(last.x) });
+    std::fabs(raster_.origin.x), std::fabs(first.x), std::fabs(last.x) });
   const double y = std::max({ std::fabs(bounds.ymin), std::fabs(bounds.ymax),
-    std::fabs(raster_.origin.y), std::fabs(last.y) });
+    std::fabs(raster_.origin.y), std::fabs(first.y), std::fabs(last.y) });
   error_ = RasterTask::kCrossingError * x;
   // Columns and rows are to be where they are looked for, give or take a few.
   constexpr double kLeastSpacing = 0x1p-48;
-  return isFinite(last) && raster_.spacing.x > kLeastSpacing * x && x > 0x1p-300 && x < 0x1p300 &&
-    raster_.spacing.y > kLeastSpacing * y && y > 0x1p-300 && y < 0x1p300;
+  return isFinite(first) && isFinite(last) && raster_.spacing.x > kLeastSpacing * x &&
+    x > 0x1p-300 && x < 0x1p300 && raster_.spacing.y > kLeastSpacing * y && y > 0x1p-300 &&
+    y < 0x1p300;
 }
 
 /// No cell has a value yet.
@@ -90,7 +91,7 @@ bool RasterScan::run(SampleReport& report, Ticker& ticker)
   const std::size_t cells = raster_.columns * raster_.rows;
   const std::size_t tasks = tasksFor(threadsOf(ticker), triangles, 8, kChunk);
   const RasterGrid grid{ x_.data() + 1, y_.data() + 1, raster_.columns, raster_.rows,
-    raster_.origin, { 1.0 / raster_.spacing.x, 1.0 / raster_.spacing.y }, error_ };
+    raster_.at(0, 0), { 1.0 / raster_.spacing.x, 1.0 / raster_.spacing.y }, error_ };
   std::vector<SampleReport> reports(tasks);
   const bool done = inParallel(ticker, tasks,
     [&](std::size_t number, Ticker& own)

@@ -26,19 +26,23 @@ enum class SampleMethod
   Nearest = 3          ///< the nearest vertex; of several the lexicographically smallest (x, y)
 };
 
-/// Places in rows: number row * columns + column is origin + (column, row) * spacing, the products
-/// and the sums rounded.
+/// Places in rows: number row * columns + column is origin + (firstColumn + column, firstRow + row)
+/// * spacing, the products and the sums rounded. So the places of a piece of a raster are those of
+/// the whole one. REQUIRES: column and row numbers are less than 2^53.
 struct SampleRaster
 {
   Point at(std::size_t column, std::size_t row) const
   {
-    return { origin.x + double(column) * spacing.x, origin.y + double(row) * spacing.y };
+    return { origin.x + double(firstColumn + column) * spacing.x,
+      origin.y + double(firstRow + row) * spacing.y };
   }
 
   Point origin{ 0.0, 0.0 };
   Point spacing{ 1.0, 1.0 };
   std::size_t columns = 0;
   std::size_t rows = 0;
+  std::size_t firstColumn = 0;
+  std::size_t firstRow = 0;
 };
 
 /// Where values are wanted: at points, or on a raster. Borrows the points.

@@ -5,6 +5,7 @@
 #include "Executors.h"
 #include "Listeners.h"
 #include "OwnMemory.h"
+#include "Sample/BoxNeighbors.h"
 #include "SampleCase.h"
 
 #include <cstring>
@@ -244,6 +245,60 @@ TEST(SampleTrouble, AnyAllocationCanFail)
       }
     }
   }
+}
+
+/// All that blocks ask each other.
+Status askBlock(Triangulation& part, const PointView& places, const Context& context)
+{
+  std::vector<Bounds> boxes;
+  std::vector<Index> ids;
+  std::size_t most = 0;
+  Status status = coverByBoxes(places, 8, context, boxes);
+  status = status != Status::Ok ? status : findBoxNeighbors(part, boxes, context, ids);
+  status = status != Status::Ok ? status : findExtremes(part, true, context, ids);
+  return status != Status::Ok ? status : findCrowd(part, context, most);
+}
+
+TEST(SampleTrouble, AnyAskingOfABlockCanCancel)
+{
+  for (const Distribution d : { Distribution::Uniform, Distribution::Collinear })
+  {
+    SampledCase given(makePoints(d, fewer(20000), 1));
+    ASSERT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
+    Listener all;
+    ASSERT_EQ(askBlock(given.engine.made, viewOf(given.points), { &all, nullptr }), Status::Ok);
+    EXPECT_GE(all.askings(), 5 * given.points.size() / kStepsPerAsking);
+    for (std::size_t k = 1; k <= all.askings(); ++k)
+    {
+      Listener listener(k);
+      ASSERT_EQ(askBlock(given.engine.made, viewOf(given.points), { &listener, nullptr }),
+        Status::Cancelled);
+      EXPECT_EQ(listener.askings(), k) << "nobody is asked again";
+    }
+  }
+}
+
+TEST(SampleTrouble, AnyAllocationOfABlockCanFail)
+{
+  const std::vector<Point> points = makePoints(Distribution::Uniform, 300, 1);
+  std::size_t failed = 0;
+  for (;; ++failed)
+  {
+    account.countsNothing = true;
+    SampledCase given(points);
+    account.countsNothing = false;
+    account.allocations = 0;
+    account.failAt = failed + 1;
+    const Status status = askBlock(given.engine.made, viewOf(points), {});
+    account.failAt = 0;
+    if (status == Status::Ok)
+    {
+      break;
+    }
+    ASSERT_EQ(status, Status::OutOfMemory) << "allocation " << failed + 1;
+    ASSERT_EQ(askBlock(given.engine.made, viewOf(points), {}), Status::Ok);
+  }
+  EXPECT_GT(failed, 20u);
 }
 
 TEST(SampleTrouble, NothingLeaks)
