@@ -17,7 +17,8 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Surface/CellArrays.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
   Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h Distribute/BlockTriangulation.h
-  Interface/ahd.h Sample/BoxNeighbors.h Sample/Sample.h Triangulation/Triangulation.h Voronoi/Voronoi.h)
+  Interface/ahd.h Interface/ahd_sample.h Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
+  Triangulation/Triangulation.h Voronoi/Voronoi.h)
 
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../CMakeLists.txt" ahd_engine_version
   REGEX "^project\\(AdaptiveHilbertDelaunay VERSION ")

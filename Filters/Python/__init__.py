@@ -26,24 +26,38 @@ if TYPE_CHECKING:
     from ._arrays import Voronoi as Voronoi
     from ._arrays import delaunay as delaunay
     from ._arrays import release_memory as release_memory
+    from ._interpolators import LinearInterpolator as LinearInterpolator
+    from ._interpolators import NaturalNeighborInterpolator as NaturalNeighborInterpolator
+    from ._interpolators import NearestInterpolator as NearestInterpolator
+    from ._raster import Raster as Raster
+    from ._sampling import Weights as Weights
 
 # Modules are loaded when a name of theirs is first asked for: arrays need no VTK, and VTK no arrays.
 _ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory")
+_MODULES = {
+    **dict.fromkeys(_ARRAYS, "._arrays"),
+    **dict.fromkeys(("LinearInterpolator", "NaturalNeighborInterpolator", "NearestInterpolator"), "._interpolators"),
+    "Raster": "._raster",
+    "Weights": "._sampling",
+}
 _CLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkAdaptiveHilbertDelaunay2D", "vtkPlanarPointSource")
 
-__all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
+__all__ = [
+    "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",
+    "NearestInterpolator", "Raster", "Triangulation", "Voronoi", "Weights", "delaunay", "release_memory",
+]  # fmt: skip
 
 
 def __getattr__(name: str) -> Any:
     if name in _CLASSES:  # which one depends on the VTK in use, so it is found out each time
         return importlib.import_module("._vtk", __name__).vtk_class(name)
-    if name not in _ARRAYS:
+    if name not in _MODULES:
         raise AttributeError("module %r has no attribute %r" % (__name__, name))
-    found = getattr(importlib.import_module("._arrays", __name__), name)
+    found = getattr(importlib.import_module(_MODULES[name], __name__), name)
     globals()[name] = found
     return found
 
 
 def __dir__() -> List[str]:
     classes = importlib.import_module("._vtk", __name__).class_names()
-    return sorted({*globals(), *_ARRAYS, *(name for name in _CLASSES if name in classes)})
+    return sorted({*globals(), *_MODULES, *(name for name in _CLASSES if name in classes)})

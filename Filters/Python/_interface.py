@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shared library of the engine's C interface (Filters/Engine/Interface/ahd.h): found, loaded and declared.
+"""The shared library of the engine's C interface (Filters/Engine/Interface/ahd.h, ahd_sample.h): found, loaded and
+declared.
 Constants have the names of the header without AHD_.
 
 The library is the one that the environment variable ADAPTIVEHILBERTDELAUNAY_LIBRARY names, else the one in
@@ -42,6 +43,8 @@ FILL_ORIENTATION, FILL_EVEN_ODD = range(2)
 PLANE_XY, PLANE_BEST_FIT, PLANE_MATRIX, PLANE_CALLBACK = range(4)
 RIM_AUTOMATIC, RIM_CONVEX_HULL, RIM_TRIMMED = range(3)
 CLIP_HULL, CLIP_BOUNDS = range(2)
+SAMPLE_LINEAR, SAMPLE_NATURAL_NEIGHBOR, SAMPLE_LAPLACE, SAMPLE_NEAREST = range(4)
+OUTSIDE_NO_VALUE, OUTSIDE_NEAREST_VERTEX = range(2)
 
 # What is no id in point_status.
 POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
@@ -63,10 +66,10 @@ FIXED_DTYPES: Dict[str, Any] = {
     name: np.float64
     for name in (
         "plane_points", "plane_matrix", "box_bounds", "voronoi_points", "surface_weights", "crossing_fractions",
-        "points",
+        "points", "vertex_bounds", "weights",
     )  # fmt: skip
 }
-FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32)
+FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32, weight_offsets=np.int64)
 
 
 # --- Errors -------------------------------------------------------------------------------------------------
@@ -143,6 +146,26 @@ class Drawing(ctypes.Structure):
     _fields_ = [(name, ctypes.c_void_p) for name in ("xyz", "ranks", "ids", "levels", "counts")]
 
 
+class Places(ctypes.Structure):
+    _fields_ = [
+        ("xy", ctypes.c_void_p),
+        ("count", ctypes.c_uint64),
+        ("origin", ctypes.c_double * 2),
+        ("spacing", ctypes.c_double * 2),
+        ("columns", ctypes.c_uint64),
+        ("rows", ctypes.c_uint64),
+    ]
+
+
+class Sampled(ctypes.Structure):
+    _fields_ = [
+        ("values", ctypes.c_void_p),
+        ("columns", ctypes.c_int32),
+        ("out", ctypes.c_void_p),
+        ("gradients", ctypes.c_void_p),
+    ]
+
+
 Progress = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
 Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_uint64)
 
@@ -179,6 +202,9 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_draw_order": (status, [job, i32, to(Drawing)]),
         "ahd_interpolate": (status, [job, i32, pointer, i32]),
         "ahd_locate": (status, [job, pointer, u64, pointer, pointer, pointer]),
+        "ahd_sample": (status, [job, to(Places), to(Sampled), u64, pointer]),
+        "ahd_sample_estimate": (status, [job, to(Places), u64, to(u64)]),
+        "ahd_sample_weights": (status, [job, to(Places)]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),
         "ahd_processors": (u32, []),

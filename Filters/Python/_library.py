@@ -8,22 +8,24 @@ The constants, errors and functions of `_interface` can be had from here too.
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import functools
 import signal
 import threading
 import weakref
 from types import FrameType
-from typing import Any, Callable, Dict, List, Optional, Set, Tuple, Union
+from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
 
 from ._interface import *  # noqa: F403
 from ._interface import (
     AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
-    OK, TYPES, Array, BadInput, C, Drawing, EngineError, Fault, NotAvailable, OutOfMemory, Progress, Projection, names,
-    status_name,
+    OK, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, EngineError, Fault, NotAvailable, OutOfMemory, Places,
+    Progress, Projection, Sampled, names, status_name,
 )  # fmt: skip
+from ._raster import Raster
 
 
 class _Interrupts:
@@ -331,6 +333,76 @@ class Job:
         kinds, ids, cells = np.empty(count, np.int32), np.empty((count, 3), np.int64), np.empty(count, np.int64)
         self._call(C.ahd_locate, xy.ctypes.data, count, kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
         return kinds, ids, cells
+
+
+    @contextlib.contextmanager
+    def _sampling(self, method: int, fills: bool, bytes_given: int) -> Iterator[None]:
+        """The settings of one call."""
+        other = int(self.get("other_memory"))
+        self.set(sample_method=method, sample_outside=int(fills), other_memory=min(other + bytes_given, 1 << 62))
+        try:
+            yield
+        finally:
+            self.set(sample_method=SAMPLE_LINEAR, sample_outside=0, other_memory=other)
+
+    def sample(
+        self,
+        places: Union[np.ndarray, Raster],
+        values: Sequence[np.ndarray],
+        *,
+        method: int = SAMPLE_LINEAR,
+        fills: bool = False,
+        gradients: bool = False,
+    ) -> Samples:
+        """Values at places, (k, 2) in the plane, or on a raster: see ahd_sample. `values`: arrays with one row of
+        float64 for each output point, C-contiguous. `method`: SAMPLE_...; `fills`: places outside have the values of
+        the nearest vertex; `gradients`: with SAMPLE_LINEAR the slopes too. Memory is asked for when the library has
+        said that it is enough."""
+        at, count, owner = _places_of(places)
+        for array in values:
+            if array.dtype != np.float64 or not array.flags.c_contiguous or len(array) != self.count("points"):
+                raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
+        columns = [1 if array.ndim == 1 else array.shape[1] for array in values]
+        numbers = sum(columns)
+        with self._sampling(method, fills, count * (8 * numbers * (3 if gradients else 1) + 1)):
+            self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
+            out = [np.empty((count, n)) for n in columns]
+            slopes = [np.empty((count, 2 * n)) if gradients else None for n in columns]
+            mask = np.empty(count, np.uint8)
+            arrays = (Sampled * len(columns))(
+                *(
+                    (array.ctypes.data, n, to.ctypes.data, None if slope is None else slope.ctypes.data)
+                    for array, n, to, slope in zip(values, columns, out, slopes)
+                )
+            )
+            self._call(C.ahd_sample, at, arrays, len(columns), mask.ctypes.data)
+        return Samples(out, slopes, mask)
+
+    def sample_weights(self, places: Union[np.ndarray, Raster], method: int = SAMPLE_LINEAR) -> None:
+        """Makes the arrays weight_offsets, weight_points and weights: see ahd_sample_weights."""
+        at, _, owner = _places_of(places)
+        with self._sampling(method, False, 0):
+            self._call(C.ahd_sample_weights, at)
+
+
+class Samples(NamedTuple):
+    """What `Job.sample` found at k places."""
+
+    values: List[np.ndarray]  #: (k, columns) float64 of each array; NaN where there is no value
+    gradients: List[Any]  #: None, or (k, 2 * columns) float64 of each array: d/dx and d/dy of each column
+    mask: np.ndarray  #: (k,) uint8: 1 where there is a value of the surface
+
+
+def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, np.ndarray]:
+    """Places as the library knows them, how many they are, and what is to outlive them."""
+    if isinstance(places, Raster):
+        rows, columns = places.shape
+        at = Places(None, 0, places.origin, places.spacing, columns, rows)
+        return at, rows * columns, np.empty(0)
+    xy = np.ascontiguousarray(places, np.float64)
+    if xy.ndim != 2 or xy.shape[1] != 2:
+        raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
+    return Places(xy.ctypes.data, len(xy)), len(xy), xy
 
 
 @functools.lru_cache(None)

@@ -10,8 +10,9 @@ import numpy as np
 
 from . import _library as library
 from ._input import CHOICES, DEFAULTS, Request, checksum, near_each_other
-from ._made import Made, frozen
+from ._made import frozen
 from ._results import Boxes, Location, Voronoi, chained
+from ._sampling import Sampled
 
 #: Attributes that `delaunay` can be asked to make at once.
 WANTED = (
@@ -29,7 +30,7 @@ def _view(array: np.ndarray) -> np.ndarray:
     return frozen(array.view())
 
 
-class Triangulation(Made):
+class Triangulation(Sampled):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
     Ids are rows of `points`. Everything is a function of the points, constraints and settings that it was made of,
@@ -267,35 +268,6 @@ class Triangulation(Made):
         """(x, 2) float64: where that is on the two segments, from 0, their first end, to 1."""
         return self._array("crossing_fractions", np.float64)
 
-    def interpolate(self, values: Any) -> np.ndarray:
-        """Values for all points, also for those that were added.
-
-        Parameters
-        ----------
-        values : (m,) or (m, k) array of real numbers
-            One row for each point that was given: `points` and then, if there are any, `source_points`. NaN may be
-            among them.
-
-        Returns
-        -------
-        (n,) or (n, k) float64
-            The same, and: at crossings the mean of linear interpolation along both segments; with
-            source_heights='surface', at source points, in place of their own, what linear interpolation on the
-            surface gives; NaN at bounding points.
-        """
-        given = np.asarray(values)
-        count = self._counts["input_points"] + self._counts["source_points"]
-        if given.ndim not in (1, 2) or len(given) != count:
-            raise ValueError("values are to have a row for each of %d points, not the shape %s" % (count, given.shape))
-        if given.dtype.kind not in "biuf":
-            raise TypeError("values are to be real numbers, not of type %s" % given.dtype)
-        made = np.full((self._counts["points"],) + given.shape[1:], np.nan)
-        made[:count] = given
-        if made.size:
-            with self._lock:
-                self._engine().interpolate(made)
-        return made
-
     # --- insertion ---
 
     @property
@@ -393,8 +365,7 @@ class Triangulation(Made):
         if given.dtype.kind not in "biuf" and given.size:
             raise TypeError("places are to be real numbers, not of type %s" % given.dtype)
         with self._lock:
-            # The first time the engine makes tables of its own, and reads no points after that.
-            job = self._job if self._hasPlaces and self._job is not None else self._engine()
+            job = self._for_places()
             places = np.asarray(given, np.float64)
             order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
             found = job.locate(places[order])  # each is looked for from the one before it

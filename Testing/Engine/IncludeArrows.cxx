@@ -45,7 +45,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Distribute",
       { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
     { "Interface",
-      { "Points", "Merge", "Crossings", "Prepare", "Surface", "Triangulation", "Voronoi", "" } },
+      { "Points", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation", "Voronoi",
+        "" } },
   };
   return kAllowed;
 }
@@ -267,7 +268,7 @@ Names interfaceOfTheEngine()
   std::string text((std::istreambuf_iterator<char>(in)), std::istreambuf_iterator<char>());
   const std::size_t begin = text.find("set(ahd_engine_headers");
   text = text.substr(begin, text.find(')', begin) - begin);
-  static const std::regex kHeader("[A-Za-z/]+\\.h");
+  static const std::regex kHeader("[A-Za-z_/]+\\.h");
   Names result;
   for (std::sregex_iterator i(text.begin(), text.end(), kHeader), end; i != end; ++i)
   {

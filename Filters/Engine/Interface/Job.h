@@ -9,6 +9,7 @@
 #include "../Voronoi/Voronoi.h"
 #include "InputArrays.h"
 #include "JobProgress.h"
+#include "JobSampling.h"
 #include "JobSettings.h"
 #include "SpacePoints.h"
 
@@ -39,6 +40,7 @@ struct JobResult
   OddPoints oddPoints;
   bool areOnOneLine = false;
   bool areStacked = false;
+  JobSampling sampling;
 
   std::size_t triangleCount() const
   {

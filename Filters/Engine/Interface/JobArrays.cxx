@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <limits>
 #include <string>
 
 namespace ahd
@@ -155,6 +156,33 @@ Status writePointOfVertex(JobResult& m, const Target& to)
     [&m](std::size_t i) { return m.triangulation.pointOf(static_cast<Index>(i)); });
 }
 
+Status writeVertexBounds(JobResult& m, const Target& to)
+{
+  const PointView& points = m.points.points();
+  const std::size_t count = m.triangulation.vertexCount();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Bounds box{ kInfinity, -kInfinity, kInfinity, -kInfinity };
+  const Status status = unlessCancelled(
+    [&]
+    {
+      Ticker ticker(to.context.progress, Phase::Outputs, 0);
+      return inChunks(0, count, ticker,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            const Point p = points[m.triangulation.pointOf(static_cast<Index>(i))];
+            box = { std::min(box.xmin, p.x), std::max(box.xmax, p.x), std::min(box.ymin, p.y),
+              std::max(box.ymax, p.y) };
+          }
+        });
+    });
+  const double bounds[] = { box.xmin, box.xmax, box.ymin, box.ymax };
+  std::fill_n(to.doubles(), 4, std::numeric_limits<double>::quiet_NaN());
+  std::copy_n(bounds, count > 0 ? 4 : 0, to.doubles());
+  return status;
+}
+
 Status writeOrder(JobResult& m, const Target& to)
 {
   return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); });
@@ -166,9 +194,27 @@ Status writeRanks(JobResult& m, const Target& to)
     to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
 }
 
+Status writeWeightOffsets(JobResult& m, const Target& to)
+{
+  const Buffer<std::uint64_t>& offsets = m.sampling.weights.offsets;
+  return fillIds(offsets.size(), to, [&offsets](std::size_t i) { return offsets[i]; });
+}
+
+Status writeWeightPoints(JobResult& m, const Target& to)
+{
+  const Buffer<std::int32_t>& points = m.sampling.weights.points;
+  return fillIds(points.size(), to, [&points](std::size_t i) { return points[i]; });
+}
+
+Status writeWeights(JobResult& m, const Target& to)
+{
+  const Buffer<double>& weights = m.sampling.weights.weights;
+  return fillDoubles(weights.size(), to, [&weights](std::size_t i) { return weights[i]; });
+}
+
 // --- The table ---
 
-/// What is to be asked for before the run; empty if it was or need not be.
+/// What is to be done first; empty if it was or need not be.
 using Lack = std::string;
 
 Lack lacksNothing(const JobResult&)
@@ -178,22 +224,28 @@ Lack lacksNothing(const JobResult&)
 
 Lack lacksOrder(const JobResult& m)
 {
-  return m.settings.options().keepOrder ? Lack() : "\"want_order\"";
+  return m.settings.options().keepOrder ? Lack() : "\"want_order\" before the run";
 }
 
 Lack lacksBoxes(const JobResult& m)
 {
-  return m.settings.is(IntSetting::WantBoxes) ? Lack() : "\"want_boxes\"";
+  return m.settings.is(IntSetting::WantBoxes) ? Lack() : "\"want_boxes\" before the run";
 }
 
 Lack lacksVoronoi(const JobResult& m)
 {
-  return m.settings.is(IntSetting::WantVoronoi) ? Lack() : "\"want_voronoi\"";
+  return m.settings.is(IntSetting::WantVoronoi) ? Lack() : "\"want_voronoi\" before the run";
 }
 
 Lack lacksMatrix(const JobResult& m)
 {
-  return m.settings[IntSetting::Plane] == AHD_PLANE_CALLBACK ? "another \"plane\"" : Lack();
+  return m.settings[IntSetting::Plane] == AHD_PLANE_CALLBACK ? "another \"plane\" before the run"
+                                                             : Lack();
+}
+
+Lack lacksWeights(const JobResult& m)
+{
+  return m.sampling.hasWeights ? Lack() : "ahd_sample_weights()";
 }
 
 struct Row
@@ -255,6 +307,8 @@ constexpr Row kRows[] = {
   { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kArrays, lacksNothing },
   { "point_of_vertex", kId, 1, [](const JobResult& m) { return m.triangulation.vertexCount(); },
     writePointOfVertex, kArrays, lacksNothing },
+  { "vertex_bounds", kDouble, 2, [](const JobResult&) { return std::size_t(2); }, writeVertexBounds,
+    kArrays, lacksNothing },
   { "order", kId, 1, [](const JobResult& m) { return m.triangulation.report().inserted; },
     writeOrder, kArrays, lacksOrder },
   { "insertion_ranks", kId, 1, pointCount, writeRanks, kArrays, lacksOrder },
@@ -280,6 +334,13 @@ constexpr Row kRows[] = {
   { "left_out", kId, 4,
     [](const JobResult& m) { return m.triangulation.constraints().leftOut.size(); }, writeLeftOut,
     kArrays, lacksNothing },
+  { "weight_offsets", bitOf(AHD_INT64), 1,
+    [](const JobResult& m) { return m.sampling.weights.offsets.size(); }, writeWeightOffsets,
+    kArrays, lacksWeights },
+  { "weight_points", kId, 1, [](const JobResult& m) { return m.sampling.weights.points.size(); },
+    writeWeightPoints, kArrays, lacksWeights },
+  { "weights", kDouble, 1, [](const JobResult& m) { return m.sampling.weights.weights.size(); },
+    writeWeights, kArrays, lacksWeights },
 };
 
 const Row& rowOf(Job& job, const char* name)
@@ -294,8 +355,7 @@ const Row& rowOf(Job& job, const char* name)
   const Lack lack = row->lacks(job.result());
   if (!lack.empty())
   {
-    refuse(AHD_NOT_AVAILABLE,
-      "There is no \"" + std::string(name) + "\" without " + lack + " before the run.");
+    refuse(AHD_NOT_AVAILABLE, "There is no \"" + std::string(name) + "\" without " + lack + ".");
   }
   return *row;
 }
@@ -328,6 +388,7 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   {
     return;
   }
+  made.sampling.forget();
   job.progress.reach(row.stage);
   job.withThreads([&](const Context& context) { check(row.write(made, { type, out, context })); });
 }

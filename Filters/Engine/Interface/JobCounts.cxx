@@ -122,6 +122,15 @@ constexpr CountRow kCounts[] = {
   { "insertion_attempts", [](const Made& m) { return countsOf(m).insertionAttempts; } },
   { "deferred_points", [](const Made& m) { return countsOf(m).deferredPoints; } },
   { "critical_path", [](const Made& m) { return countsOf(m).criticalPath; } },
+  { "sampled_places", [](const Made& m) { return std::uint64_t(m.sampling.places); } },
+  { "sampled_valued", [](const Made& m) { return std::uint64_t(m.sampling.report.valued); } },
+  { "sampled_outside", [](const Made& m) { return std::uint64_t(m.sampling.report.outside); } },
+  { "sampled_not_finite",
+    [](const Made& m) { return std::uint64_t(m.sampling.report.notFinite); } },
+  { "sampled_without_value",
+    [](const Made& m) { return std::uint64_t(m.sampling.report.withoutValue); } },
+  { "sampled_left_out", [](const Made& m) { return std::uint64_t(m.sampling.report.leftOut); } },
+  { "sampling_estimate", [](const Made& m) { return std::uint64_t(m.sampling.estimate); } },
 };
 
 double ifCounted(const Made& m, double mean)
@@ -153,6 +162,7 @@ constexpr MeasureRow kMeasures[] = {
   { "seconds_constrain", secondsOf<Phase::Constrain> },
   { "seconds_extract", secondsOf<Phase::Extract> },
   { "seconds_outputs", secondsOf<Phase::Outputs> },
+  { "seconds_sample", [](const Made& m, const JobProgress&) { return m.sampling.seconds; } },
 };
 
 /// The row of that name; null if there is none.

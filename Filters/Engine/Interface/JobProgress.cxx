@@ -29,6 +29,22 @@ void JobProgress::beginRun(const std::vector<double>& weights)
   done_ = told_ = 0.0;
 }
 
+void JobProgress::beginApart(const std::vector<double>& weights)
+{
+  finishPhase();
+  stagesOfRun_ = stages_;
+  doneOfRun_ = done_;
+  stages_.set(weights);
+  done_ = told_ = 0.0;
+}
+
+void JobProgress::endApart()
+{
+  finishPhase();
+  stages_ = stagesOfRun_;
+  done_ = told_ = doneOfRun_;
+}
+
 void JobProgress::beginCall()
 {
   stopped_ = false;

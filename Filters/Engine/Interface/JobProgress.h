@@ -24,6 +24,10 @@ public:
 
   /// A run begins, of stages with these weights.
   void beginRun(const std::vector<double>& weights);
+  /// Work apart from the run begins, of stages with these weights: what is told is how much of it
+  /// is done, until its end.
+  void beginApart(const std::vector<double>& weights);
+  void endApart();
   /// A call begins: nobody has cancelled it yet, but by cancel().
   void beginCall();
   /// It is over, and with it the time of the last phase. `isCancelled`: it did what cancel() asked.
@@ -47,6 +51,8 @@ private:
   ahd_progress callback_ = nullptr;
   void* user_ = nullptr;
   Stages stages_;
+  Stages stagesOfRun_; ///< during work apart from it, and what was done
+  double doneOfRun_ = 0.0;
   std::array<double, kPhases> seconds_ = {};
   bool inPhase_ = false;
   Phase phase_ = Phase::Merge;

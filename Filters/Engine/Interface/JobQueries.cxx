@@ -154,6 +154,7 @@ void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing)
     refuse(AHD_BAD_ARRAY,
       "The order is drawn with ids of type AHD_INT32 or AHD_INT64, into arrays that are not null.");
   }
+  made.sampling.forget();
   job.progress.reach(Job::DrawingOrder);
   job.withThreads(
     [&](const Context& context)

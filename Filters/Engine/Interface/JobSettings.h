@@ -47,6 +47,8 @@ enum class IntSetting : std::size_t
   WantConstraintEdges,
   WantRegions,
   WantNeighbors,
+  SampleMethod,
+  SampleOutside,
   Threads,
   MemoryLimit,
   OtherMemory

@@ -282,6 +282,39 @@ ahd_status ahd_locate(
     });
 }
 
+ahd_status ahd_sample(
+  ahd_job* job, const ahd_places* places, const ahd_sampled* arrays, uint64_t count, uint8_t* mask)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(places, "places");
+      ahd::sample(own, *places, arrays, static_cast<std::size_t>(count), mask);
+    });
+}
+
+ahd_status ahd_sample_estimate(
+  ahd_job* job, const ahd_places* places, uint64_t columns, uint64_t* bytes)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(places, "places");
+      mustHave(bytes, "bytes");
+      ahd::estimateSample(own, *places, columns, *bytes);
+    });
+}
+
+ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(places, "places");
+      ahd::weigh(own, *places);
+    });
+}
+
 const char* ahd_name(int32_t kind, uint32_t number)
 {
   switch (kind)

@@ -390,6 +390,7 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *                                             the point that does, or AHD_POINT_...
  *   vertex_of_point     id       (points)     number of its vertex in canonical order, or -1
  *   point_of_vertex     id       (vertices)   the id that stands for each
+ *   vertex_bounds       float64  (2, 2)       smallest and largest x, y of these; NaN without any
  *   order               id       (inserted)   ids in the order of insertion
  *   insertion_ranks     id       (points)     place of each point in it, or -1
  *   box_bounds          float64  (boxes, 4)   xmin, xmax, ymin, ymax
@@ -484,5 +485,7 @@ AHD_API uint32_t ahd_processors(void);
 AHD_API uint64_t ahd_available_memory(void);
 /* 128 bits that differ, in practice always, where the bytes or `kind` do. Never both 0. */
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
+
+#include "ahd_sample.h" /* values between the points, at any places or on a raster */
 
 #endif

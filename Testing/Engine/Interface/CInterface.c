@@ -74,6 +74,7 @@ int main(void)
   test_settings();
   test_input();
   test_results();
+  test_sample();
   test_trouble();
   if (ahd_failures > 0)
   {

@@ -72,6 +72,7 @@ static void test_square(void)
   CHECK(ahd_counted(job, "threads_used") == 1);
   CHECK(ahd_counted(job, "stacked") == 0);
   ARE(job, "point_status", 0, 1, 2, 3, 4, 4, -1);
+  ARE_DOUBLES(job, "vertex_bounds", 0, 4, 0, 4);
   status = ahd_read_ids(job, "vertex_of_point", &numbers);
   CHECK(numbers == 7 && status[4] == status[5] && status[6] == -1);
   free(status);

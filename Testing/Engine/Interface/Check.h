@@ -71,6 +71,7 @@ void test_names(void);
 void test_settings(void);
 void test_input(void);
 void test_results(void);
+void test_sample(void);
 void test_trouble(void);
 
 #endif

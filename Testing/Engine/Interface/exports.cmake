@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The C library exports the functions of its header and nothing else:
-#   cmake -DLIBRARY=<file> -DHEADER=<file> -DNM=<program> -P exports.cmake
+# The C library exports the functions of its headers and nothing else:
+#   cmake -DLIBRARY=<file> -DHEADERS=<file>,<file> -DNM=<program> -P exports.cmake
 execute_process(COMMAND "${NM}" -D --defined-only "${LIBRARY}" OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
 if (failed)
   message(FATAL_ERROR "${NM} cannot read ${LIBRARY}")
@@ -14,12 +14,15 @@ foreach (line IN LISTS lines)
   list(APPEND exported "${name}")
 endforeach ()
 
-file(STRINGS "${HEADER}" lines REGEX "^AHD_API ")
 set(declared)
-foreach (line IN LISTS lines)
-  string(REGEX MATCH "ahd_[a-z0-9_]+\\(" name "${line}")
-  string(REPLACE "(" "" name "${name}")
-  list(APPEND declared "${name}")
+string(REPLACE "," ";" headers "${HEADERS}")
+foreach (header IN LISTS headers)
+  file(STRINGS "${header}" lines REGEX "^AHD_API ")
+  foreach (line IN LISTS lines)
+    string(REGEX MATCH "ahd_[a-z0-9_]+\\(" name "${line}")
+    string(REPLACE "(" "" name "${name}")
+    list(APPEND declared "${name}")
+  endforeach ()
 endforeach ()
 
 list(SORT exported)

@@ -8,10 +8,14 @@ import typing
 import unittest
 
 import adaptivehilbertdelaunay
-from adaptivehilbertdelaunay import _arrays, _input, _interface, _library, _results, _triangulation, _warnings
+from adaptivehilbertdelaunay import (
+    _arrays, _input, _interface, _interpolators, _library, _raster, _results, _sampling, _triangulation, _warnings,
+)  # fmt: skip
 from arraysupport import ROOT
 
-MODULES = (_arrays, _input, _interface, _library, _results, _triangulation, _warnings)
+MODULES = (
+    _arrays, _input, _interface, _interpolators, _library, _raster, _results, _sampling, _triangulation, _warnings
+)  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
 
 
@@ -35,7 +39,10 @@ class DocumentTest(unittest.TestCase):
             found = getattr(adaptivehilbertdelaunay, name)
             yield name, found
             if inspect.isclass(found) and found.__module__.startswith("adaptivehilbertdelaunay"):
-                for member, value in vars(found).items():
+                members = {}
+                for base in reversed(found.__mro__):
+                    members.update(vars(base) if base.__module__.startswith("adaptivehilbertdelaunay") else {})
+                for member, value in members.items():
                     if not member.startswith("_") and (callable(value) or isinstance(value, property)):
                         yield name + "." + member, value
 

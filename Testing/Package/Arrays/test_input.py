@@ -223,7 +223,7 @@ class RefusedTest(unittest.TestCase):
             (ValueError, lambda: made.locate([1, 2])), (ValueError, lambda: made.locate([[1, 2, 3]])),
             (TypeError, lambda: made.locate([["a", "b"]])), (ValueError, lambda: made.interpolate([1, 2])),
             (TypeError, lambda: made.interpolate(["a"] * 6)),
-            (ValueError, lambda: made.interpolate(np.zeros((6, 1, 1)))),
+            (ValueError, lambda: made.interpolate(np.zeros(()))),
             (ValueError, lambda: made.voronoi("all")),
         ):  # fmt: skip
             self.assertRaises(kind, ask)

@@ -15,12 +15,15 @@ from adaptivehilbertdelaunay import _interface, delaunay
 from adaptivehilbertdelaunay import _library as library
 from arraysupport import ROOT, SQUARE, cloud
 
-HEADER = os.path.join(ROOT, "Filters", "Engine", "Interface", "ahd.h")
+INTERFACE = os.path.join(ROOT, "Filters", "Engine", "Interface")
 
 
 def header():
-    with open(HEADER, encoding="utf-8") as file:
-        return file.read()
+    text = ""
+    for name in ("ahd.h", "ahd_sample.h"):
+        with open(os.path.join(INTERFACE, name), encoding="utf-8") as file:
+            text += file.read()
+    return text
 
 
 class HeaderTest(unittest.TestCase):
@@ -54,6 +57,7 @@ class HeaderTest(unittest.TestCase):
         job.set_array("points", SQUARE)
         job.set_array("source_points", SQUARE[:1])
         job.run()
+        job.sample_weights(SQUARE)
         self.assertEqual(set(job.counts()), set(library.names(library.COUNTS)))
         self.assertEqual(set(job.measures()), set(library.names(library.MEASURES)))
         for name in library.names(library.OUTPUT_ARRAYS):
@@ -71,6 +75,7 @@ class HeaderTest(unittest.TestCase):
             "alpha_triangles": "kinds are arrays of their own", "alpha_lines": "", "alpha_vertices": "",
             "want_curve": "for VTK's drawing",
             "other_memory": "for VTK's arrays",
+            "sample_method": "Triangulation.interpolate", "sample_outside": "",
         }  # fmt: skip
         names = {"split_crossings": "crossings", "closed_lines": "closed_lines_are_loops"}
         keywords = set(inspect.signature(delaunay).parameters)

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "JobSampling.h"
+
+#include "../Core/Memory.h"
+#include "../Sample/Outside.h"
+#include "Clock.h"
+#include "Job.h"
+#include "Refusal.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr std::size_t kMostPlaces = std::size_t(1) << 48; // what is estimated stays a number
+
+SamplePlaces placesOf(const ahd_places& given)
+{
+  if (given.xy || given.count > 0)
+  {
+    if (!given.xy)
+    {
+      refuse(
+        AHD_BAD_ARRAY, "There are " + std::to_string(given.count) + " places, but xy is null.");
+    }
+    if (given.count > kMostPlaces)
+    {
+      refuse(AHD_BAD_ARRAY, std::to_string(given.count) + " places are beyond all memory.");
+    }
+    return SamplePlaces(PointView(given.xy, static_cast<std::size_t>(given.count), 2));
+  }
+  for (int k = 0; k < 2; ++k)
+  {
+    if (!std::isfinite(given.origin[k]) || !std::isfinite(given.spacing[k]) ||
+      given.spacing[k] == 0.0)
+    {
+      refuse(AHD_BAD_VALUE,
+        "A raster is to have a finite origin, and a spacing that is finite and not 0.");
+    }
+  }
+  if (given.rows > 0 && given.columns > kMostPlaces / given.rows)
+  {
+    refuse(AHD_MEMORY_LIMIT,
+      "A raster of " + std::to_string(given.columns) + " x " + std::to_string(given.rows) +
+        " cells is beyond all memory.");
+  }
+  SampleRaster raster;
+  raster.origin = { given.origin[0], given.origin[1] };
+  raster.spacing = { given.spacing[0], given.spacing[1] };
+  raster.columns = static_cast<std::size_t>(given.columns);
+  raster.rows = static_cast<std::size_t>(given.rows);
+  return SamplePlaces(raster);
+}
+
+/// One call: what is asked for, held against the memory there is.
+class Sampling
+{
+public:
+  Sampling(Job& job, const ahd_places& places)
+    : job_(job)
+    , made_(job.result())
+    , kept_(made_.sampling)
+    , places_(placesOf(places))
+    , method_(SampleMethod(job.settings[IntSetting::SampleMethod]))
+    , fills_(job.settings.is(IntSetting::SampleOutside) && method_ != SampleMethod::Nearest)
+  {
+  }
+
+  std::size_t estimate(std::size_t components, bool hasMask) const;
+  void checkMemory(std::size_t bytes) const;
+
+  void values(const std::vector<SampleArray>& arrays, std::uint8_t* mask);
+  void weights();
+
+  bool fills() const { return fills_; }
+  const SamplePlaces& places() const { return places_; }
+  SampleMethod method() const { return method_; }
+
+private:
+  template <typename Work>
+  void run(std::size_t bytes, const Work& work);
+  const Sampler& prepare(JobSampling::Ready& ready, SampleMethod method, const Context& context);
+  std::vector<double> stageWeights() const;
+
+  Job& job_;
+  JobResult& made_;
+  JobSampling& kept_;
+  SamplePlaces places_;
+  SampleMethod method_;
+  bool fills_;
+};
+
+std::size_t Sampling::estimate(std::size_t components, bool hasMask) const
+{
+  const std::size_t points = made_.points.points().count, places = places_.count();
+  return static_cast<std::size_t>(job_.settings[IntSetting::OtherMemory]) +
+    (kept_.hasTables ? 0 : tableMemoryEstimate(points)) +
+    sampleMemoryEstimate(points, places_, components) +
+    (fills_ ? fillOutsideMemoryEstimate(points, places, components) + (hasMask ? 0 : places) : 0);
+}
+
+/// With a limit, what the run took counts, too.
+void Sampling::checkMemory(std::size_t bytes) const
+{
+  const auto limit = static_cast<std::size_t>(job_.settings[IntSetting::MemoryLimit]);
+  const std::size_t held = job_.sizes().estimate -
+    static_cast<std::size_t>(made_.settings[IntSetting::OtherMemory]);
+  const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemory();
+  if (bytes > allowed)
+  {
+    refuse(AHD_MEMORY_LIMIT,
+      "Values at " + std::to_string(places_.count()) + " places may take " + std::to_string(bytes) +
+        " bytes of memory besides the triangulation, but " +
+        (limit > 0 ? "\"memory_limit\" leaves " : "there are ") + std::to_string(allowed) + ".");
+  }
+}
+
+/// About their seconds, with a million points: tables and places to be looked for among; values;
+/// those outside.
+std::vector<double> Sampling::stageWeights() const
+{
+  constexpr double kTables = 2e-7, kTree = 3e-7; // a point
+  const auto points = static_cast<double>(made_.points.points().count);
+  const auto places = static_cast<double>(places_.count());
+  const double perPlace = method_ == SampleMethod::Linear ? places_.isRaster() ? 3e-8 : 3e-7
+    : method_ == SampleMethod::Nearest                    ? 6e-7
+                                                          : 1e-6;
+  const double tree = kept_.nearest.is ? 0.0 : kTree;
+  return { points *
+      ((kept_.hasTables ? 0.0 : kTables) + (method_ == SampleMethod::Nearest ? kTree : 0.0)),
+    places * perPlace, fills_ ? points * tree + places * 1e-7 : 0.0 };
+}
+
+template <typename Work>
+void Sampling::run(std::size_t bytes, const Work& work)
+{
+  checkMemory(bytes);
+  const struct Apart
+  {
+    JobProgress& progress;
+    JobSampling& kept;
+    double begun = steadySeconds();
+    ~Apart()
+    {
+      kept.seconds = steadySeconds() - begun;
+      progress.endApart();
+    }
+  } apart{ job_.progress, kept_ };
+  kept_.places = places_.count();
+  kept_.report = SampleReport();
+  kept_.estimate = bytes;
+  job_.progress.beginApart(stageWeights());
+  job_.withThreads(
+    [&](const Context& context)
+    {
+      job_.progress.reach(1);
+      const Sampler& sampler = prepare(kept_.byMethod, method_, context);
+      job_.progress.reach(2);
+      work(sampler, context);
+    });
+}
+
+const Sampler& Sampling::prepare(
+  JobSampling::Ready& ready, SampleMethod method, const Context& context)
+{
+  if (!ready.is || ready.method != method)
+  {
+    ready.is = false;
+    const unsigned char* const kept = made_.isSelected ? made_.selection.kept.data() : nullptr;
+    check(ready.sampler.prepare(made_.triangulation, kept, method, context));
+    ready.is = kept_.hasTables = true;
+    ready.method = method;
+  }
+  return ready.sampler;
+}
+
+void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask)
+{
+  std::size_t components = 0;
+  for (const SampleArray& array : arrays)
+  {
+    components += array.components;
+  }
+  run(estimate(components, mask != nullptr),
+    [&](const Sampler& sampler, const Context& context)
+    {
+      Buffer<unsigned char> ownMask;
+      if (fills_ && !mask)
+      {
+        ownMask.allocate(places_.count());
+        mask = ownMask.data();
+      }
+      check(sampler.values(places_, arrays.data(), arrays.size(), mask, kept_.report, context));
+      if (fills_ && kept_.report.outside > 0)
+      {
+        job_.progress.reach(3);
+        const Sampler& nearest = prepare(kept_.nearest, SampleMethod::Nearest, context);
+        check(fillOutside(nearest, places_, arrays.data(), arrays.size(), mask, context));
+      }
+    });
+}
+
+void Sampling::weights()
+{
+  // Of natural neighbours there are six at a place, mostly; nobody knows before.
+  const std::size_t perPlace = method_ == SampleMethod::Nearest ? 1
+    : method_ == SampleMethod::Linear                           ? 3
+                                                                : 7;
+  const std::size_t bytes = (places_.count() + 1) * sizeof(std::uint64_t) +
+    places_.count() * perPlace * (sizeof(std::int32_t) + sizeof(double));
+  fills_ = false;
+  kept_.hasWeights = false;
+  kept_.weights = SampleWeights();
+  run(estimate(0, true) + bytes,
+    [&](const Sampler& sampler, const Context& context)
+    { check(sampler.weights(places_, kept_.weights, kept_.report, context)); });
+  kept_.hasWeights = true;
+}
+
+std::vector<SampleArray> arraysOf(
+  const ahd_sampled* given, std::size_t count, const Sampling& sampling, bool hasPoints)
+{
+  if (count > 0 && !given)
+  {
+    refuse(AHD_BAD_ARRAY, "The arrays to interpolate are null.");
+  }
+  std::vector<SampleArray> arrays(count);
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    const ahd_sampled& array = given[k];
+    const std::string name = "Array " + std::to_string(k) + " of those to interpolate ";
+    if (array.columns < 0)
+    {
+      refuse(AHD_BAD_ARRAY, name + "has " + std::to_string(array.columns) + " columns.");
+    }
+    if (array.columns > 0 &&
+      ((hasPoints && !array.values) || (sampling.places().count() > 0 && !array.out)))
+    {
+      refuse(AHD_BAD_ARRAY, name + "has no values, or nowhere to write to: a pointer is null.");
+    }
+    if (array.gradients && sampling.method() != SampleMethod::Linear)
+    {
+      refuse(AHD_BAD_VALUE,
+        name +
+          "is to have gradients: there are none but with \"sample_method\" "
+          "AHD_SAMPLE_LINEAR.");
+    }
+    arrays[k] = { array.values, static_cast<std::size_t>(array.columns), array.out,
+      array.gradients };
+  }
+  return arrays;
+}
+
+} // namespace
+
+void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::size_t count,
+  std::uint8_t* mask)
+{
+  Sampling sampling(job, places);
+  sampling.values(arraysOf(arrays, count, sampling, job.result().points.points().count > 0), mask);
+}
+
+void weigh(Job& job, const ahd_places& places)
+{
+  Sampling(job, places).weights();
+}
+
+void estimateSample(Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes)
+{
+  const Sampling sampling(job, places);
+  constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
+  if (columns > kMostColumns)
+  {
+    refuse(AHD_BAD_VALUE, std::to_string(columns) + " columns are too many.");
+  }
+  const std::size_t estimate = sampling.estimate(static_cast<std::size_t>(columns), false);
+  bytes = estimate;
+  sampling.checkMemory(estimate);
+}
+
+} // namespace ahd

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: BSD-3-Clause */
+#ifndef ahd_sample_h
+#define ahd_sample_h
+
+/*
+ * The part of the C interface that gives values between the points, after ahd_run(): at any places
+ * or on a raster. ahd.h includes it. Heights at the centres of 3 x 2 cells, from those of the
+ * points in `z`:
+ *
+ *     ahd_places cells = { NULL, 0, { 0.5, 0.5 }, { 1.0, 1.0 }, 3, 2 };
+ *     double heights[6];
+ *     uint8_t mask[6];
+ *     ahd_sampled array = { z, 1, heights, NULL };
+ *     ahd_set_int(job, "sample_method", AHD_SAMPLE_NATURAL_NEIGHBOR);
+ *     if (ahd_sample(job, &cells, &array, 1, mask) != AHD_OK)
+ *       puts(ahd_message(job));
+ *
+ * Which triangle, edge or vertex a place lies on is decided exactly: on a vertex there is the value
+ * of the vertex, on an edge one of its two ends alone, the same from either side. Outside of the
+ * triangles that are put out there is no value, but on request: the mask is 0 and values are NaN.
+ *
+ * The settings, of type int, hold for the calls that follow:
+ *   sample_method    0   AHD_SAMPLE_...
+ *   sample_outside   0   AHD_OUTSIDE_...
+ * besides them threads, memory_limit and other_memory.
+ *
+ * Counts, of the last ahd_sample() or ahd_sample_weights() of the result, 0 before:
+ *   sampled_places        = sampled_valued + sampled_outside + sampled_not_finite
+ *   sampled_valued        on the surface; with AHD_SAMPLE_NEAREST all that are finite
+ *   sampled_outside       outside of the hull, in a hole or in a triangle that is not put out
+ *   sampled_not_finite    with a NaN or infinite x or y
+ *   sampled_without_value numbers at valued places that are NaN, as values at points are
+ *   sampled_left_out      numbers that some neighbours, whose values are NaN, have no say in (with
+ *                         AHD_SAMPLE_NATURAL_NEIGHBOR and _LAPLACE: they leave such out)
+ *   sampling_estimate     bytes that it was thought to take besides the result
+ * Measure:
+ *   seconds_sample        wall-clock time of the last one
+ *
+ * Arrays, made by ahd_sample_weights():
+ *   weight_offsets   int64    (places + 1)   place i has the entries from offset i to i + 1
+ *   weight_points    id       (entries)      points that have a say in it, of a place each once
+ *   weights          float64  (entries)      not negative; those of a place sum to 1 when rounded
+ */
+
+#include "ahd.h"
+
+/* sample_method: which points have a say in the value at a place, and how much */
+enum
+{
+  AHD_SAMPLE_LINEAR = 0,           /* the corners of its triangle, by areas */
+  AHD_SAMPLE_NATURAL_NEIGHBOR = 1, /* by the area it would take of their Voronoi cells (Sibson) */
+  AHD_SAMPLE_LAPLACE = 2,          /* by the borders of its cell with theirs, over distances */
+  AHD_SAMPLE_NEAREST = 3           /* the nearest vertex; of several the smallest in (x, y) */
+};
+
+/* sample_outside: what finite places outside of the surface have */
+enum
+{
+  AHD_OUTSIDE_NO_VALUE = 0,
+  AHD_OUTSIDE_NEAREST_VERTEX = 1 /* the values of the nearest vertex; the mask stays 0 */
+};
+
+/* Where values are wanted, in the plane of the triangulation: `count` places `xy`, x and y each;
+ * or, where `xy` is null, the raster whose place row * columns + column lies at origin + (column,
+ * row) * spacing. Spacing is finite and not 0. */
+typedef struct ahd_places
+{
+  const double* xy;
+  uint64_t count;
+  double origin[2];
+  double spacing[2];
+  uint64_t columns, rows;
+} ahd_places;
+
+/* Numbers to interpolate: `columns` for each output point, row by row; NaN is legal. */
+typedef struct ahd_sampled
+{
+  const double* values;
+  int32_t columns;
+  double* out;       /* `columns` for each place, row by row */
+  double* gradients; /* null; with AHD_SAMPLE_LINEAR x and y slope of each of them */
+} ahd_sampled;
+
+/* Interpolates `count` arrays. `mask`: null, or 1 for each place that has a value of its own, else
+ * 0. The fraction that a callback hears of is that of this call. Refused, before anything is
+ * written, is what may take more memory than memory_limit or the process can get; a cancelled or
+ * failed call may be repeated, and what it was to write is not to be used. AHD_NOT_AVAILABLE,
+ * AHD_BAD_VALUE, AHD_BAD_ARRAY, AHD_MEMORY_LIMIT, AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
+AHD_API ahd_status ahd_sample(
+  ahd_job* job, const ahd_places* places, const ahd_sampled* arrays, uint64_t count, uint8_t* mask);
+
+/* Upper estimate of the bytes that ahd_sample() takes for arrays of so many columns together, what
+ * it is given to write to not counted but as other_memory. AHD_MEMORY_LIMIT, with `bytes` written,
+ * where it would be refused. */
+AHD_API ahd_status ahd_sample_estimate(
+  ahd_job* job, const ahd_places* places, uint64_t columns, uint64_t* bytes);
+
+/* Makes the arrays weight_... and weights, for who interpolates himself. sample_outside has no say
+ * in them. */
+AHD_API ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places);
+
+#endif

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Outside_h
+#define ahd_Outside_h
+
+#include "Sample.h"
+
+#include <cstddef>
+
+namespace ahd
+{
+
+/// Gives finite places that have no value, whose `mask` is 0, the values of the nearest vertex, in
+/// place of what `out` of the arrays has there; slopes and mask stay. `nearest`: a Sampler that was
+/// prepared for SampleMethod::Nearest. Returns Ok, Cancelled or OutOfMemory; unless Ok, some places
+/// may have theirs. Time: what Nearest takes at these places.
+Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const SampleArray* arrays,
+  std::size_t count, const unsigned char* mask, const Context& context);
+
+/// Upper estimate of the bytes that fillOutside() takes for so many points and places, `components`
+/// of all arrays together; what prepare() of its Sampler takes included.
+std::size_t fillOutsideMemoryEstimate(
+  std::size_t pointCount, std::size_t placeCount, std::size_t components);
+
+} // namespace ahd
+
+#endif

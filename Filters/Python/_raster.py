@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Rasters: places in rows and columns."""
+
+from __future__ import annotations
+
+import math
+import operator
+from dataclasses import dataclass
+from typing import Any, Optional, Sequence, Tuple
+
+import numpy as np
+
+_MOST = 2**31 - 1  # rows or columns
+
+
+@dataclass(frozen=True)
+class Raster:
+    """Places in rows and columns, such as the centres of the cells of a map: value ``[row, column]`` is the one at
+    ``origin + (column, row) * spacing``.
+
+    Attributes
+    ----------
+    origin : (x, y) of float
+        The place of value ``[0, 0]``: the centre of its cell, in the unit of the points.
+    spacing : (dx, dy) of float
+        From column to column and from row to row: the size of a cell; finite and not 0. Rows of a positive dy run from
+        south to north, those of a negative one from north to south.
+    shape : (rows, columns) of int
+        How many there are.
+
+    Raises
+    ------
+    ValueError
+        A number is not finite, a spacing is 0, there is a negative number of rows or columns.
+
+    Examples
+    --------
+    >>> from adaptivehilbertdelaunay import Raster
+    >>> cells = Raster((0.5, 0.5), (1, 1), (2, 3))
+    >>> cells.x, cells.y, cells.bounds
+    (array([0.5, 1.5, 2.5]), array([0.5, 1.5]), (0.0, 3.0, 0.0, 2.0))
+    >>> cells.geotransform
+    (0.0, 1.0, 0.0, 0.0, 0.0, 1.0)
+    """
+
+    origin: Tuple[float, float]
+    spacing: Tuple[float, float]
+    shape: Tuple[int, int]
+
+    def __post_init__(self) -> None:
+        for name in ("origin", "spacing"):
+            pair = pair_of(name, getattr(self, name))
+            if not all(map(math.isfinite, pair)) or (name == "spacing" and 0 in pair):
+                wanted = "finite" if name == "origin" else "finite and not 0"
+                raise ValueError("%s is to be %s, not %r" % (name, wanted, pair))
+            object.__setattr__(self, name, pair)
+        object.__setattr__(self, "shape", shape_of(self.shape, 0))
+
+    @property
+    def x(self) -> np.ndarray:
+        """(columns,) float64: x of each column."""
+        made: np.ndarray = self.origin[0] + np.arange(self.shape[1]) * self.spacing[0]
+        return made
+
+    @property
+    def y(self) -> np.ndarray:
+        """(rows,) float64: y of each row."""
+        made: np.ndarray = self.origin[1] + np.arange(self.shape[0]) * self.spacing[1]
+        return made
+
+    @property
+    def bounds(self) -> Tuple[float, float, float, float]:
+        """xmin, xmax, ymin, ymax of the cells, which reach half a spacing around their places."""
+        (x, y), (dx, dy), (rows, columns) = self.origin, self.spacing, self.shape
+        xs = sorted((x - dx / 2, x + (columns - 0.5) * dx))
+        ys = sorted((y - dy / 2, y + (rows - 0.5) * dy))
+        return xs[0], xs[1], ys[0], ys[1]
+
+    @property
+    def geotransform(self) -> Tuple[float, float, float, float, float, float]:
+        """What GDAL calls the geotransform, of pixels that are areas: corner, width and 0; corner, 0 and height."""
+        (x, y), (dx, dy) = self.origin, self.spacing
+        return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
+
+
+def pair_of(name: str, given: Any) -> Tuple[float, float]:
+    """Two numbers."""
+    try:
+        first, second = (float(number) for number in given)
+    except (TypeError, ValueError):
+        raise TypeError("%s is to be two numbers, x and y, not %r" % (name, given)) from None
+    return first, second
+
+
+def shape_of(given: Any, least: int) -> Tuple[int, int]:
+    """Rows and columns."""
+    try:
+        rows, columns = (operator.index(number) for number in given)
+    except (TypeError, ValueError):
+        raise TypeError("shape is to be two whole numbers, rows and columns, not %r" % (given,)) from None
+    if not (least <= rows <= _MOST and least <= columns <= _MOST):
+        raise ValueError("shape is to be rows and columns, each from %d to %d, not %r" % (least, _MOST, given))
+    return rows, columns
+
+
+def _size_of(given: Any) -> Tuple[float, float]:
+    size = (float(given),) * 2 if np.ndim(given) == 0 else pair_of("cell_size", given)
+    if not all(0 < number < math.inf for number in size):
+        raise ValueError("cell_size is to be greater than 0 and finite, not %r" % (given,))
+    return size
+
+
+def _bounds_of(given: Any) -> Tuple[float, float, float, float]:
+    try:
+        xmin, xmax, ymin, ymax = (float(number) for number in given)
+    except (TypeError, ValueError):
+        raise TypeError("bounds are to be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
+    if not (xmin <= xmax and ymin <= ymax and math.isfinite(xmax - xmin) and math.isfinite(ymax - ymin)):
+        raise ValueError("bounds are to be xmin, xmax, ymin, ymax, finite and ascending, not %r" % (given,))
+    return xmin, xmax, ymin, ymax
+
+
+def raster_over(
+    bounds: Sequence[float],
+    cell_size: Any = None,
+    shape: Optional[Sequence[int]] = None,
+    align: bool = False,
+) -> Raster:
+    """The raster of cells of this size, or of so many rows and columns, that covers the bounds."""
+    if (cell_size is None) == (shape is None):
+        raise ValueError("a raster is made by its cell_size or by its shape: one of both")
+    xmin, xmax, ymin, ymax = _bounds_of(bounds)
+    if shape is not None:
+        if align:
+            raise ValueError("align is for rasters that are made by their cell_size")
+        rows, columns = shape_of(shape, 1)
+        dx, dy = (xmax - xmin) / columns or 1.0, (ymax - ymin) / rows or 1.0
+        return Raster((xmin + dx / 2, ymin + dy / 2), (dx, dy), (rows, columns))
+    dx, dy = _size_of(cell_size)
+    x, columns = _cells(xmin, xmax, dx, align)
+    y, rows = _cells(ymin, ymax, dy, align)
+    return Raster((x, y), (dx, dy), (rows, columns))
+
+
+def _cells(least: float, most: float, size: float, align: bool) -> Tuple[float, int]:
+    """The middle of the first cell, and how many there are."""
+    first = math.floor(least / size) if align and math.isfinite(least / size) else 0
+    count = (most / size if align else (most - least) / size) - first
+    if not abs(count) <= _MOST:
+        raise MemoryError(
+            "cells of size %g over %g would be %g rows or columns, more than %d" % (size, most - least, count, _MOST)
+        )
+    begin = first * size if align else least
+    return begin + size / 2, max(1, math.ceil(count))

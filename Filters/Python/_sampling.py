@@ -1,0 +1,313 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Values between the points of a triangulation: at any places or on a raster."""
+
+from __future__ import annotations
+
+from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
+
+import numpy as np
+
+from . import _library as library
+from ._made import Made
+from ._raster import Raster, raster_over
+
+#: In the order of the header's numbers.
+METHODS = ("linear", "natural", "laplace", "nearest")
+
+ProgressFunction = Callable[[str, float], Any]
+
+
+class Weights(NamedTuple):
+    """Which points make up the value at each place: place `i`, of all in a row, has the entries ``offsets[i]`` to
+    ``offsets[i + 1]`` of the others; none where it has no value. As a matrix for values of all points:
+    ``scipy.sparse.csr_matrix((weights, points, offsets), (places, n))``."""
+
+    offsets: np.ndarray  #: (places + 1,) int64
+    points: np.ndarray  #: (entries,) int: ids; of a place each once
+    weights: np.ndarray  #: (entries,) float64: not negative; those of a place sum to 1, up to rounding
+
+
+def method_of(given: Any) -> int:
+    if not isinstance(given, str):
+        raise TypeError("method is to be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
+    if given not in METHODS:
+        raise ValueError("method is to be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
+    return METHODS.index(given)
+
+
+def places_of(given: Any) -> Tuple[Union[Raster, np.ndarray], Tuple[int, ...]]:
+    """Places as a job takes them, and the shape that values at them have."""
+    if isinstance(given, Raster):
+        return given, given.shape
+    if isinstance(given, np.ma.MaskedArray):
+        raise TypeError("places are a masked array, whose mask would be lost")
+    places = np.asarray(given)
+    if places.ndim < 1 or places.shape[-1] != 2:
+        if places.shape != (0,):
+            raise ValueError("places are to be of shape (k, 2) or (..., 2), or a Raster, not %s" % (places.shape,))
+        places = places.reshape(0, 2)
+    if places.dtype.kind not in "biuf" and places.size:
+        raise TypeError("places are to be real numbers, not of type %s" % places.dtype)
+    return np.ascontiguousarray(places, np.float64).reshape(-1, 2), places.shape[:-1]
+
+
+def _numbers_of(values: Any, count: int, kinds: str) -> np.ndarray:
+    given = np.asarray(values)
+    if isinstance(values, np.ma.MaskedArray):
+        raise TypeError("values are a masked array, whose mask would be lost: NaN stands for what is missing")
+    if given.ndim < 1 or len(given) != count:
+        raise ValueError("values are to have a row for each of %d points, not the shape %s" % (count, given.shape))
+    if given.dtype.kind not in kinds:
+        raise TypeError("values are to be real numbers, not of type %s" % given.dtype)
+    return given
+
+
+class Sampled(Made):
+    """What a Triangulation says of places between its points."""
+
+    def _for_places(self) -> library.Job:
+        """The job. The first time the engine makes tables of its own, and reads no points after that. REQUIRES: the
+        lock."""
+        return self._job if self._hasPlaces and self._job is not None else self._engine()
+
+    def raster(
+        self,
+        *,
+        cell_size: Union[None, float, Sequence[float]] = None,
+        shape: Optional[Sequence[int]] = None,
+        bounds: Optional[Sequence[float]] = None,
+        align: bool = False,
+    ) -> Raster:
+        """A raster over the triangulation, for `interpolate`.
+
+        Parameters
+        ----------
+        cell_size : float or (dx, dy), greater than 0, in the unit of the points
+            The size of a cell. There are as many as cover the bounds, one at least.
+        shape : (rows, columns) of int, from 1 to 2**31 - 1
+            How many cells there are; they fill the bounds. One of both, `cell_size` or `shape`, is to be given.
+        bounds : (xmin, xmax, ymin, ymax) of float, default: those of the vertices, in the plane of the triangulation
+            What is covered.
+        align : bool, default False
+            With `cell_size`: are the borders of the cells multiples of it (as with -tap of GDAL's programs)? Else
+            the first cell begins at xmin and ymin.
+
+        Returns
+        -------
+        Raster
+            Its places are the centres of the cells, row 0 is in the south.
+
+        Raises
+        ------
+        ValueError, TypeError
+            A size is not greater than 0, bounds are not ascending or not finite, or there are none without vertices.
+        MemoryError
+            There are more than 2**31 - 1 rows or columns.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> made = delaunay([[1, 1], [9, 1], [9, 5], [1, 5]])
+        >>> made.raster(shape=(2, 4))
+        Raster(origin=(2.0, 2.0), spacing=(2.0, 2.0), shape=(2, 4))
+        >>> made.raster(cell_size=5, align=True)
+        Raster(origin=(2.5, 2.5), spacing=(5.0, 5.0), shape=(1, 2))
+        """
+        if bounds is None:
+            with self._lock:
+                box = self._for_places().array("vertex_bounds")
+            if np.isnan(box).any():
+                raise ValueError("there are no vertices: bounds are to be given")
+            bounds = box.ravel().tolist()
+        return raster_over(bounds, cell_size, shape, align)
+
+    def interpolate(
+        self,
+        values: Any,
+        at: Any = None,
+        method: str = "linear",
+        *,
+        outside: Union[float, str] = np.nan,
+        gradient: bool = False,
+        progress: Optional[ProgressFunction] = None,
+    ) -> Any:
+        """Values between the points, at any places; or, without `at`, for all points, also for those that were added.
+
+        Which triangle, edge or vertex a place lies on is decided exactly: on a vertex there is the value of that
+        vertex, on an edge one of its two ends alone, the same from either side. Outside of the triangles (of the hull,
+        in a hole, where a limit left none) there is no value.
+
+        Parameters
+        ----------
+        values : (m,) or (m, ...) array of numbers
+            One row for each point that was given: `points` and then, if there are any, `source_points`. NaN may be
+            among them: with 'linear' all of a triangle that has one is NaN, with 'natural' and 'laplace' it is left
+            out and the other neighbours count for more.
+        at : (..., 2) array of real numbers or Raster, optional
+            Places in the plane of the triangulation, in the unit of the points, anywhere; at those with NaN there is no
+            value.
+        method : {'linear', 'natural', 'laplace', 'nearest'}, default 'linear'
+            'linear': on each triangle the plane through its corners. 'natural': natural neighbours, after Sibson:
+            smooth but at the points, by the area that the place would take of their Voronoi cells. 'laplace': the same
+            neighbours, by the borders of the cells; not as smooth. 'nearest': of the nearest vertex, everywhere; of
+            several the one of smallest (x, y). All but the last give back functions that are linear.
+        outside : number or 'nearest', default NaN
+            What there is where there is no value. 'nearest': that of the nearest vertex.
+        gradient : bool, default False
+            With 'linear': the slopes too.
+        progress : function of (str, float), optional
+            Is told ('outputs', the fraction that is done, 0 to 1). To stop the work, raise an exception.
+
+        Returns
+        -------
+        (...) float64, or complex128 if `values` are complex
+            Of the shape of the places, (rows, columns) of a raster, and of that of a row of `values`.
+        gradients : (..., 2) of the same type, with `gradient` only
+            For each of them d/dx and d/dy; NaN outside.
+
+            Without `at`: (n, ...) float64, `values` and, at crossings, the mean of linear interpolation along both
+            segments; with source_heights='surface', at source points, in place of their own, what linear interpolation
+            on the surface gives; NaN at bounding points.
+
+        Raises
+        ------
+        ValueError, TypeError
+            An array is of another shape or type, a word is none of those above.
+        MemoryError
+            There is not enough memory, or `memory_limit` leaves less than is needed: at once, with figures.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]])
+        >>> heights = [0, 4, 8, 4, 3]  # x + y
+        >>> made.interpolate(heights, [[1, 1], [3, 2.5], [9, 9]])
+        array([2. , 5.5, nan])
+        >>> made.interpolate(heights, made.raster(shape=(2, 2)), "natural")
+        array([[2., 4.],
+               [4., 6.]])
+        >>> made.interpolate(heights, [9, 9], outside="nearest")
+        array(8.)
+        """
+        if at is None:
+            if method != "linear" or gradient or not _is_nan(outside):
+                raise ValueError("method, outside and gradient are for values at places: give these as `at`")
+            return self._for_points(_numbers_of(values, self._given_points, "biuf"))
+        return self._at(values, at, method, outside, gradient, progress)
+
+    def weights(self, at: Any, method: str = "linear") -> Weights:
+        """Which points make up the value at each place, and how much: for who interpolates many times at the same
+        places, or with them something that is no array of numbers.
+
+        Parameters
+        ----------
+        at : (..., 2) array of real numbers or Raster
+            Places, as in `interpolate`.
+        method : {'linear', 'natural', 'laplace', 'nearest'}, default 'linear'
+            As there.
+
+        Returns
+        -------
+        Weights
+            `offsets`, `points` and `weights`; of ids of `points`, those that were added included.
+
+        Raises
+        ------
+        ValueError, TypeError, MemoryError
+            As in `interpolate`.
+
+        Examples
+        --------
+        >>> from adaptivehilbertdelaunay import delaunay
+        >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4]])
+        >>> made.weights([[0, 1], [7, 7], [4, 4]])
+        Weights(offsets=array([0, 2, 2, 3]), points=array([3, 0, 2], dtype=int32), weights=array([0.25, 0.75, 1.  ]))
+        """
+        places, _ = places_of(at)
+        with self._lock:
+            job = self._for_places()
+            job.sample_weights(places, method_of(method))
+            self._hasPlaces = True
+            return Weights(
+                job.array("weight_offsets"), job.array("weight_points", self._dtype), job.array("weights")
+            )  # fmt: skip
+
+    def _at(
+        self,
+        values: Any,
+        at: Any,
+        method: str,
+        outside: Union[float, str],
+        gradient: bool,
+        progress: Optional[ProgressFunction],
+    ) -> Any:
+        """See interpolate()."""
+        chosen = method_of(method)
+        if gradient and chosen != library.SAMPLE_LINEAR:
+            raise ValueError("there are gradients with the method 'linear' only")
+        if isinstance(outside, str) and outside != "nearest":
+            raise ValueError("outside is to be a number or 'nearest', not %r" % (outside,))
+        places, shape = places_of(at)
+        given = _numbers_of(values, self._given_points, "biufc")
+        rows = self._for_points(given) if self._counts["added_points"] else given
+        dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
+        flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
+        with self._lock:
+            found = self._sampled(places, flat.view(np.float64), chosen, outside == "nearest", gradient, progress)
+        made = found.values[0].view(dtype)
+        if not isinstance(outside, str) and not _is_nan(outside):
+            made[found.mask == 0] = outside
+        made = made.reshape(shape + given.shape[1:])
+        return (made, _slopes(found.gradients[0], dtype).reshape(made.shape + (2,))) if gradient else made
+
+    @property
+    def _given_points(self) -> int:
+        return self._counts["input_points"] + self._counts["source_points"]
+
+    def _for_points(self, given: np.ndarray) -> np.ndarray:
+        """The values with those of points that were added, and of those that lie on a surface."""
+        dtype = np.complex128 if given.dtype.kind == "c" else np.float64
+        made = np.full((self._counts["points"],) + given.shape[1:], np.nan, dtype)
+        made[: len(given)] = given
+        if made.size:
+            with self._lock:
+                self._engine().interpolate(made.reshape(len(made), -1).view(np.float64))
+        return made
+
+    def _sampled(
+        self,
+        places: Union[Raster, np.ndarray],
+        rows: np.ndarray,
+        method: int,
+        fills: bool,
+        gradient: bool,
+        progress: Optional[ProgressFunction],
+    ) -> library.Samples:
+        """REQUIRES: the lock."""
+        job = self._for_places()
+        if progress is not None:
+            tell = progress
+            job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)
+        try:
+            made = job.sample(places, [rows], method=method, fills=fills, gradients=gradient)
+        finally:
+            job.set_progress(None)
+        self._hasPlaces = True
+        return made
+
+
+def _is_nan(number: Any) -> bool:
+    return not isinstance(number, str) and bool(number != number)
+
+
+def _product(numbers: Tuple[int, ...]) -> int:
+    return int(np.prod(numbers, dtype=np.int64))
+
+
+def _slopes(found: np.ndarray, dtype: Any) -> np.ndarray:
+    """Of each number x and y: of complex ones those of both their parts are side by side in `found`."""
+    if dtype == np.float64:
+        return found
+    parts = found.reshape(len(found), found.shape[1] // 4, 2, 2)
+    made: np.ndarray = np.ascontiguousarray(np.swapaxes(parts, 2, 3)).view(dtype)
+    return made
