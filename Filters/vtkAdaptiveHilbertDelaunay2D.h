@@ -428,6 +428,7 @@ protected:
   double ConstrainSeconds = 0.0;
 
 private:
+  friend class vtkAdaptiveHilbertInterpolation2D; // reads the settings
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 

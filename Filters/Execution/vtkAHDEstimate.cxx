@@ -45,7 +45,7 @@ std::size_t vtkAHDExecution::EstimateTables() const
 {
   const vtkAHDSettings& settings = this->Settings;
   const std::size_t count = this->Known.Points;
-  const bool looksUp = settings.LimitsSize() || settings.GenerateNeighbors ||
+  const bool looksUp = settings.Samples || settings.LimitsSize() || settings.GenerateNeighbors ||
     settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
     settings.ShowMeans || settings.HeightsFromSurface || this->Known.Crossings > 0;
   // where one of several points stands for a vertex: the vertex of each point, twice
@@ -60,7 +60,9 @@ std::size_t vtkAHDExecution::EstimateOutputs() const
 {
   const vtkAHDSettings& settings = this->Settings;
   const std::size_t count = this->Known.Points;
-  std::size_t bytes = vtkAHDSurface::EstimateBytes(count, settings);
+  std::size_t bytes = this->BytesBehind +
+    (settings.Samples ? vtkAHDSurface::EstimateMeanBytes(count, settings)
+                      : vtkAHDSurface::EstimateBytes(count, settings));
   if (count > this->Input.GetRequest().points.count)
   {
     bytes += vtkAHDPointOutput::EstimateBytes(this->Input.GetInput(), count);

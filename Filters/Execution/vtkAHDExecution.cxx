@@ -39,7 +39,7 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
     this->Report.Status = ahd::Status::Ok;
     this->SetStages();
     this->Prepare(results.Points);
-    this->Triangulate(results);
+    this->MakeTriangles(results);
     this->Constrain(results);
     this->Write(results, outputs);
     this->FindStacks(results);
@@ -61,8 +61,62 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
   return this->Report;
 }
 
-/// Their weights are about their times, measured with 10^6 points: that of a plain triangulation is
-/// 1. In the order in which they are begun below.
+vtkAHDReport vtkAHDExecution::Triangulate(
+  vtkAHDTriangulated& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
+{
+  this->BytesBehind = bytesBehind;
+  this->Report.Points = this->Known.Points;
+  if (!this->FitsInMemory())
+  {
+    return this->Report;
+  }
+  Results results;
+  try
+  {
+    this->Report.Status = ahd::Status::Ok;
+    std::vector<double> stages = this->FirstStages();
+    stages.insert(stages.end(), stagesBehind.begin(), stagesBehind.end());
+    this->Context.SetStages(stages);
+    this->Prepare(results.Points);
+    this->MakeTriangles(results);
+    this->Constrain(results);
+    this->FindStacks(results);
+    this->ReportOn(results);
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    this->Report.Status = stop.Reason;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Report.Status = ahd::Status::OutOfMemory;
+  }
+  if (this->Report.Status == ahd::Status::Ok)
+  {
+    made = std::move(results);
+    return this->Report;
+  }
+  this->GiveBack(results);
+  return this->Report;
+}
+
+/// Those until the triangles are there. Weights are about times, measured with 10^6 points: that of
+/// a plain triangulation is 1. In the order in which they are begun below.
+std::vector<double> vtkAHDExecution::FirstStages() const
+{
+  const vtkAHDSettings& settings = this->Settings;
+  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
+  return {
+    0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
+      weight(settings.HeightsFromSurface, 1.5) +
+      weight(settings.Split && this->Known.Segments > 0, 2.0),                 // Prepare
+    1.0,                                                                       // MakeTriangles
+    weight(settings.GenerateVoronoi, 3.0),                                     // Voronoi cells
+    weight(this->Known.Segments > 0, 0.6) + weight(settings.TrimsRim(), 0.05), // Constrain
+  };
+}
+
+/// All of Run(), weighed as they are there.
 void vtkAHDExecution::SetStages() const
 {
   const vtkAHDSettings& settings = this->Settings;
@@ -70,17 +124,15 @@ void vtkAHDExecution::SetStages() const
   const double arrays = weight(settings.GeneratePointStatus, 0.1) +
     weight(settings.GenerateInsertionRank, 0.1) + weight(settings.GenerateConstraintEdges, 0.5) +
     weight(settings.GenerateRegionIds, 1.0) + weight(settings.GenerateNeighbors, 0.9);
-  this->Context.SetStages({ //
-    0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
-      weight(settings.HeightsFromSurface, 1.5) +
-      weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
-    1.0,                                                                         // Triangulate
-    weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
-    weight(this->Known.Segments > 0, 0.6) + weight(settings.TrimsRim(), 0.05),   // Constrain
-    0.15 + weight(settings.LimitsSize(), 1.5) + weight(settings.ShowMeans, 0.2), // points, cells
-    arrays,                                                                      // arrays
-    weight(settings.GenerateVoronoi, 0.5),                                       // diagram
-    weight(settings.WantsOrder(), 0.4) });                                       // order
+  std::vector<double> stages = this->FirstStages();
+  stages.insert(stages.end(),
+    {
+      0.15 + weight(settings.LimitsSize(), 1.5) + weight(settings.ShowMeans, 0.2), // points, cells
+      arrays,                                                                      // arrays
+      weight(settings.GenerateVoronoi, 0.5),                                       // diagram
+      weight(settings.WantsOrder(), 0.4)                                           // order
+    });
+  this->Context.SetStages(stages);
 }
 
 void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
@@ -102,7 +154,7 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
   this->UpdateEstimate();
 }
 
-void vtkAHDExecution::Triangulate(Results& results)
+void vtkAHDExecution::MakeTriangles(Results& results)
 {
   this->Context.NextStage();
   ahd::Triangulation& triangulation = results.Triangulation;

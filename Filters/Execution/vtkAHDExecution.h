@@ -10,6 +10,8 @@
 #include "vtkSmartPointer.h"
 
 #include <array>
+#include <cstddef>
+#include <vector>
 
 class vtkAbstractTransform;
 class vtkPolyData;
@@ -24,6 +26,13 @@ struct vtkAHDDataSets
   vtkPolyData* Source = nullptr; ///< may be null
   vtkAHDOutputs Outputs = {};
   std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
+};
+
+/// A triangulation, and the points that it borrows.
+struct vtkAHDTriangulated
+{
+  ahd::PreparedInput Points;
+  ahd::Triangulation Triangulation;
 };
 
 /**
@@ -43,6 +52,13 @@ public:
   /// is not too much and nothing went wrong.
   vtkAHDReport Run(const vtkAHDOutputs& outputs);
 
+  /// Triangulates alone. `made` is of use if Report::Status is Ok; the caller keeps it, or gives it
+  /// back to the workspace. `bytesBehind`: what he will allocate behind this, part of the estimate.
+  /// `stagesBehind`: the weights of his own stages (see vtkAHDProgress). Throws nothing. The report
+  /// knows no cells that were put out.
+  vtkAHDReport Triangulate(
+    vtkAHDTriangulated& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
+
   /// Upper estimate of all that is allocated, for what is known of sizes: points and segments
   /// before Run(), where no value is looked at.
   std::size_t EstimateBytes() const;
@@ -58,18 +74,17 @@ private:
   };
 
   /// The values on the way from the input to the outputs.
-  struct Results
+  struct Results : vtkAHDTriangulated
   {
-    ahd::PreparedInput Points;
-    ahd::Triangulation Triangulation;
     ahd::VoronoiCells Voronoi;
   };
 
   bool FitsInMemory();
   std::size_t FindMostCrossings();
+  std::vector<double> FirstStages() const;
   void SetStages() const;
+  void MakeTriangles(Results& results);
   void Prepare(ahd::PreparedInput& points);
-  void Triangulate(Results& results);
   void Constrain(Results& results);
   void Write(Results& results, const vtkAHDOutputs& outputs);
   void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
@@ -85,6 +100,7 @@ private:
   ahd::Workspace& Workspace;
   const vtkAHDContext& Context;
   const std::size_t BytesBefore;
+  std::size_t BytesBehind = 0;
   ahd::Options Options;
   Sizes Known;
   vtkAHDReport Report;

@@ -62,6 +62,9 @@ public:
   /// vtkAHDPointOutput's.
   static std::size_t EstimateBytes(std::size_t pointCount, const vtkAHDSettings& settings);
 
+  /// Of these, the bytes that ShowMeans() takes.
+  static std::size_t EstimateMeanBytes(std::size_t pointCount, const vtkAHDSettings& settings);
+
 private:
   void WriteTriangles(ahd::Triangulation& triangulation) const;
   void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;

@@ -38,7 +38,9 @@ struct vtkAHDSettings
   bool GenerateRegionIds = false;
   bool GenerateNeighbors = false;
   bool GenerateVoronoi = false;
-  int GhostLevels = 0;          ///< layers of ghost cells that are asked for; only on ranks
+  bool Samples =
+    false;             ///< values are interpolated on the surface: its tables are needed, not cells
+  int GhostLevels = 0; ///< layers of ghost cells that are asked for; only on ranks
   vtkTypeInt64 MemoryLimit = 0; ///< KiB; 0: what there is
   vtkTypeInt64 ReuseLimit = 0;  ///< KiB
 

@@ -40,7 +40,12 @@ _MODULES = {
     "Raster": "._raster",
     "Weights": "._sampling",
 }
-_CLASSES = ("vtkAdaptiveHilbertAlgorithm", "vtkAdaptiveHilbertDelaunay2D", "vtkPlanarPointSource")
+_CLASSES = (
+    "vtkAdaptiveHilbertAlgorithm",
+    "vtkAdaptiveHilbertDelaunay2D",
+    "vtkAdaptiveHilbertInterpolation2D",
+    "vtkPlanarPointSource",
+)
 
 __all__ = [
     "Boxes", "DelaunayWarning", "Kind", "LinearInterpolator", "Location", "NaturalNeighborInterpolator",

@@ -91,7 +91,8 @@ const std::map<std::string, Names>& allowedInTheVtkLayer()
     { "Output", { "Input", "Pipeline" } },
     { "Execution", { "Input", "Output", "Pipeline" } },
     { "Ranks", { "Execution", "Input", "Output", "Pipeline" } },
-    { "", { "Execution", "Input", "Output", "Pipeline", "Ranks", "Distributions" } },
+    { "Sampling", { "Execution", "Input", "Output", "Pipeline" } },
+    { "", { "Execution", "Input", "Output", "Pipeline", "Ranks", "Sampling", "Distributions" } },
   };
   return kAllowed;
 }

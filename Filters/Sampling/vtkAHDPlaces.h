@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDPlaces_h
+#define vtkAHDPlaces_h
+
+#include "Engine/Core/Uninitialised.h"
+#include "Engine/Prepare/Prepare.h"
+#include "Engine/Sample/Sample.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDPointsView.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+#include <cstddef>
+#include <memory>
+
+class vtkDataSet;
+
+/**
+ * Where values are wanted: the points of a data set, in the plane of a triangulation. Looked at
+ * where they lie if they have coordinates in memory and the plane is x, y; else a copy. Borrows the
+ * data set.
+ */
+class vtkAHDPlaces
+{
+public:
+  explicit vtkAHDPlaces(vtkDataSet* places);
+
+  std::size_t GetCount() const { return this->Count; }
+
+  /// Bytes that Open() takes.
+  std::size_t EstimateBytes(bool isProjected) const;
+
+  /// The places in the plane that `points` were moved to, good as long as this object and the data
+  /// set. Throws vtkAHDStop and std::bad_alloc.
+  ahd::PointView Open(
+    const vtkAHDSettings& settings, const ahd::PreparedInput& points, const vtkAHDContext& context);
+
+private:
+  void Read(const vtkAHDContext& context);
+  void Move(const ahd::PointView& from, const vtkAHDSettings& settings,
+    const ahd::PreparedInput& points, const vtkAHDContext& context);
+
+  vtkDataSet* const Set;
+  const std::size_t Count;
+  std::unique_ptr<vtkAHDPointsView> View; // if it is a vtkPointSet
+  ahd::UninitialisedVector<double> Copy;
+};
+
+#endif

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRaster_h
+#define vtkAHDRaster_h
+
+#include "Engine/Points/Points.h"
+#include "Engine/Sample/Sample.h"
+
+#include <array>
+#include <cstddef>
+
+/// What a raster is to be like.
+struct vtkAHDRasterWish
+{
+  bool ByCellSize = false;
+  std::array<int, 2> Dimensions = { { 256, 256 } };
+  std::array<double, 2> CellSize = { { 1.0, 1.0 } };
+  bool Align = false; ///< borders are multiples of CellSize
+};
+
+/// Why there is no raster.
+enum class vtkAHDRasterFault
+{
+  None,
+  NoArea,      ///< no point says where it is to be
+  CellSize,    ///< not positive and finite
+  Bounds,      ///< not finite, or the lower is not below the upper
+  TooMany,     ///< more than 2^31 - 1 cells along x or y
+  OutOfNumbers ///< double precision cannot tell the cells apart
+};
+
+/// A raster: its places are the centres of its cells.
+struct vtkAHDRaster
+{
+  vtkAHDRasterFault Fault = vtkAHDRasterFault::NoArea;
+  ahd::SampleRaster Cells;                     ///< no columns and rows unless there is no fault
+  std::array<double, 2> Wished = { { 0, 0 } }; ///< columns and rows, also if these are too many
+};
+
+/// The raster of this area, empty if there is none.
+///
+/// By dimensions, the cells fill the area; a side of length 0 makes one row through it, as wide as
+/// the other side's cells, or 1.
+///
+/// By cell size, the first cell begins at the lower bound, or with Align at the multiple of the
+/// size that is not above it; there are as many as cover the area, at least one. A bound that
+/// differs from a border between cells by no more than 2^-50 of the largest coordinate, which is
+/// what writing it in decimal may have cost, counts as this border: else 0 to 1.1 would take 12
+/// cells of 0.1, as the double 1.1 is above 11 times the double 0.1.
+vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& area);
+
+/// The same for an area that was asked for: Fault is Bounds where it is none.
+vtkAHDRaster vtkAHDMakeRasterWithin(
+  const vtkAHDRasterWish& wish, const std::array<double, 4>& bounds);
+
+#endif

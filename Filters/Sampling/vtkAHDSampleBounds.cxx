@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSampleBounds.h"
+
+#include "Engine/Prepare/Prepare.h"
+#include "Input/vtkAHDInput.h"
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+
+namespace
+{
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Contains nothing, and grows.
+ahd::Bounds Nothing()
+{
+  ahd::Bounds none;
+  none.xmin = none.ymin = kInfinity;
+  none.xmax = none.ymax = -kInfinity;
+  return none;
+}
+
+void Grow(ahd::Bounds& box, double x0, double x1, double y0, double y1)
+{
+  box.xmin = std::min(box.xmin, x0);
+  box.xmax = std::max(box.xmax, x1);
+  box.ymin = std::min(box.ymin, y0);
+  box.ymax = std::max(box.ymax, y1);
+}
+}
+
+ahd::Bounds vtkAHDBoundsOf(const ahd::PointView& points, const vtkAHDContext& context)
+{
+  ahd::Bounds all = Nothing();
+  std::mutex mutex;
+  context.ForRange(points.count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      ahd::Bounds piece = Nothing();
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const ahd::Point p = points[i];
+        if (ahd::isFinite(p) && !points.skipped(i))
+        {
+          Grow(piece, p.x, p.x, p.y, p.y);
+        }
+      }
+      const std::lock_guard<std::mutex> lock(mutex);
+      Grow(all, piece.xmin, piece.xmax, piece.ymin, piece.ymax);
+    });
+  if (all.xmin > all.xmax)
+  {
+    return ahd::Bounds();
+  }
+  // Of zeros of both signs it is chance which one comes first.
+  for (double* bound : { &all.xmin, &all.xmax, &all.ymin, &all.ymax })
+  {
+    *bound += 0.0;
+  }
+  return all;
+}
+
+ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
+  vtkPolyData* source, const vtkAHDContext& context)
+{
+  vtkAHDInput view(settings, input, source);
+  view.Open(context);
+  ahd::InputRequest request = view.GetRequest();
+  if (!settings.IsProjected() && !settings.AddsBounding() && request.sourcePoints.count == 0)
+  {
+    return vtkAHDBoundsOf(request.points, context);
+  }
+  // Of what is done to the points, that alone which says where they are.
+  request.lines = ahd::CellsView();
+  request.polygons = ahd::CellsView();
+  request.tolerance = 0.0;
+  request.split = false;
+  request.heightsFromSurface = false;
+  ahd::PreparedInput points;
+  context.Check(ahd::prepare(request, context, points));
+  return vtkAHDBoundsOf(points.points(), context);
+}

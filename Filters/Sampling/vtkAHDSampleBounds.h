@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampleBounds_h
+#define vtkAHDSampleBounds_h
+
+#include "Engine/Points/Points.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+
+class vtkPointSet;
+class vtkPolyData;
+
+/// The bounding box, in the plane of the triangulation, of all points that go into it: finite, not
+/// skipped, those of the source and of the bounding triangulation included where they are added.
+/// Merged points and those beyond InsertionLimit count too. Empty without any. `source` may be
+/// null. Throws vtkAHDStop and std::bad_alloc.
+ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
+  vtkPolyData* source, const vtkAHDContext& context);
+
+/// The box of those of the points that are finite and not skipped. Throws vtkAHDStop.
+ahd::Bounds vtkAHDBoundsOf(const ahd::PointView& points, const vtkAHDContext& context);
+
+#endif

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSampleColumns.h"
+
+#include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDAttributes.h"
+#include "Sampling/vtkAHDSampleCopies.h"
+
+#include "vtkAbstractArray.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace
+{
+constexpr const char* kGradient = "Gradient";
+
+/// An array of doubles, not initialised; throws std::bad_alloc.
+vtkSmartPointer<vtkDoubleArray> MakeDoubles(std::size_t count, std::size_t components)
+{
+  auto array = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(count * components));
+  array->SetNumberOfComponents(static_cast<int>(components));
+  return array;
+}
+
+bool IsNamed(vtkAbstractArray* array, const char* name)
+{
+  return array && array->GetName() && std::strcmp(array->GetName(), name) == 0;
+}
+
+/// Does the array of this name name the points?
+bool AreIds(vtkPointData* data, const char* name)
+{
+  return IsNamed(data->GetGlobalIds(), name) || IsNamed(data->GetPedigreeIds(), name);
+}
+}
+
+vtkAHDSampleColumns::vtkAHDSampleColumns(
+  const vtkAHDSampleSettings& settings, vtkPointData* given, vtkPointData* data, std::size_t count)
+  : Settings(settings)
+  , Data(data)
+{
+  vtkAHDSampleColumn heights;
+  heights.Name = settings.Heights;
+  this->Columns.push_back(heights);
+  vtkNew<vtkPointData> arrays;
+  arrays->ShallowCopy(data);
+  vtkAHDRemoveArraysOfOneName(arrays);
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    this->Choose(arrays->GetAbstractArray(i), given, count);
+  }
+}
+
+/// Is it the name of an array that is made?
+bool vtkAHDSampleColumns::IsTaken(const std::string& name) const
+{
+  if (name == this->Settings.Heights || name == this->Settings.Mask)
+  {
+    return true;
+  }
+  return std::any_of(this->Columns.begin(), this->Columns.end(),
+    [&](const vtkAHDSampleColumn& column)
+    {
+      return this->Settings.MakesGradients() && column.Components == 1 && !column.Name.empty() &&
+        name == column.Name + kGradient;
+    });
+}
+
+void vtkAHDSampleColumns::Choose(vtkAbstractArray* array, vtkPointData* given, std::size_t count)
+{
+  auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+  const char* const name = array->GetName();
+  if (IsNamed(array, vtkDataSetAttributes::GhostArrayName()))
+  {
+    return;
+  }
+  if (name && this->IsTaken(name))
+  {
+    this->Replaced.emplace_back(name);
+    return;
+  }
+  const bool fits = numbers && name && *name != '\0' && array->GetNumberOfComponents() > 0 &&
+    array->GetNumberOfTuples() >= static_cast<vtkIdType>(count);
+  if (!fits)
+  {
+    this->Unfit.emplace_back(name && *name != '\0' ? name : "one without a name");
+    return;
+  }
+  if (AreIds(given, name) && !this->Settings.IsNearest())
+  {
+    return;
+  }
+  vtkAHDSampleColumn column;
+  column.From = numbers;
+  column.Name = name;
+  column.Components = static_cast<std::size_t>(array->GetNumberOfComponents());
+  column.IsFloat = array->GetDataType() == VTK_FLOAT;
+  this->Columns.push_back(column);
+}
+
+std::size_t vtkAHDSampleColumns::GetNumberOfComponents() const
+{
+  std::size_t sum = 0;
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    sum += column.Components;
+  }
+  return sum;
+}
+
+double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) const
+{
+  double perPoint = sizeof(double), perPlace = 1.0; // heights, mask
+  if (this->Settings.IsNearest())
+  {
+    perPoint += sizeof(double); // ids
+    perPlace += sizeof(double);
+  }
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    const double width = double(column.Components);
+    if (this->Settings.IsNearest())
+    {
+      perPlace += width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
+      continue;
+    }
+    const bool isRead = column.From && !vtkArrayDownCast<vtkDoubleArray>(column.From);
+    perPoint += isRead ? width * sizeof(double) : 0.0;
+    const double perNumber = column.IsFloat ? sizeof(double) + sizeof(float) : sizeof(double);
+    const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
+    perPlace += perNumber * (width + (hasGradient ? 2.0 : 0.0));
+  }
+  return perPoint * double(points) + perPlace * places;
+}
+
+void vtkAHDSampleColumns::Open(
+  const double* heights, std::size_t places, const vtkAHDContext& context)
+{
+  for (vtkAHDSampleColumn& column : this->Columns)
+  {
+    column.Values = column.From ? vtkAHDReadNumbers(column.From, column.Read, context) : heights;
+    auto out = MakeDoubles(places, column.Components);
+    column.Results = out->GetPointer(0);
+    column.Out = out;
+    if (this->Settings.MakesGradients() && column.Components == 1 && !column.Name.empty())
+    {
+      auto slopes = MakeDoubles(places, 2);
+      column.Gradients = slopes->GetPointer(0);
+      column.OutGradient = slopes;
+    }
+    this->Arrays.push_back({ column.Values, column.Components, column.Results, column.Gradients });
+  }
+}
+
+void vtkAHDSampleColumns::Copy(const std::vector<std::size_t>& at, const std::vector<double>& ids)
+{
+  for (vtkAHDSampleColumn& column : this->Columns)
+  {
+    const std::size_t n = column.Components;
+    for (std::size_t k = 0; k < at.size(); ++k)
+    {
+      std::copy_n(
+        column.Values + static_cast<std::size_t>(ids[k]) * n, n, column.Results + at[k] * n);
+    }
+  }
+}
+
+void vtkAHDSampleColumns::Finish(const vtkAHDContext& context)
+{
+  for (vtkAHDSampleColumn& column : this->Columns)
+  {
+    column.Read = ahd::UninitialisedVector<double>();
+    for (vtkSmartPointer<vtkDataArray>* array : { &column.Out, &column.OutGradient })
+    {
+      if (*array)
+      {
+        vtkAHDFillNoValue(*array, this->Settings.NoValue, context);
+        if (column.IsFloat)
+        {
+          *array = vtkAHDAsFloats(*array, context);
+        }
+      }
+    }
+  }
+}
+
+std::size_t vtkAHDSampleColumns::Gather(
+  const double* heights, const double* ids, std::size_t places, const vtkAHDContext& context)
+{
+  std::size_t missing = 0;
+  for (vtkAHDSampleColumn& column : this->Columns)
+  {
+    const vtkAHDGathered gathered{ ids, places, this->Settings.NoValue };
+    column.Out = column.From ? vtkAHDGather(column.From, gathered, context, missing)
+                             : vtkAHDGatherHeights(heights, gathered, context, missing);
+  }
+  return missing;
+}
+
+void vtkAHDSampleColumns::AddTo(vtkDataSetAttributes* places) const
+{
+  const auto add = [places](vtkDataArray* array, const std::string& name)
+  {
+    if (array && !name.empty())
+    {
+      array->SetName(name.c_str());
+      vtkAHDReplaceArray(places, array);
+    }
+  };
+  bool hasScalars = false;
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    if (column.From)
+    {
+      vtkAHDNameComponents(column.From, column.Out);
+    }
+    add(column.Out, column.Name);
+    add(column.OutGradient, column.Name + kGradient);
+    for (int type = 0; type < vtkDataSetAttributes::NUM_ATTRIBUTES && column.From; ++type)
+    {
+      const bool isId = type == vtkDataSetAttributes::GLOBALIDS ||
+        type == vtkDataSetAttributes::PEDIGREEIDS;
+      if (!isId && IsNamed(this->Data->GetAbstractAttribute(type), column.Name.c_str()))
+      {
+        places->SetActiveAttribute(column.Name.c_str(), type);
+        hasScalars = hasScalars || type == vtkDataSetAttributes::SCALARS;
+      }
+    }
+  }
+  if (!hasScalars && !this->Settings.Heights.empty())
+  {
+    places->SetActiveAttribute(this->Settings.Heights.c_str(), vtkDataSetAttributes::SCALARS);
+  }
+}

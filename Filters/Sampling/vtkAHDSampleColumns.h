@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampleColumns_h
+#define vtkAHDSampleColumns_h
+
+#include "Engine/Core/Uninitialised.h"
+#include "Engine/Sample/Sample.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Sampling/vtkAHDSampleSettings.h"
+#include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkAbstractArray;
+class vtkDataSetAttributes;
+class vtkPointData;
+
+/// One array to interpolate: of the points, and of the places.
+struct vtkAHDSampleColumn
+{
+  vtkSmartPointer<vtkDataArray> From; ///< null: the heights
+  std::string Name;
+  std::size_t Components = 1;
+  bool IsFloat = false; ///< the results are float, else double
+
+  const double* Values = nullptr;            ///< by points
+  ahd::UninitialisedVector<double> Read;     ///< these, where they are no doubles in memory
+  vtkSmartPointer<vtkDataArray> Out;         ///< of the places
+  vtkSmartPointer<vtkDataArray> OutGradient; ///< null: none is wanted
+  double* Results = nullptr;
+  double* Gradients = nullptr;
+};
+
+/**
+ * The arrays of one execution: which are interpolated, their numbers as the engine wants them, and
+ * the arrays that come of it.
+ */
+class vtkAHDSampleColumns
+{
+public:
+  /// Chooses. `given`: the point data of the input, which says which arrays are ids; `data`: the
+  /// point data with a value for each of `count` points, from which are read.
+  vtkAHDSampleColumns(const vtkAHDSampleSettings& settings, vtkPointData* given, vtkPointData* data,
+    std::size_t count);
+
+  /// Names of arrays that cannot be interpolated; and whether one was passed over because its name
+  /// is that of an array that is made.
+  const std::vector<std::string>& GetUnfit() const { return this->Unfit; }
+  const std::vector<std::string>& GetReplaced() const { return this->Replaced; }
+
+  /// Upper estimate of the bytes that all below allocates, heights and mask included, and what a
+  /// Sampler takes for it; as a double, as it may be beyond all whole numbers.
+  double EstimateBytes(std::size_t points, double places) const;
+
+  std::size_t GetNumberOfComponents() const;
+
+  /// Reads values and makes arrays for so many places. `heights`: borrowed. Throws vtkAHDStop and
+  /// std::bad_alloc.
+  void Open(const double* heights, std::size_t places, const vtkAHDContext& context);
+
+  /// For the engine; after Open(). Good as long as this object.
+  const std::vector<ahd::SampleArray>& GetArrays() const { return this->Arrays; }
+
+  /// The places `at` take the values of points `ids`.
+  void Copy(const std::vector<std::size_t>& at, const std::vector<double>& ids);
+
+  /// Makes the arrays what they are to be: their type, and NoValue in place of NaN.
+  void Finish(const vtkAHDContext& context);
+
+  /// In place of Open() and Finish(): each place takes the values of a point as they are; an id
+  /// that is NaN stands for none. Counts values that are NaN.
+  std::size_t Gather(
+    const double* heights, const double* ids, std::size_t places, const vtkAHDContext& context);
+
+  /// The heights at the places, after Finish() or Gather(): always there.
+  vtkDataArray* GetHeights() const { return this->Columns.front().Out; }
+
+  /// Adds the arrays to the point data of places, and makes active what is in `data`.
+  void AddTo(vtkDataSetAttributes* places) const;
+
+private:
+  void Choose(vtkAbstractArray* array, vtkPointData* given, std::size_t count);
+  bool IsTaken(const std::string& name) const;
+
+  const vtkAHDSampleSettings& Settings;
+  vtkPointData* const Data;
+  std::vector<vtkAHDSampleColumn> Columns; // the heights first
+  std::vector<ahd::SampleArray> Arrays;
+  std::vector<std::string> Unfit;
+  std::vector<std::string> Replaced;
+};
+
+#endif

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSampleExecution.h"
+
+#include "Engine/Core/Memory.h"
+#include "Engine/Triangulate.h"
+#include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDMessages.h"
+#include "Sampling/vtkAHDSampleBounds.h"
+#include "Sampling/vtkAHDSampleOutput.h"
+#include "Sampling/vtkAHDSampling.h"
+
+#include "vtkCharArray.h"
+#include "vtkDataSet.h"
+#include "vtkImageData.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkStructuredGrid.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace
+{
+double Now()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// As whole KiB, and never beyond what can be counted.
+vtkTypeInt64 InKiB(double bytes)
+{
+  constexpr double kMost = 0x1p60;
+  return static_cast<vtkTypeInt64>(std::min(bytes / 1024.0, kMost));
+}
+
+/// What a triangulation takes that is kept, at most.
+double BytesKept(std::size_t points, const vtkAHDSettings& settings)
+{
+  return double(ahd::triangulationMemoryEstimate(points, settings.Insertion)) +
+    double(ahd::tableMemoryEstimate(points));
+}
+}
+
+vtkAHDSampleExecution::vtkAHDSampleExecution(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+  const vtkAHDSampleSettings& wishes, const vtkAHDContext& context, bool keep)
+  : Filter(filter)
+  , Settings(settings)
+  , Wishes(wishes)
+  , Context(context)
+  , MayKeep(keep)
+{
+}
+
+vtkAHDSampleExecution::~vtkAHDSampleExecution() = default;
+
+bool vtkAHDSampleExecution::Run(
+  const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept, vtkDataSet* output)
+{
+  ahd::Status status = ahd::Status::Ok;
+  try
+  {
+    this->Context.StopIfAborted();
+    if (kept.Surface)
+    {
+      this->IsKept = this->MayKeep &&
+        kept.Surface->IsOf(inputs.SettingsTime, inputs.Points, inputs.Source, this->Context);
+    }
+    if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
+    {
+      this->TakeSurface(inputs, kept);
+      if (this->Report.Status == ahd::Status::Ok)
+      {
+        this->Interpolate(inputs, *kept.Surface, output);
+        this->Keep(inputs, kept);
+        return true;
+      }
+      vtkAHDSayError(this->Filter, this->Report);
+    }
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    status = stop.Reason;
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = ahd::Status::OutOfMemory;
+  }
+  output->Initialize();
+  kept.Surface.reset();
+  kept.Workspace.release();
+  if (status == ahd::Status::OutOfMemory)
+  {
+    vtkAHDSayMemory(this->Filter, this->Memory, false);
+  }
+  return false;
+}
+
+/// Where values are wanted. Returns false if there is no raster, which it says.
+bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
+{
+  if (inputs.Places)
+  {
+    this->Places = std::make_unique<vtkAHDPlaces>(inputs.Places);
+    this->Result.Places = this->Places->GetCount();
+    return true;
+  }
+  const vtkAHDSampleSettings& wishes = this->Wishes;
+  this->Raster = wishes.UseBounds
+    ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
+    : vtkAHDMakeRaster(wishes.Raster,
+        vtkAHDFindBounds(this->Settings, inputs.Points, inputs.Source, this->Context));
+  vtkAHDSayNoRaster(this->Filter, wishes, this->Raster);
+  this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
+  return this->Raster.Fault == vtkAHDRasterFault::None ||
+    this->Raster.Fault == vtkAHDRasterFault::NoArea;
+}
+
+/// The places themselves.
+double vtkAHDSampleExecution::EstimatePlaces() const
+{
+  if (this->Places)
+  {
+    return double(this->Places->EstimateBytes(this->Settings.IsProjected()));
+  }
+  // x, y, z and the mark of a surface
+  return this->Wishes.AsSurface ? 25.0 * double(this->Result.Places) : 0.0;
+}
+
+/// Is there memory for it all? Says if not.
+bool vtkAHDSampleExecution::FitsInMemory(
+  const vtkAHDSampleInputs& inputs, const vtkAHDSampleMemoryKept& kept)
+{
+  vtkAHDInput view(this->Settings, inputs.Points, inputs.Source);
+  ahd::Workspace none;
+  const vtkAHDExecution execution(this->Settings, view, none, this->Context, inputs.InputBytes);
+  const std::size_t points = ahd::expectedPoints(view.GetRequest());
+  vtkPointData* const data = inputs.Points->GetPointData();
+  const vtkAHDSampleColumns columns(
+    this->Wishes, data, data, static_cast<std::size_t>(inputs.Points->GetNumberOfPoints()));
+  ahd::SampleRaster cells = this->Raster.Cells;
+  const ahd::SamplePlaces places = this->Places
+    ? ahd::SamplePlaces(
+        ahd::PointView(static_cast<const double*>(nullptr), this->Places->GetCount(), 3))
+    : ahd::SamplePlaces(cells);
+  this->BytesOfSampling = this->EstimatePlaces() +
+    vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, places);
+  const double toMake = double(execution.EstimateBytes());
+  vtkAHDSampleMemory& memory = this->Memory;
+  memory.Points = points;
+  memory.Places = this->Places ? double(this->Places->GetCount())
+                               : double(cells.columns) * double(cells.rows);
+  memory.Estimate = InKiB(toMake + this->BytesOfSampling);
+  memory.IsLimited = this->Settings.MemoryLimit > 0;
+  const double needed = this->IsKept ? this->BytesOfSampling : toMake + this->BytesOfSampling;
+  const double held = double(kept.Workspace.bytes()) + double(inputs.InputBytes);
+  memory.Limit = memory.IsLimited ? this->Settings.MemoryLimit
+                                  : InKiB(double(ahd::availableMemory()) + held);
+  const bool isRefused = (memory.IsLimited ? memory.Estimate : InKiB(needed)) > memory.Limit;
+  if (isRefused && points <= ahd::kMaximumPoints)
+  {
+    vtkAHDSayMemory(this->Filter, memory, true);
+    return false;
+  }
+  return true;
+}
+
+/// Their weight is about their time, beside that of a plain triangulation, which is 1.
+std::vector<double> vtkAHDSampleExecution::StagesBehind(std::size_t points) const
+{
+  const bool isScan = !this->Places && this->Wishes.Method == ahd::SampleMethod::Linear;
+  const double perPlace = isScan                       ? 0.05
+    : this->Wishes.Method == ahd::SampleMethod::Linear ? 0.6
+                                                       : 2.0;
+  const double sampling = 0.1 + perPlace * double(this->Result.Places) / double(points + 1);
+  return { this->Settings.LimitsSize() ? 1.5 : 0.0, sampling };
+}
+
+/// The surface that was kept, or a new one in its place.
+void vtkAHDSampleExecution::TakeSurface(
+  const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
+{
+  const std::size_t points = static_cast<std::size_t>(inputs.Points->GetNumberOfPoints());
+  if (this->IsKept)
+  {
+    this->Report.Status = ahd::Status::Ok;
+    kept.Surface->TakeData(inputs.Points, inputs.Source);
+    this->Context.SetStages({ 0.0, this->StagesBehind(points).back() });
+    this->Context.NextStage();
+    this->Context.NextStage();
+    return;
+  }
+  if (kept.Surface)
+  {
+    kept.Surface->GiveBack(kept.Workspace);
+    kept.Surface.reset();
+  }
+  kept.Surface = std::make_unique<vtkAHDSampledSurface>(
+    this->Settings, inputs.Points, inputs.Source);
+  this->Triangulated = true;
+  vtkAHDExecution execution(
+    this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, inputs.InputBytes);
+  this->Report = kept.Surface->Make(execution,
+    static_cast<std::size_t>(std::min(this->BytesOfSampling, 0x1p60)), this->StagesBehind(points));
+  if (this->Report.Status != ahd::Status::Ok)
+  {
+    return;
+  }
+  this->Memory.Estimate = this->Report.Estimate;
+  this->Context.NextStage();
+  kept.Surface->Select(this->Settings, this->Context, this->Report);
+  this->Context.NextStage();
+  vtkAHDSayWarnings(this->Filter, this->Settings, this->Report);
+}
+
+void vtkAHDSampleExecution::Interpolate(
+  const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output)
+{
+  const double begun = Now();
+  const ahd::SamplePlaces places = this->Places
+    ? ahd::SamplePlaces(this->Places->Open(this->Settings, surface.GetPoints(), this->Context))
+    : ahd::SamplePlaces(this->Raster.Cells);
+  const auto heights = surface.MakeHeights(this->Settings, this->Context);
+  const vtkSmartPointer<vtkPointData> data = surface.MakePointData(this->Settings, this->Context);
+  vtkAHDSampleColumns columns(
+    this->Wishes, inputs.Points->GetPointData(), data, surface.GetPoints().points().count);
+  vtkAHDSampling sampling(
+    this->Wishes, surface.GetTriangulation(), surface.GetKept(), this->Context);
+  sampling.Run(places, heights.data(), columns);
+  if (inputs.Places)
+  {
+    output->ShallowCopy(inputs.Places);
+  }
+  else if (auto* grid = vtkStructuredGrid::SafeDownCast(output))
+  {
+    vtkAHDMakeSurface(places.raster(), columns.GetHeights(), sampling.GetMask()->GetPointer(0),
+      this->Context, grid);
+  }
+  else if (places.count() > 0)
+  {
+    vtkAHDMakeImage(places.raster(), vtkImageData::SafeDownCast(output));
+  }
+  this->Context.NextStage();
+  this->Context.StopIfAborted();
+  columns.AddTo(output->GetPointData());
+  if (!this->Wishes.Mask.empty())
+  {
+    sampling.GetMask()->SetName(this->Wishes.Mask.c_str());
+    output->GetPointData()->RemoveArray(this->Wishes.Mask.c_str());
+    output->GetPointData()->AddArray(sampling.GetMask());
+  }
+  this->CountPlaces(places, sampling.GetReport(), surface);
+  this->Seconds = Now() - begun;
+  vtkAHDSaySampleWarnings(this->Filter, this->Wishes, columns, this->Result);
+}
+
+void vtkAHDSampleExecution::CountPlaces(
+  const ahd::SamplePlaces& places, const ahd::SampleReport& counts, vtkAHDSampledSurface& surface)
+{
+  this->Result.Counts = counts;
+  this->Result.Places = places.count();
+  this->Result.Triangles = surface.GetTriangulation().report().triangles;
+  if (counts.outside == 0 || counts.valued > 0)
+  {
+    return;
+  }
+  this->Result.Surface = vtkAHDBoundsOf(surface.GetPoints().points(), this->Context);
+  if (!places.isRaster())
+  {
+    this->Result.Wanted = vtkAHDBoundsOf(places.points(), this->Context);
+    return;
+  }
+  const ahd::SampleRaster& raster = places.raster();
+  const ahd::Point last = raster.at(raster.columns - 1, raster.rows - 1);
+  this->Result.Wanted.xmin = raster.origin.x;
+  this->Result.Wanted.xmax = last.x;
+  this->Result.Wanted.ymin = raster.origin.y;
+  this->Result.Wanted.ymax = last.y;
+}
+
+/// Leaves the surface to the next execution, or its memory.
+void vtkAHDSampleExecution::Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
+{
+  const std::size_t points = kept.Surface->GetPoints().points().count;
+  if (this->MayKeep && InKiB(BytesKept(points, this->Settings)) <= this->Settings.ReuseLimit)
+  {
+    if (!this->IsKept)
+    {
+      kept.Surface->Remember(inputs.SettingsTime, this->Context);
+    }
+    kept.Workspace.release(); // the surface has what there is to be reused
+    return;
+  }
+  kept.Surface->GiveBack(kept.Workspace);
+  kept.Surface.reset();
+  if (InKiB(double(kept.Workspace.bytes())) > this->Settings.ReuseLimit)
+  {
+    kept.Workspace.release();
+  }
+}

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampleExecution_h
+#define vtkAHDSampleExecution_h
+
+#include "Engine/Triangulate.h"
+#include "Execution/vtkAHDReport.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "Sampling/vtkAHDPlaces.h"
+#include "Sampling/vtkAHDRaster.h"
+#include "Sampling/vtkAHDSampleColumns.h"
+#include "Sampling/vtkAHDSampleMessages.h"
+#include "Sampling/vtkAHDSampleSettings.h"
+#include "Sampling/vtkAHDSampledSurface.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataSet;
+class vtkPointSet;
+class vtkPolyData;
+
+/// What an interpolation works on.
+struct vtkAHDSampleInputs
+{
+  vtkPointSet* Points = nullptr;
+  vtkPolyData* Source = nullptr; ///< may be null
+  vtkDataSet* Places = nullptr;  ///< null: a raster
+  std::size_t InputBytes = 0;    ///< that making the input has taken, if it was made of blocks
+  vtkMTimeType SettingsTime = 0; ///< when what says how to triangulate was changed last
+};
+
+/// What an execution leaves to the next one.
+struct vtkAHDSampleMemoryKept
+{
+  ahd::Workspace Workspace;
+  std::unique_ptr<vtkAHDSampledSurface> Surface; ///< null: none
+};
+
+/**
+ * One execution of vtkAdaptiveHilbertInterpolation2D: data sets in, a data set out. It triangulates
+ * by vtkAHDExecution unless the surface was kept, and interpolates by vtkAHDSampling.
+ */
+class vtkAHDSampleExecution
+{
+public:
+  /// Borrows all. `keep`: the surface is to be left to the next execution, if it is not too large.
+  vtkAHDSampleExecution(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+    const vtkAHDSampleSettings& wishes, const vtkAHDContext& context, bool keep);
+  ~vtkAHDSampleExecution();
+
+  /// Fills the output, which is of the type that is wanted. Says errors and warnings. Returns false
+  /// if it came to nothing: then the output is empty. Throws std::bad_alloc only where nothing can
+  /// be said.
+  bool Run(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept, vtkDataSet* output);
+
+  /// Of the last Run().
+  const vtkAHDSampleResult& GetResult() const { return this->Result; }
+  const vtkAHDSampleMemory& GetMemory() const { return this->Memory; }
+  bool HasTriangulated() const { return this->Triangulated; }
+  double GetSeconds() const { return this->Seconds; }
+
+private:
+  bool FindPlaces(const vtkAHDSampleInputs& inputs);
+  bool FitsInMemory(const vtkAHDSampleInputs& inputs, const vtkAHDSampleMemoryKept& kept);
+  std::vector<double> StagesBehind(std::size_t points) const;
+  void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
+  void Interpolate(
+    const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output);
+  void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
+  void CountPlaces(const ahd::SamplePlaces& places, const ahd::SampleReport& counts,
+    vtkAHDSampledSurface& surface);
+  double EstimatePlaces() const;
+
+  vtkAlgorithm* const Filter;
+  const vtkAHDSettings& Settings;
+  const vtkAHDSampleSettings& Wishes;
+  const vtkAHDContext& Context;
+  const bool MayKeep;
+
+  vtkAHDRaster Raster;
+  std::unique_ptr<vtkAHDPlaces> Places; // null: the raster
+  double BytesOfSampling = 0.0;
+  vtkAHDReport Report; // of the triangulation
+  vtkAHDSampleResult Result;
+  vtkAHDSampleMemory Memory;
+  bool IsKept = false; // the surface is that of the execution before
+  bool Triangulated = false;
+  double Seconds = 0.0;
+};
+
+#endif

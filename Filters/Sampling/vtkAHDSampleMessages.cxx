@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSampleMessages.h"
+
+#include "vtkAlgorithm.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace
+{
+/// A number as short as it can be and still be told from its neighbours at 9 digits.
+std::string InWords(double number)
+{
+  char text[40];
+  std::snprintf(text, sizeof text, "%.9g", number);
+  return text;
+}
+
+std::string InWords(const ahd::Bounds& box)
+{
+  if (!(box.xmin <= box.xmax))
+  {
+    return "nowhere";
+  }
+  return "x " + InWords(box.xmin) + " to " + InWords(box.xmax) + ", y " + InWords(box.ymin) +
+    " to " + InWords(box.ymax);
+}
+
+/// "a, b and 3 more".
+std::string InWords(const std::vector<std::string>& names)
+{
+  constexpr std::size_t kMost = 5;
+  std::string words;
+  for (std::size_t k = 0; k < std::min(names.size(), kMost); ++k)
+  {
+    words += (k == 0 ? "" : ", ") + names[k];
+  }
+  return names.size() <= kMost ? words
+                               : words + " and " + std::to_string(names.size() - kMost) + " more";
+}
+
+void WarnOfArrays(
+  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDSampleColumns& columns)
+{
+  if (!columns.GetUnfit().empty())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "Point arrays that are no numbers, have no name or not one tuple for each point are not "
+      "interpolated: "
+        << InWords(columns.GetUnfit()) << ".");
+  }
+  if (!columns.GetReplaced().empty())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "Point arrays of the input whose names are those of arrays that are made are not "
+      "interpolated: "
+        << InWords(columns.GetReplaced()) << ". See HeightArrayName and ValidPointMaskArrayName.");
+  }
+  if (settings.Gradients && !settings.MakesGradients())
+  {
+    vtkWarningWithObjectMacro(filter, "There are no gradients: only the Method Linear has them.");
+  }
+}
+
+void WarnOfPlaces(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
+{
+  const ahd::SampleReport& counts = result.Counts;
+  if (counts.notFinite > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << counts.notFinite << " of " << result.Places
+         << " places have no value, since their x or y is NaN or infinite.");
+  }
+  if (counts.outside > 0 && counts.valued == 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "None of " << result.Places << " places is on the surface of " << result.Triangles
+                 << " triangles. Places: " << InWords(result.Wanted)
+                 << "; points: " << InWords(result.Surface) << ".");
+  }
+}
+
+void WarnOfValues(vtkAlgorithm* filter, const ahd::SampleReport& counts)
+{
+  if (counts.withoutValue > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << counts.withoutValue
+         << " values at places on the surface are none, since values of points are NaN.");
+  }
+  if (counts.leftOut > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      "" << counts.leftOut
+         << " values at places are interpolated without some of their natural neighbours, whose "
+            "values are NaN.");
+  }
+}
+}
+
+void vtkAHDSayNoRaster(
+  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDRaster& raster)
+{
+  const std::string size = InWords(settings.Raster.CellSize[0]) + ", " +
+    InWords(settings.Raster.CellSize[1]);
+  switch (raster.Fault)
+  {
+    case vtkAHDRasterFault::None:
+    case vtkAHDRasterFault::NoArea:
+      return;
+    case vtkAHDRasterFault::CellSize:
+      vtkErrorWithObjectMacro(filter,
+        "CellSize is " << size
+                       << ", but both numbers have to be greater than 0 and finite. Nothing was "
+                          "computed.");
+      return;
+    case vtkAHDRasterFault::Bounds:
+      vtkErrorWithObjectMacro(filter,
+        "Bounds are x " << InWords(settings.Bounds[0]) << " to " << InWords(settings.Bounds[1])
+                        << ", y " << InWords(settings.Bounds[2]) << " to "
+                        << InWords(settings.Bounds[3])
+                        << ", but they have to be finite, the first of each two below the second. "
+                           "Nothing was computed.");
+      return;
+    case vtkAHDRasterFault::TooMany:
+      vtkErrorWithObjectMacro(filter,
+        "With a CellSize of " << size << " the raster would have " << InWords(raster.Wished[0])
+                              << " x " << InWords(raster.Wished[1])
+                              << " cells, but 2147483647 along x and y are the most. Nothing was "
+                                 "computed.");
+      return;
+    case vtkAHDRasterFault::OutOfNumbers:
+      vtkErrorWithObjectMacro(filter,
+        "A raster of " << InWords(raster.Wished[0]) << " x " << InWords(raster.Wished[1])
+                       << " cells is too fine for its coordinates, whose double precision cannot "
+                          "tell the cells apart. Nothing was computed.");
+  }
+}
+
+void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused)
+{
+  const std::string limit = memory.IsLimited ? "MemoryLimit of Triangulation allows "
+                                             : "there are ";
+  if (isRefused)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "Interpolating at " << InWords(memory.Places) << " places from " << memory.Points
+                          << " points may take " << memory.Estimate << " KiB of memory, but "
+                          << limit << memory.Limit
+                          << " KiB. Nothing was computed. Take a larger CellSize, smaller "
+                             "Dimensions, fewer places or points, or set MemoryLimit (in KiB) to "
+                             "allow more.");
+    return;
+  }
+  vtkErrorWithObjectMacro(filter,
+    "Out of memory while interpolating at " << InWords(memory.Places) << " places from "
+                                            << memory.Points << " points; about " << memory.Estimate
+                                            << " KiB are needed.");
+}
+
+void vtkAHDSaySampleWarnings(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings,
+  const vtkAHDSampleColumns& columns, const vtkAHDSampleResult& result)
+{
+  WarnOfArrays(filter, settings, columns);
+  WarnOfPlaces(filter, result);
+  WarnOfValues(filter, result.Counts);
+}

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampleMessages_h
+#define vtkAHDSampleMessages_h
+
+#include "Engine/Points/Points.h"
+#include "Engine/Sample/Sample.h"
+#include "Sampling/vtkAHDRaster.h"
+#include "Sampling/vtkAHDSampleColumns.h"
+#include "Sampling/vtkAHDSampleSettings.h"
+#include "vtkType.h"
+
+#include <array>
+#include <cstddef>
+
+class vtkAlgorithm;
+
+/// Memory that an execution would take, in KiB, and what it may.
+struct vtkAHDSampleMemory
+{
+  vtkTypeInt64 Estimate = 0;
+  vtkTypeInt64 Limit = 0;
+  bool IsLimited = false; ///< Limit is MemoryLimit, and not what there is
+  std::size_t Points = 0;
+  double Places = 0.0;
+};
+
+/// Says in one error why there is no raster; nothing where no point says where it is to be.
+void vtkAHDSayNoRaster(
+  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDRaster& raster);
+
+/// Says that memory was refused, or ran out although it was not.
+void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused);
+
+/// What an interpolation came to.
+struct vtkAHDSampleResult
+{
+  ahd::SampleReport Counts;
+  std::size_t Places = 0;
+  std::size_t Triangles = 0;
+  ahd::Bounds Surface; ///< of the vertices
+  ahd::Bounds Wanted;  ///< of the places
+};
+
+/// Warns of what there is to be warned of, each at most once.
+void vtkAHDSaySampleWarnings(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings,
+  const vtkAHDSampleColumns& columns, const vtkAHDSampleResult& result);
+
+#endif

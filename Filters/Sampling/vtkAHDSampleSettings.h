@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampleSettings_h
+#define vtkAHDSampleSettings_h
+
+#include "Engine/Sample/Sample.h"
+#include "Sampling/vtkAHDRaster.h"
+
+#include <array>
+#include <limits>
+#include <string>
+
+/// What is to be interpolated and how, as it was when the execution began.
+struct vtkAHDSampleSettings
+{
+  ahd::SampleMethod Method = ahd::SampleMethod::Linear;
+  vtkAHDRasterWish Raster;
+  bool UseBounds = false;
+  std::array<double, 4> Bounds = { { 0.0, 1.0, 0.0, 1.0 } };
+  bool AsSurface = false;      ///< the raster, as points at their heights
+  bool NearestOutside = false; ///< places outside get the value of the nearest vertex
+  double NoValue = std::numeric_limits<double>::quiet_NaN();
+  bool Gradients = false;
+  std::string Heights; ///< the name of their array; empty: none is put out
+  std::string Mask;    ///< the same
+
+  bool IsNearest() const { return this->Method == ahd::SampleMethod::Nearest; }
+  bool MakesGradients() const
+  {
+    return this->Gradients && this->Method == ahd::SampleMethod::Linear;
+  }
+};
+
+#endif

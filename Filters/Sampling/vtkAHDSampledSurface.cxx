@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSampledSurface.h"
+
+#include "Engine/Surface/Means.h"
+#include "Execution/vtkAHDFingerprint.h"
+#include "Output/vtkAHDSurface.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDPointsView.h"
+
+#include "vtkCellArray.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <utility>
+
+namespace
+{
+/// The same points and point data, in an object of its own.
+vtkSmartPointer<vtkPointSet> PointsOf(vtkPointSet* input)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->SetPoints(input->GetPoints());
+  copy->GetPointData()->ShallowCopy(input->GetPointData());
+  return copy;
+}
+
+vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* source)
+{
+  if (!source)
+  {
+    return nullptr;
+  }
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(source);
+  return copy;
+}
+}
+
+vtkAHDSampledSurface::vtkAHDSampledSurface(
+  const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source)
+  : Input(PointsOf(input))
+  , Source(CopyOf(source))
+  , View(std::make_unique<vtkAHDInput>(settings, this->Input, this->Source))
+{
+}
+
+vtkAHDSampledSurface::~vtkAHDSampledSurface() = default;
+
+vtkAHDReport vtkAHDSampledSurface::Make(
+  vtkAHDExecution& execution, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
+{
+  return execution.Triangulate(this->Made, bytesBehind, stagesBehind);
+}
+
+void vtkAHDSampledSurface::Select(
+  const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report)
+{
+  report.Triangles = report.Cells = this->Made.Triangulation.report().triangles;
+  if (!settings.LimitsSize() || this->Made.Points.points().count == 0)
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> shown;
+  const vtkAHDSurface surface(settings, context, shown);
+  surface.WritePoints(*this->View, this->Made.Points);
+  surface.ShowMeans(this->Made.Points, this->Made.Triangulation);
+  vtkAHDPointsView inSpace(shown->GetPoints());
+  ahd::PointsToMeasure measured;
+  measured.inSpace = inSpace.Open(context);
+  measured.merged = &this->Made.Points.merged();
+  context.Check(ahd::selectBySize(
+    this->Made.Triangulation, settings.Limits, measured, context, this->Selection));
+  report.Triangles = this->Selection.keptCount;
+  report.Cells = this->Selection.keptCount;
+}
+
+bool vtkAHDSampledSurface::Identify(
+  vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context, Identity& found)
+{
+  const auto pointsOf = [](vtkPointSet* set)
+  { return set->GetPoints() ? set->GetPoints()->GetData() : nullptr; };
+  std::vector<vtkDataArray*> arrays = { pointsOf(input), input->GetPointGhostArray() };
+  if (source)
+  {
+    arrays.push_back(pointsOf(source));
+    for (vtkCellArray* cells : { source->GetLines(), source->GetPolys() })
+    {
+      arrays.push_back(cells ? cells->GetConnectivityArray() : nullptr);
+      arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
+    }
+    // cells are numbered behind the vertices
+    found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+  }
+  for (vtkDataArray* array : arrays)
+  {
+    ahd::Fingerprint print;
+    if (!vtkAHDTakeFingerprint(array, context, print))
+    {
+      return false;
+    }
+    found.Prints.push_back(print);
+    found.Places.push_back(array ? array->GetVoidPointer(0) : nullptr);
+  }
+  return true;
+}
+
+void vtkAHDSampledSurface::Remember(vtkMTimeType settings, const vtkAHDContext& context)
+{
+  this->Settings = settings;
+  this->Known = Identity();
+  this->IsKnown = Identify(this->Input, this->Source, context, this->Known);
+}
+
+bool vtkAHDSampledSurface::IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source,
+  const vtkAHDContext& context) const
+{
+  Identity now;
+  if (!this->IsKnown || this->Settings != settings || !Identify(input, source, context, now) ||
+    now.Prints != this->Known.Prints)
+  {
+    return false;
+  }
+  if (now.Places == this->Known.Places)
+  {
+    return true;
+  }
+  // Others of the same content: those that are held are still to be what they were, where they
+  // were.
+  Identity held;
+  return Identify(this->Input, this->Source, context, held) && held.Prints == this->Known.Prints &&
+    held.Places == this->Known.Places;
+}
+
+void vtkAHDSampledSurface::TakeData(vtkPointSet* input, vtkPolyData* source)
+{
+  this->Input->GetPointData()->ShallowCopy(input->GetPointData());
+  if (source)
+  {
+    this->Source->GetPointData()->ShallowCopy(source->GetPointData());
+  }
+}
+
+vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
+  const vtkAHDSettings& settings, const vtkAHDContext& context) const
+{
+  vtkNew<vtkPolyData> all;
+  vtkAHDSurface(settings, context, all).WritePoints(*this->View, this->Made.Points);
+  return all->GetPointData();
+}
+
+ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
+  const vtkAHDSettings& settings, const vtkAHDContext& context)
+{
+  const ahd::PreparedInput& points = this->Made.Points;
+  const ahd::PointView& places = points.points();
+  ahd::UninitialisedVector<double> heights;
+  heights.resize(places.count);
+  context.ForRange(places.count,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        heights[i] = places.z(i);
+      }
+    });
+  if (!settings.ShowMeans || this->Made.Triangulation.report().duplicates == 0)
+  {
+    return heights;
+  }
+  std::vector<ahd::Mean> means;
+  context.Check(
+    ahd::findMeans(this->Made.Triangulation, points.firstCrossing(), places, context, means));
+  for (const ahd::Mean& mean : means)
+  {
+    heights[mean.id] = mean.position[2];
+  }
+  // Crossings lie between the means at the ends of their segments.
+  std::size_t id = points.firstCrossing();
+  for (const ahd::CrossingOrigin& crossing : points.crossings())
+  {
+    heights[id++] = ahd::interpolate(crossing, [&](ahd::Index end) { return heights[end]; });
+  }
+  return heights;
+}
+
+void vtkAHDSampledSurface::GiveBack(ahd::Workspace& workspace)
+{
+  workspace.reclaim(std::move(this->Made.Triangulation));
+}

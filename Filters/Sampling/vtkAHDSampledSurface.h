@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSampledSurface_h
+#define vtkAHDSampledSurface_h
+
+#include "Engine/Core/Fingerprint.h"
+#include "Engine/Core/Uninitialised.h"
+#include "Engine/Surface/Selection.h"
+#include "Execution/vtkAHDExecution.h"
+#include "Input/vtkAHDInput.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+/**
+ * A triangulation to interpolate on, which can be kept for the next execution. It holds the arrays
+ * that the triangulation borrows.
+ */
+class vtkAHDSampledSurface
+{
+public:
+  vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source);
+  ~vtkAHDSampledSurface();
+  vtkAHDSampledSurface(const vtkAHDSampledSurface&) = delete;
+  void operator=(const vtkAHDSampledSurface&) = delete;
+
+  /// Points and segments as they are known before, for estimates.
+  vtkAHDInput& GetInput() { return *this->View; }
+
+  /// Triangulates: see vtkAHDExecution::Triangulate().
+  vtkAHDReport Make(
+    vtkAHDExecution& execution, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
+
+  /// Finds which triangles count, and tells the report. After Make(), once.
+  void Select(const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
+
+  /// Remembers what it was made of, as the settings were changed last at `settings`.
+  void Remember(vtkMTimeType settings, const vtkAHDContext& context);
+
+  /// Is it the surface of these, with settings of that time? False if the filter is to abort.
+  bool IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source,
+    const vtkAHDContext& context) const;
+
+  /// The point data that interpolation is to work on from now on, of the same points.
+  void TakeData(vtkPointSet* input, vtkPolyData* source);
+
+  /// Point data with a value for each point, added ones included.
+  vtkSmartPointer<vtkPointData> MakePointData(
+    const vtkAHDSettings& settings, const vtkAHDContext& context) const;
+
+  /// The height of each point above the plane of the triangulation.
+  ahd::UninitialisedVector<double> MakeHeights(
+    const vtkAHDSettings& settings, const vtkAHDContext& context);
+
+  const ahd::PreparedInput& GetPoints() const { return this->Made.Points; }
+  ahd::Triangulation& GetTriangulation() { return this->Made.Triangulation; }
+  /// As a Sampler wants it.
+  const unsigned char* GetKept() const
+  {
+    return this->Selection.kept.empty() ? nullptr : this->Selection.kept.data();
+  }
+
+  /// Lets the workspace have the memory.
+  void GiveBack(ahd::Workspace& workspace);
+
+private:
+  /// Arrays: what they are, and where.
+  struct Identity
+  {
+    std::vector<ahd::Fingerprint> Prints;
+    std::vector<const void*> Places;
+  };
+  static bool Identify(
+    vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context, Identity& found);
+
+  vtkSmartPointer<vtkPointSet> Input; // shallow copies
+  vtkSmartPointer<vtkPolyData> Source;
+  std::unique_ptr<vtkAHDInput> View;
+  vtkAHDTriangulated Made;
+  ahd::Selection Selection;
+  vtkMTimeType Settings = 0;
+  bool IsKnown = false;
+  Identity Known;
+};
+
+#endif
