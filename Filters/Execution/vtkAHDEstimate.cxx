@@ -9,6 +9,7 @@
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
+#include "Pipeline/vtkAHDArrayMemory.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -101,12 +102,19 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t bytes = this->EstimateBytes();
   const bool isLimited = this->Settings.MemoryLimit > 0;
   this->Report.IsLimited = isLimited;
+  vtkAHDArrayMemory* const arrays = this->Context.GetArrayMemory();
+  if (arrays)
+  {
+    const bool isMuch = isLimited && this->Workspace.bytes() + arrays->GetBytes() > bytes;
+    arrays->Shrink(isMuch ? 0 : this->EstimateOutputs());
+  }
   if (isLimited && this->Workspace.bytes() / 1024 > bytes / 1024)
   {
     this->Workspace.release();
   }
   constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
-  const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
+  const std::size_t held = this->Workspace.bytes() + this->BytesBefore +
+    (arrays ? arrays->GetBytes() : 0);
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
               : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));

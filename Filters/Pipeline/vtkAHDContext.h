@@ -19,15 +19,23 @@ struct vtkAHDStop
   ahd::Status Reason;
 };
 
-/// Who is told of progress in one Update(), and the threads that work in it. Borrows both.
+class vtkAHDArrayMemory;
+
+/// Who is told of progress in one Update(), the threads that work in it, and the memory of its
+/// outputs. Borrows all of them.
 class vtkAHDContext
 {
 public:
-  vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads)
+  vtkAHDContext(
+    vtkAHDProgress& progress, ahd::Threads& threads, vtkAHDArrayMemory* arrays = nullptr)
     : Progress(progress)
     , Threads(threads)
+    , Arrays(arrays)
   {
   }
+
+  /// Where large arrays of the output get their memory; null: from the C library.
+  vtkAHDArrayMemory* GetArrayMemory() const { return this->Arrays; }
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
@@ -118,6 +126,7 @@ public:
 private:
   vtkAHDProgress& Progress;
   ahd::Threads& Threads;
+  vtkAHDArrayMemory* Arrays;
 };
 
 #endif
