@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter for PyVista: `mesh.adaptive.delaunay_2d()` and `mesh.adaptive.voronoi_2d()`.
+"""The filters for PyVista: `mesh.adaptive.delaunay_2d()`, `voronoi_2d()`, `to_raster()` and `sample()`.
 
 PyVista from 0.48 on finds this module by itself (entry point `pyvista.accessors`); with an older one, or where the
 package is not installed but on the path, `import adaptivehilbertdelaunay.pyvista` does it.
@@ -8,15 +8,17 @@ package is not installed but on the path, `import adaptivehilbertdelaunay.pyvist
 import functools
 import importlib
 import inspect
+import math
 import sys
 import warnings
 
+import numpy
 import pyvista
 
 from . import _vtk
 from ._warnings import DelaunayWarning
 
-__all__ = ["Adaptive", "delaunay_2d", "voronoi_2d"]
+__all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
 
 NAME = "adaptive"
 
@@ -27,6 +29,8 @@ DUPLICATES = ("first", "lowest", "highest", "mean")
 HEIGHTS = ("own", "surface")
 RIMS = ("auto", "hull", "trimmed")
 CLIPS = ("hull", "bounds")
+METHODS = ("linear", "natural", "laplace", "nearest")
+OUTSIDES = ("none", "nearest")
 ARRAYS = {
     "status": "PointStatus", "rank": "InsertionRank", "neighbors": "Neighbors", "regions": "RegionIds",
     "constraint_edges": "ConstraintEdges"}
@@ -74,15 +78,20 @@ def _is_flat(mesh):
     return len(points) == 0 or bool((points[:, 2] == points[0, 2]).all())
 
 
+def _check_points(mesh):
+    """TypeError for a mesh without points of its own."""
+    if not mesh.IsA("vtkCompositeDataSet") and not mesh.IsA("vtkPointSet"):
+        raise TypeError("a mesh with points of its own is needed, not %s; cast_to_structured_grid() or "
+                        "cast_to_unstructured_grid() give it some" % type(mesh).__name__)
+
+
 def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
     """A filter of the VTK that the mesh is of, and what it says. TypeError for a mesh without points of its own."""
     package = _vtk.package_of(mesh)
     algorithm = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)()
+    _check_points(mesh)
     if mesh.IsA("vtkCompositeDataSet"):
         algorithm.MergeBlocksOn()
-    elif not mesh.IsA("vtkPointSet"):
-        raise TypeError("a mesh with points of its own is needed, not %s; cast_to_structured_grid() or "
-                        "cast_to_unstructured_grid() give it some" % type(mesh).__name__)
     algorithm.SetInputDataObject(mesh)
     if isinstance(plane, str):
         flat = plane == "auto" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
@@ -114,14 +123,21 @@ def _arrays_to_add(names):
     return {"Generate" + ARRAYS[name]: True for name in names}
 
 
-def _give_source(algorithm, edge_source, constraints):
+def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constraints=None, crossings="leave_out",
+                   closed_lines="loops", fill_rule="even_odd", heights="own", rim="auto", alpha=0.0,
+                   max_edge_length=0.0):
+    """What the surface is bound by and reaches to. The constraints go to a port of `to_constrain`."""
+    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, MaximumEdgeLength=max_edge_length,
+         CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
+         ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
+         FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
+         SourceHeights=_number_of(heights, HEIGHTS, "heights"))
     if edge_source is not None and constraints is not None:
         raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
-    if edge_source is not None:
-        algorithm.SetInputDataObject(1, edge_source)
-    elif constraints is not None:
+    if constraints is not None:
         algorithm.SetSourceModeToCoordinates()
-        algorithm.SetInputDataObject(1, constraints)
+    if edge_source is not None or constraints is not None:
+        to_constrain.SetInputDataObject(port, constraints if edge_source is None else edge_source)
 
 
 def _run(algorithm, messages, progress_bar, title):
@@ -135,11 +151,10 @@ def _run(algorithm, messages, progress_bar, title):
 
 def _taken(output):
     """A PyVista mesh of the output, without the filter's measures."""
-    made = pyvista.PolyData()
-    made.ShallowCopy(output)
+    made = pyvista.wrap(output)
     fields = made.GetFieldData()
     for i in range(fields.GetNumberOfArrays() - 1, -1, -1):
-        if (fields.GetArrayName(i) or "").startswith("NumberOf"):
+        if (fields.GetArrayName(i) or "").startswith(("NumberOf", "SampleSeconds")):
             fields.RemoveArray(i)
     return made
 
@@ -222,12 +237,10 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
-    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, Offset=offset, BoundingTriangulation=int(bool(bound)),
-         MaximumEdgeLength=max_edge_length, CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
-         ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
-         FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
-         SourceHeights=_number_of(heights, HEIGHTS, "heights"), **_arrays_to_add(arrays))
-    _give_source(algorithm, edge_source, constraints)
+    _set(algorithm, Offset=offset, BoundingTriangulation=int(bool(bound)), **_arrays_to_add(arrays))
+    _bound_surface(algorithm, 1, algorithm, edge_source=edge_source, constraints=constraints, crossings=crossings,
+                   closed_lines=closed_lines, fill_rule=fill_rule, heights=heights, rim=rim, alpha=alpha,
+                   max_edge_length=max_edge_length)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
     return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
@@ -266,6 +279,163 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", 
     return _taken(algorithm.GetOutput(2))
 
 
+def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads,
+                 memory_limit, progress_bar, bounds_of_surface):
+    """What vtkAdaptiveHilbertInterpolation2D puts out, with settings of its raster."""
+    triangulation, _ = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
+    triangulation.SetInputDataObject(None)
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class("vtkAdaptiveHilbertInterpolation2D", package)()
+    messages = _Messages(algorithm, package)
+    algorithm.SetTriangulation(triangulation)
+    algorithm.SetInputDataObject(mesh)
+    if places is not None:
+        algorithm.SetInputDataObject(1, places)
+    _bound_surface(triangulation, 2, algorithm, **bounds_of_surface)
+    _set(algorithm, Method=_number_of(method, METHODS, "method"), Outside=_number_of(outside, OUTSIDES, "outside"),
+         NoValue=no_value, GenerateGradients=bool(gradients), HeightArrayName=elevation, **raster)
+    _run(algorithm, messages, progress_bar, "Interpolating")
+    return _taken(algorithm.GetOutputDataObject(0))
+
+
+def _pair(value, argument):
+    """Two numbers, of one or two."""
+    numbers = (value, value) if numpy.ndim(value) == 0 else tuple(value)
+    if len(numbers) != 2:
+        raise ValueError("%s is one number or two, for x and y" % argument)
+    return numbers
+
+
+def _raster_settings(cell_size, shape, bounds, align):
+    if (cell_size is None) == (shape is None):
+        raise ValueError("how large is the raster? Give cell_size, or shape=(rows, columns)")
+    made = {"UseBounds": bounds is not None}
+    if cell_size is not None:
+        made.update(RasterSize=1, CellSize=_pair(cell_size, "cell_size"), AlignToCellSize=bool(align))
+        if not all(0 < float(size) < math.inf for size in made["CellSize"]):
+            raise ValueError("cell_size=%r: it is greater than 0, and finite" % (cell_size,))
+    else:
+        rows, columns = shape
+        if rows < 1 or columns < 1:
+            raise ValueError("shape=%r: a raster has one row and one column at least" % (shape,))
+        if align:
+            raise ValueError("align: borders are laid on multiples of cell_size, but shape is given")
+        made.update(RasterSize=0, Dimensions=(columns, rows))
+    if bounds is not None:
+        made["Bounds"] = tuple(bounds)[:4]  # of those of a mesh, without its z
+        if len(made["Bounds"]) != 4 or not all(
+                -math.inf < low < high < math.inf for low, high in (made["Bounds"][:2], made["Bounds"][2:])):
+            raise ValueError("bounds=%r: they are xmin, xmax, ymin, ymax, finite, the lower one first" % (bounds,))
+    return made
+
+
+def to_raster(mesh, cell_size=None, *, shape=None, bounds=None, align=False, method="linear", outside="none",
+              no_value=math.nan, gradients=False, surface=False, elevation="Elevation", plane="xy", tol=0.0,
+              duplicates="first", threads=0, memory_limit=0, progress_bar=False, **bounds_of_surface):
+    """Heights and point data of scattered points on a raster (a DEM), by their exact Delaunay triangulation.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        With points of its own; its cells have no say, and the points of all blocks are one surface.
+    cell_size : float or (float, float), optional
+        The size of a cell along x and y, in the unit of the points. There are as many cells as cover the bounds.
+    shape : (int, int), optional
+        In place of `cell_size`: how many rows and columns of cells fill the bounds.
+    bounds : (float, float, float, float), optional
+        xmin, xmax, ymin, ymax of the raster; of more numbers, such as the bounds of a mesh, the first four. Default:
+        those of the points.
+    align : bool, default: False
+        Lay the borders of cells on multiples of `cell_size`, as GDAL's -tap does, so that rasters of several surveys
+        fit.
+    method : {"linear", "natural", "laplace", "nearest"}
+        How values come about: linear in each triangle; by natural neighbours (Sibson), smooth but at the points; by the
+        same neighbours with Laplace's weights; the value of the nearest point.
+    outside : {"none", "nearest"}
+        What there is outside of the surface: no value, or that of the nearest point.
+    no_value : float, default: NaN
+        What arrays have where there is no value.
+    gradients : bool, default: False
+        Add slopes: for the heights and each array of one component "<name>Gradient", d/dx and d/dy. With "linear" only.
+    surface : bool, default: False
+        Give the raster as a surface, its points at their heights, hidden where there is no value.
+    elevation : str, default: "Elevation"
+        The name of the array of heights. Empty: none.
+    plane : {"xy", "fit", "auto"} or vtkAbstractTransform
+        In which plane, as in `delaunay_2d`. In another plane than x, y the raster lies in that plane.
+    tol, duplicates, threads, memory_limit, progress_bar
+        As in `delaunay_2d`.
+    **bounds_of_surface
+        What bounds the surface, as in `delaunay_2d`: edge_source, constraints, crossings, closed_lines, fill_rule,
+        heights, rim, alpha, max_edge_length.
+
+    Returns
+    -------
+    pyvista.ImageData
+        Its points are the centres of the cells (pixel is area), with the heights, all numeric point data, and
+        "vtkValidPointMask", 1 on the surface and 0 outside. ``mesh["Elevation"].reshape(rows, columns)`` begins with
+        the southernmost row. With `surface` a pyvista.StructuredGrid.
+
+    Raises
+    ------
+    MemoryError, RuntimeError, TypeError, ValueError: as `delaunay_2d`.
+
+    Warns
+    -----
+    DelaunayWarning: as `delaunay_2d`; no cell on the surface, point data that are no numbers, and the like.
+    """
+    raster = _raster_settings(cell_size, shape, bounds, align)
+    return _interpolate(mesh, None, dict(raster, OutputType=int(bool(surface))), method, outside, no_value, gradients,
+                        elevation, plane, tol, duplicates, threads, memory_limit, progress_bar, bounds_of_surface)
+
+
+def _places_of(places):
+    """A mesh of places: of arrays its points, at z = 0 where they have none."""
+    if isinstance(places, pyvista.DataSet):
+        return places
+    xyz = numpy.asarray(places, float)
+    if xyz.ndim == 1 and xyz.size in (2, 3):
+        xyz = xyz[None]
+    if xyz.ndim != 2 or xyz.shape[1] not in (2, 3):
+        raise ValueError("places are a mesh or an array of shape (k, 2) or (k, 3), not %s" % (xyz.shape,))
+    return pyvista.PolyData(numpy.c_[xyz, numpy.zeros((len(xyz), 3 - xyz.shape[1]))])
+
+
+def sample(mesh, places, *, method="linear", outside="none", no_value=math.nan, gradients=False,
+           elevation="Elevation", plane="xy", tol=0.0, duplicates="first", threads=0, memory_limit=0,
+           progress_bar=False, **bounds_of_surface):
+    """Heights and point data of scattered points at other places, such as the points of a line: a profile.
+
+    It is the points of `mesh` that have values; PyVista's own `sample` goes the other way.
+
+    Parameters
+    ----------
+    mesh : pyvista.DataSet or pyvista.MultiBlock
+        With points of its own, as in `to_raster`.
+    places : pyvista.DataSet or array-like of shape (k, 2) or (k, 3)
+        Where values are wanted: at these points, by x and y.
+    method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads, memory_limit, progress_bar
+        As in `to_raster`.
+    **bounds_of_surface
+        As in `to_raster`.
+
+    Returns
+    -------
+    pyvista.DataSet
+        The places with their data, and what was interpolated as point data.
+
+    Raises
+    ------
+    MemoryError, RuntimeError, TypeError, ValueError: as `to_raster`.
+
+    Warns
+    -----
+    DelaunayWarning: as `to_raster`.
+    """
+    return _interpolate(mesh, _places_of(places), {}, method, outside, no_value, gradients, elevation, plane, tol,
+                        duplicates, threads, memory_limit, progress_bar, bounds_of_surface)
+
+
 def _method(function):
     """A method of the accessor: with the signature and docstring of the function, for its mesh."""
 
@@ -287,6 +457,8 @@ class Adaptive:
 
     delaunay_2d = _method(delaunay_2d)
     voronoi_2d = _method(voronoi_2d)
+    to_raster = _method(to_raster)
+    sample = _method(sample)
 
 
 def _register():

@@ -14,7 +14,8 @@ PACKAGES = ("vtkmodules", "cvista")
 
 COMPILED = "_compiled"  # the module of the classes that were compiled with VTK
 # The classes that there are in Python, and their modules.
-_PYTHON = {"vtkAdaptiveHilbertDelaunay2D": "filter", "vtkPlanarPointSource": "source"}
+_PYTHON = {"vtkAdaptiveHilbertDelaunay2D": "filter", "vtkAdaptiveHilbertInterpolation2D": "interpolation",
+           "vtkPlanarPointSource": "source"}
 
 _classes = {}
 
@@ -87,7 +88,10 @@ def vtk_class(name, package=None):
     package = package or package_in_use()
     if package == "vtkmodules":
         try:
-            return getattr(importlib.import_module("..%s" % COMPILED, __name__), name)
+            compiled = importlib.import_module("..%s" % COMPILED, __name__)
+            if hasattr(compiled, name):
+                return getattr(compiled, name)
+            refused = None
         except ImportError as error:
             refused = error
     else:

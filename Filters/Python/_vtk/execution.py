@@ -98,6 +98,15 @@ class Execution:
         self.job.run()
         self._write(outputs)
 
+    def triangulate(self, progress, other_memory):
+        """Without outputs, for one who interpolates: `other_memory`, in bytes, is his. engine.EngineError."""
+        self._give_settings()
+        self.job.set(other_memory=min(int(other_memory), MOST_BYTES))
+        self._give_input()
+        self.job.set_progress(progress)
+        self.job.run()
+        self.found.cells = self.job.count("triangles")
+
     def _give_settings(self):
         values = self.values
         self.job.set(**{name: values[of_filter] for name, of_filter in SAME.items()})

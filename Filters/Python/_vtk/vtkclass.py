@@ -48,7 +48,7 @@ class Names:
     def _set(self, setting, value):
         now = self._values[setting.name]
         value = setting.convert(value, now)
-        if value != now:
+        if value is not now and value != now:
             self._values[setting.name] = value
             self._changed(setting.name)
             self.Modified()
@@ -70,9 +70,9 @@ class Outputs:
         self.GetExecutive().SetOutputData(0, output)
 
 
-def build(backend, names, parts, members, start, ports):
+def build(backend, names, parts, members, start, ports, puts_out="vtkPolyData"):
     """The class: of these parts over VTK's superclass of algorithms in Python. `start(self)`: its attributes before
-    VTK asks for anything. `ports`: numbers of input and output ports."""
+    VTK asks for anything. `ports`: numbers of input and output ports. `puts_out`: what all outputs are."""
     base = backend.algorithm_base()
 
     def __new__(cls, *_given, **_properties):
@@ -80,7 +80,7 @@ def build(backend, names, parts, members, start, ports):
         self = base.__new__(cls)
         start(self)
         base.__init__(self, nInputPorts=ports[0], inputType="vtkPointSet", nOutputPorts=ports[1],
-                      outputType="vtkPolyData")
+                      outputType=puts_out)
         return self
 
     def __init__(self, *_given, **properties):

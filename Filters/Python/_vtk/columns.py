@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which arrays are interpolated, and what comes of them: Filters/Sampling/vtkAHDSampleColumns.cxx."""
+
+import math
+
+import numpy
+
+from .arrays import GHOSTS, is_viewable, new_array, remove_arrays_of_one_name, replace_array, view
+from .pointdata import is_whole
+
+GRADIENT = "Gradient"
+LARGEST_FLOAT = float(numpy.finfo(numpy.float32).max)
+NEAREST = 3
+
+
+def as_floats(doubles):
+    """Those that are too large become the largest, but infinite ones."""
+    kept = numpy.where(numpy.isinf(doubles), doubles, numpy.clip(doubles, -LARGEST_FLOAT, LARGEST_FLOAT))
+    return kept.astype(numpy.float32)
+
+
+class Column:
+    """One array to interpolate. `given`: it; None: the heights. `made`, `slopes`: what came of it."""
+
+    def __init__(self, name, given=None):
+        self.name, self.given, self.made, self.slopes = name, given, None, None
+        self.components = given.GetNumberOfComponents() if given is not None else 1
+
+    def numbers(self):
+        """A row for each point, as doubles."""
+        data = self.given
+        if is_viewable(data):
+            return numpy.ascontiguousarray(view(data), numpy.float64).reshape(-1, self.components)
+        rows = [data.GetTuple(i) for i in range(data.GetNumberOfTuples())]
+        return numpy.array(rows, numpy.float64).reshape(-1, self.components)
+
+
+class Columns:
+    """Of one execution. `values`: the filter's settings. `given`: the point data of the input, which says which arrays
+    are ids; `data`: with a value for each of `count` points."""
+
+    def __init__(self, backend, values, given, data, count):
+        self.backend, self.values, self.data = backend, values, data
+        self.is_nearest = values["Method"] == NEAREST
+        self.makes_slopes = values["GenerateGradients"] and values["Method"] == 0
+        self.columns, self.unfit, self.replaced = [Column(values["HeightArrayName"])], [], []
+        arrays = backend.vtkPointData()
+        arrays.ShallowCopy(data)
+        remove_arrays_of_one_name(arrays)
+        for i in range(arrays.GetNumberOfArrays()):
+            self._choose(arrays.GetAbstractArray(i), given, count)
+
+    def _is_taken(self, name):
+        """Is it the name of an array that is made?"""
+        return name in (self.values["HeightArrayName"], self.values["ValidPointMaskArrayName"]) or any(
+            self.makes_slopes and column.components == 1 and column.name and name == column.name + GRADIENT
+            for column in self.columns)
+
+    def _choose(self, array, given, count):
+        name = array.GetName()
+        if name == GHOSTS:
+            return
+        if name is not None and self._is_taken(name):
+            self.replaced.append(name)
+        elif not (array.IsA("vtkDataArray") and name and array.GetNumberOfComponents() > 0
+                  and array.GetNumberOfTuples() >= count):
+            self.unfit.append(name or "one without a name")
+        elif self.is_nearest or name not in [
+                ids.GetName() for ids in (given.GetGlobalIds(), given.GetPedigreeIds()) if ids is not None]:
+            self.columns.append(Column(name, array))
+
+    def components(self):
+        return sum(column.components for column in self.columns)
+
+    def estimate_bytes(self, points, places):
+        """Upper estimate of what all below allocates; a float."""
+        per_point, per_place = 32.0, 2.0  # places in the plane and heights, mask
+        if self.is_nearest:
+            per_point, per_place = 40.0, 2.0 + 26.0  # ids
+        for column in self.columns:
+            data, width = column.given, column.components
+            if self.is_nearest:
+                per_place += width * (max(1, data.GetDataTypeSize()) if data is not None else 8) * 2.0
+                continue
+            per_point += 8.0 * width if data is not None and data.GetDataType() != self.backend.VTK_DOUBLE else 0.0
+            per_place += 25.0 * (width + (2 if self.makes_slopes and width == 1 else 0))
+        return per_point * points + per_place * places
+
+    def interpolate(self, job, places, heights, fills):
+        """Fills the columns, each by weights; the mask. engine.EngineError, MemoryError."""
+        numbers = [heights.reshape(-1, 1)] + [column.numbers() for column in self.columns[1:]]
+        sampled = job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes)
+        for column, found, slopes in zip(self.columns, sampled.values, sampled.gradients):
+            column.made = self._written(column, found)
+            if self.makes_slopes and column.components == 1 and column.name:
+                column.slopes = self._written(column, slopes)
+        return sampled.mask
+
+    def _written(self, column, numbers):
+        """As a VTK array, with NoValue in place of NaN."""
+        vtk, none = self.backend, self.values["NoValue"]
+        if not math.isnan(none):
+            numbers = numpy.where(numpy.isnan(numbers), none, numbers)
+        single = column.given is not None and column.given.GetDataType() == vtk.VTK_FLOAT
+        made, write = new_array(vtk.vtkFloatArray if single else vtk.vtkDoubleArray, len(numbers), numbers.shape[1])
+        write[...] = (as_floats(numbers) if single else numbers).reshape(write.shape)
+        return made
+
+    def gather(self, job, places, heights):
+        """Fills the columns, each place with the values of its nearest point as they are; the mask, and the number of
+        values that are NaN."""
+        sampled = job.sample(places, [numpy.arange(len(heights), dtype=float)], method=NEAREST)
+        ids = sampled.values[0].reshape(-1)
+        found, missing = ~numpy.isnan(ids), 0
+        ids = numpy.where(found, ids, 0).astype(numpy.int64)
+        for column in self.columns:
+            if column.given is not None and not is_viewable(column.given):
+                column.made = self._gathered_one_by_one(column.given, ids, found)
+                continue
+            numbers = heights if column.given is None else view(column.given)
+            column.made, odd = self._gathered(column, numbers, ids, found)
+            missing += odd
+        return sampled.mask, missing
+
+    def _gathered(self, column, numbers, ids, found):
+        vtk, count = self.backend, len(ids)
+        kind = vtk.vtkDataArray.CreateDataArray(column.given.GetDataType()) if column.given is not None else (
+            vtk.vtkDoubleArray())
+        made, write = new_array(lambda: kind, count, column.components)
+        if not count or not len(numbers):
+            write[...] = 0
+        else:
+            write[...] = numbers[ids]
+        if column.given is not None and is_whole(vtk, column.given):
+            write[~found] = 0
+            return made, 0
+        none = self.values["NoValue"]
+        none = as_floats(numpy.array(none)) if write.dtype == numpy.float32 else none
+        odd = numpy.isnan(write) & (found if write.ndim == 1 else found[:, None])
+        write[odd] = none
+        write[~found] = none
+        return made, int(odd.sum())
+
+    def _gathered_one_by_one(self, given, ids, found):
+        made = self.backend.vtkDataArray.CreateDataArray(given.GetDataType())
+        made.SetNumberOfComponents(given.GetNumberOfComponents())
+        made.SetNumberOfTuples(len(ids))
+        for i, (point, is_found) in enumerate(zip(ids.tolist(), found.tolist())):
+            if is_found:
+                made.SetTuple(i, point, given)
+            else:
+                for c in range(made.GetNumberOfComponents()):
+                    made.SetComponent(i, c, 0.0)
+        return made
+
+    def add_to(self, places):
+        """Adds the arrays to the point data of places, and makes active what is in the input's."""
+        attributes = self.backend.vtkDataSetAttributes
+        has_scalars = False
+        for column in self.columns:
+            if column.given is not None and column.given.HasAComponentName():
+                column.made.CopyComponentNames(column.given)
+            for made, name in ((column.made, column.name), (column.slopes, column.name + GRADIENT)):
+                if made is not None and column.name:
+                    made.SetName(name)
+                    replace_array(places, made)
+            for kind in range(attributes.NUM_ATTRIBUTES if column.given is not None else 0):
+                active = self.data.GetAbstractAttribute(kind)
+                if kind not in (attributes.GLOBALIDS, attributes.PEDIGREEIDS) and active is not None and (
+                        active.GetName() == column.name):
+                    places.SetActiveAttribute(column.name, kind)
+                    has_scalars = has_scalars or kind == attributes.SCALARS
+        if not has_scalars and self.values["HeightArrayName"]:
+            places.SetActiveAttribute(self.values["HeightArrayName"], attributes.SCALARS)
+
+    def heights(self):
+        """At the places, written."""
+        return self.columns[0].made

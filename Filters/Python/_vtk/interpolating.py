@@ -1,0 +1,244 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""One execution of vtkAdaptiveHilbertInterpolation2D: Filters/Sampling/vtkAHDSampleExecution.cxx."""
+
+import time
+import types
+
+import numpy
+
+from .. import _library as engine
+from .._raster import Raster
+from . import messages, raster, raster_messages
+from .arrays import GHOSTS, new_array, view
+from .columns import NEAREST, Columns
+from .execution import Progress, threads_to_use
+from .sampling import SampledSurface, area_of, points_of
+
+HIDDENPOINT = 2  # of vtkDataSetAttributes
+TRIANGULATION = 0.7  # how much of the time it takes, about
+KEPT_BYTES = 110  # of a triangulation, for each point
+
+
+class Stopped(Exception):
+    """Nothing is put out. `text`: the error to be said, None where the work was aborted. `estimate`: KiB. `interrupt`:
+    what ended the work."""
+
+    def __init__(self, text=None, estimate=0, interrupt=None):
+        super().__init__(text)
+        self.text, self.estimate, self.interrupt = text, estimate, interrupt
+
+
+class _Stage(Progress):
+    """A part of the work, from `first` on and so long, of 1."""
+
+    def __init__(self, algorithm, first, length):
+        super().__init__(algorithm)
+        self.first, self.length = first, length
+
+    def __call__(self, phase, fraction):
+        return super().__call__(phase, self.first + self.length * fraction)
+
+
+class Interpolating:
+    """Of a filter, with the settings of its triangulation; `merged`: the points and constraints."""
+
+    def __init__(self, algorithm, values, merged, places, speaker):
+        self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
+        self.values, self.wishes, self.speaker = values, algorithm._values, speaker
+        self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
+        self.places, self.cells, self.count, self.points = places, None, 0, 0
+        self.is_kept = self.is_triangulated = False
+        self.bytes_behind = 0
+
+    def run(self, made):
+        """Fills the output. Stopped."""
+        try:
+            if _Stage(self.algorithm, 0.0, 0.0).is_aborted():
+                raise Stopped
+            self._find_places()
+            self._take_surface()
+            self._interpolate(made)
+            self._keep()
+        except raster.Fault as fault:
+            raise Stopped(raster_messages.of_raster(fault, self.wishes)) from None
+        except engine.EngineError as error:
+            raise Stopped(*self._what_went_wrong(error)) from None
+        except MemoryError:
+            raise Stopped(*self._memory_is_short(False)) from None
+        except KeyboardInterrupt as interrupt:
+            raise Stopped(interrupt=interrupt) from None
+
+    def _find_places(self):
+        """Where values are wanted. raster.Fault."""
+        if self.places is not None:
+            self.count = self.places.GetNumberOfPoints()
+            return
+        try:
+            if self.wishes["UseBounds"]:
+                self.cells = raster.make_raster_within(self.wishes, self.wishes["Bounds"])
+            else:
+                self.cells = raster.make_raster(self.wishes, area_of(
+                    self.backend, self.algorithm._triangulation, self.values, self.given, self.source))
+        except raster.Fault as fault:
+            if fault.kind != raster.NO_AREA:
+                raise
+            self.cells = raster.NONE
+        self.count = self.cells.count()
+
+    def _estimate_behind(self):
+        """Bytes that interpolating takes: columns and output, places, and the engine's own."""
+        data = self.given.GetPointData()
+        columns = Columns(self.backend, self.wishes, data, data, self.given.GetNumberOfPoints())
+        numbers = 1 if self.wishes["Method"] == NEAREST else columns.components()
+        own = 16384 + 256 * numbers + self.points * (14 + 8 * numbers) * (1 + self.wishes["Outside"])
+        if self.places is not None:
+            places = self.count * 64 + min(self.count, 1 << 22) * 32
+        else:
+            places = self.count * 33 * self.wishes["OutputType"] + 8 * (self.cells.columns + self.cells.rows)
+        return columns.estimate_bytes(self.points, self.count) + places + own + self.count * self.wishes["Outside"]
+
+    def _take_surface(self):
+        """The surface that was kept, or a new one in its place. engine.EngineError."""
+        filter_, source = self.algorithm, self.source
+        kept, adds = filter_._surface, source is not None and self.values["SourceMode"]
+        self.points = self.given.GetNumberOfPoints() + (source.GetNumberOfPoints() if adds else 0)
+        self.is_kept = bool(self.values["KeepTriangulation"] and kept is not None and kept.is_of(
+            filter_._triangulation, self.given, source))
+        self.bytes_behind = self._estimate_behind()
+        if self.is_kept:
+            self._check_memory(kept)
+            kept.take_data(self.given, source)
+            self.is_triangulated = True
+            return
+        if kept is not None:
+            filter_._surface = None
+            kept.give_back()
+        filter_._surface = SampledSurface(
+            self.backend, self.job, filter_._triangulation, self.values, self.given, source, self.bytes_before)
+        try:
+            filter_._values["NumberOfTriangulations"] += 1
+            filter_._surface.make(_Stage(filter_, 0.0, TRIANGULATION), self.bytes_behind)
+        except engine.OutOfMemory as error:
+            filter_._values["NumberOfTriangulations"] -= error.status == engine.MEMORY_LIMIT  # nothing was done
+            raise
+        self.is_triangulated = True
+        for text in filter_._surface.execution.warnings():
+            self.speaker.warn(text)
+
+    def _check_memory(self, kept):
+        """Is there enough for interpolating on a surface that is there?"""
+        limit = self.values["MemoryLimit"]
+        self.job.set(other_memory=0, memory_limit=0)
+        allowed = limit or engine.available_memory() // 1024
+        if (self.bytes_behind + (kept.estimate if limit else 0)) // 1024 > allowed:
+            raise Stopped(*self._memory_is_short(True))
+
+    def _memory(self):
+        """KiB, of all."""
+        kept = self.algorithm._surface
+        if kept is not None and self.is_triangulated:
+            return int(kept.estimate + self.bytes_behind) // 1024
+        return self.job.count("memory_estimate") // 1024
+
+    def _memory_is_short(self, is_refused):
+        limit = self.values["MemoryLimit"]
+        allowed = limit or (engine.available_memory() if self.is_kept else self.job.count("memory_allowed")) // 1024
+        estimate = self._memory()
+        return raster_messages.of_memory(
+            self.count, self.points, estimate, allowed, limit > 0, is_refused), estimate
+
+    def _what_went_wrong(self, error):
+        """Text and estimate, for Stopped."""
+        if error.status in (engine.MEMORY_LIMIT, engine.OUT_OF_MEMORY):
+            return self._memory_is_short(error.status == engine.MEMORY_LIMIT)
+        return messages.error_text(error.status, self.job, self.values, str(error)), self._memory()
+
+    def _interpolate(self, made):
+        started, surface = time.monotonic(), self.algorithm._surface
+        xy, found = None, types.SimpleNamespace()
+        if self.places is not None:
+            xy = numpy.ascontiguousarray(surface.move(points_of(self.backend, self.places)), numpy.float64)
+        columns = Columns(self.backend, self.wishes, self.given.GetPointData(), surface.point_data(),
+                          self.job.count("points"))
+        mask = self._sample(columns, surface.heights(), xy, found)
+        if self.places is not None:
+            made.ShallowCopy(self.places)
+        elif self.wishes["OutputType"]:
+            self._write_surface(made, view(columns.heights()), mask == 1)
+        elif self.count:
+            made.SetExtent(0, self.cells.columns - 1, 0, self.cells.rows - 1, 0, 0)
+            made.SetOrigin(*self.cells.origin, 0.0)
+            made.SetSpacing(*self.cells.spacing, 1.0)
+        columns.add_to(made.GetPointData())
+        self._add_mask(made.GetPointData(), mask)
+        found.wanted = found.surface = None
+        if found.outside and not found.valued:
+            found.wanted = raster.box_of(xy) if xy is not None else self.cells.box()
+            found.surface = surface.bounds()
+        self._take_measures(made, found, time.monotonic() - started)
+        for text in raster_messages.warnings(self.wishes, columns, found):
+            self.speaker.warn(text)
+
+    def _sample(self, columns, heights, xy, found):
+        job, missing, places = self.job, None, xy
+        if xy is None:
+            places = Raster(self.cells.origin, self.cells.spacing, (self.cells.rows, self.cells.columns))
+        job.set(memory_limit=0, other_memory=0,  # as all of it was looked at before
+                threads=threads_to_use(self.backend, self.values["NumberOfThreads"]))
+        first = 0.0 if self.is_kept else TRIANGULATION
+        job.set_progress(_Stage(self.algorithm, first, 1.0 - first))
+        if self.wishes["Method"] == NEAREST:
+            mask, missing = columns.gather(job, places, heights)
+        else:
+            mask = columns.interpolate(job, places, heights, self.wishes["Outside"] == 1)
+        job.set_progress(None)
+        count = job.count
+        found.places, found.valued, found.outside = (
+            count("sampled_" + name) for name in ("places", "valued", "outside"))
+        found.not_finite, found.left_out = count("sampled_not_finite"), count("sampled_left_out")
+        found.without_value = count("sampled_without_value") if missing is None else missing
+        found.triangles = count("kept_triangles")
+        return mask
+
+    def _write_surface(self, made, heights, has_value):
+        """Points at their heights; those without one are hidden, at the lowest height."""
+        vtk, cells = self.backend, self.cells
+        shown = has_value & numpy.isfinite(heights)
+        lowest = float(heights[shown].min()) + 0.0 if shown.any() else 0.0
+        data, xyz = new_array(vtk.vtkDoubleArray, self.count, 3)
+        grid = xyz.reshape(cells.rows, cells.columns, 3)
+        grid[..., 0], grid[..., 1] = cells.axis(0), cells.axis(1)[:, None]
+        xyz[:, 2] = numpy.where(shown, heights, lowest)
+        points = vtk.vtkPoints()
+        points.SetData(data)
+        made.SetExtent(0, cells.columns - 1, 0, cells.rows - 1, 0, 0)
+        made.SetPoints(points)
+        hidden, write = new_array(vtk.vtkUnsignedCharArray, self.count, 1, GHOSTS)
+        write[:] = numpy.where(shown, 0, HIDDENPOINT)
+        made.GetPointData().AddArray(hidden)
+
+    def _add_mask(self, data, mask):
+        name = self.wishes["ValidPointMaskArrayName"]
+        if name:
+            made, write = new_array(self.backend.vtkCharArray, len(mask), 1, name)
+            write[:] = mask
+            data.RemoveArray(name)
+            data.AddArray(made)
+
+    def _take_measures(self, made, found, seconds):
+        self.algorithm._values.update(
+            NumberOfPlaces=found.places, NumberOfValidPlaces=found.valued, NumberOfPlacesOutside=found.outside,
+            NumberOfNotFinitePlaces=found.not_finite, NumberOfPlacesWithoutValue=found.without_value,
+            NumberOfPlacesWithNeighborsLeftOut=found.left_out, SampleSeconds=seconds, MemoryEstimate=self._memory())
+        self.algorithm._add_counts(made)
+
+    def _keep(self):
+        """Leaves the surface to the next execution, or its memory."""
+        most = self.values["ReuseLimit"] * 1024
+        if self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most:
+            if not self.is_kept:
+                self.algorithm._surface.remember()
+            return
+        self.algorithm._surface.give_back()
+        self.algorithm._surface = None
+        self.job.release(min(most, 2**62))

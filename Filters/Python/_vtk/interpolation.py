@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkAdaptiveHilbertInterpolation2D in Python, made for one VTK."""
+
+import contextlib
+
+from .. import _library as engine
+from . import messages, package_of, python_class, raster, raster_settings, settings
+from .arrays import new_array
+from .blocks import Merged
+from .interpolating import Interpolating, Stopped
+from .sampling import area_of
+from .vtkclass import build
+
+NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkDataSetAlgorithm")
+
+ABOUT = """Values between scattered points: rasters, and places of any data set.
+
+Triangulates the points of input port 0, a vtkPointSet or blocks of these, as vtkAdaptiveHilbertDelaunay2D does, and
+interpolates their heights and point arrays on the surface: at the cell centres of a raster, or at the points of the
+data set in port 1. Input port 2: constraints. The output is a vtkImageData, a vtkStructuredGrid, or a data set of the
+kind that the places are.
+
+In Python, over the engine's C interface; the compiled class has the same methods and gives the same results.
+"""
+
+
+class _Triangulations:
+    """The settings of the triangulation; mixed into the class."""
+
+    def SetTriangulation(self, triangulation):
+        """How the points are triangulated: a vtkAdaptiveHilbertDelaunay2D of which the settings count. None is an error
+        of the execution."""
+        if triangulation is not None and not (
+                hasattr(triangulation, "IsA") and triangulation.IsA("vtkAdaptiveHilbertDelaunay2D")):
+            raise TypeError("SetTriangulation argument 1: a vtkAdaptiveHilbertDelaunay2D is required, not %s"
+                            % type(triangulation).__name__)
+        if triangulation is not self._triangulation:
+            self._triangulation = triangulation
+            self.Modified()
+
+    def GetTriangulation(self):
+        """How the points are triangulated."""
+        return self._triangulation
+
+    def GetMTime(self):
+        """When the filter or Triangulation was changed last."""
+        own = super().GetMTime()
+        return max(own, self._triangulation.GetMTime()) if self._triangulation is not None else own
+
+    def Update(self, *given):
+        """Brings the output up to date."""
+        if self._triangulation is not None and self._triangulation.GetMTime() > super().GetMTime():
+            self.Modified()
+        self._interrupt = None
+        super().Update(*given)
+        interrupt, self._interrupt = self._interrupt, None
+        if interrupt is not None:
+            raise interrupt
+
+    def _surface_settings(self):
+        """Those of Triangulation, but for what it would put out."""
+        made = {setting.name: getattr(self._triangulation, "Get" + setting.name)() for setting in settings.SETTINGS}
+        made.update({name: False for name in made if name.startswith("Generate")})
+        return made
+
+
+class _Ports:
+    """Inputs and outputs; mixed into the class."""
+
+    KINDS = (("vtkCompositeDataSet", "vtkPointSet"), ("vtkDataSet",), ("vtkCompositeDataSet", "vtkPolyData"))
+
+    def FillInputPortInformation(self, port, info):
+        """The first type decides: a filter that takes composite data sets is not run for each block."""
+        algorithm = self._backend.vtkAlgorithm
+        info.Remove(algorithm.INPUT_REQUIRED_DATA_TYPE())
+        for kind in self.KINDS[port]:
+            info.Append(algorithm.INPUT_REQUIRED_DATA_TYPE(), kind)
+        if port > 0:
+            info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
+        return 1
+
+    def SetInputDataObject(self, *given):
+        """SetInputDataObject(data) or SetInputDataObject(port, data): an input, without a pipeline. TypeError for data
+        of another VTK than the filter's."""
+        package = package_of(given[-1]) if given else None
+        if package not in (None, self._backend.package):
+            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
+                package, self._backend.package, package))
+        super().SetInputDataObject(*given)
+
+    def SetInputData(self, *given):
+        """SetInputData(data) or SetInputData(port, data): an input, without a pipeline."""
+        self.SetInputDataObject(*given)
+
+    def AddInputData(self, *given):
+        """AddInputData(data) or AddInputData(port, data)."""
+        self.AddInputDataObject(*given)
+
+    def GetInput(self, port=0):
+        """The data object at this input port, or None."""
+        return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
+
+    def _give(self, port, name, kind, data):
+        if data is not None and not isinstance(data, getattr(self._backend, kind)):
+            raise TypeError("%s argument 1: a %s of %s is required, not %s" % (
+                name, kind, self._backend.package, type(data).__name__))
+        self.SetInputDataObject(port, data)
+
+    def _given(self, port, kind):
+        found = self.GetInput(port)
+        return found if isinstance(found, getattr(self._backend, kind)) else None
+
+    def SetPlacesData(self, places):
+        """The places: any vtkDataSet, whose points they are; None: a raster."""
+        self._give(1, "SetPlacesData", "vtkDataSet", places)
+
+    def SetPlacesConnection(self, output):
+        """The places as an output port of another filter."""
+        self.SetInputConnection(1, output)
+
+    def GetPlaces(self):
+        """The places, or None."""
+        return self._given(1, "vtkDataSet")
+
+    def SetSourceData(self, source):
+        """The constraints: a vtkPolyData, as those of vtkAdaptiveHilbertDelaunay2D; None: none."""
+        self._give(2, "SetSourceData", "vtkPolyData", source)
+
+    def SetSourceConnection(self, output):
+        """The constraints as an output port of another filter."""
+        self.SetInputConnection(2, output)
+
+    def GetSource(self):
+        """The constraints, if they are one vtkPolyData."""
+        return self._given(2, "vtkPolyData")
+
+    def GetOutput(self, port=0):
+        """The vtkDataSet at this output port."""
+        return self.GetOutputDataObject(port)
+
+
+class _Measures:
+    """What the filter is measured by; mixed into the class."""
+
+    def _clear_measures(self):
+        self._values.update({
+            name: value for name, value in raster_settings.MEASURES.items() if name != "NumberOfTriangulations"})
+
+    def _add_counts(self, output):
+        for name in raster_settings.COUNTS:
+            made, write = new_array(self._backend.vtkIdTypeArray, 1, 1, name)
+            write[0] = self._values[name]
+            output.GetFieldData().AddArray(made)
+
+    def PrintSelf(self):
+        """The settings and measures, as text."""
+        lines = ["Triangulation: %s" % (self._triangulation and self._triangulation.GetClassName())]
+        lines += ["%s: %s" % (setting.name, setting.text(self._values[setting.name]))
+                  for setting in raster_settings.SETTINGS]
+        for name in raster_settings.MEASURES:
+            value = self._values[name]
+            lines.append("%s: %s" % (name, "%g" % value if isinstance(value, float) else value))
+        return "".join("  %s\n" % line for line in lines)
+
+
+class _Executions:
+    """How requests go; mixed into the class."""
+
+    def RequestDataObject(self, _request, inputs, outputs):
+        """The kind of the places, or that of OutputType."""
+        vtk = self._backend
+        places = self._data(inputs, 1)
+        if places is None and inputs[1].GetNumberOfInformationObjects():
+            return 0
+        kind = "vtkStructuredGrid" if self._values["OutputType"] else "vtkImageData"
+        made = places.NewInstance() if places is not None else getattr(vtk, kind)()
+        now = vtk.vtkDataObject.GetData(outputs, 0)
+        if now is None or now.GetClassName() != made.GetClassName():
+            outputs.GetInformationObject(0).Set(vtk.vtkDataObject.DATA_OBJECT(), made)
+            self.GetOutputPortInformation(0).Set(vtk.vtkDataObject.DATA_EXTENT_TYPE(), made.GetExtentType())
+        return 1
+
+    def RequestInformation(self, _request, inputs, outputs):
+        """The raster as it will be, as far as the input says; it is brought up to date where it does. Filters behind
+        have to know the extent, the origin and the spacing before there are data."""
+        vtk, info = self._backend, outputs.GetInformationObject(0)
+        pipeline, data = vtk.vtkStreamingDemandDrivenPipeline, vtk.vtkDataObject
+        if inputs[1].GetNumberOfInformationObjects():
+            for key in (pipeline.WHOLE_EXTENT(), data.ORIGIN(), data.SPACING()):
+                info.CopyEntry(inputs[1].GetInformationObject(0), key)
+            return 1
+        cells = None
+        if self._triangulation is not None:
+            with contextlib.suppress(raster.Fault, engine.EngineError, MemoryError):
+                cells = self._find_raster()
+        cells = cells or raster.NONE
+        extent = 0, cells.columns - 1, 0, cells.rows - 1, 0, 0 if cells.count() else -1
+        info.Set(pipeline.WHOLE_EXTENT(), extent, 6)
+        info.Set(data.ORIGIN(), (*cells.origin, 0.0), 3)
+        info.Set(data.SPACING(), (*cells.spacing, 1.0), 3)
+        return 1
+
+    def _find_raster(self):
+        """Before there are data. None where that cannot be known."""
+        if self._values["UseBounds"]:
+            return raster.make_raster_within(self._values, self._values["Bounds"])
+        for port in (0, 2):
+            if self.GetNumberOfInputConnections(port):
+                self.GetInputAlgorithm(port, 0).Update(self.GetInputConnection(port, 0).GetIndex())
+        values = self._surface_settings()
+        merged = Merged(self._backend, messages.Speaker(self._backend, self), values, self.GetInput(0),
+                        self.GetInput(2))
+        if merged.input is None:
+            return None
+        area = area_of(self._backend, self._triangulation, values, merged.input, merged.source)
+        return raster.make_raster(self._values, area)
+
+    def RequestUpdateExtent(self, _request, inputs, _outputs):
+        """All points are needed whatever part of the output is wanted, and all places."""
+        pipeline = self._backend.vtkStreamingDemandDrivenPipeline
+        for vector in inputs:
+            for i in range(vector.GetNumberOfInformationObjects()):
+                info = vector.GetInformationObject(i)
+                if info.Has(pipeline.WHOLE_EXTENT()):
+                    info.Set(pipeline.UPDATE_EXTENT(), info.Get(pipeline.WHOLE_EXTENT()), 6)
+        return 1
+
+    def _data(self, inputs, port):
+        there = inputs[port].GetNumberOfInformationObjects()
+        return self._backend.vtkDataObject.GetData(inputs[port]) if there else None
+
+    def RequestData(self, _request, inputs, outputs):
+        """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
+        made = self._backend.vtkDataSet.GetData(outputs, 0)
+        speaker = messages.Speaker(self._backend, self)
+        self._clear_measures()
+        if self._triangulation is None:
+            speaker.error("Triangulation is null: nothing says how to triangulate.")
+            made.Initialize()
+            return 1
+        given, places, source = (self._data(inputs, port) for port in range(3))
+        values = self._surface_settings()
+        merged = Merged(self._backend, speaker, values, given, source)
+        if merged.input is None:
+            made.Initialize()
+            return 1
+        merged.warn()
+        try:
+            Interpolating(self, values, merged, places, speaker).run(made)
+        except Stopped as stopped:
+            made.Initialize()
+            self._let_go()
+            self._clear_measures()
+            self._values["MemoryEstimate"] = stopped.estimate
+            self._interrupt = stopped.interrupt
+            if stopped.text:
+                speaker.error(stopped.text)
+        return 1
+
+    def _let_go(self):
+        """Of the triangulation and its memory."""
+        if self._surface is not None:
+            self._surface.give_back()
+            self._surface = None
+        self._job.release()
+
+
+def make_class(backend):
+    """The class over this VTK."""
+
+    def start(self):
+        self._values = {setting.name: setting.default for setting in raster_settings.SETTINGS}
+        self._values.update(raster_settings.MEASURES)
+        self._interrupt = self._surface = None
+        self._job = engine.Job()
+        self._triangulation = python_class(backend.package)()
+
+    members = dict(raster_settings.all_methods(), __doc__=ABOUT)
+    parts = _Measures, _Executions, _Ports, _Triangulations
+    made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataSet")
+    for name, member in raster_settings.all_properties(made).items():
+        setattr(made, name, member)
+    return made

@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What vtkAdaptiveHilbertInterpolation2D has to say, word for word as the compiled class
+(Filters/Sampling/vtkAHDSampleMessages.cxx)."""
+
+from . import raster
+
+
+def _box(box):
+    return "nowhere" if box is None else "x %.9g to %.9g, y %.9g to %.9g" % tuple(box)
+
+
+def _names(names):
+    """"a, b and 3 more"."""
+    words = ", ".join(names[:5])
+    return words if len(names) <= 5 else "%s and %d more" % (words, len(names) - 5)
+
+
+def of_raster(fault, values):
+    """Why there is no raster; None where only points are missing."""
+    size = "%.9g, %.9g" % values["CellSize"]
+    if fault.kind == raster.CELL_SIZE:
+        return "CellSize is %s, but both numbers have to be greater than 0 and finite. Nothing was computed." % size
+    if fault.kind == raster.BOUNDS:
+        return ("Bounds are %s, but they have to be finite, the first of each two below the second. Nothing was "
+                "computed." % _box(values["Bounds"]))
+    if fault.kind == raster.TOO_MANY:
+        return ("With a CellSize of %s the raster would have %.9g x %.9g cells, but 2147483647 along x and y are the "
+                "most. Nothing was computed." % ((size,) + fault.wished))
+    if fault.kind == raster.OUT_OF_NUMBERS:
+        return ("A raster of %.9g x %.9g cells is too fine for its coordinates, whose double precision cannot tell the "
+                "cells apart. Nothing was computed." % fault.wished)
+    return None
+
+
+def of_memory(places, points, estimate, limit, is_limited, is_refused):
+    """KiB that are too many, or that were not enough."""
+    if not is_refused:
+        return "Out of memory while interpolating at %.9g places from %d points; about %d KiB are needed." % (
+            places, points, estimate)
+    return (
+        "Interpolating at %.9g places from %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed. "
+        "Take a larger CellSize, smaller Dimensions, fewer places or points, or set MemoryLimit (in KiB) to allow more."
+        % (places, points, estimate, "MemoryLimit of Triangulation allows " if is_limited else "there are ", limit))
+
+
+def warnings(values, columns, found):
+    """The texts, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles, wanted and
+    surface, the boxes of the places and of the points."""
+    if columns.unfit:
+        yield ("Point arrays that are no numbers, have no name or not one tuple for each point are not interpolated: "
+               "%s." % _names(columns.unfit))
+    if columns.replaced:
+        yield ("Point arrays of the input whose names are those of arrays that are made are not interpolated: %s. See "
+               "HeightArrayName and ValidPointMaskArrayName." % _names(columns.replaced))
+    if values["GenerateGradients"] and values["Method"] != 0:
+        yield "There are no gradients: only the Method Linear has them."
+    if found.not_finite:
+        yield "%d of %d places have no value, since their x or y is NaN or infinite." % (
+            found.not_finite, found.places)
+    if found.outside and not found.valued:
+        yield "None of %d places is on the surface of %d triangles. Places: %s; points: %s." % (
+            found.places, found.triangles, _box(found.wanted), _box(found.surface))
+    if found.without_value:
+        yield "%d values at places on the surface are none, since values of points are NaN." % found.without_value
+    if found.left_out:
+        yield ("%d values at places are interpolated without some of their natural neighbours, whose values are NaN."
+               % found.left_out)

@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A triangulation to interpolate on, and the places: Filters/Sampling/."""
+
+import types
+
+import numpy
+
+from .. import _library as engine
+from . import cache
+from .arrays import coordinates, ghost_marks
+from .execution import SKIPPED, Execution, let_go
+from .outputs import Surface
+from .raster import box_of
+
+
+def shallow(backend, given, with_cells=False):
+    """The same points and point data, in an object of its own; with cells a copy of a vtkPolyData. None of None."""
+    if given is None:
+        return None
+    made = backend.vtkPolyData()
+    if with_cells:
+        made.ShallowCopy(given)
+    else:
+        made.SetPoints(given.GetPoints())
+        made.GetPointData().ShallowCopy(given.GetPointData())
+    return made
+
+
+class SampledSurface:
+    """A triangulation, which can be kept for the next execution. It holds the arrays that its job borrows.
+    `triangulation`: the filter with the settings, `values` these settings."""
+
+    def __init__(self, backend, job, triangulation, values, given, source, bytes_before):
+        self.backend, self.job, self.values = backend, job, values
+        self.settings, self.known = triangulation.GetMTime(), None
+        self.given, self.source = shallow(backend, given), shallow(backend, source, True)
+        asked = types.SimpleNamespace(_job=job, _values=values, _transform=triangulation.GetTransform())
+        self.execution = Execution(backend, asked, self.given, self.source, bytes_before)
+        self.transform = self.execution.transform
+
+    def make(self, progress, bytes_behind):
+        """Triangulates. `bytes_behind`: what interpolating will take. engine.EngineError."""
+        self.execution.triangulate(progress, bytes_behind + self.execution.bytes_before)
+        self.estimate = self.job.count("memory_estimate") - bytes_behind
+
+    def remember(self):
+        """What it was made of."""
+        self.known = cache._fingerprints(self.given, self.source)
+
+    def is_of(self, triangulation, given, source):
+        """Is it the surface of these, with these settings?"""
+        if self.known is None or self.settings != triangulation.GetMTime() or (
+                cache._fingerprints(given, source) != self.known):
+            return False
+        if given.GetPoints() is self.given.GetPoints() and source is None:
+            return True
+        return cache._fingerprints(self.given, self.source) == self.known  # what is held is still what it was
+
+    def take_data(self, given, source):
+        """The point data that interpolation is to work on from now on, of the same points."""
+        self.given.GetPointData().ShallowCopy(given.GetPointData())
+        if source is not None:
+            self.source.GetPointData().ShallowCopy(source.GetPointData())
+
+    def point_data(self):
+        """With a value for each point, added ones included."""
+        made = self.backend.vtkPolyData()
+        Surface(self.backend, self.job, self.values, made).write_points(self.given, self.source)
+        return made.GetPointData()
+
+    def plane_points(self):
+        """x, y in the plane of the triangulation and the height above it, of all points."""
+        return self.job.array("plane_points")
+
+    def heights(self):
+        """Of each point above the plane of the triangulation."""
+        return numpy.ascontiguousarray(self.plane_points()[:, 2])
+
+    def bounds(self):
+        """The box of all points that are finite and not skipped, in the plane; None without any."""
+        return box_of(self.plane_points(), skipped_of(self.given, self.job.count("points")))
+
+    def move(self, xyz):
+        """Places, (k, 3), as they lie in the plane: (k, 2)."""
+        if not self.execution.found.is_projected:
+            return xyz[:, :2]
+        moved = numpy.array(xyz, numpy.float64)
+        if self.transform is not None:
+            self.execution._project(moved) if len(moved) else None
+            return moved[:, :2]
+        matrix = self.job.array("plane_matrix").reshape(4, 4)
+        return moved @ matrix[:2, :3].T + matrix[:2, 3]
+
+    def give_back(self):
+        """Lets go of the input. The job keeps its memory."""
+        let_go(self.job)
+
+
+def skipped_of(given, count):
+    """Which of the first points, of so many, are left out."""
+    marks, _ = ghost_marks(given)
+    made = numpy.zeros(count, bool)
+    if marks is not None:
+        made[:len(marks)] = marks & SKIPPED != 0
+    return made
+
+
+def area_of(backend, triangulation, values, given, source):
+    """The box of all points that will be triangulated, in the plane, found without triangulating; None without any.
+    engine.EngineError, MemoryError."""
+    asked = types.SimpleNamespace(_job=engine.Job(), _values=dict(values), _transform=triangulation.GetTransform())
+    execution = Execution(backend, asked, given, source)
+    adds = source is not None and values["SourceMode"] and source.GetNumberOfPoints()
+    if not (execution.found.is_projected or execution.found.adds_bounding or adds):
+        points = coordinates(backend, given.GetPoints())
+        return box_of(points, skipped_of(given, len(points)))
+    # Of what is done to the points, that alone which says where they are.
+    asked._values.update(Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
+    only_points = shallow(backend, source)
+    execution = Execution(backend, asked, given, only_points)
+    execution.triangulate(None, 0)
+    return box_of(asked._job.array("plane_points"), skipped_of(given, asked._job.count("points")))
+
+
+def points_of(backend, places):
+    """The points of a vtkDataSet: (k, 3)."""
+    if places.IsA("vtkPointSet"):
+        return coordinates(backend, places.GetPoints())
+    count = places.GetNumberOfPoints()
+    return numpy.array([places.GetPoint(i) for i in range(count)], numpy.float64).reshape(count, 3)
