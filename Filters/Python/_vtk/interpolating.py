@@ -157,7 +157,7 @@ class Interpolating:
         started, surface = time.monotonic(), self.algorithm._surface
         xy, found = None, types.SimpleNamespace()
         if self.places is not None:
-            xy = numpy.ascontiguousarray(surface.move(points_of(self.backend, self.places)), numpy.float64)
+            xy = numpy.ascontiguousarray(surface.move(points_of(self.backend, self.places))[:, :2], numpy.float64)
         columns = Columns(self.backend, self.wishes, self.given.GetPointData(), surface.point_data(),
                           self.job.count("points"))
         mask = self._sample(columns, surface.heights(), xy, found)

@@ -13,6 +13,9 @@ from .outputs import Surface
 from .raster import box_of
 
 
+MEAN_Z = 3
+
+
 def shallow(backend, given, with_cells=False):
     """The same points and point data, in an object of its own; with cells a copy of a vtkPolyData. None of None."""
     if given is None:
@@ -74,22 +77,26 @@ class SampledSurface:
 
     def heights(self):
         """Of each point above the plane of the triangulation."""
-        return numpy.ascontiguousarray(self.plane_points()[:, 2])
+        points = self.plane_points()
+        if self.values["DuplicatePolicy"] == MEAN_Z and self.job.count("duplicates"):
+            in_space = self.job.array("points")  # with the means
+            points = self.move(in_space) if self.execution.found.is_projected else in_space
+        return numpy.ascontiguousarray(points[:, 2])
 
     def bounds(self):
         """The box of all points that are finite and not skipped, in the plane; None without any."""
         return box_of(self.plane_points(), skipped_of(self.given, self.job.count("points")))
 
     def move(self, xyz):
-        """Places, (k, 3), as they lie in the plane: (k, 2)."""
+        """Places, (k, 3), as they lie in the plane, and their height above it."""
         if not self.execution.found.is_projected:
-            return xyz[:, :2]
+            return xyz
         moved = numpy.array(xyz, numpy.float64)
         if self.transform is not None:
             self.execution._project(moved) if len(moved) else None
-            return moved[:, :2]
+            return moved
         matrix = self.job.array("plane_matrix").reshape(4, 4)
-        return moved @ matrix[:2, :3].T + matrix[:2, 3]
+        return moved @ matrix[:3, :3].T + matrix[:3, 3]
 
     def give_back(self):
         """Lets go of the input. The job keeps its memory."""

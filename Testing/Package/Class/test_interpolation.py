@@ -179,6 +179,13 @@ def means():
 
 
 @case
+def means_and_crossings():
+    return full(), dict(SMALL, SourceData=lines_and_loops(), **{
+        "Triangulation.DuplicatePolicy": 3, "Triangulation.SourceMode": 1, "Triangulation.CrossingMode": 1,
+        "Triangulation.ClosedLines": 1, "Triangulation.FillRule": 1})
+
+
+@case
 def bounding():
     return full(), dict(SMALL, **{"Triangulation.BoundingTriangulation": 1})
 
