@@ -49,11 +49,22 @@ public:
     return best ? this->Remove(best) : nullptr;
   }
 
-  /// Any, if there are more than `most` bytes; else null.
+  /// If there are more than `most` bytes, the least block without which there are not, or else the
+  /// largest; null if there are no more.
   Block* FindBeyond(std::size_t most)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    return this->First && this->Bytes > most ? this->Remove(&this->First) : nullptr;
+    Block** best = &this->First;
+    const std::size_t excess = this->Bytes - std::min(this->Bytes, most);
+    for (Block** at = &this->First; *at; at = &(*at)->Next)
+    {
+      const std::size_t has = (*at)->Bytes, before = (*best)->Bytes;
+      if (before < excess ? has > before : has >= excess && has < before)
+      {
+        best = at;
+      }
+    }
+    return excess > 0 ? this->Remove(best) : nullptr;
   }
 
   void SetOpen(bool open)

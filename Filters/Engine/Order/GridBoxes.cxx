@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 
 namespace ahd
 {
@@ -47,7 +48,7 @@ public:
       leave(whole);
       return Status::Ok;
     }
-    open_[depth_++] = { whole, levels, 0 };
+    open_[depth_++] = { whole, levels, 0, 0 };
     while (depth_ > 0)
     {
       Division& division = open_[depth_ - 1];
@@ -74,11 +75,12 @@ private:
   {
     Piece box;
     unsigned levels;
-    std::uint64_t next; ///< which of its boxes is to be visited next
+    std::uint64_t next;  ///< which of its boxes is to be visited next
+    std::uint64_t first; ///< the smallest key of the box
   };
 
   /// The visit-th box of a division.
-  Piece quarter(const Division& division, std::uint64_t visit) const
+  Piece quarter(const Division& division, std::uint64_t visit)
   {
     const unsigned levels = division.levels;
     const Piece& whole = division.box;
@@ -97,11 +99,14 @@ private:
     }
     else
     {
-      const GridPlace place = placeOfKey(beginKey(whole) | visit << (2 * box.below));
+      const std::uint64_t first = division.first | visit << (2 * box.below);
+      const GridPlace place = placeOfKey(first);
       box.column = place.column >> box.below;
       box.row = place.row >> box.below;
+      findPoints(whole, first, box);
+      return box;
     }
-    findPoints(whole, box);
+    findPoints(whole, beginKey(box), box);
     return box;
   }
 
@@ -117,14 +122,36 @@ private:
     return key >> (2 * box.below) << (2 * box.below);
   }
 
-  void findPoints(const Piece& whole, Piece& box) const
+  /// `first`: the smallest key of the box. Along the curve a box begins where the one visited
+  /// before it has ended; in other orders its points are searched for.
+  void findPoints(const Piece& whole, std::uint64_t first, Piece& box)
   {
-    const std::uint64_t first = beginKey(box);
     const std::uint64_t last = first | ((std::uint64_t(1) << (2 * box.below)) - 1);
     const std::uint64_t* const keys = points_.key.data();
-    const auto* const begin = std::lower_bound(keys + whole.begin, keys + whole.end, first);
+    const bool follows = whole.begin <= past_ && past_ <= whole.end &&
+      (past_ == whole.begin || keys[past_ - 1] < first) &&
+      (past_ == whole.end || keys[past_] >= first);
+    const std::uint64_t* const begin = follows
+      ? keys + past_
+      : std::lower_bound(keys + whole.begin, keys + whole.end, first);
     box.begin = std::size_t(begin - keys);
-    box.end = std::size_t(std::upper_bound(begin, keys + whole.end, last) - keys);
+    box.end = past_ = std::size_t(endOf(begin, keys + whole.end, last) - keys);
+  }
+
+  /// The first key from `begin` on that is greater than `last`: a few steps of growing length find
+  /// it, as most boxes have few points.
+  static const std::uint64_t* endOf(
+    const std::uint64_t* begin, const std::uint64_t* end, std::uint64_t last)
+  {
+    for (std::ptrdiff_t step = 8; step < end - begin; step *= 2)
+    {
+      if (begin[step] > last)
+      {
+        return std::upper_bound(begin, begin + step, last);
+      }
+      begin += step;
+    }
+    return std::upper_bound(begin, end, last);
   }
 
   /// The control point of a box of the first division, which does not count where it is decided
@@ -153,7 +180,7 @@ private:
     const bool isDivided = isDividedAgain(count, options_) && levels <= box.below;
     if (isDivided)
     {
-      open_[depth_++] = { box, levels, 0 };
+      open_[depth_++] = { box, levels, 0, beginKey(box) };
     }
     else
     {
@@ -178,6 +205,7 @@ private:
   std::array<Division, 33> open_; ///< each division halves its boxes at least once
   std::size_t depth_ = 0;
   std::size_t control_ = 0;
+  std::size_t past_ = 0; ///< behind the points of the box visited last
 };
 
 } // namespace

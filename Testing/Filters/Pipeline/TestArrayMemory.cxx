@@ -88,6 +88,22 @@ TEST(ArrayMemory, ShrinksToWhatIsWanted)
   EXPECT_EQ(memory.GetBytes(), 0u);
 }
 
+TEST(ArrayMemory, ShrinksByTheLeastThatIsEnough)
+{
+  vtkAHDArrayMemory memory;
+  void* const blocks[] = { memory.Allocate(4 * kMiB), memory.Allocate(2 * kMiB),
+    memory.Allocate(3 * kMiB), memory.Allocate(8 * kMiB), memory.Allocate(kMiB) };
+  memory.Open();
+  for (void* block : blocks)
+  {
+    vtkAHDArrayMemory::Free(block);
+  }
+  memory.Shrink(16 * kMiB);
+  EXPECT_EQ(memory.GetBytes(), 16 * kMiB) << "2 of 18 MiB go";
+  memory.Shrink(6 * kMiB);
+  EXPECT_EQ(memory.GetBytes(), 5 * kMiB) << "first the largest, 8, then 3 for 2";
+}
+
 TEST(ArrayMemory, ArraysMayOutliveItAndGrow)
 {
   Work work;
