@@ -265,6 +265,17 @@ class _Executions:
         self._job.release()
 
 
+def _output_getter(backend, name):
+    kind = "vtkImageData" if name == "StructuredPoints" else "vtk" + name
+
+    def get(self):
+        found = self.GetOutputDataObject(0)
+        return found if isinstance(found, getattr(backend, kind)) else None
+
+    get.__name__, get.__doc__ = "Get%sOutput" % name, "The output if it is a %s, else None." % kind
+    return get
+
+
 def make_class(backend):
     """The class over this VTK."""
 
@@ -276,6 +287,8 @@ def make_class(backend):
         self._triangulation = python_class(backend.package)()
 
     members = dict(raster_settings.all_methods(), __doc__=ABOUT)
+    members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
+        "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
     parts = _Measures, _Executions, _Ports, _Triangulations
     made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataSet")
     for name, member in raster_settings.all_properties(made).items():
