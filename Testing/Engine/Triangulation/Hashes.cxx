@@ -33,7 +33,8 @@ TEST(Hashes, AreThoseOfTheRepository)
 {
   const Way way;
   Hashes all = hashesOfTriangles(AHD_CORPUS_DIRECTORY, way);
-  for (const Hashes& more : { hashesOfConstrained(way), hashesOfTheRest(way), hashesOfMany(way) })
+  for (const Hashes& more : { hashesOfConstrained(way), hashesOfTheRest(way), hashesOfMany(way),
+         hashesOfSamples(way), hashesOfManySamples(way) })
   {
     all.insert(all.end(), more.begin(), more.end());
   }
@@ -48,7 +49,7 @@ TEST(Hashes, AreThoseOfTheRepository)
 
 TEST(Hashes, NoNumberOfThreadsChangesOne)
 {
-  const Hashes expected = hashesOfMany(Way());
+  const Hashes expected = hashesOfMany(Way()), samples = hashesOfManySamples(Way());
   Engine engine;
 #ifdef AHD_REDUCED_TESTS
   const std::vector<unsigned> counts = { 3 };
@@ -62,6 +63,7 @@ TEST(Hashes, NoNumberOfThreadsChangesOne)
     way.executor = &executor;
     way.engine = &engine;
     EXPECT_EQ(differences(expected, hashesOfMany(way)), "") << threads << " threads";
+    EXPECT_EQ(differences(samples, hashesOfManySamples(way)), "") << threads << " threads";
   }
 }
 

@@ -46,12 +46,14 @@ Hashes fewHashes(const Way& way)
     result.push_back({ "order/" + given.name, hashOfOrder(points, Options(), way) });
     result.push_back({ "merged/" + given.name, hashOfMerged(points, way) });
     result.push_back({ "voronoi/" + given.name, hashOfVoronoi(points, way) });
+    result.push_back({ "sample/" + given.name, hashOfSamples(points, way) });
   }
   for (const NamedCase& made : fewCases())
   {
     const std::string hash = hashOfConstrained(made.given, FillRule::EvenOdd, way);
     result.push_back({ "constrained/" + made.name, hash });
     result.push_back({ "split/" + made.name, hashOfSplit(made.given, way) });
+    result.push_back({ "sample/constrained/" + made.name, hashOfSamples(made.given, way) });
   }
   return result;
 }

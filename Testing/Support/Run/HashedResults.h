@@ -71,6 +71,12 @@ std::string hashOfVoronoi(const PointView& points, const Way& way);
 /// The constraints split where they cross, added points with all bits.
 std::string hashOfSplit(const ConstraintCase& given, const Way& way);
 
+/// Values, slopes, masks, weights and counts by every method, on a raster and at places on points,
+/// on edges and anywhere; what is outside filled by the nearest; of all points, and of what loops
+/// keep.
+std::string hashOfSamples(const PointView& points, const Way& way);
+std::string hashOfSamples(const ConstraintCase& given, const Way& way);
+
 /// All of them, in the order in which they stand in Data/Hashes/Engine.txt: triangles of corpus
 /// and distributions, ...
 Hashes hashesOfTriangles(const std::string& corpus, const Way& way);
@@ -78,8 +84,11 @@ Hashes hashesOfTriangles(const std::string& corpus, const Way& way);
 Hashes hashesOfConstrained(const Way& way);
 /// ... the rest, in which Way::options has no say; few points ...
 Hashes hashesOfTheRest(const Way& way);
-/// ... and all that threads can share.
+/// ... all that threads can share ...
 Hashes hashesOfMany(const Way& way);
+/// ... values between the points, and so many that threads share the work.
+Hashes hashesOfSamples(const Way& way);
+Hashes hashesOfManySamples(const Way& way);
 
 } // namespace test
 } // namespace ahd
