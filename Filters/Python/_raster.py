@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import operator
 from dataclasses import dataclass
-from typing import Any, Optional, Sequence, Tuple
+from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -115,7 +115,7 @@ def _bounds_of(given: Any) -> Tuple[float, float, float, float]:
         xmin, xmax, ymin, ymax = (float(number) for number in given)
     except (TypeError, ValueError):
         raise TypeError("bounds are to be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
-    if not (xmin <= xmax and ymin <= ymax and math.isfinite(xmax - xmin) and math.isfinite(ymax - ymin)):
+    if not (xmin <= xmax and ymin <= ymax and all(map(math.isfinite, (xmin, xmax, ymin, ymax)))):
         raise ValueError("bounds are to be xmin, xmax, ymin, ymax, finite and ascending, not %r" % (given,))
     return xmin, xmax, ymin, ymax
 
@@ -126,29 +126,60 @@ def raster_over(
     shape: Optional[Sequence[int]] = None,
     align: bool = False,
 ) -> Raster:
-    """The raster of cells of this size, or of so many rows and columns, that covers the bounds."""
+    """The raster of cells of this size, or of so many rows and columns, that covers the bounds; bit for bit that of
+    vtkAdaptiveHilbertInterpolation2D (vtkAHDRaster.h)."""
     if (cell_size is None) == (shape is None):
         raise ValueError("a raster is made by its cell_size or by its shape: one of both")
     xmin, xmax, ymin, ymax = _bounds_of(bounds)
-    if shape is not None:
-        if align:
-            raise ValueError("align is for rasters that are made by their cell_size")
+    if shape is None:
+        dx, dy = _size_of(cell_size)
+        x, y = _by_size(xmin, xmax, dx, align), _by_size(ymin, ymax, dy, align)
+    elif align:
+        raise ValueError("align is for rasters that are made by their cell_size")
+    else:
         rows, columns = shape_of(shape, 1)
-        dx, dy = (xmax - xmin) / columns or 1.0, (ymax - ymin) / rows or 1.0
-        return Raster((xmin + dx / 2, ymin + dy / 2), (dx, dy), (rows, columns))
-    dx, dy = _size_of(cell_size)
-    x, columns = _cells(xmin, xmax, dx, align)
-    y, rows = _cells(ymin, ymax, dy, align)
-    return Raster((x, y), (dx, dy), (rows, columns))
+        x, y = _by_count(xmin, xmax, columns), _by_count(ymin, ymax, rows)
+        width, height = x.spacing, y.spacing
+        x = x if width > 0 else _Axis(xmin, height if height > 0 else 1.0, 1)
+        y = y if height > 0 else _Axis(ymin, width if width > 0 else 1.0, 1)
+    for axis in (x, y):
+        if not axis.count <= _MOST:
+            raise MemoryError("a raster of %g x %g cells has more than %d rows or columns" % (x.count, y.count, _MOST))
+        last = axis.origin + (axis.count - 1) * axis.spacing
+        areApart = last - axis.spacing < last and axis.origin + axis.spacing > axis.origin
+        if not math.isfinite(last) or not (areApart or axis.count == 1):
+            raise ValueError("float64 cannot tell cells of size %g apart within these bounds" % axis.spacing)
+    return Raster((x.origin, y.origin), (x.spacing, y.spacing), (int(y.count), int(x.count)))
 
 
-def _cells(least: float, most: float, size: float, align: bool) -> Tuple[float, int]:
-    """The middle of the first cell, and how many there are."""
-    first = math.floor(least / size) if align and math.isfinite(least / size) else 0
-    count = (most / size if align else (most - least) / size) - first
-    if not abs(count) <= _MOST:
-        raise MemoryError(
-            "cells of size %g over %g would be %g rows or columns, more than %d" % (size, most - least, count, _MOST)
-        )
-    begin = first * size if align else least
-    return begin + size / 2, max(1, math.ceil(count))
+class _Axis(NamedTuple):
+    """A raster along one axis."""
+
+    origin: float  # the first centre
+    spacing: float
+    count: float
+
+
+def _whole_below(quotient: float, slack: float) -> float:
+    """The whole number that the quotient of a coordinate and a size stands for, if `slack` is how far that may be off;
+    else the next one below."""
+    if not math.isfinite(quotient):
+        return quotient
+    below = float(math.floor(quotient))
+    isUpper = quotient - below > 0.5 or (quotient - below == 0.5 and quotient > 0)
+    return below + 1.0 if isUpper and below + 1.0 - quotient <= slack else below
+
+
+def _by_size(low: float, high: float, size: float, align: bool) -> _Axis:
+    slack = 2.0**-50 * max(abs(low), abs(high)) / size  # what writing coordinates in decimal may have cost
+    if align:
+        first = _whole_below(low / size, slack)
+        count = max(1.0, -_whole_below(-(high / size), slack) - first)
+        return _Axis((first + 0.5) * size, size, count)
+    return _Axis(low + 0.5 * size, size, max(1.0, -_whole_below(-((high - low) / size), slack)))
+
+
+def _by_count(low: float, high: float, count: int) -> _Axis:
+    length = high - low
+    spacing = length / count if math.isfinite(length) else high / count - low / count
+    return _Axis(low + 0.5 * spacing, spacing, float(count))

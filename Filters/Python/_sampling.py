@@ -83,9 +83,11 @@ class Sampled(Made):
         Parameters
         ----------
         cell_size : float or (dx, dy), greater than 0, in the unit of the points
-            The size of a cell. There are as many as cover the bounds, one at least.
+            The size of a cell. There are as many as cover the bounds, one at least; a bound that is a border between
+            cells but for rounding counts as that.
         shape : (rows, columns) of int, from 1 to 2**31 - 1
-            How many cells there are; they fill the bounds. One of both, `cell_size` or `shape`, is to be given.
+            How many cells there are; they fill the bounds, and a side of length 0 has one row. One of both,
+            `cell_size` or `shape`, is to be given.
         bounds : (xmin, xmax, ymin, ymax) of float, default: those of the vertices, in the plane of the triangulation
             What is covered.
         align : bool, default False
@@ -100,7 +102,8 @@ class Sampled(Made):
         Raises
         ------
         ValueError, TypeError
-            A size is not greater than 0, bounds are not ascending or not finite, or there are none without vertices.
+            A size is not greater than 0, bounds are not ascending or not finite, or there are none without vertices;
+            cells are so small that float64 cannot tell them apart.
         MemoryError
             There are more than 2**31 - 1 rows or columns.
 

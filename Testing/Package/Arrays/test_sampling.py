@@ -248,8 +248,15 @@ class ShapeTest(unittest.TestCase):
         self.assertEqual(made.raster(cell_size=(4, 2), align=True), Raster((2, 1), (4, 2), (3, 3)))
         self.assertEqual(made.raster(cell_size=2, bounds=(-3, -2, 0, 7), align=True), Raster((-3, 1), (2, 2), (4, 1)))
         self.assertEqual(made.raster(cell_size=3, bounds=(0, 0, 5, 5)), Raster((1.5, 6.5), (3, 3), (1, 1)))
-        self.assertEqual(made.raster(shape=(1, 1), bounds=(0, 0, 5, 5)), Raster((0.5, 5.5), (1, 1), (1, 1)))
+        self.assertEqual(made.raster(shape=(1, 1), bounds=(0, 0, 5, 5)), Raster((0, 5), (1, 1), (1, 1)))
         self.assertEqual(made.raster(cell_size=2).bounds, (1, 11, 1, 5))
+        self.assertEqual(made.raster(cell_size=0.1, bounds=(0, 1.1, 0, 0.7)).shape, (7, 11))
+        self.assertEqual(made.raster(cell_size=0.1, bounds=(-0.3, 0.6, 0.1, 0.7), align=True).shape, (6, 9))
+        self.assertEqual(made.raster(cell_size=0.1, bounds=(0, 1.101, 0, 0.699)).shape, (7, 12))
+        self.assertEqual(made.raster(shape=(3, 5), bounds=(2, 2, 0, 6)), Raster((2, 1), (2, 2), (3, 1)))
+        self.assertEqual(made.raster(shape=(3, 5), bounds=(2, 2, 4, 4)), Raster((2, 4), (1, 1), (1, 1)))
+        wide = made.raster(shape=(1, 2), bounds=(-1.7e308, 1.7e308, 0, 1))
+        self.assertEqual((wide.origin[0], wide.spacing[0]), (-0.85e308, 1.7e308))
         self.assertEqual(made.raster(cell_size=2, align=True).geotransform, (0, 2, 0, 0, 0, 2))
 
     def test_raster_of_points_that_are_no_vertices(self):
@@ -281,6 +288,7 @@ class RefusedTest(unittest.TestCase):
             (ValueError, "ascending", lambda: made.raster(cell_size=1, bounds=(0, np.nan, 0, 1))),
             (TypeError, "four numbers", lambda: made.raster(cell_size=1, bounds=(0, 1))),
             (MemoryError, "rows or columns", lambda: made.raster(cell_size=1e-12)),
+            (ValueError, "apart", lambda: made.raster(cell_size=1, bounds=(1e17, 1e17 + 64, 0, 1))),
             (ValueError, "spacing", lambda: Raster((0, 0), (0, 1), (1, 1))),
             (ValueError, "origin", lambda: Raster((np.inf, 0), (1, 1), (1, 1))),
             (ValueError, "shape", lambda: Raster((0, 0), (1, 1), (-1, 1))),

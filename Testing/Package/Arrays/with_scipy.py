@@ -70,6 +70,28 @@ class ScipyTest(unittest.TestCase):
                 np.sort(ours.triangles[found[inside]]), np.sort(theirs.simplices[expected[inside]]))  # fmt: skip
             self.assertEqual(set(ours.hull), set(theirs.convex_hull.ravel()))
 
+    def test_the_same_values(self):
+        from adaptivehilbertdelaunay import LinearInterpolator, NearestInterpolator
+        from scipy.interpolate import LinearNDInterpolator, NearestNDInterpolator
+
+        for seed in range(30):
+            random = np.random.default_rng(seed)
+            points = random.random((int(random.integers(4, 2000)), 2)) * 10.0 ** random.integers(-3, 4)
+            kinds = (random.random(len(points)), random.random((len(points), 2, 3)), random.random(len(points)) * 1j)
+            places = random.random((20, 10, 2)) * np.ptp(points, axis=0)
+            for values in kinds:
+                for args in ((places,), (places[..., 0], places[..., 1]), ((places[:, :, 0], places[0, 0, 1]),)):
+                    ours = LinearInterpolator(points, values, fill_value=-5)(*args)
+                    theirs = LinearNDInterpolator(points, values, fill_value=-5)(*args)
+                    self.assertEqual((ours.shape, ours.dtype), (theirs.shape, theirs.dtype))
+                    np.testing.assert_allclose(ours, theirs, atol=1e-9)
+                    nearest = NearestNDInterpolator(points, values)(*args)
+                    np.testing.assert_array_equal(NearestInterpolator(points, values)(*args), nearest)
+            ours, theirs = (
+                kind(points * [1, 1e4], kinds[0], rescale=True) for kind in (LinearInterpolator, LinearNDInterpolator)
+            )
+            np.testing.assert_allclose(ours(places * [1, 1e4]), theirs(places * [1, 1e4]), atol=1e-9)
+
 
 def main():
     python = reached(os.path.abspath(sys.argv[1]))
