@@ -9,7 +9,6 @@
 #include "SortKeys.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 
@@ -54,7 +53,8 @@ public:
     {
       keysPerPiece_ /= 2;
     }
-    const std::size_t pieces = slots() / keysPerPiece_ + tasks_ * layout_.blocks();
+    piecesPerTask_ = (slots() / tasks_ + 1) / keysPerPiece_ + layout_.blocks();
+    const std::size_t pieces = tasks_ * piecesPerTask_;
     before_.allocate(pieces);
     chains_.allocate(tasks_ * layout_.blocks());
     begins_.allocate(layout_.blocks() + 1);
@@ -174,8 +174,9 @@ private:
   {
     Chain* const chains = &chainOf(task, 0);
     const std::size_t mask = bytesPerPiece() - 1;
+    std::uint32_t fresh = static_cast<std::uint32_t>(task * piecesPerTask_);
     return forEachTriangle(Share(slots(), task, tasks_), ticker,
-      [this, layout = layout_, chains, mask](const std::uint32_t* corners, std::size_t slot)
+      [this, layout = layout_, chains, mask, &fresh](const std::uint32_t* corners, std::size_t slot)
       {
         if (kThird == TriangleKeys::Third::Slot)
         {
@@ -186,15 +187,14 @@ private:
         Chain& chain = chains[blockAndKey.first];
         if ((reinterpret_cast<std::uintptr_t>(chain.end) & mask) == 0)
         {
-          takePiece(chain);
+          takePiece(chain, fresh++);
         }
         *chain.end++ = blockAndKey.second;
       });
   }
 
-  void takePiece(Chain& chain)
+  void takePiece(Chain& chain, std::uint32_t piece)
   {
-    const std::uint32_t piece = used_.fetch_add(1, std::memory_order_relaxed);
     before_[piece] = chain.last;
     chain.last = piece;
     ++chain.pieces;
@@ -233,10 +233,11 @@ private:
   std::uint32_t* places_;
   std::size_t tasks_;
   std::size_t keysPerPiece_ = kKeysPerPiece; ///< a power of two; fewer where there are many tasks
-  Key* keys_ = nullptr;                      ///< the first piece, in the scratch
-  std::size_t inScratch_ = 0;                ///< pieces for which there is room there
-  Key* extraKeys_ = nullptr;                 ///< those for which there is none, in extra_
-  std::atomic<std::uint32_t> used_{ 0 };
+  /// A task has its pieces side by side: in turns, processors would fetch ahead what others write.
+  std::size_t piecesPerTask_ = 0;
+  Key* keys_ = nullptr;          ///< the first piece, in the scratch
+  std::size_t inScratch_ = 0;    ///< pieces for which there is room there
+  Key* extraKeys_ = nullptr;     ///< those for which there is none, in extra_
   Buffer<std::uint32_t> before_; ///< of each piece, the one before it in its chain
   Buffer<Chain> chains_;
   Buffer<unsigned char> extra_;

@@ -98,17 +98,11 @@ private:
   /// points at a time.
   bool insertLastRound(std::size_t before, std::size_t begin)
   {
-    constexpr std::size_t kListed = 256;
-    Index list[kListed + 1]; // and the one after them
-    const std::size_t end = points_.count;
-    while (begin < end)
+    Index list[Rounds::kListed + 1]; // and the one after them
+    const std::size_t size = points_.count - before;
+    while (begin < points_.count)
     {
-      const std::size_t some = std::min(kListed, end - begin);
-      rounds_.lastPlaces(begin - before, std::min(some + 1, end - begin), list);
-      if (some == end - begin)
-      {
-        list[some] = list[some - 1];
-      }
+      const std::size_t some = rounds_.list(1, begin - before, size, list);
       if (!insertListed(list, begin, some))
       {
         return false;

@@ -66,73 +66,66 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   const Mesh::Halfedge closing = twins[2];
   const Beyond beyondRoot{ twins[0], twins[1], data_[twins[0]], data_[twins[1]] };
   const unsigned rightOfBC = signs(cross(root.edges.b, towards));
-  Removed t{ openStar(cavity, root, closing), slot, root.b, (rightOfBC & 1) != 0, root.edges,
-    beyondRoot };
-  Place end = 2 * Mesh::kSlotSize; // if Shared, of the star
-  const Place closingPlace = t.place + Mesh::kSlotSize;
-  Place hintPlace = firstHint({ t.place, kShared ? end : slot, closingPlace },
-    signs(root.edges.crossed), signs(cross(root.edges.a, towards)), rightOfBC);
+  openStar(cavity, root, closing);
+  Removed t{ cavity.fresh, slot + 2, root.b, (rightOfBC & 1) != 0, root.edges, beyondRoot };
+  const Mesh::Slot closingPlace = t.place + Mesh::kSlotSize;
+  Mesh::Slot hintPlace = firstHint({ t.place, slot, closingPlace }, signs(root.edges.crossed),
+    signs(cross(root.edges.a, towards)), rightOfBC);
   // Written in any case, and chosen by a mask: a branch would be taken at random.
-  star()[closingPlace + 3] = kNoIndex;
-  const Place isWaiting = 0u - (closingInConflict(root, closing, origin, p) ? 1u : 0u);
-  Place waiting = (closingPlace & isWaiting) | ~isWaiting;
+  (data_ + closingPlace)[3] = kNoIndex;
+  const Mesh::Slot isWaiting = 0u - (closingInConflict(root, closing, origin, p) ? 1u : 0u);
+  Mesh::Slot waiting = (closingPlace & isWaiting) | ~isWaiting;
+  std::size_t splits = 0; // counted if Shared
   for (;;)
   {
     countRemoved();
-    if (kShared && (end == star_.size() || !owns(t.apex)))
+    if (kShared)
     {
-      return Insertion::Deferred;
+      if (splits == kMostSplits || !owns(t.apex))
+      {
+        takeBack(splits);
+        return Insertion::Deferred;
+      }
+      splits_[splits++] = { t.place, t.entry };
     }
     if (!spend())
     {
       return Insertion::Cancelled;
     }
-    Beyond first, second;
-    if (!kShared)
-    {
-      first = beyond(t.beyond.first);
-      second = beyond(t.beyond.second);
-    }
+    const Beyond first = beyond(t.beyond.first);
+    const Beyond second = beyond(t.beyond.second);
     const LiftedPair apices = liftedFrom(origin, xy[t.beyond.firstApex], xy[t.beyond.secondApex]);
     const InCirclePair seen = test(t.edges, apices);
     const unsigned right = signs(cross(apices, towards));
     const unsigned inside = seen.certain == 3 ? seen.inside
                                               : decide(seen, t.place, t.apex, t.beyond, p);
-    const Place added = split(t, p, end);
-    const Place refined = t.apexIsRight ? t.place : added;
+    const Mesh::Slot added = split(t, p);
+    const Mesh::Slot refined = t.apexIsRight ? t.place : added;
     hintPlace = hintPlace == t.place ? refined : hintPlace;
-    if (kShared)
-    {
-      end += Mesh::kSlotSize;
-    }
     if ((inside & 1) != 0)
     {
       // The other one waits, if it is in conflict, too: again by a mask.
-      (star() + added)[3] = waiting;
+      (data_ + added)[3] = waiting;
       waiting ^= (waiting ^ added) & (0u - (inside >> 1));
-      t = { t.place, Mesh::slotOf(t.beyond.first), t.beyond.firstApex, (right & 1) != 0,
-        lowEdges(t.edges, apices), kShared ? beyond(t.beyond.first) : first };
+      t = { t.place, t.beyond.first, t.beyond.firstApex, (right & 1) != 0,
+        lowEdges(t.edges, apices), first };
     }
     else if ((inside & 2) != 0)
     {
-      t = { added, Mesh::slotOf(t.beyond.second), t.beyond.secondApex, (right & 2) != 0,
-        highEdges(t.edges, apices), kShared ? beyond(t.beyond.second) : second };
+      t = { added, t.beyond.second, t.beyond.secondApex, (right & 2) != 0,
+        highEdges(t.edges, apices), second };
     }
     else if (waiting != kNoIndex)
     {
       t = waitingAt(waiting, at, towards);
-      waiting = (star() + waiting)[3];
+      waiting = (data_ + waiting)[3];
     }
     else
     {
       break;
     }
   }
-  if (kShared)
-  {
-    writeStar(p, end);
-  }
-  hint = kShared ? star()[hintPlace + 7] : hintPlace;
+  hint = hintPlace;
   if ((data_ + hint)[1] == ghost_ || (data_ + hint)[2] == ghost_)
   {
     hint = hintOutside(cavity.next, hint);
@@ -158,14 +151,13 @@ Mesh::Slot Kernel<kCount, kAccess, kExact>::hintOutside(Index next, Mesh::Slot g
 /// `behind` tells of a-b and b-c whether p is behind them, `ofAB` and `ofBC` of which of their ends
 /// the next point is on the right.
 template <bool kCount, Access kAccess, bool kExact>
-AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
-Kernel<kCount, kAccess, kExact>::firstHint(
+AHD_ALWAYS_INLINE Mesh::Slot Kernel<kCount, kAccess, kExact>::firstHint(
   const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC)
 {
   // By masks, as compilers make branches of some choices here, which would be taken at random.
-  const auto choose = [](unsigned yes, Place a, Place b)
+  const auto choose = [](unsigned yes, Mesh::Slot a, Mesh::Slot b)
   { return b ^ ((a ^ b) & (0u - (yes & 1u))); };
-  Place hint = choose(behind >> 1, places.bc, places.ca);
+  Mesh::Slot hint = choose(behind >> 1, places.bc, places.ca);
   hint = choose(behind, places.ab, hint);
   hint = choose(ofAB & ~(ofBC >> 1), places.ca, hint);
   hint = choose(ofBC >> 1 & ~ofBC, places.bc, hint);
@@ -173,16 +165,14 @@ Kernel<kCount, kAccess, kExact>::firstHint(
   return hint;
 }
 
-/// The star of two triangles, p, a, c and p, c, a. Returns where the first one stands; the other
-/// one is beside it.
+/// The star of two triangles, p, a, c and p, c, a, in the two fresh slots.
 template <bool kCount, Access kAccess, bool kExact>
-AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
-Kernel<kCount, kAccess, kExact>::openStar(
+AHD_ALWAYS_INLINE void Kernel<kCount, kAccess, kExact>::openStar(
   const Cavity& cavity, const Root& root, Mesh::Halfedge closingTwin)
 {
-  const Place place = kShared ? 0 : cavity.fresh;
-  const Place closing = place + Mesh::kSlotSize;
-  std::uint32_t* const t = star() + place;
+  const Mesh::Slot place = cavity.fresh;
+  const Mesh::Slot closing = place + Mesh::kSlotSize;
+  std::uint32_t* const t = data_ + place;
   t[0] = cavity.p;
   t[1] = root.a;
   t[2] = root.c;
@@ -194,27 +184,17 @@ Kernel<kCount, kAccess, kExact>::openStar(
   t[12] = closingTwin;
   t[13] = place + 2;
   t[14] = place + 1;
-  if (kShared)
-  {
-    t[7] = cavity.fresh;
-    t[15] = cavity.fresh + Mesh::kSlotSize;
-  }
-  else
-  {
-    (data_ + closingTwin)[Mesh::kTwin] = closing;
-  }
-  return place;
+  (data_ + closingTwin)[Mesh::kTwin] = closing;
 }
 
 /// Splits the star's triangle on the edge across which a triangle was removed. Returns where the
-/// second half stands; if Shared, that is `end`.
+/// second half stands: in the slot of that triangle.
 template <bool kCount, Access kAccess, bool kExact>
-AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Place
-Kernel<kCount, kAccess, kExact>::split(const Removed& removed, Index p, Place end)
+AHD_ALWAYS_INLINE Mesh::Slot Kernel<kCount, kAccess, kExact>::split(const Removed& removed, Index p)
 {
-  const Place added = kShared ? end : removed.slot;
-  std::uint32_t* const u = star() + removed.place;
-  std::uint32_t* const v = star() + added;
+  const Mesh::Slot added = Mesh::slotOf(removed.entry);
+  std::uint32_t* const u = data_ + removed.place;
+  std::uint32_t* const v = data_ + added;
   const Index b = u[2];
   const Mesh::Halfedge after = u[5];
   u[2] = removed.apex;
@@ -226,17 +206,38 @@ Kernel<kCount, kAccess, kExact>::split(const Removed& removed, Index p, Place en
   v[4] = removed.beyond.second;
   v[5] = after;
   v[6] = removed.place + 1;
-  if (kShared)
-  {
-    v[7] = removed.slot;
-  }
-  else
-  {
-    (data_ + removed.beyond.first)[Mesh::kTwin] = removed.place;
-    (data_ + removed.beyond.second)[Mesh::kTwin] = added;
-    (data_ + after)[Mesh::kTwin] = added + 1;
-  }
+  (data_ + removed.beyond.first)[Mesh::kTwin] = removed.place;
+  (data_ + removed.beyond.second)[Mesh::kTwin] = added;
+  (data_ + after)[Mesh::kTwin] = added + 1;
   return added;
+}
+
+/// Takes back the splits of the star in work, the last one first, and the star of two: the mesh is
+/// as it was, down to the places of corners and edges. REQUIRES: there is a split.
+template <bool kCount, Access kAccess, bool kExact>
+void Kernel<kCount, kAccess, kExact>::takeBack(std::size_t splits)
+{
+  while (splits > 0)
+  {
+    const Split split = splits_[--splits];
+    std::uint32_t* const u = data_ + split.place;
+    const std::uint32_t* const v = data_ + Mesh::slotOf(split.entry);
+    const Index a = u[1], b = v[2], apex = u[2];
+    const Mesh::Halfedge first = u[4], second = v[4], after = v[5];
+    const Mesh::Halfedge next = Mesh::next(split.entry);
+    const Mesh::Halfedge previous = Mesh::previous(split.entry);
+    u[2] = b;
+    link(split.place + 1, after);
+    data_[split.entry] = apex;
+    data_[next] = b;
+    data_[previous] = a;
+    link(split.place, split.entry);
+    link(next, first);
+    link(previous, second);
+  }
+  const Split root = splits_[0];
+  const Mesh::Slot closing = root.place + Mesh::kSlotSize;
+  link(root.entry, (data_ + closing)[Mesh::kTwin]);
 }
 
 /// Is the triangle beyond the root's edge c-a in conflict with p?
@@ -253,9 +254,10 @@ AHD_ALWAYS_INLINE bool Kernel<kCount, kAccess, kExact>::closingInConflict(
 /// The triangle beyond the star's triangle at `place`, which is in conflict with p.
 template <bool kCount, Access kAccess, bool kExact>
 AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Removed
-Kernel<kCount, kAccess, kExact>::waitingAt(Place place, Pair at, const VectorPair& towards) const
+Kernel<kCount, kAccess, kExact>::waitingAt(
+  Mesh::Slot place, Pair at, const VectorPair& towards) const
 {
-  const std::uint32_t* const t = star() + place;
+  const std::uint32_t* const t = data_ + place;
   const Mesh::Halfedge twin = t[Mesh::kTwin];
   const Index apex = data_[twin];
   const Pair a = coordinates(xy_[t[1]]) - at;
@@ -263,41 +265,21 @@ Kernel<kCount, kAccess, kExact>::waitingAt(Place place, Pair at, const VectorPai
   const Pair c = coordinates(xy_[apex]) - at;
   const LiftedPair ac = lifted(a, c), cb = lifted(c, b);
   const bool isRight = (signs(cross(cb, towards)) & 1) != 0;
-  return { place, Mesh::slotOf(twin), apex, isRight, { ac, cb, cross(ac, cb) }, beyond(twin) };
+  return { place, twin, apex, isRight, { ac, cb, cross(ac, cb) }, beyond(twin) };
 }
 
 /// Which of the two triangles beyond a removed one are in conflict with p, by the exact predicate
 /// where the filter is not certain. REQUIRES: the star has not been split there yet.
 template <bool kCount, Access kAccess, bool kExact>
 unsigned Kernel<kCount, kAccess, kExact>::decide(
-  InCirclePair seen, Place place, Index apex, Beyond beyond, Index p)
+  InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p)
 {
-  const std::uint32_t* const t = star() + place;
+  const std::uint32_t* const t = data_ + place;
   const bool first = (seen.certain & 1) != 0 ? (seen.inside & 1) != 0
                                              : conflicts(apex, t[1], beyond.firstApex, p);
   const bool second = (seen.certain & 2) != 0 ? (seen.inside & 2) != 0
                                               : conflicts(t[2], apex, beyond.secondApex, p);
   return (first ? 1u : 0u) + (second ? 2u : 0u);
-}
-
-/// Writes the star that was put aside, and links it.
-template <bool kCount, Access kAccess, bool kExact>
-void Kernel<kCount, kAccess, kExact>::writeStar(Index p, std::size_t end)
-{
-  for (std::size_t i = 0; i < end; i += Mesh::kSlotSize)
-  {
-    const std::uint32_t* const t = star_.data() + i;
-    const Mesh::Slot slot = t[7];
-    const Mesh::Slot after = star_[t[5] - 2 + 7];
-    std::uint32_t* const to = data_ + slot;
-    to[0] = p;
-    to[1] = t[1];
-    to[2] = t[2];
-    to[4] = t[4];
-    to[5] = after + 2;
-    (data_ + after)[6] = slot + 1;
-    (data_ + t[4])[Mesh::kTwin] = slot;
-  }
 }
 
 template <bool kCount, Access kAccess, bool kExact>

@@ -43,13 +43,14 @@ enum class Insertion
 {
   Done,
   Strayed,  ///< the walk left the territory: nothing was changed; another hint may do
-  Deferred, ///< the cavity reaches out of the territory: nothing was changed
+  Deferred, ///< the cavity reaches out of the territory: what was changed is as it was
   Cancelled ///< the caller wants to cancel: the mesh is unusable
 };
 
 /// Alone: the mesh belongs to this kernel. Shared: others insert at the same time, each in a
-/// territory of its own (Insert/Insert.h says why that is safe). Then a cavity is carved only if
-/// all its finite vertices are owned, and nothing is written before that is known.
+/// territory of its own (Insert/Insert.h says why that is safe). Then a cavity is carved only as
+/// far as all its finite vertices are owned. Nearly all of them are, so the star grows in the mesh
+/// as ever, and is taken back where it meets a vertex that is not.
 enum class Access
 {
   Alone,
@@ -103,10 +104,6 @@ private:
     EdgePair closing; ///< c-a, and a-b once more
   };
 
-  /// Where a triangle of the star stands: its slot. If Shared: its slot in `star_`, as nothing is
-  /// written to the mesh before all of them are known.
-  using Place = std::uint32_t;
-
   /// The triangles beyond two edges: the edges' names there, and the apices.
   struct Beyond
   {
@@ -118,12 +115,19 @@ private:
   /// other edges, which meet in its apex, take the place of that edge.
   struct Removed
   {
-    Place place;
-    Mesh::Slot slot; ///< its own
+    Mesh::Slot place;
+    Mesh::Halfedge entry; ///< that edge, as its own
     Index apex;
     bool apexIsRight; ///< of the way from p to the next point
     EdgePair edges;
     Beyond beyond;
+  };
+
+  /// A triangle of the star that was split, and the edge across which what goes there was met.
+  struct Split
+  {
+    Mesh::Slot place;
+    Mesh::Halfedge entry;
   };
 
   static constexpr bool kShared = kAccess == Access::Shared;
@@ -133,7 +137,7 @@ private:
   static constexpr std::size_t kStepsOfExact = 16;
   static constexpr std::size_t kSlotsAhead = 8;     ///< fetched, those of four points
   static constexpr std::size_t kVerticesAhead = 16; ///< fetched: their coordinates
-  static constexpr std::size_t kMostKept = 128; ///< triangles of a star that are not yet written
+  static constexpr std::size_t kMostSplits = 126;   ///< that can be taken back
 
   // Not slots, as they are not multiples of eight.
   static constexpr Mesh::Slot kCancelled = kNoIndex;
@@ -277,20 +281,16 @@ private:
 
   Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
   bool closingInConflict(const Root& root, Mesh::Halfedge twin, const VectorPair& at, Index p);
-  Removed waitingAt(Place place, Pair at, const VectorPair& towards) const;
+  Removed waitingAt(Mesh::Slot place, Pair at, const VectorPair& towards) const;
   /// Which of two triangles are in conflict with p, by the filter or, on a grid, exactly.
   AHD_ALWAYS_INLINE InCirclePair test(const EdgePair& edges, const LiftedPair& apices) const
   {
     return kExact ? perturbedInCircle(edges, apices, both(guard_), exactly_)
                   : inCircle(edges, apices, both(guard_));
   }
-  unsigned decide(InCirclePair seen, Place place, Index apex, Beyond beyond, Index p);
-  void writeStar(Index p, std::size_t end);
+  unsigned decide(InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p);
+  void takeBack(std::size_t splits);
   Mesh::Slot hintOutside(Index next, Mesh::Slot ghost) const;
-
-  /// The star's triangles: in the mesh, or put aside.
-  std::uint32_t* star() { return kShared ? star_.data() : data_; }
-  const std::uint32_t* star() const { return kShared ? star_.data() : data_; }
 
   /// What lies beyond the edges after and before h of its triangle. If Shared and its apex is not
   /// owned, nothing is read: one of those edges may belong to others whole, and carve() ends there.
@@ -308,11 +308,18 @@ private:
   /// Of the star's triangles on the edges of a root.
   struct RootPlaces
   {
-    Place ab, bc, ca;
+    Mesh::Slot ab, bc, ca;
   };
-  static Place firstHint(const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC);
-  Place openStar(const Cavity& cavity, const Root& root, Mesh::Halfedge closingTwin);
-  Place split(const Removed& removed, Index p, Place end);
+  static Mesh::Slot firstHint(
+    const RootPlaces& places, unsigned behind, unsigned ofAB, unsigned ofBC);
+  void openStar(const Cavity& cavity, const Root& root, Mesh::Halfedge closingTwin);
+  Mesh::Slot split(const Removed& removed, Index p);
+
+  void link(Mesh::Halfedge a, Mesh::Halfedge b)
+  {
+    (data_ + a)[Mesh::kTwin] = b;
+    (data_ + b)[Mesh::kTwin] = a;
+  }
 
   void countRemoved()
   {
@@ -344,7 +351,7 @@ private:
   Index ghost_;
   Territory territory_;
   Ticker& ticker_;
-  std::array<std::uint32_t, kShared ? kMostKept * Mesh::kSlotSize : 1> star_; ///< put aside
+  std::array<Split, kShared ? kMostSplits : 1> splits_; ///< of the star in work
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;

@@ -104,30 +104,33 @@ bool Parts::insertOwnOf(Part& part, Ticker& ticker)
   SharedKernel<kExact> kernel(frame_, mesh_, ticker, part.territory);
   const std::size_t end = rounds_.index(
     stride_, std::size_t(part.territory.begin) + part.territory.size);
+  Index list[Rounds::kListed + 1]; // and the one after them
   Mesh::Slot hint = startFor(part.territory.begin);
   Mesh::Slot fresh = Mesh::freshSlots(rounds_.before(stride_) + part.begin);
-  Index next = static_cast<Index>(rounds_.place(stride_, part.begin));
   std::size_t waiting = part.begin;
   std::uint64_t strayed = 0;
-  for (std::size_t k = part.begin; k < end; ++k, fresh += 2 * Mesh::kSlotSize)
+  for (std::size_t k = part.begin; k < end;)
   {
-    const Index p = next;
-    next = k + 1 < end ? static_cast<Index>(rounds_.place(stride_, k + 1)) : p;
-    Insertion result = kernel.insert(p, next, fresh, hint);
-    if (result == Insertion::Strayed)
+    const std::size_t some = rounds_.list(stride_, k, end, list);
+    for (std::size_t i = 0; i < some; ++i, fresh += 2 * Mesh::kSlotSize)
     {
-      hint = startFor(p);
-      result = kernel.insert(p, next, fresh, hint);
-      ++strayed;
+      Insertion result = kernel.insert(list[i], list[i + 1], fresh, hint);
+      if (result == Insertion::Strayed)
+      {
+        hint = startFor(list[i]);
+        result = kernel.insert(list[i], list[i + 1], fresh, hint);
+        ++strayed;
+      }
+      if (result == Insertion::Cancelled)
+      {
+        return false;
+      }
+      if (result != Insertion::Done)
+      {
+        waiting_[waiting++] = list[i];
+      }
     }
-    if (result == Insertion::Cancelled)
-    {
-      return false;
-    }
-    if (result != Insertion::Done)
-    {
-      waiting_[waiting++] = p;
-    }
+    k += some;
   }
   part.waiting = waiting - part.begin;
   part.attempts = end - part.begin + strayed;

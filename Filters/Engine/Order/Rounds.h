@@ -80,6 +80,34 @@ public:
     }
   }
 
+  static constexpr std::size_t kListed = 256;
+
+  /// Lists places of this round, at most kListed, from its k-th on and before its end-th, and the
+  /// one after them; where there is none, the last once more. Returns how many, that one not
+  /// counted. REQUIRES: k < end <= size(stride); room for kListed + 1.
+  template <typename Out>
+  std::size_t list(std::size_t stride, std::size_t k, std::size_t end, Out* out) const
+  {
+    const std::size_t count = std::min(kListed, end - k);
+    const std::size_t listed = std::min(count + 1, end - k);
+    if (stride == 1 && stride != first_)
+    {
+      lastPlaces(k, listed, out);
+    }
+    else
+    {
+      for (std::size_t i = 0; i < listed; ++i)
+      {
+        out[i] = static_cast<Out>(place(stride, k + i));
+      }
+    }
+    if (listed == count)
+    {
+      out[count] = out[count - 1];
+    }
+    return count;
+  }
+
   /// How many places of this round are in the blocks before the one that `place` is in: the inverse
   /// of place(), if it is of this round. For n, how many there are.
   std::size_t index(std::size_t stride, std::size_t place) const

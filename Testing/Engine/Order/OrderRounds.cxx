@@ -55,6 +55,30 @@ TEST(OrderRounds, TheLastListedFromAnyPlaceOn)
   }
 }
 
+TEST(OrderRounds, ListedInPieces)
+{
+  for (const std::size_t n : kSizes)
+  {
+    const Rounds rounds(n);
+    for (std::size_t stride = rounds.firstStride(); stride > 0; stride /= kControlStride)
+    {
+      for (const std::size_t end : { rounds.size(stride), rounds.size(stride) / 2 })
+      {
+        std::uint32_t listed[Rounds::kListed + 1];
+        for (std::size_t k = 0, some = 0; k < end; k += some)
+        {
+          some = rounds.list(stride, k, end, listed);
+          ASSERT_EQ(some, std::min(Rounds::kListed, end - k));
+          for (std::size_t i = 0; i <= some; ++i)
+          {
+            ASSERT_EQ(listed[i], rounds.place(stride, std::min(k + i, end - 1))) << n << ", " << k;
+          }
+        }
+      }
+    }
+  }
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd
