@@ -198,7 +198,7 @@ void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
 {
   ahd::Triangulation& triangulation = results.Triangulation;
   this->Context.NextStage();
-  const vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
+  vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
   surface.WritePoints(this->Input, results.Points);
   surface.ShowMeans(results.Points, triangulation);
   const ahd::Selection selection = surface.WriteCells(results.Points, triangulation);

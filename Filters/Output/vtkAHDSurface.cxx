@@ -170,7 +170,7 @@ void vtkAHDSurface::ShowMeans(
 }
 
 ahd::Selection vtkAHDSurface::WriteCells(
-  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
+  const ahd::PreparedInput& points, ahd::Triangulation& triangulation)
 {
   ahd::Selection selection;
   if (!this->Settings.LimitsSize() || points.points().count == 0)
@@ -188,25 +188,36 @@ ahd::Selection vtkAHDSurface::WriteCells(
   return selection;
 }
 
-void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation) const
+/// Neighbours are written with the triangles, and added to the output with the other cell arrays.
+ahd::Status vtkAHDSurface::WriteWithNeighbors(
+  ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners)
 {
-  if (this->Settings.GenerateNeighbors) // they want the triangles in order, too
-  {
-    this->Context.Check(triangulation.makeNumbers(this->Context));
-  }
+  const std::size_t count = ahd::cellCount(triangulation, selection);
+  this->Neighbors = MakeArray<vtkIdTypeArray>("Neighbors", this->Context, count, 3);
+  const ahd::CellsWithNeighbors<vtkIdType> to = { corners, this->Neighbors->GetPointer(0) };
+  return ahd::writeWithNeighbors(triangulation, selection, to, this->Context);
+}
+
+void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
+{
   auto corners = vtkAHDNewArray<IdArray>(
     3 * static_cast<vtkIdType>(triangulation.report().triangles), this->Context);
-  this->Context.Check(triangulation.writeTriangles(corners->GetPointer(0), this->Context));
+  std::int32_t* const to = corners->GetPointer(0);
+  this->Context.Check(this->Settings.GenerateNeighbors
+      ? this->WriteWithNeighbors(triangulation, ahd::Selection(), to)
+      : triangulation.writeTriangles(to, this->Context));
   this->Output->SetPolys(MakeCells(corners, 3, this->Context));
 }
 
 void vtkAHDSurface::WriteSelected(
-  ahd::Triangulation& triangulation, const ahd::Selection& selection) const
+  ahd::Triangulation& triangulation, const ahd::Selection& selection)
 {
   auto corners = vtkAHDNewArray<IdArray>(
     3 * static_cast<vtkIdType>(selection.keptCount), this->Context);
-  this->Context.Check(
-    ahd::writeSelected(triangulation, selection, corners->GetPointer(0), this->Context));
+  std::int32_t* const to = corners->GetPointer(0);
+  this->Context.Check(this->Settings.GenerateNeighbors
+      ? this->WriteWithNeighbors(triangulation, selection, to)
+      : ahd::writeSelected(triangulation, selection, to, this->Context));
   this->Output->SetPolys(MakeCells(corners, 3, this->Context));
   if (!selection.vertices.empty())
   {
@@ -260,12 +271,9 @@ void vtkAHDSurface::AddCellArrays(
       ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
     data->AddArray(regions);
   }
-  if (this->Settings.GenerateNeighbors)
+  if (this->Neighbors)
   {
-    auto neighbors = MakeArray<vtkIdTypeArray>("Neighbors", this->Context, count, 3);
-    this->Context.Check(
-      ahd::writeNeighbors(triangulation, selection, neighbors->GetPointer(0), this->Context));
-    data->AddArray(neighbors);
+    data->AddArray(this->Neighbors);
   }
 }
 

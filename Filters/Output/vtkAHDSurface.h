@@ -8,12 +8,15 @@
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 
+#include "vtkSmartPointer.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 class vtkAHDInput;
+class vtkIdTypeArray;
 class vtkPolyData;
 
 /**
@@ -40,13 +43,12 @@ public:
 
   /// The cells: triangles, and what the limits on their size leave instead of some. REQUIRES: the
   /// points are there. Returns the selection.
-  ahd::Selection WriteCells(
-    const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+  ahd::Selection WriteCells(const ahd::PreparedInput& points, ahd::Triangulation& triangulation);
 
   /// The point arrays that are asked for.
   void AddPointArrays(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
 
-  /// The cell arrays that are asked for.
+  /// The cell arrays that are asked for. REQUIRES: WriteCells().
   void AddCellArrays(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;
 
   /// The field data array "Crossings", at most a thousand rows; none, and none of the input's, if
@@ -66,14 +68,17 @@ public:
   static std::size_t EstimateMeanBytes(std::size_t pointCount, const vtkAHDSettings& settings);
 
 private:
-  void WriteTriangles(ahd::Triangulation& triangulation) const;
-  void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;
+  void WriteTriangles(ahd::Triangulation& triangulation);
+  void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection);
+  ahd::Status WriteWithNeighbors(
+    ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners);
   template <typename Array>
   void CopyPoints(const ahd::PointView& points) const;
 
   const vtkAHDSettings& Settings;
   const vtkAHDContext& Context;
   vtkPolyData* const Output;
+  vtkSmartPointer<vtkIdTypeArray> Neighbors; ///< if they are asked for, from WriteCells() on
 };
 
 #endif

@@ -67,9 +67,9 @@ public:
   }
 
   /// Calls visit(its place, its slot, OrderedTriangle) for each, on all threads lent. It writes to
-  /// `array`. REQUIRES: number().
-  template <typename Visit>
-  bool each(const TriangleArray& array, Ticker& ticker, const Visit& visit) const
+  /// `array`, see inMeshOrder(). REQUIRES: number().
+  template <typename Arrays, typename Visit>
+  bool each(const Arrays& array, Ticker& ticker, const Visit& visit) const
   {
     return inMeshOrder(state_.mesh, state_.numbers, array, ticker,
       [&](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
@@ -123,6 +123,35 @@ private:
   const unsigned char* kept_;
   Buffer<std::uint32_t> places_; ///< empty if all are put out
 };
+
+/// Writes neighbours, at first -1 for all that is no triangle.
+template <typename Id>
+class NeighborWriter
+{
+public:
+  NeighborWriter(const Selection& selection, Id* neighbors)
+    : before_(cellsBefore(selection))
+    , ofTriangles_(neighbors + 3 * before_)
+  {
+    std::fill(neighbors, ofTriangles_, Id(-1));
+  }
+
+  TriangleArray array() const { return { ofTriangles_, 3 }; }
+
+  void write(const Selected& selected, std::size_t place, const OrderedTriangle& triangle) const
+  {
+    for (unsigned k = 0; k < 3; ++k)
+    {
+      const std::uint32_t other = selected.placeOfSlot(triangle.twin(k) / Mesh::kSlotSize);
+      ofTriangles_[3 * place + k] = other == kNoIndex ? Id(-1) : static_cast<Id>(before_ + other);
+    }
+  }
+
+private:
+  std::size_t before_;
+  Id* ofTriangles_;
+};
+
 /// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
 /// without; it returns false if it is to be
 /// cancelled.
@@ -374,21 +403,34 @@ template <typename Id>
 Status writeNeighbors(
   Triangulation& triangulation, const Selection& selection, Id* neighbors, const Context& context)
 {
-  const std::size_t before = cellsBefore(selection);
-  std::fill(neighbors, neighbors + 3 * before, Id(-1));
+  const NeighborWriter<Id> writer(selection, neighbors);
   return withSelected(triangulation, selection, context,
     [&](const State&, const Selected& selected, Ticker& ticker)
     {
-      return selected.each(TriangleArray(neighbors + 3 * before, 3), ticker,
+      return selected.each(writer.array(), ticker,
         [&](std::size_t place, std::size_t, const OrderedTriangle& triangle)
+        { writer.write(selected, place, triangle); });
+    });
+}
+
+template <typename Id>
+Status writeWithNeighbors(Triangulation& triangulation, const Selection& selection,
+  const CellsWithNeighbors<Id>& to, const Context& context)
+{
+  const NeighborWriter<Id> writer(selection, to.neighbors);
+  return withSelected(triangulation, selection, context,
+    [&](const State& state, const Selected& selected, Ticker& ticker)
+    {
+      const TwoTriangleArrays arrays{ TriangleArray(to.triples, 3), writer.array() };
+      return selected.each(arrays, ticker,
+        [&, triples = to.triples, ids = state.ranked.id.data()](
+          std::size_t place, std::size_t, const OrderedTriangle& triangle)
         {
           for (unsigned k = 0; k < 3; ++k)
           {
-            const std::uint32_t other = selected.placeOfSlot(triangle.twin(k) / Mesh::kSlotSize);
-            neighbors[3 * (before + place) + k] = other == kNoIndex
-              ? Id(-1)
-              : static_cast<Id>(before + other);
+            triples[3 * place + k] = static_cast<std::int32_t>(ids[triangle.corner(k)]);
           }
+          writer.write(selected, place, triangle);
         });
     });
 }
@@ -433,6 +475,8 @@ Status writeRegions(
 #define AHD_WRITES(Id)                                                                             \
   template Status writeSelected(Triangulation&, const Selection&, Id*, const Context&);            \
   template Status writeNeighbors(Triangulation&, const Selection&, Id*, const Context&);           \
+  template Status writeWithNeighbors(                                                              \
+    Triangulation&, const Selection&, const CellsWithNeighbors<Id>&, const Context&);              \
   template Status writeRegions(Triangulation&, const Selection&, Id*, const Context&)
 
 AHD_WRITES(int);

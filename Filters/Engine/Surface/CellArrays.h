@@ -27,6 +27,20 @@ template <typename Id>
 Status writeNeighbors(
   Triangulation& triangulation, const Selection& selection, Id* neighbors, const Context& context);
 
+/// Where to write triangles and neighbours: three point ids for each selected triangle, and what
+/// writeNeighbors() writes.
+template <typename Id>
+struct CellsWithNeighbors
+{
+  std::int32_t* triples;
+  Id* neighbors;
+};
+
+/// Both in one pass, for less than one after the other.
+template <typename Id>
+Status writeWithNeighbors(Triangulation& triangulation, const Selection& selection,
+  const CellsWithNeighbors<Id>& to, const Context& context);
+
 /// One number per cell: bit e (1, 2, 4) is set if edge e is a constraint; 0 for vertices and lines.
 Status writeConstraintEdges(Triangulation& triangulation, const Selection& selection,
   std::uint8_t* edges, const Context& context);

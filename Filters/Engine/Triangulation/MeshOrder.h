@@ -72,11 +72,23 @@ struct TriangleArray
   std::size_t bytes;
 };
 
+/// Two of them.
+struct TwoTriangleArrays
+{
+  void fetch(std::uint32_t number) const
+  {
+    first.fetch(number);
+    second.fetch(number);
+  }
+  TriangleArray first;
+  TriangleArray second;
+};
+
 /// Calls visit(triangle, its slot, OrderedTriangle) for all triangles that have numbers, in the
 /// order of the slots, in which neighbours are near to each other, on all threads lent. It writes
-/// to `array`. Returns false if the work is to be cancelled.
-template <typename Visit>
-bool inMeshOrder(const Mesh& mesh, const Buffer<std::uint32_t>& numbers, const TriangleArray& array,
+/// to `array`, one or two. Returns false if the work is to be cancelled.
+template <typename Arrays, typename Visit>
+bool inMeshOrder(const Mesh& mesh, const Buffer<std::uint32_t>& numbers, const Arrays& array,
   Ticker& ticker, const Visit& visit)
 {
   constexpr std::size_t kSlotsAhead = 16;

@@ -45,6 +45,23 @@ std::vector<std::int64_t> renumbered(const std::vector<std::int64_t>& regions)
   return result;
 }
 
+/// Triangles and neighbours in one pass are those of two.
+void expectBoth(Triangulation& made, const Selection& selection, const Context& context)
+{
+  const std::size_t cells = cellCount(made, selection);
+  const std::size_t before = selection.vertices.size() + selection.lines.size() / 2;
+  std::vector<std::int32_t> apart(3 * (cells - before), -7), triples(3 * (cells - before), -8);
+  std::vector<std::int64_t> neighborsApart(3 * cells, -7), neighbors(3 * cells, -8);
+  ASSERT_EQ(selection.kept.empty() ? made.writeTriangles(apart.data(), context)
+                                   : writeSelected(made, selection, apart.data(), context),
+    Status::Ok);
+  ASSERT_EQ(writeNeighbors(made, selection, neighborsApart.data(), context), Status::Ok);
+  const CellsWithNeighbors<std::int64_t> both = { triples.data(), neighbors.data() };
+  ASSERT_EQ(writeWithNeighbors(made, selection, both, context), Status::Ok);
+  EXPECT_EQ(triples, apart);
+  EXPECT_EQ(neighbors, neighborsApart);
+}
+
 void expectSelected(const ConstraintCase& given, std::uint64_t seed, Executor* executor)
 {
   const FillRule rule = kFillRules[seed % 2];
@@ -68,6 +85,8 @@ void expectSelected(const ConstraintCase& given, std::uint64_t seed, Executor* e
   ASSERT_EQ(writeNeighbors(engine.made, some, neighbors.data(), context), Status::Ok);
   ASSERT_EQ(writeRegions(engine.made, some, regions.data(), context), Status::Ok);
   ASSERT_EQ(writeConstraintEdges(engine.made, some, edges.data(), context), Status::Ok);
+  expectBoth(engine.made, some, context);
+  expectBoth(engine.made, Selection(), context);
 
   std::vector<std::int64_t> cellOf; // of each triangle that loops keep
   std::vector<std::int32_t> expectedTriples;
@@ -136,6 +155,7 @@ TEST(CellArrays, WithoutTrianglesThereAreTheCellsBefore)
   std::vector<std::uint8_t> edges(2, 77);
   EXPECT_EQ(cellCount(engine.made, some), 2u);
   EXPECT_EQ(writeNeighbors(engine.made, some, numbers.data(), {}), Status::Ok);
+  expectBoth(engine.made, some, {});
   EXPECT_EQ(numbers, std::vector<std::int32_t>(6, -1));
   numbers.assign(2, -7);
   EXPECT_EQ(writeRegions(engine.made, some, numbers.data(), {}), Status::Ok);
