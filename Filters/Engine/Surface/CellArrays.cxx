@@ -152,6 +152,20 @@ private:
   Id* ofTriangles_;
 };
 
+/// What is asked for the triangle in a slot that is soon looked at: ids of its corners, numbers of
+/// the triangles beside it.
+void fetchAround(const State& state, std::size_t slot)
+{
+  constexpr std::size_t kSlotsAhead = 8;
+  const std::size_t next = std::min(slot + kSlotsAhead, state.numbers.size() - 1);
+  const std::uint32_t* const data = state.mesh.data() + next * Mesh::kSlotSize;
+  for (unsigned k = 0; k < 3; ++k)
+  {
+    prefetchForRead(state.ranked.id.data() + data[k]);
+    prefetchForRead(state.numbers.data() + data[Mesh::kTwin + k] / Mesh::kSlotSize);
+  }
+}
+
 /// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
 /// without; it returns false if it is to be
 /// cancelled.
@@ -424,8 +438,9 @@ Status writeWithNeighbors(Triangulation& triangulation, const Selection& selecti
       const TwoTriangleArrays arrays{ TriangleArray(to.triples, 3), writer.array() };
       return selected.each(arrays, ticker,
         [&, triples = to.triples, ids = state.ranked.id.data()](
-          std::size_t place, std::size_t, const OrderedTriangle& triangle)
+          std::size_t place, std::size_t slot, const OrderedTriangle& triangle)
         {
+          fetchAround(state, slot);
           for (unsigned k = 0; k < 3; ++k)
           {
             triples[3 * place + k] = static_cast<std::int32_t>(ids[triangle.corner(k)]);
