@@ -55,8 +55,23 @@ public:
   {
     return isExceeded(Vector3{ { p.x - q.x, p.y - q.y, 0.0 } });
   }
+  /// By a side of the triangle of three points of the plane, which are finite.
+  bool isExceeded(const Point& a, const Point& b, const Point& c) const
+  {
+    const double ab = squareOf(a, b), bc = squareOf(b, c), ca = squareOf(c, a);
+    const double longest = std::max(ab, std::max(bc, ca));
+    return isModerate_ && isOrdinarySquare(std::min(ab, std::min(bc, ca))) &&
+        isOrdinarySquare(longest)
+      ? longest > largest_
+      : isExceeded(a, b) || isExceeded(b, c) || isExceeded(c, a);
+  }
 
 private:
+  static double squareOf(const Point& p, const Point& q)
+  {
+    return dot(Vector3{ { p.x - q.x, p.y - q.y, 0.0 } }, Vector3{ { p.x - q.x, p.y - q.y, 0.0 } });
+  }
+
   double limit_;
   double largest_;  ///< square whose root, rounded, is not greater than the limit
   bool isModerate_; ///< the square is in range

@@ -24,7 +24,7 @@ Status findShort(const std::int32_t* triples, std::size_t triangles, const Point
           const auto corner = [&](std::size_t k)
           { return places[static_cast<std::size_t>(triples[3 * t + k])]; };
           const Point a = corner(0), b = corner(1), c = corner(2);
-          kept[t] = !limit.isExceeded(a, b) && !limit.isExceeded(b, c) && !limit.isExceeded(c, a);
+          kept[t] = !limit.isExceeded(a, b, c);
         }
       };
       return inChunks(0, triangles, ticker, find) && ticker.ask();

@@ -216,7 +216,8 @@ void Selecting::fetchCornersOf(std::size_t slot) const
 
 bool Selecting::isSelected(Index a, Index b, Index c) const
 {
-  return !(isTooLong(a, b) || isTooLong(b, c) || isTooLong(c, a)) &&
+  const Point* const at = state_.ranked.xy.data();
+  return !(limits_.maximumEdgeLength > 0.0 && length_.isExceeded(at[a], at[b], at[c])) &&
     !(hasAlpha() && radius_.isExceeded(inSpace_(a), inSpace_(b), inSpace_(c)));
 }
 

@@ -75,6 +75,16 @@ TEST(Circumradius, LimitsDecideAsTheRoundedNumbersDo)
       EXPECT_TRUE(RadiusLimit(std::nextafter(radius, 0.0)).isExceeded(p[0], p[1], p[2]));
       EXPECT_FALSE(RadiusLimit(std::nextafter(radius, kInfinity)).isExceeded(p[0], p[1], p[2]));
       EXPECT_TRUE(LengthLimit(std::nextafter(length, 0.0)).isExceeded(p[0]));
+      const Point flatOnes[3] = { { p[0][0], p[0][1] }, { p[1][0], p[1][1] },
+        { p[2][0], p[2][1] } };
+      for (int k = 0; k < 3; ++k)
+      {
+        const Point a = flatOnes[k], b = flatOnes[(k + 1) % 3], c = flatOnes[(k + 2) % 3];
+        const LengthLimit limit(lengthOf({ { a.x - b.x, a.y - b.y, 0.0 } }));
+        EXPECT_FALSE(limit.isExceeded(a, b));
+        EXPECT_EQ(limit.isExceeded(a, b, c), limit.isExceeded(b, c) || limit.isExceeded(c, a));
+        EXPECT_EQ(limit.isExceeded(a, a, c), limit.isExceeded(a, c));
+      }
     }
   }
   EXPECT_FALSE(RadiusLimit(1.0).isExceeded({ { 0, 0, kNaN } }, { { 9, 0, 0 } }, { { 0, 9, 0 } }));
