@@ -30,6 +30,11 @@ options
   --columns X,Y,Z              the same in one go, for example --columns lon,lat,depth or 2,3,5
   --exaggeration FACTOR        how much steeper than it is to draw the relief (default: chosen, and told)
   --edges                      draw the triangles' edges
+  --raster CELL                write the heights on a raster, too, with cells of this size in the unit of x and y:
+                               <name>.vti, and a GeoTIFF <name>.tif where Python has GDAL (python3-gdal) or rasterio;
+                               outside the surface NaN, the borders of cells multiples of CELL
+  --method METHOD              how heights come about: linear (default), natural, laplace or nearest
+  --crs EPSG:CODE              what coordinate reference system the GeoTIFF says it has, for example EPSG:32633
   --output DIR                 where to write (default: build/demo)
   --help                       this text
 
@@ -59,7 +64,7 @@ while [ $# -gt 0 ]; do
     -h | --help) help && exit 0 ;;
     --output) [ $# -gt 1 ] || fail 2 "--output needs a folder" && output=$2 && shift ;;
     --output=*) output=${1#*=} ;;
-    --x | --y | --z | --columns | --exaggeration)
+    --x | --y | --z | --columns | --exaggeration | --raster | --method | --crs)
       [ $# -gt 1 ] || fail 2 "$1 needs a value; --help lists the options"
       arguments+=("$1=$2") && shift
       ;;

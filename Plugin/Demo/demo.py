@@ -19,6 +19,7 @@ import numpy
 
 import conversion
 import pointfiles
+import raster
 from conversion import VTK_FILES
 from pointfiles import InputError, PointSet, thousands
 
@@ -39,6 +40,7 @@ def parse_arguments(words):
     parser.add_argument("--output", metavar="DIR", required=True)
     parser.add_argument("--exaggeration", type=float, metavar="FACTOR")
     parser.add_argument("--edges", action="store_true")
+    raster.add_options(parser)
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--plugin", metavar="FILE")
     chosen = parser.parse_args(words)
@@ -53,6 +55,7 @@ def parse_arguments(words):
     chosen.columns = tuple(columns)
     if chosen.exaggeration is not None and not (chosen.exaggeration > 0 and math.isfinite(chosen.exaggeration)):
         parser.error("--exaggeration must be greater than 0 and finite")
+    raster.check(chosen, parser)
     check_file(chosen)
     check_output(chosen)
     return chosen
@@ -74,9 +77,9 @@ def check_file(chosen):
 
 
 def results(chosen):
-    """Where the surface and the picture are written."""
+    """Where the surface, the picture and the rasters are written."""
     stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
-    return stem + ".vtp", stem + ".png"
+    return (stem + ".vtp", stem + ".png", *raster.results(chosen, stem))
 
 
 def check_output(chosen):
@@ -236,13 +239,16 @@ def run(chosen):
     print("Triangulating", flush=True)
     proxy, surface, measures = triangulate(source, chosen.plugin)
     report(points, measures)
-    vtp, png = results(chosen)
-    for old in (vtp, png):  # no picture of an earlier run beside this surface
+    vtp, png, *rasters = results(chosen)
+    for old in (vtp, png, *rasters):  # nothing of an earlier run beside this surface
         if os.path.exists(old):
             os.remove(old)
     save_surface(proxy, vtp)
     if surface.GetNumberOfPolys() == 0:
         raise InputError("no triangle, so no picture: all points lie on one line, or there are fewer than three")
+    if rasters:
+        for path in raster.run(proxy.GetClientSideObject().GetOutputDataObject(0), chosen, rasters):
+            check_written(path)
     told = write_picture(surface, points, chosen, png)
     check_written(png)
     print("Picture  %s\n         %s" % (png, told))

@@ -50,8 +50,11 @@ class Command(unittest.TestCase):
     def test_every_option_of_the_demo_is_in_its_help(self):
         with open(os.path.join(ROOT, "Plugin", "Demo", "demo.py"), encoding="utf-8") as file:
             source = file.read()
+        with open(os.path.join(ROOT, "Plugin", "Demo", "raster.py"), encoding="utf-8") as file:
+            source += file.read()
         said = run("Plugin/demo.sh", "--help").stdout
-        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--edges", "--output"):
+        for option in ("--x", "--y", "--z", "--columns", "--exaggeration", "--edges", "--raster", "--method", "--crs",
+                       "--output"):
             self.assertIn(option, said)
             self.assertIn(option if len(option) > 3 else '"--" + axis', source)
 
@@ -64,6 +67,10 @@ class Command(unittest.TestCase):
         self.assert_refused("--exaggeration must be greater than 0", "--exaggeration", "-1")
         for factor in ("inf", "nan", "0"):
             self.assert_refused("--exaggeration must be greater than 0 and finite", "--exaggeration=" + factor)
+        self.assert_refused("--raster must be greater than 0 and finite", "--raster", "0")
+        self.assert_refused("invalid choice: 'cubic'", "--raster", "1", "--method=cubic")
+        self.assert_refused("--method and --crs are for --raster", "--method", "natural")
+        self.assert_refused("--crs takes a code such as EPSG:32633, not 32633", "--raster=1", "--crs", "32633")
         self.assert_refused("%s is a directory, not a file" % ROOT, ROOT)
         self.assert_refused("invalid float value: 'much'", "--exaggeration", "much")
         self.assert_refused("--columns and --x, --y, --z exclude each other", "--columns", "1,2", "--x", "3")
@@ -77,10 +84,11 @@ class Command(unittest.TestCase):
                 for i in range(400):
                     x, y = i % 20, i // 20
                     file.write("%d;%d;%g\n" % (x, y, 90 - (x - 9) ** 2 - (y - 9) ** 2))
-            done = run("Plugin/demo.sh", path, "--output", os.path.join(folder, "new", "out"))
+            done = run("Plugin/demo.sh", path, "--raster", "0.25", "--output", os.path.join(folder, "new", "out"))
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertIn("76 × 76 cells of 0.25, linear, 100.0 % of them with a height", done.stdout)
             self.assertIn("triangles   722", done.stdout)
-            for ending in ("vtp", "png"):
+            for ending in ("vtp", "png", "vti"):
                 self.assertGreater(os.path.getsize(os.path.join(folder, "new", "out", "a hill." + ending)), 10000)
 
     def test_a_file_that_turns_out_bad_in_paraview(self):

@@ -12,6 +12,7 @@ import re
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import numpy
 
@@ -23,6 +24,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D  # noqa: F401 (so that Python knows it)
 import badfiles
 import demo
+import geotiff
 import picture
 from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from pointfiles import InputError
@@ -31,7 +33,8 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataWriter, vtkStructuredPointsWriter, vtkUnstructuredGridWriter
 from vtkmodules.vtkIOPLY import vtkPLYWriter
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter
+from vtkmodules.vtkIOXML import (
+    vtkXMLImageDataReader, vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLUnstructuredGridWriter)  # fmt: skip
 
 PLUGIN = sys.argv[1]
 
@@ -260,6 +263,82 @@ class WholeRuns(InFolder):
         with self.assertRaisesRegex(InputError, "the result would take the place of"):
             self.run_demo(self.path("points.vtp"))
         self.assertEqual(self.surface("points.vtp").GetNumberOfPolys(), 4)
+
+
+class Rasters(InFolder):
+    """Of a plane, 0.5 x - 0.25 y + 3, without a corner. No picture is drawn, which takes longest."""
+
+    def setUp(self):
+        super().setUp()
+        drawing = mock.patch.object(demo, "write_picture", lambda _surface, _points, _chosen, path: self.write_text(
+            os.path.basename(path), "drawn"))
+        drawing.start()
+        self.addCleanup(drawing.stop)
+        self.rows = "".join("%d,%d,%r\n" % (x, y, 0.5 * x - 0.25 * y + 3)
+                            for x in range(21) for y in range(11) if x + y <= 25)
+
+    def raster(self, name):
+        """The image, and its heights in rows."""
+        reader = vtkXMLImageDataReader()
+        reader.SetFileName(self.path(name))
+        reader.Update()
+        columns, rows, _ = reader.GetOutput().GetDimensions()
+        heights = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("Elevation"))
+        return reader.GetOutput(), heights.reshape(rows, columns)
+
+    def test_the_centres_of_cells_have_the_heights_of_the_surface(self):
+        for method in ("linear", "natural", "laplace"):
+            said = self.run_demo(self.write_text("plane.csv", self.rows), "--raster", "0.4", "--method", method)
+            image, heights = self.raster("plane.vti")
+            self.assertEqual((image.GetDimensions(), image.GetSpacing()[:2]), ((50, 25, 1), (0.4, 0.4)))
+            x, y = 0.2 + 0.4 * numpy.arange(50), 0.2 + 0.4 * numpy.arange(25)[:, None]
+            inside = x + y < 25.0
+            self.assertTrue(numpy.array_equal(numpy.isfinite(heights), inside))
+            expected = 0.5 * x - 0.25 * y + 3
+            self.assertLess(numpy.abs(heights - expected)[inside].max(), 1e-12)
+            self.assertIn("50 × 25 cells of 0.4, %s, %.1f %% of them with a height" % (
+                method, 100.0 * inside.mean()), said)
+        with open(self.path("plane.vti"), "rb") as file:
+            self.assertNotIn(b"<AppendedData", file.read(), "see appended_data_hint in demo.py")
+
+    def test_borders_are_multiples_of_the_size(self):
+        self.run_demo(self.write_text("off.csv", "1.7,-3.2,1\n8.1,-3.2,2\n8.1,4.9,3\n1.7,4.9,4\n"), "--raster=2")
+        image, heights = self.raster("off.vti")
+        self.assertEqual((image.GetOrigin(), heights.shape), ((1.0, -3.0, 0.0), (5, 5)))
+
+    @unittest.skipUnless(geotiff.writer() == "gdal" or os.environ.get("CI") == "true", "no GDAL for Python")
+    def test_the_geotiff(self):
+        from osgeo import gdal
+
+        said = self.run_demo(self.write_text("plane.csv", self.rows), "--raster=0.5", "--crs=EPSG:32633")
+        self.assertIn("plane.tif (EPSG:32633)", said)
+        found = gdal.Open(self.path("plane.tif"))
+        self.assertEqual(found.GetGeoTransform(), (0.0, 0.5, 0.0, 10.0, 0.0, -0.5))
+        self.assertIn("32633", found.GetProjection())
+        _, heights = self.raster("plane.vti")
+        numbers = numpy.frombuffer(found.GetRasterBand(1).ReadRaster(), numpy.float64).reshape(20, 40)
+        numpy.testing.assert_array_equal(numbers, heights[::-1])
+
+    def test_without_gdal_a_line_says_how_to_get_it(self):
+        path = self.write_text("plane.csv", self.rows)
+        self.write_text("plane.tif", "of an earlier run")
+        with mock.patch.object(geotiff, "writer", return_value=None):
+            said = self.run_demo(path, "--raster=0.5")
+        self.assertRegex(said, "no GeoTIFF: .*apt install python3-gdal")
+        self.assertFalse(os.path.exists(self.path("plane.tif")))
+        self.assertGreater(os.path.getsize(self.path("plane.vti")), 1000)
+        self.assertTrue(os.path.exists(self.path("plane.png")))
+
+    def test_a_raster_that_is_too_large(self):
+        with self.assertRaisesRegex(InputError, "no raster of cells of 1e-09"):
+            self.run_demo(self.write_text("plane.csv", self.rows), "--raster=1e-9")
+        self.assertFalse(os.path.exists(self.path("plane.vti")))
+
+    def test_the_input_is_not_overwritten(self):
+        self.write_text("plane.csv", self.rows)
+        os.symlink(self.path("plane.csv"), self.path("plane.vti"))
+        with self.assertRaisesRegex(InputError, "the result would take the place of"):
+            self.run_demo(self.path("plane.csv"), "--raster=1")
 
 
 class Drawing(unittest.TestCase):
