@@ -9,7 +9,10 @@
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
 #include "Sampling/vtkAHDSampleBounds.h"
+#include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleExecution.h"
+#include "Sampling/vtkAHDSampleInformation.h"
+#include "Sampling/vtkAHDSamplePieces.h"
 #include "Sampling/vtkAHDSampleSettings.h"
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
@@ -23,6 +26,7 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -141,6 +145,7 @@ int vtkAdaptiveHilbertInterpolation2D::FillInputPortInformation(int port, vtkInf
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
@@ -151,6 +156,12 @@ int vtkAdaptiveHilbertInterpolation2D::FillInputPortInformation(int port, vtkInf
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
+  return 1;
+}
+
+int vtkAdaptiveHilbertInterpolation2D::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // the places may have blocks
   return 1;
 }
 
@@ -211,48 +222,43 @@ void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   wishes.Mask = this->ValidPointMaskArrayName;
 }
 
-/// The raster as it will be, as far as the input says; it is brought up to date where it does.
-/// Filters behind have to know the extent, the origin and the spacing before there are data.
+/// Filters behind have to know extent, origin, spacing and the type of the scalars before there are
+/// data. The points say them, so these are brought up to date here.
 int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* const info = outputs->GetInformationObject(0);
-  if (inputs[1]->GetNumberOfInformationObjects() > 0)
+  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+  if (isRaster)
+  {
+    vtkAHDAnnounceRaster(vtkAHDRaster(), info); // until it is known
+  }
+  else
   {
     vtkInformation* const places = inputs[1]->GetInformationObject(0);
-    info->CopyEntry(places, Pipeline::WHOLE_EXTENT());
+    info->CopyEntry(places, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     info->CopyEntry(places, vtkDataObject::ORIGIN());
     info->CopyEntry(places, vtkDataObject::SPACING());
-    return 1;
   }
-  vtkAHDRaster raster;
   if (this->Triangulation)
   {
     const ahd::ScopedFloatingPoint asTheEngine;
-    vtkAHDSettings settings;
-    vtkAHDSampleSettings wishes;
-    this->ReadSettings(settings, wishes);
-    raster = wishes.UseBounds ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
-                              : this->FindRaster(settings, wishes);
+    try
+    {
+      this->UpdateInputs();
+      this->Describe(info, isRaster);
+    }
+    catch (const vtkAHDStop&)
+    {
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
   }
-  Announce(raster, info);
   return 1;
 }
 
-void vtkAdaptiveHilbertInterpolation2D::Announce(const vtkAHDRaster& raster, vtkInformation* info)
-{
-  const ahd::SampleRaster& cells = raster.Cells;
-  const int extent[6] = { 0, static_cast<int>(cells.columns) - 1, 0,
-    static_cast<int>(cells.rows) - 1, 0, raster.Fault == vtkAHDRasterFault::None ? 0 : -1 };
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
-  info->Set(vtkDataObject::ORIGIN(), cells.origin.x, cells.origin.y, 0.0);
-  info->Set(vtkDataObject::SPACING(), cells.spacing.x, cells.spacing.y, 1.0);
-}
-
-/// The raster about the points of the input, which is brought up to date.
-vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRaster(
-  const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes)
+void vtkAdaptiveHilbertInterpolation2D::UpdateInputs()
 {
   for (const int port : { 0, 2 })
   {
@@ -261,29 +267,40 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRaster(
       this->GetInputAlgorithm(port, 0)->Update(this->GetInputConnection(port, 0)->GetIndex());
     }
   }
-  try
+}
+
+/// Says what the output will be like. What is wrong with the input or settings is said when they
+/// are used.
+void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRaster)
+{
+  vtkAHDSettings settings;
+  vtkAHDSampleSettings wishes;
+  this->ReadSettings(settings, wishes);
+  vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress
+  vtkAHDProgress progress(nobody);
+  ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
+  const vtkAHDContext context(progress, threads);
+  vtkDataObject* const source = this->GetNumberOfInputConnections(2) > 0
+    ? this->GetInputDataObject(2, 0)
+    : nullptr;
+  const vtkAHDMergedBlocks merged(this, settings, this->GetInputDataObject(0, 0), source, context);
+  if (!merged.GetInput())
   {
-    vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress
-    vtkAHDProgress progress(nobody);
-    ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-    const vtkAHDContext context(progress, threads);
-    vtkDataObject* const source = this->GetNumberOfInputConnections(2) > 0
-      ? this->GetInputDataObject(2, 0)
-      : nullptr;
-    const vtkAHDMergedBlocks merged(
-      this, settings, this->GetInputDataObject(0, 0), source, context);
-    return merged.GetInput()
-      ? vtkAHDMakeRaster(
-          wishes.Raster, vtkAHDFindBounds(settings, merged.GetInput(), merged.GetSource(), context))
-      : vtkAHDRaster();
+    return;
   }
-  catch (const vtkAHDStop&)
+  vtkPointData* const data = merged.GetInput()->GetPointData();
+  const vtkAHDSampleColumns::Kind scalars = vtkAHDSampleColumns(
+    wishes, data, data, static_cast<std::size_t>(merged.GetInput()->GetNumberOfPoints()))
+                                              .GetKindOfScalars();
+  vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
+  if (isRaster)
   {
+    const vtkAHDRaster raster = vtkAHDFindRaster(
+      settings, wishes, merged.GetInput(), merged.GetSource(), context);
+    // Filters for images behind may make room for one as large before the data are there.
+    const bool isTooLarge = vtkAHDIsLarger(raster.Cells, settings.MemoryLimit);
+    vtkAHDAnnounceRaster(isTooLarge ? vtkAHDRaster() : raster, info);
   }
-  catch (const std::bad_alloc&)
-  {
-  }
-  return vtkAHDRaster();
 }
 
 /// All points are needed whatever part of the output is wanted, and all places.
@@ -309,28 +326,53 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const ahd::ScopedFloatingPoint asTheEngine;
-  vtkDataSet* const output = vtkDataSet::GetData(outputs);
+  vtkInformation* const info = outputs->GetInformationObject(0);
+  vtkDataObject* const output = vtkDataObject::GetData(info);
   // Errors return 1 as well, as they were told: see vtkAdaptiveHilbertDelaunay2D.
   this->ClearMeasures();
+  bool isDone = false;
   if (!this->Triangulation)
   {
     vtkErrorMacro("Triangulation is null: nothing says how to triangulate.");
-    output->Initialize();
-    return 1;
   }
-  try
+  else
   {
-    this->Execute(inputs, output);
+    try
+    {
+      isDone = this->Execute(inputs, output);
+    }
+    catch (const std::bad_alloc&)
+    {
+      std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
+    }
   }
-  catch (const std::bad_alloc&)
+  if (!isDone)
   {
     output->Initialize();
-    std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
+    this->ClearCounts();
   }
-  return 1;
+  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+  const bool fits = !isRaster || !vtkAHDIsNotAnnounced(output, info);
+  return fits || !vtkAHDFeedsImageFilters(info) ? 1 : this->EndWithOtherRaster(isDone, output);
 }
 
-void vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, vtkDataSet* output)
+/// Filters for images behind would read pixels that are not there: they are not to be run. Returns
+/// what RequestData() is to return.
+int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataObject* output)
+{
+  if (isDone)
+  {
+    vtkErrorMacro("The points have other bounds at this time, so the raster is another than "
+                  "filters for images behind it were told, which they cannot stand. Set UseBounds, "
+                  "so that all times have one raster.");
+    output->Initialize();
+    this->ClearCounts();
+  }
+  return 0;
+}
+
+bool vtkAdaptiveHilbertInterpolation2D::Execute(
+  vtkInformationVector** inputs, vtkDataObject* output)
 {
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
@@ -342,63 +384,83 @@ void vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, v
     this, settings, vtkDataObject::GetData(inputs[0]), vtkDataObject::GetData(inputs[2]), context);
   if (!merged.GetInput())
   {
-    output->Initialize();
-    return;
+    return false;
   }
   merged.Warn();
   vtkAHDSampleInputs data;
   data.Points = merged.GetInput();
   data.Source = merged.GetSource();
-  data.Places = vtkDataSet::GetData(inputs[1]);
   data.InputBytes = merged.GetBytes();
   data.SettingsTime = this->Triangulation->GetMTime();
-  vtkAHDSampleExecution execution(
-    this, settings, wishes, context, this->Triangulation->GetKeepTriangulation());
-  const bool isDone = execution.Run(data, *this->Kept, output);
-  this->NumberOfTriangulations += execution.HasTriangulated() ? 1 : 0;
-  this->MemoryEstimate = execution.GetMemory().Estimate;
-  if (isDone)
+  const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
+  vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
+  between.ReuseLimit = VTK_TYPE_INT64_MAX;
+  for (std::size_t k = 0; k < pieces.GetCount(); ++k)
   {
-    this->TakeMeasures(execution.GetResult());
-    this->SampleSeconds = execution.GetSeconds();
-    this->AddCounts(output);
+    const bool isLast = k + 1 == pieces.GetCount();
+    data.Places = pieces.GetPlaces(k);
+    data.SaysArrays = k == 0;
+    vtkAHDSampleExecution execution(this, isLast ? settings : between, wishes, context,
+      !isLast || this->Triangulation->GetKeepTriangulation());
+    const bool isDone = execution.Run(data, *this->Kept, pieces.GetOutput(k));
+    this->NumberOfTriangulations += execution.HasTriangulated() ? 1 : 0;
+    this->MemoryEstimate = std::max(this->MemoryEstimate, execution.GetMemory().Estimate);
+    if (!isDone)
+    {
+      return false;
+    }
+    this->AddMeasures(execution.GetResult());
+    this->SampleSeconds += execution.GetSeconds();
+    AddCounts(execution.GetResult(), pieces.GetOutput(k));
   }
+  return true;
 }
 
 void vtkAdaptiveHilbertInterpolation2D::ClearMeasures()
 {
-  this->TakeMeasures(vtkAHDSampleResult());
-  this->SampleSeconds = 0.0;
+  this->ClearCounts();
   this->MemoryEstimate = 0;
 }
 
-void vtkAdaptiveHilbertInterpolation2D::TakeMeasures(const vtkAHDSampleResult& result)
+void vtkAdaptiveHilbertInterpolation2D::ClearCounts()
+{
+  this->NumberOfPlaces = 0;
+  this->NumberOfValidPlaces = 0;
+  this->NumberOfPlacesOutside = 0;
+  this->NumberOfNotFinitePlaces = 0;
+  this->NumberOfPlacesWithoutValue = 0;
+  this->NumberOfPlacesWithNeighborsLeftOut = 0;
+  this->SampleSeconds = 0.0;
+}
+
+void vtkAdaptiveHilbertInterpolation2D::AddMeasures(const vtkAHDSampleResult& result)
 {
   const ahd::SampleReport& counts = result.Counts;
-  this->NumberOfPlaces = static_cast<vtkIdType>(result.Places);
-  this->NumberOfValidPlaces = static_cast<vtkIdType>(counts.valued);
-  this->NumberOfPlacesOutside = static_cast<vtkIdType>(counts.outside);
-  this->NumberOfNotFinitePlaces = static_cast<vtkIdType>(counts.notFinite);
-  this->NumberOfPlacesWithoutValue = static_cast<vtkIdType>(counts.withoutValue);
-  this->NumberOfPlacesWithNeighborsLeftOut = static_cast<vtkIdType>(counts.leftOut);
+  this->NumberOfPlaces += static_cast<vtkIdType>(result.Places);
+  this->NumberOfValidPlaces += static_cast<vtkIdType>(counts.valued);
+  this->NumberOfPlacesOutside += static_cast<vtkIdType>(counts.outside);
+  this->NumberOfNotFinitePlaces += static_cast<vtkIdType>(counts.notFinite);
+  this->NumberOfPlacesWithoutValue += static_cast<vtkIdType>(counts.withoutValue);
+  this->NumberOfPlacesWithNeighborsLeftOut += static_cast<vtkIdType>(counts.leftOut);
 }
 
 /// Field data, with the names of the Get methods.
-void vtkAdaptiveHilbertInterpolation2D::AddCounts(vtkDataSet* output) const
+void vtkAdaptiveHilbertInterpolation2D::AddCounts(
+  const vtkAHDSampleResult& result, vtkDataSet* output)
 {
-  const std::pair<const char*, vtkIdType> counts[] = {
-    { "NumberOfPlaces", this->NumberOfPlaces },
-    { "NumberOfValidPlaces", this->NumberOfValidPlaces },
-    { "NumberOfPlacesOutside", this->NumberOfPlacesOutside },
-    { "NumberOfNotFinitePlaces", this->NumberOfNotFinitePlaces },
-    { "NumberOfPlacesWithoutValue", this->NumberOfPlacesWithoutValue },
-    { "NumberOfPlacesWithNeighborsLeftOut", this->NumberOfPlacesWithNeighborsLeftOut },
+  const std::pair<const char*, std::size_t> counts[] = {
+    { "NumberOfPlaces", result.Places },
+    { "NumberOfValidPlaces", result.Counts.valued },
+    { "NumberOfPlacesOutside", result.Counts.outside },
+    { "NumberOfNotFinitePlaces", result.Counts.notFinite },
+    { "NumberOfPlacesWithoutValue", result.Counts.withoutValue },
+    { "NumberOfPlacesWithNeighborsLeftOut", result.Counts.leftOut },
   };
   for (const auto& count : counts)
   {
     vtkNew<vtkIdTypeArray> array;
     array->SetName(count.first);
-    array->InsertNextValue(count.second);
+    array->InsertNextValue(static_cast<vtkIdType>(count.second));
     output->GetFieldData()->AddArray(array);
   }
 }

@@ -8,8 +8,8 @@
  * of any data set in port 1. Details: Plugin/Documentation/Reference.md.
  *
  * <b>Inputs.</b> Port 0: a vtkPointSet, or a composite data set, whose blocks are merged into one
- * surface. Port 1, optional: the places, a vtkDataSet. Port 2, optional: constraints, as the source
- * of vtkAdaptiveHilbertDelaunay2D.
+ * surface. Port 1, optional: the places, a vtkDataSet or a composite data set of such. Port 2,
+ * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
  * <b>Output.</b> Without places a vtkImageData, whose points are the centres of the raster's cells
  * (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; or, with OutputType
@@ -46,7 +46,6 @@
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkPolyData;
-struct vtkAHDRaster;
 struct vtkAHDSampleMemoryKept;
 struct vtkAHDSampleResult;
 struct vtkAHDSampleSettings;
@@ -100,8 +99,9 @@ public:
 
   ///@{
   /// The places, input port 1, any vtkDataSet: its points, by x and y. Where the points are
-  /// triangulated in another plane, the places are moved into it as the points are. Without, there
-  /// is a raster.
+  /// triangulated in another plane, the places are moved into it as the points are. Of a composite
+  /// data set (SetPlacesConnection, SetInputData(1, ...)) all blocks; GetPlaces() is null then.
+  /// Without places there is a raster.
   void SetPlacesData(vtkDataSet* places);
   void SetPlacesConnection(vtkAlgorithmOutput* output);
   vtkDataSet* GetPlaces();
@@ -260,6 +260,7 @@ protected:
   ~vtkAdaptiveHilbertInterpolation2D() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -298,12 +299,14 @@ private:
   void operator=(const vtkAdaptiveHilbertInterpolation2D&) = delete;
 
   void ReadSettings(vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const;
-  static void Announce(const vtkAHDRaster& raster, vtkInformation* info);
-  vtkAHDRaster FindRaster(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes);
-  void Execute(vtkInformationVector** inputs, vtkDataSet* output);
+  void UpdateInputs();
+  void Describe(vtkInformation* info, bool isRaster);
+  bool Execute(vtkInformationVector** inputs, vtkDataObject* output);
+  int EndWithOtherRaster(bool isDone, vtkDataObject* output);
   void ClearMeasures();
-  void TakeMeasures(const vtkAHDSampleResult& result);
-  void AddCounts(vtkDataSet* output) const;
+  void ClearCounts();
+  void AddMeasures(const vtkAHDSampleResult& result);
+  static void AddCounts(const vtkAHDSampleResult& result, vtkDataSet* output);
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
 };

@@ -81,3 +81,11 @@ ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
   context.Check(ahd::prepare(request, context, points));
   return vtkAHDBoundsOf(points.points(), context);
 }
+
+vtkAHDRaster vtkAHDFindRaster(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,
+  vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context)
+{
+  return wishes.UseBounds
+    ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
+    : vtkAHDMakeRaster(wishes.Raster, vtkAHDFindBounds(settings, input, source, context));
+}

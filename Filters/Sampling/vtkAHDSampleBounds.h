@@ -5,6 +5,8 @@
 #include "Engine/Points/Points.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "Sampling/vtkAHDRaster.h"
+#include "Sampling/vtkAHDSampleSettings.h"
 
 class vtkPointSet;
 class vtkPolyData;
@@ -15,6 +17,10 @@ class vtkPolyData;
 /// null. Throws vtkAHDStop and std::bad_alloc.
 ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
   vtkPolyData* source, const vtkAHDContext& context);
+
+/// The raster that is asked for. Throws vtkAHDStop and std::bad_alloc.
+vtkAHDRaster vtkAHDFindRaster(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,
+  vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context);
 
 /// The box of those of the points that are finite and not skipped. Throws vtkAHDStop.
 ahd::Bounds vtkAHDBoundsOf(const ahd::PointView& points, const vtkAHDContext& context);

@@ -115,6 +115,21 @@ std::size_t vtkAHDSampleColumns::GetNumberOfComponents() const
   return sum;
 }
 
+vtkAHDSampleColumns::Kind vtkAHDSampleColumns::GetKindOfScalars() const
+{
+  Kind kind;
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    if (column.From && IsNamed(this->Data->GetScalars(), column.Name.c_str()))
+    {
+      const int interpolated = column.IsFloat ? VTK_FLOAT : VTK_DOUBLE;
+      kind.Type = this->Settings.IsNearest() ? column.From->GetDataType() : interpolated;
+      kind.Components = static_cast<int>(column.Components);
+    }
+  }
+  return kind;
+}
+
 double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) const
 {
   double perPoint = sizeof(double), perPlace = 1.0; // heights, mask

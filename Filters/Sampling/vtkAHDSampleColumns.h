@@ -57,6 +57,14 @@ public:
 
   std::size_t GetNumberOfComponents() const;
 
+  /// What AddTo() makes the active scalars: type and number of components.
+  struct Kind
+  {
+    int Type = VTK_DOUBLE;
+    int Components = 1;
+  };
+  Kind GetKindOfScalars() const;
+
   /// Reads values and makes arrays for so many places. `heights`: borrowed. Throws vtkAHDStop and
   /// std::bad_alloc.
   void Open(const double* heights, std::size_t places, const vtkAHDContext& context);

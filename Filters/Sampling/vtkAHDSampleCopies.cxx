@@ -202,7 +202,8 @@ vtkSmartPointer<vtkDataArray> vtkAHDAsFloats(vtkDataArray* doubles, const vtkAHD
 vtkSmartPointer<vtkDataArray> vtkAHDGather(vtkDataArray* from, const vtkAHDGathered& gathered,
   const vtkAHDContext& context, std::size_t& missing)
 {
-  auto to = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(from->GetDataType()));
+  auto to = vtkSmartPointer<vtkDataArray>::Take(
+    LiesInMemory(from) ? from->NewInstance() : vtkDataArray::CreateDataArray(from->GetDataType()));
   to->SetNumberOfComponents(from->GetNumberOfComponents());
   const std::size_t width = static_cast<std::size_t>(from->GetNumberOfComponents());
   if (!LiesInMemory(from))

@@ -107,12 +107,9 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     this->Result.Places = this->Places->GetCount();
     return true;
   }
-  const vtkAHDSampleSettings& wishes = this->Wishes;
-  this->Raster = wishes.UseBounds
-    ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
-    : vtkAHDMakeRaster(wishes.Raster,
-        vtkAHDFindBounds(this->Settings, inputs.Points, inputs.Source, this->Context));
-  vtkAHDSayNoRaster(this->Filter, wishes, this->Raster);
+  this->Raster = vtkAHDFindRaster(
+    this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
+  vtkAHDSayNoRaster(this->Filter, this->Wishes, this->Raster);
   this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
   return this->Raster.Fault == vtkAHDRasterFault::None ||
     this->Raster.Fault == vtkAHDRasterFault::NoArea;
@@ -253,7 +250,11 @@ void vtkAHDSampleExecution::Interpolate(
   }
   this->CountPlaces(places, sampling.GetReport(), surface);
   this->Seconds = Now() - begun;
-  vtkAHDSaySampleWarnings(this->Filter, this->Wishes, columns, this->Result);
+  if (inputs.SaysArrays)
+  {
+    vtkAHDSayArrayWarnings(this->Filter, this->Wishes, columns);
+  }
+  vtkAHDSayPlaceWarnings(this->Filter, this->Result);
 }
 
 void vtkAHDSampleExecution::CountPlaces(

@@ -30,6 +30,7 @@ struct vtkAHDSampleInputs
   vtkPolyData* Source = nullptr; ///< may be null
   vtkDataSet* Places = nullptr;  ///< null: a raster
   std::size_t InputBytes = 0;    ///< that making the input has taken, if it was made of blocks
+  bool SaysArrays = true;        ///< warn of arrays that are passed over
   vtkMTimeType SettingsTime = 0; ///< when what says how to triangulate was changed last
 };
 

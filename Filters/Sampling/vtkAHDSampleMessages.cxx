@@ -41,29 +41,6 @@ std::string InWords(const std::vector<std::string>& names)
                                : words + " and " + std::to_string(names.size() - kMost) + " more";
 }
 
-void WarnOfArrays(
-  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDSampleColumns& columns)
-{
-  if (!columns.GetUnfit().empty())
-  {
-    vtkWarningWithObjectMacro(filter,
-      "Point arrays that are no numbers, have no name or not one tuple for each point are not "
-      "interpolated: "
-        << InWords(columns.GetUnfit()) << ".");
-  }
-  if (!columns.GetReplaced().empty())
-  {
-    vtkWarningWithObjectMacro(filter,
-      "Point arrays of the input whose names are those of arrays that are made are not "
-      "interpolated: "
-        << InWords(columns.GetReplaced()) << ". See HeightArrayName and ValidPointMaskArrayName.");
-  }
-  if (settings.Gradients && !settings.MakesGradients())
-  {
-    vtkWarningWithObjectMacro(filter, "There are no gradients: only the Method Linear has them.");
-  }
-}
-
 void WarnOfPlaces(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
 {
   const ahd::SampleReport& counts = result.Counts;
@@ -134,8 +111,8 @@ void vtkAHDSayNoRaster(
     case vtkAHDRasterFault::OutOfNumbers:
       vtkErrorWithObjectMacro(filter,
         "A raster of " << InWords(raster.Wished[0]) << " x " << InWords(raster.Wished[1])
-                       << " cells is too fine for its coordinates, whose double precision cannot "
-                          "tell the cells apart. Nothing was computed.");
+                       << " cells has coordinates that double precision cannot tell apart. Nothing "
+                          "was computed.");
   }
 }
 
@@ -160,10 +137,31 @@ void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, boo
                                             << " KiB are needed.");
 }
 
-void vtkAHDSaySampleWarnings(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings,
-  const vtkAHDSampleColumns& columns, const vtkAHDSampleResult& result)
+void vtkAHDSayArrayWarnings(
+  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDSampleColumns& columns)
 {
-  WarnOfArrays(filter, settings, columns);
+  if (!columns.GetUnfit().empty())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "Point arrays that are no numbers, have no name or not one tuple for each point are not "
+      "interpolated: "
+        << InWords(columns.GetUnfit()) << ".");
+  }
+  if (!columns.GetReplaced().empty())
+  {
+    vtkWarningWithObjectMacro(filter,
+      "Point arrays of the input whose names are those of arrays that are made are not "
+      "interpolated: "
+        << InWords(columns.GetReplaced()) << ". See HeightArrayName and ValidPointMaskArrayName.");
+  }
+  if (settings.Gradients && !settings.MakesGradients())
+  {
+    vtkWarningWithObjectMacro(filter, "There are no gradients: only the Method Linear has them.");
+  }
+}
+
+void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
+{
   WarnOfPlaces(filter, result);
   WarnOfValues(filter, result.Counts);
 }

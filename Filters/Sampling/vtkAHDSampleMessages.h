@@ -41,8 +41,11 @@ struct vtkAHDSampleResult
   ahd::Bounds Wanted;  ///< of the places
 };
 
-/// Warns of what there is to be warned of, each at most once.
-void vtkAHDSaySampleWarnings(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings,
-  const vtkAHDSampleColumns& columns, const vtkAHDSampleResult& result);
+/// Warns of arrays that are passed over, and of gradients that there are none of.
+void vtkAHDSayArrayWarnings(
+  vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDSampleColumns& columns);
+
+/// Warns of places and values, each at most once.
+void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result);
 
 #endif

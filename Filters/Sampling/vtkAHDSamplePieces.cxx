@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDSamplePieces.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
+vtkAHDSamplePieces::vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* output)
+{
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(places);
+  auto* outputs = vtkCompositeDataSet::SafeDownCast(output);
+  if (!blocks || !outputs)
+  {
+    this->Pieces.emplace_back(vtkDataSet::SafeDownCast(places), vtkDataSet::SafeDownCast(output));
+    return;
+  }
+  outputs->CopyStructure(blocks);
+  auto each = vtkSmartPointer<vtkCompositeDataIterator>::Take(blocks->NewIterator());
+  for (each->InitTraversal(); !each->IsDoneWithTraversal(); each->GoToNextItem())
+  {
+    if (auto* block = vtkDataSet::SafeDownCast(each->GetCurrentDataObject()))
+    {
+      auto made = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
+      outputs->SetDataSet(each, made);
+      this->Pieces.emplace_back(block, made);
+    }
+  }
+}

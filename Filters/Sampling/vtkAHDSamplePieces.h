@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDSamplePieces_h
+#define vtkAHDSamplePieces_h
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
+class vtkDataSet;
+
+/// Places and outputs in pieces: one, or one for each block of a composite data set. Borrows all.
+class vtkAHDSamplePieces
+{
+public:
+  /// `places`: null for a raster. An output of blocks gets the structure of the places, and an
+  /// empty data set for each block that is one; other blocks are passed over.
+  vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* output);
+
+  std::size_t GetCount() const { return this->Pieces.size(); }
+  /// Null for a raster.
+  vtkDataSet* GetPlaces(std::size_t k) const { return this->Pieces[k].first; }
+  vtkDataSet* GetOutput(std::size_t k) const { return this->Pieces[k].second; }
+
+private:
+  std::vector<std::pair<vtkDataSet*, vtkDataSet*>> Pieces;
+};
+
+#endif

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Places of the second input: data sets of all types, in another plane, and places that are none.
+#include "SampleTestSupport.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCharArray.h"
+#include "vtkExplicitStructuredGrid.h"
+#include "vtkFloatArray.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkRectilinearGrid.h"
+#include "vtkStructuredGrid.h"
+#include "vtkTransform.h"
+#include "vtkUniformGrid.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+namespace
+{
+
+using namespace ahdtest;
+
+vtkSmartPointer<vtkPolyData> plane(std::size_t count = 500)
+{
+  return makeCloud(onPlane(scatteredPoints(count, 11)));
+}
+
+template <typename Image>
+vtkSmartPointer<vtkDataSet> anImage()
+{
+  auto image = vtkSmartPointer<Image>::New();
+  image->SetExtent(3, 9, -2, 4, 0, 1);
+  image->SetOrigin(0.1, 0.6, 5.0);
+  image->SetSpacing(0.05, 0.05, 1.0);
+  return image;
+}
+
+vtkSmartPointer<vtkDataSet> aRectilinearGrid()
+{
+  auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
+  vtkNew<vtkDoubleArray> along;
+  for (const double x : { 0.2, 0.3, 0.55, 0.8 })
+  {
+    along->InsertNextValue(x);
+  }
+  vtkNew<vtkDoubleArray> up;
+  up->InsertNextValue(0.0);
+  grid->SetDimensions(4, 4, 1);
+  grid->SetXCoordinates(along);
+  grid->SetYCoordinates(along);
+  grid->SetZCoordinates(up);
+  return grid;
+}
+
+template <typename Set>
+vtkSmartPointer<vtkDataSet> aPointSet(int type = VTK_DOUBLE)
+{
+  auto set = vtkSmartPointer<Set>::New();
+  std::vector<Xyz> points;
+  for (int i = 0; i < 60; ++i)
+  {
+    points.push_back({ 0.2 + 0.01 * i, 0.3 + 0.005 * i, 100.0 });
+  }
+  set->SetPoints(makePoints(points, type));
+  return set;
+}
+
+std::vector<vtkSmartPointer<vtkDataSet>> allKinds()
+{
+  auto grid = aPointSet<vtkStructuredGrid>();
+  vtkStructuredGrid::SafeDownCast(grid)->SetDimensions(6, 10, 1);
+  return { anImage<vtkImageData>(), anImage<vtkUniformGrid>(), aRectilinearGrid(), grid,
+    aPointSet<vtkPolyData>(), aPointSet<vtkPolyData>(VTK_FLOAT), aPointSet<vtkUnstructuredGrid>() };
+}
+
+TEST(InterpolationPlaces, OfAllTypesOfDataSets)
+{
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  for (const auto& places : allKinds())
+  {
+    filter->SetPlacesData(places);
+    filter->Update();
+    vtkDataSet* output = filter->GetOutput();
+    EXPECT_STREQ(output->GetClassName(), places->GetClassName());
+    ASSERT_EQ(output->GetNumberOfPoints(), places->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+    {
+      Xyz p, q;
+      output->GetPoint(i, p.data());
+      places->GetPoint(i, q.data());
+      EXPECT_EQ(p, q);
+    }
+    EXPECT_EQ(filter->GetNumberOfValidPlaces(), places->GetNumberOfPoints());
+    EXPECT_LE(farthestFromPlane(output), 1e-14) << places->GetClassName();
+  }
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  EXPECT_TRUE(filter.Said->Warnings.empty());
+  EXPECT_TRUE(filter.Said->Errors.empty());
+  EXPECT_TRUE(filter.PipelineSaid->Errors.empty());
+  filter->SetPlacesConnection(nullptr); // a raster again
+  filter->Update();
+  EXPECT_NE(filter->GetImageDataOutput(), nullptr);
+}
+
+TEST(InterpolationPlaces, KeepTheirOwnArrays)
+{
+  auto places = makeCloud({ { 0.4, 0.4, 0 }, { 0.5, 0.5, 0 } });
+  vtkNew<vtkCellArray> verts;
+  verts->InsertNextCell({ 0, 1 });
+  places->SetVerts(verts);
+  addArray<vtkDoubleArray>(places, "own", [](vtkIdType i) { return double(i); });
+  addArray<vtkDoubleArray>(places, "Elevation", [](vtkIdType) { return 77.0; });
+  vtkNew<vtkDoubleArray> cell;
+  cell->SetName("cell");
+  cell->InsertNextValue(3.0);
+  places->GetCellData()->AddArray(cell);
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  filter->SetPlacesData(places);
+  filter->Update();
+  vtkPolyData* output = filter->GetPolyDataOutput();
+  EXPECT_EQ(arrayOf(output, "own"), arrayOf(places, "own"));
+  EXPECT_EQ(output->GetCellData()->GetArray("cell"), cell);
+  EXPECT_EQ(output->GetNumberOfVerts(), 1);
+  EXPECT_NEAR(arrayOf(output, "Elevation")->GetComponent(1, 0), planeAt(0.5, 0.5), 1e-14);
+  EXPECT_EQ(arrayOf(places, "Elevation")->GetComponent(1, 0), 77.0); // the input stays
+  EXPECT_EQ(filter->GetPlaces(), places);
+}
+
+TEST(InterpolationPlaces, NotFiniteOnesHaveNoValueAndAreCounted)
+{
+  const double inf = std::numeric_limits<double>::infinity();
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  filter->SetPlacesData(makeCloud(
+    { { kNaN, 0.5, 0 }, { 0.5, inf, 0 }, { 0.5, 0.5, kNaN }, { 9.0, 9.0, 0 }, { 0.5, kNaN, 0 } }));
+  for (const int method : { 0, 1, 2, 3 })
+  {
+    filter.Said->Warnings.clear();
+    filter->SetMethod(method);
+    filter->SetOutsideToNearestVertex();
+    filter->Update();
+    const auto heights = numbersOf(filter->GetOutput(), "Elevation");
+    EXPECT_EQ(filter->GetNumberOfNotFinitePlaces(), 3);
+    EXPECT_EQ(filter->GetNumberOfValidPlaces(), method == 3 ? 2 : 1);
+    EXPECT_TRUE(std::isnan(heights[0]) && std::isnan(heights[1]) && std::isnan(heights[4]));
+    EXPECT_FALSE(std::isnan(heights[2])); // z has no say
+    EXPECT_FALSE(std::isnan(heights[3]));
+    ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+    EXPECT_NE(filter.Said->Warnings[0].find("3 of 5 places"), std::string::npos);
+  }
+}
+
+TEST(InterpolationPlaces, NoneAtAll)
+{
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  filter->SetPlacesData(vtkSmartPointer<vtkPolyData>::New());
+  for (const int method : { 0, 1, 2, 3 })
+  {
+    filter->SetMethod(method);
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfPlaces(), 0);
+    EXPECT_NE(arrayOf(filter->GetOutput(), "Elevation"), nullptr);
+  }
+  EXPECT_TRUE(filter.Said->Warnings.empty());
+}
+
+TEST(InterpolationPlaces, NoneOnTheSurfaceNamesBothBounds)
+{
+  WatchedInterpolation filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
+  filter->SetPlacesData(makeCloud({ { 5, 6, 0 }, { 7, 8, 0 } }));
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
+  EXPECT_NE(filter.Said->Warnings[0].find("None of 2 places"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find("x 5 to 7, y 6 to 8"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find("x 0 to 1, y 0 to 1"), std::string::npos);
+}
+
+/// A wall: points in x, z are triangulated in the plane that fits them.
+TEST(InterpolationPlaces, AreMovedIntoThePlaneOfThePoints)
+{
+  std::vector<Xyz> wall, on;
+  for (const Xyz& p : scatteredPoints(400, 6))
+  {
+    wall.push_back({ p[0], 0.01 * p[0] * p[1], p[1] });
+  }
+  for (const Xyz& p : scatteredPoints(50, 8))
+  {
+    on.push_back({ 0.2 + 0.5 * p[0], 0.0, 0.2 + 0.5 * p[1] });
+  }
+  auto cloud = makeCloud(wall);
+  addArray<vtkDoubleArray>(cloud, "z", [&](vtkIdType i) { return wall[std::size_t(i)][2]; });
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud);
+  filter->SetPlacesData(makeCloud(on));
+  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+  filter->Update();
+  const auto fitted = numbersOf(filter->GetOutput(), "z");
+  vtkNew<vtkTransform> turn;
+  turn->RotateX(-90.0); // z becomes y
+  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+  filter->GetTriangulation()->SetTransform(turn);
+  filter->Update();
+  const auto turned = numbersOf(filter->GetOutput(), "z");
+  ASSERT_EQ(fitted.size(), 50u);
+  ASSERT_EQ(turned.size(), 50u);
+  for (std::size_t i = 0; i < 50; ++i)
+  {
+    EXPECT_NEAR(fitted[i], on[i][2], 0.01);
+    EXPECT_NEAR(turned[i], on[i][2], 1e-12);
+  }
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
+}
+
+TEST(InterpolationPlaces, AnImagesAreThoseOfItsRaster)
+{
+  WatchedInterpolation filter;
+  filter->SetInputData(makeCloud(onPlane(scatteredPoints(800, 12))));
+  filter->SetDimensions(33, 21);
+  for (const int method : { 0, 1, 3 })
+  {
+    filter->SetMethod(method);
+    filter->SetPlacesConnection(nullptr);
+    filter->Update();
+    vtkNew<vtkImageData> raster;
+    raster->ShallowCopy(filter->GetImageDataOutput());
+    vtkNew<vtkImageData> places;
+    places->CopyStructure(raster);
+    filter->SetPlacesData(places);
+    filter->Update();
+    const auto a = numbersOf(raster, "Elevation"), b = numbersOf(filter->GetOutput(), "Elevation");
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+    {
+      EXPECT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])));
+    }
+  }
+}
+
+TEST(InterpolationPlaces, BlocksOfACompositeOneByOne)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, aPointSet<vtkPolyData>());
+  blocks->SetBlock(2, anImage<vtkImageData>());
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  filter->SetInputDataObject(1, blocks);
+  filter->Update();
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  ASSERT_NE(output, nullptr);
+  EXPECT_LE(farthestFromPlane(vtkDataSet::SafeDownCast(output->GetBlock(0))), 1e-14);
+  EXPECT_LE(farthestFromPlane(vtkDataSet::SafeDownCast(output->GetBlock(2))), 1e-14);
+  EXPECT_EQ(output->GetBlock(1), nullptr);
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+}
+
+} // namespace

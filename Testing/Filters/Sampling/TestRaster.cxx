@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which cells a raster has: their number, where they begin, and what is no raster.
+#include "Sampling/vtkAHDRaster.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+
+using Fault = vtkAHDRasterFault;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+ahd::Bounds box(double xmin, double xmax, double ymin, double ymax)
+{
+  ahd::Bounds area;
+  area.xmin = xmin;
+  area.xmax = xmax;
+  area.ymin = ymin;
+  area.ymax = ymax;
+  return area;
+}
+
+vtkAHDRasterWish bySize(double size, bool align = false)
+{
+  vtkAHDRasterWish wish;
+  wish.ByCellSize = true;
+  wish.CellSize = { { size, size } };
+  wish.Align = align;
+  return wish;
+}
+
+vtkAHDRasterWish byCount(int columns, int rows)
+{
+  vtkAHDRasterWish wish;
+  wish.Dimensions = { { columns, rows } };
+  return wish;
+}
+
+/// Columns of a raster from `low` to `high`.
+std::size_t columnsOf(double low, double high, double size, bool align = false)
+{
+  return vtkAHDMakeRaster(bySize(size, align), box(low, high, low, high)).Cells.columns;
+}
+
+TEST(Raster, ByDimensionsFillsTheArea)
+{
+  const vtkAHDRaster raster = vtkAHDMakeRaster(byCount(4, 5), box(2, 4, -10, 0));
+  ASSERT_EQ(raster.Fault, Fault::None);
+  EXPECT_EQ(raster.Cells.columns, 4u);
+  EXPECT_EQ(raster.Cells.rows, 5u);
+  EXPECT_EQ(raster.Cells.spacing, (ahd::Point{ 0.5, 2.0 }));
+  EXPECT_EQ(raster.Cells.origin, (ahd::Point{ 2.25, -9.0 })); // a centre: pixel is area
+  EXPECT_EQ(raster.Cells.at(3, 4), (ahd::Point{ 3.75, -1.0 }));
+}
+
+TEST(Raster, BySizeBeginsAtTheLowerBoundAndCoversTheUpper)
+{
+  const vtkAHDRaster raster = vtkAHDMakeRaster(bySize(2.0), box(1, 6, 0, 4));
+  ASSERT_EQ(raster.Fault, Fault::None);
+  EXPECT_EQ(raster.Cells.columns, 3u); // 1 to 7
+  EXPECT_EQ(raster.Cells.rows, 2u);    // 0 to 4 exactly
+  EXPECT_EQ(raster.Cells.origin, (ahd::Point{ 2.0, 1.0 }));
+  EXPECT_EQ(raster.Cells.spacing, (ahd::Point{ 2.0, 2.0 }));
+}
+
+TEST(Raster, BoundsThatAreMultiplesInDecimalTakeNoCellMore)
+{
+  for (int k = 1; k <= 5000; ++k)
+  {
+    const double tenths = k / 10.0; // as it is read from a file
+    EXPECT_EQ(columnsOf(0.0, tenths, 0.1), std::size_t(k));
+    EXPECT_EQ(columnsOf(0.0, tenths, 0.1, true), std::size_t(k));
+    EXPECT_EQ(columnsOf(-tenths, tenths, 0.1, true), 2u * std::size_t(k));
+  }
+  EXPECT_EQ(columnsOf(500000.1, 500010.1, 0.1), 100u);
+  EXPECT_EQ(columnsOf(500000.1, 500010.1, 0.1, true), 100u);
+  EXPECT_EQ(columnsOf(5000000.3, 5000010.3, 0.01), 1000u);
+  EXPECT_EQ(columnsOf(-0.7, 1.1, 0.1), 18u);
+}
+
+TEST(Raster, WhatSticksOutTakesACellMore)
+{
+  EXPECT_EQ(columnsOf(0.0, 1.1 + 1e-12, 0.1), 12u);
+  EXPECT_EQ(columnsOf(0.0, 1.0 + 1e-14, 0.1), 11u);
+  EXPECT_EQ(columnsOf(500000.1, 500010.1 + 1e-7, 0.1), 101u);
+  EXPECT_EQ(columnsOf(-1e-12, 1.0, 0.1, true), 11u);
+  EXPECT_EQ(columnsOf(0.0, 1.0 - 1e-12, 0.1), 10u);
+}
+
+TEST(Raster, AlignedBordersAreMultiples)
+{
+  const vtkAHDRaster raster = vtkAHDMakeRaster(bySize(10.0, true), box(-27, 13, 5, 31));
+  ASSERT_EQ(raster.Fault, Fault::None);
+  EXPECT_EQ(raster.Cells.origin, (ahd::Point{ -25.0, 5.0 })); // -30 and 0
+  EXPECT_EQ(raster.Cells.columns, 5u);                        // -30 to 20
+  EXPECT_EQ(raster.Cells.rows, 4u);                           // 0 to 40
+  // Two rasters of one size have the same centres where they overlap.
+  const vtkAHDRaster other = vtkAHDMakeRaster(bySize(10.0, true), box(-3, 99, -3, 99));
+  EXPECT_EQ(other.Cells.origin, (ahd::Point{ -5.0, -5.0 }));
+}
+
+TEST(Raster, AtLeastOneCell)
+{
+  EXPECT_EQ(columnsOf(3.0, 3.0, 10.0), 1u);
+  EXPECT_EQ(columnsOf(3.0, 3.0, 10.0, true), 1u);
+  EXPECT_EQ(columnsOf(10.0, 10.0, 10.0, true), 1u);
+  EXPECT_EQ(columnsOf(3.0, 4.0, 1e300), 1u);
+}
+
+TEST(Raster, ASideOfLengthZeroIsARowThroughIt)
+{
+  const vtkAHDRaster row = vtkAHDMakeRaster(byCount(4, 5), box(0, 2, 7, 7));
+  ASSERT_EQ(row.Fault, Fault::None);
+  EXPECT_EQ(row.Cells.rows, 1u);
+  EXPECT_EQ(row.Cells.columns, 4u);
+  EXPECT_EQ(row.Cells.origin, (ahd::Point{ 0.25, 7.0 }));
+  EXPECT_EQ(row.Cells.spacing, (ahd::Point{ 0.5, 0.5 }));
+  const vtkAHDRaster one = vtkAHDMakeRaster(byCount(4, 5), box(3, 3, 7, 7));
+  ASSERT_EQ(one.Fault, Fault::None);
+  EXPECT_EQ(one.Cells.columns * one.Cells.rows, 1u);
+  EXPECT_EQ(one.Cells.origin, (ahd::Point{ 3.0, 7.0 }));
+  EXPECT_EQ(one.Cells.spacing, (ahd::Point{ 1.0, 1.0 }));
+}
+
+TEST(Raster, HugeCoordinates)
+{
+  const double most = std::numeric_limits<double>::max();
+  const double half = most / 2;
+  const vtkAHDRaster all = vtkAHDMakeRaster(byCount(8, 8), box(-half, half, -half, half));
+  ASSERT_EQ(all.Fault, Fault::None);
+  EXPECT_EQ(all.Cells.spacing.x, most / 8);
+  EXPECT_TRUE(std::isfinite(all.Cells.at(7, 7).x));
+  // Here 7 times the spacing is no number.
+  EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 8), box(-most, most, 0, 1)).Fault, Fault::OutOfNumbers);
+  const vtkAHDRaster far = vtkAHDMakeRaster(bySize(0.25), box(4.5e6, 4.5e6 + 100, 5e5, 5e5 + 1));
+  ASSERT_EQ(far.Fault, Fault::None);
+  EXPECT_EQ(far.Cells.columns, 400u);
+  EXPECT_EQ(far.Cells.at(399, 3), (ahd::Point{ 4.5e6 + 99.875, 5e5 + 0.875 }));
+}
+
+TEST(Raster, CellsThatNumbersCannotTellApartAreNone)
+{
+  EXPECT_EQ(vtkAHDMakeRaster(bySize(1e-3), box(1e16, 1e16 + 8, 0, 1)).Fault, Fault::OutOfNumbers);
+  EXPECT_EQ(
+    vtkAHDMakeRaster(byCount(100, 1), box(1e16, 1e16 + 8, 0, 1)).Fault, Fault::OutOfNumbers);
+}
+
+TEST(Raster, TooManyCellsAreNoneAndCounted)
+{
+  const vtkAHDRaster raster = vtkAHDMakeRaster(bySize(1e-9), box(0, 4, 0, 1));
+  EXPECT_EQ(raster.Fault, Fault::TooMany);
+  EXPECT_NEAR(raster.Wished[0], 4e9, 1.0);
+  EXPECT_NEAR(raster.Wished[1], 1e9, 1.0);
+  EXPECT_EQ(vtkAHDMakeRaster(bySize(1e-300), box(-1e300, 1e300, 0, 1)).Fault, Fault::TooMany);
+  EXPECT_EQ(vtkAHDMakeRaster(byCount(2147483647, 2147483647), box(0, 1, 0, 1)).Fault, Fault::None);
+}
+
+TEST(Raster, SizesThatAreNone)
+{
+  for (const double size : { 0.0, -1.0, std::nan(""), kInfinity })
+  {
+    EXPECT_EQ(vtkAHDMakeRaster(bySize(size), box(0, 1, 0, 1)).Fault, Fault::CellSize) << size;
+  }
+  EXPECT_EQ(vtkAHDMakeRaster(bySize(1.0), ahd::Bounds()).Fault, Fault::NoArea);
+}
+
+TEST(Raster, BoundsThatAreNone)
+{
+  const auto faultOf = [](const std::array<double, 4>& bounds)
+  { return vtkAHDMakeRasterWithin(byCount(2, 2), bounds).Fault; };
+  EXPECT_EQ(faultOf({ { 0, 1, 0, 1 } }), Fault::None);
+  EXPECT_EQ(faultOf({ { 1, 0, 0, 1 } }), Fault::Bounds);
+  EXPECT_EQ(faultOf({ { 0, 0, 0, 1 } }), Fault::Bounds);
+  EXPECT_EQ(faultOf({ { 0, 1, 0, std::nan("") } }), Fault::Bounds);
+  EXPECT_EQ(faultOf({ { std::nan(""), 1, 0, 1 } }), Fault::Bounds);
+  EXPECT_EQ(faultOf({ { 0, 1, -kInfinity, 1 } }), Fault::Bounds);
+}
+
+} // namespace
