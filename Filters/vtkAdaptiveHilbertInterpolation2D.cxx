@@ -133,8 +133,15 @@ void vtkAdaptiveHilbertInterpolation2D::SetValidPointMaskArrayName(const std::st
   }
 }
 
+/// In RequestData() it would be too early to be modified: the pipeline then takes all for up to
+/// date.
 vtkMTimeType vtkAdaptiveHilbertInterpolation2D::GetMTime()
 {
+  if (this->MustDescribeAnew)
+  {
+    this->MustDescribeAnew = false;
+    this->Modified(); // so that the next Update() begins with RequestInformation()
+  }
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Triangulation ? std::max(own, this->Triangulation->GetMTime()) : own;
 }
@@ -352,7 +359,9 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
     this->ClearCounts();
   }
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  const bool fits = !isRaster || !vtkAHDIsNotAnnounced(output, info);
+  const bool isAsTold = !isRaster || !isDone || !vtkAHDIsNotAnnounced(output, info);
+  this->MustDescribeAnew = !isAsTold;
+  const bool fits = !isRaster || (isAsTold && vtkAHDHasAllThatIsWanted(output, info));
   return fits || !vtkAHDFeedsImageFilters(info) ? 1 : this->EndWithOtherRaster(isDone, output);
 }
 
@@ -363,8 +372,8 @@ int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataOb
   if (isDone)
   {
     vtkErrorMacro("The points have other bounds at this time, so the raster is another than "
-                  "filters for images behind it were told, which they cannot stand. Set UseBounds, "
-                  "so that all times have one raster.");
+                  "filters for images behind it were told, which they cannot stand. Update again, "
+                  "or set UseBounds, so that all times have one raster.");
     output->Initialize();
     this->ClearCounts();
   }

@@ -309,6 +309,7 @@ private:
   static void AddCounts(const vtkAHDSampleResult& result, vtkDataSet* output);
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
+  bool MustDescribeAnew = false; // the raster is another than RequestInformation() said
 };
 
 #endif

@@ -26,25 +26,56 @@ void vtkAHDAnnounceRaster(const vtkAHDRaster& raster, vtkInformation* info)
   info->Set(vtkDataObject::SPACING(), cells.spacing.x, cells.spacing.y, 1.0);
 }
 
-bool vtkAHDIsNotAnnounced(vtkDataObject* made, vtkInformation* info)
+namespace
 {
-  int extent[6] = { 0, -1, 0, -1, 0, -1 }, announced[6] = { 0, -1, 0, -1, 0, -1 };
-  info->Get(Pipeline::WHOLE_EXTENT(), announced);
-  bool isSame = true;
+void GetExtent(vtkDataObject* made, int extent[6])
+{
+  const int none[6] = { 0, -1, 0, -1, 0, -1 };
+  std::copy(none, none + 6, extent);
   if (auto* image = vtkImageData::SafeDownCast(made))
   {
-    double origin[3] = { 0, 0, 0 }, spacing[3] = { 1, 1, 1 };
-    info->Get(vtkDataObject::ORIGIN(), origin);
-    info->Get(vtkDataObject::SPACING(), spacing);
     image->GetExtent(extent);
-    isSame = std::equal(origin, origin + 3, image->GetOrigin()) &&
-      std::equal(spacing, spacing + 3, image->GetSpacing());
   }
   else if (auto* grid = vtkStructuredGrid::SafeDownCast(made))
   {
     grid->GetExtent(extent);
   }
-  return !isSame || !std::equal(extent, extent + 6, announced);
+}
+}
+
+bool vtkAHDIsNotAnnounced(vtkDataObject* made, vtkInformation* info)
+{
+  int extent[6], announced[6] = { 0, -1, 0, -1, 0, -1 };
+  GetExtent(made, extent);
+  info->Get(Pipeline::WHOLE_EXTENT(), announced);
+  bool isSame = std::equal(extent, extent + 6, announced);
+  auto* image = vtkImageData::SafeDownCast(made);
+  if (image && isSame && image->GetNumberOfPoints() > 0)
+  {
+    double origin[3] = { 0, 0, 0 }, spacing[3] = { 1, 1, 1 };
+    info->Get(vtkDataObject::ORIGIN(), origin);
+    info->Get(vtkDataObject::SPACING(), spacing);
+    isSame = std::equal(origin, origin + 3, image->GetOrigin()) &&
+      std::equal(spacing, spacing + 3, image->GetSpacing());
+  }
+  return !isSame;
+}
+
+bool vtkAHDHasAllThatIsWanted(vtkDataObject* made, vtkInformation* info)
+{
+  int extent[6], wanted[6] = { 0, -1, 0, -1, 0, -1 };
+  GetExtent(made, extent);
+  info->Get(Pipeline::UPDATE_EXTENT(), wanted);
+  bool hasAll = true;
+  for (int k = 0; k < 6; k += 2)
+  {
+    if (wanted[k] > wanted[k + 1])
+    {
+      return true; // nothing
+    }
+    hasAll = hasAll && extent[k] <= wanted[k] && wanted[k + 1] <= extent[k + 1];
+  }
+  return hasAll;
 }
 
 bool vtkAHDFeedsImageFilters(vtkInformation* info)

@@ -16,6 +16,9 @@ void vtkAHDAnnounceRaster(const vtkAHDRaster& raster, vtkInformation* info);
 /// that time, those of another time step.
 bool vtkAHDIsNotAnnounced(vtkDataObject* made, vtkInformation* info);
 
+/// Does it have all of the extent that filters behind ask for?
+bool vtkAHDHasAllThatIsWanted(vtkDataObject* made, vtkInformation* info);
+
 /// Is there a vtkImageAlgorithm among the filters behind this output? These read as many pixels as
 /// were announced, whether or not they are there.
 bool vtkAHDFeedsImageFilters(vtkInformation* info);
