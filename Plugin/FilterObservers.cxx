@@ -4,6 +4,7 @@
 #include "vtkCommand.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVDataInformation.h"
 #include "vtkProcessModule.h"
 #include "vtkSMDoubleRangeDomain.h"
 #include "vtkSMIntRangeDomain.h"
@@ -14,8 +15,11 @@
 #include "vtkSMSourceProxy.h"
 #include "vtkSmartPointer.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <set>
+#include <string>
 
 namespace
 {
@@ -78,19 +82,21 @@ public:
   void Execute(vtkObject* caller, unsigned long, void* data) override
   {
     const auto* name = static_cast<const char*>(data);
-    if (!name || std::strcmp(name, "Source") != 0)
+    const bool isSource = name && std::strcmp(name, "Source") == 0;
+    if (!isSource && !(name && std::strcmp(name, "Places") == 0))
     {
       return;
     }
     auto* proxy = vtkSMProxy::SafeDownCast(caller);
-    auto* source = vtkSMProxyProperty::SafeDownCast(proxy->GetProperty("Source"));
+    auto* item = vtkSMProxyProperty::SafeDownCast(proxy->GetProperty(name));
     std::set<vtkSMProxy*> seen;
-    if (source && source->GetNumberOfProxies() > 0 && DependsOn(source->GetProxy(0), proxy, seen))
+    if (item && item->GetNumberOfProxies() > 0 && DependsOn(item->GetProxy(0), proxy, seen))
     {
       vtkGenericWarningMacro(
-        "The source was made from the surface that it is to constrain. It was taken "
-        "away again.");
-      source->RemoveAllProxies();
+        << (isSource ? "The source was made from the surface that it is to constrain."
+                     : "The places were made from the values that are wanted there.")
+        << (isSource ? " It was" : " They were") << " taken away again.");
+      item->RemoveAllProxies();
     }
   }
 };
@@ -131,21 +137,43 @@ public:
 /// A setting without a fixed range: its widget's range is no limit.
 constexpr const char* kOpenEnded = "InsertionLimit";
 
-/// The nearest value in the range; `value` if that is open.
+/// The nearest value in the range of this element; `value` if that is open.
 template <typename Domain, typename Number>
-Number nearestIn(Domain* domain, Number value)
+Number nearestIn(Domain* domain, unsigned int element, Number value)
 {
   int isLimited = 0;
-  const auto least = domain->GetMinimum(0, isLimited);
+  const auto least = domain->GetMinimum(element, isLimited);
   if (isLimited && !(value >= least)) // NaN too
   {
     return least;
   }
-  const auto most = domain->GetMaximum(0, isLimited);
+  const auto most = domain->GetMaximum(element, isLimited);
   return isLimited && value > most ? most : value;
 }
 
-/// Sets the property to the nearest value in its range, if it is a number with one.
+/// Sets an element of the property to the nearest value in its range, if it is a number with one.
+void KeepInRange(vtkSMProperty* property, unsigned int element)
+{
+  vtkSMPropertyHelper value(property);
+  if (auto* whole = vtkSMIntRangeDomain::SafeDownCast(property->FindDomain("vtkSMIntRangeDomain")))
+  {
+    const int given = value.GetAsInt(element);
+    if (const int kept = nearestIn(whole, element, given); kept != given)
+    {
+      value.Set(element, kept);
+    }
+  }
+  else if (auto* real = vtkSMDoubleRangeDomain::SafeDownCast(
+             property->FindDomain("vtkSMDoubleRangeDomain")))
+  {
+    const double given = value.GetAsDouble(element);
+    if (const double kept = nearestIn(real, element, given); !(kept == given))
+    {
+      value.Set(element, kept);
+    }
+  }
+}
+
 void KeepInRange(vtkSMProxy* proxy, const char* name)
 {
   vtkSMProperty* property = proxy->GetProperty(name);
@@ -153,21 +181,10 @@ void KeepInRange(vtkSMProxy* proxy, const char* name)
   {
     return;
   }
-  vtkSMPropertyHelper value(property);
-  if (auto* whole = vtkSMIntRangeDomain::SafeDownCast(property->FindDomain("vtkSMIntRangeDomain")))
+  const unsigned int elements = vtkSMPropertyHelper(property, true).GetNumberOfElements();
+  for (unsigned int element = 0; element < elements; ++element)
   {
-    if (const int kept = nearestIn(whole, value.GetAsInt()); kept != value.GetAsInt())
-    {
-      value.Set(kept);
-    }
-  }
-  else if (auto* real = vtkSMDoubleRangeDomain::SafeDownCast(
-             property->FindDomain("vtkSMDoubleRangeDomain")))
-  {
-    if (const double kept = nearestIn(real, value.GetAsDouble()); !(kept == value.GetAsDouble()))
-    {
-      value.Set(kept);
-    }
+    KeepInRange(property, element);
   }
 }
 
@@ -203,6 +220,55 @@ void JoinNames(vtkSMProxy* proxy)
   CopyProperty(proxy, byOldName ? kOldName : kPointStatus, byOldName ? kPointStatus : kOldName);
 }
 
+/// The bounds of the points that the proxy is given, null if they are not known yet.
+const double* InputBounds(vtkSMProxy* proxy)
+{
+  const vtkSMPropertyHelper input(proxy, "Input");
+  auto* source = vtkSMSourceProxy::SafeDownCast(
+    input.GetNumberOfElements() > 0 ? input.GetAsProxy(0) : nullptr);
+  if (!source || !source->GetOutputPortsCreated())
+  {
+    return nullptr;
+  }
+  const double* bounds = source->GetDataInformation(input.GetOutputPort(0))->GetBounds();
+  return bounds && bounds[0] <= bounds[1] && bounds[2] <= bounds[3] ? bounds : nullptr;
+}
+
+/// 1, 2 or 5 times a power of ten, not above `size`.
+double roundedDown(double size)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(size)));
+  return (size >= 5.0 * power ? 5.0 : size >= 2.0 * power ? 2.0 : 1.0) * power;
+}
+
+/// So many cells along the longer side, or somewhat more, where nobody gave a size.
+constexpr double kCells = 400.0;
+
+/// Fills in what is not used yet: an area and a cell size from which one may start. REQUIRES: a
+/// proxy of the interpolation.
+void SuggestRaster(vtkSMProxy* proxy)
+{
+  const double* bounds = InputBounds(proxy);
+  if (!bounds)
+  {
+    return;
+  }
+  const double longer = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
+  vtkSMProperty* area = proxy->GetProperty("Bounds");
+  if (!vtkSMPropertyHelper(proxy, "UseBounds").GetAsInt() && area->IsValueDefault())
+  {
+    vtkSMPropertyHelper(area).Set(bounds, 4);
+  }
+  vtkSMProperty* cell = proxy->GetProperty("CellSize");
+  if (!vtkSMPropertyHelper(proxy, "RasterSize").GetAsInt() && cell->IsValueDefault() &&
+    std::isnormal(longer))
+  {
+    const double size = roundedDown(longer / kCells);
+    vtkSMPropertyHelper(cell).Set(0, size);
+    vtkSMPropertyHelper(cell).Set(1, size);
+  }
+}
+
 /// Observes the proxy manager: a proxy was registered.
 class ObserveFilters : public vtkCommand
 {
@@ -212,18 +278,29 @@ public:
   {
     const auto* registered = static_cast<vtkSMProxyManager::RegisteredProxyInformation*>(data);
     auto* proxy = vtkSMSourceProxy::SafeDownCast(registered->Proxy);
-    if (!proxy || !proxy->GetXMLName() ||
-      std::strcmp(proxy->GetXMLName(), "AdaptiveHilbertDelaunay2D") != 0 ||
+    const std::string name = proxy && proxy->GetXMLName() ? proxy->GetXMLName() : "";
+    const bool isSurface = name == "AdaptiveHilbertDelaunay2D";
+    if (!(isSurface || name == "AdaptiveHilbertInterpolation2D") ||
       proxy->HasObserver(vtkCommand::UpdateDataEvent, this->Fetch))
     {
       return; // another proxy, or the same under one more name
     }
     proxy->AddObserver(vtkCommand::UpdateDataEvent, this->Fetch);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Refuse);
-    JoinNames(proxy);
+    if (isSurface)
+    {
+      JoinNames(proxy);
+    }
+    else
+    {
+      SuggestRaster(proxy);
+    }
     KeepAllInRange(proxy);
     proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
-    proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Follow);
+    if (isSurface)
+    {
+      proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Follow);
+    }
   }
 
 private:

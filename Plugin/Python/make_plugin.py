@@ -55,12 +55,19 @@ def without_cxx(proxy):
     return found
 
 
+def is_of_parts(proxy):
+    """Does it have a proxy inside, or is it there to be inside one? ParaView makes these of C++ classes alone."""
+    return proxy.find("SubProxy") is not None or proxy.get("base_proxyname") is not None
+
+
 def proxies():
     """(group, tag, attributes, inside) of each proxy, and the names of the properties that go up to the number of
     points."""
     found, up_to_points = [], []
     for group in ElementTree.parse(XML).getroot():
         for proxy in group:
+            if is_of_parts(proxy):
+                continue
             up_to_points += without_cxx(proxy)
             inside = "".join(ElementTree.tostring(child, encoding="unicode") for child in proxy)
             inside = re.sub(r"\n\s*\n", "\n\n", inside.strip())

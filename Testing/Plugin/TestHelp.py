@@ -10,7 +10,7 @@ import os
 import sqlite3
 import sys
 
-from pluginsupport import MEASURES, SETTINGS, check, check_equal
+from pluginsupport import MEASURES, RASTER_MEASURES, RASTER_SETTINGS, SETTINGS, check, check_equal
 
 FOLDER = sys.argv[1]
 OURS = {"index.html", "gallery.html"}  # ParaView's generated pages leave some tags open
@@ -45,17 +45,24 @@ check_equal(
     OURS
     | {
         "filters.AdaptiveHilbertDelaunay2D.html",
+        "filters.AdaptiveHilbertInterpolation2D.html",
+        "internal.AdaptiveHilbertTriangulation.html",
         "sources.PlanarPointSource.html",
         "transforms.AdaptiveHilbertTransform.html",
     },
     "pages of the help",
 )
 
-reference = " ".join(pages["filters.AdaptiveHilbertDelaunay2D.html"].text.split())
-for name in SETTINGS + MEASURES + ["Source", "Transform"]:
-    spaced = "".join(" " + c if c.isupper() and i and name[i - 1].islower() else c for i, c in enumerate(name))
-    check(spaced in reference, "the page of the filter does not describe " + spaced)
-check("**" not in reference, "markup was left in the page of the filter")
+DESCRIBED = {
+    "AdaptiveHilbertDelaunay2D": SETTINGS + MEASURES + ["Source", "Transform"],
+    "AdaptiveHilbertInterpolation2D": RASTER_SETTINGS + RASTER_MEASURES + ["Places", "Source"],
+}
+for filter_name, described in DESCRIBED.items():
+    reference = " ".join(pages["filters.%s.html" % filter_name].text.split())
+    for name in described:
+        spaced = "".join(" " + c if c.isupper() and i and name[i - 1].islower() else c for i, c in enumerate(name))
+        check(spaced in reference, "the page of %s does not describe %s" % (filter_name, spaced))
+    check("**" not in reference, "markup was left in the page of " + filter_name)
 
 # A .qch is an SQLite database.
 with sqlite3.connect("file:%s?mode=ro" % os.path.join(FOLDER, "AdaptiveHilbertDelaunay.qch"), uri=True) as database:

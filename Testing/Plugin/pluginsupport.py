@@ -92,6 +92,51 @@ MEASURES = COUNTS + CONSTRAINT_COUNTS + [
     "MemoryEstimate",
 ]
 
+# The same of the interpolation: its own settings, those of its triangulation that have a say, and its measures.
+RASTER_SETTINGS = [
+    "Method",
+    "RasterSize",
+    "Dimensions",
+    "CellSize",
+    "AlignToCellSize",
+    "UseBounds",
+    "Bounds",
+    "OutputType",
+    "Outside",
+    "GenerateGradients",
+    "HeightArrayName",
+    "ValidPointMaskArrayName",
+]
+EXPOSED = [
+    "SourceMode",
+    "SourceHeights",
+    "ClosedLines",
+    "FillRule",
+    "CrossingMode",
+    "MaximumEdgeLength",
+    "Alpha",
+    "ProjectionPlaneMode",
+    "Rim",
+    "Tolerance",
+    "DuplicatePolicy",
+    "NumberOfThreads",
+    "DistributePoints",
+    "KeepTriangulation",
+    "MemoryLimit",
+    "ReuseLimit",
+]
+RASTER_MEASURES = [
+    "NumberOfPlaces",
+    "NumberOfValidPlaces",
+    "NumberOfPlacesOutside",
+    "NumberOfNotFinitePlaces",
+    "NumberOfPlacesWithoutValue",
+    "NumberOfPlacesWithNeighborsLeftOut",
+    "SampleSeconds",
+    "NumberOfTriangulations",
+    "MemoryEstimate",
+]
+
 
 def class_in_paraview(name):
     """What ParaView calls the class of a proxy with this name."""
