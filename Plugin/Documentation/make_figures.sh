@@ -15,8 +15,9 @@ help() {
   cat <<'EOT'
 ./Plugin/Documentation/make_figures.sh [options]
 
-Draws the figures of the gallery with ParaView and this plugin, counts the numbers of its captions, and
-writes the page: Gallery.md, gallery.html and Figures/. On the first run it installs what is missing
+Draws the figures of the gallery and of the recipes with ParaView and this plugin, counts the numbers of the
+gallery's captions, and writes its page: Gallery.md, gallery.html and Figures/. (recipe-dem.png takes points
+that are not in the repository: Scripts/recipe_pictures.py draws it.) On the first run it installs what is missing
 (Debian, as root or with sudo) and builds the plugin in build/. Drawing takes some two minutes.
 
 --plots           only the figures of times, from the results of Testing/Benchmarks/paper.sh, and the

@@ -141,6 +141,35 @@ class Examples(unittest.TestCase):
         self.assertTrue(all(0 < depth < 40 for depth in depths), said)
         self.assertIn("(1002634, 1445): no water", said)
 
+    def test_raster(self):
+        """The water of the raster is that of the coastline: its area is known by the corners of the polygons."""
+        bay = os.path.join(ROOT, "Data", "Bay")
+        files = [os.path.join(bay, name) for name in ("soundings.csv", "coastline.vtp")] + ["bay.vti", "bay.png"]
+        said = self.run_example("pvpython", os.path.join(EXAMPLES, "raster.py"), PLUGIN, *files)
+        cells, water = (int(n) for n in re.search(r"(\d+) cells, (\d+) of them water", said).groups())
+        area = float(re.search(r"^([\d.]+) square", self.run_example(
+            sys.executable, os.path.join(EXAMPLES, "arrays.py"), *files[:2]), re.MULTILINE).group(1))  # fmt: skip
+        self.assertAlmostEqual(water * 100 / 1e6, area, delta=0.01 * area)
+        self.assertGreater(cells, water)
+        places, deepest = re.search(r"(\d+) of 201 places are water, the deepest at ([-\d.]+) m", said).groups()
+        self.assertTrue(100 < int(places) < 201, said)
+        self.assertTrue(-40 < float(deepest) < -5, said)
+        for name in files[2:]:
+            self.assertGreater(os.path.getsize(os.path.join(self.folder, name)), 20000, name)
+
+    def test_volumes(self):
+        """Of the hull of the soundings: above the deepest less below the highest is the area times the difference."""
+        soundings = os.path.join(ROOT, "Data", "Bay", "soundings.csv")
+        found = {}
+        for level in (-100, -5, 100):
+            said = self.run_example(sys.executable, os.path.join(EXAMPLES, "volumes.py"), soundings, str(level))
+            found[level] = [float(n) for n in re.findall(r"[-\d.]+(?:e[+-]?\d+)?", said)]
+        (deep, none, whole), (above, below, part), (nothing, high, no_area) = found.values()
+        self.assertEqual((none, nothing, no_area), (0, 0, 0))
+        self.assertAlmostEqual((deep + high) / (200 * whole), 1, 4)
+        self.assertAlmostEqual((above - below) / (deep - 95 * whole), 1, 3)
+        self.assertTrue(0 < part < whole, found)
+
     def test_cxx(self):
         self.run_example(
             CMAKE, "-S", os.path.join(EXAMPLES, "cxx"), "-B", "example", "-G", GENERATOR,

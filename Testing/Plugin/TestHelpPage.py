@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Help.md says what ParaView's help says, and the places in it that other pages send readers to are there."""
+"""Help.md and Recipes.md say what ParaView's help says, and the places in them that others lead to are there."""
 
 import html
 import os
@@ -23,16 +23,21 @@ def words(text):
     return re.findall(r"[A-Za-z0-9]+", text)
 
 
+for source, made in help_page.SOURCES.items():
+    published = read("Plugin", "Documentation", made)
+    is_new = published == help_page.markdown(source)
+    check(is_new, made + " is out of date: run Plugin/Documentation/Scripts/help_page.py")
+    # Whatever the converter does, no word is lost.
+    page = read("Plugin", "Documentation", source).split("<body>")[1]
+    seen = html.unescape(re.sub(r"<[^>]*>", "", re.sub("</t[dh]>", " ", page)))
+    told = re.sub(r"^\d+\. |!\[[^]]*\]\([^)]*\)|\]\([^)]*\)", "", published.split("-->")[1], flags=re.MULTILINE)
+    lost = [pair for pair in zip(words(told) + ["the end"], words(seen) + ["the end"]) if pair[0] != pair[1]]
+    check(not lost, "%s and %s say %r" % (made, source, lost[:1]))
+    for target in re.findall(r"\]\(([^)#]+)\)", published):
+        there = os.path.exists(os.path.join(DOCUMENTATION, target))
+        check(there, "%s leads to %s, which is not there" % (made, target))
+
 published = read("Plugin", "Documentation", "Help.md")
-check(published == help_page.markdown(), "Help.md is out of date: run Plugin/Documentation/Scripts/help_page.py")
-
-# Whatever the converter does, no word is lost.
-page = read("Plugin", "Documentation", "index.html").split("<body>")[1]
-seen = html.unescape(re.sub(r"<[^>]*>", "", re.sub("</t[dh]>", " ", page)))
-told = re.sub(r"^\d+\. |!\[[^]]*\]\([^)]*\)|\]\([^)]*\)", "", published.split("-->")[1], flags=re.MULTILINE)
-lost = [pair for pair in zip(words(told) + ["the end"], words(seen) + ["the end"]) if pair[0] != pair[1]]
-check(not lost, "Help.md and index.html say %r" % lost[:1])
-
 anchors = {re.sub(r"[^a-z0-9 -]", "", line.lower()).strip().replace(" ", "-")
            for line in published.split("\n") if line.startswith("## ")}  # fmt: skip
 links = re.findall(r"\(Plugin/Documentation/Help\.md#([^)]*)\)", read("README.md"))
@@ -40,8 +45,6 @@ check("coming-from-delaunay-2d" in links, "README.md does not lead to Coming fro
 for link in links:
     check(link in anchors, "Help.md has no section %s" % link)
 check("Plugin/Documentation/index.html" not in read("README.md"), "README.md links to HTML, shown as source")
-for target in re.findall(r"\]\(([^)#]+)\)", published):
-    check(os.path.exists(os.path.join(DOCUMENTATION, target)), "Help.md leads to %s, which is not there" % target)
 
 first_page = read("README.md")
 check(len(first_page.split()) < 900, "README.md is too long for a first page: tables and details go to the docs")

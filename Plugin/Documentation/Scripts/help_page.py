@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The first page of ParaView's help, index.html, as Markdown for readers of the repository: Help.md.
+"""Pages of ParaView's help as Markdown for readers of the repository: index.html is Help.md, recipes.html Recipes.md.
 
-    python3 help_page.py     writes Help.md anew, after index.html was changed
+    python3 help_page.py     writes both anew, after one of the pages was changed
 """
 
 import html.parser
@@ -10,14 +10,15 @@ import re
 import textwrap
 
 DOCUMENTATION = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")
-MADE = "<!-- Made by Scripts/help_page.py from index.html: change that, not this. -->\n\n"
-PAGES = {"index.html": "Help.md", "gallery.html": "Gallery.md"}  # others are made with the help, of the plugin's XML
+MADE = "<!-- Made by Scripts/help_page.py from %s: change that, not this. -->\n\n"
+SOURCES = {"index.html": "Help.md", "recipes.html": "Recipes.md"}
+PAGES = dict(SOURCES, **{"gallery.html": "Gallery.md"})  # others are made with the help, of the plugin's XML
 MARKS = {"b": "**", "i": "*", "code": "`"}
 BLOCKS = ("h1", "h2", "p", "pre", "li")
 
 
 class Converter(html.parser.HTMLParser):
-    """Understands the tags that index.html has, and no others."""
+    """Understands the tags that these pages have, and no others."""
 
     def __init__(self):
         super().__init__()
@@ -97,15 +98,16 @@ def wrapped(words, first="", others=""):
         words, 140, initial_indent=first, subsequent_indent=others, break_long_words=False, break_on_hyphens=False)
 
 
-def markdown():
-    """The text that Help.md has to have."""
-    with open(os.path.join(DOCUMENTATION, "index.html"), encoding="utf-8") as file:
-        page = file.read()
+def markdown(page="index.html"):
+    """The text that the Markdown of this page has to have."""
+    with open(os.path.join(DOCUMENTATION, page), encoding="utf-8") as file:
+        text = file.read()
     converter = Converter()
-    converter.feed(page)
-    return MADE + "\n\n".join("\n".join(lines) for lines in converter.blocks) + "\n"
+    converter.feed(text)
+    return MADE % page + "\n\n".join("\n".join(lines) for lines in converter.blocks) + "\n"
 
 
 if __name__ == "__main__":
-    with open(os.path.join(DOCUMENTATION, "Help.md"), "w", encoding="utf-8") as output:
-        output.write(markdown())
+    for source, made in SOURCES.items():
+        with open(os.path.join(DOCUMENTATION, made), "w", encoding="utf-8") as output:
+            output.write(markdown(source))

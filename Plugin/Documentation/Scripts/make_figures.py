@@ -45,6 +45,13 @@ def figures_from_the_plugin(plugin, paper, quick=False):
     return scenes.figures(paper)
 
 
+def draw_recipes(output, only=None):
+    """The pictures of Recipes.md; that page is made by help_page.py."""
+    import recipe_pictures
+
+    recipe_pictures.draw(os.path.join(output, "Figures"), only=only)
+
+
 def draw(chosen):
     """Draws what is chosen; the numbers of all figures there are, those drawn earlier included."""
     results = plots.read(chosen.results, PAPER)
@@ -52,6 +59,12 @@ def draw(chosen):
     if not chosen.plots:
         functions = figures_from_the_plugin(chosen.plugin, results.paper, chosen.quick)
     functions.update(plots.figures(results))
+    recipes = [name for name in chosen.only or () if name.startswith("recipe-")]
+    if recipes and not chosen.plots:
+        draw_recipes(chosen.output, [name[len("recipe-") :] for name in recipes])
+        chosen.only = [name for name in chosen.only if name not in recipes]
+    elif not chosen.plots and not chosen.only and not chosen.quick:
+        draw_recipes(chosen.output)
     unknown = [name for name in chosen.only or () if name not in functions]
     if unknown:
         raise SystemExit(
@@ -62,7 +75,7 @@ def draw(chosen):
     if os.path.exists(store):
         with open(store, encoding="utf-8") as file:
             numbers = json.load(file)
-    for name in chosen.only or functions:
+    for name in functions if chosen.only is None else chosen.only:
         numbers[name] = functions[name](os.path.join(chosen.output, "Figures", name + ".png"))
     os.makedirs(os.path.dirname(store), exist_ok=True)
     text = json.dumps(numbers, indent=1, sort_keys=True) + "\n"

@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The pictures of Recipes.md, drawn by ParaView from the pipelines of recipes.py.
+
+    pvpython recipe_pictures.py <AdaptiveHilbertDelaunay.so> <folder for the pictures> [<lidar.csv> [only these]]
+
+lidar.csv has the columns x, y, z in feet: the points of PDAL's test/data/las/autzen_trim.las (BSD). Without it the
+picture recipe-dem.png is left as it is. make_figures.sh runs this, without lidar.csv.
+"""
+
+import os
+import sys
+import tempfile
+
+from paraview import simple
+from PIL import Image, ImageDraw
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import recipes
+
+WIDTH, HEIGHT = 1440, 560  # shown at half its size
+GREENS = [0.0, 0.27, 0.45, 0.45, 0.35, 0.55, 0.70, 0.50, 0.6, 0.85, 0.80, 0.62, 1.0, 0.96, 0.95, 0.92]
+CENTRE = (500.0, 500.0, 75.0)
+
+
+# --- views -----------------------------------------------------------------------------------------
+
+
+def view(distance=None, turned=None, focus=CENTRE, angle=28):
+    """From above, so that a height of `distance` is seen; or from the side (turned: where the camera is)."""
+    made = simple.CreateView("RenderView")
+    made.UseColorPaletteForBackground = 0
+    made.BackgroundColorMode = "Single Color"
+    made.Background = [1, 1, 1]
+    made.OrientationAxesVisibility = 0
+    made.CameraFocalPoint = list(focus)
+    if turned:
+        made.CameraPosition = list(turned)
+        made.CameraViewUp = [0, 0, 1]
+        made.CameraViewAngle = angle
+    else:
+        made.CameraParallelProjection = 1
+        made.CameraParallelScale = distance / 2
+        made.CameraPosition = [focus[0], focus[1], focus[2] + 5000]
+        made.CameraViewUp = [0, 1, 0]
+    return made
+
+
+def show(source, where, array=None, colours=GREENS, limits=None, **look):
+    """Shows a filter coloured by an array, from the first to the last of the limits; or in one colour."""
+    display = simple.Show(source, where)
+    display.SetRepresentationType(look.pop("Representation", "Surface"))
+    if array:
+        simple.ColorBy(display, ("POINTS", array))
+        table = simple.GetColorTransferFunction(array)
+        low, high = limits or source.PointData[array].GetRange()
+        steps = [number + 0.0 for number in colours]
+        steps[::4] = [low + (high - low) * step for step in colours[::4]]
+        table.RGBPoints = steps
+        table.ColorSpace = "RGB"
+        table.NanOpacity = 0.0
+        display.SetScalarBarVisibility(where, False)
+    else:
+        display.ColorArrayName = ["POINTS", ""]  # one colour
+        display.AmbientColor = display.DiffuseColor = colours
+    for name, value in look.items():
+        setattr(display, name, value)
+    return display
+
+
+def side_by_side(path, left, right):
+    layout = simple.CreateLayout(os.path.basename(path))
+    layout.SplitHorizontal(0, 0.5)
+    simple.AssignViewToLayout(left, layout, 1)
+    simple.AssignViewToLayout(right, layout, 2)
+    save(path, layout)
+
+
+def save(path, what):
+    simple.SaveScreenshot(path, what, ImageResolution=[WIDTH, HEIGHT])
+    with Image.open(path) as picture:
+        few = picture.convert("RGB").quantize(192, dither=Image.Dither.NONE)
+    few.save(path, optimize=True)
+    print("%s  %d KB" % (path, os.path.getsize(path) // 1024), flush=True)
+
+
+def hills(seed=1, **more):
+    made = recipes.survey(seed=seed, **more)
+    made.UpdatePipeline()
+    return made
+
+
+# --- pictures --------------------------------------------------------------------------------------
+
+
+def dem(path, lidar):
+    """The piece of README's picture, from above and from the side."""
+    table = simple.TableToPoints(Input=simple.CSVReader(FileName=[lidar]), XColumn="x", YColumn="y", ZColumn="z")
+    table.UpdatePipeline()
+    # the river, its bank, trees and their tops
+    colours = [0.0, 0.55, 0.71, 0.82, 0.1, 0.66, 0.79, 0.87, 0.14, 0.9, 0.85, 0.73, 0.26, 0.93, 0.89, 0.78,
+               0.32, 0.85, 0.86, 0.66, 0.4, 0.62, 0.76, 0.47, 0.65, 0.4, 0.64, 0.38, 1.0, 0.22, 0.48, 0.3]  # fmt: skip
+    above = view(distance=470, focus=(636600, 849190, 418))
+    show(recipes.dem(table), above, "Elevation", colours, (406, 480), Ambient=1.0, Diffuse=0.0)
+    side = view(turned=(636690, 849040, 560), focus=(636745, 849215, 418))
+    show(recipes.dem(table, OutputType="Surface"), side, "Elevation", colours, (406, 480))
+    side_by_side(path, above, side)
+
+
+def contours(path):
+    points = recipes.survey(count=220)
+    points.UpdatePipeline()
+    levels = [5.0 * k for k in range(30)]
+    surface = simple.AdaptiveHilbertDelaunay2D(Input=points)
+    heights = simple.Calculator(Input=surface, ResultArrayName="Elevation", Function="coordsZ")
+    angular = simple.Contour(Input=heights, ContourBy=["POINTS", "Elevation"], Isosurfaces=levels)
+    views = []
+    for lines in (angular, recipes.contours(points, levels)):
+        lines.UpdatePipeline()
+        views.append(view(distance=560, focus=(560, 500, 75)))
+        show(lines, views[-1], None, [0.45, 0.3, 0.15], LineWidth=3.0, Ambient=1.0, Diffuse=0.0)
+    side_by_side(path, *views)
+
+
+def profile(path):
+    points = hills()
+    terrain = recipes.dem(points)
+    road = recipes.profile(points, (80, 80), (930, 870))
+    road.UpdatePipeline()
+    above = view(distance=1040)
+    show(terrain, above, "Elevation", limits=(30, 105))
+    show(road, above, None, [0.85, 0.3, 0.1], LineWidth=6.0, Ambient=1.0, Diffuse=0.0)
+    chart = simple.CreateView("XYChartView")
+    display = simple.Show(simple.PlotData(Input=road), chart)
+    display.UseIndexForXAxis = 0
+    display.XArrayName = "arc_length"
+    display.SeriesVisibility = ["Elevation"]
+    display.SeriesColor = ["Elevation", "0.85", "0.3", "0.1"]
+    display.SeriesLineThickness = ["Elevation", "4"]
+    chart.BottomAxisTitle = "along the road, metres"
+    chart.LeftAxisTitle = "height, metres"
+    chart.ShowLegend = 0
+    side_by_side(path, above, chart)
+
+
+def volume(path):
+    points = hills()
+    surface = simple.AdaptiveHilbertDelaunay2D(Input=points)
+    above = simple.Calculator(Input=surface, ResultArrayName="Above", Function="coordsZ - 80")
+    part = simple.Clip(Input=above, ClipType="Scalar", Scalars=["POINTS", "Above"], Value=0.0, Invert=0)
+    rest = simple.Clip(Input=above, ClipType="Scalar", Scalars=["POINTS", "Above"], Value=0.0, Invert=1)
+    level = simple.Plane(Origin=[0, 0, 80], Point1=[1000, 0, 80], Point2=[0, 1000, 80])
+    side = view(turned=(500, -1150, 620), focus=(500, 470, 60), angle=17)
+    show(rest, side, None, [0.78, 0.83, 0.76])
+    show(part, side, None, [0.88, 0.55, 0.25])
+    show(level, side, None, [0.35, 0.55, 0.8], Opacity=0.35)
+    save(path, side)
+
+
+def change(path):
+    bounds = [20, 980, 20, 980]
+    made = recipes.change(hills(), hills(2, with_pit=True), bounds)
+    made.UpdatePipeline()
+    blues = [0.0, 0.1, 0.25, 0.55, 0.45, 0.45, 0.65, 0.85, 0.9, 0.93, 0.93, 0.9, 1.0, 0.95, 0.7, 0.5]
+    above = view(distance=1000)
+    show(made, above, "Change", blues, (-8, 1), Ambient=1.0, Diffuse=0.0)
+    terrain = recipes.dem(hills(2, with_pit=True), OutputType="Surface")
+    side = view(turned=(250, -500, 420), focus=(330, 380, 60), angle=24)
+    show(terrain, side, "Elevation", limits=(30, 105))
+    side_by_side(path, above, side)
+
+
+def slope(path):
+    made = recipes.slope_and_aspect(hills(), 4.0)
+    made.UpdatePipeline()
+    reds = [0.0, 0.97, 0.96, 0.9, 0.5, 0.93, 0.7, 0.35, 1.0, 0.55, 0.12, 0.1]
+    around = [0.0, 0.3, 0.45, 0.75, 0.25, 0.55, 0.7, 0.4, 0.5, 0.95, 0.8, 0.35, 0.75, 0.75, 0.4, 0.4,
+              1.0, 0.3, 0.45, 0.75]  # fmt: skip
+    views = []
+    for array, colours, limits in (("Slope", reds, (0, 22)), ("Aspect", around, (-180, 180))):
+        views.append(view(distance=1040))
+        show(made, views[-1], array, colours, limits, Ambient=1.0, Diffuse=0.0)
+    side_by_side(path, *views)
+
+
+def map_of_the_hills(path):
+    """Fields, a lake and a road, as an aerial picture might have them."""
+    picture = Image.new("RGB", (1000, 1000))
+    pen = ImageDraw.Draw(picture)
+    for k in range(100):
+        x, y = 100 * (k % 10), 100 * (k // 10)
+        green = 37 * k % 5 * 9
+        pen.rectangle((x, y, x + 97, y + 97), fill=(150 + green, 170 + green // 2, 95 + green))
+    pen.ellipse((620, 640, 900, 860), fill=(95, 140, 185))
+    pen.line([(0, 930), (180, 800), (330, 560), (520, 420), (760, 330), (1000, 120)], fill=(235, 230, 220), width=16)
+    picture.save(path)
+
+
+def drape(path):
+    with tempfile.TemporaryDirectory() as folder:
+        plan = os.path.join(folder, "map.png")
+        map_of_the_hills(plan)
+        made = recipes.drape(hills(), plan, 960.0, (20.0, 20.0))
+        made.UpdatePipeline()
+        side = view(turned=(500, -1150, 620), focus=(500, 470, 60), angle=17)
+        display = show(made, side, "PNGImage")
+        display.MapScalars = 0
+        save(path, side)
+
+
+PICTURES = {function.__name__: function for function in (contours, profile, volume, change, slope, drape)}
+
+
+def draw(folder, lidar=None, only=None):
+    """Draws all pictures, or only those with these names."""
+    os.makedirs(folder, exist_ok=True)
+    if lidar and (not only or "dem" in only):
+        dem(os.path.join(folder, "recipe-dem.png"), lidar)
+    for name, picture in PICTURES.items():
+        if not only or name in only:
+            picture(os.path.join(folder, "recipe-%s.png" % name))
+
+
+if __name__ == "__main__":
+    simple.LoadPlugin(os.path.abspath(sys.argv[1]), remote=False)
+    draw(*sys.argv[2:4], only=sys.argv[4:])

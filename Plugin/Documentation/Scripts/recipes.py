@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The recipes of Recipes.md, as pipelines of ParaView: what a reader clicks together, in the same order and with the
+same settings. Each function takes points (a proxy) and returns the last filter. recipe_pictures.py draws them,
+Testing/Plugin/TestRecipes.py compares their numbers with what they have to be.
+"""
+
+from paraview import simple
+
+#: The pit that the second survey found: its centre and radius in metres, its depth. A paraboloid.
+PIT = (300.0, 350.0, 120.0, 8.0)
+
+GROUND = "60 + 30*sin(5*coordsX)*cos(4*coordsY) + 45*exp(-20*((coordsX-0.62)^2 + (coordsY-0.55)^2))"
+DUG = " - 8*max(0, 1 - ((coordsX-0.3)^2 + (coordsY-0.35)^2)/0.0144)"
+
+
+def survey(count=50000, seed=1, with_pit=False):
+    """Points on made-up hills, 1 km by 1 km, heights in metres; another seed is another flight."""
+    plane = simple.PlanarPointSource(NumberOfPoints=count, Seed=seed)
+    height = GROUND + (DUG if with_pit else "")
+    function = "1000*coordsX*iHat + 1000*coordsY*jHat + (%s)*kHat" % height
+    return simple.Calculator(Input=plane, CoordinateResults=1, Function=function)
+
+
+def dem(points, size=2.0, **more):
+    """A raster of the heights, its cells on multiples of their size."""
+    return simple.AdaptiveHilbertInterpolation2D(
+        Input=points, RasterSize="Cell Size", CellSize=[size, size], AlignToCellSize=1, **more
+    )
+
+
+def contours(points, levels, size=2.0):
+    """Lines of equal height, smooth ones, at their heights."""
+    terrain = dem(points, size, OutputType="Surface", Method="Natural Neighbor")
+    return simple.Contour(Input=terrain, ContourBy=["POINTS", "Elevation"], Isosurfaces=list(levels))
+
+
+def profile(points, start, end, pieces=500):
+    """The heights along a straight road, with the way along it (arc_length)."""
+    road = simple.Line(Point1=[*start, 0.0], Point2=[*end, 0.0], Resolution=pieces)
+    heights = simple.AdaptiveHilbertInterpolation2D(Input=points, Places=road)
+    return simple.AppendArcLength(Input=heights)
+
+
+def volume_above(points, level):
+    """What lies above a level, exactly that of the triangles. The volume is the array Above of the one point."""
+    surface = simple.AdaptiveHilbertDelaunay2D(Input=points)
+    above = simple.Calculator(Input=surface, ResultArrayName="Above", Function="coordsZ - %r" % level)
+    part = simple.Clip(Input=above, ClipType="Scalar", Scalars=["POINTS", "Above"], Value=0.0, Invert=0)
+    flat = simple.Calculator(Input=part, CoordinateResults=1, Function="coordsX*iHat + coordsY*jHat")
+    return simple.IntegrateVariables(Input=flat)
+
+
+def change(before, after, bounds, size=2.0):
+    """Two surveys on the same raster, and what changed between them: array Change."""
+    one, two = (
+        dem(points, size, UseBounds=1, Bounds=list(bounds), HeightArrayName=name)
+        for points, name in ((before, "Before"), (after, "After"))
+    )
+    both = simple.AppendAttributes(Input=[one, two])
+    return simple.Calculator(Input=both, ResultArrayName="Change", Function="After - Before")
+
+
+def slope_and_aspect(points, size=2.0):
+    """Arrays Slope, degrees from level, and Aspect, the compass bearing of downhill, in degrees."""
+    terrain = dem(points, size, GenerateGradients=1)
+    slope = simple.Calculator(
+        Input=terrain, ResultArrayName="Slope",
+        Function="57.29577951308232*atan(sqrt(ElevationGradient_X^2 + ElevationGradient_Y^2))")  # fmt: skip
+    return simple.Calculator(
+        Input=slope, ResultArrayName="Aspect",
+        Function="57.29577951308232*atan2(-ElevationGradient_X, -ElevationGradient_Y)")  # fmt: skip
+
+
+def drape(points, picture, width, corner=(0.0, 0.0)):
+    """A picture (.png) of the ground, `width` metres wide, laid over the terrain."""
+    image = simple.PNGSeriesReader(FileNames=[picture])
+    image.UpdatePipeline()
+    columns = image.GetDataInformation().GetExtent()[1] + 1
+    pixel = width / columns
+    placed = simple.Transform(Input=image, TransformAllInputVectors=0)  # colours are no directions
+    placed.Transform.Scale = [pixel, pixel, 1.0]
+    placed.Transform.Translate = [corner[0] + pixel / 2, corner[1] + pixel / 2, 0.0]
+    heights = simple.AdaptiveHilbertInterpolation2D(Input=points, Places=placed)
+    return simple.WarpByScalar(Input=heights, Scalars=["POINTS", "Elevation"])

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The recipes of Recipes.md, run as a reader would click them, give the numbers that they should."""
+
+import math
+
+from paraview import servermanager, simple
+
+from pluginsupport import *
+
+ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", ".."))
+DOCUMENTATION = os.path.join(ROOT, "Plugin", "Documentation")
+sys.path.insert(0, os.path.join(DOCUMENTATION, "Scripts"))
+sys.path.insert(0, os.path.join(ROOT, "Plugin", "Examples"))
+
+simple.LoadPlugin(PLUGIN, remote=False)
+import recipes
+import volumes
+
+
+def ground(x, y, with_pit=False):
+    """What recipes.GROUND and DUG say."""
+    x, y = x / 1000, y / 1000
+    height = 60 + 30 * math.sin(5 * x) * math.cos(4 * y) + 45 * math.exp(-20 * ((x - 0.62) ** 2 + (y - 0.55) ** 2))
+    return height - with_pit * 8 * max(0, 1 - ((x - 0.3) ** 2 + (y - 0.35) ** 2) / 0.0144)
+
+
+def fetched(proxy):
+    """(its data, function that gives the tuples of a point array)"""
+    data = servermanager.Fetch(proxy)
+
+    def tuples(name):
+        array = data.GetPointData().GetArray(name)
+        check(array, "there is no array %s" % name)
+        return [array.GetTuple(i) for i in range(array.GetNumberOfTuples())]
+
+    return data, tuples
+
+
+def is_near(found, expected, error, what):
+    check(abs(found - expected) <= error, "%s: found %r, expected %r within %r" % (what, found, expected, error))
+
+
+def test_dem():
+    data, tuples = fetched(recipes.dem(recipes.survey(), 10.0))
+    mask = tuples("vtkValidPointMask")
+    check_equal(data.GetOrigin()[:2], (5.0, 5.0), "the first centre of aligned cells")
+    off = [h[0] - ground(*data.GetPoint(i)[:2]) for i, h in enumerate(tuples("Elevation")) if mask[i][0]]
+    check(len(off) > 9900, "only %d of 10000 cells have a height" % len(off))
+    is_near(max(map(abs, off)), 0, 0.35, "the largest error, with points some 4 m apart")
+
+
+def test_contours():
+    data, tuples = fetched(recipes.contours(recipes.survey(count=5000), range(40, 105, 5), 5.0))
+    check(data.GetNumberOfCells() > 1000, "%d pieces of contours" % data.GetNumberOfCells())
+    for i in range(data.GetNumberOfPoints()):
+        x, y, height = data.GetPoint(i)
+        is_near(height, 5 * round(height / 5), 1e-4, "height of a contour")
+        if 30 < min(x, y) and max(x, y) < 970:  # along the hull triangles are long
+            is_near(ground(x, y), height, 0.5, "the ground below a contour")
+
+
+def test_profile():
+    start, end = (80.0, 80.0), (930.0, 870.0)
+    data, tuples = fetched(recipes.profile(recipes.survey(), start, end))
+    heights, way = tuples("Elevation"), tuples("arc_length")
+    check_equal(len(heights), 501, "places along the road")
+    is_near(way[-1][0], math.dist(start, end), 1e-2, "length of the road")
+    for i, (height,) in enumerate(heights):
+        is_near(height, ground(*data.GetPoint(i)[:2]), 0.2, "height at %r" % (data.GetPoint(i),))
+
+
+def test_volume_above():
+    """By ParaView's filters, by the function of the example, and by what the hills are."""
+    points, level = recipes.survey(), 80.0
+    data, tuples = fetched(recipes.volume_above(points, level))
+    by_filters = tuples("Above")[0][0]
+    surface = servermanager.Fetch(simple.AdaptiveHilbertDelaunay2D(Input=points))
+    ids = [cell_ids(surface.GetPolys(), i) for i in range(surface.GetNumberOfCells())]
+    corners = [surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())]
+    above, below, area = volumes.at_level(corners, ids, level)
+    is_near(by_filters / above, 1, 1e-6, "the volume by ParaView's filters, of that by the function")
+    is_near(data.GetCellData().GetArray("Area").GetValue(0) / area, 1, 1e-6, "the area above the level")
+    exact = sum(max(0, ground(5 * i + 2.5, 5 * k + 2.5) - level) for i in range(200) for k in range(200)) * 25
+    is_near(above / exact, 1, 2e-3, "the volume, of that of the hills")
+    check(below > 0, "nothing is below the level")
+
+
+def test_the_function_for_volumes():
+    """One triangle with corners above, at and below the level; by prisms and the pyramids of their tops."""
+    corners = [(0, 0), (3, 0), (0, 2)]  # area 3
+    for heights, above, below, area in (
+        ((1, 1, 1), 3, 0, 3),
+        ((-1, -2, -3), 0, 6, 0),
+        ((2, 0, 0), 2, 0, 3),
+        ((1, -1, -1), 3 / 12, 3 / 12 + 1, 3 / 4),
+        ((-1, 1, 1), 3 / 12 + 1, 3 / 12, 3 - 3 / 4),
+        ((1, 0, -1), 3 / 6, 3 / 6, 3 / 2),
+        ((0, 0, 0), 0, 0, None),
+    ):
+        for turn in range(3):
+            points = [(*corners[k], 7 + heights[(k + turn) % 3]) for k in range(3)]
+            found = volumes.at_level(points, [(0, 1, 2)], 7)
+            for value, right, what in zip(found, (above, below, area), ("above", "below", "area")):
+                if right is not None:
+                    is_near(value, right, 1e-14, "%s, heights %r" % (what, heights))
+
+
+def test_change():
+    """The pit was dug, and nothing else changed by more than the triangles differ."""
+    bounds, size = [20, 980, 20, 980], 2.0
+    made = recipes.change(recipes.survey(), recipes.survey(seed=2, with_pit=True), bounds, size)
+    _, tuples = fetched(made)
+    change = [t[0] for t in tuples("Change")]
+    check_equal(len(change), 480 * 480, "cells")
+    _, _, radius, depth = recipes.PIT
+    dug = math.pi * radius**2 * depth / 2
+    found = -math.fsum(change) * size * size
+    is_near(found, dug, 0.01 * dug, "the volume that was dug")
+    with open(os.path.join(DOCUMENTATION, "recipes.html"), encoding="utf-8") as file:
+        page = " ".join(file.read().split())
+    for number in (dug, found):
+        check("{:,.0f} cubic metres".format(number) in page, "recipes.html does not have %.0f cubic metres" % number)
+    summed = simple.PythonCalculator(Input=made, Expression="sum(where(Change == Change, Change, 0))*4")
+    _, tuples = fetched(summed)
+    is_near(-tuples("result")[0][0] / found, 1, 1e-9, "the sum by the Python Calculator")
+
+
+def test_slope_and_aspect():
+    """Of a plane they are known; of the hills they point downhill."""
+    plane = simple.Calculator(
+        Input=simple.PlanarPointSource(NumberOfPoints=500), CoordinateResults=1,
+        Function="coordsX*iHat + coordsY*jHat + (3*coordsX - 4*coordsY)*kHat")  # fmt: skip
+    _, tuples = fetched(recipes.slope_and_aspect(plane, 0.05))
+    mask = tuples("vtkValidPointMask")
+    for (slope,), (aspect,), (valid,) in zip(tuples("Slope"), tuples("Aspect"), mask):
+        if valid:
+            is_near(slope, math.degrees(math.atan(5)), 1e-5, "slope")
+            is_near(aspect, math.degrees(math.atan2(-3, 4)), 1e-5, "aspect")
+    check(sum(m[0] for m in mask) > 300, "hardly a cell has a slope")
+
+
+def test_drape():
+    from PIL import Image
+
+    picture = scratch("picture.png")
+    Image.new("RGB", (60, 40), (10, 200, 30)).save(picture)
+    data, tuples = fetched(recipes.drape(recipes.survey(), picture, 600.0, (200.0, 100.0)))
+    check_equal(data.GetNumberOfPoints(), 60 * 40, "pixels")
+    check_equal(data.GetPoint(0)[:2], (205.0, 105.0), "centre of the first pixel")
+    check_equal(tuples("PNGImage")[7], (10, 200, 30), "colour of a pixel")
+    for i in range(data.GetNumberOfPoints()):
+        x, y, z = data.GetPoint(i)
+        is_near(z, ground(x, y), 0.35, "height of a pixel")
+
+
+for name, test in sorted(globals().items()):
+    if name.startswith("test_"):
+        test()
+        print("passed:", name)
