@@ -72,6 +72,16 @@ class Columns:
     def components(self):
         return sum(column.components for column in self.columns)
 
+    def kind_of_scalars(self):
+        """What add_to() makes the active scalars: type and number of components."""
+        active = self.data.GetScalars()
+        for column in self.columns[1:]:
+            if active is not None and active.GetName() == column.name:
+                single = column.given.GetDataType() == self.backend.VTK_FLOAT
+                interpolated = self.backend.VTK_FLOAT if single else self.backend.VTK_DOUBLE
+                return column.given.GetDataType() if self.is_nearest else interpolated, column.components
+        return self.backend.VTK_DOUBLE, 1
+
     def estimate_bytes(self, points, places):
         """Upper estimate of what all below allocates; a float."""
         per_point, per_place = 32.0, 2.0  # places in the plane and heights, mask
@@ -124,8 +134,7 @@ class Columns:
 
     def _gathered(self, column, numbers, ids, found):
         vtk, count = self.backend, len(ids)
-        kind = vtk.vtkDataArray.CreateDataArray(column.given.GetDataType()) if column.given is not None else (
-            vtk.vtkDoubleArray())
+        kind = column.given.NewInstance() if column.given is not None else vtk.vtkDoubleArray()
         made, write = new_array(lambda: kind, count, column.components)
         if not count or not len(numbers):
             write[...] = 0

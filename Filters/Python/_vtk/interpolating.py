@@ -40,15 +40,17 @@ class _Stage(Progress):
 
 
 class Interpolating:
-    """Of a filter, with the settings of its triangulation; `merged`: the points and constraints."""
+    """Of a filter, with the settings of its triangulation; `merged`: the points and constraints; `places`: of one
+    piece, None for a raster. The triangulation is kept until the last piece is done."""
 
-    def __init__(self, algorithm, values, merged, places, speaker):
+    def __init__(self, algorithm, values, merged, places, speaker, is_first=True, is_last=True):
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
         self.values, self.wishes, self.speaker = values, algorithm._values, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
         self.places, self.cells, self.count, self.points = places, None, 0, 0
         self.is_kept = self.is_triangulated = False
         self.bytes_behind = 0
+        self.is_first, self.is_last = is_first, is_last
 
     def run(self, made):
         """Fills the output. Stopped."""
@@ -102,8 +104,8 @@ class Interpolating:
         filter_, source = self.algorithm, self.source
         kept, adds = filter_._surface, source is not None and self.values["SourceMode"]
         self.points = self.given.GetNumberOfPoints() + (source.GetNumberOfPoints() if adds else 0)
-        self.is_kept = bool(self.values["KeepTriangulation"] and kept is not None and kept.is_of(
-            filter_._triangulation, self.given, source))
+        may_keep = self.values["KeepTriangulation"] or not self.is_last or not self.is_first
+        self.is_kept = bool(may_keep and kept is not None and kept.is_of(filter_._triangulation, self.given, source))
         self.bytes_behind = self._estimate_behind()
         if self.is_kept:
             self._check_memory(kept)
@@ -176,7 +178,8 @@ class Interpolating:
             found.wanted = raster.box_of(xy) if xy is not None else self.cells.box()
             found.surface = surface.bounds()
         self._take_measures(made, found, time.monotonic() - started)
-        for text in raster_messages.warnings(self.wishes, columns, found):
+        said = list(raster_messages.of_arrays(self.wishes, columns)) if self.is_first else []
+        for text in said + list(raster_messages.of_places(found)):
             self.speaker.warn(text)
 
     def _sample(self, columns, heights, xy, found):
@@ -226,15 +229,25 @@ class Interpolating:
             data.AddArray(made)
 
     def _take_measures(self, made, found, seconds):
-        self.algorithm._values.update(
+        counts = dict(
             NumberOfPlaces=found.places, NumberOfValidPlaces=found.valued, NumberOfPlacesOutside=found.outside,
             NumberOfNotFinitePlaces=found.not_finite, NumberOfPlacesWithoutValue=found.without_value,
-            NumberOfPlacesWithNeighborsLeftOut=found.left_out, SampleSeconds=seconds, MemoryEstimate=self._memory())
-        self.algorithm._add_counts(made)
+            NumberOfPlacesWithNeighborsLeftOut=found.left_out)
+        values = self.algorithm._values
+        for name, count in dict(counts, SampleSeconds=seconds).items():
+            values[name] += count
+        values["MemoryEstimate"] = max(values["MemoryEstimate"], self._memory())
+        for name, count in counts.items():
+            array, write = new_array(self.backend.vtkIdTypeArray, 1, 1, name)
+            write[0] = count
+            made.GetFieldData().AddArray(array)
 
     def _keep(self):
         """Leaves the surface to the next execution, or its memory."""
         most = self.values["ReuseLimit"] * 1024
+        if not self.is_last:
+            self.algorithm._surface.remember()
+            return
         if self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most:
             if not self.is_kept:
                 self.algorithm._surface.remember()

@@ -5,8 +5,8 @@ import contextlib
 
 from .. import _library as engine
 from . import messages, package_of, python_class, raster, raster_settings, settings
-from .arrays import new_array
 from .blocks import Merged
+from .columns import Columns
 from .interpolating import Interpolating, Stopped
 from .sampling import area_of
 from .vtkclass import build
@@ -67,7 +67,8 @@ class _Triangulations:
 class _Ports:
     """Inputs and outputs; mixed into the class."""
 
-    KINDS = (("vtkCompositeDataSet", "vtkPointSet"), ("vtkDataSet",), ("vtkCompositeDataSet", "vtkPolyData"))
+    KINDS = (("vtkCompositeDataSet", "vtkPointSet"), ("vtkDataSet", "vtkCompositeDataSet"),
+             ("vtkCompositeDataSet", "vtkPolyData"))
 
     def FillInputPortInformation(self, port, info):
         """The first type decides: a filter that takes composite data sets is not run for each block."""
@@ -119,7 +120,7 @@ class _Ports:
         self.SetInputConnection(1, output)
 
     def GetPlaces(self):
-        """The places, or None."""
+        """The places, if they are one vtkDataSet."""
         return self._given(1, "vtkDataSet")
 
     def SetSourceData(self, source):
@@ -145,12 +146,6 @@ class _Measures:
     def _clear_measures(self):
         self._values.update({
             name: value for name, value in raster_settings.MEASURES.items() if name != "NumberOfTriangulations"})
-
-    def _add_counts(self, output):
-        for name in raster_settings.COUNTS:
-            made, write = new_array(self._backend.vtkIdTypeArray, 1, 1, name)
-            write[0] = self._values[name]
-            output.GetFieldData().AddArray(made)
 
     def PrintSelf(self):
         """The settings and measures, as text."""
@@ -181,39 +176,51 @@ class _Executions:
         return 1
 
     def RequestInformation(self, _request, inputs, outputs):
-        """The raster as it will be, as far as the input says; it is brought up to date where it does. Filters behind
-        have to know the extent, the origin and the spacing before there are data."""
+        """Filters behind have to know extent, origin, spacing and the type of the scalars before there are data. The
+        points say them, so these are brought up to date here. What is wrong is said when they are used."""
         vtk, info = self._backend, outputs.GetInformationObject(0)
-        pipeline, data = vtk.vtkStreamingDemandDrivenPipeline, vtk.vtkDataObject
-        if inputs[1].GetNumberOfInformationObjects():
-            for key in (pipeline.WHOLE_EXTENT(), data.ORIGIN(), data.SPACING()):
+        is_raster = inputs[1].GetNumberOfInformationObjects() == 0
+        if is_raster:
+            self._announce(raster.NONE, info)  # until it is known
+        else:
+            for key in (vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), vtk.vtkDataObject.ORIGIN(),
+                        vtk.vtkDataObject.SPACING()):
                 info.CopyEntry(inputs[1].GetInformationObject(0), key)
-            return 1
-        cells = None
         if self._triangulation is not None:
+            for port in (0, 2):
+                if self.GetNumberOfInputConnections(port):
+                    self.GetInputAlgorithm(port, 0).Update(self.GetInputConnection(port, 0).GetIndex())
             with contextlib.suppress(raster.Fault, engine.EngineError, MemoryError):
-                cells = self._find_raster()
-        cells = cells or raster.NONE
-        extent = 0, cells.columns - 1, 0, cells.rows - 1, 0, 0 if cells.count() else -1
-        info.Set(pipeline.WHOLE_EXTENT(), extent, 6)
-        info.Set(data.ORIGIN(), (*cells.origin, 0.0), 3)
-        info.Set(data.SPACING(), (*cells.spacing, 1.0), 3)
+                self._describe(info, is_raster)
         return 1
 
-    def _find_raster(self):
-        """Before there are data. None where that cannot be known."""
+    def _describe(self, info, is_raster):
+        """What the output will be like."""
+        vtk, values = self._backend, self._surface_settings()
+        merged = Merged(vtk, messages.Speaker(vtk, self), values, self.GetInput(0), self.GetInput(2))
+        given = merged.input
+        if given is None:
+            return
+        data = given.GetPointData()
+        kind = Columns(vtk, self._values, data, data, given.GetNumberOfPoints()).kind_of_scalars()
+        vtk.vtkDataObject.SetPointDataActiveScalarInfo(info, *kind)
+        if not is_raster:
+            return
         if self._values["UseBounds"]:
-            return raster.make_raster_within(self._values, self._values["Bounds"])
-        for port in (0, 2):
-            if self.GetNumberOfInputConnections(port):
-                self.GetInputAlgorithm(port, 0).Update(self.GetInputConnection(port, 0).GetIndex())
-        values = self._surface_settings()
-        merged = Merged(self._backend, messages.Speaker(self._backend, self), values, self.GetInput(0),
-                        self.GetInput(2))
-        if merged.input is None:
-            return None
-        area = area_of(self._backend, self._triangulation, values, merged.input, merged.source)
-        return raster.make_raster(self._values, area)
+            cells = raster.make_raster_within(self._values, self._values["Bounds"])
+        else:
+            area = area_of(vtk, self._triangulation, values, given, merged.source)
+            cells = raster.make_raster(self._values, area)
+        # Filters for images behind may make room for one as large before the data are there.
+        if 9 * cells.count() <= (values["MemoryLimit"] * 1024 or engine.available_memory()):
+            self._announce(cells, info)
+
+    def _announce(self, cells, info):
+        vtk = self._backend
+        extent = 0, cells.columns - 1, 0, cells.rows - 1, 0, 0 if cells.count() else -1
+        info.Set(vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT(), extent, 6)
+        info.Set(vtk.vtkDataObject.ORIGIN(), (*cells.origin, 0.0), 3)
+        info.Set(vtk.vtkDataObject.SPACING(), (*cells.spacing, 1.0), 3)
 
     def RequestUpdateExtent(self, _request, inputs, _outputs):
         """All points are needed whatever part of the output is wanted, and all places."""
@@ -231,31 +238,55 @@ class _Executions:
 
     def RequestData(self, _request, inputs, outputs):
         """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
-        made = self._backend.vtkDataSet.GetData(outputs, 0)
-        speaker = messages.Speaker(self._backend, self)
+        made, speaker = self._backend.vtkDataObject.GetData(outputs, 0), messages.Speaker(self._backend, self)
         self._clear_measures()
+        is_done = False
         if self._triangulation is None:
             speaker.error("Triangulation is null: nothing says how to triangulate.")
+        else:
+            is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)
+        if not is_done:
             made.Initialize()
-            return 1
-        given, places, source = (self._data(inputs, port) for port in range(3))
+        return 1
+
+    def _execute(self, given, made, speaker):
+        """False where nothing is put out."""
+        points, places, source = given
         values = self._surface_settings()
-        merged = Merged(self._backend, speaker, values, given, source)
+        merged = Merged(self._backend, speaker, values, points, source)
         if merged.input is None:
-            made.Initialize()
-            return 1
+            return False
         merged.warn()
+        pieces = self._pieces(places, made)
         try:
-            Interpolating(self, values, merged, places, speaker).run(made)
+            for k, (piece, output) in enumerate(pieces):
+                Interpolating(
+                    self, values, merged, piece, speaker, k == 0, k + 1 == len(pieces)).run(output)
         except Stopped as stopped:
-            made.Initialize()
             self._let_go()
             self._clear_measures()
             self._values["MemoryEstimate"] = stopped.estimate
             self._interrupt = stopped.interrupt
             if stopped.text:
                 speaker.error(stopped.text)
-        return 1
+            return False
+        return True
+
+    def _pieces(self, places, made):
+        """(places, output) of each block of places, or of the only one; places are None for a raster."""
+        vtk = self._backend
+        if not isinstance(places, vtk.vtkCompositeDataSet):
+            return [(places, made)]
+        made.CopyStructure(places)
+        pieces, each = [], places.NewIterator()
+        each.InitTraversal()
+        while not each.IsDoneWithTraversal():
+            block = each.GetCurrentDataObject()
+            if isinstance(block, vtk.vtkDataSet):
+                pieces.append((block, block.NewInstance()))
+                made.SetDataSet(each, pieces[-1][1])
+            each.GoToNextItem()
+        return pieces
 
     def _let_go(self):
         """Of the triangulation and its memory."""
@@ -290,7 +321,7 @@ def make_class(backend):
     members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
         "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
     parts = _Measures, _Executions, _Ports, _Triangulations
-    made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataSet")
+    made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject")
     for name, member in raster_settings.all_properties(made).items():
         setattr(made, name, member)
     return made

@@ -27,8 +27,8 @@ def of_raster(fault, values):
         return ("With a CellSize of %s the raster would have %.9g x %.9g cells, but 2147483647 along x and y are the "
                 "most. Nothing was computed." % ((size,) + fault.wished))
     if fault.kind == raster.OUT_OF_NUMBERS:
-        return ("A raster of %.9g x %.9g cells is too fine for its coordinates, whose double precision cannot tell the "
-                "cells apart. Nothing was computed." % fault.wished)
+        return ("A raster of %.9g x %.9g cells has coordinates that double precision cannot tell apart. Nothing was "
+                "computed." % fault.wished)
     return None
 
 
@@ -43,9 +43,8 @@ def of_memory(places, points, estimate, limit, is_limited, is_refused):
         % (places, points, estimate, "MemoryLimit of Triangulation allows " if is_limited else "there are ", limit))
 
 
-def warnings(values, columns, found):
-    """The texts, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles, wanted and
-    surface, the boxes of the places and of the points."""
+def of_arrays(values, columns):
+    """Of arrays that are passed over, and of gradients that there are none of."""
     if columns.unfit:
         yield ("Point arrays that are no numbers, have no name or not one tuple for each point are not interpolated: "
                "%s." % _names(columns.unfit))
@@ -54,6 +53,11 @@ def warnings(values, columns, found):
                "HeightArrayName and ValidPointMaskArrayName." % _names(columns.replaced))
     if values["GenerateGradients"] and values["Method"] != 0:
         yield "There are no gradients: only the Method Linear has them."
+
+
+def of_places(found):
+    """Of places and values, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles,
+    wanted and surface, the boxes of the places and of the points."""
     if found.not_finite:
         yield "%d of %d places have no value, since their x or y is NaN or infinite." % (
             found.not_finite, found.places)

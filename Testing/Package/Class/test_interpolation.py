@@ -157,6 +157,18 @@ def places_of_an_image():
 
 
 @case
+def places_of_blocks():
+    nothing = model.vtkMultiBlockDataSet()
+    nothing.SetNumberOfBlocks(1)
+    return full(), {"InputDataObject": (1, blocks(wanted_places(), nothing, image(), model.vtkTable()))}
+
+
+@case
+def places_of_no_block():
+    return full(), {"InputDataObject": (1, model.vtkMultiBlockDataSet())}
+
+
+@case
 def constraints():
     return full(), dict(SMALL, SourceData=lines_and_loops(), **{
         "Triangulation.SourceMode": 1, "Triangulation.FillRule": 1, "Triangulation.CrossingMode": 1})
@@ -306,6 +318,11 @@ def set_all(algorithm, settings):
 
 def of_output(data):
     found = {"class": data.GetClassName()}
+    if data.IsA("vtkCompositeDataSet"):
+        return dict(found, blocks=[of_output(data.GetBlock(i)) if data.GetBlock(i) else None
+                                   for i in range(data.GetNumberOfBlocks())])
+    if not data.IsA("vtkDataSet"):
+        return found
     if data.IsA("vtkImageData"):
         found["image"] = [repr(numbers) for numbers in (data.GetExtent(), data.GetOrigin(), data.GetSpacing())]
     elif data.GetNumberOfPoints():
@@ -407,7 +424,12 @@ class InterpolationTest(Case):
         algorithm.SetInputData(full())
         algorithm.SetRasterSizeToByCellSize()
         algorithm.SetCellSize(100.0, 50.0)
+        algorithm.SetMethodToNearest()
+        algorithm.GetInput().GetPointData().SetActiveScalars("Kind")
         algorithm.UpdateInformation()
+        data, info = model.vtkDataObject, algorithm.GetOutputInformation(0)
+        scalars = data.GetActiveFieldInformation(info, data.FIELD_ASSOCIATION_POINTS, 0)
+        self.assertEqual(scalars.Get(data.FIELD_ARRAY_TYPE()), core.VTK_INT)
         pipeline = vtk("vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
         self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT()), (0, 9, 0, 19, 0, 0))
         algorithm.Update()
