@@ -8,15 +8,12 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
-#include "Sampling/vtkAHDSampleBounds.h"
-#include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleExecution.h"
 #include "Sampling/vtkAHDSampleInformation.h"
 #include "Sampling/vtkAHDSamplePieces.h"
 #include "Sampling/vtkAHDSampleSettings.h"
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
-#include "vtkAlgorithmOutput.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -26,10 +23,8 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
@@ -227,106 +222,6 @@ void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   wishes.Gradients = this->GenerateGradients;
   wishes.Heights = this->HeightArrayName;
   wishes.Mask = this->ValidPointMaskArrayName;
-}
-
-/// Filters behind have to know extent, origin, spacing and the type of the scalars before there are
-/// data. The points say them, so these are brought up to date here.
-int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  vtkInformation* const info = outputs->GetInformationObject(0);
-  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  if (isRaster)
-  {
-    vtkAHDAnnounceRaster(vtkAHDRaster(), info); // until it is known
-  }
-  else
-  {
-    vtkInformation* const places = inputs[1]->GetInformationObject(0);
-    info->CopyEntry(places, vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
-    info->CopyEntry(places, vtkDataObject::ORIGIN());
-    info->CopyEntry(places, vtkDataObject::SPACING());
-  }
-  if (this->Triangulation)
-  {
-    const ahd::ScopedFloatingPoint asTheEngine;
-    try
-    {
-      this->UpdateInputs();
-      this->Describe(info, isRaster);
-    }
-    catch (const vtkAHDStop&)
-    {
-    }
-    catch (const std::bad_alloc&)
-    {
-    }
-  }
-  return 1;
-}
-
-void vtkAdaptiveHilbertInterpolation2D::UpdateInputs()
-{
-  for (const int port : { 0, 2 })
-  {
-    if (this->GetNumberOfInputConnections(port) > 0)
-    {
-      this->GetInputAlgorithm(port, 0)->Update(this->GetInputConnection(port, 0)->GetIndex());
-    }
-  }
-}
-
-/// Says what the output will be like. What is wrong with the input or settings is said when they
-/// are used.
-void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRaster)
-{
-  vtkAHDSettings settings;
-  vtkAHDSampleSettings wishes;
-  this->ReadSettings(settings, wishes);
-  vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress
-  vtkAHDProgress progress(nobody);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  const vtkAHDContext context(progress, threads);
-  vtkDataObject* const source = this->GetNumberOfInputConnections(2) > 0
-    ? this->GetInputDataObject(2, 0)
-    : nullptr;
-  const vtkAHDMergedBlocks merged(this, settings, this->GetInputDataObject(0, 0), source, context);
-  if (!merged.GetInput())
-  {
-    return;
-  }
-  vtkPointData* const data = merged.GetInput()->GetPointData();
-  const vtkAHDSampleColumns::Kind scalars = vtkAHDSampleColumns(
-    wishes, data, data, static_cast<std::size_t>(merged.GetInput()->GetNumberOfPoints()))
-                                              .GetKindOfScalars();
-  vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
-  if (isRaster)
-  {
-    const vtkAHDRaster raster = vtkAHDFindRaster(
-      settings, wishes, merged.GetInput(), merged.GetSource(), context);
-    // Filters for images behind may make room for one as large before the data are there.
-    const bool isTooLarge = vtkAHDIsLarger(raster.Cells, settings.MemoryLimit);
-    vtkAHDAnnounceRaster(isTooLarge ? vtkAHDRaster() : raster, info);
-  }
-}
-
-/// All points are needed whatever part of the output is wanted, and all places.
-int vtkAdaptiveHilbertInterpolation2D::RequestUpdateExtent(
-  vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
-{
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* const info = inputs[port]->GetInformationObject(i);
-      if (info->Has(Pipeline::WHOLE_EXTENT()))
-      {
-        info->Set(Pipeline::UPDATE_EXTENT(), info->Get(Pipeline::WHOLE_EXTENT()), 6);
-      }
-    }
-  }
-  return 1;
 }
 
 int vtkAdaptiveHilbertInterpolation2D::RequestData(

@@ -174,19 +174,6 @@ void vtkAHDSampleColumns::Open(
   }
 }
 
-void vtkAHDSampleColumns::Copy(const std::vector<std::size_t>& at, const std::vector<double>& ids)
-{
-  for (vtkAHDSampleColumn& column : this->Columns)
-  {
-    const std::size_t n = column.Components;
-    for (std::size_t k = 0; k < at.size(); ++k)
-    {
-      std::copy_n(
-        column.Values + static_cast<std::size_t>(ids[k]) * n, n, column.Results + at[k] * n);
-    }
-  }
-}
-
 void vtkAHDSampleColumns::Finish(const vtkAHDContext& context)
 {
   for (vtkAHDSampleColumn& column : this->Columns)

@@ -72,9 +72,6 @@ public:
   /// For the engine; after Open(). Good as long as this object.
   const std::vector<ahd::SampleArray>& GetArrays() const { return this->Arrays; }
 
-  /// The places `at` take the values of points `ids`.
-  void Copy(const std::vector<std::size_t>& at, const std::vector<double>& ids);
-
   /// Makes the arrays what they are to be: their type, and NoValue in place of NaN.
   void Finish(const vtkAHDContext& context);
 

@@ -2,6 +2,7 @@
 #include "Sampling/vtkAHDSampling.h"
 
 #include "Engine/Core/Uninitialised.h"
+#include "Engine/Sample/Outside.h"
 #include "Engine/Triangulation/Triangulation.h"
 #include "Pipeline/vtkAHDArray.h"
 
@@ -11,9 +12,6 @@
 
 namespace
 {
-/// Places outside that are looked up at a time, so that they take little memory.
-constexpr std::size_t kBatch = std::size_t(1) << 18;
-
 /// Each point's number, as a value to interpolate.
 ahd::UninitialisedVector<double> NumbersOf(std::size_t count, const vtkAHDContext& context)
 {
@@ -56,7 +54,7 @@ void vtkAHDSampling::Interpolate(
     places, arrays.data(), arrays.size(), BytesOf(this->Mask), this->Report, this->Context));
   if (this->Settings.NearestOutside && this->Report.outside > 0)
   {
-    this->FillOutside(places, columns);
+    this->FillOutside(places, arrays);
   }
   columns.Finish(this->Context);
 }
@@ -76,50 +74,14 @@ void vtkAHDSampling::FindNearest(
   this->Report.withoutValue = columns.Gather(heights, ids.data(), places.count(), this->Context);
 }
 
-/// Batch by batch, in the order of the places.
-void vtkAHDSampling::FillOutside(const ahd::SamplePlaces& places, vtkAHDSampleColumns& columns)
+void vtkAHDSampling::FillOutside(
+  const ahd::SamplePlaces& places, const std::vector<ahd::SampleArray>& arrays)
 {
-  ahd::Sampler sampler;
+  ahd::Sampler nearest;
   this->Context.Check(
-    sampler.prepare(this->Surface, nullptr, ahd::SampleMethod::Nearest, this->Context));
-  const auto numbers = NumbersOf(this->Surface.points().count, this->Context);
-  const unsigned char* const mask = BytesOf(this->Mask);
-  std::vector<std::size_t> at;
-  std::vector<double> xy, ids;
-  const auto fill = [&]
-  {
-    ids.resize(at.size());
-    const ahd::SamplePlaces batch(ahd::PointView(xy.data(), at.size(), 2));
-    const ahd::SampleArray array{ numbers.data(), 1, ids.data(), nullptr };
-    ahd::SampleReport report;
-    this->Context.Check(sampler.values(batch, &array, 1, nullptr, report, this->Context));
-    if (report.valued == at.size()) // else there are no vertices
-    {
-      columns.Copy(at, ids);
-    }
-    at.clear();
-    xy.clear();
-  };
-  for (std::size_t k = 0; k < places.count(); ++k)
-  {
-    if (k % (std::size_t(1) << 14) == 0)
-    {
-      this->Context.StopIfAborted();
-    }
-    const ahd::Point p = places[k];
-    if (mask[k] != 0 || !ahd::isFinite(p))
-    {
-      continue;
-    }
-    at.push_back(k);
-    xy.push_back(p.x);
-    xy.push_back(p.y);
-    if (at.size() == kBatch)
-    {
-      fill();
-    }
-  }
-  fill();
+    nearest.prepare(this->Surface, nullptr, ahd::SampleMethod::Nearest, this->Context));
+  this->Context.Check(ahd::fillOutside(
+    nearest, places, arrays.data(), arrays.size(), BytesOf(this->Mask), this->Context));
 }
 
 double vtkAHDSampling::EstimateBytes(const vtkAHDSampleSettings& settings,
@@ -133,10 +95,8 @@ double vtkAHDSampling::EstimateBytes(const vtkAHDSampleSettings& settings,
     double(ahd::sampleMemoryEstimate(points, places, components));
   if (settings.NearestOutside && !settings.IsNearest())
   {
-    // a second Sampler, the numbers of the points, and a batch as vectors grow
-    const ahd::SamplePlaces batch(ahd::PointView(static_cast<const double*>(nullptr), kBatch, 2));
-    bytes += double(ahd::sampleMemoryEstimate(points, batch, 1)) + 8.0 * double(points) +
-      double(kBatch) * 2 * 32;
+    const std::size_t most = static_cast<std::size_t>(std::min(count, 0x1p60));
+    bytes += double(ahd::fillOutsideMemoryEstimate(points, most, components));
   }
   return bytes;
 }
