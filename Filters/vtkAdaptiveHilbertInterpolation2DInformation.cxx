@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the interpolation tells filters behind it before there are data, and asks of those before it.
+// What the interpolation tells filters behind it before there are data, and asks of those before
+// it.
 #include "vtkAdaptiveHilbertInterpolation2D.h"
 
 #include "Engine/Core/FloatingPoint.h"

@@ -6,6 +6,7 @@
 #include "FilterTestSupport.h"
 #include "Hash.h"
 #include "HashFile.h"
+#include "HashedSamples.h"
 #include "HostModes.h"
 
 #include "Distributions.h"
@@ -294,6 +295,8 @@ Hashes allHashes(
                                      : vtkAlgorithm::DOUBLE_PRECISION;
     result.push_back({ "source/" + std::to_string(d), hashOfSource(d, precision, before, after) });
   }
+  const Hashes samples = ahdtest::hashedSamples(before, after);
+  result.insert(result.end(), samples.begin(), samples.end());
   return result;
 }
 
