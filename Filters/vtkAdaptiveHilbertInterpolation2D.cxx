@@ -245,7 +245,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
     }
     catch (const std::bad_alloc&)
     {
-      std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
+      this->SayOutOfMemory();
     }
   }
   if (!isDone)
@@ -258,6 +258,19 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   this->MustDescribeAnew = !isAsTold;
   const bool fits = !isRaster || (isAsTold && vtkAHDHasAllThatIsWanted(output, info));
   return fits || !vtkAHDFeedsImageFilters(info) ? 1 : this->EndWithOtherRaster(isDone, output);
+}
+
+/// Where memory ran out elsewhere than in an execution's steps, which say more of it.
+void vtkAdaptiveHilbertInterpolation2D::SayOutOfMemory()
+{
+  try
+  {
+    vtkErrorMacro("Out of memory. Nothing is put out.");
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
+  }
 }
 
 /// Filters for images behind would read pixels that are not there: they are not to be run. Returns

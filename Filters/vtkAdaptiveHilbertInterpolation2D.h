@@ -302,6 +302,7 @@ private:
   void UpdateInputs();
   void Describe(vtkInformation* info, bool isRaster);
   bool Execute(vtkInformationVector** inputs, vtkDataObject* output);
+  void SayOutOfMemory();
   int EndWithOtherRaster(bool isDone, vtkDataObject* output);
   void ClearMeasures();
   void ClearCounts();

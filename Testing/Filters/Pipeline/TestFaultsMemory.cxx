@@ -6,6 +6,7 @@
 #include "FailingMemory.h"
 #include "FeatureTestSupport.h"
 
+#include "vtkAdaptiveHilbertInterpolation2D.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlanarPointSource.h"
 
@@ -216,6 +217,70 @@ TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
   source->Modified();
   source->Update();
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 100);
+}
+
+using FaultyInterpolation = Faulty<vtkAdaptiveHilbertInterpolation2D>;
+
+std::string bytesOf(vtkDataSet* output)
+{
+  std::string bytes;
+  addBytes(output->GetPointData(), bytes);
+  addBytes(output->GetFieldData(), bytes);
+  return bytes;
+}
+
+/// The first execution of the points or the second, on the triangulation that was kept.
+void expectInterpolationSurvives(FaultyInterpolation* filter, const Messages* said, bool isFirst)
+{
+  filter->Update();
+  const std::string whole = bytesOf(filter->GetOutput());
+  std::size_t failures = 0, all = 0;
+  for (std::size_t k = 0; k <= all + 1; ++k)
+  {
+    SCOPED_TRACE(k);
+    const std::size_t before = said->Errors.size();
+    filter->FailAt = 0;
+    filter->GetTriangulation()->SetNmax(50 + (isFirst ? int(k % 2) : 0));
+    filter->Modified();
+    if (!isFirst)
+    {
+      filter->Update();
+      filter->Modified();
+    }
+    filter->FailAt = k;
+    filter->Update();
+    all = k == 0 ? filter->Asked : all;
+    EXPECT_FALSE(filter->Threw);
+    const bool isWhole = bytesOf(filter->GetOutput()) == whole;
+    const std::size_t errors = said->Errors.size() - before;
+    EXPECT_EQ(errors, isWhole ? 0u : 1u);
+    EXPECT_TRUE(isWhole || filter->GetOutput()->GetNumberOfPoints() == 0);
+    EXPECT_TRUE(isWhole || said->Errors.back().find("emory") != std::string::npos);
+    failures += errors;
+  }
+  EXPECT_GT(failures, 20u);
+}
+
+TEST(FaultsMemory, TheInterpolationSurvivesToo)
+{
+  for (const int method : { 0, 1, 3 })
+  {
+    for (const bool isFirst : { true, false })
+    {
+      SCOPED_TRACE(method);
+      vtkNew<FaultyInterpolation> filter;
+      vtkNew<Messages> said;
+      said->Watch(filter);
+      auto cloud = cloudWithAll(100);
+      cloud->GetPointData()->RemoveArray("Name"); // no warning, which may need memory
+      filter->SetInputData(cloud);
+      filter->SetDimensions(20, 10);
+      filter->SetMethod(method);
+      filter->SetOutsideToNearestVertex();
+      filter->SetOutputTypeToSurface();
+      expectInterpolationSurvives(filter, said, isFirst);
+    }
+  }
 }
 
 TEST(FaultsMemory, NoPlaneWhereThereIsNoMemory)
