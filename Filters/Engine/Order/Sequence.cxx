@@ -2,6 +2,7 @@
 #include "Sequence.h"
 
 #include "../Core/Chunks.h"
+#include "../Core/Loops.h"
 #include "BoxWalk.h"
 #include "Rounds.h"
 
@@ -108,18 +109,24 @@ bool everyLevelFirst(std::size_t n, At at, Index* to, Ticker& ticker)
   const Rounds rounds(n);
   for (std::size_t stride = rounds.firstStride(); stride > 0; stride /= kControlStride)
   {
-    const bool copied = inChunks(0, rounds.size(stride), ticker,
-      [&](std::size_t a, std::size_t b)
+    const bool isLast = stride == 1 && rounds.firstStride() > 1;
+    const bool copied = inChunksOf(rounds.size(stride), ticker,
+      [&, to](std::size_t a, std::size_t b)
       {
+        if (isLast)
+        {
+          rounds.lastPlaces(a, b - a, to + a);
+        }
         for (std::size_t k = a; k < b; ++k)
         {
-          *to++ = at(rounds.place(stride, k));
+          to[k] = at(isLast ? to[k] : rounds.place(stride, k));
         }
       });
     if (!copied)
     {
       return false;
     }
+    to += rounds.size(stride);
   }
   return true;
 }

@@ -124,7 +124,7 @@ private:
   Buffer<std::uint32_t> places_; ///< empty if all are put out
 };
 
-/// Writes neighbours, at first -1 for all that is no triangle.
+/// Writes neighbours; -1 for cells before the triangles.
 template <typename Id>
 class NeighborWriter
 {
@@ -152,12 +152,10 @@ private:
   Id* ofTriangles_;
 };
 
-/// What is asked for the triangle in a slot that is soon looked at: ids of its corners, numbers of
-/// the triangles beside it.
+/// What is asked for eight slots on: ids of a triangle's corners, numbers of those beside it.
 void fetchAround(const State& state, std::size_t slot)
 {
-  constexpr std::size_t kSlotsAhead = 8;
-  const std::size_t next = std::min(slot + kSlotsAhead, state.numbers.size() - 1);
+  const std::size_t next = std::min(slot + 8, state.numbers.size() - 1);
   const std::uint32_t* const data = state.mesh.data() + next * Mesh::kSlotSize;
   for (unsigned k = 0; k < 3; ++k)
   {
@@ -167,8 +165,7 @@ void fetchAround(const State& state, std::size_t slot)
 }
 
 /// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
-/// without; it returns false if it is to be
-/// cancelled.
+/// without; it returns false if it is to be cancelled.
 template <typename Write>
 Status withSelected(
   Triangulation& triangulation, const Selection& selection, const Context& context, Write write,
@@ -191,7 +188,7 @@ Status withSelected(
     });
 }
 
-/// Are there constraint edges, or triangles that are dropped?
+/// Are there constraint edges, or triangles dropped?
 bool hasMarks(const Triangulation& triangulation)
 {
   const State* const state = TriangulationAccess::stateOf(triangulation);

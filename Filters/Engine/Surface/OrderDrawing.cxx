@@ -83,7 +83,7 @@ template <typename Id>
 bool drawBoxes(
   const std::vector<GridBox>& boxes, double z, const OrderDrawing<Id>& to, Ticker& ticker)
 {
-  return inChunksOf(boxes.size(), ticker,
+  return inShares(boxes.size(), ticker, 4, kChunk, // 300 bytes each
     [&](std::size_t a, std::size_t b)
     {
       for (std::size_t i = a; i != b; ++i)
