@@ -11,6 +11,7 @@
 #include "JobJudge.h"
 #include "Judge.h"
 #include "PartJudges.h"
+#include "SampleJudge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -254,6 +255,8 @@ void fuzzConstraints(const FuzzCase& given)
   expect(!given.layoutBit(5) || prepared.split.unresolved != 0 || !hasCrossing,
     "nothing crosses once split", given);
   expectAsDefined(prepared, filled);
+  const PointView view = prepared.view();
+  expectSamples(given, { engine.made, view, filled.triples, run.executor });
   expectTheSame(prepared, filled);
   expectSameInBlocks(prepared);
   expectSameThroughC(given, { prepared.view(), prepared.chains, prepared.rule, filled.triples });

@@ -6,6 +6,7 @@
 // memory before, the door: the C interface, with all that it has.
 #include "JobJudge.h"
 #include "Judge.h"
+#include "SampleJudge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -351,6 +352,8 @@ void fuzzEngine(const FuzzCase& given)
   expectNone(faultsOf(first.layout.view(), first.outcome), given);
   expectAsDefined(first);
   expectExtras(first, engine);
+  const PointView view = first.layout.view();
+  expectSamples(given, { engine.made, view, first.outcome.triples, runOf(given, 0).executor });
   expectSameWhenShuffled(first, engine);
   expectTrouble(first, engine);
   expectSameThroughC(

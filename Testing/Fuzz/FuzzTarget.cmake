@@ -44,7 +44,7 @@ target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_fuzz_engine_dir}")
 set(ahd_fuzz_support_sources)
 foreach (name IN ITEMS Certify/CertifiedMesh Certify/Certifier Certify/ConstraintCertifier
     Certify/ExactSigns Certify/MeshWalk Oracle/ConstraintFill Oracle/ConstraintOracle
-    Oracle/ConstraintOracleKept Oracle/Oracle Oracle/VoronoiOracle Points/ConstraintMakers Points/ConstraintSets
+    Oracle/ConstraintOracleKept Oracle/Oracle Oracle/SampleOracle Oracle/VoronoiOracle Points/ConstraintMakers Points/ConstraintSets
     Points/Corpus Points/SmallConstraintCases Run/BlocksRun Run/ConstrainedRun Run/EngineRun Run/Executors Run/JobRun)
   list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
 endforeach ()

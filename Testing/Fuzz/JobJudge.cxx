@@ -71,7 +71,8 @@ std::int64_t mostOf(JobRun& run, const std::string& name)
     return run.count("cells") - 1;
   }
   const bool areNumbers = name == "voronoi_offsets" || name == "voronoi_corners" ||
-    name == "box_counts" || name == "left_out" || name == "crossing_cells";
+    name == "box_counts" || name == "weight_offsets" || name == "left_out" ||
+    name == "crossing_cells";
   return areNumbers ? INT64_MAX : run.count("points") - 1;
 }
 
@@ -103,6 +104,45 @@ void expectArrays(const FuzzCase& given, JobRun& run)
     }
     expect(status == AHD_OK || std::string(name) == "box_levels", name, given);
   }
+}
+
+/// Values between the points, whatever the surface: a place of the surface has a mask, any finite
+/// one a value if what is outside has that of the nearest vertex; weights can be had afterwards.
+void expectSampled(const FuzzCase& given, JobRun& run, const PointView& points)
+{
+  constexpr std::size_t kSide = 5;
+  const std::int64_t method = given.head[kMergeDistance] % 4, outside = given.head[kShuffle] % 2;
+  run.set("sample_method", method);
+  run.set("sample_outside", outside);
+  const Point first = points.count > 0 ? points[0] : Point{ 0, 0 };
+  const Point last = points.count > 0 ? points[points.count - 1] : Point{ 0, 0 };
+  const auto part = [](double a, double b)
+  {
+    const double third = b / 3 - a / 3;
+    return std::isfinite(third) && third != 0.0 ? third : 1.0;
+  };
+  const ahd_places raster = { nullptr, 0,
+    { isFinite(first) ? first.x : 0.0, isFinite(first) ? first.y : 0.0 },
+    { part(first.x, last.x), part(first.y, last.y) }, kSide, kSide };
+  const std::vector<double> values(static_cast<std::size_t>(run.count("points")), 3.0);
+  std::vector<double> out(kSide * kSide, -7.0);
+  std::vector<std::uint8_t> mask(kSide * kSide, 77);
+  const ahd_sampled array = { values.data(), 1, out.data(), nullptr };
+  ahd_status status = ahd_sample(run.job(), &raster, &array, 1, mask.data());
+  expect(status == AHD_OK, ahd_message(run.job()), given);
+  const std::int64_t valued = run.count("sampled_valued"), beyond = run.count("sampled_outside");
+  std::int64_t numbers = 0;
+  for (std::size_t k = 0; k < out.size(); ++k)
+  {
+    expect(
+      std::isnan(out[k]) ? mask[k] == 0 : std::fabs(out[k] - 3.0) < 1e-9, "3 everywhere", given);
+    numbers += std::isnan(out[k]) ? 0 : 1;
+  }
+  expect(std::count(mask.begin(), mask.end(), 1) == valued, "the mask is counted", given);
+  const bool fills = outside != 0 && run.count("inserted") + run.count("beyond_limit") > 0;
+  expect(numbers == valued + (fills ? beyond : 0), "what is outside is filled", given);
+  status = ahd_sample_weights(run.job(), &raster);
+  expect(status == AHD_OK, ahd_message(run.job()), given);
 }
 
 struct Countdown
@@ -169,6 +209,7 @@ void expectSameThroughC(const FuzzCase& given, const JobCase& made)
   run.setPoints(points);
   setAnything(run, given, xyz);
   expectTrouble(given, run);
+  expectSampled(given, run, points);
   expectArrays(given, run);
   expect(run.status() == AHD_OK, run.message().c_str(), given);
 }
