@@ -79,3 +79,18 @@ set_properties(surface, DistributePoints=0)
 check(found == {frozenset(corners) for corners in triangles(surface)}, "triangles of all ranks together differ")
 check_equal(measures(surface)["NumberOfTriangles"], len(found), "number of triangles")
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")
+
+# A raster: the settings of its triangulation are an object of their own on the server, too.
+if not IS_PYTHON and servermanager.ActiveConnection.GetNumberOfDataPartitions() == 1:
+    interpolation = vars(paraview.simple)["AdaptiveHilbertInterpolation2D"]
+    raster = interpolation(Input=reader, RasterSize="Cell Size", CellSize=[0.1, 0.1])
+    raster.UpdatePipeline()
+    before = raster.NumberOfValidPlaces
+    check(0 < before < raster.NumberOfPlaces, "places with a value on the server: %d" % before)
+    raster.MaximumEdgeLength = 0.3
+    raster.UpdatePipeline()
+    check(0 < raster.NumberOfValidPlaces < before, "the settings of the triangulation did not reach the server")
+    line = Line(Point1=[-2, 0, 0], Point2=[2, 0, 0], Resolution=7)
+    set_properties(raster, MaximumEdgeLength=0, Source=shore, Places=line)
+    raster.UpdatePipeline()
+    check_equal((raster.NumberOfPlaces, raster.NumberOfValidPlaces), (8, 4), "places of a line on the server")
