@@ -9,6 +9,7 @@ AdaptiveHilbertDelaunay.xml, and the version from CMakeLists.txt. One thing in t
 NumberOfPointsRangeDomain: it becomes a range that takes its ends from a hidden property, which the template sets.
 """
 
+import copy
 import pathlib
 import re
 import sys
@@ -55,19 +56,29 @@ def without_cxx(proxy):
     return found
 
 
-def is_of_parts(proxy):
-    """Does it have a proxy inside, or is it there to be inside one? ParaView makes these of C++ classes alone."""
-    return proxy.find("SubProxy") is not None or proxy.get("base_proxyname") is not None
+def with_exposed_properties(proxy, others):
+    """Replaces the proxy inside, which takes a C++ class, by the properties of it that are exposed: they become the
+    filter's own. `others`: by name, proxies whose properties others inherit."""
+    for part in proxy.findall("SubProxy"):
+        inherits = others[part.find("Proxy").get("proxyname")].get("base_proxyname")
+        known = {item.get("name"): item for item in others[inherits] if item.get("label")}
+        place = list(proxy).index(part)
+        proxy.remove(part)
+        for name in reversed([item.get("name") for item in part.find("ExposedProperties")]):
+            proxy.insert(place, copy.deepcopy(known[name]))
 
 
 def proxies():
     """(group, tag, attributes, inside) of each proxy, and the names of the properties that go up to the number of
     points."""
     found, up_to_points = [], []
-    for group in ElementTree.parse(XML).getroot():
+    root = ElementTree.parse(XML).getroot()
+    by_name = {proxy.get("name"): proxy for group in root for proxy in group}
+    for group in root:
         for proxy in group:
-            if is_of_parts(proxy):
-                continue
+            if proxy.get("base_proxyname"):
+                continue  # is there to be inside another
+            with_exposed_properties(proxy, by_name)
             up_to_points += without_cxx(proxy)
             inside = "".join(ElementTree.tostring(child, encoding="unicode") for child in proxy)
             inside = re.sub(r"\n\s*\n", "\n\n", inside.strip())

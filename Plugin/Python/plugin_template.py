@@ -11,6 +11,7 @@ the two plugins, not both.
 
 import importlib
 import importlib.util
+import math
 import os
 import sys
 import weakref
@@ -24,7 +25,7 @@ from paraview.modules.vtkRemotingServerManager import (
 )
 from paraview.util.vtkAlgorithm import VTKPythonAlgorithmBase, smproperty, smproxy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkCommonExecutionModel import (
     vtkAlgorithm,
     vtkStreamingDemandDrivenPipeline,
@@ -120,11 +121,12 @@ class _Driver(VTKPythonAlgorithmBase):
         weakref.finalize(self, self.__dict__.clear).atexit = False
 
     def __getattr__(self, name):
-        """Methods of the worker. What changes it changes this too."""
+        """Methods of the worker, or of the settings that are a part of it. What changes it changes this too."""
         worker = self.__dict__.get("_worker")
         if worker is None or not name.startswith(("Set", "Get")):
             raise AttributeError(name)
-        method = getattr(worker, name)
+        has_it = hasattr(worker, name) or not hasattr(worker, "GetTriangulation")
+        method = getattr(worker if has_it else worker.GetTriangulation(), name)
         if name.startswith("Get"):
             return method
 
@@ -221,6 +223,37 @@ class _Driver(VTKPythonAlgorithmBase):
             self._worker.SetAbortExecute(1)
 
 
+class _Raster(_Driver):
+    """The interpolation, whose output is an image, or of the kind of the places."""
+
+    def RequestDataObject(self, request, inInfo, outInfo):
+        places = vtkDataObject.GetData(inInfo[1], 0)
+        if places is None and inInfo[1].GetNumberOfInformationObjects():
+            return 0
+        made = places.NewInstance() if places else (vtkStructuredGrid if self.GetOutputType() else vtkImageData)()
+        now = vtkDataObject.GetData(outInfo, 0)
+        if now is None or now.GetClassName() != made.GetClassName():
+            outInfo.GetInformationObject(0).Set(vtkDataObject.DATA_OBJECT(), made)
+            self.GetOutputPortInformation(0).Set(vtkDataObject.DATA_EXTENT_TYPE(), made.GetExtentType())
+        return 1
+
+    def RequestInformation(self, request, inInfo, outInfo):
+        """The raster as it will be: the inputs say it, and are brought up to date for that."""
+        info, source = outInfo.GetInformationObject(0), inInfo[1].GetInformationObject(0)
+        if source is None:
+            for port in range(len(self._inputs)):
+                if self.GetNumberOfInputConnections(port) > 0:
+                    connection = self.GetInputConnection(port, 0)
+                    connection.GetProducer().Update(connection.GetIndex())
+                self._give(port, vtkDataObject.GetData(inInfo[port], 0))
+            self._worker.UpdateInformation()
+            source = self._worker.GetOutputInformation(0)
+        pipeline = vtkStreamingDemandDrivenPipeline
+        for key in pipeline.WHOLE_EXTENT(), vtkDataObject.ORIGIN(), vtkDataObject.SPACING():
+            info.CopyEntry(source, key)
+        return 1
+
+
 def _call_weakly(target, method):
     """An observer that calls a method of the target as long as there is the target, and does not keep it."""
     weak = weakref.ref(target)
@@ -239,8 +272,10 @@ def _call_weakly(target, method):
 # It knows no second name of a property: GenerateFate and GeneratePointStatus are kept equal.
 # It shows numbers out of a property's range, though the filter takes the nearest legal one: so does the panel.
 # It has no range that ends at the number of points: that of a hidden property, which is set here, is used.
+# It knows no area and no cell size that suit the points: as long as they are not used, they are suggested.
 
 FILTER = "AdaptiveHilbertDelaunay2D"
+RASTER = "AdaptiveHilbertInterpolation2D"
 NAMES = {"GenerateFate": "GeneratePointStatus", "GeneratePointStatus": "GenerateFate"}  # old and new
 RANGES = "vtkSMIntRangeDomain", "vtkSMDoubleRangeDomain"
 UPDATED, CHANGED = "UpdateDataEvent", "PropertyModifiedEvent"
@@ -264,9 +299,10 @@ def _range(item):
     return next(filter(None, map(item.FindDomain, RANGES)), None)
 
 
-def _value(proxy, name):
+def _value(proxy, name, element=0):
     item = vtkSMPropertyHelper(proxy, name)
-    return item.GetAsInt() if proxy.GetProperty(name).IsA("vtkSMIntVectorProperty") else item.GetAsDouble()
+    is_whole = proxy.GetProperty(name).IsA("vtkSMIntVectorProperty")
+    return item.GetAsInt(element) if is_whole else item.GetAsDouble(element)
 
 
 def _fetch_measures(proxy, _event):
@@ -289,13 +325,17 @@ def _depends_on(proxy, wanted, seen):
     )
 
 
-def _refuse_circle(proxy):
-    source = proxy.GetProperty("Source")
-    if source.GetNumberOfProxies() > 0 and _depends_on(source.GetProxy(0), proxy, set()):
-        vtkOutputWindow.GetInstance().DisplayWarningText(
-            "The source was made from the surface that it is to constrain. It was taken away again.\n"
-        )
-        source.RemoveAllProxies()
+CIRCLES = {
+    "Source": "The source was made from the surface that it is to constrain. It was taken away again.\n",
+    "Places": "The places were made from the values that are wanted there. They were taken away again.\n",
+}
+
+
+def _refuse_circle(proxy, name):
+    item = proxy.GetProperty(name)
+    if item.GetNumberOfProxies() > 0 and _depends_on(item.GetProxy(0), proxy, set()):
+        vtkOutputWindow.GetInstance().DisplayWarningText(CIRCLES[name])
+        item.RemoveAllProxies()
 
 
 def _keep_equal(proxy, name):
@@ -311,17 +351,40 @@ def _keep_in_range(proxy, name):
     limits = _range(proxy.GetProperty(name))
     if not limits or name in UP_TO_POINTS:
         return
-    value = kept = _value(proxy, name)
-    if limits.GetMinimumExists(0) and not value >= limits.GetMinimum(0):  # NaN too
-        kept = limits.GetMinimum(0)
-    elif limits.GetMaximumExists(0) and value > limits.GetMaximum(0):
-        kept = limits.GetMaximum(0)
-    if kept is not value:
-        vtkSMPropertyHelper(proxy, name).Set(kept)
+    for element in range(vtkSMPropertyHelper(proxy, name).GetNumberOfElements()):
+        value = kept = _value(proxy, name, element)
+        if limits.GetMinimumExists(element) and not value >= limits.GetMinimum(element):  # NaN too
+            kept = limits.GetMinimum(element)
+        elif limits.GetMaximumExists(element) and value > limits.GetMaximum(element):
+            kept = limits.GetMaximum(element)
+        if kept is not value:
+            vtkSMPropertyHelper(proxy, name).Set(element, kept)
+
+
+def _suggest_raster(proxy):
+    """Fills in what is not used yet: an area and a cell size from which one may start."""
+    item = proxy.GetProperty("Input")
+    source = item.GetProxy(0) if item.GetNumberOfProxies() > 0 else None
+    if source is None or not source.GetObjectsCreated():
+        return
+    xmin, xmax, ymin, ymax = source.GetDataInformation(item.GetOutputPortForConnection(0)).GetBounds()[:4]
+    longer = max(xmax - xmin, ymax - ymin)
+    if not (xmin <= xmax and ymin <= ymax):
+        return
+    if not _value(proxy, "UseBounds") and proxy.GetProperty("Bounds").IsValueDefault():
+        for element, bound in enumerate((xmin, xmax, ymin, ymax)):
+            vtkSMPropertyHelper(proxy, "Bounds").Set(element, bound)
+    if not _value(proxy, "RasterSize") and proxy.GetProperty("CellSize").IsValueDefault() and longer > 0:
+        power = 10.0 ** math.floor(math.log10(longer / 400.0))
+        size = max(step for step in (1.0, 2.0, 5.0) if step == 1.0 or longer / 400.0 >= step * power) * power
+        for element in (0, 1):
+            vtkSMPropertyHelper(proxy, "CellSize").Set(element, size)
 
 
 def _follow_points(proxy):
     """Gives the ranges that go up to the number of points this end, and has them follow the input."""
+    if proxy.GetXMLName() != FILTER:
+        return
     item = proxy.GetProperty("Input")
     source = item.GetProxy(0) if item.GetNumberOfProxies() > 0 else None
     points = 0
@@ -347,8 +410,8 @@ def _input_was_updated(source, _event):
 def _property_changed(proxy, _event, name):
     if name == "Input":
         _follow_points(proxy)
-    elif name == "Source":
-        _refuse_circle(proxy)
+    elif name in CIRCLES:
+        _refuse_circle(proxy, name)
     elif name in NAMES:
         _keep_equal(proxy, name)
     else:
@@ -361,8 +424,11 @@ _property_changed.CallDataType = "string0"
 def _observe(proxy):
     """From now on this proxy, which may have been set before, is looked after."""
     proxy._ahd_observed = True
-    old, new = NAMES
-    _keep_equal(proxy, old if _value(proxy, old) else new)
+    if proxy.GetXMLName() == RASTER:
+        _suggest_raster(proxy)
+    else:
+        old, new = NAMES
+        _keep_equal(proxy, old if _value(proxy, old) else new)
     for name, _item in _properties(proxy):
         _keep_in_range(proxy, name)
     _follow_points(proxy)
@@ -376,7 +442,7 @@ def _is_observed(proxy):
 
 def _is_filter(proxy):
     """Is it the filter, and that of a plugin in Python? The compiled one has its own observers."""
-    return proxy.GetXMLName() == FILTER and "." in proxy.GetVTKClassName()
+    return proxy.GetXMLName() in (FILTER, RASTER) and "." in proxy.GetVTKClassName()
 
 
 _seen = {"sources": 0}
@@ -449,7 +515,8 @@ def _declare(works, group, tag, attributes, inside):
     if group == "transforms":
         globals()[name] = _OfParaView(group, tag, attributes, inside)
     elif works and (_data_are_elsewhere() or _has(vtk_class)):
-        made = type(name, (_Driver,), {"vtk_class": vtk_class, "__module__": __name__})
+        base = _Raster if name == RASTER else _Driver
+        made = type(name, (base,), {"vtk_class": vtk_class, "__module__": __name__})
         known = {key: value for key, value in attributes.items() if key != "class"}
         smproperty.xml(inside)(made)
         smproxy.source(type=tag, group=group, support_reload=False, **known)(made)

@@ -81,7 +81,7 @@ check_equal(measures(surface)["NumberOfTriangles"], len(found), "number of trian
 check(surface.SMProxy.GetSession().IsA("vtkSMSessionClient"), "the session is not remote")
 
 # A raster: the settings of its triangulation are an object of their own on the server, too.
-if not IS_PYTHON and servermanager.ActiveConnection.GetNumberOfDataPartitions() == 1:
+if servermanager.ActiveConnection.GetNumberOfDataPartitions() == 1:
     interpolation = vars(paraview.simple)["AdaptiveHilbertInterpolation2D"]
     raster = interpolation(Input=reader, RasterSize="Cell Size", CellSize=[0.1, 0.1])
     raster.UpdatePipeline()
