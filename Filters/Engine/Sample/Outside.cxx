@@ -36,8 +36,9 @@ public:
 
   /// Lists places from `next` on until there are enough; moves `next` behind them. Returns false if
   /// cancelled.
-  bool list(std::size_t& next, const unsigned char* mask, Ticker& ticker)
+  bool list(std::size_t& next, const unsigned char* mask, Progress* progress)
   {
+    Ticker ticker(progress, Phase::Outputs, 0); // a phase of its own, as each call of values() has
     listed_ = 0;
     const std::size_t all = places_.count();
     while (next != all && listed_ != which_.size())
@@ -45,9 +46,9 @@ public:
       const std::size_t end = next + std::min({ all - next, which_.size() - listed_, kChunk });
       for (std::size_t k = next; k != end; ++k)
       {
-        const Point place = mask[k] == 0 ? places_[k] : Point{ 0.0, 0.0 };
-        if (mask[k] == 0 && isFinite(place))
+        if (mask[k] == 0) // those that are not finite have no nearest vertex either
         {
+          const Point place = places_[k];
           which_[listed_] = k;
           xy_[2 * listed_] = place.x;
           xy_[2 * listed_ + 1] = place.y;
@@ -60,7 +61,7 @@ public:
       }
       next = end;
     }
-    return true;
+    return ticker.ask();
   }
 
   Status fill(const Sampler& nearest, const Context& context)
@@ -78,8 +79,9 @@ public:
   }
 
   /// Returns false if cancelled.
-  bool write(Ticker& ticker) const
+  bool write(Progress* progress) const
   {
+    Ticker ticker(progress, Phase::Outputs, 0);
     return inChunks(0, listed_, ticker,
       [this](std::size_t a, std::size_t b)
       {
@@ -114,10 +116,9 @@ Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const Sam
     [&]
     {
       Filling filling(places, arrays, count);
-      Ticker ticker(context.progress, Phase::Outputs, 0);
       for (std::size_t next = 0; next != places.count();)
       {
-        if (!filling.list(next, mask, ticker))
+        if (!filling.list(next, mask, context.progress))
         {
           return Status::Cancelled;
         }
@@ -126,12 +127,12 @@ Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const Sam
         {
           return status;
         }
-        if (!filling.write(ticker))
+        if (!filling.write(context.progress))
         {
           return Status::Cancelled;
         }
       }
-      return ticker.ask() ? Status::Ok : Status::Cancelled;
+      return Status::Ok;
     });
 }
 
