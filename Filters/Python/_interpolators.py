@@ -185,17 +185,18 @@ class NearestInterpolator(_Interpolator):
         self._start(points, values, rescale, threads)
         if self.triangulation.counts["added_points"]:
             raise ValueError("the triangulation has points that were added, which have no values")
+        self._ids = np.arange(len(self.values), dtype=np.float64)
 
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""
         places = self._places(args)
-        found = self.triangulation.weights(places, self._method)
-        has = np.diff(found.offsets) > 0
+        ids = self.triangulation.interpolate(self._ids, places.reshape(-1, 2), self._method)
+        has = ids == ids
         if has.all():
-            rows = self.values[found.points]
+            rows = self.values[ids.astype(np.intp)]
         elif self.values.dtype.kind in "fc" and len(self.values):
             rows = np.full((len(has),) + self.values.shape[1:], np.nan, self.values.dtype)
-            rows[has] = self.values[found.points]
+            rows[has] = self.values[ids[has].astype(np.intp)]
         else:
             raise ValueError("%d places are not finite, or there are no points" % np.count_nonzero(~has))
         made: np.ndarray = rows.reshape(places.shape[:-1] + self.values.shape[1:])

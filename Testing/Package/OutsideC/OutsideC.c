@@ -1,9 +1,28 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
-/* The example at the top of ahd.h. */
+/* The examples at the top of ahd.h and of ahd_sample.h. */
 #include <ahd.h>
 
 #include <stdio.h>
 #include <stdlib.h>
+
+/* x + y at the centres of 3 x 2 cells of the job's points. */
+static int sample(ahd_job* job)
+{
+  static const double z[] = { 0, 1, 2, 1, 0.75 };
+  ahd_places cells = { NULL, 0, { 0.125, 0.25 }, { 0.25, 0.5 }, 3, 2 };
+  double heights[6] = { 0 };
+  uint8_t mask[6] = { 0 };
+  ahd_sampled array = { z, 1, heights, NULL };
+  if (ahd_set_int(job, "sample_method", AHD_SAMPLE_NATURAL_NEIGHBOR) != AHD_OK ||
+    ahd_sample(job, &cells, &array, 1, mask) != AHD_OK)
+  {
+    puts(ahd_message(job));
+    return 0;
+  }
+  printf("the first cell has %g, the last %g\n", heights[0], heights[5]);
+  return mask[0] == 1 && mask[5] == 1 && heights[0] > 0.374 && heights[0] < 0.376 &&
+    heights[5] > 1.374 && heights[5] < 1.376;
+}
 
 int main(void)
 {
@@ -11,6 +30,7 @@ int main(void)
   const ahd_array points = { xy, AHD_FLOAT64, 2, 5, 2 * sizeof(double), sizeof(double) };
   uint64_t triangles = 0, three = 0;
   int32_t* ids = NULL;
+  int is_sampled;
   ahd_job* job = ahd_job_new();
   if (ahd_abi_version() != AHD_ABI_VERSION || ahd_set_array(job, "points", &points) != AHD_OK ||
     ahd_run(job) != AHD_OK || ahd_array_size(job, "triangles", &triangles, &three) != AHD_OK)
@@ -27,6 +47,7 @@ int main(void)
   printf("%d triangles of %s, the first has the points %d %d %d\n", (int)triangles, ahd_version(),
     (int)ids[0], (int)ids[1], (int)ids[2]);
   free(ids);
+  is_sampled = sample(job);
   ahd_job_free(job);
-  return triangles == 4 && three == 3 ? 0 : 1;
+  return triangles == 4 && three == 3 && is_sampled ? 0 : 1;
 }
