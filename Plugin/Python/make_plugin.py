@@ -4,9 +4,10 @@
 
     make_plugin.py FILE      writes the plugin
 
-plugin_template.py has the code. What it does not say, ParaView's menus, panels and help texts, is taken from
-AdaptiveHilbertDelaunay.xml, and the version from CMakeLists.txt. One thing in the XML needs C++, the
-NumberOfPointsRangeDomain: it becomes a range that takes its ends from a hidden property, which the template sets.
+plugin_template.py has the code, with plugin_client.py in it. What it does not say, ParaView's menus, panels and help
+texts, is taken from AdaptiveHilbertDelaunay.xml, and the version from CMakeLists.txt. Two things in the XML need C++:
+the NumberOfPointsRangeDomain becomes a range that takes its ends from a hidden property, which the template sets; a
+proxy inside another becomes properties of the other.
 """
 
 import copy
@@ -18,6 +19,7 @@ import xml.etree.ElementTree as ElementTree
 HERE = pathlib.Path(__file__).resolve().parent
 XML = HERE.parent / "AdaptiveHilbertDelaunay.xml"
 TEMPLATE = HERE / "plugin_template.py"
+CLIENT = HERE / "plugin_client.py"
 CMAKE = HERE.parents[1] / "CMakeLists.txt"
 
 
@@ -97,6 +99,17 @@ def version():
     return re.search(r"project\(\w+ VERSION ([\d.]+)", CMAKE.read_text(encoding="utf-8")).group(1)
 
 
+def code():
+    """The template, with the other file in the place of its import."""
+    client = CLIENT.read_text(encoding="utf-8").split('"""', 2)[2].strip()
+    template = TEMPLATE.read_text(encoding="utf-8")
+    imported = r"# Replaced by that file[^\n]*\nfrom plugin_client import \([^)]*\)\n"
+    text, count = re.subn(imported, lambda _match: client + "\n", template)
+    if count != 1:
+        raise ValueError("the template does not import plugin_client")
+    return text
+
+
 def plugin():
     """The text of the plugin."""
     found, up_to_points = proxies()
@@ -105,7 +118,7 @@ def plugin():
         for *named, inside in found
     )
     values = {"VERSION": '"%s"' % version(), "PROXIES": "[\n%s]" % listed, "UP_TO_POINTS": repr(up_to_points)}
-    text = TEMPLATE.read_text(encoding="utf-8")
+    text = code()
     for name, value in values.items():
         text, count = re.subn(r"(?m)^%s = .*$" % name, lambda _match: "%s = %s" % (name, value), text)
         if count != 1:
