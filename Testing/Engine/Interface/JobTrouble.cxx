@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <functional>
 #include <stdexcept>
 
@@ -220,6 +221,82 @@ TEST(JobTrouble, WhatCallbacksThrowGoesNoFurther)
   EXPECT_EQ(run.run(), AHD_CANCELLED);
   run.set("plane", std::int64_t(AHD_PLANE_XY));
   EXPECT_EQ(run.run(), AHD_OK);
+}
+
+/// A raster beyond the points on all sides, sampled by one method, with what is outside filled.
+struct Sampling
+{
+  Sampling(JobRun& run, int method, std::size_t side)
+    : job(run.job())
+    , values(2 * static_cast<std::size_t>(run.count("points")), 3.0)
+    , out(2 * side * side)
+  {
+    run.set("sample_method", std::int64_t(method));
+    run.set("sample_outside", std::int64_t(AHD_OUTSIDE_NEAREST_VERTEX));
+    const double size = 3.0 / double(side);
+    raster = { nullptr, 0, { -1.0, -1.0 }, { size, size }, side, side };
+    array = { values.data(), 2, out.data(), nullptr };
+  }
+
+  ahd_status sample() { return ahd_sample(job, &raster, &array, 1, nullptr); }
+  ahd_status weights() { return ahd_sample_weights(job, &raster); }
+
+  ahd_job* job;
+  std::vector<double> values, out;
+  ahd_places raster;
+  ahd_sampled array;
+};
+constexpr int kMethods = 4;
+
+TEST(JobTrouble, AnyAllocationOfSamplingCanFail)
+{
+  const Case made(60);
+  for (int variant = 0; variant < kVariants; ++variant)
+  {
+    SCOPED_TRACE(variant);
+    JobRun run;
+    made.set(run, variant);
+    ASSERT_EQ(run.run(), AHD_OK);
+    Sampling sampling(run, variant % kMethods, 9);
+    ASSERT_EQ(sampling.sample(), AHD_OK) << ahd_message(run.job());
+    const std::vector<double> expected = sampling.out;
+    std::size_t k = 1;
+    for (bool isThrough = false; !isThrough; ++k)
+    {
+      ASSERT_EQ(run.run(), AHD_OK); // tables are made anew
+      account.allocations = 0;
+      account.failAt = k;
+      ahd_status status = sampling.weights();
+      status = status == AHD_OK ? sampling.sample() : status;
+      isThrough = account.allocations < k;
+      account.failAt = 0;
+      ASSERT_EQ(status, isThrough ? AHD_OK : AHD_OUT_OF_MEMORY) << "allocation " << k;
+      ASSERT_EQ(sampling.sample(), AHD_OK) << ahd_message(run.job());
+      ASSERT_EQ(std::memcmp(sampling.out.data(), expected.data(), expected.size() * 8), 0);
+    }
+    EXPECT_GT(k, 10u);
+  }
+}
+
+TEST(JobTrouble, SamplingTakesNoMoreMemoryThanEstimated)
+{
+  const Case made(20000);
+  for (int method = 0; method < kMethods; ++method)
+  {
+    SCOPED_TRACE(method);
+    JobRun run;
+    made.set(run, 2);
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    Sampling sampling(run, method, 200);
+    std::uint64_t estimate = 0;
+    ASSERT_EQ(ahd_sample_estimate(run.job(), &sampling.raster, 2, &estimate), AHD_OK);
+    const std::size_t before = account.held;
+    account.peak = before;
+    ASSERT_EQ(sampling.sample(), AHD_OK) << ahd_message(run.job());
+    EXPECT_EQ(run.count("sampling_estimate"), std::int64_t(estimate));
+    EXPECT_LE(account.peak - before, estimate + 10000);
+    EXPECT_GE((account.peak - before) * 20, estimate) << "it is no estimate but a guess";
+  }
 }
 
 } // namespace
