@@ -16,7 +16,7 @@ from pluginsupport import *
 
 PACKAGE = "adaptivehilbertdelaunay"
 FOLDER = os.path.dirname(PLUGIN)
-PROXIES = ("AdaptiveHilbertDelaunay2D", "PlanarPointSource")
+PROXIES = ("AdaptiveHilbertDelaunay2D", "AdaptiveHilbertInterpolation2D", "PlanarPointSource")
 SAYS = "Adaptive Hilbert Delaunay 2D is not there"
 
 

@@ -49,7 +49,8 @@ class _Triangulations:
 
     def Update(self, *given):
         """Brings the output up to date."""
-        if self._triangulation is not None and self._triangulation.GetMTime() > super().GetMTime():
+        others = self._triangulation is not None and self._triangulation.GetMTime() > super().GetMTime()
+        if others or self._must_describe_anew:
             self.Modified()
         self._interrupt = None
         super().Update(*given)
@@ -222,6 +223,15 @@ class _Executions:
         info.Set(vtk.vtkDataObject.ORIGIN(), (*cells.origin, 0.0), 3)
         info.Set(vtk.vtkDataObject.SPACING(), (*cells.spacing, 1.0), 3)
 
+    def _is_as_announced(self, made, info):
+        """Else the points were others at that time, those of another time step."""
+        pipeline, data = self._backend.vtkStreamingDemandDrivenPipeline, self._backend.vtkDataObject
+        if tuple(info.Get(pipeline.WHOLE_EXTENT())) != made.GetExtent():
+            return False
+        return not (made.IsA("vtkImageData") and made.GetNumberOfPoints()) or (
+            tuple(info.Get(data.ORIGIN())) == made.GetOrigin() and (
+                tuple(info.Get(data.SPACING())) == made.GetSpacing()))
+
     def RequestUpdateExtent(self, _request, inputs, _outputs):
         """All points are needed whatever part of the output is wanted, and all places."""
         pipeline = self._backend.vtkStreamingDemandDrivenPipeline
@@ -247,6 +257,8 @@ class _Executions:
             is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)
         if not is_done:
             made.Initialize()
+        self._must_describe_anew = is_done and self._data(inputs, 1) is None and not self._is_as_announced(
+            made, outputs.GetInformationObject(0))
         return 1
 
     def _execute(self, given, made, speaker):
@@ -314,6 +326,7 @@ def make_class(backend):
         self._values = {setting.name: setting.default for setting in raster_settings.SETTINGS}
         self._values.update(raster_settings.MEASURES)
         self._interrupt = self._surface = None
+        self._must_describe_anew = False  # the raster is another than was announced
         self._job = engine.Job()
         self._triangulation = python_class(backend.package)()
 

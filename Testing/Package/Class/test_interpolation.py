@@ -4,310 +4,19 @@ in Python, as Interpolation.json has them; methods, defaults and ranges. AHD_WRI
 writes the file anew."""
 
 import json
-import math
 
-from classtests import (FOLDER, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests, source,
-                        tested_class, vtk, write_rows)
-from inputs import full, lines_and_loops, scattered, square
+from classtests import (FOLDER, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source, tested_class,
+                        vtk, write_rows)
+from inputs import full, square
+from rastercases import CASES, image, wanted_places
 from test_cases import masked, of_array, of_attributes
 from test_settings import described
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
 
 FILE = FOLDER / "Interpolation.json"
-NAN = math.nan
 MEASURES = ("NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
             "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut", "NumberOfTriangulations")
-SMALL = {"Dimensions": (13, 7)}
-CASES = {}
-
-
-def case(make):
-    """A function that makes an input and settings; those of Triangulation have its name before theirs."""
-    CASES[make.__name__] = make
-    return make
-
-
-def wanted_places():
-    """On the surface, beyond it, in between, not finite; with data of their own."""
-    made = cloud([(x * 101.0, y * 77.0, 5.0) for x in range(-1, 12) for y in range(-1, 14)] + [(NAN, 1, 2)])
-    count = made.GetNumberOfPoints()
-    made.GetPointData().AddArray(array("vtkDoubleArray", "Height", range(count)))
-    made.GetPointData().AddArray(array("vtkIntArray", "Own", range(count)))
-    made.GetFieldData().AddArray(array("vtkDoubleArray", "Month", [7.0]))
-    return made
-
-
-def image(kind="vtkImageData"):
-    made = getattr(model, kind)()
-    made.SetDimensions(9, 8, 1)
-    if kind == "vtkImageData":
-        made.SetOrigin(50.0, 60.0, 7.0)
-        made.SetSpacing(100.0, 90.0, 1.0)
-    return made
-
-
-def holey():
-    """Values that are NaN at some points."""
-    made = full(120)
-    heights = made.GetPointData().GetArray("Height")
-    for i in range(0, 120, 9):
-        heights.SetValue(i, NAN)
-    return made
-
-
-@case
-def linear():
-    return full(), SMALL
-
-
-@case
-def linear_with_gradients():
-    return full(), dict(SMALL, GenerateGradients=True)
-
-
-@case
-def natural():
-    return full(), dict(SMALL, Method=1, GenerateGradients=True)
-
-
-@case
-def laplace():
-    return full(), dict(SMALL, Method=2)
-
-
-@case
-def nearest():
-    return full(), dict(SMALL, Method=3, UseBounds=True, Bounds=(-100.0, 1100.0, 0.0, 500.0))
-
-
-@case
-def floats():
-    return full(150, core.VTK_FLOAT), dict(SMALL, OutputType=1)
-
-
-@case
-def cells_of_a_size():
-    return full(), {"RasterSize": 1, "CellSize": (90.0, 110.5)}
-
-
-@case
-def cells_on_multiples():
-    return full(), {"RasterSize": 1, "CellSize": (90.0, 110.5), "AlignToCellSize": True}
-
-
-@case
-def tenths():
-    return cloud(square()), {"RasterSize": 1, "CellSize": (0.1, 0.3), "UseBounds": True, "Bounds": (0.0, 1.1, 0.0, 3.3)}
-
-
-@case
-def beyond_the_surface():
-    return full(), dict(SMALL, UseBounds=True, Bounds=(-500.0, 700.0, -300.0, 2000.0), NoValue=-9999.0)
-
-
-@case
-def filled_beyond_the_surface():
-    return full(), dict(SMALL, UseBounds=True, Bounds=(-500.0, 700.0, -300.0, 2000.0), Outside=1, OutputType=1)
-
-
-@case
-def nowhere_on_the_surface():
-    return full(), dict(SMALL, UseBounds=True, Bounds=(2000.0, 3000.0, 0.0, 1.0))
-
-
-@case
-def values_that_are_nan():
-    return holey(), dict(SMALL, OutputType=1)
-
-
-@case
-def neighbors_that_are_nan():
-    return holey(), dict(SMALL, Method=1)
-
-
-@case
-def nearest_that_are_nan():
-    return holey(), dict(SMALL, Method=3, NoValue=-1.0)
-
-
-@case
-def places():
-    return full(), {"PlacesData": wanted_places()}
-
-
-@case
-def places_by_neighbors():
-    return full(), {"PlacesData": wanted_places(), "Method": 1, "Outside": 1}
-
-
-@case
-def places_none_of_which_is_on_the_surface():
-    return full(), {"PlacesData": cloud([(5000, 1, 0), (6000, 2, 0)])}
-
-
-@case
-def no_places():
-    return full(), {"PlacesData": cloud([])}
-
-
-@case
-def places_of_an_image():
-    return full(), {"PlacesData": image()}
-
-
-@case
-def places_of_blocks():
-    nothing = model.vtkMultiBlockDataSet()
-    nothing.SetNumberOfBlocks(1)
-    return full(), {"InputDataObject": (1, blocks(wanted_places(), nothing, image(), model.vtkTable()))}
-
-
-@case
-def places_of_no_block():
-    return full(), {"InputDataObject": (1, model.vtkMultiBlockDataSet())}
-
-
-@case
-def constraints():
-    return full(), dict(SMALL, SourceData=lines_and_loops(), **{
-        "Triangulation.SourceMode": 1, "Triangulation.FillRule": 1, "Triangulation.CrossingMode": 1})
-
-
-@case
-def heights_from_the_surface():
-    return full(), dict(SMALL, Method=1, SourceData=lines_and_loops(), **{
-        "Triangulation.SourceMode": 1, "Triangulation.SourceHeights": 1})
-
-
-@case
-def triangles_that_are_left_out():
-    return full(), dict(SMALL, **{"Triangulation.Alpha": 70.0, "Triangulation.MaximumEdgeLength": 130.0})
-
-
-@case
-def means():
-    return full(), dict(SMALL, **{"Triangulation.DuplicatePolicy": 3, "Triangulation.Tolerance": 0.01})
-
-
-@case
-def means_and_crossings():
-    return full(), dict(SMALL, SourceData=lines_and_loops(), **{
-        "Triangulation.DuplicatePolicy": 3, "Triangulation.SourceMode": 1, "Triangulation.CrossingMode": 1,
-        "Triangulation.ClosedLines": 1, "Triangulation.FillRule": 1})
-
-
-@case
-def bounding():
-    return full(), dict(SMALL, **{"Triangulation.BoundingTriangulation": 1})
-
-
-def turned():
-    made = vtk("vtkCommonTransforms").vtkTransform()
-    made.RotateX(30.0)
-    made.RotateY(-20.0)
-    return made
-
-
-@case
-def another_plane():
-    return full(), dict(SMALL, **{"Triangulation.ProjectionPlaneMode": 1, "Triangulation.Transform": turned()})
-
-
-@case
-def places_in_another_plane():
-    return full(), {"PlacesData": full(), "Triangulation.ProjectionPlaneMode": 1, "Triangulation.Transform": turned()}
-
-
-@case
-def the_best_plane():
-    return full(), dict(SMALL, OutputType=1, **{"Triangulation.ProjectionPlaneMode": 2})
-
-
-@case
-def no_transform():
-    return full(), dict(SMALL, **{"Triangulation.ProjectionPlaneMode": 1})
-
-
-@case
-def merged_blocks():
-    return blocks(full(80), cloud(scattered(60)), image()), SMALL
-
-
-@case
-def names():
-    return full(), dict(SMALL, HeightArrayName="Kind", ValidPointMaskArrayName="", GenerateGradients=True)
-
-
-@case
-def no_name_for_heights():
-    return full(), dict(SMALL, HeightArrayName="", GenerateGradients=True)
-
-
-@case
-def no_points():
-    return model.vtkPolyData(), SMALL
-
-
-@case
-def no_points_but_places():
-    return cloud([]), {"PlacesData": wanted_places(), "Outside": 1}
-
-
-@case
-def one_point():
-    return cloud([(1, 2, 3)]), {"PlacesData": cloud([(1, 2, 0), (1, 3, 0)])}
-
-
-@case
-def one_point_and_a_raster():
-    return cloud([(1, 2, 3)]), SMALL
-
-
-@case
-def collinear():
-    return cloud([(i, 2 * i, i % 3) for i in range(30)]), {"PlacesData": cloud([(2.5, 5, 0), (3, 5, 0)])}
-
-
-@case
-def not_finite():
-    return cloud(square((NAN, 1, 0), (5, 5, NAN), (3, 3, math.inf))), SMALL
-
-
-@case
-def cells_of_no_size():
-    return full(), {"RasterSize": 1, "CellSize": (1.0, 0.0)}
-
-
-@case
-def too_many_cells():
-    return full(), {"RasterSize": 1, "CellSize": (1e-9, 1.0)}
-
-
-@case
-def more_cells_than_memory():
-    return full(), {"RasterSize": 1, "CellSize": (1e-4, 1e-4)}
-
-
-@case
-def cells_too_fine():
-    return cloud([(x + 1e15, y, 0) for x, y, _ in square()]), {"RasterSize": 1, "CellSize": (0.01, 1.0)}
-
-
-@case
-def bounds_that_are_none():
-    return full(), {"UseBounds": True, "Bounds": (1.0, 1.0, 0.0, 2.0)}
-
-
-@case
-def a_memory_limit():
-    return full(), {"Triangulation.MemoryLimit": 16}
-
-
-@case
-def no_triangulation():
-    return full(), {"Triangulation": None}
-
 
 def set_all(algorithm, settings):
     for name, value in settings.items():
@@ -348,6 +57,31 @@ def record(given, settings):
     found["again"] = of_output(algorithm.GetOutputDataObject(0)) == found["output"]
     found["triangulations"] = algorithm.GetNumberOfTriangulations()
     return found
+
+
+def growing_square():
+    """A class of sources: at time t the corners of a square with sides of 10 t."""
+    base, pipeline = vtk("util.vtkAlgorithm").VTKPythonAlgorithmBase, vtk(
+        "vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
+
+    class Growing(base):
+        def __init__(self):
+            base.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+        def RequestInformation(self, _request, _inputs, outputs):
+            info = outputs.GetInformationObject(0)
+            info.Set(pipeline.TIME_STEPS(), (1.0, 2.0, 3.0), 3)
+            info.Set(pipeline.TIME_RANGE(), (1.0, 3.0), 2)
+            return 1
+
+        def RequestData(self, _request, _inputs, outputs):
+            info = outputs.GetInformationObject(0)
+            time = info.Get(pipeline.UPDATE_TIME_STEP()) if info.Has(pipeline.UPDATE_TIME_STEP()) else 1.0
+            made = model.vtkPolyData.GetData(outputs, 0)
+            made.ShallowCopy(cloud([(time * x, time * y, z) for x, y, z in square()]))
+            return 1
+
+    return Growing
 
 
 def silent():
@@ -434,6 +168,18 @@ class InterpolationTest(Case):
         self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT()), (0, 9, 0, 19, 0, 0))
         algorithm.Update()
         self.assertEqual(algorithm.GetOutput().GetExtent(), (0, 9, 0, 19, 0, 0))
+
+    def test_points_that_change_with_time(self):
+        """The raster is that of the time; the next update announces it."""
+        algorithm, pipeline = silent(), vtk("vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
+        points = growing_square()()
+        algorithm.SetInputConnection(points.GetOutputPort())
+        algorithm.SetRasterSizeToByCellSize()
+        for time, cells in ((1.0, 10), (3.0, 30), (2.0, 20)):
+            algorithm.UpdateTimeStep(time)
+            self.assertEqual(algorithm.GetOutput().GetDimensions()[:2], (cells, cells))
+            algorithm.Update()
+            self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT())[1], cells - 1)
 
     def test_aborted(self):
         """The output is empty, and nothing is said."""
