@@ -8,7 +8,7 @@ import numpy
 from .. import _library as engine
 from . import cache
 from .arrays import coordinates, ghost_marks
-from .execution import SKIPPED, Execution, let_go
+from .execution import SKIPPED, Execution, let_go, threads_to_use
 from .outputs import Surface
 from .raster import box_of
 
@@ -95,8 +95,19 @@ class SampledSurface:
         if self.transform is not None:
             self.execution._project(moved) if len(moved) else None
             return moved
-        matrix = self.job.array("plane_matrix").reshape(4, 4)
-        return moved @ matrix[:3, :3].T + matrix[:3, 3]
+        return self._in_best_plane(moved) if len(moved) else moved
+
+    def _in_best_plane(self, xyz):
+        """To the bit where the triangulation would have them, which the matrix of the plane does not give: as points of
+        a source, which have no say in the plane."""
+        job = engine.Job()
+        job.set_array("points", coordinates(self.backend, self.given.GetPoints()))
+        job.set_array("skip", ghost_marks(self.given)[0])
+        job.set_array("source_points", xyz)
+        job.set(plane=engine.PLANE_BEST_FIT, skip_mask=SKIPPED, insertion_limit=1,
+                threads=threads_to_use(self.backend, self.values["NumberOfThreads"]))
+        job.run()
+        return job.array("plane_points")[self.given.GetNumberOfPoints():]
 
     def give_back(self):
         """Lets go of the input. The job keeps its memory."""

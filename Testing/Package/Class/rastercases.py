@@ -209,6 +209,11 @@ def places_in_another_plane():
 
 
 @case
+def places_in_the_best_plane():
+    return full(), {"PlacesData": full(), "Triangulation.ProjectionPlaneMode": 2}
+
+
+@case
 def the_best_plane():
     return full(), dict(SMALL, OutputType=1, **{"Triangulation.ProjectionPlaneMode": 2})
 
