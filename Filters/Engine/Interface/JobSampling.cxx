@@ -18,7 +18,19 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kMostPlaces = std::size_t(1) << 48; // what is estimated stays a number
+// What is estimated stays a number.
+constexpr std::size_t kMostPlaces = std::size_t(1) << 48;
+constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
+
+void checkColumns(std::uint64_t columns)
+{
+  if (columns > kMostColumns)
+  {
+    refuse(AHD_BAD_VALUE,
+      std::to_string(columns) + " columns are too many to interpolate at a time: at most " +
+        std::to_string(kMostColumns) + ".");
+  }
+}
 
 SamplePlaces placesOf(const ahd_places& given)
 {
@@ -186,6 +198,7 @@ void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask
   for (const SampleArray& array : arrays)
   {
     components += array.components;
+    checkColumns(components);
   }
   run(estimate(components, mask != nullptr),
     [&](const Sampler& sampler, const Context& context)
@@ -274,11 +287,7 @@ void weigh(Job& job, const ahd_places& places)
 void estimateSample(Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes)
 {
   const Sampling sampling(job, places);
-  constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
-  if (columns > kMostColumns)
-  {
-    refuse(AHD_BAD_VALUE, std::to_string(columns) + " columns are too many.");
-  }
+  checkColumns(columns);
   const std::size_t estimate = sampling.estimate(static_cast<std::size_t>(columns), false);
   bytes = estimate;
   sampling.checkMemory(estimate);

@@ -256,6 +256,11 @@ static void test_refused(void)
   array.values = NULL;
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, &places, &array, 1, NULL));
   array.values = kZ;
+  array.columns = 1 << 30;
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample(job, &places, &array, 1, NULL));
+  CHECK_SAYS(job, "1073741824 columns are too many");
+  CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample_estimate(job, &places, UINT64_MAX, &bytes));
+  array.columns = 2;
   array.gradients = slopes;
   CHECK_OK(job, ahd_set_int(job, "sample_method", AHD_SAMPLE_LAPLACE));
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample(job, &places, &array, 1, NULL));

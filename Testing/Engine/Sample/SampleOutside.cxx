@@ -161,7 +161,7 @@ TEST(SampleOutside, AnyAllocationCanFail)
 TEST(SampleOutside, TheEstimateIsKept)
 {
   Filled filled;
-  for (const std::size_t side : { 20, 700 })
+  for (const std::size_t side : { std::size_t(20), std::size_t(700) })
   {
     const SampleRaster raster = filled.around(side);
     const SamplePlaces places(raster);
