@@ -56,9 +56,13 @@ def uniform(random, _seed):
     return x, random.unit()
 
 
-def cross(random, _seed):
+def line(random, _seed):
     x = random.unit()
-    y = x + 0.01 * random.bell()
+    return x, x + 0.01 * random.bell()
+
+
+def cross(random, seed):
+    x, y = line(random, seed)
     return (x, y) if random.bits() >> 63 else (x, 1.0 - y)
 
 

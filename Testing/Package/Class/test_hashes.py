@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows of Data/Hashes/Filter.txt: what the filter and the source of points put out, the same from the classes in
-C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx."""
+"""The rows of Data/Hashes/Filter.txt: what the filters and the source of points put out, the same from the classes in
+C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx; of the interpolation: hashedsamples.py."""
 
 from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
                         make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
+from hashedsamples import hashed_samples
 
 MEASURES = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
@@ -135,6 +136,7 @@ class HashTest(Case):
         for cases in (plain_cases(), planes_and_sources()):
             for name, given, settings in cases:
                 found["surface/" + name] = hash_of(given, settings)
+        found.update(hashed_samples())
         self.assertEqual(found, rows)
 
 
