@@ -8,6 +8,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleExecution.h"
 #include "Sampling/vtkAHDSampleInformation.h"
 #include "Sampling/vtkAHDSamplePieces.h"
@@ -307,6 +308,11 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   vtkAHDSampleInputs data;
   data.Points = merged.GetInput();
   data.Source = merged.GetSource();
+  data.Surface = data.Source ? nullptr : vtkAHDFindSurface(data.Points);
+  if (data.Surface)
+  {
+    vtkAHDLeaveToSurface(settings);
+  }
   data.InputBytes = merged.GetBytes();
   data.SettingsTime = this->Triangulation->GetMTime();
   const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);

@@ -8,8 +8,12 @@
  * of any data set in port 1. Details: Plugin/Documentation/Reference.md.
  *
  * <b>Inputs.</b> Port 0: a vtkPointSet, or a composite data set, whose blocks are merged into one
- * surface. Port 1, optional: the places, a vtkDataSet or a composite data set of such. Port 2,
- * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
+ * surface; or a surface that a vtkAdaptiveHilbertDelaunay2D made, known by its field data: then,
+ * without a source, its triangles count, holes and constraints included, and of the settings of
+ * Triangulation only plane, threads and memory. Natural neighbours then end at constraints that the
+ * cell array ConstraintEdges names, and at edges of triangles that are not Delaunay. Port 1,
+ * optional: the places, a vtkDataSet or a composite data set of such. Port 2, optional:
+ * constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
  * <b>Output.</b> Without places a vtkImageData, whose points are the centres of the raster's cells
  * (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; or, with OutputType

@@ -11,6 +11,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
 #include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleInformation.h"
@@ -94,6 +95,10 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   if (!merged.GetInput())
   {
     return;
+  }
+  if (!merged.GetSource() && vtkAHDFindSurface(merged.GetInput()))
+  {
+    vtkAHDLeaveToSurface(settings);
   }
   vtkPointData* const data = merged.GetInput()->GetPointData();
   const vtkAHDSampleColumns::Kind scalars = vtkAHDSampleColumns(

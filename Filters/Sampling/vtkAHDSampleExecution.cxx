@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDMessages.h"
+#include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
 #include "Sampling/vtkAHDSampleOutput.h"
 #include "Sampling/vtkAHDSampling.h"
@@ -63,10 +64,12 @@ bool vtkAHDSampleExecution::Run(
   try
   {
     this->Context.StopIfAborted();
+    this->IsSurface = inputs.Surface != nullptr;
     if (kept.Surface)
     {
       this->IsKept = this->MayKeep &&
-        kept.Surface->IsOf(inputs.SettingsTime, inputs.Points, inputs.Source, this->Context);
+        kept.Surface->IsOf(
+          inputs.SettingsTime, inputs.Points, inputs.Source, inputs.Surface, this->Context);
     }
     if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
     {
@@ -144,7 +147,8 @@ bool vtkAHDSampleExecution::FitsInMemory(
     : ahd::SamplePlaces(cells);
   this->BytesOfSampling = this->EstimatePlaces() +
     vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, places);
-  const double toMake = double(execution.EstimateBytes());
+  const double toMake = double(execution.EstimateBytes()) +
+    (inputs.Surface ? double(vtkAHDGivenSurface::EstimateBytes(inputs.Surface)) : 0.0);
   vtkAHDSampleMemory& memory = this->Memory;
   memory.Points = points;
   memory.Places = this->Places ? double(this->Places->GetCount())
@@ -172,7 +176,7 @@ std::vector<double> vtkAHDSampleExecution::StagesBehind(std::size_t points) cons
     : this->Wishes.Method == ahd::SampleMethod::Linear ? 0.6
                                                        : 2.0;
   const double sampling = 0.1 + perPlace * double(this->Result.Places) / double(points + 1);
-  return { this->Settings.LimitsSize() ? 1.5 : 0.0, sampling };
+  return { this->Settings.LimitsSize() || this->IsSurface ? 1.5 : 0.0, sampling };
 }
 
 /// The surface that was kept, or a new one in its place.
@@ -195,7 +199,7 @@ void vtkAHDSampleExecution::TakeSurface(
     kept.Surface.reset();
   }
   kept.Surface = std::make_unique<vtkAHDSampledSurface>(
-    this->Settings, inputs.Points, inputs.Source);
+    this->Settings, inputs.Points, inputs.Source, inputs.Surface, this->Context);
   this->Triangulated = true;
   vtkAHDExecution execution(
     this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, inputs.InputBytes);
@@ -207,7 +211,13 @@ void vtkAHDSampleExecution::TakeSurface(
   }
   this->Memory.Estimate = this->Report.Estimate;
   this->Context.NextStage();
-  kept.Surface->Select(this->Settings, this->Context, this->Report);
+  const std::size_t missing = kept.Surface->Select(this->Settings, this->Context, this->Report);
+  if (missing > 0)
+  {
+    vtkAHDSayFolded(this->Filter, this->Report.Triangles, missing);
+    this->Report.Status = ahd::Status::Cancelled; // it was said
+    return;
+  }
   this->Context.NextStage();
   vtkAHDSayWarnings(this->Filter, this->Settings, this->Report);
 }

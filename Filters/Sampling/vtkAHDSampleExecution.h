@@ -28,6 +28,8 @@ struct vtkAHDSampleInputs
 {
   vtkPointSet* Points = nullptr;
   vtkPolyData* Source = nullptr; ///< may be null
+  /// Null, or Points, if these are the surface: its own triangles are interpolated on.
+  vtkPolyData* Surface = nullptr;
   vtkDataSet* Places = nullptr;  ///< null: a raster
   std::size_t InputBytes = 0;    ///< that making the input has taken, if it was made of blocks
   bool SaysArrays = true;        ///< warn of arrays that are passed over
@@ -90,6 +92,7 @@ private:
   vtkAHDSampleMemory Memory;
   bool IsKept = false; // the surface is that of the execution before
   bool Triangulated = false;
+  bool IsSurface = false; // the input is one
   double Seconds = 0.0;
 };
 

@@ -160,6 +160,16 @@ void vtkAHDSayArrayWarnings(
   }
 }
 
+void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t missing)
+{
+  vtkErrorWithObjectMacro(filter,
+    ""
+      << missing << " of the " << triangles
+      << " triangles of the surface cross others in the plane of Triangulation, or are turned over "
+         "there. Nothing was computed. Set its ProjectionPlaneMode to that of the surface, or take "
+         "the points without the triangles.");
+}
+
 void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
 {
   WarnOfPlaces(filter, result);

@@ -31,6 +31,9 @@ void vtkAHDSayNoRaster(
 /// Says that memory was refused, or ran out although it was not.
 void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused);
 
+/// Says that so many triangles of a surface are none in the plane.
+void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t missing);
+
 /// What an interpolation came to.
 struct vtkAHDSampleResult
 {

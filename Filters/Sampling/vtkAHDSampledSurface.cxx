@@ -6,8 +6,10 @@
 #include "Output/vtkAHDSurface.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDPointsView.h"
+#include "Sampling/vtkAHDGivenSurface.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -39,12 +41,20 @@ vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* source)
 }
 }
 
-vtkAHDSampledSurface::vtkAHDSampledSurface(
-  const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source)
+vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPointSet* input,
+  vtkPolyData* source, vtkPolyData* surface, const vtkAHDContext& context)
   : Input(PointsOf(input))
   , Source(CopyOf(source))
-  , View(std::make_unique<vtkAHDInput>(settings, this->Input, this->Source))
+  , Surface(CopyOf(surface))
 {
+  if (surface)
+  {
+    this->Corners = PointsOf(input);
+    this->Marks = vtkAHDGivenSurface(surface).MarkOthers(context);
+    this->Corners->GetPointData()->AddArray(this->Marks);
+  }
+  this->View = std::make_unique<vtkAHDInput>(
+    settings, surface ? this->Corners : this->Input, this->Source);
 }
 
 vtkAHDSampledSurface::~vtkAHDSampledSurface() = default;
@@ -55,13 +65,20 @@ vtkAHDReport vtkAHDSampledSurface::Make(
   return execution.Triangulate(this->Made, bytesBehind, stagesBehind);
 }
 
-void vtkAHDSampledSurface::Select(
+std::size_t vtkAHDSampledSurface::Select(
   const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report)
 {
+  if (this->Surface)
+  {
+    const std::size_t missing = vtkAHDGivenSurface(this->Surface)
+                                  .Find(this->Made.Triangulation, this->Selection.kept, context);
+    report.Triangles = report.Cells = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
+    return missing;
+  }
   report.Triangles = report.Cells = this->Made.Triangulation.report().triangles;
   if (!settings.LimitsSize() || this->Made.Points.points().count == 0)
   {
-    return;
+    return 0;
   }
   vtkNew<vtkPolyData> shown;
   const vtkAHDSurface surface(settings, context, shown);
@@ -75,10 +92,11 @@ void vtkAHDSampledSurface::Select(
     this->Made.Triangulation, settings.Limits, measured, context, this->Selection));
   report.Triangles = this->Selection.keptCount;
   report.Cells = this->Selection.keptCount;
+  return 0;
 }
 
-bool vtkAHDSampledSurface::Identify(
-  vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context, Identity& found)
+bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
+  const vtkAHDContext& context, Identity& found)
 {
   const auto pointsOf = [](vtkPointSet* set)
   { return set->GetPoints() ? set->GetPoints()->GetData() : nullptr; };
@@ -93,6 +111,12 @@ bool vtkAHDSampledSurface::Identify(
     }
     // cells are numbered behind the vertices
     found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+  }
+  if (surface)
+  {
+    arrays.push_back(surface->GetPolys()->GetConnectivityArray());
+    arrays.push_back(surface->GetCellData()->GetArray("ConstraintEdges"));
+    found.Prints.push_back({ { std::uint64_t(surface->GetNumberOfPolys()), 2 } });
   }
   for (vtkDataArray* array : arrays)
   {
@@ -111,15 +135,15 @@ void vtkAHDSampledSurface::Remember(vtkMTimeType settings, const vtkAHDContext& 
 {
   this->Settings = settings;
   this->Known = Identity();
-  this->IsKnown = Identify(this->Input, this->Source, context, this->Known);
+  this->IsKnown = Identify(this->Input, this->Source, this->Surface, context, this->Known);
 }
 
 bool vtkAHDSampledSurface::IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source,
-  const vtkAHDContext& context) const
+  vtkPolyData* surface, const vtkAHDContext& context) const
 {
   Identity now;
-  if (!this->IsKnown || this->Settings != settings || !Identify(input, source, context, now) ||
-    now.Prints != this->Known.Prints)
+  if (!this->IsKnown || this->Settings != settings ||
+    !Identify(input, source, surface, context, now) || now.Prints != this->Known.Prints)
   {
     return false;
   }
@@ -130,13 +154,17 @@ bool vtkAHDSampledSurface::IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPo
   // Others of the same content: those that are held are still to be what they were, where they
   // were.
   Identity held;
-  return Identify(this->Input, this->Source, context, held) && held.Prints == this->Known.Prints &&
-    held.Places == this->Known.Places;
+  return Identify(this->Input, this->Source, this->Surface, context, held) &&
+    held.Prints == this->Known.Prints && held.Places == this->Known.Places;
 }
 
 void vtkAHDSampledSurface::TakeData(vtkPointSet* input, vtkPolyData* source)
 {
   this->Input->GetPointData()->ShallowCopy(input->GetPointData());
+  if (this->Corners)
+  {
+    this->Corners->GetPointData()->ShallowCopy(input->GetPointData());
+  }
   if (source)
   {
     this->Source->GetPointData()->ShallowCopy(source->GetPointData());

@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <memory>
 #include <vector>
@@ -25,7 +26,10 @@
 class vtkAHDSampledSurface
 {
 public:
-  vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source);
+  /// `surface`: null, or the input, if its own triangles are to be used. Throws vtkAHDStop and
+  /// std::bad_alloc.
+  vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source,
+    vtkPolyData* surface, const vtkAHDContext& context);
   ~vtkAHDSampledSurface();
   vtkAHDSampledSurface(const vtkAHDSampledSurface&) = delete;
   void operator=(const vtkAHDSampledSurface&) = delete;
@@ -37,14 +41,16 @@ public:
   vtkAHDReport Make(
     vtkAHDExecution& execution, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
 
-  /// Finds which triangles count, and tells the report. After Make(), once.
-  void Select(const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
+  /// Finds which triangles count, and tells the report. After Make(), once. Returns how many of a
+  /// surface could not be had.
+  std::size_t Select(
+    const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
 
   /// Remembers what it was made of, as the settings were changed last at `settings`.
   void Remember(vtkMTimeType settings, const vtkAHDContext& context);
 
   /// Is it the surface of these, with settings of that time? False if the filter is to abort.
-  bool IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source,
+  bool IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
     const vtkAHDContext& context) const;
 
   /// The point data that interpolation is to work on from now on, of the same points.
@@ -76,11 +82,14 @@ private:
     std::vector<ahd::Fingerprint> Prints;
     std::vector<const void*> Places;
   };
-  static bool Identify(
-    vtkPointSet* input, vtkPolyData* source, const vtkAHDContext& context, Identity& found);
+  static bool Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
+    const vtkAHDContext& context, Identity& found);
 
   vtkSmartPointer<vtkPointSet> Input; // shallow copies
   vtkSmartPointer<vtkPolyData> Source;
+  vtkSmartPointer<vtkPolyData> Surface; // null, or a shallow copy
+  vtkSmartPointer<vtkPointSet> Corners; // of the surface: the input, others marked as hidden
+  vtkSmartPointer<vtkUnsignedCharArray> Marks;
   std::unique_ptr<vtkAHDInput> View;
   vtkAHDTriangulated Made;
   ahd::Selection Selection;

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sampling/vtkAHDGivenSurface.h"
+
+#include "Engine/Surface/FindTriangles.h"
+#include "Engine/Triangulate.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <utility>
+
+vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
+{
+  auto* surface = vtkPolyData::SafeDownCast(input);
+  if (!surface || surface->GetNumberOfPolys() == 0)
+  {
+    return nullptr;
+  }
+  auto* count = vtkIdTypeArray::SafeDownCast(
+    surface->GetFieldData()->GetAbstractArray("NumberOfTriangles"));
+  vtkCellArray* const cells = surface->GetPolys();
+  const bool isOurs = count && count->GetNumberOfValues() == 1 &&
+    count->GetValue(0) == cells->GetNumberOfCells() &&
+    surface->GetFieldData()->HasArray("NumberOfPointsInserted") != 0;
+  const bool areTriangles = cells->GetNumberOfConnectivityIds() == 3 * cells->GetNumberOfCells() &&
+    cells->GetMaxCellSize() == 3;
+  return isOurs && areTriangles ? surface : nullptr;
+}
+
+void vtkAHDLeaveToSurface(vtkAHDSettings& settings)
+{
+  settings.Insertion.representative = ahd::Representative::FirstId;
+  settings.Insertion.insertionLimit = 0;
+  settings.Limits = ahd::SizeLimits();
+  settings.SourceIdsAreOfInput = true;
+  settings.AddSourcePoints = false;
+  settings.HeightsFromSurface = false;
+  settings.Split = false;
+  settings.Tolerance = 0.0;
+  settings.ShowMeans = false;
+  settings.Bounding = false;
+  settings.Trim = false;
+}
+
+vtkAHDGivenSurface::vtkAHDGivenSurface(vtkPolyData* surface)
+  : Surface(surface)
+  , Cells(surface->GetPolys())
+{
+}
+
+void vtkAHDGivenSurface::Open(const vtkAHDContext& context)
+{
+  if (this->Triangles.cells == 0)
+  {
+    this->Triangles = this->Cells.Open(context);
+  }
+}
+
+std::int64_t vtkAHDGivenSurface::IdAt(std::size_t k) const
+{
+  return this->Triangles.ids32 ? this->Triangles.ids32[k] : this->Triangles.ids64[k];
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> vtkAHDGivenSurface::MarkOthers(const vtkAHDContext& context)
+{
+  this->Open(context);
+  const vtkIdType points = this->Surface->GetNumberOfPoints();
+  auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  marks->SetName(vtkDataSetAttributes::GhostArrayName());
+  marks->SetNumberOfValues(points);
+  unsigned char* const mark = marks->GetPointer(0);
+  std::fill_n(mark, static_cast<std::size_t>(points), vtkDataSetAttributes::HIDDENPOINT);
+  for (std::size_t k = 0; k < this->Triangles.ids; ++k)
+  {
+    if (k % (std::size_t(1) << 14) == 0)
+    {
+      context.StopIfAborted();
+    }
+    const std::int64_t id = this->IdAt(k);
+    if (id >= 0 && id < points)
+    {
+      mark[id] = 0;
+    }
+  }
+  return marks;
+}
+
+std::size_t vtkAHDGivenSurface::FindOnce(
+  ahd::Triangulation& triangulation, std::vector<unsigned char>& kept, const vtkAHDContext& context)
+{
+  ahd::FoundTriangles found;
+  const std::size_t count = this->Triangles.cells;
+  context.Check(this->Triangles.ids32
+      ? ahd::findTriangles(triangulation, this->Triangles.ids32, count, context, found)
+      : ahd::findTriangles(triangulation, this->Triangles.ids64, count, context, found));
+  kept = std::move(found.kept);
+  this->Missing = std::move(found.missing);
+  return this->Missing.size();
+}
+
+void vtkAHDGivenSurface::AddEdge(std::size_t triangle, std::size_t edge)
+{
+  this->Ends.push_back(this->IdAt(3 * triangle + edge));
+  this->Ends.push_back(this->IdAt(3 * triangle + (edge + 1) % 3));
+}
+
+/// Those of the array ConstraintEdges: natural neighbours end at them.
+void vtkAHDGivenSurface::AddMarkedEdges()
+{
+  auto* edges = vtkUnsignedCharArray::SafeDownCast(
+    this->Surface->GetCellData()->GetAbstractArray("ConstraintEdges"));
+  if (!edges || edges->GetNumberOfValues() != this->Surface->GetNumberOfCells())
+  {
+    return;
+  }
+  const vtkIdType first = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
+  for (std::size_t t = 0; t < this->Triangles.cells; ++t)
+  {
+    const unsigned bits = edges->GetValue(first + static_cast<vtkIdType>(t));
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      if ((bits >> k & 1u) != 0)
+      {
+        this->AddEdge(t, k);
+      }
+    }
+  }
+}
+
+std::size_t vtkAHDGivenSurface::Find(
+  ahd::Triangulation& triangulation, std::vector<unsigned char>& kept, const vtkAHDContext& context)
+{
+  this->Open(context);
+  this->Ends.clear();
+  this->FindOnce(triangulation, kept, context);
+  for (const std::size_t t : this->Missing)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      this->AddEdge(t, k);
+    }
+  }
+  this->AddMarkedEdges();
+  if (this->Ends.empty())
+  {
+    return 0;
+  }
+  const std::size_t segments = this->Ends.size() / 2;
+  std::vector<std::int64_t> offsets(segments + 1);
+  for (std::size_t k = 0; k <= segments; ++k)
+  {
+    offsets[k] = static_cast<std::int64_t>(2 * k);
+  }
+  const ahd::ConstraintView edges{ this->Ends.data(), offsets.data(), segments, segments };
+  context.Check(ahd::constrain(
+    std::move(triangulation), edges, ahd::FillRule::Orientation, context, triangulation));
+  return this->FindOnce(triangulation, kept, context);
+}
+
+std::size_t vtkAHDGivenSurface::EstimateBytes(vtkPolyData* surface)
+{
+  const vtkAHDCellsView cells(surface->GetPolys());
+  const std::size_t points = static_cast<std::size_t>(surface->GetNumberOfPoints());
+  return cells.EstimateBytes() + 3 * points; // a mark, and a byte for each of two triangles
+}

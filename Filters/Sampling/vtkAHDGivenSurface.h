@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDGivenSurface_h
+#define vtkAHDGivenSurface_h
+
+#include "Engine/Triangulation/Triangulation.h"
+#include "Pipeline/vtkAHDCellsView.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+/// The surface that a data set is, if a vtkAdaptiveHilbertDelaunay2D made it: triangles, as many as
+/// its field data say. Else null.
+vtkPolyData* vtkAHDFindSurface(vtkDataObject* input);
+
+/// Of the settings of a triangulation leaves those that such a surface has not used up: its plane,
+/// memory and how points are inserted.
+void vtkAHDLeaveToSurface(vtkAHDSettings& settings);
+
+/**
+ * The triangles of a surface, to be had in a triangulation of the points that are their corners.
+ * Borrows the surface.
+ */
+class vtkAHDGivenSurface
+{
+public:
+  explicit vtkAHDGivenSurface(vtkPolyData* surface);
+
+  /// A ghost mark for each point that is no corner. Throws vtkAHDStop and std::bad_alloc, as
+  /// Find().
+  vtkSmartPointer<vtkUnsignedCharArray> MarkOthers(const vtkAHDContext& context);
+
+  /// Makes the triangles of the surface triangles of the triangulation: adds constraints where it
+  /// has others, and those that the cell array ConstraintEdges names. Returns how many could not be
+  /// had: none, unless the surface folds over itself in the plane. `kept`: as a Selection has it.
+  std::size_t Find(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
+    const vtkAHDContext& context);
+
+  /// Upper estimate of the bytes of marks and masks, for so many points.
+  static std::size_t EstimateBytes(vtkPolyData* surface);
+
+private:
+  void Open(const vtkAHDContext& context);
+  std::int64_t IdAt(std::size_t k) const;
+  std::size_t FindOnce(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
+    const vtkAHDContext& context);
+  void AddEdge(std::size_t triangle, std::size_t edge);
+  void AddMarkedEdges();
+
+  vtkPolyData* const Surface;
+  vtkAHDCellsView Cells;
+  ahd::CellsView Triangles;
+  std::vector<std::size_t> Missing;
+  std::vector<std::int64_t> Ends;
+};
+
+#endif

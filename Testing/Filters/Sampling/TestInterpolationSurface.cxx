@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Interpolation on a surface that a vtkAdaptiveHilbertDelaunay2D made: on its own triangles, as if
+// the interpolation had been given the points and all settings itself.
+#include "ConstraintTestSupport.h"
+#include "SampleTestSupport.h"
+
+#include "vtkIdTypeArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace ahdtest;
+using Delaunay = vtkAdaptiveHilbertDelaunay2D;
+using Filter = vtkAdaptiveHilbertInterpolation2D;
+
+vtkSmartPointer<vtkPolyData> hills(std::size_t count = 1500)
+{
+  std::vector<Xyz> points = scatteredPoints(count, 21);
+  for (Xyz& p : points)
+  {
+    p[2] = 0.1 * std::sin(12 * p[0]) * p[1];
+  }
+  points.push_back(points[7]); // a duplicate with another height
+  points.back()[2] += 0.5;
+  auto cloud = makeCloud(points);
+  addArray<vtkDoubleArray>(cloud, "a", [](vtkIdType i) { return double(i % 13); });
+  return cloud;
+}
+
+/// Fewer vertices have other numbers, so weights are rounded otherwise.
+bool areSame(const std::vector<double>& a, const std::vector<double>& b, double off)
+{
+  bool same = a.size() == b.size();
+  for (std::size_t i = 0; i < a.size() && same; ++i)
+  {
+    same = std::isnan(a[i]) ? std::isnan(b[i]) : std::abs(a[i] - b[i]) <= off;
+  }
+  return same;
+}
+
+/// Interpolates on the surface that `set` asks for, in one filter and in two.
+void expectTheSame(const std::function<void(Delaunay*)>& set, vtkPolyData* source,
+  const std::vector<int>& methods, bool setsPlane = false, double off = 1e-12)
+{
+  auto cloud = hills();
+  vtkNew<Delaunay> delaunay;
+  vtkNew<Messages> said; // of constraints that cross
+  said->Watch(delaunay);
+  delaunay->SetInputData(cloud);
+  delaunay->SetSourceData(source);
+  set(delaunay);
+  WatchedInterpolation direct, behind;
+  direct->SetInputData(cloud);
+  direct->SetSourceData(source);
+  set(direct->GetTriangulation());
+  behind->SetInputConnection(delaunay->GetOutputPort());
+  if (setsPlane)
+  {
+    set(behind->GetTriangulation());
+  }
+  for (WatchedInterpolation* filter : { &direct, &behind })
+  {
+    (*filter)->UseBoundsOn();
+    (*filter)->SetBounds(-0.1, 1.1, -0.6, 1.1);
+    (*filter)->SetDimensions(90, 80);
+  }
+  for (const int method : methods)
+  {
+    direct->SetMethod(method);
+    direct->Update();
+    behind->SetMethod(method);
+    behind->Update();
+    EXPECT_GT(direct->GetNumberOfValidPlaces(), 300);
+    for (const char* name : { "Elevation", "a", "vtkValidPointMask" })
+    {
+      EXPECT_TRUE(
+        areSame(numbersOf(direct->GetOutput(), name), numbersOf(behind->GetOutput(), name), off))
+        << name << " " << method;
+    }
+  }
+  EXPECT_EQ(behind->GetNumberOfTriangulations(), 1);
+  EXPECT_TRUE(behind.Said->Errors.empty());
+  EXPECT_TRUE(behind.Said->Warnings.empty());
+}
+
+const std::vector<int> kAll = { Filter::LINEAR, Filter::NATURAL_NEIGHBOR, Filter::LAPLACE,
+  Filter::NEAREST };
+
+TEST(InterpolationSurface, OfPointsAlone)
+{
+  expectTheSame([](Delaunay*) {}, nullptr, kAll);
+  expectTheSame([](Delaunay* f) { f->SetDuplicatePolicyToHighestZ(); }, nullptr, kAll);
+  expectTheSame([](Delaunay* f) { f->SetDuplicatePolicyToMeanZ(); }, nullptr, { Filter::LINEAR });
+}
+
+TEST(InterpolationSurface, WithTrianglesLeftOut)
+{
+  expectTheSame([](Delaunay* f) { f->SetMaximumEdgeLength(0.06); }, nullptr, { 0, 1 });
+  expectTheSame([](Delaunay* f) { f->SetAlpha(0.03); }, nullptr, { 0 });
+  expectTheSame([](Delaunay* f) { f->SetTolerance(0.01); }, nullptr, kAll);
+}
+
+TEST(InterpolationSurface, WithConstraints)
+{
+  const auto source = makeSource({ { 0, 700 }, { 5, 900, 30 } }, { { 11, 222, 333, 444 } });
+  expectTheSame([](Delaunay*) {}, source, { Filter::LINEAR });
+  // Natural neighbours end at constraints, which this array names, and also at the edges of
+  // triangles that are there because of them.
+  const auto named = [](Delaunay* f) { f->GenerateConstraintEdgesOn(); };
+  expectTheSame(named, source, { Filter::LINEAR });
+  expectTheSame(named, source, { Filter::NATURAL_NEIGHBOR }, false, 12.0);
+  expectTheSame([](Delaunay* f) { f->SetCrossingModeToSplit(); }, source, { Filter::LINEAR });
+}
+
+TEST(InterpolationSurface, InAnotherPlane)
+{
+  expectTheSame(
+    [](Delaunay* f)
+    {
+      f->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+      f->SetRimToConvexHull();
+    },
+    nullptr, { Filter::LINEAR }, true);
+}
+
+TEST(InterpolationSurface, IsKnownAgain)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(hills());
+  delaunay->SetMaximumEdgeLength(0.1);
+  delaunay->Update();
+  WatchedInterpolation filter;
+  vtkNew<vtkPolyData> copy; // as ParaView hands it on
+  copy->ShallowCopy(delaunay->GetOutput());
+  filter->SetInputData(copy);
+  filter->Update();
+  filter->SetMethodToNaturalNeighbor();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  const vtkIdType valid = filter->GetNumberOfValidPlaces();
+  delaunay->SetMaximumEdgeLength(0.05); // fewer triangles of the same points
+  delaunay->Update();
+  copy->ShallowCopy(delaunay->GetOutput());
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
+  EXPECT_LT(filter->GetNumberOfValidPlaces(), valid);
+}
+
+/// Triangles of anybody else are not looked at: the points count.
+TEST(InterpolationSurface, OthersAreOnlyPoints)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(hills());
+  delaunay->SetMaximumEdgeLength(0.05);
+  delaunay->Update();
+  vtkNew<vtkPolyData> without;
+  without->CopyStructure(delaunay->GetOutput());
+  WatchedInterpolation filter;
+  filter->SetInputData(without);
+  filter->Update();
+  const vtkIdType all = filter->GetNumberOfValidPlaces();
+  filter->SetInputData(delaunay->GetOutput());
+  filter->Update();
+  EXPECT_LT(filter->GetNumberOfValidPlaces(), all);
+}
+
+TEST(InterpolationSurface, TurnedOverItIsAnError)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(hills());
+  delaunay->Update();
+  vtkNew<vtkPolyData> turned;
+  turned->DeepCopy(delaunay->GetOutput());
+  for (vtkIdType i = 0; i < turned->GetNumberOfPoints(); ++i)
+  {
+    const double* p = turned->GetPoint(i);
+    turned->GetPoints()->SetPoint(i, -p[0], p[1], p[2]);
+  }
+  WatchedInterpolation filter;
+  filter->SetInputData(turned);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("turned over"), std::string::npos);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+}
+
+} // namespace
