@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The rows of Data/Hashes/Filter.txt: what the filters and the source of points put out, the same from the classes in
-C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx; of the interpolation: hashedsamples.py."""
+C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx; hashedsamples.py has those of the
+interpolation."""
 
 from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
                         make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
