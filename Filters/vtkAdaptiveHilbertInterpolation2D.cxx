@@ -233,6 +233,12 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   vtkDataObject* const output = vtkDataObject::GetData(info);
   // Errors return 1 as well, as they were told: see vtkAdaptiveHilbertDelaunay2D.
   this->ClearMeasures();
+  if (this->IsDistributed())
+  {
+    this->ExecuteOnRanks(inputs, info, output);
+    return 1;
+  }
+  this->WarnAboutRanks();
   bool isDone = false;
   if (!this->Triangulation)
   {

@@ -50,6 +50,7 @@
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkPolyData;
+struct vtkAHDRaster;
 struct vtkAHDSampleMemoryKept;
 struct vtkAHDSampleResult;
 struct vtkAHDSampleSettings;
@@ -312,8 +313,17 @@ private:
   void ClearCounts();
   void AddMeasures(const vtkAHDSampleResult& result);
   static void AddCounts(const vtkAHDSampleResult& result, vtkDataSet* output);
+  bool IsDistributed() const;
+  void AnnouncePieces(vtkInformation* info) const;
+  void DescribeOnRanks(vtkInformation* info, bool isRaster);
+  vtkAHDRaster FindRasterOnRanks(
+    const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes);
+  void AskForPieces(vtkInformationVector** inputs);
+  void ExecuteOnRanks(vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output);
+  void WarnAboutRanks();
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
+  bool WarnedAboutRanks = false;
   bool MustDescribeAnew = false; // the raster is another than RequestInformation() said
 };
 

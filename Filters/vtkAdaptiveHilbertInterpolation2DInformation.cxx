@@ -48,7 +48,11 @@ int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
     info->CopyEntry(places, vtkDataObject::ORIGIN());
     info->CopyEntry(places, vtkDataObject::SPACING());
   }
-  if (this->Triangulation)
+  if (this->IsDistributed())
+  {
+    this->DescribeOnRanks(info, isRaster);
+  }
+  else if (this->Triangulation)
   {
     const ahd::ScopedFloatingPoint asTheEngine;
     try
@@ -63,6 +67,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
     {
     }
   }
+  this->AnnouncePieces(info);
   return 1;
 }
 
@@ -115,11 +120,13 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   }
 }
 
-/// All points are needed whatever part of the output is wanted, and all places.
+/// All points are needed whatever part of the output is wanted, and all places; on ranks the pieces
+/// of each.
 int vtkAdaptiveHilbertInterpolation2D::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
+  this->AskForPieces(inputs);
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)

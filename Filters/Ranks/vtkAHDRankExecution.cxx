@@ -70,45 +70,9 @@ void vtkAHDRankExecution::StopAll(ahd::Status reason, const std::string& error)
   throw vtkAHDStop{ reason };
 }
 
-/// Each rank hears what all have and want.
 void vtkAHDRankExecution::Meet(const vtkAHDDataSets& data)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      vtkAHDRankFacts facts;
-      vtkAHDReadSettings(this->Settings, facts);
-      vtkAHDReadArrays(data.Input, facts);
-      vtkSmartPointer<vtkPointSet> input = data.Input;
-      if (!input)
-      {
-        input = vtkSmartPointer<vtkPolyData>::New();
-      }
-      const vtkAHDInput counts(this->Settings, input, data.Source);
-      const ahd::InputRequest& request = counts.GetRequest();
-      facts.Points = request.points.count;
-      facts.SourcePoints = request.sourcePoints.count;
-      facts.Segments = ahd::segmentsOf(request);
-      facts.HasMarks = request.points.skip != nullptr;
-      facts.MarksAreUnfit = counts.GetMarksAreUnfit();
-      if (facts.SourcePoints > 0)
-      {
-        facts.Source = vtkAHDFingerprintOf(data.Source, this->Ranks.GetOwn(), this->Context);
-      }
-      facts.Write(own);
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      this->Facts.Of.resize(all.size());
-      for (std::size_t rank = 0; rank < all.size(); ++rank)
-      {
-        this->Facts.Of[rank].Read(all[rank]);
-      }
-    });
+  vtkAHDMeet(this->Settings, data, this->Ranks, this->Context, this->Facts);
   this->Report.InputPoints = this->Facts.GetPoints();
   this->Report.AddedPoints = this->Facts.GetSourcePoints();
   this->Report.Points = this->Report.InputPoints + this->Report.AddedPoints;

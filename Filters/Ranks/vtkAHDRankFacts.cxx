@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankFacts.h"
 
+#include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDFingerprint.h"
+#include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Ranks/vtkAHDRanks.h"
 #include "Ranks/vtkAHDRoute.h"
 
 #include "vtkAbstractArray.h"
@@ -415,4 +418,45 @@ std::size_t vtkAHDAllFacts::CountOnHostOf(std::size_t rank) const
 {
   return static_cast<std::size_t>(std::count_if(this->Of.begin(), this->Of.end(),
     [this, rank](const vtkAHDRankFacts& facts) { return facts.Host == this->Of[rank].Host; }));
+}
+
+void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkAHDRanks& ranks,
+  const vtkAHDContext& context, vtkAHDAllFacts& facts)
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  ranks.Together(context,
+    [&]
+    {
+      vtkAHDRankFacts mine;
+      vtkAHDReadSettings(settings, mine);
+      vtkAHDReadArrays(data.Input, mine);
+      vtkSmartPointer<vtkPointSet> input = data.Input;
+      if (!input)
+      {
+        input = vtkSmartPointer<vtkPolyData>::New();
+      }
+      const vtkAHDInput counts(settings, input, data.Source);
+      const ahd::InputRequest& request = counts.GetRequest();
+      mine.Points = request.points.count;
+      mine.SourcePoints = request.sourcePoints.count;
+      mine.Segments = ahd::segmentsOf(request);
+      mine.HasMarks = request.points.skip != nullptr;
+      mine.MarksAreUnfit = counts.GetMarksAreUnfit();
+      if (mine.SourcePoints > 0)
+      {
+        mine.Source = vtkAHDFingerprintOf(data.Source, ranks.GetOwn(), context);
+      }
+      mine.Write(own);
+    });
+  context.Check(ranks.gather(own, all));
+  ranks.Together(context,
+    [&]
+    {
+      facts.Of.resize(all.size());
+      for (std::size_t rank = 0; rank < all.size(); ++rank)
+      {
+        facts.Of[rank].Read(all[rank]);
+      }
+    });
 }

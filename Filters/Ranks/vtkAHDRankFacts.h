@@ -16,8 +16,10 @@
 #include <vector>
 
 class vtkAHDContext;
+class vtkAHDRanks;
 class vtkPointSet;
 class vtkPolyData;
+struct vtkAHDDataSets;
 
 /// What a rank says of itself before the work begins: settings, and what its input and source are.
 struct vtkAHDRankFacts
@@ -88,5 +90,10 @@ public:
   /// How many ranks are on the machine of this one.
   std::size_t CountOnHostOf(std::size_t rank) const;
 };
+
+/// Each rank hears what all have and want. Collective; throws vtkAHDStop on all ranks if one cannot
+/// go on.
+void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkAHDRanks& ranks,
+  const vtkAHDContext& context, vtkAHDAllFacts& facts);
 
 #endif

@@ -110,8 +110,9 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     this->Result.Places = this->Places->GetCount();
     return true;
   }
-  this->Raster = vtkAHDFindRaster(
-    this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
+  this->Raster = inputs.Raster
+    ? *inputs.Raster
+    : vtkAHDFindRaster(this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
   vtkAHDSayNoRaster(this->Filter, this->Wishes, this->Raster);
   this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
   return this->Raster.Fault == vtkAHDRasterFault::None ||
@@ -219,7 +220,10 @@ void vtkAHDSampleExecution::TakeSurface(
     return;
   }
   this->Context.NextStage();
-  vtkAHDSayWarnings(this->Filter, this->Settings, this->Report);
+  if (!inputs.CountedByOthers)
+  {
+    vtkAHDSayWarnings(this->Filter, this->Settings, this->Report);
+  }
 }
 
 void vtkAHDSampleExecution::Interpolate(
@@ -259,12 +263,43 @@ void vtkAHDSampleExecution::Interpolate(
     output->GetPointData()->AddArray(sampling.GetMask());
   }
   this->CountPlaces(places, sampling.GetReport(), surface);
+  if (inputs.CountedByOthers)
+  {
+    this->TakeFromCounts(*inputs.CountedByOthers, inputs, surface, heights.data(), data);
+  }
   this->Seconds = Now() - begun;
   if (inputs.SaysArrays)
   {
     vtkAHDSayArrayWarnings(this->Filter, this->Wishes, columns);
   }
-  vtkAHDSayPlaceWarnings(this->Filter, this->Result);
+  if (!inputs.CountedByOthers)
+  {
+    vtkAHDSayPlaceWarnings(this->Filter, this->Result);
+  }
+}
+
+/// What became of these places is not to count.
+void vtkAHDSampleExecution::TakeFromCounts(const std::vector<ahd::Point>& places,
+  const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, const double* heights,
+  vtkPointData* data)
+{
+  if (places.empty())
+  {
+    return;
+  }
+  vtkAHDSampleColumns columns(
+    this->Wishes, inputs.Points->GetPointData(), data, surface.GetPoints().points().count);
+  vtkAHDSampling sampling(
+    this->Wishes, surface.GetTriangulation(), surface.GetKept(), this->Context);
+  sampling.Run(ahd::SamplePlaces(ahd::PointView(&places[0].x, places.size(), 2)), heights, columns);
+  const ahd::SampleReport& others = sampling.GetReport();
+  ahd::SampleReport& counts = this->Result.Counts;
+  counts.valued -= others.valued;
+  counts.outside -= others.outside;
+  counts.notFinite -= others.notFinite;
+  counts.withoutValue -= others.withoutValue;
+  counts.leftOut -= others.leftOut;
+  this->Result.Places -= places.size();
 }
 
 void vtkAHDSampleExecution::CountPlaces(

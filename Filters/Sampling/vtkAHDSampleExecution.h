@@ -20,6 +20,7 @@
 
 class vtkAlgorithm;
 class vtkDataSet;
+class vtkPointData;
 class vtkPointSet;
 class vtkPolyData;
 
@@ -34,6 +35,11 @@ struct vtkAHDSampleInputs
   std::size_t InputBytes = 0;    ///< that making the input has taken, if it was made of blocks
   bool SaysArrays = true;        ///< warn of arrays that are passed over
   vtkMTimeType SettingsTime = 0; ///< when what says how to triangulate was changed last
+
+  // One of several ranks: then nobody is warned.
+  const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it
+  /// Null, or places of the piece that are not to count.
+  const std::vector<ahd::Point>* CountedByOthers = nullptr;
 };
 
 /// What an execution leaves to the next one.
@@ -62,6 +68,8 @@ public:
 
   /// Of the last Run().
   const vtkAHDSampleResult& GetResult() const { return this->Result; }
+  /// Of the triangulation.
+  const vtkAHDReport& GetReport() const { return this->Report; }
   const vtkAHDSampleMemory& GetMemory() const { return this->Memory; }
   bool HasTriangulated() const { return this->Triangulated; }
   double GetSeconds() const { return this->Seconds; }
@@ -73,6 +81,8 @@ private:
   void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void Interpolate(
     const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output);
+  void TakeFromCounts(const std::vector<ahd::Point>& places, const vtkAHDSampleInputs& inputs,
+    vtkAHDSampledSurface& surface, const double* heights, vtkPointData* data);
   void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void CountPlaces(const ahd::SamplePlaces& places, const ahd::SampleReport& counts,
     vtkAHDSampledSurface& surface);

@@ -53,8 +53,10 @@ void WarnOfPlaces(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
   if (counts.outside > 0 && counts.valued == 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "None of " << result.Places << " places is on the surface of " << result.Triangles
-                 << " triangles. Places: " << InWords(result.Wanted)
+      "None of " << result.Places << " places is on the surface"
+                 << (result.Triangles > 0 ? " of " + std::to_string(result.Triangles) + " triangles"
+                                          : std::string())
+                 << ". Places: " << InWords(result.Wanted)
                  << "; points: " << InWords(result.Surface) << ".");
   }
 }

@@ -39,9 +39,9 @@ struct vtkAHDSampleResult
 {
   ahd::SampleReport Counts;
   std::size_t Places = 0;
-  std::size_t Triangles = 0;
-  ahd::Bounds Surface; ///< of the vertices
-  ahd::Bounds Wanted;  ///< of the places
+  std::size_t Triangles = 0; ///< 0: not known
+  ahd::Bounds Surface;       ///< of the vertices
+  ahd::Bounds Wanted;        ///< of the places
 };
 
 /// Warns of arrays that are passed over, and of gradients that there are none of.

@@ -13,12 +13,20 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <mutex>
 
 namespace
 {
+std::array<int, 6> ExtentOf(const ahd::SampleRaster& raster)
+{
+  const auto column = static_cast<int>(raster.firstColumn), row = static_cast<int>(raster.firstRow);
+  return { { column, column + static_cast<int>(raster.columns) - 1, row,
+    row + static_cast<int>(raster.rows) - 1, 0, 0 } };
+}
+
 /// The lowest finite height of the places that have one; 0 without any.
 double FindLowest(
   const double* heights, const char* mask, std::size_t count, const vtkAHDContext& context)
@@ -42,8 +50,7 @@ double FindLowest(
 
 void vtkAHDMakeImage(const ahd::SampleRaster& raster, vtkImageData* image)
 {
-  image->SetExtent(
-    0, static_cast<int>(raster.columns) - 1, 0, static_cast<int>(raster.rows) - 1, 0, 0);
+  image->SetExtent(ExtentOf(raster).data());
   image->SetOrigin(raster.origin.x, raster.origin.y, 0.0);
   image->SetSpacing(raster.spacing.x, raster.spacing.y, 1.0);
 }
@@ -75,8 +82,7 @@ void vtkAHDMakeSurface(const ahd::SampleRaster& raster, vtkDataArray* heights, c
     });
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
-  surface->SetExtent(
-    0, static_cast<int>(raster.columns) - 1, 0, static_cast<int>(raster.rows) - 1, 0, 0);
+  surface->SetExtent(ExtentOf(raster).data());
   surface->SetPoints(points);
   surface->GetPointData()->AddArray(marks);
 }

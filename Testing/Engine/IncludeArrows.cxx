@@ -90,7 +90,7 @@ const std::map<std::string, Names>& allowedInTheVtkLayer()
     { "Input", { "Pipeline" } },
     { "Output", { "Input", "Pipeline" } },
     { "Execution", { "Input", "Output", "Pipeline" } },
-    { "Ranks", { "Execution", "Input", "Output", "Pipeline" } },
+    { "Ranks", { "Execution", "Input", "Output", "Pipeline", "Sampling" } },
     { "Sampling", { "Execution", "Input", "Output", "Pipeline" } },
     { "", { "Execution", "Input", "Output", "Pipeline", "Ranks", "Sampling", "Distributions" } },
   };

@@ -244,7 +244,8 @@ def on_all_ranks(name, work):
             every.append(pickle.load(file))
         os.remove(path % rank)
     for rank, result in enumerate(every):
-        check(not isinstance(result, str), "rank %d: %s" % (rank, result))
+        if isinstance(result, str):  # words of large results take long
+            raise AssertionError("rank %d: %s" % (rank, result))
     return every
 
 

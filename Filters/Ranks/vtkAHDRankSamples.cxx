@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankSamples.h"
+
+#include "Engine/Core/Memory.h"
+#include "Engine/Sample/BoxNeighbors.h"
+#include "Pipeline/vtkAHDArray.h"
+#include "Ranks/vtkAHDRankGather.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <sstream>
+
+vtkAHDRankSamples::vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+  const vtkAHDContext& context, bool asksForNearest)
+  : Settings(settings)
+  , LocalSettings(settings)
+  , Ranks(ranks)
+  , Context(context)
+  , AsksForNearest(asksForNearest)
+{
+}
+
+vtkAHDRankSamples::~vtkAHDRankSamples() = default;
+
+void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
+{
+  this->Context.Check(this->Ranks.agree(before));
+  vtkAHDMeet(this->Settings, data, this->Ranks, this->Context, this->Facts);
+  const std::string difference = this->Facts.FindDifference(this->Settings);
+  if (!difference.empty())
+  {
+    this->Error = difference +
+      ". Points are distributed over ranks only where all have the same settings. Nothing was "
+      "computed.";
+    throw vtkAHDStop{ ahd::Status::Cancelled };
+  }
+  const std::string partial = this->Facts.GetPartialArrays();
+  if (!partial.empty())
+  {
+    this->Warning = "Point data arrays that not all ranks have, of one type and with one value for "
+                    "each point, are not interpolated: " +
+      partial + ".";
+  }
+  const char* const unfit = this->Facts.FindUnfit(this->Settings);
+  this->Setting = unfit             ? unfit
+    : this->Settings.FitPlane       ? "the plane that fits all points best"
+    : this->Settings.AddsBounding() ? "BoundingTriangulation"
+    : this->Settings.TrimsRim()     ? "Rim Trimmed"
+                                    : nullptr;
+  if (this->IsWhole())
+  {
+    this->TakeAll(data);
+    return;
+  }
+  this->Points.reset(new vtkAHDRankPoints(this->Settings, this->Ranks, this->Facts, this->Context));
+  this->Points->Read(data.Input, data.Source);
+  this->Chains.Gather(*this->Points, this->Ranks, this->Context);
+  this->Points->MoveToOwners();
+  this->ShareOwn();
+}
+
+/// Refuses on all ranks what takes more than there is on one of them.
+void vtkAHDRankSamples::CheckMemory(std::size_t bytes)
+{
+  const std::size_t rank = this->Ranks.GetOwn();
+  const bool isLimited = this->Settings.MemoryLimit > 0;
+  const vtkTypeInt64 there = isLimited
+    ? this->Settings.MemoryLimit
+    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 / this->Facts.CountOnHostOf(rank));
+  const std::int64_t figures[] = { static_cast<std::int64_t>(bytes / 1024), there, isLimited };
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(figures); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  for (std::size_t k = 0; k < all.size(); ++k)
+  {
+    ahd::BytesReader reader(all[k]);
+    const auto needed = reader.read<std::int64_t>();
+    const auto limit = reader.read<std::int64_t>();
+    const bool isByUser = reader.read<std::int64_t>() != 0;
+    if (needed > limit)
+    {
+      std::ostringstream error;
+      error << "Interpolating between " << this->GetPoints() << " points on " << all.size()
+            << " ranks may take " << needed << " KiB of memory on rank " << k << ", but "
+            << (isByUser ? "MemoryLimit allows " : "there are ") << limit
+            << " KiB. Nothing is put out. Take fewer points or more ranks, or set MemoryLimit (in "
+               "KiB, of each rank) to allow more.";
+      this->Error = error.str();
+      throw vtkAHDStop{ ahd::Status::OutOfMemory };
+    }
+  }
+}
+
+/// One rank after the other gets all.
+void vtkAHDRankSamples::TakeAll(const vtkAHDDataSets& data)
+{
+  for (std::size_t rank = 0; rank < this->Ranks.GetCount(); ++rank)
+  {
+    vtkAHDRankGather gather(this->Settings, this->Ranks, this->Facts, this->Context);
+    gather.Measure(data);
+    if (rank == 0)
+    {
+      this->CheckMemory(gather.EstimateBytes() + gather.EstimateBytesOnTheWay());
+    }
+    gather.MoveTo(rank, data);
+    if (rank == this->Ranks.GetOwn())
+    {
+      this->Input = gather.GetInput();
+      this->Source = gather.GetSource();
+    }
+  }
+}
+
+/// Each rank triangulates its own points, with what all have to have.
+void vtkAHDRankSamples::ShareOwn()
+{
+  this->CheckMemory(this->Points->EstimateBytes() +
+    vtkAHDRankPart::EstimateBytes(this->Points->GetCount() + this->Chains.GetIdCount(),
+      this->Chains.GetIdCount(), this->AsksForNearest));
+  this->Part.reset(new vtkAHDRankPart(*this->Points, this->Context));
+  std::vector<vtkAHDRankPlace> shared;
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->Part->ListShared(this->Chains, this->Chains.HaveLoops(), shared);
+      ahd::BytesWriter(own).writeAll(shared);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      shared.clear();
+      for (const ahd::BlockBytes& bytes : all)
+      {
+        ahd::BytesReader(bytes).readAll(shared);
+      }
+      std::sort(shared.begin(), shared.end());
+      this->Part->Make(this->Settings, this->Chains, shared, this->AsksForNearest);
+    });
+  this->ListsAll = this->MustTakeAll();
+}
+
+/// Could others' points that a rank does not have change the order of those that it has, or which
+/// constraints are left out? The same on all ranks.
+bool vtkAHDRankSamples::MustTakeAll()
+{
+  struct Facts
+  {
+    std::uint64_t Crowd, Crosses;
+    ahd::Bounds Bounds;
+  };
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      const Facts facts{ this->Part->FindCrowd(), this->Part->HasCrossings(),
+        this->Part->GetOwnBounds() };
+      ahd::BytesWriter(own).write(facts);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  bool crosses = false;
+  std::uint64_t most = 0;
+  const ahd::Bounds bounds = this->GetBounds();
+  for (const ahd::BlockBytes& bytes : all)
+  {
+    const auto one = ahd::BytesReader(bytes).read<Facts>();
+    std::uint64_t together = one.Crowd;
+    for (const ahd::BlockBytes& otherBytes : all)
+    {
+      const auto other = ahd::BytesReader(otherBytes).read<Facts>();
+      const bool isOther = &otherBytes != &bytes;
+      together += isOther && ahd::shareBox(bounds, one.Bounds, other.Bounds) ? other.Crowd : 0;
+    }
+    most = std::max(most, together);
+    crosses = crosses || one.Crosses != 0;
+  }
+  return crosses || most > ahd::crowdLimit();
+}
+
+void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
+{
+  if (this->IsWhole())
+  {
+    return;
+  }
+  std::vector<std::int64_t> ids;
+  std::vector<std::size_t> owners;
+  this->FindNeeded(boxes, ids, owners);
+  this->Part.reset();
+  this->MoveNeeded(ids, owners);
+  this->Points.reset();
+  this->Ranks.Together(this->Context, [&] { this->MakeSource(ids); });
+  this->LocalSettings.AddSourcePoints = false; // they are among the others
+  this->LocalSettings.HeightsFromSurface = false;
+  this->LocalSettings.SourceIdsAreOfInput = true;
+  this->LocalSettings.ClosedLinesAreLoops = false;
+  this->LocalSettings.Split = false;
+}
+
+/// Tells all where this rank's places are, and hears which points are around them: ids, ascending.
+void vtkAHDRankSamples::FindNeeded(const std::vector<ahd::Bounds>& boxes,
+  std::vector<std::int64_t>& ids, std::vector<std::size_t>& owners)
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  std::vector<ahd::BlockMessage> out, in;
+  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).writeAll(boxes); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      for (std::size_t rank = 0; rank < all.size(); ++rank)
+      {
+        std::vector<ahd::Bounds> others;
+        std::vector<ahd::Index> numbers;
+        ahd::BytesReader(all[rank]).readAll(others);
+        this->ListsAll && !others.empty() ? this->Part->ListAll(numbers)
+                                          : this->Part->List(others, numbers);
+        std::vector<std::int64_t> names;
+        for (const ahd::Index number : numbers)
+        {
+          names.push_back(this->Points->GetIds()[number]);
+        }
+        if (!names.empty())
+        {
+          out.emplace_back();
+          out.back().block = rank;
+          ahd::BytesWriter(out.back().bytes).writeAll(names);
+        }
+      }
+    });
+  this->Context.Check(this->Ranks.exchange(out, in));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      std::vector<std::pair<std::int64_t, std::size_t>> coming;
+      for (const ahd::BlockMessage& message : in)
+      {
+        std::vector<std::int64_t> names;
+        ahd::BytesReader(message.bytes).readAll(names);
+        for (const std::int64_t name : names)
+        {
+          coming.emplace_back(name, message.block);
+        }
+      }
+      std::sort(coming.begin(), coming.end());
+      for (const auto& point : coming)
+      {
+        ids.push_back(point.first);
+        owners.push_back(point.second);
+      }
+    });
+}
+
+/// Places and data, as far as all ranks have it.
+void vtkAHDRankSamples::MoveNeeded(
+  const std::vector<std::int64_t>& ids, const std::vector<std::size_t>& owners)
+{
+  vtkAHDRoute route(this->Ranks, this->Context);
+  route.Ask(ids, owners, this->Points->GetIds());
+  vtkSmartPointer<vtkDataArray> places;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      this->Input = vtkSmartPointer<vtkPolyData>::New();
+      const bool areFloats = this->Points->GetPlaces()->GetDataType() == VTK_FLOAT;
+      places = vtkAHDMakePlaces(ids.size(), areFloats);
+    });
+  route.Move(this->Points->GetPlaces(), places, 0);
+  vtkNew<vtkPoints> points;
+  points->SetData(places);
+  this->Input->SetPoints(points);
+  for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
+  {
+    vtkAbstractArray* from = this->Points->GetDataToMove()->GetAbstractArray(facts.Name.c_str());
+    vtkSmartPointer<vtkAbstractArray> owned, needed;
+    this->Ranks.Together(this->Context,
+      [&]
+      {
+        owned = facts.Make(this->Points->GetCount());
+        needed = facts.Make(ids.size());
+      });
+    this->Points->GetRoute().Move(from, owned, 0);
+    route.Move(owned, needed, 0);
+    facts.AddTo(this->Input->GetPointData(), needed);
+  }
+}
+
+/// The constraints of all, in numbers of the points that are here.
+void vtkAHDRankSamples::MakeSource(const std::vector<std::int64_t>& ids)
+{
+  const ahd::ConstraintView given = this->Chains.GetView();
+  vtkNew<vtkCellArray> lines, polygons;
+  for (std::size_t chain = 0; chain < given.chains; ++chain)
+  {
+    vtkCellArray* cells = chain < given.lines ? lines : polygons;
+    cells->InsertNextCell(static_cast<int>(given.offsets[chain + 1] - given.offsets[chain]));
+    for (std::int64_t i = given.offsets[chain]; i < given.offsets[chain + 1]; ++i)
+    {
+      const auto found = std::lower_bound(ids.begin(), ids.end(), given.ids[i]);
+      const bool isHere = found != ids.end() && *found == given.ids[i];
+      cells->InsertCellPoint(isHere ? static_cast<vtkIdType>(found - ids.begin()) : -1);
+    }
+  }
+  this->Source = vtkSmartPointer<vtkPolyData>::New();
+  this->Source->SetPoints(this->Input->GetPoints());
+  this->Source->SetLines(lines);
+  this->Source->SetPolys(polygons);
+}

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankSamples_h
+#define vtkAHDRankSamples_h
+
+#include "Execution/vtkAHDExecution.h"
+#include "Pipeline/vtkAHDSettings.h"
+#include "Ranks/vtkAHDRankChains.h"
+#include "Ranks/vtkAHDRankFacts.h"
+#include "Ranks/vtkAHDRankPart.h"
+#include "Ranks/vtkAHDRankPoints.h"
+#include "Ranks/vtkAHDRanks.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+/**
+ * What one rank needs of all ranks' points to interpolate at places of its own as one rank would
+ * that had them all: the points around these places (Engine/Sample/BoxNeighbors.h), with their
+ * data, and all constraints. It goes on with them alone. Where a setting asks for what ranks have
+ * no method for, each gets all.
+ *
+ * Collective; throws vtkAHDStop on all ranks if one cannot go on.
+ */
+class vtkAHDRankSamples
+{
+public:
+  /// Borrows all of them. `asksForNearest`: the nearest vertices are wanted.
+  vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+    const vtkAHDContext& context, bool asksForNearest);
+  ~vtkAHDRankSamples();
+
+  /// Hears what all have, and moves points to where they are asked for. `before`: why this rank has
+  /// no input, if it could not get it.
+  void Begin(const vtkAHDDataSets& data, ahd::Status before);
+
+  /// Does each rank get all?
+  bool IsWhole() const { return this->Setting != nullptr; }
+  /// Of all points that are triangulated, in their plane. REQUIRES: Begin(), !IsWhole().
+  ahd::Bounds GetBounds() const { return this->Part->GetBounds(); }
+
+  /// Takes what is needed for places in these boxes; none for no place. REQUIRES: Begin(). Where
+  /// IsWhole() it has been taken already.
+  void Take(const std::vector<ahd::Bounds>& boxes);
+
+  // --- Then ---
+
+  /// As input and source of one rank, with these settings.
+  vtkPolyData* GetInput() const { return this->Input; }
+  vtkPolyData* GetSource() const { return this->Source; }
+  const vtkAHDSettings& GetLocalSettings() const { return this->LocalSettings; }
+  /// How many points all ranks have, those of sources included.
+  std::size_t GetPoints() const { return this->Facts.GetPoints() + this->Facts.GetSourcePoints(); }
+
+  /// What all ranks say alike.
+  const std::string& GetError() const { return this->Error; } ///< instead of the reason's
+  const std::string& GetWarning() const { return this->Warning; }
+
+private:
+  void CheckMemory(std::size_t bytes);
+  void TakeAll(const vtkAHDDataSets& data);
+  void ShareOwn();
+  bool MustTakeAll();
+  void FindNeeded(const std::vector<ahd::Bounds>& boxes, std::vector<std::int64_t>& ids,
+    std::vector<std::size_t>& owners);
+  void MoveNeeded(const std::vector<std::int64_t>& ids, const std::vector<std::size_t>& owners);
+  void MakeSource(const std::vector<std::int64_t>& ids);
+
+  const vtkAHDSettings& Settings;
+  vtkAHDSettings LocalSettings;
+  vtkAHDRanks& Ranks;
+  const vtkAHDContext& Context;
+  const bool AsksForNearest;
+  vtkAHDAllFacts Facts;
+  const char* Setting = nullptr; // that each gets all for
+  std::unique_ptr<vtkAHDRankPoints> Points;
+  std::unique_ptr<vtkAHDRankPart> Part;
+  vtkAHDRankChains Chains;
+  bool ListsAll = false;
+  vtkSmartPointer<vtkPolyData> Input, Source;
+  std::string Error, Warning;
+};
+
+#endif

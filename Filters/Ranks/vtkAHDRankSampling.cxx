@@ -1,0 +1,441 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ranks/vtkAHDRankSampling.h"
+
+#include "Engine/Sample/BoxNeighbors.h"
+#include "Execution/vtkAHDMessages.h"
+#include "Ranks/vtkAHDArrayFacts.h"
+#include "Sampling/vtkAHDPlaces.h"
+#include "Sampling/vtkAHDSampleBounds.h"
+#include "Sampling/vtkAHDSampleMessages.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkStructuredGrid.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <new>
+#include <utility>
+
+namespace
+{
+/// In so many boxes a rank tells where its places are.
+constexpr std::size_t kMostBoxes = 64;
+
+/// Hears what one rank has to say, for all to say it alike.
+class Hearing : public vtkCommand
+{
+public:
+  vtkTypeMacro(Hearing, vtkCommand);
+  static Hearing* New() { return new Hearing; }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    // Without the place in the source code, and the object, before it.
+    const std::string all = text ? static_cast<const char*>(text) : "";
+    const std::size_t begin = all.find("): ");
+    std::string words = begin == std::string::npos ? all : all.substr(begin + 3);
+    words.erase(words.find_last_not_of(" \n") + 1);
+    if (event == vtkCommand::WarningEvent)
+    {
+      this->Warnings.push_back(words);
+    }
+    else if (this->Error.empty())
+    {
+      this->Error = words;
+    }
+  }
+
+  std::string Error;
+  std::vector<std::string> Warnings;
+};
+
+/// What one rank found.
+struct Found
+{
+  std::uint64_t IsDone, IsAborted;
+  ahd::SampleReport Counts;
+  std::uint64_t Places;
+  ahd::Bounds Wanted;
+  double Seconds;
+};
+
+void Grow(ahd::Bounds& box, const ahd::Bounds& other)
+{
+  if (other.xmin > other.xmax)
+  {
+    return;
+  }
+  box = box.xmin > box.xmax
+    ? other
+    : ahd::Bounds{ std::min(box.xmin, other.xmin), std::max(box.xmax, other.xmax),
+        std::min(box.ymin, other.ymin), std::max(box.ymax, other.ymax) };
+}
+
+void Add(const ahd::SampleReport& more, ahd::SampleReport& sum)
+{
+  sum.valued += more.valued;
+  sum.outside += more.outside;
+  sum.notFinite += more.notFinite;
+  sum.withoutValue += more.withoutValue;
+  sum.leftOut += more.leftOut;
+}
+}
+
+vtkAHDRankSampling::vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+  const vtkAHDSampleSettings& wishes, vtkAHDRanks& ranks, const vtkAHDContext& context)
+  : Filter(filter)
+  , Settings(settings)
+  , Wishes(wishes)
+  , Ranks(ranks)
+  , Context(context)
+{
+}
+
+vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
+{
+  this->Context.Check(this->Ranks.agree(inputs.Before));
+  vtkAHDSettings settings = this->Settings;
+  settings.Tolerance = 0.0; // of what is done to the points, that alone which says where they are
+  settings.Split = settings.HeightsFromSurface = false;
+  vtkAHDAllFacts facts;
+  vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
+  vtkAHDRankPoints points(settings, this->Ranks, facts, this->Context);
+  points.Read(inputs.Data.Input, inputs.Data.Source);
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    { ahd::BytesWriter(own).write(vtkAHDBoundsOf(points.GetPrepared().points(), this->Context)); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  ahd::Bounds bounds;
+  for (const ahd::BlockBytes& bytes : all)
+  {
+    Grow(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
+  }
+  return vtkAHDMakeRaster(this->Wishes.Raster, bounds);
+}
+
+/// The same on all ranks.
+vtkAHDRaster vtkAHDRankSampling::MakeRaster(const vtkAHDRankSamples& samples)
+{
+  if (this->Wishes.UseBounds)
+  {
+    return vtkAHDMakeRasterWithin(this->Wishes.Raster, this->Wishes.Bounds);
+  }
+  ahd::Bounds bounds;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      bounds = samples.IsWhole()
+        ? vtkAHDFindBounds(this->Settings, samples.GetInput(), samples.GetSource(), this->Context)
+        : samples.GetBounds();
+      for (double* bound : { &bounds.xmin, &bounds.xmax, &bounds.ymin, &bounds.ymax })
+      {
+        *bound += 0.0; // of zeros of both signs it is chance which one comes first
+      }
+    });
+  return vtkAHDMakeRaster(this->Wishes.Raster, bounds);
+}
+
+vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs& inputs) const
+{
+  vtkAHDRaster piece = whole;
+  const auto cut = [](int low, int high, std::size_t& first, std::size_t& count)
+  {
+    const long long begin = std::max(low, 0);
+    const long long end = std::min<long long>(high + 1LL, static_cast<long long>(count));
+    first = begin < end ? static_cast<std::size_t>(begin) : 0;
+    count = begin < end ? static_cast<std::size_t>(end - begin) : 0;
+  };
+  ahd::SampleRaster& cells = piece.Cells;
+  cut(inputs.Extent[0], inputs.Extent[1], cells.firstColumn, cells.columns);
+  cut(inputs.Extent[2], inputs.Extent[3], cells.firstRow, cells.rows);
+  if (cells.columns == 0 || cells.rows == 0)
+  {
+    cells.columns = cells.rows = cells.firstColumn = cells.firstRow = 0;
+  }
+  return piece;
+}
+
+/// Pieces have borders in common: a place counts on the first rank that has it.
+void vtkAHDRankSampling::FindOthers(const vtkAHDRaster& piece)
+{
+  const ahd::SampleRaster& mine = piece.Cells;
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(mine); });
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      std::vector<ahd::SampleRaster> before;
+      for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
+      {
+        before.push_back(ahd::BytesReader(all[rank]).read<ahd::SampleRaster>());
+        this->AddCommon(mine, before);
+      }
+    });
+}
+
+/// Adds what a piece and the last of others have in common, but what it has with others of these.
+void vtkAHDRankSampling::AddCommon(
+  const ahd::SampleRaster& mine, const std::vector<ahd::SampleRaster>& others)
+{
+  const auto has = [](const ahd::SampleRaster& piece, std::size_t column, std::size_t row)
+  {
+    return column >= piece.firstColumn && column < piece.firstColumn + piece.columns &&
+      row >= piece.firstRow && row < piece.firstRow + piece.rows;
+  };
+  const ahd::SampleRaster& last = others.back();
+  const std::size_t x0 = std::max(mine.firstColumn, last.firstColumn);
+  const std::size_t x1 = std::min(mine.firstColumn + mine.columns, last.firstColumn + last.columns);
+  const std::size_t y0 = std::max(mine.firstRow, last.firstRow);
+  const std::size_t y1 = std::min(mine.firstRow + mine.rows, last.firstRow + last.rows);
+  for (std::size_t y = y0; y < y1; ++y)
+  {
+    this->Context.StopIfAborted();
+    for (std::size_t x = x0; x < x1; ++x)
+    {
+      if (std::none_of(others.begin(), others.end() - 1,
+            [&](const ahd::SampleRaster& other) { return has(other, x, y); }))
+      {
+        this->CountedByOthers.push_back(mine.at(x - mine.firstColumn, y - mine.firstRow));
+      }
+    }
+  }
+}
+
+/// Where this rank's places are, in the plane of the triangulation.
+std::vector<ahd::Bounds> vtkAHDRankSampling::BoxesOf(
+  const Inputs& inputs, const vtkAHDRaster& piece) const
+{
+  std::vector<ahd::Bounds> boxes;
+  if (inputs.Places)
+  {
+    vtkAHDPlaces places(vtkDataSet::SafeDownCast(inputs.Places));
+    const ahd::PointView view = places.Open(this->Settings, ahd::PreparedInput(), this->Context);
+    this->Context.Check(ahd::coverByBoxes(view, kMostBoxes, this->Context, boxes));
+    return boxes;
+  }
+  const ahd::SampleRaster& cells = piece.Cells;
+  if (cells.columns > 0)
+  {
+    const ahd::Point low = cells.at(0, 0), high = cells.at(cells.columns - 1, cells.rows - 1);
+    boxes.push_back({ low.x, high.x, low.y, high.y });
+  }
+  return boxes;
+}
+
+bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
+{
+  const bool asksForNearest = this->Wishes.IsNearest() || this->Wishes.NearestOutside;
+  vtkAHDRankSamples samples(this->Settings, this->Ranks, this->Context, asksForNearest);
+  try
+  {
+    this->CompareWishes(inputs.Places);
+    samples.Begin(inputs.Data, inputs.Before);
+    vtkAHDRaster piece;
+    if (!inputs.Places)
+    {
+      const vtkAHDRaster whole = this->MakeRaster(samples);
+      if (whole.Fault != vtkAHDRasterFault::None && whole.Fault != vtkAHDRasterFault::NoArea)
+      {
+        vtkAHDSayNoRaster(this->Filter, this->Wishes, whole);
+        output->Initialize();
+        return false;
+      }
+      piece = this->PieceOf(whole, inputs);
+      this->FindOthers(piece);
+    }
+    std::vector<ahd::Bounds> boxes;
+    this->Ranks.Together(this->Context,
+      [&]
+      {
+        if (!samples.IsWhole())
+        {
+          boxes = this->BoxesOf(inputs, piece);
+          for (const ahd::Bounds& box : boxes)
+          {
+            Grow(this->Wanted, box);
+          }
+        }
+      });
+    const ahd::Bounds bounds = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
+    samples.Take(boxes);
+    this->Result.Surface = bounds;
+    this->Interpolate(inputs, piece, samples, vtkDataSet::SafeDownCast(output));
+    return true;
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    output->Initialize();
+    this->Aborted = stop.Reason == ahd::Status::Cancelled && this->Error.empty() &&
+      samples.GetError().empty();
+    const std::string& error = this->Error.empty() ? samples.GetError() : this->Error;
+    if (!error.empty())
+    {
+      vtkErrorWithObjectMacro(this->Filter, << error);
+    }
+    else if (stop.Reason == ahd::Status::OutOfMemory)
+    {
+      vtkErrorWithObjectMacro(
+        this->Filter, "Out of memory on a rank while interpolating. Nothing is put out.");
+    }
+    else if (stop.Reason == ahd::Status::TooManyPoints)
+    {
+      vtkErrorWithObjectMacro(
+        this->Filter, "A rank has too many points to be triangulated. Nothing is put out.");
+    }
+    return false;
+  }
+}
+
+/// Each rank by itself; then all hear how it went.
+void vtkAHDRankSampling::Interpolate(const Inputs& inputs, const vtkAHDRaster& piece,
+  const vtkAHDRankSamples& samples, vtkDataSet* output)
+{
+  vtkAHDSampleInputs local;
+  local.Points = samples.GetInput();
+  local.Source = samples.GetSource();
+  local.Places = vtkDataSet::SafeDownCast(inputs.Places);
+  local.Raster = inputs.Places ? nullptr : &piece;
+  local.CountedByOthers = &this->CountedByOthers;
+  vtkNew<vtkAlgorithm> speaker;
+  vtkNew<Hearing> hearing;
+  speaker->AddObserver(vtkCommand::ErrorEvent, hearing);
+  speaker->AddObserver(vtkCommand::WarningEvent, hearing);
+  vtkAHDSampleMemoryKept none;
+  vtkAHDSampleExecution execution(
+    speaker, samples.GetLocalSettings(), this->Wishes, this->Context, false);
+  const bool isDone = execution.Run(local, none, output);
+  this->Estimate = execution.GetMemory().Estimate;
+  this->Share(execution, isDone, hearing->Error, samples);
+  if (auto* surface = vtkStructuredGrid::SafeDownCast(inputs.Places ? nullptr : output))
+  {
+    this->LowerHidden(surface);
+  }
+  this->Say(execution, samples, hearing->Warnings);
+}
+
+void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDone,
+  const std::string& error, const vtkAHDRankSamples& samples)
+{
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  const vtkAHDSampleResult& mine = execution.GetResult();
+  const Found found{ isDone, !isDone && error.empty(), mine.Counts, mine.Places, this->Wanted,
+    execution.GetSeconds() };
+  this->Context.Check(this->Ranks.agree(ahd::Status::Ok));
+  ahd::Status status = ahd::Status::Ok;
+  try
+  {
+    ahd::BytesWriter writer(own);
+    writer.write(found);
+    vtkAHDWriteText(writer, error);
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = ahd::Status::OutOfMemory;
+  }
+  this->Context.Check(this->Ranks.agree(status));
+  this->Context.Check(this->Ranks.gather(own, all));
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      for (std::size_t rank = 0; rank < all.size(); ++rank)
+      {
+        ahd::BytesReader reader(all[rank]);
+        const auto one = reader.read<Found>();
+        const std::string text = vtkAHDReadText(reader);
+        if (!one.IsDone && this->Error.empty() && !one.IsAborted)
+        {
+          this->Error = "Rank " + std::to_string(rank) + ": " + text;
+        }
+        this->Aborted = this->Aborted || one.IsAborted != 0;
+        Add(one.Counts, this->Result.Counts);
+        this->Result.Places += static_cast<std::size_t>(one.Places);
+        Grow(this->Result.Wanted, one.Wanted);
+        this->Seconds = std::max(this->Seconds, one.Seconds);
+      }
+    });
+  if (!this->Error.empty() || this->Aborted)
+  {
+    throw vtkAHDStop{ ahd::Status::Cancelled };
+  }
+  if (samples.IsWhole())
+  {
+    this->Result.Surface = mine.Surface;
+    this->Result.Triangles = mine.Triangles;
+  }
+}
+
+/// Hidden points lie at the lowest height of all ranks.
+void vtkAHDRankSampling::LowerHidden(vtkStructuredGrid* surface)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  auto* marks = vtkArrayDownCast<vtkUnsignedCharArray>(
+    surface->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  auto* places = surface->GetPoints()
+    ? vtkArrayDownCast<vtkDoubleArray>(surface->GetPoints()->GetData())
+    : nullptr;
+  const vtkIdType count = marks && places ? marks->GetNumberOfTuples() : 0;
+  ahd::BlockBytes own;
+  std::vector<ahd::BlockBytes> all;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      double least = kInfinity;
+      for (vtkIdType i = 0; i < count; ++i)
+      {
+        least = marks->GetValue(i) == 0 ? std::min(least, places->GetValue(3 * i + 2)) : least;
+      }
+      ahd::BytesWriter(own).write(least);
+    });
+  this->Context.Check(this->Ranks.gather(own, all));
+  double least = kInfinity;
+  for (const ahd::BlockBytes& bytes : all)
+  {
+    least = std::min(least, ahd::BytesReader(bytes).read<double>());
+  }
+  least = std::isfinite(least) ? least + 0.0 : 0.0;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    if (marks->GetValue(i) != 0)
+    {
+      places->SetValue(3 * i + 2, least);
+    }
+  }
+}
+
+/// On the first rank.
+void vtkAHDRankSampling::Say(const vtkAHDSampleExecution& execution,
+  const vtkAHDRankSamples& samples, const std::vector<std::string>& warnings)
+{
+  if (this->Ranks.GetOwn() != 0)
+  {
+    return;
+  }
+  if (samples.IsWhole())
+  {
+    vtkAHDSayWarnings(this->Filter, samples.GetLocalSettings(), execution.GetReport());
+  }
+  for (const std::string& warning : warnings) // of arrays
+  {
+    vtkWarningWithObjectMacro(this->Filter, << warning);
+  }
+  vtkAHDSayPlaceWarnings(this->Filter, this->Result);
+  if (!samples.GetWarning().empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << samples.GetWarning());
+  }
+}

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDRankSampling_h
+#define vtkAHDRankSampling_h
+
+#include "Ranks/vtkAHDRankSamples.h"
+#include "Sampling/vtkAHDRaster.h"
+#include "Sampling/vtkAHDSampleExecution.h"
+#include "Sampling/vtkAHDSampleSettings.h"
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkDataObject;
+class vtkDataSet;
+class vtkImageData;
+class vtkStructuredGrid;
+
+/**
+ * One execution of vtkAdaptiveHilbertInterpolation2D over all ranks of a controller: each answers
+ * for its piece of the raster, or for its own places, as vtkAHDSampleExecution with the points that
+ * this takes (vtkAHDRankSamples). Collective.
+ */
+class vtkAHDRankSampling
+{
+public:
+  /// Borrows all of them.
+  vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSettings& settings,
+    const vtkAHDSampleSettings& wishes, vtkAHDRanks& ranks, const vtkAHDContext& context);
+
+  /// What one rank has, and what is wanted of it.
+  struct Inputs
+  {
+    vtkAHDDataSets Data;                  ///< without outputs
+    ahd::Status Before = ahd::Status::Ok; ///< why there is no input, if it could not be had
+    vtkDataObject* Places = nullptr;      ///< null: a raster
+    std::array<int, 6> Extent = { { 0, -1, 0, -1, 0, -1 } }; ///< of the raster
+  };
+
+  /// Fills this rank's output, and says errors, and on one rank warnings. Returns false on all
+  /// ranks if it came to nothing: then outputs are empty.
+  bool Run(const Inputs& inputs, vtkDataObject* output);
+
+  /// The raster about the points of all, without the rest. Throws vtkAHDStop on all ranks.
+  vtkAHDRaster FindRaster(const Inputs& inputs);
+
+  /// Of all ranks.
+  const vtkAHDSampleResult& GetResult() const { return this->Result; }
+  double GetSeconds() const { return this->Seconds; }
+  bool IsAborted() const { return this->Aborted; }
+  /// Of this rank.
+  vtkTypeInt64 GetEstimate() const { return this->Estimate; }
+
+private:
+  void CompareWishes(vtkDataObject* places);
+  vtkAHDRaster MakeRaster(const vtkAHDRankSamples& samples);
+  vtkAHDRaster PieceOf(const vtkAHDRaster& whole, const Inputs& inputs) const;
+  void FindOthers(const vtkAHDRaster& piece);
+  void AddCommon(const ahd::SampleRaster& mine, const std::vector<ahd::SampleRaster>& others);
+  std::vector<ahd::Bounds> BoxesOf(const Inputs& inputs, const vtkAHDRaster& piece) const;
+  void Interpolate(const Inputs& inputs, const vtkAHDRaster& piece,
+    const vtkAHDRankSamples& samples, vtkDataSet* output);
+  void Share(const vtkAHDSampleExecution& execution, bool isDone, const std::string& error,
+    const vtkAHDRankSamples& samples);
+  void LowerHidden(vtkStructuredGrid* surface);
+  void Say(const vtkAHDSampleExecution& execution, const vtkAHDRankSamples& samples,
+    const std::vector<std::string>& warnings);
+
+  vtkAlgorithm* const Filter;
+  const vtkAHDSettings& Settings;
+  const vtkAHDSampleSettings& Wishes;
+  vtkAHDRanks& Ranks;
+  const vtkAHDContext& Context;
+  std::string Error;                       // that all say
+  std::vector<ahd::Point> CountedByOthers; // places of this rank's piece
+  ahd::Bounds Wanted;                      // around this rank's places
+  vtkAHDSampleResult Result;
+  double Seconds = 0.0;
+  vtkTypeInt64 Estimate = 0;
+  bool Aborted = false;
+};
+
+#endif

@@ -1,0 +1,291 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""vtkAdaptiveHilbertInterpolation2D on several ranks (pvbatch --sym): the bytes of one rank, and failing together.
+
+    mpiexec -n RANKS pvbatch --sym RanksSample.py
+
+The inputs are those of RanksCompare.py and RanksGathered.py. Each rank answers for its piece of the raster, or for
+places of its own.
+"""
+
+import math
+import random
+
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+
+from RanksCompare import (
+    RANK, RANKS, WANTED, Said, appended, attempt, check, finish, make_filter, make_input, make_source, on_all_ranks,
+)
+from adaptivehilbertdelaunay import vtkAdaptiveHilbertInterpolation2D
+from rankcases import cases, gathered_cases, lattice, pieces, uniform
+
+COUNTS = ["NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
+          "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut"]
+valued = []  # places, of each comparison
+LINEAR, NATURAL, LAPLACE, NEAREST = range(4)
+# What is asked of each input: settings, and whether at places.
+WISHES = [
+    ({"Method": LINEAR, "GenerateGradients": True}, False),
+    ({"Method": NATURAL, "RasterSize": 1, "CellSize": None}, False),
+    ({"Method": NEAREST, "OutputType": 1}, False),
+    ({"Method": LINEAR, "Outside": 1, "GenerateGradients": True}, True),
+    ({"Method": LAPLACE}, True),
+    ({"Method": NEAREST}, True),
+]
+
+
+def make_places(made, rank):
+    """Places of one rank: points of all, what lies between them and beyond."""
+    draw = random.Random(rank)
+    points = [point for piece in made for point in piece.points] or [(0.0, 0.0, 0.0)]
+    places = vtkPoints()
+    places.SetDataTypeToDouble()
+    for _ in range(40 if rank != 1 else 0):  # one rank has none
+        a, b = draw.choice(points), draw.choice(points)
+        places.InsertNextPoint(a)
+        places.InsertNextPoint(*((p + q) / 2 for p, q in zip(a, b)))
+        places.InsertNextPoint(*(1.5 * p - 0.5 * q for p, q in zip(a, b)))
+    data = vtkPolyData()
+    data.SetPoints(places)
+    return data
+
+
+def cells_for(made):
+    """A size of cells of which not many cover the points."""
+    points = [point for piece in made for point in piece.points + (piece.source[0] if piece.source else [])
+              if all(map(math.isfinite, point))] or [(0, 0, 0)]
+    length = max(max(axis) - min(axis) for axis in zip(*points)) or 1.0
+    return length / 17, length / 23
+
+
+def make_sampler(piece, settings, wishes, distribute):
+    triangulation = make_filter(piece, settings, distribute)
+    sampler = vtkAdaptiveHilbertInterpolation2D()
+    sampler.SetTriangulation(triangulation)
+    sampler.SetDimensions(37, 29)
+    for name, value in wishes.items():
+        if isinstance(value, tuple):
+            getattr(sampler, "Set" + name)(*value)
+        else:
+            getattr(sampler, "Set" + name)(value)
+    sampler.SetInputData(make_input(piece))
+    if piece.source:
+        sampler.SetSourceData(make_source(piece.source, piece.source_arrays))
+    return sampler
+
+
+def read(sampler, said):
+    out = sampler.GetOutputDataObject(0)
+    data = out.GetPointData()
+    count = out.GetNumberOfPoints()
+    arrays = {}
+    for k in range(data.GetNumberOfArrays()):
+        array = data.GetArray(k)
+        arrays[array.GetName()] = (array.GetDataTypeAsString(), [repr(array.GetTuple(i)) for i in range(count)])
+    is_image = isinstance(out, vtkImageData)
+    return {
+        "class": out.GetClassName(),
+        "extent": out.GetExtent() if hasattr(out, "GetExtent") else None,
+        "geometry": (out.GetOrigin(), out.GetSpacing()) if is_image else None,
+        "points": [repr(out.GetPoint(i)) for i in range(count)],
+        "arrays": arrays,
+        "scalars": data.GetScalars().GetName() if data.GetScalars() else None,
+        "counts": {name: getattr(sampler, "Get" + name)() for name in COUNTS},
+        "errors": said.errors,
+        "warnings": said.warnings,
+    }
+
+
+def run(piece, settings, wishes, places, distribute=True, prepare=None):
+    sampler = make_sampler(piece, settings, wishes, distribute)
+    if places:
+        sampler.SetPlacesData(places)
+    said = Said(sampler)
+    if prepare:
+        prepare(sampler)
+    if distribute:
+        sampler.UpdatePiece(RANK, RANKS, 0)
+    else:
+        sampler.Update()
+    return read(sampler, said)
+
+
+def numbers_of(part, whole):
+    """Of each point of a piece of a raster its number in the whole one."""
+    x0, x1, y0, y1 = part["extent"][:4]
+    columns = whole["extent"][1] - whole["extent"][0] + 1
+    return [y * columns + x for y in range(y0, y1 + 1) for x in range(x0, x1 + 1)]
+
+
+def compare(found, expected):
+    check(not any(part["errors"] for part in found), "errors: %r" % [part["errors"] for part in found])
+    check(not expected["errors"], "errors of one rank: %r" % expected["errors"])
+    check(not any(part["warnings"] for part in found[1:]), "other ranks warn too")
+    seen, first = set(), 0
+    for part in found:
+        check(part["class"] == expected["class"], part["class"])
+        check(part["counts"] == expected["counts"], "counts: %r, not %r" % (part["counts"], expected["counts"]))
+        check(not part["points"] or part["geometry"] == expected["geometry"], "geometry: %r, not %r" % (
+            part["geometry"], expected["geometry"]))
+        check(not part["points"] or part["scalars"] == expected["scalars"], "scalars: %r" % part["scalars"])
+        if part["extent"] is None or not part["points"]:
+            numbers = range(first, first + len(part["points"]))
+            first += len(part["points"])
+        else:
+            numbers = numbers_of(part, expected)
+        seen.update(numbers)
+        check(not part["points"] or set(part["arrays"]) == set(expected["arrays"]), "arrays: %r, not %r" % (
+            sorted(part["arrays"]), sorted(expected["arrays"])))
+        check(part["points"] == [expected["points"][k] for k in numbers], "points")
+        for name, (kind, values) in part["arrays"].items() if part["points"] else ():
+            check(kind == expected["arrays"][name][0], "%s is a %s" % (name, kind))
+            wanted = expected["arrays"][name][1]
+            other = [(k, value, wanted[k]) for k, value in zip(numbers, values) if value != wanted[k]]
+            check(not other, "%s at %d places, the first (number, found, expected): %r" % (name, len(other), other[:1]))
+    check(len(seen) == len(expected["points"]), "%d places of %d" % (len(seen), len(expected["points"])))
+
+
+def whole_places(made):
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    for rank in range(RANKS):
+        own = make_places(made, rank)
+        for i in range(own.GetNumberOfPoints()):
+            points.InsertNextPoint(own.GetPoint(i))
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def try_case(number, made, settings):
+    """With two of the wishes, in turn."""
+    settings = {name: value for name, value in settings.items() if not name.startswith("Generate")}
+    if settings.pop("turn", False):
+        for piece in made:
+            piece.source[2][0].reverse()
+    settings.pop("bad_ids", None)
+
+    all_wishes = [(dict(wishes, **({"CellSize": cells_for(made)} if "CellSize" in wishes else {})), at_places)
+                  for wishes, at_places in (WISHES[number % 3], WISHES[3 + number // 3 % 3])]
+
+    def on_ranks():
+        return [run(made[RANK], settings, wishes, make_places(made, RANK) if at_places else None)
+                for wishes, at_places in all_wishes]
+
+    found = on_all_ranks("sample", on_ranks)
+    if RANK:
+        return
+    whole = appended(made, settings)
+    for k, (wishes, at_places) in enumerate(all_wishes):
+        expected = run(whole, settings, wishes, whole_places(made) if at_places else None, distribute=False)
+        try:
+            compare([part[k] for part in found], expected)
+        except AssertionError as error:
+            raise AssertionError("%r: %s" % (wishes, error)) from error
+        valued.append(expected["counts"]["NumberOfValidPlaces"])
+
+
+def try_failure(work, words):
+    """All say the same one error, and put nothing out."""
+    found = on_all_ranks("failure", work)
+    for rank, part in enumerate(found or ()):
+        check(not part["points"], "rank %d puts something out" % rank)
+        check(not any(part["counts"].values()), "rank %d counts" % rank)
+        check(len(part["errors"]) == (words is not None), "rank %d says %r" % (rank, part["errors"]))
+        check(words is None or words in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
+        check(part["errors"] == found[0]["errors"], "rank %d says something else than rank 0" % rank)
+
+
+def failures_together():
+    some = pieces(uniform(300), RANKS)
+    last = RANK == RANKS - 1
+
+    def abort(sampler):
+        if last:
+            sampler.AddObserver("ProgressEvent", lambda caller, _: caller.SetAbortExecute(1))
+            sampler.SetAbortExecute(1)
+
+    def with_(wishes, prepare=None, places=None, **settings):
+        return lambda: run(some[RANK], settings, wishes, places, prepare=prepare)
+
+    return {
+        "different methods": (with_({"Method": int(last)}), "Method is not the same"),
+        "different bounds": (with_({"Bounds": (0, 1, 0, 1 + int(last)), "UseBounds": True}), "Bounds is not the same"),
+        "different names": (with_({"HeightArrayName": "z" if last else "h"}), "A name of an array is not the same"),
+        "different rules": (with_({}, FillRule=int(last)), "FillRule is not the same"),
+        "places on some": (with_({}, places=make_places(some, 0) if last else None), "whether there are places"),
+        "a limit on memory": (with_({}, MemoryLimit=1), "MemoryLimit allows 1 KiB"),
+        "a limit on one rank": (with_({}, MemoryLimit=int(last)), "may take"),
+        "a limit on memory for places": (with_({"Dimensions": (9000, 9000)}, MemoryLimit=100000),
+                                         "MemoryLimit of Triangulation allows 100000 KiB"),
+        "bounds that are none": (with_({"Bounds": (1, 0, 0, 1), "UseBounds": True}), "Bounds are"),
+        "abort": (with_({}, prepare=abort), None),
+    }
+
+
+def try_again():
+    """What was put out before is replaced, ghost cells are overlaps, and abort does not stick."""
+    made = pieces(lattice(800, 20), RANKS)
+    sampler = make_sampler(made[RANK], {}, {}, True)
+    said = Said(sampler)
+
+    def again():
+        sampler.UpdatePiece(RANK, RANKS, 1)
+        first = read(sampler, said)
+        if RANK == RANKS - 1:
+            sampler.SetAbortExecute(1)
+        sampler.SetMethod(NATURAL)
+        sampler.UpdatePiece(RANK, RANKS, 0)
+        check(sampler.GetOutput().GetNumberOfPoints() == 0, "an output after an abort")
+        sampler.SetAbortExecute(0)
+        sampler.UpdatePiece(RANK, RANKS, 0)
+        return first, read(sampler, said)
+
+    found = on_all_ranks("again", again)
+    if found:
+        whole = appended(made, {})
+        with_ghosts = [part[0] for part in found]
+        for part in with_ghosts:
+            part["arrays"].pop("vtkGhostType", None)
+        compare(with_ghosts, run(whole, {}, {}, None, distribute=False))
+        compare([part[1] for part in found], run(whole, {}, {"Method": NATURAL}, None, distribute=False))
+
+
+def try_places_of_an_image():
+    """Places that are an image come in pieces, too."""
+    made = pieces(uniform(500), RANKS)
+
+    def on_an_image():
+        source = vtkRTAnalyticSource()
+        source.SetWholeExtent(-5, 5, -4, 4, 0, 0)
+        sampler = make_sampler(made[RANK], {}, {}, True)
+        sampler.SetPlacesConnection(source.GetOutputPort())
+        said = Said(sampler)
+        sampler.UpdatePiece(RANK, RANKS, 0)
+        check(sampler.GetOutput().GetPointData().HasArray("RTData"), "what the places have is lost")
+        return read(sampler, said)
+
+    found = on_all_ranks("image", on_an_image)
+    if found:
+        check(len({part["extent"] for part in found}) == RANKS, "pieces: %r" % [part["extent"] for part in found])
+        values = {}
+        for part in found:
+            check(not part["errors"], "errors: %r" % part["errors"])
+            for point, value in zip(part["points"], part["arrays"]["Elevation"][1]):
+                check(values.setdefault(point, value) == value, "two values at %s" % point)
+        check(len(values) == 99, "%d places in %r" % (len(values), [part["extent"] for part in found]))
+
+
+check(RANKS > 1, "to be run on several ranks")
+for k, (case, (given, chosen, *_)) in enumerate(dict(cases(RANKS), **gathered_cases(RANKS)).items()):
+    if WANTED in case:
+        attempt(case, try_case, k + RANKS, given, chosen)
+check(RANK or WANTED or sum(valued) > 30000, "too few values are compared: %d" % sum(valued))
+for case, (what, said_then) in failures_together().items():
+    if WANTED in case:
+        attempt(case, try_failure, what, said_then)
+for case, what in {"again": try_again, "image": try_places_of_an_image}.items():
+    if WANTED in case:
+        attempt(case, what)
+finish()
