@@ -260,6 +260,20 @@ def test_places():
     check_equal(profile.GetDataInformation().GetDataSetTypeAsString(), "vtkImageData", "type without places")
 
 
+def test_a_surface_as_input():
+    """Its own triangles count: none where it has none, whatever the settings here."""
+    if IS_PYTHON:
+        return  # there its points are triangulated anew
+    points = reader("far.vtp", plane_points() + [(9.0, 9.0, -8.0)])
+    surface = AdaptiveHilbertDelaunay2D(Input=points, MaximumEdgeLength=3.0)
+    raster = AdaptiveHilbertInterpolation2D(Input=surface, Dimensions=[11, 11])
+    check_plane(raster, "a raster of a surface", lambda x, y: x < 2 and y < 2)
+    raster.Input = points
+    raster.MaximumEdgeLength = 3.0
+    check_plane(raster, "a raster of its points", lambda x, y: x < 2 and y < 2)
+    check(raster_measures(raster)["NumberOfValidPlaces"] > 9, "hardly a place on the surface")
+
+
 def test_constraints():
     """The corners of the square lie outside of the ring, which bounds the surface."""
     ring_points = [(x, y, 1 + 2 * x - 3 * y) for x, y, _ in ring(1.0, 4)]
