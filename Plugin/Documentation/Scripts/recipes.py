@@ -38,7 +38,9 @@ def profile(points, start, end, pieces=500):
     """The heights along a straight road, with the way along it (arc_length)."""
     road = simple.Line(Point1=[*start, 0.0], Point2=[*end, 0.0], Resolution=pieces)
     heights = simple.AdaptiveHilbertInterpolation2D(Input=points, Places=road)
-    return simple.AppendArcLength(Input=heights)
+    # its name since ParaView 5.13, and before
+    length = "PolylineLength" if hasattr(simple, "PolylineLength") else "AppendArcLength"
+    return getattr(simple, length)(Input=heights)
 
 
 def volume_above(points, level):
