@@ -5,9 +5,10 @@
 
     from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource    # for VTK
 
-The first needs NumPy alone. The second are a VTK filter and a source of point sets: the classes that were compiled
-with VTK, where they were and Python has that VTK (its first two numbers decide); else the same classes in Python, over
-`vtkmodules` or `cvista`, the one that is imported. ImportError without VTK.
+The first needs NumPy alone. The second are a VTK filter and a source of point sets; vtkAdaptiveHilbertInterpolation2D,
+values between the points on rasters and at places, is there, too: the classes that were compiled with VTK, where they
+were and Python has that VTK (its first two numbers decide); else the same classes in Python, over `vtkmodules` or
+`cvista`, the one that is imported. ImportError without VTK.
 
 Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`.
 """

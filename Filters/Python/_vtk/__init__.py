@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""vtkAdaptiveHilbertDelaunay2D in Python, over whichever VTK a process uses: `vtkmodules` (VTK's wheels, Debian,
-ParaView) or `cvista`.
+"""vtkAdaptiveHilbertDelaunay2D and the classes beside it in Python, over whichever VTK a process uses: `vtkmodules`
+(VTK's wheels, Debian, ParaView) or `cvista`.
 
 The engine is called through its C interface; nothing is compiled against VTK. Methods, outputs, messages and results
 are those of the compiled class.
