@@ -8,7 +8,7 @@ from . import messages, package_of, python_class, raster, raster_settings, setti
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
-from .sampling import area_of
+from .sampling import area_of, is_surface
 from .vtkclass import build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkDataSetAlgorithm")
@@ -269,6 +269,9 @@ class _Executions:
         if merged.input is None:
             return False
         merged.warn()
+        if is_surface(self._backend, points):
+            speaker.warn("The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
+                         "anew by the settings of Triangulation: its own triangles count in the compiled class only.")
         pieces = self._pieces(places, made)
         try:
             for k, (piece, output) in enumerate(pieces):

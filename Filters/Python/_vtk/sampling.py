@@ -140,6 +140,15 @@ def area_of(backend, triangulation, values, given, source):
     return box_of(asked._job.array("plane_points"), skipped_of(given, asked._job.count("points")))
 
 
+def is_surface(backend, given):
+    """Is it a surface that vtkAdaptiveHilbertDelaunay2D made?"""
+    if not isinstance(given, backend.vtkPolyData) or not given.GetNumberOfPolys():
+        return False
+    count = given.GetFieldData().GetAbstractArray("NumberOfTriangles")
+    return bool(count is not None and given.GetFieldData().HasArray("NumberOfPointsInserted") and (
+        count.GetNumberOfValues() == 1 and count.GetValue(0) == given.GetNumberOfPolys()))
+
+
 def points_of(backend, places):
     """The points of a vtkDataSet: (k, 3)."""
     if places.IsA("vtkPointSet"):

@@ -4,6 +4,7 @@ in Python, as Interpolation.json has them; methods, defaults and ranges. AHD_WRI
 writes the file anew."""
 
 import json
+import unittest
 
 from classtests import (FOLDER, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source, tested_class,
                         vtk, write_rows)
@@ -180,6 +181,19 @@ class InterpolationTest(Case):
             self.assertEqual(algorithm.GetOutput().GetDimensions()[:2], (cells, cells))
             algorithm.Update()
             self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT())[1], cells - 1)
+
+    @unittest.skipUnless(hasattr(Interpolation, "_backend"), "the compiled class takes its triangles")
+    def test_a_surface_that_was_made(self):
+        """The class in Python says that its triangles do not count."""
+        surface = Filter()
+        surface.SetInputData(cloud(square()))
+        surface.Update()
+        algorithm = Interpolation()
+        said = Said(algorithm)
+        algorithm.SetInputData(surface.GetOutput())
+        algorithm.Update()
+        self.assertSaid(said, warnings=1)
+        self.assertIn("triangulated anew", said.warnings[0])
 
     def test_aborted(self):
         """The output is empty, and nothing is said."""
