@@ -15,6 +15,7 @@
 #include "Sampling/vtkAHDSampleSettings.h"
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "vtkAbstractTransform.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -320,7 +321,9 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
     vtkAHDLeaveToSurface(settings);
   }
   data.InputBytes = merged.GetBytes();
-  data.SettingsTime = this->Triangulation->GetMTime();
+  vtkAbstractTransform* const transform = this->Triangulation->GetTransform();
+  data.SettingsTimes = { { this->Triangulation->vtkObject::GetMTime(),
+    transform ? transform->GetMTime() : 0 } };
   const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
   vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
   between.ReuseLimit = VTK_TYPE_INT64_MAX;

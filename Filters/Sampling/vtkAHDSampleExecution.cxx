@@ -69,7 +69,7 @@ bool vtkAHDSampleExecution::Run(
     {
       this->IsKept = this->MayKeep &&
         kept.Surface->IsOf(
-          inputs.SettingsTime, inputs.Points, inputs.Source, inputs.Surface, this->Context);
+          inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
     }
     if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
     {
@@ -334,7 +334,7 @@ void vtkAHDSampleExecution::Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleM
   {
     if (!this->IsKept)
     {
-      kept.Surface->Remember(inputs.SettingsTime, this->Context);
+      kept.Surface->Remember(inputs.SettingsTimes, this->Context);
     }
     kept.Workspace.release(); // the surface has what there is to be reused
     return;

@@ -31,10 +31,10 @@ struct vtkAHDSampleInputs
   vtkPolyData* Source = nullptr; ///< may be null
   /// Null, or Points, if these are the surface: its own triangles are interpolated on.
   vtkPolyData* Surface = nullptr;
-  vtkDataSet* Places = nullptr;  ///< null: a raster
-  std::size_t InputBytes = 0;    ///< that making the input has taken, if it was made of blocks
-  bool SaysArrays = true;        ///< warn of arrays that are passed over
-  vtkMTimeType SettingsTime = 0; ///< when what says how to triangulate was changed last
+  vtkDataSet* Places = nullptr; ///< null: a raster
+  std::size_t InputBytes = 0;   ///< that making the input has taken, if it was made of blocks
+  bool SaysArrays = true;       ///< warn of arrays that are passed over
+  vtkAHDSettingsTimes SettingsTimes = {};
 
   // One of several ranks: then nobody is warned.
   const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it

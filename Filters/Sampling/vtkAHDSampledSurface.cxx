@@ -131,15 +131,16 @@ bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtk
   return true;
 }
 
-void vtkAHDSampledSurface::Remember(vtkMTimeType settings, const vtkAHDContext& context)
+void vtkAHDSampledSurface::Remember(
+  const vtkAHDSettingsTimes& settings, const vtkAHDContext& context)
 {
   this->Settings = settings;
   this->Known = Identity();
   this->IsKnown = Identify(this->Input, this->Source, this->Surface, context, this->Known);
 }
 
-bool vtkAHDSampledSurface::IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source,
-  vtkPolyData* surface, const vtkAHDContext& context) const
+bool vtkAHDSampledSurface::IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet* input,
+  vtkPolyData* source, vtkPolyData* surface, const vtkAHDContext& context) const
 {
   Identity now;
   if (!this->IsKnown || this->Settings != settings ||

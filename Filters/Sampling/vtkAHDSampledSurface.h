@@ -16,8 +16,14 @@
 #include "vtkType.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <memory>
 #include <vector>
+
+/// When what says how to triangulate was changed last: the filter with the settings itself, and its
+/// transform. No two changes, whatever of, have one time; the later of the two alone would hide a
+/// change of the other.
+using vtkAHDSettingsTimes = std::array<vtkMTimeType, 2>;
 
 /**
  * A triangulation to interpolate on, which can be kept for the next execution. It holds the arrays
@@ -47,11 +53,11 @@ public:
     const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
 
   /// Remembers what it was made of, as the settings were changed last at `settings`.
-  void Remember(vtkMTimeType settings, const vtkAHDContext& context);
+  void Remember(const vtkAHDSettingsTimes& settings, const vtkAHDContext& context);
 
-  /// Is it the surface of these, with settings of that time? False if the filter is to abort.
-  bool IsOf(vtkMTimeType settings, vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
-    const vtkAHDContext& context) const;
+  /// Is it the surface of these, with settings of those times? False if the filter is to abort.
+  bool IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet* input, vtkPolyData* source,
+    vtkPolyData* surface, const vtkAHDContext& context) const;
 
   /// The point data that interpolation is to work on from now on, of the same points.
   void TakeData(vtkPointSet* input, vtkPolyData* source);
@@ -93,7 +99,7 @@ private:
   std::unique_ptr<vtkAHDInput> View;
   vtkAHDTriangulated Made;
   ahd::Selection Selection;
-  vtkMTimeType Settings = 0;
+  vtkAHDSettingsTimes Settings = {};
   bool IsKnown = false;
   Identity Known;
 };

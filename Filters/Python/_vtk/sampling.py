@@ -29,13 +29,20 @@ def shallow(backend, given, with_cells=False):
     return made
 
 
+def times_of(backend, triangulation):
+    """When what says how to triangulate was changed last: the filter with the settings itself, and its transform. The
+    later of the two alone would hide a change of the other."""
+    transform = triangulation.GetTransform()
+    return backend.vtkObject.GetMTime(triangulation), transform.GetMTime() if transform is not None else 0
+
+
 class SampledSurface:
     """A triangulation, which can be kept for the next execution. It holds the arrays that its job borrows.
     `triangulation`: the filter with the settings, `values` these settings."""
 
     def __init__(self, backend, job, triangulation, values, given, source, bytes_before):
         self.backend, self.job, self.values = backend, job, values
-        self.settings, self.known = triangulation.GetMTime(), None
+        self.settings, self.known = times_of(backend, triangulation), None
         self.given, self.source = shallow(backend, given), shallow(backend, source, True)
         asked = types.SimpleNamespace(_job=job, _values=values, _transform=triangulation.GetTransform())
         self.execution = Execution(backend, asked, self.given, self.source, bytes_before)
@@ -52,7 +59,7 @@ class SampledSurface:
 
     def is_of(self, triangulation, given, source):
         """Is it the surface of these, with these settings?"""
-        if self.known is None or self.settings != triangulation.GetMTime() or (
+        if self.known is None or self.settings != times_of(self.backend, triangulation) or (
                 cache._fingerprints(given, source) != self.known):
             return False
         if given.GetPoints() is self.given.GetPoints() and source is None:

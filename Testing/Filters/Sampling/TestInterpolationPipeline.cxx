@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
@@ -244,6 +245,35 @@ TEST(InterpolationPipeline, NothingIsTriangulatedTwice)
   filter->SetMethodToLinear();
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 6);
+}
+
+/// Neither are settings of others that were changed before the transform that both have.
+TEST(InterpolationPipeline, OtherSettingsWithTheSameTransformAreSeen)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> whole, parts;
+  vtkNew<vtkTransform> transform;
+  parts->SetMaximumEdgeLength(0.02);
+  for (vtkAdaptiveHilbertDelaunay2D* settings : { whole.Get(), parts.Get() })
+  {
+    settings->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+    settings->SetTransform(transform);
+  }
+  transform->RotateZ(30);
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud());
+  const auto countWith = [&](vtkAdaptiveHilbertDelaunay2D* settings)
+  {
+    filter->SetTriangulation(settings);
+    filter->Update();
+    return filter->GetNumberOfValidPlaces();
+  };
+  const vtkIdType all = countWith(whole);
+  EXPECT_LT(countWith(parts), all / 2);
+  EXPECT_EQ(countWith(whole), all);
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 3);
+  transform->RotateZ(30);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
 }
 
 /// What is kept is not passed for what it is not.

@@ -142,6 +142,23 @@ class InterpolationTest(Case):
             algorithm.Update()
             self.assertEqual(algorithm.GetNumberOfTriangulations(), count)
 
+    def test_other_settings_with_the_same_transform_are_seen(self):
+        """Although they were changed before the transform that both have."""
+        whole, parts, transform = Filter(), Filter(), vtk("vtkCommonTransforms").vtkTransform()
+        for settings in (whole, parts):
+            settings.SetProjectionPlaneMode(1)
+            settings.SetTransform(transform)
+        parts.SetMaximumEdgeLength(1e-9)
+        transform.RotateZ(30)
+        algorithm, valid = silent(), []
+        algorithm.SetInputData(full())
+        for settings in (whole, parts, whole):
+            algorithm.SetTriangulation(settings)
+            algorithm.Update()
+            valid.append(algorithm.GetNumberOfValidPlaces())
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), 3)
+        self.assertTrue(valid[0] == valid[2] > valid[1], valid)
+
     def test_values_change_on_a_surface_that_is_kept(self):
         given, algorithm = cloud(square()), Interpolation()
         given.GetPointData().AddArray(array("vtkDoubleArray", "a", [1, 1, 1, 1]))
