@@ -10,7 +10,6 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
 #include "Input/vtkAHDInput.h"
-#include "Pipeline/vtkAHDArrayMemory.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
@@ -56,7 +55,6 @@ vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransfo
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   : Workspace(new ahd::Workspace)
-  , Arrays(new vtkAHDArrayMemory)
   , Cache(new vtkAHDOutputCache)
 {
   this->SetNumberOfInputPorts(2);
@@ -181,17 +179,13 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   }
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-  const vtkAHDContext context(progress, threads, this->Arrays.get());
+  const vtkAHDContext context(progress, threads);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-    if (!vtkPointSet::SafeDownCast(input))
-    {
-      this->Arrays->Close(); // what blocks become takes memory before it is estimated
-    }
     this->IsDistributed() ? this->ExecuteOnRanks(input, source, outputVector, context)
                           : this->Execute(input, source, data, context);
   }

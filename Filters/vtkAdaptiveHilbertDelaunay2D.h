@@ -46,7 +46,6 @@ class Workspace;
 enum class Status;
 }
 class vtkAHDContext;
-class vtkAHDArrayMemory;
 class vtkAHDOutputCache;
 class vtkAHDRankBlocks;
 struct vtkAHDDataSets;
@@ -377,8 +376,7 @@ public:
   /// When the filter or its Transform was changed last.
   vtkMTimeType GetMTime() override;
 
-  /// Across ranks, the outputs have blocks where these are triangulated each by itself. The memory
-  /// of large output arrays goes to those of the next execution where the old ones are freed.
+  /// Across ranks, the outputs have blocks where these are triangulated each by itself.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
@@ -455,7 +453,6 @@ private:
   void WarnAboutRanks();
 
   const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution
-  const std::unique_ptr<vtkAHDArrayMemory> Arrays; // of outputs, from the last to the next
   const std::unique_ptr<vtkAHDOutputCache> Cache;  // the last execution's outputs
   bool WarnedAboutRanks = false;
   bool WarnedAboutOneRank = false;

@@ -7,7 +7,6 @@
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
-#include "Pipeline/vtkAHDArrayMemory.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
@@ -116,18 +115,7 @@ vtkTypeBool vtkAdaptiveHilbertDelaunay2D::ProcessRequest(
     this->MakeOutputs(vtkDataObject::GetData(inputs[0]), outputs);
     return 1;
   }
-  // Between this request and the one for data the executive empties the outputs.
-  const bool isBefore = request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_NOT_GENERATED()) != 0;
-  if (isBefore && !this->IsDistributed())
-  {
-    this->Arrays->Open();
-  }
-  const vtkTypeBool result = this->Superclass::ProcessRequest(request, inputs, outputs);
-  if (!isBefore)
-  {
-    this->Arrays->Close();
-  }
-  return result;
+  return this->Superclass::ProcessRequest(request, inputs, outputs);
 }
 
 /// Outputs of the type of the input, if that has blocks to be triangulated each by itself. Where

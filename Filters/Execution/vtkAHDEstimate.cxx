@@ -9,7 +9,6 @@
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
-#include "Pipeline/vtkAHDArrayMemory.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -89,22 +88,6 @@ void vtkAHDExecution::UpdateEstimate()
   this->Report.Estimate = static_cast<vtkTypeInt64>(this->EstimateBytes() / 1024);
 }
 
-/// Of the old outputs no more memory waits than the new ones take, and with a limit none that is
-/// not within the estimate.
-void vtkAHDExecution::ShrinkArrays(std::size_t estimate) const
-{
-  if (vtkAHDArrayMemory* const arrays = this->Context.GetArrayMemory())
-  {
-    const bool isLimited = this->Settings.MemoryLimit > 0;
-    const bool isMuch = isLimited && this->Workspace.bytes() + arrays->GetBytes() > estimate;
-    // How many boxes there are is not known yet. Seldom more than one for 8 points.
-    const bool hasBoxes = this->Options.keepBoxes && !isLimited;
-    const std::size_t boxes = hasBoxes ? vtkAHDOrderOutput::EstimateBoxBytes(this->Known.Points / 8)
-                                       : 0;
-    arrays->Shrink(isMuch ? 0 : this->EstimateOutputs() + boxes);
-  }
-}
-
 /// Are there not too many points, and is there memory for it all, as far as that is known before?
 bool vtkAHDExecution::FitsInMemory()
 {
@@ -118,15 +101,12 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t bytes = this->EstimateBytes();
   const bool isLimited = this->Settings.MemoryLimit > 0;
   this->Report.IsLimited = isLimited;
-  this->ShrinkArrays(bytes);
   if (isLimited && this->Workspace.bytes() / 1024 > bytes / 1024)
   {
     this->Workspace.release();
   }
   constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
-  const vtkAHDArrayMemory* const arrays = this->Context.GetArrayMemory();
-  const std::size_t held = this->Workspace.bytes() + this->BytesBefore +
-    (arrays ? arrays->GetBytes() : 0);
+  const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
               : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));

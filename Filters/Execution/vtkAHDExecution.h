@@ -80,7 +80,6 @@ private:
   };
 
   bool FitsInMemory();
-  void ShrinkArrays(std::size_t estimate) const;
   std::size_t FindMostCrossings();
   std::vector<double> FirstStages() const;
   void SetStages() const;

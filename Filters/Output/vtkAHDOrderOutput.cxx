@@ -22,9 +22,9 @@ namespace
 /// An array `name` of one value per tuple, added to `data`; returns its values.
 template <typename Array>
 typename Array::ValueType* AddArray(
-  vtkDataSetAttributes* data, const char* name, std::size_t tuples, const vtkAHDContext& context)
+  vtkDataSetAttributes* data, const char* name, std::size_t tuples)
 {
-  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(tuples), context);
+  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(tuples));
   array->SetName(name);
   data->AddArray(array);
   return array->GetPointer(0);
@@ -35,7 +35,7 @@ template <typename IdArray>
 vtkSmartPointer<IdArray> Series(
   std::size_t count, std::size_t first, std::size_t step, const vtkAHDContext& context)
 {
-  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(count), context);
+  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(count));
   auto* values = array->GetPointer(0);
   context.ForRange(count,
     [&](std::size_t begin, std::size_t end)
@@ -86,16 +86,14 @@ void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   const std::size_t count = ahd::drawnPointCount(triangulation);
   const bool curve = withCurve && ahd::hasCurve(triangulation);
   const std::size_t cells = triangulation.boxes().size() + (curve ? 1 : 0);
-  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count), context);
+  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
   coordinates->SetNumberOfComponents(3);
   ahd::OrderDrawing<vtkIdType> drawing;
   drawing.xyz = coordinates->GetPointer(0);
-  vtkPointData* pointData = output->GetPointData();
-  vtkCellData* cellData = output->GetCellData();
-  drawing.ranks = AddArray<vtkIdTypeArray>(pointData, "InsertionRank", count, context);
-  drawing.ids = AddArray<vtkIdTypeArray>(pointData, "OriginalPointIds", count, context);
-  drawing.levels = AddArray<vtkIntArray>(cellData, "Level", cells, context);
-  drawing.counts = AddArray<vtkIdTypeArray>(cellData, "Count", cells, context);
+  drawing.ranks = AddArray<vtkIdTypeArray>(output->GetPointData(), "InsertionRank", count);
+  drawing.ids = AddArray<vtkIdTypeArray>(output->GetPointData(), "OriginalPointIds", count);
+  drawing.levels = AddArray<vtkIntArray>(output->GetCellData(), "Level", cells);
+  drawing.counts = AddArray<vtkIdTypeArray>(output->GetCellData(), "Count", cells);
   context.Check(ahd::drawOrder(triangulation, curve, drawing, context));
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);

@@ -174,7 +174,7 @@ void vtkAHDPointOutput::Write(vtkPolyData* output, const vtkAHDContext& context)
 
 void vtkAHDPointOutput::WritePoints(vtkPolyData* output, const vtkAHDContext& context) const
 {
-  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * this->Count, context);
+  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * this->Count);
   coordinates->SetNumberOfComponents(3);
   double* xyz = coordinates->GetPointer(0);
   const bool moved = this->Points.isProjected();

@@ -39,7 +39,7 @@ constexpr std::size_t kMostCrossingRows = 1000;
 vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkAHDContext& context)
 {
   const vtkIdType count = ids->GetNumberOfValues() / size;
-  auto offsets = vtkAHDNewArray<IdArray>(count + 1, context);
+  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
   auto* offset = offsets->GetPointer(0);
   context.ForRange(static_cast<std::size_t>(count + 1),
     [offset, size](std::size_t begin, std::size_t end)
@@ -57,17 +57,16 @@ vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkA
 vtkSmartPointer<vtkCellArray> MakeCells(
   const std::vector<std::int32_t>& ids, vtkIdType size, const vtkAHDContext& context)
 {
-  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(ids.size()), context);
+  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(ids.size()));
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
   return MakeCells(array, size, context);
 }
 
 /// A named array of `width` numbers for each of `count` tuples.
 template <typename Array>
-vtkSmartPointer<Array> MakeArray(
-  const char* name, const vtkAHDContext& context, std::size_t count, int width = 1)
+vtkSmartPointer<Array> MakeArray(const char* name, std::size_t count, int width = 1)
 {
-  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(count) * width, context);
+  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(count) * width);
   array->SetNumberOfComponents(width);
   array->SetName(name);
   return array;
@@ -111,7 +110,7 @@ template <typename Array>
 void vtkAHDSurface::CopyPoints(const ahd::PointView& points) const
 {
   using Number = typename Array::ValueType;
-  auto copy = vtkAHDNewArray<Array>(3 * static_cast<vtkIdType>(points.count), this->Context);
+  auto copy = vtkAHDNewArray<Array>(3 * static_cast<vtkIdType>(points.count));
   copy->SetNumberOfComponents(3);
   Number* numbers = copy->GetPointer(0);
   this->Context.ForRange(3 * points.count,
@@ -193,7 +192,7 @@ ahd::Status vtkAHDSurface::WriteWithNeighbors(
   ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners)
 {
   const std::size_t count = ahd::cellCount(triangulation, selection);
-  this->Neighbors = MakeArray<vtkIdTypeArray>("Neighbors", this->Context, count, 3);
+  this->Neighbors = MakeArray<vtkIdTypeArray>("Neighbors", count, 3);
   const ahd::CellsWithNeighbors<vtkIdType> to = { corners, this->Neighbors->GetPointer(0) };
   return ahd::writeWithNeighbors(triangulation, selection, to, this->Context);
 }
@@ -201,7 +200,7 @@ ahd::Status vtkAHDSurface::WriteWithNeighbors(
 void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
 {
   auto corners = vtkAHDNewArray<IdArray>(
-    3 * static_cast<vtkIdType>(triangulation.report().triangles), this->Context);
+    3 * static_cast<vtkIdType>(triangulation.report().triangles));
   std::int32_t* const to = corners->GetPointer(0);
   this->Context.Check(this->Settings.GenerateNeighbors
       ? this->WriteWithNeighbors(triangulation, ahd::Selection(), to)
@@ -212,8 +211,7 @@ void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
 void vtkAHDSurface::WriteSelected(
   ahd::Triangulation& triangulation, const ahd::Selection& selection)
 {
-  auto corners = vtkAHDNewArray<IdArray>(
-    3 * static_cast<vtkIdType>(selection.keptCount), this->Context);
+  auto corners = vtkAHDNewArray<IdArray>(3 * static_cast<vtkIdType>(selection.keptCount));
   std::int32_t* const to = corners->GetPointer(0);
   this->Context.Check(this->Settings.GenerateNeighbors
       ? this->WriteWithNeighbors(triangulation, selection, to)
@@ -235,7 +233,7 @@ void vtkAHDSurface::AddPointArrays(
   const std::size_t count = points.points().count;
   if (this->Settings.GeneratePointStatus)
   {
-    auto array = MakeArray<vtkIdTypeArray>("Fate", this->Context, count);
+    auto array = MakeArray<vtkIdTypeArray>("Fate", count);
     vtkIdType* status = array->GetPointer(0);
     this->Context.Check(triangulation.writePointStatus(status, this->Context));
     for (const ahd::MergedPoint& merged : points.merged())
@@ -246,7 +244,7 @@ void vtkAHDSurface::AddPointArrays(
   }
   if (this->Settings.GenerateInsertionRank)
   {
-    auto array = MakeArray<vtkIdTypeArray>("InsertionRank", this->Context, count);
+    auto array = MakeArray<vtkIdTypeArray>("InsertionRank", count);
     this->Context.Check(triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
     vtkAHDReplaceArray(this->Output->GetPointData(), array);
   }
@@ -259,14 +257,14 @@ void vtkAHDSurface::AddCellArrays(
   vtkCellData* data = this->Output->GetCellData();
   if (this->Settings.GenerateConstraintEdges)
   {
-    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", this->Context, count);
+    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
     this->Context.Check(
       ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
     data->AddArray(edges);
   }
   if (this->Settings.GenerateRegionIds)
   {
-    auto regions = MakeArray<vtkIdTypeArray>("RegionId", this->Context, count);
+    auto regions = MakeArray<vtkIdTypeArray>("RegionId", count);
     this->Context.Check(
       ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
     data->AddArray(regions);
@@ -301,9 +299,7 @@ void vtkAHDSurface::WriteCrossings(
     return;
   }
   const std::size_t count = std::min(cells.size(), kMostCrossingRows);
-  auto rows = vtkAHDNewArray<vtkIdTypeArray>(2 * static_cast<vtkIdType>(count));
-  rows->SetNumberOfComponents(2);
-  rows->SetName("Crossings");
+  auto rows = MakeArray<vtkIdTypeArray>("Crossings", count, 2);
   for (std::size_t i = 0; i < count; ++i)
   {
     rows->SetValue(static_cast<vtkIdType>(2 * i), static_cast<vtkIdType>(cells[i][0]));

@@ -48,7 +48,7 @@ vtkSmartPointer<IdArray> TakeArray(ahd::Buffer<std::int32_t>& numbers)
 vtkSmartPointer<vtkIdTypeArray> MakeIds(
   ahd::Buffer<std::int32_t>& sites, const vtkAHDContext& context)
 {
-  auto ids = vtkAHDNewArray<vtkIdTypeArray>(static_cast<vtkIdType>(sites.size()), context);
+  auto ids = vtkAHDNewArray<vtkIdTypeArray>(static_cast<vtkIdType>(sites.size()));
   vtkIdType* to = ids->GetPointer(0);
   context.ForRange(sites.size(),
     [&sites, to](std::size_t begin, std::size_t end)
@@ -61,7 +61,7 @@ vtkSmartPointer<vtkIdTypeArray> MakeIds(
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(
   ahd::Buffer<ahd::Point>& corners, const vtkAHDContext& context)
 {
-  auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * static_cast<vtkIdType>(corners.size()), context);
+  auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * static_cast<vtkIdType>(corners.size()));
   double* to = xyz->GetPointer(0);
   context.ForRange(corners.size(),
     [&corners, to](std::size_t begin, std::size_t end)

@@ -2,9 +2,6 @@
 #ifndef vtkAHDArray_h
 #define vtkAHDArray_h
 
-#include "Pipeline/vtkAHDArrayMemory.h"
-#include "Pipeline/vtkAHDContext.h"
-
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -30,27 +27,8 @@ vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count)
   return array;
 }
 
-/// The same for an array of the output, in the memory of one of the outputs before where there is
-/// such.
-template <typename Array>
-vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count, const vtkAHDContext& context)
-{
-  using Value = typename Array::ValueType;
-  const std::size_t bytes = static_cast<std::size_t>(count) * sizeof(Value);
-  vtkAHDArrayMemory* const memory = context.GetArrayMemory();
-  if (!memory || bytes < vtkAHDArrayMemory::kLeast)
-  {
-    return vtkAHDNewArray<Array>(count);
-  }
-  auto array = vtkSmartPointer<Array>::New();
-  auto* values = static_cast<Value*>(memory->Allocate(bytes));
-  array->SetArray(values, count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(vtkAHDArrayMemory::Free);
-  return array;
-}
-
-/// Makes room for `count` numbers in an array of vtkAHDNewArray(count): those that it has stay, as
-/// far as there is room. Large ones are not copied where the system can move their pages. Throws
+/// Makes room for `count` numbers in an array of vtkAHDNewArray(): those that it has stay, as far
+/// as there is room. Large ones are not copied where the system can move their pages. Throws
 /// std::bad_alloc, and leaves it as it was.
 template <typename Array>
 void vtkAHDResizeArray(Array* array, vtkIdType count)

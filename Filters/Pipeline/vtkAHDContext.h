@@ -19,23 +19,15 @@ struct vtkAHDStop
   ahd::Status Reason;
 };
 
-class vtkAHDArrayMemory;
-
-/// Who is told of progress in one Update(), the threads that work in it, and the memory of its
-/// outputs. Borrows all of them.
+/// Who is told of progress in one Update(), and the threads that work in it. Borrows both.
 class vtkAHDContext
 {
 public:
-  vtkAHDContext(
-    vtkAHDProgress& progress, ahd::Threads& threads, vtkAHDArrayMemory* arrays = nullptr)
+  vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads)
     : Progress(progress)
     , Threads(threads)
-    , Arrays(arrays)
   {
   }
-
-  /// Where large arrays of the output get their memory; null: from the C library.
-  vtkAHDArrayMemory* GetArrayMemory() const { return this->Arrays; }
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
@@ -126,7 +118,6 @@ public:
 private:
   vtkAHDProgress& Progress;
   ahd::Threads& Threads;
-  vtkAHDArrayMemory* Arrays;
 };
 
 #endif
