@@ -101,7 +101,8 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   {
     return;
   }
-  if (!merged.GetSource() && vtkAHDFindSurface(merged.GetInput()))
+  vtkPolyData* const surface = merged.GetSource() ? nullptr : vtkAHDFindSurface(merged.GetInput());
+  if (surface)
   {
     vtkAHDLeaveToSurface(settings);
   }
@@ -112,6 +113,12 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
   if (isRaster)
   {
+    ahd::Plane plane;
+    if (surface && settings.FitPlane && !wishes.UseBounds)
+    {
+      plane = vtkAHDFitPlaneOf(settings, surface, context);
+      settings.Plane = &plane;
+    }
     const vtkAHDRaster raster = vtkAHDFindRaster(
       settings, wishes, merged.GetInput(), merged.GetSource(), context);
     // Filters for images behind may make room for one as large before the data are there.

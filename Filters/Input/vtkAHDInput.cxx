@@ -28,6 +28,7 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
   this->Request.points.count = this->InputPoints.GetCount();
   this->Request.sourcePoints.count = this->SourcePoints.GetCount();
   this->Request.fitPlane = settings.FitPlane;
+  this->Request.plane = settings.Plane;
   this->Request.projection = settings.Transform ? &this->Projection : nullptr;
   this->Request.tolerance = settings.Tolerance;
   this->Request.bounding = settings.AddsBounding();

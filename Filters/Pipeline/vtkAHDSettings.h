@@ -10,6 +10,11 @@
 
 class vtkAbstractTransform;
 
+namespace ahd
+{
+class Plane;
+}
+
 /// What a filter is asked for, as it was when the execution began: its settings, in the engine's
 /// words where it has them.
 struct vtkAHDSettings
@@ -24,6 +29,7 @@ struct vtkAHDSettings
   bool HeightsFromSurface = false; ///< of the source's points; only with AddSourcePoints
   bool Split = false;
   bool FitPlane = false;
+  const ahd::Plane* Plane = nullptr; ///< with FitPlane: null, or this one, which was fitted before
   vtkAbstractTransform* Transform = nullptr; ///< null: none is used
   bool TransformIsMissing = false;           ///< although it is asked for
   double Tolerance = 0.0;

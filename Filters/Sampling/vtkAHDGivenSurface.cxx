@@ -3,6 +3,7 @@
 
 #include "Engine/Surface/FindTriangles.h"
 #include "Engine/Triangulate.h"
+#include "Input/vtkAHDInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -45,6 +46,26 @@ void vtkAHDLeaveToSurface(vtkAHDSettings& settings)
   settings.ShowMeans = false;
   settings.Bounding = false;
   settings.Trim = false;
+}
+
+vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface)
+{
+  auto* count = vtkIdTypeArray::SafeDownCast(
+    surface->GetFieldData()->GetAbstractArray("NumberOfAddedPoints"));
+  const vtkIdType added = count && count->GetNumberOfValues() == 1 ? count->GetValue(0) : 0;
+  return added > 0 && added < surface->GetNumberOfPoints() ? added : 0;
+}
+
+ahd::Plane vtkAHDFitPlaneOf(
+  const vtkAHDSettings& settings, vtkPolyData* surface, const vtkAHDContext& context)
+{
+  vtkAHDInput view(settings, surface, nullptr);
+  view.Open(context);
+  ahd::PointView given = view.GetRequest().points;
+  given.count -= static_cast<std::size_t>(vtkAHDCountAddedPoints(surface));
+  ahd::Plane plane;
+  context.Check(plane.fit(given, context));
+  return plane;
 }
 
 vtkAHDGivenSurface::vtkAHDGivenSurface(vtkPolyData* surface)

@@ -2,11 +2,13 @@
 #ifndef vtkAHDGivenSurface_h
 #define vtkAHDGivenSurface_h
 
+#include "Engine/Surface/Plane.h"
 #include "Engine/Triangulation/Triangulation.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
@@ -23,6 +25,14 @@ vtkPolyData* vtkAHDFindSurface(vtkDataObject* input);
 /// Of the settings of a triangulation leaves those that such a surface has not used up: its plane,
 /// memory and how points are inserted.
 void vtkAHDLeaveToSurface(vtkAHDSettings& settings);
+
+/// How many of its points, the last ones, were not in the input of the filter that made it.
+vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface);
+
+/// The plane that fits best what the filter that made the surface was given: with points that are
+/// no corner, without those that it added. Throws vtkAHDStop and std::bad_alloc.
+ahd::Plane vtkAHDFitPlaneOf(
+  const vtkAHDSettings& settings, vtkPolyData* surface, const vtkAHDContext& context);
 
 /**
  * The triangles of a surface, to be had in a triangulation of the points that are their corners.

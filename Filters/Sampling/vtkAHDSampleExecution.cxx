@@ -65,6 +65,11 @@ bool vtkAHDSampleExecution::Run(
   {
     this->Context.StopIfAborted();
     this->IsSurface = inputs.Surface != nullptr;
+    if (inputs.Surface && this->Settings.FitPlane)
+    {
+      this->Plane = vtkAHDFitPlaneOf(this->Settings, inputs.Surface, this->Context);
+      this->Settings.Plane = &this->Plane;
+    }
     if (kept.Surface)
     {
       this->IsKept = this->MayKeep &&

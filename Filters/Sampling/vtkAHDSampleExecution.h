@@ -2,6 +2,7 @@
 #ifndef vtkAHDSampleExecution_h
 #define vtkAHDSampleExecution_h
 
+#include "Engine/Surface/Plane.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDReport.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -56,7 +57,8 @@ struct vtkAHDSampleMemoryKept
 class vtkAHDSampleExecution
 {
 public:
-  /// Borrows all. `keep`: the surface is to be left to the next execution, if it is not too large.
+  /// Borrows all but the settings. `keep`: the surface is to be left to the next execution, if it
+  /// is not too large.
   vtkAHDSampleExecution(vtkAlgorithm* filter, const vtkAHDSettings& settings,
     const vtkAHDSampleSettings& wishes, const vtkAHDContext& context, bool keep);
   ~vtkAHDSampleExecution();
@@ -89,7 +91,8 @@ private:
   double EstimatePlaces() const;
 
   vtkAlgorithm* const Filter;
-  const vtkAHDSettings& Settings;
+  vtkAHDSettings Settings;
+  ahd::Plane Plane; // of a surface that is given, where one is fitted
   const vtkAHDSampleSettings& Wishes;
   const vtkAHDContext& Context;
   const bool MayKeep;

@@ -117,6 +117,7 @@ bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtk
     arrays.push_back(surface->GetPolys()->GetConnectivityArray());
     arrays.push_back(surface->GetCellData()->GetArray("ConstraintEdges"));
     found.Prints.push_back({ { std::uint64_t(surface->GetNumberOfPolys()), 2 } });
+    found.Prints.push_back({ { std::uint64_t(vtkAHDCountAddedPoints(surface)), 3 } });
   }
   for (vtkDataArray* array : arrays)
   {

@@ -5,7 +5,9 @@
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
+#include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
 
 #include <gtest/gtest.h>
 
@@ -126,6 +128,57 @@ TEST(InterpolationSurface, InAnotherPlane)
       f->SetRimToConvexHull();
     },
     nullptr, { Filter::LINEAR }, true);
+}
+
+/// A plane is fitted to all points that the surface was made from, those without triangles too, and
+/// not to those that were added; so is the raster that is announced.
+TEST(InterpolationSurface, InThePlaneOfAllPoints)
+{
+  auto cloud = hills();
+  for (const Xyz& far : { Xyz{ { 30, 0, -40 } }, Xyz{ { 31, 5, -60 } }, Xyz{ { 0, 40, 50 } } })
+  {
+    cloud->GetPoints()->InsertNextPoint(far.data());
+  }
+  cloud->GetPointData()->Initialize();
+  auto source = makeSource({}, {}, { { { 0.5, 0.5, 3.0 } } });
+  const auto set = [](Delaunay* f)
+  {
+    f->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+    f->SetMaximumEdgeLength(0.3);
+    f->SetSourceModeToCoordinates();
+  };
+  vtkNew<Delaunay> delaunay;
+  vtkNew<Messages> said; // of a source that constrains nothing
+  said->Watch(delaunay);
+  delaunay->SetInputData(cloud);
+  delaunay->SetSourceData(source);
+  WatchedInterpolation direct, behind;
+  direct->SetInputData(cloud);
+  direct->SetSourceData(source);
+  for (Delaunay* f : { delaunay.Get(), direct->GetTriangulation(), behind->GetTriangulation() })
+  {
+    set(f);
+  }
+  behind->SetInputConnection(delaunay->GetOutputPort());
+  for (WatchedInterpolation* filter : { &direct, &behind })
+  {
+    (*filter)->SetDimensions(700, 900);
+    (*filter)->Update();
+    EXPECT_TRUE(filter->Said->Errors.empty());
+  }
+  EXPECT_EQ(vtkPolyData::SafeDownCast(delaunay->GetOutput())->GetNumberOfPoints(), 1505);
+  auto* const one = vtkImageData::SafeDownCast(direct->GetOutput());
+  auto* const two = vtkImageData::SafeDownCast(behind->GetOutput());
+  double announced[3];
+  behind->GetOutputInformation(0)->Get(vtkDataObject::ORIGIN(), announced);
+  for (int k = 0; k < 3; ++k)
+  {
+    EXPECT_EQ(one->GetOrigin()[k], two->GetOrigin()[k]);
+    EXPECT_EQ(announced[k], two->GetOrigin()[k]);
+    EXPECT_EQ(one->GetSpacing()[k], two->GetSpacing()[k]);
+  }
+  EXPECT_GT(direct->GetNumberOfValidPlaces(), 10);
+  EXPECT_TRUE(areSame(numbersOf(one, "Elevation"), numbersOf(two, "Elevation"), 1e-12));
 }
 
 TEST(InterpolationSurface, IsKnownAgain)
