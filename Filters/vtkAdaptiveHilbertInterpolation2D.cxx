@@ -331,6 +331,8 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   {
     const bool isLast = k + 1 == pieces.GetCount();
     data.Places = pieces.GetPlaces(k);
+    data.Pieces = pieces.GetCount() > 1 ? &pieces : nullptr;
+    data.Piece = k;
     data.SaysArrays = k == 0;
     vtkAHDSampleExecution execution(this, isLast ? settings : between, wishes, context,
       !isLast || this->Triangulation->GetKeepTriangulation());

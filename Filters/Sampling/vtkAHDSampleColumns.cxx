@@ -155,6 +155,24 @@ double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) con
   return perPoint * double(points) + perPlace * places;
 }
 
+double vtkAHDSampleColumns::EstimateOutputBytes(double places) const
+{
+  double perPlace = 1.0; // mask
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    const double width = double(column.Components);
+    if (this->Settings.IsNearest())
+    {
+      perPlace += width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
+      continue;
+    }
+    const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
+    perPlace += (column.IsFloat ? sizeof(float) : sizeof(double)) *
+      (width + (hasGradient ? 2.0 : 0.0));
+  }
+  return perPlace * places;
+}
+
 void vtkAHDSampleColumns::Open(
   const double* heights, std::size_t places, const vtkAHDContext& context)
 {

@@ -55,6 +55,9 @@ public:
   /// Sampler takes for it; as a double, as it may be beyond all whole numbers.
   double EstimateBytes(std::size_t points, double places) const;
 
+  /// Those of it that the arrays have which are put out, mask included.
+  double EstimateOutputBytes(double places) const;
+
   std::size_t GetNumberOfComponents() const;
 
   /// What AddTo() makes the active scalars: type and number of components.

@@ -8,6 +8,7 @@
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
 #include "Sampling/vtkAHDSampleOutput.h"
+#include "Sampling/vtkAHDSamplePieces.h"
 #include "Sampling/vtkAHDSampling.h"
 
 #include "vtkCharArray.h"
@@ -72,7 +73,7 @@ bool vtkAHDSampleExecution::Run(
     }
     if (kept.Surface)
     {
-      this->IsKept = this->MayKeep &&
+      this->IsKept = (this->MayKeep || inputs.Piece > 0) &&
         kept.Surface->IsOf(
           inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
     }
@@ -124,15 +125,49 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     this->Raster.Fault == vtkAHDRasterFault::NoArea;
 }
 
-/// The places themselves.
-double vtkAHDSampleExecution::EstimatePlaces() const
+/// The points of a raster that is put out as a surface: x, y, z and mark.
+double vtkAHDSampleExecution::EstimateSurface() const
 {
-  if (this->Places)
-  {
-    return double(this->Places->EstimateBytes(this->Settings.IsProjected()));
-  }
-  // x, y, z and the mark of a surface
   return this->Wishes.AsSurface ? 25.0 * double(this->Result.Places) : 0.0;
+}
+
+/// Interpolating. The first of several pieces answers for all: their outputs stay, and one of them
+/// takes more than that at a time.
+void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, std::size_t points)
+{
+  vtkPointData* const data = inputs.Points->GetPointData();
+  const vtkAHDSampleColumns columns(
+    this->Wishes, data, data, static_cast<std::size_t>(inputs.Points->GetNumberOfPoints()));
+  const auto estimate = [&](const vtkAHDPlaces& places)
+  {
+    const ahd::PointView view(static_cast<const double*>(nullptr), places.GetCount(), 3);
+    return double(places.EstimateBytes(this->Settings.IsProjected())) +
+      vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(view));
+  };
+  if (!this->Places)
+  {
+    const ahd::SampleRaster& cells = this->Raster.Cells;
+    this->Memory.Places = double(cells.columns) * double(cells.rows);
+    this->BytesOfSampling = this->EstimateSurface() +
+      vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(cells));
+    return;
+  }
+  if (!inputs.Pieces || inputs.Piece > 0)
+  {
+    this->Memory.Places = double(this->Places->GetCount());
+    this->BytesOfSampling = estimate(*this->Places);
+    return;
+  }
+  double outputs = 0.0, most = 0.0;
+  for (std::size_t k = 0; k < inputs.Pieces->GetCount(); ++k)
+  {
+    const vtkAHDPlaces places(inputs.Pieces->GetPlaces(k));
+    const double putOut = columns.EstimateOutputBytes(double(places.GetCount()));
+    this->Memory.Places += double(places.GetCount());
+    outputs += putOut;
+    most = std::max(most, estimate(places) - putOut);
+  }
+  this->BytesOfSampling = outputs + most;
 }
 
 /// Is there memory for it all? Says if not.
@@ -143,25 +178,14 @@ bool vtkAHDSampleExecution::FitsInMemory(
   ahd::Workspace none;
   const vtkAHDExecution execution(this->Settings, view, none, this->Context, inputs.InputBytes);
   const std::size_t points = ahd::expectedPoints(view.GetRequest());
-  vtkPointData* const data = inputs.Points->GetPointData();
-  const vtkAHDSampleColumns columns(
-    this->Wishes, data, data, static_cast<std::size_t>(inputs.Points->GetNumberOfPoints()));
-  ahd::SampleRaster cells = this->Raster.Cells;
-  const ahd::SamplePlaces places = this->Places
-    ? ahd::SamplePlaces(
-        ahd::PointView(static_cast<const double*>(nullptr), this->Places->GetCount(), 3))
-    : ahd::SamplePlaces(cells);
-  this->BytesOfSampling = this->EstimatePlaces() +
-    vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, places);
+  this->EstimateSampling(inputs, points);
   const double toMake = double(execution.EstimateBytes()) +
     (inputs.Surface ? double(vtkAHDGivenSurface::EstimateBytes(inputs.Surface)) : 0.0);
   vtkAHDSampleMemory& memory = this->Memory;
   memory.Points = points;
-  memory.Places = this->Places ? double(this->Places->GetCount())
-                               : double(cells.columns) * double(cells.rows);
   memory.Estimate = InKiB(toMake + this->BytesOfSampling);
   memory.IsLimited = this->Settings.MemoryLimit > 0;
-  const double needed = this->IsKept ? this->BytesOfSampling : toMake + this->BytesOfSampling;
+  const double needed = this->BytesOfSampling + (this->IsKept ? 0.0 : toMake);
   const double held = double(kept.Workspace.bytes()) + double(inputs.InputBytes);
   memory.Limit = memory.IsLimited ? this->Settings.MemoryLimit
                                   : InKiB(double(ahd::availableMemory()) + held);

@@ -19,6 +19,7 @@
 #include <memory>
 #include <vector>
 
+class vtkAHDSamplePieces;
 class vtkAlgorithm;
 class vtkDataSet;
 class vtkPointData;
@@ -33,8 +34,12 @@ struct vtkAHDSampleInputs
   /// Null, or Points, if these are the surface: its own triangles are interpolated on.
   vtkPolyData* Surface = nullptr;
   vtkDataSet* Places = nullptr; ///< null: a raster
-  std::size_t InputBytes = 0;   ///< that making the input has taken, if it was made of blocks
-  bool SaysArrays = true;       ///< warn of arrays that are passed over
+  /// Null, or of what the places are one piece, of this number, the first one first: the outputs of
+  /// all stay.
+  const vtkAHDSamplePieces* Pieces = nullptr;
+  std::size_t Piece = 0;
+  std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
+  bool SaysArrays = true;     ///< warn of arrays that are passed over
   vtkAHDSettingsTimes SettingsTimes = {};
 
   // One of several ranks: then nobody is warned.
@@ -88,7 +93,8 @@ private:
   void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void CountPlaces(const ahd::SamplePlaces& places, const ahd::SampleReport& counts,
     vtkAHDSampledSurface& surface);
-  double EstimatePlaces() const;
+  double EstimateSurface() const;
+  void EstimateSampling(const vtkAHDSampleInputs& inputs, std::size_t points);
 
   vtkAlgorithm* const Filter;
   vtkAHDSettings Settings;

@@ -257,6 +257,43 @@ TEST(InterpolationPlaces, BlocksOfACompositeOneByOne)
   EXPECT_LE(farthestFromPlane(vtkDataSet::SafeDownCast(output->GetBlock(2))), 1e-14);
   EXPECT_EQ(output->GetBlock(1), nullptr);
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  filter->GetTriangulation()->KeepTriangulationOff();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
+}
+
+/// The outputs of all blocks are there at the same time, and are thought of before the first one.
+TEST(InterpolationPlaces, BlocksAreRefusedBeforeTheFirst)
+{
+  constexpr vtkIdType kPlaces = 20000;
+  constexpr int kBlocks = 20;
+  const auto places = makeCloud(scatteredPoints(kPlaces, 3));
+  WatchedInterpolation filter;
+  filter->SetInputData(plane());
+  const auto estimateOf = [&](int count)
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (int k = 0; k < count; ++k)
+    {
+      blocks->SetBlock(static_cast<unsigned>(k), places);
+    }
+    filter->SetInputDataObject(1, blocks);
+    filter->Update();
+    return filter->GetMemoryEstimate();
+  };
+  const vtkTypeInt64 ofOne = estimateOf(1);
+  const vtkTypeInt64 ofAll = estimateOf(kBlocks);
+  constexpr vtkTypeInt64 kPutOut = kPlaces * 9 / 1024; // height and mask
+  EXPECT_NEAR(double(ofAll), double(ofOne + (kBlocks - 1) * kPutOut), kBlocks);
+  filter->GetTriangulation()->SetMemoryLimit(ofAll);
+  EXPECT_EQ(estimateOf(kBlocks), ofAll);
+  EXPECT_TRUE(filter.Said->Errors.empty());
+  const int before = filter->GetNumberOfTriangulations();
+  filter->GetTriangulation()->SetMemoryLimit(ofAll - 1);
+  EXPECT_EQ(estimateOf(kBlocks), ofAll);
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), before);
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("400000 places"), std::string::npos);
 }
 
 } // namespace
