@@ -96,6 +96,18 @@ class Columns:
             per_place += 25.0 * (width + (2 if self.makes_slopes and width == 1 else 0))
         return per_point * points + per_place * places
 
+    def output_bytes(self, places):
+        """Those of it that the arrays have which are put out, mask included."""
+        per_place = 1.0
+        for column in self.columns:
+            data, width = column.given, column.components
+            if self.is_nearest:
+                per_place += width * (max(1, data.GetDataTypeSize()) if data is not None else 8)
+            else:
+                number = 4.0 if data is not None and data.GetDataType() == self.backend.VTK_FLOAT else 8.0
+                per_place += number * (width + (2 if self.makes_slopes and width == 1 else 0))
+        return per_place * places
+
     def interpolate(self, job, places, heights, fills):
         """Fills the columns, each by weights; the mask. engine.EngineError, MemoryError."""
         numbers = [heights.reshape(-1, 1)] + [column.numbers() for column in self.columns[1:]]

@@ -41,9 +41,10 @@ class _Stage(Progress):
 
 class Interpolating:
     """Of a filter, with the settings of its triangulation; `merged`: the points and constraints; `places`: of one
-    piece, None for a raster. The triangulation is kept until the last piece is done."""
+    piece, None for a raster. The triangulation is kept until the last piece is done. `counts`: how many places each
+    piece has; the first piece answers for the memory of all."""
 
-    def __init__(self, algorithm, values, merged, places, speaker, is_first=True, is_last=True):
+    def __init__(self, algorithm, values, merged, places, speaker, is_first=True, is_last=True, counts=()):
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
         self.values, self.wishes, self.speaker = values, algorithm._values, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
@@ -51,6 +52,7 @@ class Interpolating:
         self.is_kept = self.is_triangulated = False
         self.bytes_behind = 0
         self.is_first, self.is_last = is_first, is_last
+        self.counts = counts if is_first else ()
 
     def run(self, made):
         """Fills the output. Stopped."""
@@ -92,12 +94,14 @@ class Interpolating:
         data = self.given.GetPointData()
         columns = Columns(self.backend, self.wishes, data, data, self.given.GetNumberOfPoints())
         numbers = 1 if self.wishes["Method"] == NEAREST else columns.components()
+        count = max(self.counts, default=self.count)
+        others = columns.output_bytes(sum(self.counts) - count) if self.counts else 0
         own = 16384 + 256 * numbers + self.points * (14 + 8 * numbers) * (1 + self.wishes["Outside"])
         if self.places is not None:
-            places = self.count * 64 + min(self.count, 1 << 22) * 32
+            places = count * 64 + min(count, 1 << 22) * 32
         else:
-            places = self.count * 33 * self.wishes["OutputType"] + 8 * (self.cells.columns + self.cells.rows)
-        return columns.estimate_bytes(self.points, self.count) + places + own + self.count * self.wishes["Outside"]
+            places = count * 33 * self.wishes["OutputType"] + 8 * (self.cells.columns + self.cells.rows)
+        return columns.estimate_bytes(self.points, count) + places + own + count * self.wishes["Outside"] + others
 
     def _take_surface(self):
         """The surface that was kept, or a new one in its place. engine.EngineError."""
@@ -147,7 +151,7 @@ class Interpolating:
         allowed = limit or (engine.available_memory() if self.is_kept else self.job.count("memory_allowed")) // 1024
         estimate = self._memory()
         return raster_messages.of_memory(
-            self.count, self.points, estimate, allowed, limit > 0, is_refused), estimate
+            sum(self.counts) or self.count, self.points, estimate, allowed, limit > 0, is_refused), estimate
 
     def _what_went_wrong(self, error):
         """Text and estimate, for Stopped."""

@@ -273,10 +273,11 @@ class _Executions:
             speaker.warn("The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
                          "anew by the settings of Triangulation: its own triangles count in the compiled class only.")
         pieces = self._pieces(places, made)
+        counts = [piece.GetNumberOfPoints() for piece, _ in pieces] if len(pieces) > 1 else ()
         try:
             for k, (piece, output) in enumerate(pieces):
                 Interpolating(
-                    self, values, merged, piece, speaker, k == 0, k + 1 == len(pieces)).run(output)
+                    self, values, merged, piece, speaker, k == 0, k + 1 == len(pieces), counts).run(output)
         except Stopped as stopped:
             self._let_go()
             self._clear_measures()

@@ -159,6 +159,25 @@ class InterpolationTest(Case):
         self.assertEqual(algorithm.GetNumberOfTriangulations(), 3)
         self.assertTrue(valid[0] == valid[2] > valid[1], valid)
 
+    def test_blocks_of_places_are_refused_before_the_first(self):
+        """The outputs of all are there at the same time."""
+        places, algorithm = full(5000), silent()
+        algorithm.SetInputData(full())
+        given = {}
+        for count in (1, 20):
+            blocks = model.vtkMultiBlockDataSet()
+            for k in range(count):
+                blocks.SetBlock(k, places)
+            algorithm.SetInputDataObject(1, blocks)
+            algorithm.Update()
+            given[count] = algorithm.GetMemoryEstimate()
+        self.assertGreater(given[20], given[1] + 19 * 5000 * 9 // 1024)
+        before = algorithm.GetNumberOfTriangulations()
+        algorithm.GetTriangulation().SetMemoryLimit((given[1] + given[20]) // 2)
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), before)
+        self.assertEqual(algorithm.GetNumberOfPlaces(), 0)
+
     def test_values_change_on_a_surface_that_is_kept(self):
         given, algorithm = cloud(square()), Interpolation()
         given.GetPointData().AddArray(array("vtkDoubleArray", "a", [1, 1, 1, 1]))
