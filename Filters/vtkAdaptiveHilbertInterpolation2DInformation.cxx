@@ -5,6 +5,7 @@
 #include "vtkAdaptiveHilbertInterpolation2D.h"
 
 #include "Engine/Core/FloatingPoint.h"
+#include "Engine/Core/Memory.h"
 #include "Engine/Core/Threads.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -96,7 +97,8 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkDataObject* const source = this->GetNumberOfInputConnections(2) > 0
     ? this->GetInputDataObject(2, 0)
     : nullptr;
-  const vtkAHDMergedBlocks merged(this, settings, this->GetInputDataObject(0, 0), source, context);
+  const vtkAHDMergedBlocks merged(
+    nullptr, settings, this->GetInputDataObject(0, 0), source, context);
   if (!merged.GetInput())
   {
     return;
@@ -113,6 +115,16 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
   if (isRaster)
   {
+    // Where there is no memory for it, that is said when the raster is to be filled.
+    const double bytes = double(merged.GetBytes()) +
+      double(vtkAHDEstimateBounds(settings, wishes, merged.GetInput(), merged.GetSource()));
+    const double most = settings.MemoryLimit > 0
+      ? 1024.0 * (double(settings.MemoryLimit) + 1.0)
+      : double(ahd::availableMemory()) + double(merged.GetBytes());
+    if (bytes >= most)
+    {
+      return;
+    }
     ahd::Plane plane;
     if (surface && settings.FitPlane && !wishes.UseBounds)
     {

@@ -126,7 +126,7 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   const vtkAHDContext context(progress, threads);
   vtkAHDRanks ranks(controller);
   vtkAHDRankSampling::Inputs inputs;
-  const RankInput input(nobody, settings, this->GetInputDataObject(0, 0),
+  const RankInput input(nullptr, settings, this->GetInputDataObject(0, 0),
     this->GetNumberOfInputConnections(2) > 0 ? this->GetInputDataObject(2, 0) : nullptr, context,
     inputs);
   try

@@ -48,7 +48,10 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
 {
   if (static_cast<std::size_t>(blocks.GetCount()) > ahd::kMaximumPoints)
   {
-    vtkAHDSayTooManyPoints(this->Filter, static_cast<std::size_t>(blocks.GetCount()));
+    if (this->Filter)
+    {
+      vtkAHDSayTooManyPoints(this->Filter, static_cast<std::size_t>(blocks.GetCount()));
+    }
     return nullptr;
   }
   this->Bytes += blocks.EstimateBytes();
@@ -69,6 +72,10 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
   }
   catch (const std::bad_alloc&)
   {
+  }
+  if (!this->Filter)
+  {
+    return nullptr;
   }
   vtkErrorWithObjectMacro(this->Filter,
     "Merging blocks of " << blocks.GetCount() << " points may take " << needed

@@ -22,7 +22,8 @@ struct vtkAHDSettings;
 class vtkAHDMergedBlocks
 {
 public:
-  /// Merges what has to be. Says in an error if there are too many points or too little memory.
+  /// Merges what has to be. Says in an error if there are too many points or too little memory;
+  /// nothing without a filter.
   /// `source` may be null. Throws std::bad_alloc.
   vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
     vtkDataObject* source, const vtkAHDContext& context);

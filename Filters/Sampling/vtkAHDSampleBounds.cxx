@@ -28,6 +28,28 @@ void Grow(ahd::Bounds& box, double x0, double x1, double y0, double y1)
   box.ymin = std::min(box.ymin, y0);
   box.ymax = std::max(box.ymax, y1);
 }
+
+/// Of what is done to the points, that alone which says where they are.
+ahd::InputRequest OnlyPlaces(ahd::InputRequest request)
+{
+  request.lines = ahd::CellsView();
+  request.polygons = ahd::CellsView();
+  request.tolerance = 0.0;
+  request.split = false;
+  request.heightsFromSurface = false;
+  return request;
+}
+}
+
+std::size_t vtkAHDEstimateBounds(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,
+  vtkPointSet* input, vtkPolyData* source)
+{
+  if (wishes.UseBounds)
+  {
+    return 0;
+  }
+  const vtkAHDInput view(settings, input, source);
+  return view.EstimateBytes() + ahd::preparationMemoryEstimate(OnlyPlaces(view.GetRequest()));
 }
 
 ahd::Bounds vtkAHDBoundsOf(const ahd::PointView& points, const vtkAHDContext& context)
@@ -66,17 +88,11 @@ ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
 {
   vtkAHDInput view(settings, input, source);
   view.Open(context);
-  ahd::InputRequest request = view.GetRequest();
+  const ahd::InputRequest request = OnlyPlaces(view.GetRequest());
   if (!settings.IsProjected() && !settings.AddsBounding() && request.sourcePoints.count == 0)
   {
     return vtkAHDBoundsOf(request.points, context);
   }
-  // Of what is done to the points, that alone which says where they are.
-  request.lines = ahd::CellsView();
-  request.polygons = ahd::CellsView();
-  request.tolerance = 0.0;
-  request.split = false;
-  request.heightsFromSurface = false;
   ahd::PreparedInput points;
   context.Check(ahd::prepare(request, context, points));
   return vtkAHDBoundsOf(points.points(), context);

@@ -8,6 +8,8 @@
 #include "Sampling/vtkAHDRaster.h"
 #include "Sampling/vtkAHDSampleSettings.h"
 
+#include <cstddef>
+
 class vtkPointSet;
 class vtkPolyData;
 
@@ -17,6 +19,10 @@ class vtkPolyData;
 /// null. Throws vtkAHDStop and std::bad_alloc.
 ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
   vtkPolyData* source, const vtkAHDContext& context);
+
+/// Upper estimate of the bytes that finding these takes; 0 where the raster's area is set.
+std::size_t vtkAHDEstimateBounds(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,
+  vtkPointSet* input, vtkPolyData* source);
 
 /// The raster that is asked for. Throws vtkAHDStop and std::bad_alloc.
 vtkAHDRaster vtkAHDFindRaster(const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes,

@@ -66,11 +66,6 @@ bool vtkAHDSampleExecution::Run(
   {
     this->Context.StopIfAborted();
     this->IsSurface = inputs.Surface != nullptr;
-    if (inputs.Surface && this->Settings.FitPlane)
-    {
-      this->Plane = vtkAHDFitPlaneOf(this->Settings, inputs.Surface, this->Context);
-      this->Settings.Plane = &this->Plane;
-    }
     if (kept.Surface)
     {
       this->IsKept = (this->MayKeep || inputs.Piece > 0) &&
@@ -107,9 +102,19 @@ bool vtkAHDSampleExecution::Run(
   return false;
 }
 
-/// Where values are wanted. Returns false if there is no raster, which it says.
+/// Where values are wanted. Returns false if there is no raster, or no memory to find it, which it
+/// says.
 bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
 {
+  if (!this->FitsToFindPlaces(inputs))
+  {
+    return false;
+  }
+  if (inputs.Surface && this->Settings.FitPlane)
+  {
+    this->Plane = vtkAHDFitPlaneOf(this->Settings, inputs.Surface, this->Context);
+    this->Settings.Plane = &this->Plane;
+  }
   if (inputs.Places)
   {
     this->Places = std::make_unique<vtkAHDPlaces>(inputs.Places);
@@ -168,6 +173,37 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
     most = std::max(most, estimate(places) - putOut);
   }
   this->BytesOfSampling = outputs + most;
+}
+
+/// Is there memory to find out where the raster lies? That may take a copy of the points. Says if
+/// not.
+bool vtkAHDSampleExecution::FitsToFindPlaces(const vtkAHDSampleInputs& inputs)
+{
+  if (inputs.Places || inputs.Raster)
+  {
+    return true;
+  }
+  const std::size_t bytes = vtkAHDEstimateBounds(
+    this->Settings, this->Wishes, inputs.Points, inputs.Source);
+  vtkAHDSampleMemory& memory = this->Memory;
+  memory.IsLimited = this->Settings.MemoryLimit > 0;
+  memory.Limit = memory.IsLimited
+    ? this->Settings.MemoryLimit
+    : InKiB(double(ahd::availableMemory()) + double(inputs.InputBytes));
+  if (InKiB(double(bytes) + double(inputs.InputBytes)) <= memory.Limit)
+  {
+    return true;
+  }
+  vtkAHDInput view(this->Settings, inputs.Points, inputs.Source);
+  ahd::Workspace none;
+  memory.Estimate = InKiB(double(
+    vtkAHDExecution(this->Settings, view, none, this->Context, inputs.InputBytes).EstimateBytes()));
+  memory.Points = ahd::expectedPoints(view.GetRequest());
+  const auto& dimensions = this->Wishes.Raster.Dimensions;
+  memory.Places = this->Wishes.Raster.ByCellSize ? -1.0
+                                                 : double(dimensions[0]) * double(dimensions[1]);
+  vtkAHDSayMemory(this->Filter, memory, true);
+  return false;
 }
 
 /// Is there memory for it all? Says if not.

@@ -83,6 +83,7 @@ public:
 
 private:
   bool FindPlaces(const vtkAHDSampleInputs& inputs);
+  bool FitsToFindPlaces(const vtkAHDSampleInputs& inputs);
   bool FitsInMemory(const vtkAHDSampleInputs& inputs, const vtkAHDSampleMemoryKept& kept);
   std::vector<double> StagesBehind(std::size_t points) const;
   void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);

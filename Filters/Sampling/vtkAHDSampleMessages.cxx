@@ -122,20 +122,21 @@ void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, boo
 {
   const std::string limit = memory.IsLimited ? "MemoryLimit of Triangulation allows "
                                              : "there are ";
+  const std::string places = memory.Places < 0.0 ? "the places of a raster"
+                                                 : InWords(memory.Places) + " places";
   if (isRefused)
   {
     vtkErrorWithObjectMacro(filter,
-      "Interpolating at " << InWords(memory.Places) << " places from " << memory.Points
-                          << " points may take " << memory.Estimate << " KiB of memory, but "
-                          << limit << memory.Limit
+      "Interpolating at " << places << " from " << memory.Points << " points may take "
+                          << memory.Estimate << " KiB of memory, but " << limit << memory.Limit
                           << " KiB. Nothing was computed. Take a larger CellSize, smaller "
                              "Dimensions, fewer places or points, or set MemoryLimit (in KiB) to "
                              "allow more.");
     return;
   }
   vtkErrorWithObjectMacro(filter,
-    "Out of memory while interpolating at " << InWords(memory.Places) << " places from "
-                                            << memory.Points << " points; about " << memory.Estimate
+    "Out of memory while interpolating at " << places << " from " << memory.Points
+                                            << " points; about " << memory.Estimate
                                             << " KiB are needed.");
 }
 

@@ -21,7 +21,7 @@ struct vtkAHDSampleMemory
   vtkTypeInt64 Limit = 0;
   bool IsLimited = false; ///< Limit is MemoryLimit, and not what there is
   std::size_t Points = 0;
-  double Places = 0.0;
+  double Places = 0.0; ///< below 0: not known yet, for it is a raster of cells by their size
 };
 
 /// Says in one error why there is no raster; nothing where no point says where it is to be.

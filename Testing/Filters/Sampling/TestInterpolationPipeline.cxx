@@ -10,8 +10,10 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkSphericalTransform.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkTransform.h"
 
@@ -337,6 +339,62 @@ TEST(InterpolationPipeline, MemoryIsRefusedWithFigures)
   EXPECT_EQ(filter.Said->Errors.size(), 3u);
   EXPECT_EQ(filter->GetNumberOfPlaces(), 1000000);
   EXPECT_EQ(filter->GetMemoryEstimate(), estimate);
+}
+
+/// Said when it is merged for its values, not when its raster is announced.
+TEST(InterpolationPipeline, BlocksWithoutMemoryAreOneError)
+{
+  WatchedInterpolation filter;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud());
+  blocks->SetBlock(1, cloud(500, 2.0));
+  filter->SetInputData(blocks);
+  filter->GetTriangulation()->SetMemoryLimit(1);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("Merging blocks of 1500 points"), std::string::npos);
+}
+
+/// A transform that counts the points it is asked for.
+class Counted : public vtkSphericalTransform
+{
+public:
+  static Counted* New() { VTK_STANDARD_NEW_BODY(Counted); }
+  vtkTypeMacro(Counted, vtkSphericalTransform);
+  vtkAbstractTransform* MakeTransform() override { return Counted::New(); }
+  std::size_t Asked = 0;
+
+protected:
+  void ForwardTransformPoint(const double in[3], double out[3]) override
+  {
+    ++this->Asked;
+    this->vtkSphericalTransform::ForwardTransformPoint(in, out);
+  }
+};
+
+/// Where the raster lies is not looked for either where there is no memory for that.
+TEST(InterpolationPipeline, NoPointIsMovedWhereThereIsNoMemory)
+{
+  vtkNew<Counted> transform;
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud());
+  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+  filter->GetTriangulation()->SetTransform(transform);
+  filter->GetTriangulation()->SetMemoryLimit(20); // a copy takes 24 KiB
+  filter->Update();
+  EXPECT_EQ(transform->Asked, 0u);
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("65536 places from 1000 points"), std::string::npos);
+  EXPECT_GT(filter->GetMemoryEstimate(), 50);
+  filter->SetRasterSizeToByCellSize();
+  filter->Update();
+  EXPECT_EQ(transform->Asked, 0u);
+  ASSERT_EQ(filter.Said->Errors.size(), 2u);
+  EXPECT_NE(filter.Said->Errors[1].find("the places of a raster from 1000"), std::string::npos);
+  filter->GetTriangulation()->SetMemoryLimit(0);
+  filter->Update();
+  EXPECT_GE(transform->Asked, 2000u);
+  EXPECT_EQ(filter.Said->Errors.size(), 2u);
 }
 
 /// Whatever the progress at which it is aborted: nothing put out, no message, and well again.
