@@ -57,8 +57,7 @@ constexpr std::size_t kLeastShared = 30000;
 ///
 /// Where the rounds are large enough they are inserted in parts. Why that is safe:
 /// - A part owns the vertices of a range of ranks, a territory, and inserts its points. It removes
-/// a
-///   triangle only if it owns all its finite vertices. Two such triangles of different parts have
+///   a triangle only if it owns all its finite vertices. Two such triangles of different parts have
 ///   no finite vertex in common, so no edge (each has a finite vertex): neither part removes what
 ///   the other removes, nor what is beside it.
 /// - A triangle with a vertex of a part's own is removed by that part or by none, and the link
