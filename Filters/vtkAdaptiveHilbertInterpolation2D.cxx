@@ -11,6 +11,7 @@
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleExecution.h"
 #include "Sampling/vtkAHDSampleInformation.h"
+#include "Sampling/vtkAHDSampleMessages.h"
 #include "Sampling/vtkAHDSamplePieces.h"
 #include "Sampling/vtkAHDSampleSettings.h"
 #include "vtkAdaptiveHilbertDelaunay2D.h"
@@ -305,6 +306,10 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   vtkAHDSettings settings;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);
+  if (!vtkAHDAreNamesFit(this, wishes))
+  {
+    return false;
+  }
   const vtkAHDMergedBlocks merged(
     this, settings, vtkDataObject::GetData(inputs[0]), vtkDataObject::GetData(inputs[2]), context);
   if (!merged.GetInput())
@@ -327,6 +332,7 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
   vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
   between.ReuseLimit = VTK_TYPE_INT64_MAX;
+  vtkAHDSampleResult all;
   for (std::size_t k = 0; k < pieces.GetCount(); ++k)
   {
     const bool isLast = k + 1 == pieces.GetCount();
@@ -343,10 +349,12 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
     {
       return false;
     }
-    this->AddMeasures(execution.GetResult());
+    all.Add(execution.GetResult());
     this->SampleSeconds += execution.GetSeconds();
     AddCounts(execution.GetResult(), pieces.GetOutput(k));
   }
+  this->AddMeasures(all);
+  vtkAHDSayPlaceWarnings(this, all);
   return true;
 }
 

@@ -24,7 +24,8 @@
  * (ValidPointMaskArrayName). Arrays of float stay float, others become double; with NEAREST each
  * keeps its type. vtkGhostType is not interpolated; arrays of strings, without a name or of another
  * length than the points are passed over, with a warning. What the places have of the same name is
- * replaced. Active scalars stay active; if there are none, the heights are.
+ * replaced. Active scalars stay active; if there are none, the heights are. Field data are those of
+ * the places, or without places those of the points, and the counts below.
  *
  * <b>No value.</b> Outside of the surface (beyond the hull, in holes, in triangles that the
  * settings of Triangulation leave out) there is no value: nothing is extrapolated unless Outside
@@ -33,7 +34,8 @@
  *
  * <b>Limits and errors.</b> As in vtkAdaptiveHilbertDelaunay2D: one error, the output empty, and
  * nothing thrown, if a setting makes no sense or memory is too little; memory is estimated before
- * anything is computed. Aborted: the output empty, no error. Each warning comes once per execution.
+ * anything is computed. Aborted: the output empty, no error. Each warning comes once per execution,
+ * of all blocks together.
  *
  * @sa
  * vtkAdaptiveHilbertDelaunay2D vtkProbeFilter vtkResampleToImage
@@ -218,7 +220,8 @@ public:
   ///@{
   /// The name of the array of heights (vtkDoubleArray): z of the points, or their height above the
   /// plane of the triangulation. Default "Elevation"; an array of the input of that name is passed
-  /// over, with a warning. Empty: no such array.
+  /// over, with a warning. Empty: no such array. The name of the mask, or "vtkGhostType", is an
+  /// error of the execution.
   virtual void SetHeightArrayName(const std::string& name);
   virtual std::string GetHeightArrayName() { return this->HeightArrayName; }
   ///@}
@@ -226,6 +229,8 @@ public:
   ///@{
   /// The name of the mask (vtkCharArray): 1 for places on the surface (NEAREST: for all with finite
   /// x and y), 0 for others. Default "vtkValidPointMask", as vtkProbeFilter has it. Empty: no mask.
+  /// The name of the heights or of their gradients, or "vtkGhostType", is an error of the
+  /// execution.
   virtual void SetValidPointMaskArrayName(const std::string& name);
   virtual std::string GetValidPointMaskArrayName() { return this->ValidPointMaskArrayName; }
   ///@}

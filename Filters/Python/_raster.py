@@ -146,8 +146,10 @@ def raster_over(
         if not axis.count <= _MOST:
             raise MemoryError("a raster of %g x %g cells has more than %d rows or columns" % (x.count, y.count, _MOST))
         last = axis.origin + (axis.count - 1) * axis.spacing
+        if not (math.isfinite(last) and math.isfinite(axis.spacing)):
+            raise ValueError("the raster would be wider or higher than the largest float64")
         areApart = last - axis.spacing < last and axis.origin + axis.spacing > axis.origin
-        if not math.isfinite(last) or not (areApart or axis.count == 1):
+        if not (areApart or axis.count == 1):
             raise ValueError("float64 cannot tell cells of size %g apart within these bounds" % axis.spacing)
     return Raster((x.origin, y.origin), (x.spacing, y.spacing), (int(y.count), int(x.count)))
 
@@ -170,16 +172,21 @@ def _whole_below(quotient: float, slack: float) -> float:
     return below + 1.0 if isUpper and below + 1.0 - quotient <= slack else below
 
 
+def _length_in(low: float, high: float, size: float) -> float:
+    """(high - low) / size, where only the quotient may be a number, too."""
+    length = high - low
+    return length / size if math.isfinite(length) else high / size - low / size
+
+
 def _by_size(low: float, high: float, size: float, align: bool) -> _Axis:
     slack = 2.0**-50 * max(abs(low), abs(high)) / size  # what writing coordinates in decimal may have cost
     if align:
         first = _whole_below(low / size, slack)
         count = max(1.0, -_whole_below(-(high / size), slack) - first)
         return _Axis((first + 0.5) * size, size, count)
-    return _Axis(low + 0.5 * size, size, max(1.0, -_whole_below(-((high - low) / size), slack)))
+    return _Axis(low + 0.5 * size, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
 
 
 def _by_count(low: float, high: float, count: int) -> _Axis:
-    length = high - low
-    spacing = length / count if math.isfinite(length) else high / count - low / count
+    spacing = _length_in(low, high, count)
     return _Axis(low + 0.5 * spacing, spacing, float(count))

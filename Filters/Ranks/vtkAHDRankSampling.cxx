@@ -244,6 +244,11 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
   {
     this->CompareWishes(inputs.Places);
     samples.Begin(inputs.Data, inputs.Before);
+    if (!vtkAHDAreNamesFit(this->Filter, this->Wishes)) // on all ranks alike
+    {
+      output->Initialize();
+      return false;
+    }
     vtkAHDRaster piece;
     if (!inputs.Places)
     {

@@ -9,6 +9,13 @@ namespace
 constexpr double kMostCells = 2147483647.0; // along an axis, as VTK counts them by int
 constexpr double kPrecision = 0x1p-50;      // of coordinates that were written in decimal
 
+/// (high - low) / size, where only the quotient may be a number, too.
+double LengthIn(double low, double high, double size)
+{
+  const double length = high - low;
+  return std::isfinite(length) ? length / size : high / size - low / size;
+}
+
 /// A raster along one axis.
 struct Axis
 {
@@ -41,7 +48,7 @@ Axis BySize(double low, double high, double size, bool align)
     axis.Origin = (first + 0.5) * size;
     return axis;
   }
-  axis.Count = std::max(1.0, WholeAbove((high - low) / size, slack));
+  axis.Count = std::max(1.0, WholeAbove(LengthIn(low, high, size), slack));
   axis.Origin = low + 0.5 * size;
   return axis;
 }
@@ -50,8 +57,7 @@ Axis BySize(double low, double high, double size, bool align)
 Axis ByCount(double low, double high, int count)
 {
   Axis axis;
-  const double length = high - low;
-  axis.Spacing = std::isfinite(length) ? length / count : high / count - low / count;
+  axis.Spacing = LengthIn(low, high, count);
   axis.Count = count;
   axis.Origin = low + 0.5 * axis.Spacing;
   return axis;
@@ -65,12 +71,23 @@ void MakeOneRow(Axis& axis, double at, double width)
   axis.Count = 1.0;
 }
 
+/// Where VTK has the last centre.
+double LastOf(const Axis& axis)
+{
+  return axis.Origin + (axis.Count - 1.0) * axis.Spacing;
+}
+
+/// Is what it is computed from, or the last centre, beyond the largest number?
+bool IsTooWide(const Axis& axis)
+{
+  return !(std::isfinite(axis.Spacing) && std::isfinite(LastOf(axis)));
+}
+
 /// Are the centres of neighbours different numbers?
 bool AreApart(const Axis& axis)
 {
-  const double last = axis.Origin + (axis.Count - 1.0) * axis.Spacing;
-  return std::isfinite(axis.Origin) && std::isfinite(last) && std::isfinite(axis.Spacing) &&
-    axis.Spacing > 0.0 &&
+  const double last = LastOf(axis);
+  return axis.Spacing > 0.0 &&
     (axis.Count == 1.0 || (axis.Origin + axis.Spacing > axis.Origin && last - axis.Spacing < last));
 }
 
@@ -116,6 +133,11 @@ vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& a
   if (!(x.Count <= kMostCells && y.Count <= kMostCells))
   {
     raster.Fault = vtkAHDRasterFault::TooMany;
+    return raster;
+  }
+  if (IsTooWide(x) || IsTooWide(y))
+  {
+    raster.Fault = vtkAHDRasterFault::TooWide;
     return raster;
   }
   if (!AreApart(x) || !AreApart(y))

@@ -25,6 +25,7 @@ enum class vtkAHDRasterFault
   CellSize,    ///< not positive and finite
   Bounds,      ///< not finite, or the lower is not below the upper
   TooMany,     ///< more than 2^31 - 1 cells along x or y
+  TooWide,     ///< wider or higher than the largest double
   OutOfNumbers ///< double precision cannot tell the cells apart
 };
 

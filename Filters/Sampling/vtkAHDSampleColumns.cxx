@@ -19,8 +19,6 @@
 
 namespace
 {
-constexpr const char* kGradient = "Gradient";
-
 /// An array of doubles, not initialised; throws std::bad_alloc.
 vtkSmartPointer<vtkDoubleArray> MakeDoubles(std::size_t count, std::size_t components)
 {
@@ -32,6 +30,15 @@ vtkSmartPointer<vtkDoubleArray> MakeDoubles(std::size_t count, std::size_t compo
 bool IsNamed(vtkAbstractArray* array, const char* name)
 {
   return array && array->GetName() && std::strcmp(array->GetName(), name) == 0;
+}
+
+/// Has it a name, and numbers for so many points?
+bool Fits(vtkAbstractArray* array, std::size_t points)
+{
+  const char* const name = array->GetName();
+  return vtkArrayDownCast<vtkDataArray>(array) && name && *name != '\0' &&
+    array->GetNumberOfComponents() > 0 &&
+    array->GetNumberOfTuples() >= static_cast<vtkIdType>(points);
 }
 
 /// Does the array of this name name the points?
@@ -52,53 +59,62 @@ vtkAHDSampleColumns::vtkAHDSampleColumns(
   vtkNew<vtkPointData> arrays;
   arrays->ShallowCopy(data);
   vtkAHDRemoveArraysOfOneName(arrays);
+  const Choice choice = { arrays, given, count };
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
-    this->Choose(arrays->GetAbstractArray(i), given, count);
+    this->Choose(arrays->GetAbstractArray(i), choice);
   }
 }
 
-/// Is it the name of an array that is made?
-bool vtkAHDSampleColumns::IsTaken(const std::string& name) const
+/// Is it the name of an array that is made? In whatever order the arrays are.
+bool vtkAHDSampleColumns::IsTaken(const std::string& name, const Choice& choice) const
 {
   if (name == this->Settings.Heights || name == this->Settings.Mask)
   {
     return true;
   }
-  return std::any_of(this->Columns.begin(), this->Columns.end(),
-    [&](const vtkAHDSampleColumn& column)
-    {
-      return this->Settings.MakesGradients() && column.Components == 1 && !column.Name.empty() &&
-        name == column.Name + kGradient;
-    });
+  const std::size_t end = std::strlen(kGradient);
+  return this->Settings.MakesGradients() && name.size() > end &&
+    name.compare(name.size() - end, end, kGradient) == 0 &&
+    this->MakesGradientOf(name.substr(0, name.size() - end), choice);
 }
 
-void vtkAHDSampleColumns::Choose(vtkAbstractArray* array, vtkPointData* given, std::size_t count)
+/// Is there an array of this name, of one component, that is interpolated?
+bool vtkAHDSampleColumns::MakesGradientOf(const std::string& name, const Choice& choice) const
 {
-  auto* numbers = vtkArrayDownCast<vtkDataArray>(array);
+  if (name == this->Settings.Heights)
+  {
+    return true;
+  }
+  vtkAbstractArray* const array = choice.Arrays->GetAbstractArray(name.c_str());
+  return array && !IsNamed(array, vtkDataSetAttributes::GhostArrayName()) &&
+    Fits(array, choice.Points) && array->GetNumberOfComponents() == 1 &&
+    !AreIds(choice.Given, name.c_str()) && !this->IsTaken(name, choice);
+}
+
+void vtkAHDSampleColumns::Choose(vtkAbstractArray* array, const Choice& choice)
+{
   const char* const name = array->GetName();
   if (IsNamed(array, vtkDataSetAttributes::GhostArrayName()))
   {
     return;
   }
-  if (name && this->IsTaken(name))
+  if (name && this->IsTaken(name, choice))
   {
     this->Replaced.emplace_back(name);
     return;
   }
-  const bool fits = numbers && name && *name != '\0' && array->GetNumberOfComponents() > 0 &&
-    array->GetNumberOfTuples() >= static_cast<vtkIdType>(count);
-  if (!fits)
+  if (!Fits(array, choice.Points))
   {
     this->Unfit.emplace_back(name && *name != '\0' ? name : "one without a name");
     return;
   }
-  if (AreIds(given, name) && !this->Settings.IsNearest())
+  if (AreIds(choice.Given, name) && !this->Settings.IsNearest())
   {
     return;
   }
   vtkAHDSampleColumn column;
-  column.From = numbers;
+  column.From = vtkArrayDownCast<vtkDataArray>(array);
   column.Name = name;
   column.Components = static_cast<std::size_t>(array->GetNumberOfComponents());
   column.IsFloat = array->GetDataType() == VTK_FLOAT;
@@ -133,6 +149,7 @@ vtkAHDSampleColumns::Kind vtkAHDSampleColumns::GetKindOfScalars() const
 double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) const
 {
   double perPoint = sizeof(double), perPlace = 1.0; // heights, mask
+  double copied = 0.0;                              // one at a time
   if (this->Settings.IsNearest())
   {
     perPoint += sizeof(double); // ids
@@ -143,7 +160,10 @@ double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) con
     const double width = double(column.Components);
     if (this->Settings.IsNearest())
     {
-      perPlace += width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
+      const double bytes = width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
+      perPlace += bytes;
+      copied = column.From && vtkAHDIsCopiedToGather(column.From) ? std::max(copied, bytes)
+                                                                  : copied;
       continue;
     }
     const bool isRead = column.From && !vtkArrayDownCast<vtkDoubleArray>(column.From);
@@ -152,7 +172,7 @@ double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) con
     const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
     perPlace += perNumber * (width + (hasGradient ? 2.0 : 0.0));
   }
-  return perPoint * double(points) + perPlace * places;
+  return (perPoint + copied) * double(points) + perPlace * places;
 }
 
 double vtkAHDSampleColumns::EstimateOutputBytes(double places) const

@@ -41,6 +41,9 @@ struct vtkAHDSampleColumn
 class vtkAHDSampleColumns
 {
 public:
+  /// What stands behind the name of an array in that of its gradients.
+  static constexpr const char* kGradient = "Gradient";
+
   /// Chooses. `given`: the point data of the input, which says which arrays are ids; `data`: the
   /// point data with a value for each of `count` points, from which are read.
   vtkAHDSampleColumns(const vtkAHDSampleSettings& settings, vtkPointData* given, vtkPointData* data,
@@ -90,8 +93,17 @@ public:
   void AddTo(vtkDataSetAttributes* places) const;
 
 private:
-  void Choose(vtkAbstractArray* array, vtkPointData* given, std::size_t count);
-  bool IsTaken(const std::string& name) const;
+  /// What is chosen from.
+  struct Choice
+  {
+    vtkPointData* Arrays; // one of each name
+    vtkPointData* Given;
+    std::size_t Points;
+  };
+
+  void Choose(vtkAbstractArray* array, const Choice& choice);
+  bool IsTaken(const std::string& name, const Choice& choice) const;
+  bool MakesGradientOf(const std::string& name, const Choice& choice) const;
 
   const vtkAHDSampleSettings& Settings;
   vtkPointData* const Data;

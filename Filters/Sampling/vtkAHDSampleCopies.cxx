@@ -6,6 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
+#include "vtkSOADataArrayTemplate.h"
 #include "vtkSetGet.h"
 
 #include <algorithm>
@@ -100,12 +101,10 @@ std::size_t GatherNumbers(const Number* from, std::size_t width, Number* to,
   return missing;
 }
 
-/// The same through VTK's own interface, for types without memory of their own kind.
-void GatherOneByOne(vtkDataArray* from, vtkDataArray* to, const vtkAHDGathered& gathered,
+/// The same of bits, through VTK's own interface.
+void GatherBits(vtkDataArray* from, vtkDataArray* to, const vtkAHDGathered& gathered,
   const vtkAHDContext& context)
 {
-  const bool isFloat = to->GetDataType() == VTK_FLOAT || to->GetDataType() == VTK_DOUBLE;
-  to->SetNumberOfTuples(static_cast<vtkIdType>(gathered.Count));
   for (std::size_t i = 0; i < gathered.Count; ++i)
   {
     if (i % kPiece == 0)
@@ -120,7 +119,7 @@ void GatherOneByOne(vtkDataArray* from, vtkDataArray* to, const vtkAHDGathered& 
     }
     for (int c = 0; c < to->GetNumberOfComponents(); ++c)
     {
-      to->SetComponent(at, c, isFloat ? gathered.NoValue : 0.0);
+      to->SetComponent(at, c, 0.0);
     }
   }
 }
@@ -129,7 +128,9 @@ void GatherOneByOne(vtkDataArray* from, vtkDataArray* to, const vtkAHDGathered& 
 void Allocate(vtkDataArray* array, std::size_t count)
 {
   const std::size_t numbers = count * static_cast<std::size_t>(array->GetNumberOfComponents());
-  const std::size_t bytes = numbers * static_cast<std::size_t>(array->GetDataTypeSize());
+  const std::size_t bytes = array->GetDataType() == VTK_BIT
+    ? (numbers + 7) / 8
+    : numbers * static_cast<std::size_t>(array->GetDataTypeSize());
   void* const memory = std::malloc(bytes > 0 ? bytes : 1);
   if (!memory)
   {
@@ -138,6 +139,65 @@ void Allocate(vtkDataArray* array, std::size_t count)
   constexpr int kFree = vtkAbstractArray::VTK_DATA_ARRAY_FREE;
   array->SetVoidArray(memory, static_cast<vtkIdType>(numbers), 0, kFree);
 }
+
+/// An array of this type with room for so many tuples as wide as those of another.
+vtkSmartPointer<vtkDataArray> MakeLike(vtkDataArray* array, std::size_t count)
+{
+  auto made = vtkSmartPointer<vtkDataArray>::Take(LiesInMemory(array)
+      ? array->NewInstance()
+      : vtkDataArray::CreateDataArray(array->GetDataType()));
+  made->SetNumberOfComponents(array->GetNumberOfComponents());
+  Allocate(made, count);
+  return made;
+}
+
+/// Takes the numbers of an array that has each component by itself; false for others.
+template <typename Number>
+bool TakeApart(vtkDataArray* array, Number* to, const vtkAHDContext& context)
+{
+  auto* const apart = vtkSOADataArrayTemplate<Number>::FastDownCast(array);
+  const auto width = static_cast<std::size_t>(array->GetNumberOfComponents());
+  if (apart)
+  {
+    context.ForRange(static_cast<std::size_t>(array->GetNumberOfTuples()),
+      [=](std::size_t begin, std::size_t end)
+      {
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          apart->GetTypedTuple(static_cast<vtkIdType>(i), to + i * width);
+        }
+      });
+  }
+  return apart != nullptr;
+}
+
+/// The same numbers, of the same type, one after the other in memory; of types that VTK computes as
+/// far as they are doubles.
+vtkSmartPointer<vtkDataArray> InMemory(vtkDataArray* array, const vtkAHDContext& context)
+{
+  const vtkIdType count = array->GetNumberOfTuples();
+  const vtkSmartPointer<vtkDataArray> copy = MakeLike(array, static_cast<std::size_t>(count));
+  bool isTaken = false;
+  switch (array->GetDataType())
+  {
+    vtkTemplateMacro(
+      isTaken = TakeApart(array, static_cast<VTK_TT*>(copy->GetVoidPointer(0)), context));
+  }
+  for (vtkIdType i = 0; i < count && !isTaken; ++i)
+  {
+    if (static_cast<std::size_t>(i) % kPiece == 0)
+    {
+      context.StopIfAborted();
+    }
+    copy->SetTuple(i, i, array);
+  }
+  return copy;
+}
+}
+
+bool vtkAHDIsCopiedToGather(vtkDataArray* array)
+{
+  return array->GetDataType() != VTK_BIT && !LiesInMemory(array);
 }
 
 const double* vtkAHDReadNumbers(
@@ -202,22 +262,18 @@ vtkSmartPointer<vtkDataArray> vtkAHDAsFloats(vtkDataArray* doubles, const vtkAHD
 vtkSmartPointer<vtkDataArray> vtkAHDGather(vtkDataArray* from, const vtkAHDGathered& gathered,
   const vtkAHDContext& context, std::size_t& missing)
 {
-  auto to = vtkSmartPointer<vtkDataArray>::Take(
-    LiesInMemory(from) ? from->NewInstance() : vtkDataArray::CreateDataArray(from->GetDataType()));
-  to->SetNumberOfComponents(from->GetNumberOfComponents());
-  const std::size_t width = static_cast<std::size_t>(from->GetNumberOfComponents());
-  if (!LiesInMemory(from))
+  if (vtkAHDIsCopiedToGather(from))
   {
-    GatherOneByOne(from, to, gathered, context);
-    return to;
+    return vtkAHDGather(InMemory(from, context), gathered, context, missing);
   }
-  Allocate(to, gathered.Count);
+  const vtkSmartPointer<vtkDataArray> to = MakeLike(from, gathered.Count);
+  const std::size_t width = static_cast<std::size_t>(from->GetNumberOfComponents());
   switch (from->GetDataType())
   {
     vtkTemplateMacro(missing += GatherNumbers(static_cast<const VTK_TT*>(from->GetVoidPointer(0)),
                        width, static_cast<VTK_TT*>(to->GetVoidPointer(0)), gathered, context));
     default:
-      GatherOneByOne(from, to, gathered, context);
+      GatherBits(from, to, gathered, context);
   }
   return to;
 }

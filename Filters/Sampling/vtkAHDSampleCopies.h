@@ -30,6 +30,9 @@ struct vtkAHDGathered
   double NoValue; ///< in arrays of floating-point numbers, also for NaN; others have 0
 };
 
+/// Is an array that is gathered copied before, as its numbers do not lie one after the other?
+bool vtkAHDIsCopiedToGather(vtkDataArray* array);
+
 /// An array of the same type. `missing` grows by the values of points that are NaN.
 vtkSmartPointer<vtkDataArray> vtkAHDGather(vtkDataArray* from, const vtkAHDGathered& gathered,
   const vtkAHDContext& context, std::size_t& missing);

@@ -337,10 +337,6 @@ void vtkAHDSampleExecution::Interpolate(
   {
     vtkAHDSayArrayWarnings(this->Filter, this->Wishes, columns);
   }
-  if (!inputs.CountedByOthers)
-  {
-    vtkAHDSayPlaceWarnings(this->Filter, this->Result);
-  }
 }
 
 /// What became of these places is not to count.

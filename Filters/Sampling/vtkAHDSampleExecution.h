@@ -68,9 +68,10 @@ public:
     const vtkAHDSampleSettings& wishes, const vtkAHDContext& context, bool keep);
   ~vtkAHDSampleExecution();
 
-  /// Fills the output, which is of the type that is wanted. Says errors and warnings. Returns false
-  /// if it came to nothing: then the output is empty. Throws std::bad_alloc only where nothing can
-  /// be said.
+  /// Fills the output, which is of the type that is wanted. Says errors and warnings, but those of
+  /// places and their values: vtkAHDSayPlaceWarnings() has GetResult() for that. Returns false if
+  /// it came to nothing: then the output is empty. Throws std::bad_alloc only where nothing can be
+  /// said.
   bool Run(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept, vtkDataSet* output);
 
   /// Of the last Run().

@@ -2,6 +2,7 @@
 #include "Sampling/vtkAHDSampleMessages.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataSetAttributes.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -18,9 +19,14 @@ std::string InWords(double number)
   return text;
 }
 
+bool IsNowhere(const ahd::Bounds& box)
+{
+  return !(box.xmin <= box.xmax);
+}
+
 std::string InWords(const ahd::Bounds& box)
 {
-  if (!(box.xmin <= box.xmax))
+  if (IsNowhere(box))
   {
     return "nowhere";
   }
@@ -110,12 +116,47 @@ void vtkAHDSayNoRaster(
                               << " cells, but 2147483647 along x and y are the most. Nothing was "
                                  "computed.");
       return;
+    case vtkAHDRasterFault::TooWide:
+      vtkErrorWithObjectMacro(filter,
+        "The raster would be wider or higher than the largest number of double precision, "
+        "1.8e+308. "
+        "Nothing was computed.");
+      return;
     case vtkAHDRasterFault::OutOfNumbers:
       vtkErrorWithObjectMacro(filter,
         "A raster of " << InWords(raster.Wished[0]) << " x " << InWords(raster.Wished[1])
                        << " cells has coordinates that double precision cannot tell apart. Nothing "
                           "was computed.");
   }
+}
+
+bool vtkAHDAreNamesFit(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings)
+{
+  const std::string ghosts = vtkDataSetAttributes::GhostArrayName();
+  const bool areHeights = settings.Heights == ghosts;
+  if (areHeights || settings.Mask == ghosts)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "" << (areHeights ? "HeightArrayName" : "ValidPointMaskArrayName") << " is \"" << ghosts
+         << "\", the name of the marks by which VTK hides points. Nothing was computed.");
+    return false;
+  }
+  if (!settings.Mask.empty() && settings.Mask == settings.Heights)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "HeightArrayName and ValidPointMaskArrayName are both \""
+        << settings.Mask << "\", but two arrays cannot have one name. Nothing was computed.");
+    return false;
+  }
+  if (settings.MakesGradients() && !settings.Heights.empty() &&
+    settings.Mask == settings.Heights + vtkAHDSampleColumns::kGradient)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "ValidPointMaskArrayName is \""
+        << settings.Mask << "\", the name of the gradients of the heights. Nothing was computed.");
+    return false;
+  }
+  return true;
 }
 
 void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused)
@@ -171,6 +212,28 @@ void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t mi
       << " triangles of the surface cross others in the plane of Triangulation, or are turned over "
          "there. Nothing was computed. Set its ProjectionPlaneMode to that of the surface, or take "
          "the points without the triangles.");
+}
+
+void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
+{
+  this->Counts.valued += more.Counts.valued;
+  this->Counts.outside += more.Counts.outside;
+  this->Counts.notFinite += more.Counts.notFinite;
+  this->Counts.withoutValue += more.Counts.withoutValue;
+  this->Counts.leftOut += more.Counts.leftOut;
+  this->Places += more.Places;
+  this->Triangles = more.Triangles;
+  this->Surface = IsNowhere(this->Surface) ? more.Surface : this->Surface;
+  ahd::Bounds& all = this->Wanted;
+  if (IsNowhere(all) || IsNowhere(more.Wanted))
+  {
+    all = IsNowhere(all) ? more.Wanted : all;
+    return;
+  }
+  all.xmin = std::min(all.xmin, more.Wanted.xmin);
+  all.xmax = std::max(all.xmax, more.Wanted.xmax);
+  all.ymin = std::min(all.ymin, more.Wanted.ymin);
+  all.ymax = std::max(all.ymax, more.Wanted.ymax);
 }
 
 void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result)

@@ -28,6 +28,10 @@ struct vtkAHDSampleMemory
 void vtkAHDSayNoRaster(
   vtkAlgorithm* filter, const vtkAHDSampleSettings& settings, const vtkAHDRaster& raster);
 
+/// Are the names of arrays that are made different, and none that VTK has a use for? Says in one
+/// error if not.
+bool vtkAHDAreNamesFit(vtkAlgorithm* filter, const vtkAHDSampleSettings& settings);
+
 /// Says that memory was refused, or ran out although it was not.
 void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused);
 
@@ -41,7 +45,10 @@ struct vtkAHDSampleResult
   std::size_t Places = 0;
   std::size_t Triangles = 0; ///< 0: not known
   ahd::Bounds Surface;       ///< of the vertices
-  ahd::Bounds Wanted;        ///< of the places
+  ahd::Bounds Wanted;        ///< of the places, where none has a value
+
+  /// Adds what other places on the same surface came to.
+  void Add(const vtkAHDSampleResult& more);
 };
 
 /// Warns of arrays that are passed over, and of gradients that there are none of.

@@ -19,6 +19,22 @@ def as_floats(doubles):
     return kept.astype(numpy.float32)
 
 
+def in_memory(backend, data):
+    """The array, or one of the same type with its numbers one after the other; of arrays that VTK computes as far as
+    they are doubles."""
+    if is_viewable(data):
+        return data
+    copy = backend.vtkDataArray.CreateDataArray(data.GetDataType())
+    if not hasattr(data, "GetTypedComponent"):
+        copy.DeepCopy(data)
+        return copy
+    width = data.GetNumberOfComponents()
+    copy, write = new_array(lambda: copy, data.GetNumberOfTuples(), width)
+    for c, numbers in enumerate(write.reshape(-1, width).T):
+        numbers[:] = [data.GetTypedComponent(i, c) for i in range(len(numbers))]
+    return copy
+
+
 class Column:
     """One array to interpolate. `given`: it; None: the heights. `made`, `slopes`: what came of it."""
 
@@ -47,26 +63,40 @@ class Columns:
         arrays = backend.vtkPointData()
         arrays.ShallowCopy(data)
         remove_arrays_of_one_name(arrays)
+        self.arrays, self.points = arrays, count
+        self.ids = [ids.GetName() for ids in (given.GetGlobalIds(), given.GetPedigreeIds()) if ids is not None]
         for i in range(arrays.GetNumberOfArrays()):
-            self._choose(arrays.GetAbstractArray(i), given, count)
+            self._choose(arrays.GetAbstractArray(i))
+
+    def _fits(self, array):
+        """Has it a name, and numbers for each point?"""
+        return array.IsA("vtkDataArray") and array.GetName() and array.GetNumberOfComponents() > 0 and (
+            array.GetNumberOfTuples() >= self.points)
 
     def _is_taken(self, name):
-        """Is it the name of an array that is made?"""
-        return name in (self.values["HeightArrayName"], self.values["ValidPointMaskArrayName"]) or any(
-            self.makes_slopes and column.components == 1 and column.name and name == column.name + GRADIENT
-            for column in self.columns)
+        """Is it the name of an array that is made? In whatever order the arrays are."""
+        if name in (self.values["HeightArrayName"], self.values["ValidPointMaskArrayName"]):
+            return True
+        base = name[:-len(GRADIENT)]
+        return bool(self.makes_slopes and base and name == base + GRADIENT and self._makes_slopes_of(base))
 
-    def _choose(self, array, given, count):
+    def _makes_slopes_of(self, name):
+        """Is there an array of this name, of one component, that is interpolated?"""
+        if name == self.values["HeightArrayName"]:
+            return True
+        array = self.arrays.GetAbstractArray(name)
+        return array is not None and name != GHOSTS and self._fits(array) and array.GetNumberOfComponents() == 1 and (
+            name not in self.ids and not self._is_taken(name))
+
+    def _choose(self, array):
         name = array.GetName()
         if name == GHOSTS:
             return
         if name is not None and self._is_taken(name):
             self.replaced.append(name)
-        elif not (array.IsA("vtkDataArray") and name and array.GetNumberOfComponents() > 0
-                  and array.GetNumberOfTuples() >= count):
+        elif not self._fits(array):
             self.unfit.append(name or "one without a name")
-        elif self.is_nearest or name not in [
-                ids.GetName() for ids in (given.GetGlobalIds(), given.GetPedigreeIds()) if ids is not None]:
+        elif self.is_nearest or name not in self.ids:
             self.columns.append(Column(name, array))
 
     def components(self):
@@ -136,23 +166,23 @@ class Columns:
         found, missing = ~numpy.isnan(ids), 0
         ids = numpy.where(found, ids, 0).astype(numpy.int64)
         for column in self.columns:
-            if column.given is not None and not is_viewable(column.given):
-                column.made = self._gathered_one_by_one(column.given, ids, found)
+            if column.given is not None and column.given.GetDataType() == self.backend.VTK_BIT:
+                column.made = self._gathered_bits(column.given, ids, found)
                 continue
-            numbers = heights if column.given is None else view(column.given)
-            column.made, odd = self._gathered(column, numbers, ids, found)
+            given = column.given if column.given is None else in_memory(self.backend, column.given)
+            column.made, odd = self._gathered(given, heights if given is None else view(given), ids, found)
             missing += odd
         return sampled.mask, missing
 
-    def _gathered(self, column, numbers, ids, found):
+    def _gathered(self, given, numbers, ids, found):
         vtk, count = self.backend, len(ids)
-        kind = column.given.NewInstance() if column.given is not None else vtk.vtkDoubleArray()
-        made, write = new_array(lambda: kind, count, column.components)
+        kind = given.NewInstance() if given is not None else vtk.vtkDoubleArray()
+        made, write = new_array(lambda: kind, count, given.GetNumberOfComponents() if given is not None else 1)
         if not count or not len(numbers):
             write[...] = 0
         else:
             write[...] = numbers[ids]
-        if column.given is not None and is_whole(vtk, column.given):
+        if given is not None and is_whole(vtk, given):
             write[~found] = 0
             return made, 0
         none = self.values["NoValue"]
@@ -162,7 +192,7 @@ class Columns:
         write[~found] = none
         return made, int(odd.sum())
 
-    def _gathered_one_by_one(self, given, ids, found):
+    def _gathered_bits(self, given, ids, found):
         made = self.backend.vtkDataArray.CreateDataArray(given.GetDataType())
         made.SetNumberOfComponents(given.GetNumberOfComponents())
         made.SetNumberOfTuples(len(ids))

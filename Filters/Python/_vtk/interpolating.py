@@ -55,14 +55,15 @@ class Interpolating:
         self.counts = counts if is_first else ()
 
     def run(self, made):
-        """Fills the output. Stopped."""
+        """Fills the output; returns what the places came to, which warnings are said of. Stopped."""
         try:
             if _Stage(self.algorithm, 0.0, 0.0).is_aborted():
                 raise Stopped
             self._find_places()
             self._take_surface()
-            self._interpolate(made)
+            found = self._interpolate(made)
             self._keep()
+            return found
         except raster.Fault as fault:
             raise Stopped(raster_messages.of_raster(fault, self.wishes)) from None
         except engine.EngineError as error:
@@ -182,9 +183,9 @@ class Interpolating:
             found.wanted = raster.box_of(xy) if xy is not None else self.cells.box()
             found.surface = surface.bounds()
         self._take_measures(made, found, time.monotonic() - started)
-        said = list(raster_messages.of_arrays(self.wishes, columns)) if self.is_first else []
-        for text in said + list(raster_messages.of_places(found)):
+        for text in raster_messages.of_arrays(self.wishes, columns) if self.is_first else ():
             self.speaker.warn(text)
+        return found
 
     def _sample(self, columns, heights, xy, found):
         job, missing, places = self.job, None, xy

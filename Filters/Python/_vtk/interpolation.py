@@ -4,7 +4,7 @@
 import contextlib
 
 from .. import _library as engine
-from . import messages, package_of, python_class, raster, raster_settings, settings
+from . import messages, package_of, python_class, raster, raster_messages, raster_settings, settings
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
@@ -264,6 +264,10 @@ class _Executions:
     def _execute(self, given, made, speaker):
         """False where nothing is put out."""
         points, places, source = given
+        unfit = raster_messages.of_names(self._values)
+        if unfit is not None:
+            speaker.error(unfit)
+            return False
         values = self._surface_settings()
         merged = Merged(self._backend, speaker, values, points, source)
         if merged.input is None:
@@ -272,12 +276,13 @@ class _Executions:
         if is_surface(self._backend, points):
             speaker.warn("The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
                          "anew by the settings of Triangulation: its own triangles count in the compiled class only.")
-        pieces = self._pieces(places, made)
+        pieces, found = self._pieces(places, made), None
         counts = [piece.GetNumberOfPoints() for piece, _ in pieces] if len(pieces) > 1 else ()
         try:
             for k, (piece, output) in enumerate(pieces):
-                Interpolating(
+                more = Interpolating(
                     self, values, merged, piece, speaker, k == 0, k + 1 == len(pieces), counts).run(output)
+                found = raster_messages.together(found, more)
         except Stopped as stopped:
             self._let_go()
             self._clear_measures()
@@ -286,6 +291,8 @@ class _Executions:
             if stopped.text:
                 speaker.error(stopped.text)
             return False
+        for text in raster_messages.of_places(found) if found is not None else ():
+            speaker.warn(text)
         return True
 
     def _pieces(self, places, made):

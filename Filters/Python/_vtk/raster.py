@@ -9,7 +9,8 @@ MOST_CELLS = 2147483647.0  # along an axis, as VTK counts them by int
 PRECISION = 2.0**-50  # of coordinates that were written in decimal
 
 # Why there is no raster.
-NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY, OUT_OF_NUMBERS = "no area", "cell size", "bounds", "too many", "out of numbers"
+NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY = "no area", "cell size", "bounds", "too many"
+TOO_WIDE, OUT_OF_NUMBERS = "too wide", "out of numbers"
 
 
 class Fault(Exception):
@@ -59,6 +60,12 @@ def _whole_above(quotient, slack):
     return -_whole_below(-quotient, slack)
 
 
+def _length_in(low, high, size):
+    """(high - low) / size, where only the quotient may be a number, too."""
+    length = high - low
+    return length / size if math.isfinite(length) else high / size - low / size
+
+
 def _by_size(low, high, size, align):
     """(first centre, spacing, count) along an axis."""
     slack = PRECISION * max(abs(low), abs(high)) / size
@@ -66,12 +73,11 @@ def _by_size(low, high, size, align):
         first = _whole_below(low / size, slack)
         count = max(1.0, _whole_above(high / size, slack) - first)
         return (first + 0.5) * size, size, count
-    return low + 0.5 * size, size, max(1.0, _whole_above((high - low) / size, slack))
+    return low + 0.5 * size, size, max(1.0, _whole_above(_length_in(low, high, size), slack))
 
 
 def _by_count(low, high, count):
-    length = high - low
-    spacing = length / count if math.isfinite(length) else high / count - low / count
+    spacing = _length_in(low, high, count)
     return low + 0.5 * spacing, spacing, float(count)
 
 
@@ -79,10 +85,15 @@ def _one_row(at, width):
     return at, width if width > 0.0 else 1.0, 1.0
 
 
+def _is_too_wide(origin, spacing, count):
+    """Is what it is computed from, or the last centre, beyond the largest number?"""
+    return not (math.isfinite(spacing) and math.isfinite(origin + (count - 1.0) * spacing))
+
+
 def _are_apart(origin, spacing, count):
     """Are the centres of neighbours different numbers?"""
     last = origin + (count - 1.0) * spacing
-    return all(map(math.isfinite, (origin, last, spacing))) and spacing > 0.0 and (
+    return spacing > 0.0 and (
         count == 1.0 or (origin + spacing > origin and last - spacing < last))
 
 
@@ -102,6 +113,8 @@ def make_raster(values, area):
         y = y if height > 0.0 else _one_row(area[2], width)
     if not (x[2] <= MOST_CELLS and y[2] <= MOST_CELLS):
         raise Fault(TOO_MANY, (x[2], y[2]))
+    if _is_too_wide(*x) or _is_too_wide(*y):
+        raise Fault(TOO_WIDE)
     if not (_are_apart(*x) and _are_apart(*y)):
         raise Fault(OUT_OF_NUMBERS, (x[2], y[2]))
     return Raster((x[0], y[0]), (x[1], y[1]), int(x[2]), int(y[2]))

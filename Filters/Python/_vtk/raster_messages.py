@@ -2,7 +2,11 @@
 """What vtkAdaptiveHilbertInterpolation2D has to say, word for word as the compiled class
 (Filters/Sampling/vtkAHDSampleMessages.cxx)."""
 
+import types
+
 from . import raster
+from .arrays import GHOSTS
+from .columns import GRADIENT
 
 
 def _box(box):
@@ -26,9 +30,28 @@ def of_raster(fault, values):
     if fault.kind == raster.TOO_MANY:
         return ("With a CellSize of %s the raster would have %.9g x %.9g cells, but 2147483647 along x and y are the "
                 "most. Nothing was computed." % ((size,) + fault.wished))
+    if fault.kind == raster.TOO_WIDE:
+        return ("The raster would be wider or higher than the largest number of double precision, 1.8e+308. Nothing "
+                "was computed.")
     if fault.kind == raster.OUT_OF_NUMBERS:
         return ("A raster of %.9g x %.9g cells has coordinates that double precision cannot tell apart. Nothing was "
                 "computed." % fault.wished)
+    return None
+
+
+def of_names(values):
+    """Why arrays that are made cannot have their names; None where they can."""
+    heights, mask = values["HeightArrayName"], values["ValidPointMaskArrayName"]
+    for setting in ("HeightArrayName", "ValidPointMaskArrayName"):
+        if values[setting] == GHOSTS:
+            return '%s is "%s", the name of the marks by which VTK hides points. Nothing was computed.' % (
+                setting, GHOSTS)
+    if mask and mask == heights:
+        return ('HeightArrayName and ValidPointMaskArrayName are both "%s", but two arrays cannot have one name. '
+                "Nothing was computed." % mask)
+    if heights and values["GenerateGradients"] and values["Method"] == 0 and mask == heights + GRADIENT:
+        return ('ValidPointMaskArrayName is "%s", the name of the gradients of the heights. Nothing was computed.'
+                % mask)
     return None
 
 
@@ -55,6 +78,18 @@ def of_arrays(values, columns):
         yield "There are no gradients: only the Method Linear has them."
 
 
+def together(found, more):
+    """What places and others on the same surface came to; None: nothing yet."""
+    if found is None:
+        return more
+    counts = {name: getattr(found, name) + getattr(more, name) for name in (
+        "places", "valued", "outside", "not_finite", "without_value", "left_out")}
+    boxes = [box for box in (found.wanted, more.wanted) if box is not None]
+    wanted = tuple(end(box[k] for box in boxes) for k, end in enumerate((min, max, min, max))) if boxes else None
+    return types.SimpleNamespace(
+        triangles=more.triangles, wanted=wanted, surface=found.surface or more.surface, **counts)
+
+
 def of_places(found):
     """Of places and values, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles,
     wanted and surface, the boxes of the places and of the points."""
@@ -62,8 +97,9 @@ def of_places(found):
         yield "%d of %d places have no value, since their x or y is NaN or infinite." % (
             found.not_finite, found.places)
     if found.outside and not found.valued:
-        yield "None of %d places is on the surface of %d triangles. Places: %s; points: %s." % (
-            found.places, found.triangles, _box(found.wanted), _box(found.surface))
+        triangles = " of %d triangles" % found.triangles if found.triangles else ""
+        yield "None of %d places is on the surface%s. Places: %s; points: %s." % (
+            found.places, triangles, _box(found.wanted), _box(found.surface))
     if found.without_value:
         yield "%d values at places on the surface are none, since values of points are NaN." % found.without_value
     if found.left_out:

@@ -458,10 +458,19 @@ TEST(Interpolation, ArraysThatCannotBeInterpolatedAreSaidOnce)
 TEST(Interpolation, CountsAreFieldData)
 {
   WatchedInterpolation filter;
-  filter->SetInputData(makeCloud(wavyPoints(100)));
+  const auto withFieldData = [](const std::vector<Xyz>& points, const char* name)
+  {
+    auto cloud = makeCloud(points);
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(name);
+    cloud->GetFieldData()->AddArray(array);
+    return cloud;
+  };
+  filter->SetInputData(withFieldData(wavyPoints(100), "points'"));
   filter->Update();
   vtkFieldData* data = filter->GetOutput()->GetFieldData();
   EXPECT_EQ(idsOf(data, "NumberOfPlaces"), std::vector<vtkIdType>{ 65536 });
+  EXPECT_TRUE(data->HasArray("points'"));
   EXPECT_EQ(
     idsOf(data, "NumberOfValidPlaces"), std::vector<vtkIdType>{ filter->GetNumberOfValidPlaces() });
   for (const char* name : { "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
@@ -469,6 +478,12 @@ TEST(Interpolation, CountsAreFieldData)
   {
     EXPECT_EQ(idsOf(data, name).size(), 1u) << name;
   }
+  filter->SetPlacesData(withFieldData(wavyPoints(10), "places'"));
+  filter->Update();
+  data = filter->GetOutput()->GetFieldData();
+  EXPECT_TRUE(data->HasArray("places'"));
+  EXPECT_FALSE(data->HasArray("points'"));
+  EXPECT_EQ(idsOf(data, "NumberOfPlaces"), std::vector<vtkIdType>{ 10 });
 }
 
 } // namespace

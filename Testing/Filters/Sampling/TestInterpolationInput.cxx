@@ -323,6 +323,10 @@ TEST(InterpolationInput, SettingsThatMakeNoSense)
   expectOneError(filter, "Bounds are x 1 to 0, y 0 to 1");
   filter->SetBounds(0, 1, kNaN, 1);
   expectOneError(filter, "Bounds are");
+  filter->SetBounds(-1.7e308, 1.7e308, 0, 1);
+  filter->SetRasterSizeToByDimensions();
+  expectOneError(filter, "wider or higher than the largest number");
+  filter->SetRasterSizeToByCellSize();
   filter->SetBounds(0, 10, 0, 10);
   auto* triangulation = filter->GetTriangulation();
   triangulation->Register(nullptr);
@@ -333,6 +337,36 @@ TEST(InterpolationInput, SettingsThatMakeNoSense)
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfPlaces(), 100);
   EXPECT_EQ(filter->GetNumberOfValidPlaces(), 100);
+}
+
+TEST(InterpolationInput, NamesThatCannotBe)
+{
+  for (const bool isSurface : { false, true })
+  {
+    WatchedInterpolation filter;
+    filter->SetInputData(makeCloud(lattice()));
+    filter->SetOutputType(isSurface ? Filter::SURFACE : Filter::IMAGE);
+    filter->SetHeightArrayName("vtkValidPointMask");
+    expectOneError(filter, "are both \"vtkValidPointMask\"");
+    filter->SetPlacesData(makeCloud(lattice()));
+    expectOneError(filter, "are both \"vtkValidPointMask\"");
+    filter->SetHeightArrayName("vtkGhostType");
+    expectOneError(filter, "HeightArrayName is \"vtkGhostType\"");
+    filter->SetHeightArrayName("z");
+    filter->SetValidPointMaskArrayName("vtkGhostType");
+    expectOneError(filter, "ValidPointMaskArrayName is \"vtkGhostType\"");
+    filter->SetValidPointMaskArrayName("zGradient");
+    filter->GenerateGradientsOn();
+    expectOneError(filter, "ValidPointMaskArrayName is \"zGradient\"");
+    filter->GenerateGradientsOff();
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfValidPlaces(), 121);
+    filter->SetHeightArrayName("");
+    filter->SetValidPointMaskArrayName(""); // none of both
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfValidPlaces(), 121);
+    EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  }
 }
 
 } // namespace

@@ -296,4 +296,31 @@ TEST(InterpolationPlaces, BlocksAreRefusedBeforeTheFirst)
   EXPECT_NE(filter.Said->Errors[0].find("400000 places"), std::string::npos);
 }
 
+/// Of all blocks together, once.
+TEST(InterpolationPlaces, WarningsOfBlocks)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, makeCloud({ { 5, 6, 0 }, { 7, 8, 0 }, { kNaN, 0, 0 } }));
+  blocks->SetBlock(1, makeCloud({ { 9, -4, 0 } }));
+  blocks->SetBlock(2, vtkSmartPointer<vtkPolyData>::New());
+  blocks->SetBlock(3, makeCloud({ { 6, 20, 0 }, { kNaN, 0, 0 } }));
+  WatchedInterpolation filter;
+  filter->SetInputData(makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }));
+  filter->SetInputDataObject(1, blocks);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Warnings.size(), 2u);
+  EXPECT_NE(filter.Said->Warnings[0].find("2 of 6 places have no value"), std::string::npos);
+  EXPECT_NE(
+    filter.Said->Warnings[1].find("None of 6 places is on the surface of 1 triangles. Places: x 5 "
+                                  "to 9, y -4 to 20; points: x 0 to 1, y 0 to 1."),
+    std::string::npos);
+  EXPECT_EQ(filter->GetNumberOfPlacesOutside(), 4);
+  filter.Said->Warnings.clear();
+  blocks->SetBlock(2, makeCloud({ { 0.25, 0.25, 0 } })); // one that is on it
+  blocks->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfValidPlaces(), 1);
+  EXPECT_EQ(filter.Said->Warnings.size(), 1u);
+}
+
 } // namespace

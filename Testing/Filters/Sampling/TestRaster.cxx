@@ -136,7 +136,11 @@ TEST(Raster, HugeCoordinates)
   EXPECT_EQ(all.Cells.spacing.x, most / 8);
   EXPECT_TRUE(std::isfinite(all.Cells.at(7, 7).x));
   // Here 7 times the spacing is no number.
-  EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 8), box(-most, most, 0, 1)).Fault, Fault::OutOfNumbers);
+  EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 8), box(-most, most, 0, 1)).Fault, Fault::TooWide);
+  EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 1), box(0, 1, -most, most)).Fault, Fault::TooWide);
+  EXPECT_EQ(vtkAHDMakeRaster(byCount(1, 1), box(-most, most, 0, 1)).Fault, Fault::TooWide);
+  EXPECT_EQ(vtkAHDMakeRaster(bySize(most / 100), box(-most, most, 0, 1)).Fault, Fault::TooWide);
+  EXPECT_EQ(vtkAHDMakeRaster(bySize(most / 1e10), box(-most, most, 0, 1)).Fault, Fault::TooMany);
   const vtkAHDRaster far = vtkAHDMakeRaster(bySize(0.25), box(4.5e6, 4.5e6 + 100, 5e5, 5e5 + 1));
   ASSERT_EQ(far.Fault, Fault::None);
   EXPECT_EQ(far.Cells.columns, 400u);

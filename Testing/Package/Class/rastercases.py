@@ -55,6 +55,24 @@ def linear_with_gradients():
     return full(), dict(SMALL, GenerateGradients=True)
 
 
+def named(*names):
+    """With arrays of these names, of one component."""
+    made = full()
+    for name in names:
+        made.GetPointData().AddArray(array("vtkDoubleArray", name, range(made.GetNumberOfPoints())))
+    return made
+
+
+@case
+def names_of_gradients():
+    return named("T", "TGradient", "TGradientGradient"), dict(SMALL, GenerateGradients=True)
+
+
+@case
+def names_of_gradients_before():
+    return named("TGradientGradient", "ElevationGradient", "TGradient", "T"), dict(SMALL, GenerateGradients=True)
+
+
 @case
 def natural():
     return full(), dict(SMALL, Method=1, GenerateGradients=True)
@@ -121,6 +139,44 @@ def nearest_that_are_nan():
 
 
 @case
+def nearest_of_other_layouts():
+    """Components that lie apart; a whole number that is no double."""
+    made, apart = full(120), core.vtkSOADataArrayTemplate["float32"]()
+    apart.SetName("Apart")
+    apart.SetNumberOfComponents(2)
+    large = core.vtkSOADataArrayTemplate["int64"]()
+    large.SetName("Large")
+    for data in (apart, large):
+        data.SetNumberOfTuples(120)
+        made.GetPointData().AddArray(data)
+    for i in range(120):
+        apart.SetTypedComponent(i, 0, i / 7)
+        apart.SetTypedComponent(i, 1, NAN if i % 3 == 0 else -i)
+        large.SetTypedComponent(i, 0, 2**60 + i)
+    return made, {"PlacesData": wanted_places(), "Method": 3, "NoValue": 1e300}
+
+
+@case
+def one_name_for_heights_and_mask():
+    return full(), dict(SMALL, HeightArrayName="vtkValidPointMask")
+
+
+@case
+def the_name_of_marks_for_heights():
+    return full(), dict(SMALL, HeightArrayName="vtkGhostType", OutputType=1)
+
+
+@case
+def the_name_of_marks_for_the_mask():
+    return full(), {"PlacesData": wanted_places(), "ValidPointMaskArrayName": "vtkGhostType"}
+
+
+@case
+def the_name_of_gradients_for_the_mask():
+    return full(), dict(SMALL, ValidPointMaskArrayName="ElevationGradient", GenerateGradients=True)
+
+
+@case
 def places():
     return full(), {"PlacesData": wanted_places()}
 
@@ -150,6 +206,12 @@ def places_of_blocks():
     nothing = model.vtkMultiBlockDataSet()
     nothing.SetNumberOfBlocks(1)
     return full(), {"InputDataObject": (1, blocks(wanted_places(), nothing, image(), model.vtkTable()))}
+
+
+@case
+def places_of_blocks_none_of_which_is_on_the_surface():
+    return full(), {"InputDataObject": (1, blocks(
+        cloud([(5000, 1, 0), (6000, 2, 0), (NAN, 1, 0)]), cloud([(-10, 7000, 5)]), cloud([])))}
 
 
 @case
@@ -286,6 +348,17 @@ def more_cells_than_memory():
 @case
 def cells_too_fine():
     return cloud([(x + 1e15, y, 0) for x, y, _ in square()]), {"RasterSize": 1, "CellSize": (0.01, 1.0)}
+
+
+@case
+def bounds_too_wide():
+    return full(), dict(SMALL, UseBounds=True, Bounds=(-1.7e308, 1.7e308, 0.0, 1.0))
+
+
+@case
+def cells_too_large():
+    return full(), {"RasterSize": 1, "CellSize": (1e300, 1e300), "UseBounds": True,
+                    "Bounds": (0.0, 1.0, -1.7e308, 1.7e308)}
 
 
 @case
