@@ -289,6 +289,8 @@ class RefusedTest(unittest.TestCase):
             (TypeError, "four numbers", lambda: made.raster(cell_size=1, bounds=(0, 1))),
             (MemoryError, "rows or columns", lambda: made.raster(cell_size=1e-12)),
             (ValueError, "apart", lambda: made.raster(cell_size=1, bounds=(1e17, 1e17 + 64, 0, 1))),
+            (ValueError, "wider", lambda: made.raster(shape=(8, 8), bounds=(0, 1, -1.7e308, 1.7e308))),
+            (ValueError, "wider", lambda: made.raster(cell_size=1e300, bounds=(-1.7e308, 1.7e308, 0, 1))),
             (ValueError, "spacing", lambda: Raster((0, 0), (0, 1), (1, 1))),
             (ValueError, "origin", lambda: Raster((np.inf, 0), (1, 1), (1, 1))),
             (ValueError, "shape", lambda: Raster((0, 0), (1, 1), (-1, 1))),
