@@ -78,7 +78,7 @@ TEST(InterpolationArrays, ArraysWithTheNamesOfGradients)
     EXPECT_NE(filter.Said->Warnings[0].find("not interpolated: TGradient. See"), std::string::npos);
     // that of TGradient is not made, as TGradient is not interpolated
     vtkPointData* const data = filter->GetOutput()->GetPointData();
-    EXPECT_EQ(data->GetNumberOfArrays(), 7);
+    ASSERT_EQ(data->GetNumberOfArrays(), 7);
     EXPECT_EQ(data->GetArray("TGradient")->GetNumberOfComponents(), 2);
     EXPECT_EQ(data->GetArray("TGradientGradient")->GetNumberOfComponents(), 1);
     EXPECT_EQ(data->GetArray("TGradientGradientGradient")->GetNumberOfComponents(), 2);
