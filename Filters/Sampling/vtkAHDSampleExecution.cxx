@@ -71,6 +71,11 @@ bool vtkAHDSampleExecution::Run(
       this->IsKept = (this->MayKeep || inputs.Piece > 0) &&
         kept.Surface->IsOf(
           inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
+      if (!this->IsKept) // what it has is there for the new one
+      {
+        kept.Surface->GiveBack(kept.Workspace);
+        kept.Surface.reset();
+      }
     }
     if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
     {
@@ -259,11 +264,6 @@ void vtkAHDSampleExecution::TakeSurface(
     this->Context.NextStage();
     return;
   }
-  if (kept.Surface)
-  {
-    kept.Surface->GiveBack(kept.Workspace);
-    kept.Surface.reset();
-  }
   kept.Surface = std::make_unique<vtkAHDSampledSurface>(
     this->Settings, inputs.Points, inputs.Source, inputs.Surface, this->Context);
   this->Triangulated = true;
@@ -390,8 +390,11 @@ void vtkAHDSampleExecution::CountPlaces(
 /// Leaves the surface to the next execution, or its memory.
 void vtkAHDSampleExecution::Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
 {
+  kept.Surface->DropData();
   const std::size_t points = kept.Surface->GetPoints().points().count;
-  if (this->MayKeep && InKiB(BytesKept(points, this->Settings)) <= this->Settings.ReuseLimit)
+  const double bytes = BytesKept(points, this->Settings) +
+    (inputs.InputBytes > 0 ? double(kept.Surface->CountInputBytes()) : 0.0);
+  if (this->MayKeep && InKiB(bytes) <= this->Settings.ReuseLimit)
   {
     if (!this->IsKept)
     {

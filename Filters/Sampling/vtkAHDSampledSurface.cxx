@@ -46,6 +46,7 @@ vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPo
   : Input(PointsOf(input))
   , Source(CopyOf(source))
   , Surface(CopyOf(surface))
+  , GivenMarks(this->Input->GetPointGhostArray())
 {
   if (surface)
   {
@@ -171,6 +172,44 @@ void vtkAHDSampledSurface::TakeData(vtkPointSet* input, vtkPolyData* source)
   {
     this->Source->GetPointData()->ShallowCopy(source->GetPointData());
   }
+}
+
+void vtkAHDSampledSurface::DropData()
+{
+  const auto drop = [](vtkPointSet* set, vtkUnsignedCharArray* marks)
+  {
+    set->GetPointData()->Initialize();
+    if (marks)
+    {
+      set->GetPointData()->AddArray(marks);
+    }
+  };
+  drop(this->Input, this->GivenMarks);
+  if (this->Corners)
+  {
+    drop(this->Corners, this->Marks);
+  }
+  if (this->Source)
+  {
+    this->Source->GetPointData()->Initialize();
+    this->Source->GetCellData()->Initialize();
+  }
+  if (this->Surface)
+  {
+    this->Surface->GetPointData()->Initialize();
+    const vtkSmartPointer<vtkDataArray> edges = this->Surface->GetCellData()->GetArray(
+      "ConstraintEdges");
+    this->Surface->GetCellData()->Initialize();
+    this->Surface->GetCellData()->AddArray(edges);
+  }
+}
+
+std::size_t vtkAHDSampledSurface::CountInputBytes() const
+{
+  unsigned long kibibytes = this->GivenMarks ? this->GivenMarks->GetActualMemorySize() : 0;
+  kibibytes += this->Input->GetPoints() ? this->Input->GetPoints()->GetActualMemorySize() : 0;
+  kibibytes += this->Source ? this->Source->GetActualMemorySize() : 0;
+  return 1024 * static_cast<std::size_t>(kibibytes);
 }
 
 vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(

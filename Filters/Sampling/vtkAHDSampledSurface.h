@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <array>
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -78,6 +79,13 @@ public:
     return this->Selection.kept.empty() ? nullptr : this->Selection.kept.data();
   }
 
+  /// Lets go of all data of points and cells until the next TakeData(): between executions only
+  /// what the triangulation was made of is held.
+  void DropData();
+
+  /// Bytes of what it was made of, which nobody else may hold.
+  std::size_t CountInputBytes() const;
+
   /// Lets the workspace have the memory.
   void GiveBack(ahd::Workspace& workspace);
 
@@ -95,7 +103,8 @@ private:
   vtkSmartPointer<vtkPolyData> Source;
   vtkSmartPointer<vtkPolyData> Surface; // null, or a shallow copy
   vtkSmartPointer<vtkPointSet> Corners; // of the surface: the input, others marked as hidden
-  vtkSmartPointer<vtkUnsignedCharArray> Marks;
+  vtkSmartPointer<vtkUnsignedCharArray> GivenMarks; // those of the input; null: none
+  vtkSmartPointer<vtkUnsignedCharArray> Marks;      // of the corners
   std::unique_ptr<vtkAHDInput> View;
   vtkAHDTriangulated Made;
   ahd::Selection Selection;

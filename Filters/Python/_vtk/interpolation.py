@@ -198,7 +198,7 @@ class _Executions:
     def _describe(self, info, is_raster):
         """What the output will be like."""
         vtk, values = self._backend, self._surface_settings()
-        merged = Merged(vtk, messages.Speaker(vtk, self), values, self.GetInput(0), self.GetInput(2))
+        merged = Merged(vtk, messages.Silence(), values, self.GetInput(0), self.GetInput(2))
         given = merged.input
         if given is None:
             return

@@ -36,6 +36,15 @@ class Speaker:
         _say(self.backend, self.algorithm, "ErrorEvent", "ERROR", text)
 
 
+class Silence:
+    """A Speaker of nobody."""
+
+    def warn(self, text):
+        pass
+
+    error = warn
+
+
 def kibibytes(count):
     return count // 1024
 

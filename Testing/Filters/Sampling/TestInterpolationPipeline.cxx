@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The interpolation in VTK's pipeline: what filters behind are told, the triangulation that is
-// kept, memory, abort, threads, settings.
+// The interpolation in VTK's pipeline: what filters behind are told, abort, threads, settings.
 #include "ProgressWatch.h"
 #include "SampleTestSupport.h"
 
@@ -10,12 +9,9 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSphericalTransform.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
-#include "vtkTransform.h"
 
 #include <gtest/gtest.h>
 
@@ -207,194 +203,6 @@ TEST(InterpolationPipeline, EachTimeHasItsRaster)
   }
   EXPECT_TRUE(behind->HadAll);
   EXPECT_TRUE(filter.Said->Errors.empty());
-}
-
-TEST(InterpolationPipeline, NothingIsTriangulatedTwice)
-{
-  auto points = cloud();
-  WatchedInterpolation filter;
-  filter->SetInputData(points);
-  filter->Update();
-  filter->Update();
-  for (const int method : { 1, 2, 3, 0 })
-  {
-    filter->SetMethod(method);
-    filter->SetDimensions(20 + method, 30);
-    filter->Update();
-  }
-  filter->SetOutputTypeToSurface();
-  filter->SetPlacesData(cloud(50));
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
-  vtkNew<vtkPolyData> same; // other objects, the same points
-  same->DeepCopy(points);
-  addArray<vtkDoubleArray>(same, "more", [](vtkIdType) { return 4.0; });
-  filter->SetInputData(same);
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
-  EXPECT_EQ(arrayOf(filter->GetOutput(), "more")->GetRange()[1], 4.0);
-  filter->GetTriangulation()->SetNmax(40);
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
-  filter->GetTriangulation()->KeepTriangulationOff();
-  filter->Update();
-  filter->SetMethodToNearest();
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
-  filter->GetTriangulation()->KeepTriangulationOn();
-  filter->GetTriangulation()->SetReuseLimit(0);
-  filter->Update();
-  filter->SetMethodToLinear();
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 6);
-}
-
-/// Neither are settings of others that were changed before the transform that both have.
-TEST(InterpolationPipeline, OtherSettingsWithTheSameTransformAreSeen)
-{
-  vtkNew<vtkAdaptiveHilbertDelaunay2D> whole, parts;
-  vtkNew<vtkTransform> transform;
-  parts->SetMaximumEdgeLength(0.02);
-  for (vtkAdaptiveHilbertDelaunay2D* settings : { whole.Get(), parts.Get() })
-  {
-    settings->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
-    settings->SetTransform(transform);
-  }
-  transform->RotateZ(30);
-  WatchedInterpolation filter;
-  filter->SetInputData(cloud());
-  const auto countWith = [&](vtkAdaptiveHilbertDelaunay2D* settings)
-  {
-    filter->SetTriangulation(settings);
-    filter->Update();
-    return filter->GetNumberOfValidPlaces();
-  };
-  const vtkIdType all = countWith(whole);
-  EXPECT_LT(countWith(parts), all / 2);
-  EXPECT_EQ(countWith(whole), all);
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 3);
-  transform->RotateZ(30);
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
-}
-
-/// What is kept is not passed for what it is not.
-TEST(InterpolationPipeline, PointsThatChangedAreTriangulatedAnew)
-{
-  auto points = cloud(200);
-  WatchedInterpolation filter;
-  filter->SetInputData(points);
-  filter->SetPlacesData(makeCloud({ { 0.5, 0.5, 0 } }));
-  filter->Update();
-  const auto before = numbersOf(filter->GetOutput(), "Elevation");
-  // where they lie, and nobody is told but the filter
-  for (vtkIdType i = 0; i < 200; ++i)
-  {
-    const double* p = points->GetPoint(i);
-    points->GetPoints()->SetPoint(i, p[0], p[1], 100.0);
-  }
-  filter->Modified();
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
-  EXPECT_NEAR(numbersOf(filter->GetOutput(), "Elevation")[0], 100.0, 1e-9);
-  // the array that the kept triangulation borrows moves
-  vtkNew<vtkPolyData> copy;
-  copy->DeepCopy(points);
-  points->GetPoints()->SetNumberOfPoints(200000);
-  points->GetPoints()->SetNumberOfPoints(10);
-  filter->SetInputData(copy);
-  filter->Update();
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 3);
-  EXPECT_NEAR(numbersOf(filter->GetOutput(), "Elevation")[0], 100.0, 1e-9);
-  EXPECT_NE(before[0], 100.0);
-}
-
-TEST(InterpolationPipeline, MemoryIsRefusedWithFigures)
-{
-  WatchedInterpolation filter;
-  filter->SetInputData(cloud());
-  filter->SetDimensions(2147483647, 2147483647);
-  filter->Update();
-  ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_NE(
-    filter.Said->Errors[0].find("4.61168601e+18 places from 1000 points"), std::string::npos)
-    << filter.Said->Errors[0];
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  EXPECT_EQ(filter->GetNumberOfTriangulations(), 0);
-  EXPECT_GT(filter->GetMemoryEstimate(), vtkTypeInt64(1) << 50);
-  filter->SetDimensions(1000, 1000);
-  filter->GetTriangulation()->SetMemoryLimit(2000);
-  filter->Update();
-  ASSERT_EQ(filter.Said->Errors.size(), 2u);
-  EXPECT_NE(
-    filter.Said->Errors[1].find("MemoryLimit of Triangulation allows 2000 KiB"), std::string::npos);
-  const vtkTypeInt64 estimate = filter->GetMemoryEstimate();
-  EXPECT_GT(estimate, 8000);
-  EXPECT_LT(estimate, 20000);
-  filter->GetTriangulation()->SetMemoryLimit(estimate - 1);
-  filter->Update();
-  EXPECT_EQ(filter.Said->Errors.size(), 3u);
-  filter->GetTriangulation()->SetMemoryLimit(estimate);
-  filter->Update();
-  EXPECT_EQ(filter.Said->Errors.size(), 3u);
-  EXPECT_EQ(filter->GetNumberOfPlaces(), 1000000);
-  EXPECT_EQ(filter->GetMemoryEstimate(), estimate);
-}
-
-/// Said when it is merged for its values, not when its raster is announced.
-TEST(InterpolationPipeline, BlocksWithoutMemoryAreOneError)
-{
-  WatchedInterpolation filter;
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  blocks->SetBlock(0, cloud());
-  blocks->SetBlock(1, cloud(500, 2.0));
-  filter->SetInputData(blocks);
-  filter->GetTriangulation()->SetMemoryLimit(1);
-  filter->Update();
-  ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_NE(filter.Said->Errors[0].find("Merging blocks of 1500 points"), std::string::npos);
-}
-
-/// A transform that counts the points it is asked for.
-class Counted : public vtkSphericalTransform
-{
-public:
-  static Counted* New() { VTK_STANDARD_NEW_BODY(Counted); }
-  vtkTypeMacro(Counted, vtkSphericalTransform);
-  vtkAbstractTransform* MakeTransform() override { return Counted::New(); }
-  std::size_t Asked = 0;
-
-protected:
-  void ForwardTransformPoint(const double in[3], double out[3]) override
-  {
-    ++this->Asked;
-    this->vtkSphericalTransform::ForwardTransformPoint(in, out);
-  }
-};
-
-/// Where the raster lies is not looked for either where there is no memory for that.
-TEST(InterpolationPipeline, NoPointIsMovedWhereThereIsNoMemory)
-{
-  vtkNew<Counted> transform;
-  WatchedInterpolation filter;
-  filter->SetInputData(cloud());
-  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
-  filter->GetTriangulation()->SetTransform(transform);
-  filter->GetTriangulation()->SetMemoryLimit(20); // a copy takes 24 KiB
-  filter->Update();
-  EXPECT_EQ(transform->Asked, 0u);
-  ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_NE(filter.Said->Errors[0].find("65536 places from 1000 points"), std::string::npos);
-  EXPECT_GT(filter->GetMemoryEstimate(), 50);
-  filter->SetRasterSizeToByCellSize();
-  filter->Update();
-  EXPECT_EQ(transform->Asked, 0u);
-  ASSERT_EQ(filter.Said->Errors.size(), 2u);
-  EXPECT_NE(filter.Said->Errors[1].find("the places of a raster from 1000"), std::string::npos);
-  filter->GetTriangulation()->SetMemoryLimit(0);
-  filter->Update();
-  EXPECT_GE(transform->Asked, 2000u);
-  EXPECT_EQ(filter.Said->Errors.size(), 2u);
 }
 
 /// Whatever the progress at which it is aborted: nothing put out, no message, and well again.

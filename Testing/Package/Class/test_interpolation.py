@@ -178,6 +178,17 @@ class InterpolationTest(Case):
         self.assertEqual(algorithm.GetNumberOfTriangulations(), before)
         self.assertEqual(algorithm.GetNumberOfPlaces(), 0)
 
+    def test_blocks_without_memory_are_one_error(self):
+        blocks, algorithm = model.vtkMultiBlockDataSet(), Interpolation()
+        algorithm.SetTriangulation(Filter())
+        blocks.SetBlock(0, full())
+        blocks.SetBlock(1, full(500))
+        said = Said(algorithm)
+        algorithm.SetInputDataObject(blocks)
+        algorithm.GetTriangulation().SetMemoryLimit(1)
+        algorithm.Update()
+        self.assertEqual(len(said.errors), 1, said.errors)
+
     def test_values_change_on_a_surface_that_is_kept(self):
         given, algorithm = cloud(square()), Interpolation()
         given.GetPointData().AddArray(array("vtkDoubleArray", "a", [1, 1, 1, 1]))

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The triangulation that the interpolation keeps, and memory.
+#include "SampleTestSupport.h"
+
+#include "vtkMultiBlockDataSet.h"
+#include "vtkObjectFactory.h"
+#include "vtkSphericalTransform.h"
+#include "vtkTransform.h"
+#include "vtkWeakPointer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace ahdtest;
+
+vtkSmartPointer<vtkPolyData> cloud(std::size_t count = 1000, double size = 1.0)
+{
+  std::vector<Xyz> points = scatteredPoints(count, 17);
+  for (Xyz& p : points)
+  {
+    p = { p[0] * size, p[1] * size, std::sin(5 * p[0]) };
+  }
+  return makeCloud(points);
+}
+
+TEST(InterpolationMemory, NothingIsTriangulatedTwice)
+{
+  auto points = cloud();
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  filter->Update();
+  filter->Update();
+  for (const int method : { 1, 2, 3, 0 })
+  {
+    filter->SetMethod(method);
+    filter->SetDimensions(20 + method, 30);
+    filter->Update();
+  }
+  filter->SetOutputTypeToSurface();
+  filter->SetPlacesData(cloud(50));
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  vtkNew<vtkPolyData> same; // other objects, the same points
+  same->DeepCopy(points);
+  addArray<vtkDoubleArray>(same, "more", [](vtkIdType) { return 4.0; });
+  filter->SetInputData(same);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  EXPECT_EQ(arrayOf(filter->GetOutput(), "more")->GetRange()[1], 4.0);
+  filter->GetTriangulation()->SetNmax(40);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
+  filter->GetTriangulation()->KeepTriangulationOff();
+  filter->Update();
+  filter->SetMethodToNearest();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
+  filter->GetTriangulation()->KeepTriangulationOn();
+  filter->GetTriangulation()->SetReuseLimit(0);
+  filter->Update();
+  filter->SetMethodToLinear();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 6);
+}
+
+/// Between executions what is kept holds no data of the points, but those that were made of blocks,
+/// which count.
+TEST(InterpolationMemory, OnlyTheTriangulationIsKept)
+{
+  auto points = cloud(20000);
+  addArray<vtkDoubleArray>(points, "a", [](vtkIdType i) { return double(i); });
+  vtkWeakPointer<vtkDataArray> array = points->GetPointData()->GetArray("a");
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  filter->SetDimensions(5, 5);
+  filter->Update();
+  points->GetPointData()->RemoveArray("a");
+  EXPECT_EQ(array, nullptr);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 1);
+  const auto countWith = [&](vtkTypeInt64 reuseLimit)
+  {
+    filter->GetTriangulation()->SetReuseLimit(0);
+    filter->Update();
+    filter->GetTriangulation()->SetReuseLimit(reuseLimit);
+    const int before = filter->GetNumberOfTriangulations();
+    for (const int size : { 6, 7 })
+    {
+      filter->SetDimensions(size, size);
+      filter->Update();
+    }
+    return filter->GetNumberOfTriangulations() - before;
+  };
+  vtkTypeInt64 least = 0; // at which it is kept
+  filter->SetInputData(points);
+  for (vtkTypeInt64 step = 1 << 14; step > 0; step /= 2)
+  {
+    least += countWith(least + step) == 2 ? step : 0;
+  }
+  ++least;
+  EXPECT_EQ(countWith(least), 1);
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, points);
+  filter->SetInputDataObject(blocks);
+  EXPECT_EQ(countWith(least), 2);
+  EXPECT_EQ(countWith(least + 480), 1); // 20000 points of three numbers
+}
+
+/// Neither are settings of others that were changed before the transform that both have.
+TEST(InterpolationMemory, OtherSettingsWithTheSameTransformAreSeen)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> whole, parts;
+  vtkNew<vtkTransform> transform;
+  parts->SetMaximumEdgeLength(0.02);
+  for (vtkAdaptiveHilbertDelaunay2D* settings : { whole.Get(), parts.Get() })
+  {
+    settings->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+    settings->SetTransform(transform);
+  }
+  transform->RotateZ(30);
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud());
+  const auto countWith = [&](vtkAdaptiveHilbertDelaunay2D* settings)
+  {
+    filter->SetTriangulation(settings);
+    filter->Update();
+    return filter->GetNumberOfValidPlaces();
+  };
+  const vtkIdType all = countWith(whole);
+  EXPECT_LT(countWith(parts), all / 2);
+  EXPECT_EQ(countWith(whole), all);
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 3);
+  transform->RotateZ(30);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
+}
+
+/// What is kept is not passed for what it is not.
+TEST(InterpolationMemory, PointsThatChangedAreTriangulatedAnew)
+{
+  auto points = cloud(200);
+  WatchedInterpolation filter;
+  filter->SetInputData(points);
+  filter->SetPlacesData(makeCloud({ { 0.5, 0.5, 0 } }));
+  filter->Update();
+  const auto before = numbersOf(filter->GetOutput(), "Elevation");
+  // where they lie, and nobody is told but the filter
+  for (vtkIdType i = 0; i < 200; ++i)
+  {
+    const double* p = points->GetPoint(i);
+    points->GetPoints()->SetPoint(i, p[0], p[1], 100.0);
+  }
+  filter->Modified();
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
+  EXPECT_NEAR(numbersOf(filter->GetOutput(), "Elevation")[0], 100.0, 1e-9);
+  // the array that the kept triangulation borrows moves
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(points);
+  points->GetPoints()->SetNumberOfPoints(200000);
+  points->GetPoints()->SetNumberOfPoints(10);
+  filter->SetInputData(copy);
+  filter->Update();
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 3);
+  EXPECT_NEAR(numbersOf(filter->GetOutput(), "Elevation")[0], 100.0, 1e-9);
+  EXPECT_NE(before[0], 100.0);
+}
+
+TEST(InterpolationMemory, MemoryIsRefusedWithFigures)
+{
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud());
+  filter->SetDimensions(2147483647, 2147483647);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(
+    filter.Said->Errors[0].find("4.61168601e+18 places from 1000 points"), std::string::npos)
+    << filter.Said->Errors[0];
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_EQ(filter->GetNumberOfTriangulations(), 0);
+  EXPECT_GT(filter->GetMemoryEstimate(), vtkTypeInt64(1) << 50);
+  filter->SetDimensions(1000, 1000);
+  filter->GetTriangulation()->SetMemoryLimit(2000);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 2u);
+  EXPECT_NE(
+    filter.Said->Errors[1].find("MemoryLimit of Triangulation allows 2000 KiB"), std::string::npos);
+  const vtkTypeInt64 estimate = filter->GetMemoryEstimate();
+  EXPECT_GT(estimate, 8000);
+  EXPECT_LT(estimate, 20000);
+  filter->GetTriangulation()->SetMemoryLimit(estimate - 1);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 3u);
+  filter->GetTriangulation()->SetMemoryLimit(estimate);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 3u);
+  EXPECT_EQ(filter->GetNumberOfPlaces(), 1000000);
+  EXPECT_EQ(filter->GetMemoryEstimate(), estimate);
+}
+
+/// Said when it is merged for its values, not when its raster is announced.
+TEST(InterpolationMemory, BlocksWithoutMemoryAreOneError)
+{
+  WatchedInterpolation filter;
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetBlock(0, cloud());
+  blocks->SetBlock(1, cloud(500, 2.0));
+  filter->SetInputData(blocks);
+  filter->GetTriangulation()->SetMemoryLimit(1);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("Merging blocks of 1500 points"), std::string::npos);
+}
+
+/// A transform that counts the points it is asked for.
+class Counted : public vtkSphericalTransform
+{
+public:
+  static Counted* New() { VTK_STANDARD_NEW_BODY(Counted); }
+  vtkTypeMacro(Counted, vtkSphericalTransform);
+  vtkAbstractTransform* MakeTransform() override { return Counted::New(); }
+  std::size_t Asked = 0;
+
+protected:
+  void ForwardTransformPoint(const double in[3], double out[3]) override
+  {
+    ++this->Asked;
+    this->vtkSphericalTransform::ForwardTransformPoint(in, out);
+  }
+};
+
+/// Where the raster lies is not looked for either where there is no memory for that.
+TEST(InterpolationMemory, NoPointIsMovedWhereThereIsNoMemory)
+{
+  vtkNew<Counted> transform;
+  WatchedInterpolation filter;
+  filter->SetInputData(cloud());
+  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_SET_TRANSFORM_PLANE);
+  filter->GetTriangulation()->SetTransform(transform);
+  filter->GetTriangulation()->SetMemoryLimit(20); // a copy takes 24 KiB
+  filter->Update();
+  EXPECT_EQ(transform->Asked, 0u);
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("65536 places from 1000 points"), std::string::npos);
+  EXPECT_GT(filter->GetMemoryEstimate(), 50);
+  filter->SetRasterSizeToByCellSize();
+  filter->Update();
+  EXPECT_EQ(transform->Asked, 0u);
+  ASSERT_EQ(filter.Said->Errors.size(), 2u);
+  EXPECT_NE(filter.Said->Errors[1].find("the places of a raster from 1000"), std::string::npos);
+  filter->GetTriangulation()->SetMemoryLimit(0);
+  filter->Update();
+  EXPECT_GE(transform->Asked, 2000u);
+  EXPECT_EQ(filter.Said->Errors.size(), 2u);
+}
+
+} // namespace
