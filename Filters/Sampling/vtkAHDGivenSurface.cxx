@@ -4,6 +4,7 @@
 #include "Engine/Surface/FindTriangles.h"
 #include "Engine/Triangulate.h"
 #include "Input/vtkAHDInput.h"
+#include "Pipeline/vtkAHDArray.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -91,9 +92,8 @@ vtkSmartPointer<vtkUnsignedCharArray> vtkAHDGivenSurface::MarkOthers(const vtkAH
 {
   this->Open(context);
   const vtkIdType points = this->Surface->GetNumberOfPoints();
-  auto marks = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  auto marks = vtkAHDNewArray<vtkUnsignedCharArray>(points);
   marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  marks->SetNumberOfValues(points);
   unsigned char* const mark = marks->GetPointer(0);
   std::fill_n(mark, static_cast<std::size_t>(points), vtkDataSetAttributes::HIDDENPOINT);
   for (std::size_t k = 0; k < this->Triangles.ids; ++k)
@@ -130,8 +130,23 @@ void vtkAHDGivenSurface::AddEdge(std::size_t triangle, std::size_t edge)
   this->Ends.push_back(this->IdAt(3 * triangle + (edge + 1) % 3));
 }
 
-/// Those of the array ConstraintEdges: natural neighbours end at them.
-void vtkAHDGivenSurface::AddMarkedEdges()
+/// Makes room for so many. The memory that they and what constrains by them take is known only
+/// here: the report is told, and where there is none, that is the end.
+void vtkAHDGivenSurface::ReserveEdges(std::size_t edges, std::size_t points, vtkAHDReport& report)
+{
+  const std::size_t bytes = this->Missing.capacity() * sizeof(std::size_t) +
+    edges * 3 * sizeof(std::int64_t) + ahd::constraintMemoryEstimate(points, edges);
+  report.Estimate += static_cast<vtkTypeInt64>(bytes / 1024);
+  if (report.Estimate > report.Limit)
+  {
+    throw vtkAHDStop{ ahd::Status::OutOfMemory };
+  }
+  this->Ends.reserve(2 * edges);
+}
+
+/// Calls with each edge that the array ConstraintEdges names, if it is there.
+template <typename Call>
+void vtkAHDGivenSurface::ForMarkedEdges(const vtkAHDContext& context, const Call& call) const
 {
   auto* edges = vtkUnsignedCharArray::SafeDownCast(
     this->Surface->GetCellData()->GetAbstractArray("ConstraintEdges"));
@@ -142,23 +157,33 @@ void vtkAHDGivenSurface::AddMarkedEdges()
   const vtkIdType first = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
   for (std::size_t t = 0; t < this->Triangles.cells; ++t)
   {
+    if (t % (std::size_t(1) << 14) == 0)
+    {
+      context.StopIfAborted();
+    }
     const unsigned bits = edges->GetValue(first + static_cast<vtkIdType>(t));
     for (std::size_t k = 0; k < 3; ++k)
     {
       if ((bits >> k & 1u) != 0)
       {
-        this->AddEdge(t, k);
+        call(t, k);
       }
     }
   }
 }
 
-std::size_t vtkAHDGivenSurface::Find(
-  ahd::Triangulation& triangulation, std::vector<unsigned char>& kept, const vtkAHDContext& context)
+std::size_t vtkAHDGivenSurface::Find(ahd::Triangulation& triangulation,
+  std::vector<unsigned char>& kept, vtkAHDReport& report, const vtkAHDContext& context)
 {
   this->Open(context);
   this->Ends.clear();
-  this->FindOnce(triangulation, kept, context);
+  std::size_t count = 3 * this->FindOnce(triangulation, kept, context);
+  this->ForMarkedEdges(context, [&count](std::size_t, std::size_t) { ++count; });
+  if (count == 0)
+  {
+    return 0;
+  }
+  this->ReserveEdges(count, triangulation.points().count, report);
   for (const std::size_t t : this->Missing)
   {
     for (std::size_t k = 0; k < 3; ++k)
@@ -166,11 +191,8 @@ std::size_t vtkAHDGivenSurface::Find(
       this->AddEdge(t, k);
     }
   }
-  this->AddMarkedEdges();
-  if (this->Ends.empty())
-  {
-    return 0;
-  }
+  this->ForMarkedEdges(context,
+    [this](std::size_t t, std::size_t k) { this->AddEdge(t, k); }); // natural neighbours end there
   const std::size_t segments = this->Ends.size() / 2;
   std::vector<std::int64_t> offsets(segments + 1);
   for (std::size_t k = 0; k <= segments; ++k)

@@ -4,6 +4,7 @@
 
 #include "Engine/Surface/Plane.h"
 #include "Engine/Triangulation/Triangulation.h"
+#include "Execution/vtkAHDReport.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
@@ -50,10 +51,12 @@ public:
   /// Makes the triangles of the surface triangles of the triangulation: adds constraints where it
   /// has others, and those that the cell array ConstraintEdges names. Returns how many could not be
   /// had: none, unless the surface folds over itself in the plane. `kept`: as a Selection has it.
+  /// Adds what constraints take to the report's estimate, and stops where that is beyond its limit.
   std::size_t Find(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
-    const vtkAHDContext& context);
+    vtkAHDReport& report, const vtkAHDContext& context);
 
-  /// Upper estimate of the bytes of marks and masks, for so many points.
+  /// Upper estimate of the bytes of marks and masks, for so many points; without those of
+  /// constraints.
   static std::size_t EstimateBytes(vtkPolyData* surface);
 
 private:
@@ -62,7 +65,9 @@ private:
   std::size_t FindOnce(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
     const vtkAHDContext& context);
   void AddEdge(std::size_t triangle, std::size_t edge);
-  void AddMarkedEdges();
+  void ReserveEdges(std::size_t edges, std::size_t points, vtkAHDReport& report);
+  template <typename Call>
+  void ForMarkedEdges(const vtkAHDContext& context, const Call& call) const;
 
   vtkPolyData* const Surface;
   vtkAHDCellsView Cells;

@@ -102,6 +102,7 @@ bool vtkAHDSampleExecution::Run(
   kept.Workspace.release();
   if (status == ahd::Status::OutOfMemory)
   {
+    this->Memory.Estimate = std::max(this->Memory.Estimate, this->Report.Estimate);
     vtkAHDSayMemory(this->Filter, this->Memory, false);
   }
   return false;
@@ -278,6 +279,7 @@ void vtkAHDSampleExecution::TakeSurface(
   this->Memory.Estimate = this->Report.Estimate;
   this->Context.NextStage();
   const std::size_t missing = kept.Surface->Select(this->Settings, this->Context, this->Report);
+  this->Memory.Estimate = this->Report.Estimate;
   if (missing > 0)
   {
     vtkAHDSayFolded(this->Filter, this->Report.Triangles, missing);

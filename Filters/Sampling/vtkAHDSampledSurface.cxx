@@ -72,7 +72,8 @@ std::size_t vtkAHDSampledSurface::Select(
   if (this->Surface)
   {
     const std::size_t missing = vtkAHDGivenSurface(this->Surface)
-                                  .Find(this->Made.Triangulation, this->Selection.kept, context);
+                                  .Find(this->Made.Triangulation, this->Selection.kept, report,
+                                    context);
     report.Triangles = report.Cells = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
     return missing;
   }

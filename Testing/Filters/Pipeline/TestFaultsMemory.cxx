@@ -283,6 +283,24 @@ TEST(FaultsMemory, TheInterpolationSurvivesToo)
   }
 }
 
+/// With triangles that are made constraints, and points that are hidden.
+TEST(FaultsMemory, TheInterpolationOnASurfaceSurvivesToo)
+{
+  auto cloud = cloudWithAll(100);
+  cloud->GetPointData()->RemoveArray("Name");
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> delaunay;
+  delaunay->SetInputData(cloud);
+  delaunay->GenerateConstraintEdgesOn();
+  delaunay->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+  vtkNew<FaultyInterpolation> filter;
+  vtkNew<Messages> said;
+  said->Watch(filter);
+  filter->SetInputConnection(delaunay->GetOutputPort());
+  filter->GetTriangulation()->SetProjectionPlaneMode(VTK_BEST_FITTING_PLANE);
+  filter->SetDimensions(20, 10);
+  expectInterpolationSurvives(filter, said, true);
+}
+
 TEST(FaultsMemory, NoPlaneWhereThereIsNoMemory)
 {
   auto cloud = cloudWithAll(100, VTK_INT); // to be converted

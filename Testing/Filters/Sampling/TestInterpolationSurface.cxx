@@ -5,9 +5,11 @@
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
 
@@ -179,6 +181,39 @@ TEST(InterpolationSurface, InThePlaneOfAllPoints)
   }
   EXPECT_GT(direct->GetNumberOfValidPlaces(), 10);
   EXPECT_TRUE(areSame(numbersOf(one, "Elevation"), numbersOf(two, "Elevation"), 1e-12));
+}
+
+/// Edges that are made constraints are known, and what they take, when the triangles are looked
+/// for.
+TEST(InterpolationSurface, MemoryOfConstraintsIsLimited)
+{
+  vtkNew<Delaunay> delaunay;
+  delaunay->SetInputData(hills(20000));
+  vtkNew<vtkPolyData> marked;
+  delaunay->Update();
+  marked->DeepCopy(delaunay->GetOutput());
+  vtkNew<vtkUnsignedCharArray> edges;
+  edges->SetName("ConstraintEdges");
+  edges->SetNumberOfValues(marked->GetNumberOfCells());
+  edges->Fill(7);
+  marked->GetCellData()->AddArray(edges);
+  WatchedInterpolation filter;
+  filter->SetDimensions(10, 10);
+  filter->SetInputData(delaunay->GetOutput());
+  filter->Update();
+  const vtkTypeInt64 without = filter->GetMemoryEstimate();
+  filter->SetInputData(marked);
+  filter->Update();
+  const vtkTypeInt64 all = filter->GetMemoryEstimate();
+  EXPECT_GT(all, without + 24 * 3 * 40000 / 1024 - 100);
+  filter->GetTriangulation()->SetMemoryLimit(all - 1);
+  filter->Update();
+  ASSERT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_NE(filter.Said->Errors[0].find("Out of memory"), std::string::npos);
+  filter->GetTriangulation()->SetMemoryLimit(all);
+  filter->Update();
+  EXPECT_EQ(filter.Said->Errors.size(), 1u);
+  EXPECT_EQ(filter->GetNumberOfPlaces(), 100);
 }
 
 TEST(InterpolationSurface, IsKnownAgain)
