@@ -178,7 +178,8 @@ public:
    * included, its input not; 0, the default: what machine and process have left. A higher estimate
    * is an error before anything is allocated (GenerateBoxes: before anything is inserted).
    * ReuseLimit: the most working memory kept for the next execution; 0: none; default 262144, 256
-   * MiB, enough for 3 million points. What took more, failed or was aborted gives all back.
+   * MiB, enough for 3 million points. What took more, failed or was aborted gives all back. Within
+   * it a triangulation stays whole until the next execution, for who interpolates on its surface.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);

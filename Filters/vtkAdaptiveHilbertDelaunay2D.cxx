@@ -6,6 +6,7 @@
 #include "Engine/Core/Threads.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDKeptTriangulation.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
@@ -55,6 +56,7 @@ vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransfo
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   : Workspace(new ahd::Workspace)
+  , Left(new vtkAHDLeftBehind)
   , Cache(new vtkAHDOutputCache)
 {
   this->SetNumberOfInputPorts(2);
@@ -258,6 +260,7 @@ bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
     return false;
   }
   this->Cache->PassOn(data);
+  this->Left->TakeBackUnlessOf(data.Input, *this->Workspace);
   this->SortSeconds = 0.0;
   this->InsertSeconds = 0.0;
   this->OutputSeconds = 0.0;
@@ -272,8 +275,9 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   vtkAHDSettings settings;
   this->ReadSettings(settings);
   vtkAHDInput input(settings, data.Input, data.Source);
+  this->Left->TakeBack(*this->Workspace);
   vtkAHDExecution execution(settings, input, *this->Workspace, context, data.InputBytes);
-  const vtkAHDReport report = execution.Run(data.Outputs);
+  const vtkAHDReport report = execution.Run(data.Outputs, this->Left.get());
   this->MemoryEstimate = report.Estimate;
   if (report.Status != ahd::Status::Ok)
   {

@@ -46,6 +46,7 @@ class Workspace;
 enum class Status;
 }
 class vtkAHDContext;
+class vtkAHDLeftBehind;
 class vtkAHDOutputCache;
 class vtkAHDRankBlocks;
 struct vtkAHDDataSets;
@@ -453,6 +454,7 @@ private:
   void WarnAboutRanks();
 
   const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution
+  const std::unique_ptr<vtkAHDLeftBehind> Left;    // the last execution's triangulation
   const std::unique_ptr<vtkAHDOutputCache> Cache;  // the last execution's outputs
   bool WarnedAboutRanks = false;
   bool WarnedAboutOneRank = false;

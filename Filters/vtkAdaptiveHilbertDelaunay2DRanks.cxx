@@ -4,6 +4,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDKeptTriangulation.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
@@ -294,6 +295,7 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
   ++this->NumberOfTriangulations;
+  this->Left->TakeBack(*this->Workspace);
   vtkAHDRanks ranks(this->Controller);
   vtkAHDRankExecution execution(settings, ranks, context);
   const ahd::Status reason = context.IsAborted() ? ahd::Status::Cancelled

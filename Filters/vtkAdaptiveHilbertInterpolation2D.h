@@ -10,10 +10,12 @@
  * <b>Inputs.</b> Port 0: a vtkPointSet, or a composite data set, whose blocks are merged into one
  * surface; or a surface that a vtkAdaptiveHilbertDelaunay2D made, known by its field data: then,
  * without a source, its triangles count, holes and constraints included, and of the settings of
- * Triangulation only plane, threads and memory. Natural neighbours then end at constraints that the
- * cell array ConstraintEdges names, and at edges of triangles that are not Delaunay. Port 1,
- * optional: the places, a vtkDataSet or a composite data set of such. Port 2, optional:
- * constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
+ * Triangulation only plane, threads and memory. That filter's own triangulation is used while it is
+ * still there (see ReuseLimit) and in nobody else's use, in the plane x, y: the values are those of
+ * interpolating its points with its settings. Else the corners are triangulated; natural neighbours
+ * then end at constraints that the cell array ConstraintEdges names, and at edges of triangles that
+ * are not Delaunay. Port 1, optional: the places, a vtkDataSet or a composite data set of such.
+ * Port 2, optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
  * <b>Output.</b> Without places a vtkImageData, whose points are the centres of the raster's cells
  * (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; or, with OutputType
@@ -257,7 +259,7 @@ public:
   /// or was refused: what the MemoryLimit of Triangulation is compared with. How often this filter
   /// has triangulated: it keeps the triangulation for the next execution with the same points,
   /// constraints and Triangulation, whatever the raster and method, where KeepTriangulation is on
-  /// and ReuseLimit is large enough.
+  /// and ReuseLimit is large enough. It stays 0 on a surface whose own triangulation is there.
   vtkGetMacro(MemoryEstimate, vtkTypeInt64);
   vtkGetMacro(NumberOfTriangulations, int);
   ///@}

@@ -56,6 +56,14 @@ std::size_t vtkAHDExecution::EstimateTables() const
     (settings.GenerateVoronoi ? ahd::voronoiMemoryEstimate(count) : 0);
 }
 
+/// What is left behind at most, the tables of an interpolation and the points included.
+std::size_t vtkAHDExecution::EstimateLeft() const
+{
+  const std::size_t count = this->Known.Points;
+  return this->EstimateBytes() - this->EstimateOutputs() + ahd::tableMemoryEstimate(count) +
+    (3 * sizeof(double) + 1) * count;
+}
+
 std::size_t vtkAHDExecution::EstimateOutputs() const
 {
   const vtkAHDSettings& settings = this->Settings;

@@ -2,6 +2,7 @@
 #include "Execution/vtkAHDExecution.h"
 
 #include "Engine/Prepare/Stacks.h"
+#include "Execution/vtkAHDKeptTriangulation.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
@@ -10,6 +11,8 @@
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
 
+#include <algorithm>
+#include <memory>
 #include <new>
 #include <utility>
 
@@ -26,7 +29,7 @@ vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& in
   this->Known.Segments = ahd::segmentsOf(input.GetRequest());
 }
 
-vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
+vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left)
 {
   this->Report.Points = this->Known.Points;
   if (!this->FitsInMemory())
@@ -57,7 +60,10 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs)
   {
     outputs[k]->Initialize();
   }
-  this->GiveBack(results);
+  if (!left || !this->Leave(results, outputs[0], *left))
+  {
+    this->GiveBack(results);
+  }
   return this->Report;
 }
 
@@ -201,11 +207,11 @@ void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
   vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
   surface.WritePoints(this->Input, results.Points);
   surface.ShowMeans(results.Points, triangulation);
-  const ahd::Selection selection = surface.WriteCells(results.Points, triangulation);
+  results.Selection = surface.WriteCells(results.Points, triangulation);
   this->Context.NextStage();
   surface.AddCrossings(results.Points, triangulation);
   surface.AddPointArrays(results.Points, triangulation);
-  surface.AddCellArrays(triangulation, selection);
+  surface.AddCellArrays(triangulation, results.Selection);
   this->Context.NextStage();
   this->WriteVoronoi(results, outputs);
   this->Context.NextStage();
@@ -283,6 +289,41 @@ void vtkAHDExecution::ReportOn(const Results& results)
   {
     const ahd::LeftOut& first = report.Constraints.leftOut[0];
     report.FirstCrossing = { { points.cellOf(first.chain), points.cellOf(first.otherChain) } };
+  }
+}
+
+/// Leaves the triangulation behind, if it is to be had again and not too much. Returns false if
+/// not: then nothing has changed.
+bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const
+{
+  // Places that were converted go with the input.
+  const bool isFit = this->Report.Status == ahd::Status::Ok && this->Report.Triangles > 0 &&
+    !results.Points.isProjected() && !this->Input.MustConvertPoints();
+  if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLeft() / 1024) >= this->Settings.ReuseLimit)
+  {
+    return false;
+  }
+  try
+  {
+    auto content = std::make_unique<vtkAHDLeftTriangulation>();
+    const ahd::PointView& points = results.Points.points();
+    const auto borrowed = this->Input.FindBorrowed(points);
+    std::copy(borrowed.begin(), borrowed.end(), content->Borrowed.begin());
+    content->ShowMeans = this->Settings.ShowMeans;
+    const auto kept = vtkSmartPointer<vtkAHDKeptTriangulation>::New();
+    vtkAHDLeftTriangulation& to = *content;
+    if (!kept->Keep(content, surface, this->Context))
+    {
+      return false;
+    }
+    to.Made = std::move(results); // nobody else knows the surface yet
+    to.Kept = std::move(results.Selection.kept);
+    left.Let(kept);
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    return false;
   }
 }
 

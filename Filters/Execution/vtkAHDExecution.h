@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkAbstractTransform;
+class vtkAHDLeftBehind;
 class vtkPolyData;
 
 /// Surface, order, Voronoi diagram.
@@ -50,7 +51,9 @@ public:
   /// Triangulates and fills the outputs, which are to be empty. They are empty again unless
   /// Report::Status is Ok. Throws nothing. The working memory is kept for the next execution if it
   /// is not too much and nothing went wrong.
-  vtkAHDReport Run(const vtkAHDOutputs& outputs);
+  /// `left`: null, or where the triangulation is left for who interpolates on the surface, then
+  /// instead of its memory.
+  vtkAHDReport Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left = nullptr);
 
   /// Triangulates alone. `made` is of use if Report::Status is Ok; the caller keeps it, or gives it
   /// back to the workspace. `bytesBehind`: what he will allocate behind this, part of the estimate.
@@ -77,6 +80,7 @@ private:
   struct Results : vtkAHDTriangulated
   {
     ahd::VoronoiCells Voronoi;
+    ahd::Selection Selection;
   };
 
   bool FitsInMemory();
@@ -90,6 +94,8 @@ private:
   void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
   void FindStacks(const Results& results);
   void ReportOn(const Results& results);
+  bool Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const;
+  std::size_t EstimateLeft() const;
   void GiveBack(Results& results);
   std::size_t EstimateTables() const;
   std::size_t EstimateOutputs() const;

@@ -83,6 +83,17 @@ void vtkAHDInput::Open(const vtkAHDContext& context)
   this->Projection.SetContext(context);
 }
 
+std::array<vtkDataArray*, 2> vtkAHDInput::FindBorrowed(const ahd::PointView& points) const
+{
+  const void* const places = points.doubles ? static_cast<const void*>(points.doubles)
+                                            : static_cast<const void*>(points.floats);
+  const auto ifAt = [](vtkDataArray* array, const void* at)
+  { return array && at && array->GetVoidPointer(0) == at ? array : nullptr; };
+  vtkPoints* const input = this->Input->GetPoints();
+  return { { ifAt(input ? input->GetData() : nullptr, places),
+    ifAt(this->Input->GetPointGhostArray(), points.skip) } };
+}
+
 vtkPolyData* vtkAHDInput::GetSourceOfPoints() const
 {
   return this->Request.sourcePoints.count > 0 ? this->Source : nullptr;

@@ -8,6 +8,8 @@
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Pipeline/vtkAHDSettings.h"
 
+#include <array>
+
 class vtkPointSet;
 class vtkPolyData;
 
@@ -45,6 +47,12 @@ public:
 
   /// Is there an array vtkGhostType that has not one value per point? It is ignored.
   bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
+
+  /// Are points neither floats nor doubles in memory? Then Open() converts them.
+  bool MustConvertPoints() const { return this->InputPoints.MustBeConverted(); }
+
+  /// Which of the input's arrays these points are a view of: places, marks; null where of none.
+  std::array<vtkDataArray*, 2> FindBorrowed(const ahd::PointView& points) const;
 
   /// Bytes that Open() takes.
   std::size_t EstimateBytes() const

@@ -66,7 +66,11 @@ bool vtkAHDSampleExecution::Run(
   {
     this->Context.StopIfAborted();
     this->IsSurface = inputs.Surface != nullptr;
-    if (kept.Surface)
+    if (kept.Surface && kept.Surface->IsLent())
+    {
+      this->IsKept = inputs.Piece > 0;
+    }
+    else if (kept.Surface)
     {
       this->IsKept = (this->MayKeep || inputs.Piece > 0) &&
         kept.Surface->IsOf(
@@ -76,6 +80,14 @@ bool vtkAHDSampleExecution::Run(
         kept.Surface->GiveBack(kept.Workspace);
         kept.Surface.reset();
       }
+    }
+    if (kept.Surface && kept.Surface->IsLent() && !this->IsKept)
+    {
+      kept.Surface.reset(); // to an execution that came to nothing
+    }
+    if (inputs.Surface && !this->IsKept)
+    {
+      this->BorrowSurface(inputs, kept);
     }
     if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
     {
@@ -106,6 +118,27 @@ bool vtkAHDSampleExecution::Run(
     vtkAHDSayMemory(this->Filter, this->Memory, false);
   }
   return false;
+}
+
+/// From the filter that made it, in place of the surface that was kept, if it can be had. In other
+/// planes places and raster would go by these settings, and the triangles by those of the other.
+void vtkAHDSampleExecution::BorrowSurface(
+  const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
+{
+  if (this->Settings.IsProjected())
+  {
+    return;
+  }
+  vtkSmartPointer<vtkAHDKeptTriangulation> lender;
+  vtkAHDKeptTriangulation::Content lent = vtkAHDKeptTriangulation::Borrow(
+    inputs.Surface, this->Context, lender);
+  if (lent)
+  {
+    kept.Surface = std::make_unique<vtkAHDSampledSurface>(
+      this->Settings, inputs.Surface, std::move(lent), lender);
+    kept.Workspace.release();
+    this->IsKept = true;
+  }
 }
 
 /// Where values are wanted. Returns false if there is no raster, or no memory to find it, which it
@@ -227,7 +260,10 @@ bool vtkAHDSampleExecution::FitsInMemory(
   memory.Points = points;
   memory.Estimate = InKiB(toMake + this->BytesOfSampling);
   memory.IsLimited = this->Settings.MemoryLimit > 0;
-  const double needed = this->BytesOfSampling + (this->IsKept ? 0.0 : toMake);
+  const double tables = this->IsKept && kept.Surface->IsLent()
+    ? double(ahd::tableMemoryEstimate(points))
+    : 0.0;
+  const double needed = this->BytesOfSampling + (this->IsKept ? tables : toMake);
   const double held = double(kept.Workspace.bytes()) + double(inputs.InputBytes);
   memory.Limit = memory.IsLimited ? this->Settings.MemoryLimit
                                   : InKiB(double(ahd::availableMemory()) + held);
@@ -392,6 +428,14 @@ void vtkAHDSampleExecution::CountPlaces(
 /// Leaves the surface to the next execution, or its memory.
 void vtkAHDSampleExecution::Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
 {
+  if (kept.Surface->IsLent())
+  {
+    if (!inputs.Pieces || inputs.Piece + 1 == inputs.Pieces->GetCount())
+    {
+      kept.Surface.reset(); // all pieces are interpolated on the same one
+    }
+    return;
+  }
   kept.Surface->DropData();
   const std::size_t points = kept.Surface->GetPoints().points().count;
   const double bytes = BytesKept(points, this->Settings) +

@@ -87,6 +87,7 @@ private:
   bool FitsToFindPlaces(const vtkAHDSampleInputs& inputs);
   bool FitsInMemory(const vtkAHDSampleInputs& inputs, const vtkAHDSampleMemoryKept& kept);
   std::vector<double> StagesBehind(std::size_t points) const;
+  void BorrowSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void Interpolate(
     const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output);
@@ -111,7 +112,7 @@ private:
   vtkAHDReport Report; // of the triangulation
   vtkAHDSampleResult Result;
   vtkAHDSampleMemory Memory;
-  bool IsKept = false; // the surface is that of the execution before
+  bool IsKept = false; // the surface is there: that of the execution before, or borrowed
   bool Triangulated = false;
   bool IsSurface = false; // the input is one
   double Seconds = 0.0;

@@ -58,7 +58,22 @@ vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPo
     settings, surface ? this->Corners : this->Input, this->Source);
 }
 
-vtkAHDSampledSurface::~vtkAHDSampledSurface() = default;
+vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPolyData* surface,
+  vtkAHDKeptTriangulation::Content lent, vtkSmartPointer<vtkAHDKeptTriangulation> lender)
+  : Input(PointsOf(surface))
+  , View(std::make_unique<vtkAHDInput>(settings, this->Input, nullptr))
+  , Lent(std::move(lent))
+  , Lender(lender)
+{
+}
+
+vtkAHDSampledSurface::~vtkAHDSampledSurface()
+{
+  if (this->Lent)
+  {
+    this->Lender->GiveBack(std::move(this->Lent));
+  }
+}
 
 vtkAHDReport vtkAHDSampledSurface::Make(
   vtkAHDExecution& execution, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
@@ -216,6 +231,10 @@ std::size_t vtkAHDSampledSurface::CountInputBytes() const
 vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
   const vtkAHDSettings& settings, const vtkAHDContext& context) const
 {
+  if (this->Lent) // the surface has all points
+  {
+    return this->Input->GetPointData();
+  }
   vtkNew<vtkPolyData> all;
   vtkAHDSurface(settings, context, all).WritePoints(*this->View, this->Made.Points);
   return all->GetPointData();
@@ -224,7 +243,7 @@ vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
 ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
   const vtkAHDSettings& settings, const vtkAHDContext& context)
 {
-  const ahd::PreparedInput& points = this->Made.Points;
+  const ahd::PreparedInput& points = this->GetPoints();
   const ahd::PointView& places = points.points();
   ahd::UninitialisedVector<double> heights;
   heights.resize(places.count);
@@ -236,13 +255,14 @@ ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
         heights[i] = places.z(i);
       }
     });
-  if (!settings.ShowMeans || this->Made.Triangulation.report().duplicates == 0)
+  ahd::Triangulation& triangulation = this->GetTriangulation();
+  const bool showsMeans = this->Lent ? this->Lent->ShowMeans : settings.ShowMeans;
+  if (!showsMeans || triangulation.report().duplicates == 0)
   {
     return heights;
   }
   std::vector<ahd::Mean> means;
-  context.Check(
-    ahd::findMeans(this->Made.Triangulation, points.firstCrossing(), places, context, means));
+  context.Check(ahd::findMeans(triangulation, points.firstCrossing(), places, context, means));
   for (const ahd::Mean& mean : means)
   {
     heights[mean.id] = mean.position[2];

@@ -6,6 +6,7 @@
 #include "Engine/Core/Uninitialised.h"
 #include "Engine/Surface/Selection.h"
 #include "Execution/vtkAHDExecution.h"
+#include "Execution/vtkAHDKeptTriangulation.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "vtkNew.h"
@@ -28,7 +29,8 @@ using vtkAHDSettingsTimes = std::array<vtkMTimeType, 2>;
 
 /**
  * A triangulation to interpolate on, which can be kept for the next execution. It holds the arrays
- * that the triangulation borrows.
+ * that the triangulation borrows. Or it borrows the triangulation itself, from the filter that made
+ * the surface.
  */
 class vtkAHDSampledSurface
 {
@@ -37,9 +39,15 @@ public:
   /// std::bad_alloc.
   vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source,
     vtkPolyData* surface, const vtkAHDContext& context);
+  /// `lent`: the triangulation that `surface` was written from, given back to `lender` in the end.
+  vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPolyData* surface,
+    vtkAHDKeptTriangulation::Content lent, vtkSmartPointer<vtkAHDKeptTriangulation> lender);
   ~vtkAHDSampledSurface();
   vtkAHDSampledSurface(const vtkAHDSampledSurface&) = delete;
   void operator=(const vtkAHDSampledSurface&) = delete;
+
+  /// Is the triangulation only borrowed?
+  bool IsLent() const { return this->Lent != nullptr; }
 
   /// Points and segments as they are known before, for estimates.
   vtkAHDInput& GetInput() { return *this->View; }
@@ -71,12 +79,16 @@ public:
   ahd::UninitialisedVector<double> MakeHeights(
     const vtkAHDSettings& settings, const vtkAHDContext& context);
 
-  const ahd::PreparedInput& GetPoints() const { return this->Made.Points; }
-  ahd::Triangulation& GetTriangulation() { return this->Made.Triangulation; }
+  const ahd::PreparedInput& GetPoints() const { return this->GetMade().Points; }
+  ahd::Triangulation& GetTriangulation()
+  {
+    return this->Lent ? this->Lent->Made.Triangulation : this->Made.Triangulation;
+  }
   /// As a Sampler wants it.
   const unsigned char* GetKept() const
   {
-    return this->Selection.kept.empty() ? nullptr : this->Selection.kept.data();
+    const std::vector<unsigned char>& kept = this->Lent ? this->Lent->Kept : this->Selection.kept;
+    return kept.empty() ? nullptr : kept.data();
   }
 
   /// Lets go of all data of points and cells until the next TakeData(): between executions only
@@ -96,6 +108,7 @@ private:
     std::vector<ahd::Fingerprint> Prints;
     std::vector<const void*> Places;
   };
+  const vtkAHDTriangulated& GetMade() const { return this->Lent ? this->Lent->Made : this->Made; }
   static bool Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
     const vtkAHDContext& context, Identity& found);
 
@@ -108,6 +121,8 @@ private:
   std::unique_ptr<vtkAHDInput> View;
   vtkAHDTriangulated Made;
   ahd::Selection Selection;
+  vtkAHDKeptTriangulation::Content Lent; // null: Made and Selection are to be used
+  vtkSmartPointer<vtkAHDKeptTriangulation> Lender;
   vtkAHDSettingsTimes Settings = {};
   bool IsKnown = false;
   Identity Known;
