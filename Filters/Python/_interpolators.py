@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
-from typing import Any, Tuple
+from typing import Any, Dict, Tuple
 
 import numpy as np
 
 from ._arrays import delaunay
+from ._raster import real_numbers, unmasked
+from ._sampling import check_outside
 from ._triangulation import Triangulation
 
 
@@ -26,9 +28,7 @@ class _Interpolator:
             points = delaunay(points, threads=threads)
         self.triangulation: Triangulation = points
         given = points.counts["input_points"] + points.counts["source_points"]
-        if isinstance(values, np.ma.MaskedArray):
-            raise TypeError("values are a masked array, whose mask would be lost: NaN stands for what is missing")
-        self.values = np.array(values)
+        self.values = np.array(unmasked("values", values))
         if self.values.ndim < 1 or len(self.values) != given:
             raise ValueError("values are to have a row for each of %d points, not the shape %s" % (
                 given, self.values.shape))  # fmt: skip
@@ -37,8 +37,8 @@ class _Interpolator:
     def _own(self, points: Any, rescale: bool) -> np.ndarray:
         """A copy, rescaled on request to a square of side 1."""
         if isinstance(points, tuple):
-            points = np.stack(np.broadcast_arrays(*points), axis=-1)
-        given = np.asarray(points)
+            points = np.stack(np.broadcast_arrays(*(unmasked("points", one) for one in points)), axis=-1)
+        given = unmasked("points", points)
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError("points are to be of shape (n, 2), not %s" % (given.shape,))
         if given.dtype.kind not in "biuf" and given.size:
@@ -62,9 +62,10 @@ class _Interpolator:
         if len(args) == 1 and isinstance(args[0], tuple):
             args = args[0]
         if len(args) == 2:
-            places = np.stack(np.broadcast_arrays(*(np.asarray(one, np.float64) for one in args)), axis=-1)
+            places = np.stack(np.broadcast_arrays(*(real_numbers("places", one) for one in args)), axis=-1)
         elif len(args) == 1:
-            places = np.asarray(args[0], np.float64)
+            places = real_numbers("places", args[0])
+            places = places.reshape(0, 2) if places.shape == (0,) else places
         else:
             raise TypeError("places are x and y, or one array of shape (..., 2), not %d arguments" % len(args))
         if places.ndim < 1 or places.shape[-1] != 2:
@@ -72,6 +73,10 @@ class _Interpolator:
         if self._origin.any() or (self._scale != 1).any():
             places = (places - self._origin) / self._scale
         return places
+
+    def __setstate__(self, state: Dict[str, Any]) -> None:
+        self.__dict__.update(state)
+        self.values.flags.writeable = False  # which pickle forgets
 
     def __repr__(self) -> str:
         return "<%s of %d points>" % (type(self).__name__, len(self.values))
@@ -126,9 +131,8 @@ class LinearInterpolator(_Interpolator):
         self._start(points, values, rescale, threads)
         if self.values.dtype.kind not in "biufc":
             raise TypeError("values are to be numbers, not of type %s" % self.values.dtype)
+        check_outside("fill_value", fill_value, "", self.values.dtype.kind)
         self.fill_value = fill_value
-        if isinstance(fill_value, str):
-            raise TypeError("fill_value is to be a number, not %r" % fill_value)
 
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""

@@ -139,10 +139,14 @@ class Job:
             self._check(C.ahd_set_progress(self._handle, function, id(self)))
             self._listens = wanted
 
+    def refuse_if_busy(self) -> None:
+        """NotAvailable during a call, which is that of a progress function."""
+        if id(self) in _at_work:
+            raise NotAvailable("the triangulation is at work: a progress function cannot ask it", BUSY)
+
     def _call(self, function: Any, *arguments: Any) -> None:
         """A call that may take long."""
-        if id(self) in _at_work:
-            raise NotAvailable("the job is at work", BUSY)
+        self.refuse_if_busy()
         self._listen()
         _at_work[id(self)] = self
         try:

@@ -78,15 +78,40 @@ class Raster:
 
     @property
     def geotransform(self) -> Tuple[float, float, float, float, float, float]:
-        """What GDAL calls the geotransform, of pixels that are areas: corner, width and 0; corner, 0 and height."""
+        """What GDAL calls the geotransform, of pixels that are areas: corner, width and 0; corner, 0 and height. Row 0
+        is in the south, the height positive; for a GeoTIFF from the north on, of values[::-1], x and y of the upper
+        corner are (bounds[0], bounds[3]), and the height is negative."""
         (x, y), (dx, dy) = self.origin, self.spacing
         return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
+
+
+def unmasked(name: str, given: Any) -> np.ndarray:
+    """The array, which may be a masked one of which nothing is masked. TypeError."""
+    parts = given if isinstance(given, (list, tuple)) else (given,)
+    if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
+        raise TypeError("%s are a masked array, whose mask would be lost: NaN stands for what is missing" % name)
+    return np.asarray(given)
+
+
+def real_numbers(name: str, given: Any) -> np.ndarray:
+    """The same of real numbers, as float64. TypeError."""
+    found = unmasked(name, given)
+    if found.dtype.kind not in "biuf" and found.size:
+        raise TypeError("%s are to be real numbers, not of type %s" % (name, found.dtype))
+    return found.astype(np.float64, copy=False)
+
+
+def number_of(given: Any) -> float:
+    """A real number; words are none. TypeError, ValueError."""
+    if isinstance(given, (str, bytes)):
+        raise TypeError("%r is no number" % (given,))
+    return float(given)
 
 
 def pair_of(name: str, given: Any) -> Tuple[float, float]:
     """Two numbers."""
     try:
-        first, second = (float(number) for number in given)
+        first, second = (number_of(number) for number in given)
     except (TypeError, ValueError):
         raise TypeError("%s is to be two numbers, x and y, not %r" % (name, given)) from None
     return first, second
@@ -103,16 +128,22 @@ def shape_of(given: Any, least: int) -> Tuple[int, int]:
     return rows, columns
 
 
-def _size_of(given: Any) -> Tuple[float, float]:
-    size = (float(given),) * 2 if np.ndim(given) == 0 else pair_of("cell_size", given)
+def size_of(given: Any) -> Tuple[float, float]:
+    """The size of a cell, of one number or two."""
+    isOne = np.ndim(given) == 0
+    try:
+        size = (number_of(given),) * 2 if isOne else pair_of("cell_size", given)
+    except (TypeError, ValueError):
+        raise TypeError("cell_size is to be one number or two numbers, x and y, not %r" % (given,)) from None
     if not all(0 < number < math.inf for number in size):
         raise ValueError("cell_size is to be greater than 0 and finite, not %r" % (given,))
     return size
 
 
-def _bounds_of(given: Any) -> Tuple[float, float, float, float]:
+def bounds_of(given: Any) -> Tuple[float, float, float, float]:
+    """What a raster covers."""
     try:
-        xmin, xmax, ymin, ymax = (float(number) for number in given)
+        xmin, xmax, ymin, ymax = (number_of(number) for number in given)
     except (TypeError, ValueError):
         raise TypeError("bounds are to be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
     if not (xmin <= xmax and ymin <= ymax and all(map(math.isfinite, (xmin, xmax, ymin, ymax)))):
@@ -130,9 +161,9 @@ def raster_over(
     vtkAdaptiveHilbertInterpolation2D (vtkAHDRaster.h)."""
     if (cell_size is None) == (shape is None):
         raise ValueError("a raster is made by its cell_size or by its shape: one of both")
-    xmin, xmax, ymin, ymax = _bounds_of(bounds)
+    xmin, xmax, ymin, ymax = bounds_of(bounds)
     if shape is None:
-        dx, dy = _size_of(cell_size)
+        dx, dy = size_of(cell_size)
         x, y = _by_size(xmin, xmax, dx, align), _by_size(ymin, ymax, dy, align)
     elif align:
         raise ValueError("align is for rasters that are made by their cell_size")
@@ -184,7 +215,8 @@ def _by_size(low: float, high: float, size: float, align: bool) -> _Axis:
         first = _whole_below(low / size, slack)
         count = max(1.0, -_whole_below(-(high / size), slack) - first)
         return _Axis((first + 0.5) * size, size, count)
-    return _Axis(low + 0.5 * size, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
+    origin = low + 0.5 * size if low < high else low  # one row runs through what has no length
+    return _Axis(origin, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
 
 
 def _by_count(low: float, high: float, count: int) -> _Axis:

@@ -9,7 +9,7 @@ import numpy as np
 
 from . import _library as library
 from ._made import Made
-from ._raster import Raster, raster_over
+from ._raster import Raster, raster_over, real_numbers, unmasked
 
 #: In the order of the header's numbers.
 METHODS = ("linear", "natural", "laplace", "nearest")
@@ -39,22 +39,24 @@ def places_of(given: Any) -> Tuple[Union[Raster, np.ndarray], Tuple[int, ...]]:
     """Places as a job takes them, and the shape that values at them have."""
     if isinstance(given, Raster):
         return given, given.shape
-    if isinstance(given, np.ma.MaskedArray):
-        raise TypeError("places are a masked array, whose mask would be lost")
-    places = np.asarray(given)
+    places = unmasked("places", given)
     if places.ndim < 1 or places.shape[-1] != 2:
         if places.shape != (0,):
             raise ValueError("places are to be of shape (k, 2) or (..., 2), or a Raster, not %s" % (places.shape,))
         places = places.reshape(0, 2)
-    if places.dtype.kind not in "biuf" and places.size:
-        raise TypeError("places are to be real numbers, not of type %s" % places.dtype)
-    return np.ascontiguousarray(places, np.float64).reshape(-1, 2), places.shape[:-1]
+    return np.ascontiguousarray(real_numbers("places", places)).reshape(-1, 2), places.shape[:-1]
+
+
+def check_outside(name: str, given: Any, also: str, kind: str) -> None:
+    """Is it one number, complex ones only among values of that kind? TypeError."""
+    isWord = isinstance(given, (str, bytes))
+    found = np.asarray(None if isWord else given)
+    if found.ndim != 0 or found.dtype.kind not in ("biufc" if kind == "c" else "biuf"):
+        raise TypeError("%s is to be a number%s, not %r" % (name, also, given))
 
 
 def _numbers_of(values: Any, count: int, kinds: str) -> np.ndarray:
-    given = np.asarray(values)
-    if isinstance(values, np.ma.MaskedArray):
-        raise TypeError("values are a masked array, whose mask would be lost: NaN stands for what is missing")
+    given = unmasked("values", values)
     if given.ndim < 1 or len(given) != count:
         raise ValueError("values are to have a row for each of %d points, not the shape %s" % (count, given.shape))
     if given.dtype.kind not in kinds:
@@ -118,7 +120,7 @@ class Sampled(Made):
         """
         if bounds is None:
             with self._lock:
-                box = self._for_places().array("vertex_bounds")
+                box = self._engine().array("vertex_bounds")
             if np.isnan(box).any():
                 raise ValueError("there are no vertices: bounds are to be given")
             bounds = box.ravel().tolist()
@@ -155,7 +157,8 @@ class Sampled(Made):
             neighbours, by the borders of the cells; not as smooth. 'nearest': of the nearest vertex, everywhere; of
             several the one of smallest (x, y). All but the last give back functions that are linear.
         outside : number or 'nearest', default NaN
-            What there is where there is no value. 'nearest': that of the nearest vertex.
+            What there is off the triangles, and at places that are not finite. 'nearest': the value of the nearest
+            vertex. NaN that comes from `values` stays.
         gradient : bool, default False
             With 'linear': the slopes too.
         progress : function of (str, float), optional
@@ -164,7 +167,8 @@ class Sampled(Made):
         Returns
         -------
         (...) float64, or complex128 if `values` are complex
-            Of the shape of the places, (rows, columns) of a raster, and of that of a row of `values`.
+            Integers become float64. Of the shape of the places, (rows, columns) of a raster, row 0 in the south, and
+            of that of a row of `values`.
         gradients : (..., 2) of the same type, with `gradient` only
             For each of them d/dx and d/dy; NaN outside.
 
@@ -193,7 +197,7 @@ class Sampled(Made):
         array(8.)
         """
         if at is None:
-            if method != "linear" or gradient or not _is_nan(outside):
+            if method != "linear" or gradient or np.ndim(outside) or not _is_nan(outside):
                 raise ValueError("method, outside and gradient are for values at places: give these as `at`")
             return self._for_points(_numbers_of(values, self._given_points, "biuf"))
         return self._at(values, at, method, outside, gradient, progress)
@@ -252,6 +256,8 @@ class Sampled(Made):
             raise ValueError("outside is to be a number or 'nearest', not %r" % (outside,))
         places, shape = places_of(at)
         given = _numbers_of(values, self._given_points, "biufc")
+        if not isinstance(outside, str):
+            check_outside("outside", outside, " or 'nearest'", given.dtype.kind)
         rows = self._for_points(given) if self._counts["added_points"] else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
@@ -288,6 +294,7 @@ class Sampled(Made):
     ) -> library.Samples:
         """REQUIRES: the lock."""
         job = self._for_places()
+        job.refuse_if_busy()  # whoever is at work has a callback, which stays
         if progress is not None:
             tell = progress
             job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)

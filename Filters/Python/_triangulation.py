@@ -12,6 +12,7 @@ from . import _library as library
 from ._input import CHOICES, DEFAULTS, Request, checksum, near_each_other
 from ._made import frozen
 from ._results import Boxes, Location, Voronoi, chained
+from ._raster import real_numbers, unmasked
 from ._sampling import Sampled
 
 #: Attributes that `delaunay` can be asked to make at once.
@@ -359,14 +360,12 @@ class Triangulation(Sampled):
             Where triangles were dropped (by loops, alpha, ...), `kind` and
             `corners` are those of the whole triangulation, and `triangle` is -1.
         """
-        given = np.asarray(places)
+        given = unmasked("places", places)
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError("places are to be of shape (k, 2), not %s" % (given.shape,))
-        if given.dtype.kind not in "biuf" and given.size:
-            raise TypeError("places are to be real numbers, not of type %s" % given.dtype)
+        places = real_numbers("places", given)
         with self._lock:
             job = self._for_places()
-            places = np.asarray(given, np.float64)
             order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
             found = job.locate(places[order])  # each is looked for from the one before it
             self._hasPlaces = True

@@ -9,13 +9,14 @@ import functools
 import importlib
 import inspect
 import math
+import operator
 import sys
 import warnings
 
 import numpy
 import pyvista
 
-from . import _vtk
+from . import _raster, _vtk
 from ._warnings import DelaunayWarning
 
 __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
@@ -102,11 +103,22 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
         algorithm.SetTransform(plane)
     algorithm.SetTolerance(tol)
     algorithm.SetDuplicatePolicy(_number_of(duplicates, DUPLICATES, "duplicates"))
-    algorithm.SetNumberOfThreads(threads)
-    algorithm.SetMemoryLimit(-(-int(memory_limit) // 1024))
+    algorithm.SetNumberOfThreads(_whole(threads, "threads", 1024))
+    algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
     algorithm.KeepTriangulationOff()
     algorithm.SetReuseLimit(0)
     return algorithm, _Messages(algorithm, package)
+
+
+def _whole(value, argument, most):
+    """A whole number from 0 on. TypeError, ValueError."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError("%s is to be a whole number, not %r" % (argument, value)) from None
+    if not 0 <= number <= most:
+        raise ValueError("%s is to be from 0 to %d, not %r" % (argument, most, value))
+    return number
 
 
 def _set(algorithm, **settings):
@@ -282,6 +294,11 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", 
 def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads,
                  memory_limit, progress_bar, bounds_of_surface):
     """What vtkAdaptiveHilbertInterpolation2D puts out, with settings of its raster."""
+    unknown = [name for name in bounds_of_surface if name not in inspect.signature(_bound_surface).parameters]
+    if unknown:
+        raise TypeError("an unknown argument: %r" % unknown[0])
+    if not isinstance(elevation, str):
+        raise TypeError("elevation is to be a name, a str, not %r" % (elevation,))
     triangulation, _ = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
     triangulation.SetInputDataObject(None)
     package = _vtk.package_of(mesh)
@@ -298,34 +315,22 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     return _taken(algorithm.GetOutputDataObject(0))
 
 
-def _pair(value, argument):
-    """Two numbers, of one or two."""
-    numbers = (value, value) if numpy.ndim(value) == 0 else tuple(value)
-    if len(numbers) != 2:
-        raise ValueError("%s is one number or two, for x and y" % argument)
-    return numbers
-
-
 def _raster_settings(cell_size, shape, bounds, align):
     if (cell_size is None) == (shape is None):
         raise ValueError("how large is the raster? Give cell_size, or shape=(rows, columns)")
     made = {"UseBounds": bounds is not None}
     if cell_size is not None:
-        made.update(RasterSize=1, CellSize=_pair(cell_size, "cell_size"), AlignToCellSize=bool(align))
-        if not all(0 < float(size) < math.inf for size in made["CellSize"]):
-            raise ValueError("cell_size=%r: it is greater than 0, and finite" % (cell_size,))
+        made.update(RasterSize=1, CellSize=_raster.size_of(cell_size), AlignToCellSize=bool(align))
     else:
-        rows, columns = shape
-        if rows < 1 or columns < 1:
-            raise ValueError("shape=%r: a raster has one row and one column at least" % (shape,))
+        rows, columns = _raster.shape_of(shape, 1)
         if align:
             raise ValueError("align: borders are laid on multiples of cell_size, but shape is given")
         made.update(RasterSize=0, Dimensions=(columns, rows))
     if bounds is not None:
-        made["Bounds"] = tuple(bounds)[:4]  # of those of a mesh, without its z
-        if len(made["Bounds"]) != 4 or not all(
-                -math.inf < low < high < math.inf for low, high in (made["Bounds"][:2], made["Bounds"][2:])):
-            raise ValueError("bounds=%r: they are xmin, xmax, ymin, ymax, finite, the lower one first" % (bounds,))
+        given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 else bounds  # of those of a mesh, without its z
+        xmin, xmax, ymin, ymax = made["Bounds"] = _raster.bounds_of(given)
+        if xmin == xmax or ymin == ymax:
+            raise ValueError("bounds are to have an area, not %r" % (bounds,))
     return made
 
 
@@ -393,7 +398,11 @@ def _places_of(places):
     """A mesh of places: of arrays its points, at z = 0 where they have none."""
     if isinstance(places, pyvista.DataSet):
         return places
-    xyz = numpy.asarray(places, float)
+    if isinstance(places, pyvista.MultiBlock):
+        raise TypeError("places are one mesh or an array, not a MultiBlock: its combine() is one mesh")
+    xyz = _raster.real_numbers("places", places)
+    if xyz.shape == (0,):
+        xyz = xyz.reshape(0, 3)
     if xyz.ndim == 1 and xyz.size in (2, 3):
         xyz = xyz[None]
     if xyz.ndim != 2 or xyz.shape[1] not in (2, 3):

@@ -49,7 +49,7 @@ Axis BySize(double low, double high, double size, bool align)
     return axis;
   }
   axis.Count = std::max(1.0, WholeAbove(LengthIn(low, high, size), slack));
-  axis.Origin = low + 0.5 * size;
+  axis.Origin = low < high ? low + 0.5 * size : low; // one row runs through what has no length
   return axis;
 }
 

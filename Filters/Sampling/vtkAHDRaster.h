@@ -43,9 +43,10 @@ struct vtkAHDRaster
 /// the other side's cells, or 1.
 ///
 /// By cell size, the first cell begins at the lower bound, or with Align at the multiple of the
-/// size that is not above it; there are as many as cover the area, at least one. A bound that
-/// differs from a border between cells by no more than 2^-50 of the largest coordinate, which is
-/// what writing it in decimal may have cost, counts as this border: else 0 to 1.1 would take 12
+/// size that is not above it; there are as many as cover the area, at least one. Without Align a
+/// side of length 0 makes one row through it, here too: places beside it are on no surface. A bound
+/// that differs from a border between cells by no more than 2^-50 of the largest coordinate, which
+/// is what writing it in decimal may have cost, counts as this border: else 0 to 1.1 would take 12
 /// cells of 0.1, as the double 1.1 is above 11 times the double 0.1.
 vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& area);
 

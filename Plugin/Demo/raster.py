@@ -20,12 +20,12 @@ def add_options(parser):
 
 def check(chosen, parser):
     if chosen.raster is None:
-        if chosen.method or chosen.crs:
+        if chosen.method or chosen.crs is not None:
             parser.error("--method and --crs are for --raster")
         return
     if not (chosen.raster > 0 and math.isfinite(chosen.raster)):
         parser.error("--raster must be greater than 0 and finite")
-    if chosen.crs:
+    if chosen.crs is not None:
         geotiff.check_crs(chosen.crs)
 
 

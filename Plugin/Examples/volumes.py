@@ -26,11 +26,13 @@ def at_level(points, triangles, level):
     is_corner = middle <= 0  # at most the highest corner is above
     above = np.where(is_corner, np.where(high > 0, area * top * high / 3, 0.0), whole - area * bottom * low / 3)
     above = np.where(low >= 0, whole, above)
-    over = np.where(low >= 0, area, np.where(is_corner, area * top, area * (1 - bottom)))
+    over = np.where((low >= 0) & (high > 0), area, np.where(is_corner, area * top, area * (1 - bottom)))
     return above.sum(), (above - whole).sum(), over.sum()
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit("usage: python3 volumes.py <points.csv> <level>")
     from adaptivehilbertdelaunay import delaunay
 
     surface = delaunay(np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)[:, :3])

@@ -146,7 +146,8 @@ def beside_gmt(program, count, table):
             rates[1].append(1e-6 * side * side / (resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before))
         header = os.path.getsize(made) - 8 * side * side
         theirs = np.fromfile(made, np.float64, offset=header).reshape(side, side)[::-1]
-    difference = "%.1g" % np.nanmax(np.abs(ours - theirs))
+    unlike = np.count_nonzero(np.isnan(ours) != np.isnan(theirs))  # a value here, none there
+    difference = "%d cells have a value in one only" % unlike if unlike else "%.1g" % np.nanmax(np.abs(ours - theirs))
     table.add("linear, 10^6 cells, %s points, whole: GMT" % format(count, ","), *rates, difference)
 
 

@@ -169,6 +169,17 @@ class Examples(unittest.TestCase):
         self.assertAlmostEqual((deep + high) / (200 * whole), 1, 4)
         self.assertAlmostEqual((above - below) / (deep - 95 * whole), 1, 3)
         self.assertTrue(0 < part < whole, found)
+        run = subprocess.run(
+            [sys.executable, os.path.join(EXAMPLES, "volumes.py")],
+            stderr=subprocess.PIPE, text=True, check=False)  # fmt: skip
+        self.assertTrue(run.returncode == 1 and run.stderr.startswith("usage: "), run.stderr)
+
+    def test_volumes_of_flat_triangles(self):
+        """What lies at the level is not above it."""
+        with open(os.path.join(self.folder, "flat.csv"), "w", encoding="ascii") as file:
+            file.write("x,y,z\n0,0,5\n1,0,5\n0,1,5\n")
+        said = self.run_example(sys.executable, os.path.join(EXAMPLES, "volumes.py"), "flat.csv", "5")
+        self.assertRegex(said, "area above the level: 0$")
 
     def test_cxx(self):
         self.run_example(

@@ -35,6 +35,7 @@ public:
       ends_.push_back(all > 0.0 ? sum / all : 1.0);
     }
     stage_ = 0;
+    isLastPhase_ = false;
   }
 
   /// The next stage begins; after the last one, all is done. Returns the fraction that is done.
@@ -43,6 +44,7 @@ public:
     const double done = endOf(stage_);
     stage_ = stage_ + 1 < ends_.size() ? stage_ + 1 : stage_;
     phaseBegin_ = phaseEnd_ = 0.0;
+    isLastPhase_ = false;
     return done;
   }
 
@@ -51,15 +53,19 @@ public:
   /// The number of the stage, from 1; 0 before the first.
   std::size_t current() const { return stage_; }
 
+  /// The next phase is the last of its stage: it takes all that is left.
+  void expectLastPhase() { isLastPhase_ = true; }
+
   void beginPhase(Phase phase)
   {
     constexpr double kReadEnd = 0.07; // of a stage that triangulates
     constexpr double kSortEnd = 0.20;
     phaseBegin_ = phaseEnd_;
-    phaseEnd_ = phase == Phase::Read ? kReadEnd
-      : phase == Phase::Sort         ? kSortEnd
-      : phase == Phase::Insert       ? 1.0
-                                     : 0.5 * (phaseBegin_ + 1.0);
+    phaseEnd_ = phase == Phase::Read           ? kReadEnd
+      : phase == Phase::Sort                   ? kSortEnd
+      : phase == Phase::Insert || isLastPhase_ ? 1.0
+                                               : 0.5 * (phaseBegin_ + 1.0);
+    isLastPhase_ = false;
   }
 
   /// The fraction of the whole that is done when this fraction of the phase is.
@@ -77,6 +83,7 @@ private:
   std::size_t stage_ = 0;
   double phaseBegin_ = 0.0; ///< as parts of the stage
   double phaseEnd_ = 0.0;
+  bool isLastPhase_ = false; ///< the next one
 };
 
 } // namespace ahd

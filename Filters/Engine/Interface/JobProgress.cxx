@@ -68,6 +68,16 @@ void JobProgress::reach(std::size_t stage)
   }
 }
 
+bool JobProgress::finish()
+{
+  done_ = 1.0;
+  if (told_ < done_)
+  {
+    tell();
+  }
+  return !stopped_ && !cancelled_.load(std::memory_order_relaxed);
+}
+
 void JobProgress::finishPhase()
 {
   if (inPhase_)

@@ -35,6 +35,11 @@ public:
   /// Begins the stage of this number, from 1, unless it or a later one has begun.
   void reach(std::size_t stage);
 
+  /// The next phase is the last of its stage.
+  void expectLastPhase() { stages_.expectLastPhase(); }
+  /// All is done: the callback hears of it if it has not. False if it, or cancel(), cancels.
+  bool finish();
+
   void beginPhase(Phase phase) override;
   bool advance(Phase phase, double fraction) override;
 

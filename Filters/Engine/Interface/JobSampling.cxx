@@ -174,7 +174,9 @@ void Sampling::run(std::size_t bytes, const Work& work)
       job_.progress.reach(1);
       const Sampler& sampler = prepare(kept_.byMethod, method_, context);
       job_.progress.reach(2);
+      job_.progress.expectLastPhase();
       work(sampler, context);
+      check(job_.progress.finish() ? Status::Ok : Status::Cancelled);
     });
 }
 

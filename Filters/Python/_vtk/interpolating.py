@@ -113,9 +113,9 @@ class Interpolating:
         self.is_kept = bool(may_keep and kept is not None and kept.is_of(filter_._triangulation, self.given, source))
         self.bytes_behind = self._estimate_behind()
         if self.is_kept:
+            self.is_triangulated = True
             self._check_memory(kept)
             kept.take_data(self.given, source)
-            self.is_triangulated = True
             return
         if kept is not None:
             filter_._surface = None

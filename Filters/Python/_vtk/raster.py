@@ -73,7 +73,8 @@ def _by_size(low, high, size, align):
         first = _whole_below(low / size, slack)
         count = max(1.0, _whole_above(high / size, slack) - first)
         return (first + 0.5) * size, size, count
-    return low + 0.5 * size, size, max(1.0, _whole_above(_length_in(low, high, size), slack))
+    origin = low + 0.5 * size if low < high else low  # one row runs through what has no length
+    return origin, size, max(1.0, _whole_above(_length_in(low, high, size), slack))
 
 
 def _by_count(low, high, count):

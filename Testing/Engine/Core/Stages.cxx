@@ -46,6 +46,22 @@ TEST(Stages, TheUsualPhasesTakeTheirTimes)
   EXPECT_EQ(stages.whole(1.0), 1.0);
 }
 
+TEST(Stages, ALastPhaseTakesAllThatIsLeft)
+{
+  Stages stages;
+  stages.set({ 1.0, 1.0 });
+  stages.next();
+  stages.beginPhase(Phase::Outputs);
+  stages.expectLastPhase();
+  stages.beginPhase(Phase::Outputs);
+  EXPECT_EQ(stages.whole(0.0), 0.25);
+  EXPECT_EQ(stages.whole(1.0), 0.5);
+  stages.expectLastPhase();
+  stages.next();
+  stages.beginPhase(Phase::Outputs); // of a stage that expects nothing
+  EXPECT_EQ(stages.whole(1.0), 0.75);
+}
+
 TEST(Stages, OtherPhasesTakeHalfOfWhatIsLeft)
 {
   Stages stages;

@@ -127,6 +127,18 @@ TEST(Raster, ASideOfLengthZeroIsARowThroughIt)
   EXPECT_EQ(one.Cells.spacing, (ahd::Point{ 1.0, 1.0 }));
 }
 
+TEST(Raster, ByCellSizeARowRunsThroughItToo)
+{
+  const vtkAHDRaster row = vtkAHDMakeRaster(bySize(0.5), box(0, 2, 7, 7));
+  ASSERT_EQ(row.Fault, Fault::None);
+  EXPECT_EQ(row.Cells.rows, 1u);
+  EXPECT_EQ(row.Cells.columns, 4u);
+  EXPECT_EQ(row.Cells.origin, (ahd::Point{ 0.25, 7.0 }));
+  EXPECT_EQ(row.Cells.spacing, (ahd::Point{ 0.5, 0.5 }));
+  const vtkAHDRaster aligned = vtkAHDMakeRaster(bySize(2.0, true), box(0, 2, 7, 7));
+  EXPECT_EQ(aligned.Cells.origin, (ahd::Point{ 1.0, 7.0 })); // 6 to 8
+}
+
 TEST(Raster, HugeCoordinates)
 {
   const double most = std::numeric_limits<double>::max();

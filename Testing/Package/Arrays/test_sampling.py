@@ -247,7 +247,7 @@ class ShapeTest(unittest.TestCase):
         self.assertEqual(made.raster(cell_size=2), Raster((2, 2), (2, 2), (2, 5)))
         self.assertEqual(made.raster(cell_size=(4, 2), align=True), Raster((2, 1), (4, 2), (3, 3)))
         self.assertEqual(made.raster(cell_size=2, bounds=(-3, -2, 0, 7), align=True), Raster((-3, 1), (2, 2), (4, 1)))
-        self.assertEqual(made.raster(cell_size=3, bounds=(0, 0, 5, 5)), Raster((1.5, 6.5), (3, 3), (1, 1)))
+        self.assertEqual(made.raster(cell_size=3, bounds=(0, 0, 5, 5)), Raster((0, 5), (3, 3), (1, 1)))
         self.assertEqual(made.raster(shape=(1, 1), bounds=(0, 0, 5, 5)), Raster((0, 5), (1, 1), (1, 1)))
         self.assertEqual(made.raster(cell_size=2).bounds, (1, 11, 1, 5))
         self.assertEqual(made.raster(cell_size=0.1, bounds=(0, 1.1, 0, 0.7)).shape, (7, 11))
@@ -305,8 +305,8 @@ class RefusedTest(unittest.TestCase):
             (TypeError, "one of 'linear'", lambda: made.interpolate(values, [[1, 1]], 1)),
             (ValueError, "row for each of 6", lambda: made.interpolate(np.ones(5), [[1, 1]])),
             (TypeError, "numbers", lambda: made.interpolate(["a"] * 6, [[1, 1]])),
-            (TypeError, "mask", lambda: made.interpolate(np.ma.ones(6), [[1, 1]])),
-            (TypeError, "mask", lambda: made.interpolate(values, np.ma.ones((1, 2)))),
+            (TypeError, "mask", lambda: made.interpolate(np.ma.masked_equal(np.ones(6), 1), [[1, 1]])),
+            (TypeError, "mask", lambda: made.interpolate(values, np.ma.masked_equal(np.ones((1, 2)), 1))),
             (ValueError, r"\(k, 2\)", lambda: made.interpolate(values, [[1, 1, 1]])),
             (TypeError, "real", lambda: made.interpolate(values, [["a", "b"]])),
             (TypeError, "real", lambda: made.interpolate(values, [[1j, 2]])),
@@ -387,6 +387,11 @@ class WorkTest(unittest.TestCase):
         self.assertGreater(len(heard), 10)
         self.assertEqual({phase for phase, _ in heard}, {"outputs"})
         self.assertEqual(heard, sorted(heard))
+        self.assertEqual(heard[-1][1], 1.0)
+        for more in ({"method": "nearest"}, {"outside": "nearest"}, {}):
+            heard.clear()
+            made.interpolate(points[:, 0], cells, progress=lambda phase, done: heard.append((phase, done)), **more)
+            self.assertEqual(heard[-1][1], 1.0, more)
 
         class Stop(Exception):
             pass
@@ -397,6 +402,25 @@ class WorkTest(unittest.TestCase):
         with self.assertRaises(Stop):
             made.interpolate(points[:, 0], cells, "natural", progress=stop)
         self.assertAlmostEqual(float(made.interpolate(np.ones(30000), [0.5, 0.5])), 1)
+
+    def test_a_progress_function_cannot_ask(self):
+        """And goes on to hear."""
+        points = cloud(6, 30000)
+        made, heard, refused = delaunay(points), [], []
+        cells = made.raster(shape=(500, 500))
+
+        def ask(phase, done):
+            heard.append(done)
+            try:
+                made.interpolate(points[:, 0], [[0.5, 0.5]])
+            except RuntimeError as error:
+                refused.append(str(error))
+
+        made.interpolate(points[:, 0], cells, "natural", progress=ask)
+        self.assertGreater(len(heard), 10)
+        self.assertEqual(heard[-1], 1.0)
+        self.assertEqual(len(refused), len(heard))
+        self.assertRegex(refused[0], "at work: a progress function cannot ask")
 
     @unittest.skipUnless(hasattr(signal, "setitimer"), "sends itself a signal after a while")
     def test_ctrl_c(self):
@@ -436,7 +460,7 @@ class InterpolatorTest(unittest.TestCase):
             self.assertRaises(ValueError, kind, points, np.ones(7))
             self.assertRaises(ValueError, kind, cloud(1, 9, 3), np.ones(9))
             self.assertRaises(ValueError, kind, delaunay(points), np.ones(300), rescale=True)
-            self.assertRaises(TypeError, kind, points, np.ma.ones(300))
+            self.assertRaises(TypeError, kind, points, np.ma.masked_equal(np.ones(300), 1))
 
     def test_its_own_copies(self):
         points, values = cloud(6, 300), np.arange(300.0)

@@ -189,6 +189,23 @@ class InterpolationTest(Case):
         algorithm.Update()
         self.assertEqual(len(said.errors), 1, said.errors)
 
+    def test_memory_is_refused_with_figures_of_this_execution(self):
+        """Also where the triangulation of the last one is kept."""
+        given, texts = full(), []
+        for is_kept in (False, True):
+            algorithm = Interpolation()
+            algorithm.SetInputData(given)
+            if is_kept:
+                algorithm.Update()
+            said = Said(algorithm)
+            algorithm.SetDimensions(10**6, 10**6)
+            algorithm.Update()
+            self.assertSaid(said, errors=1)
+            texts.append(said.errors[0])
+        numbers = [[int(word) for word in text.replace(".", " ").split() if word.isdigit()] for text in texts]
+        self.assertGreater(numbers[1][1], 10**9, texts)  # KiB
+        self.assertLess(abs(numbers[0][1] - numbers[1][1]), 10**6, texts)
+
     def test_values_change_on_a_surface_that_is_kept(self):
         given, algorithm = cloud(square()), Interpolation()
         given.GetPointData().AddArray(array("vtkDoubleArray", "a", [1, 1, 1, 1]))

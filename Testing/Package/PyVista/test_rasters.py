@@ -140,7 +140,13 @@ class RasterTest(Case):
                      {"cell_size": math.nan}, {"shape": (0, 3)}, {"shape": (2, 2), "align": True},
                      {"cell_size": 1.0, "bounds": (0, 1, 2)}, {"cell_size": 1.0, "bounds": (1, 0, 0, 1)},
                      {"cell_size": 1.0, "method": "cubic"}, {"cell_size": 1.0, "outside": "far"}):
-            with self.assertRaises(ValueError, msg=more):
+            with self.assertRaises((TypeError, ValueError), msg=more):
+                slope().adaptive.to_raster(**more)
+        for more in ({"shape": 5}, {"shape": (2,)}, {"shape": ("a", 1)}, {"shape": (2**40, 1)}, {"cell_size": "5"},
+                     {"cell_size": "a"}, {"cell_size": 1j}, {"cell_size": 1.0, "bounds": 5},
+                     {"cell_size": 1.0, "bounds": "abcd"}, {"cell_size": 1.0, "elevation": None},
+                     {"cell_size": 1.0, "threads": -1}, {"cell_size": 1.0, "memory_limit": -1}):
+            with self.assertRaisesRegex((TypeError, ValueError), "(is|are) to be", msg=more):
                 slope().adaptive.to_raster(**more)
         with self.assertRaisesRegex(TypeError, "unknown"):
             slope().adaptive.to_raster(1.0, unknown=1)
@@ -151,6 +157,17 @@ class RasterTest(Case):
 
 
 class SampleTest(Case):
+    def test_places_that_are_none(self):
+        mesh, places = slope(), numpy.array([[10.0, 20.0], [30.0, 40.0]])
+        self.assertEqual(mesh.adaptive.sample([]).n_points, 0)
+        self.assertEqual(mesh.adaptive.sample(numpy.ma.array(places)).n_points, 2)
+        with self.assertRaisesRegex(TypeError, "masked array"):
+            mesh.adaptive.sample(numpy.ma.masked_less(places, 15))
+        with self.assertRaisesRegex(TypeError, "MultiBlock"):
+            mesh.adaptive.sample(pyvista.MultiBlock([mesh]))
+        with self.assertRaisesRegex(TypeError, "real numbers"):
+            mesh.adaptive.sample([[1j, 0]])
+
     def test_along_a_line(self):
         line = pyvista.Line((0, 0, 500), (100, 100, 500), resolution=50)
         line["own"] = numpy.arange(51.0)

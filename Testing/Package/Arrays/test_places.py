@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Places, rasters and numbers that interpolation takes, and those that it refuses with one clear error."""
+
+import pickle
+import unittest
+import warnings
+
+import numpy as np
+from adaptivehilbertdelaunay import (
+    LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator, delaunay,
+)  # fmt: skip
+from arraysupport import cloud
+
+
+class PlacesTest(unittest.TestCase):
+    def test_changed_points_have_no_raster(self):
+        points = cloud(1, 100)
+        made = delaunay(points)
+        made.locate(points[:2])
+        points += 100
+        with self.assertRaisesRegex(RuntimeError, "changed"):
+            made.raster(cell_size=1)
+
+    def test_masked_arrays(self):
+        """Where nothing is masked they are arrays as others; else all doors refuse them."""
+        points = cloud(1, 100)
+        whole, masked = np.ma.array(points), np.ma.masked_less(points, 0.2)
+        made, linear = delaunay(points), LinearInterpolator(points, points[:, 0])
+        np.testing.assert_array_equal(linear(whole), linear(points))
+        np.testing.assert_array_equal(linear(whole[:, 0], whole[:, 1]), linear(points))
+        np.testing.assert_array_equal(LinearInterpolator(whole, whole[:, 0])(points), linear(points))
+        np.testing.assert_array_equal(made.locate(whole).triangle, made.locate(points).triangle)
+        for call in (
+            lambda: linear(masked), lambda: linear(masked[:, 0], masked[:, 1]), lambda: made.locate(masked),
+            lambda: made.interpolate(points[:, 0], masked), lambda: made.interpolate(masked[:, 0], points),
+            lambda: LinearInterpolator(masked, points[:, 0]), lambda: NearestInterpolator(points, masked[:, 0]),
+            lambda: LinearInterpolator((masked[:, 0], masked[:, 1]), points[:, 0]), lambda: made.weights(masked),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(TypeError, "are a masked array"):
+                call()
+
+    def test_outside_is_a_number(self):
+        points = cloud(1, 100)
+        made = delaunay(points)
+        for outside in ([1, 2], np.array([1.0]), None, 1j):
+            for at in (points,) if outside is not None else (points, [[9.0, 9.0]]):
+                with self.assertRaisesRegex(TypeError, "outside is to be a number or 'nearest'"):
+                    made.interpolate(points[:, 0], at, outside=outside)
+            with self.assertRaisesRegex(TypeError, "fill_value is to be a number"):
+                LinearInterpolator(points, points[:, 0], outside)
+        self.assertEqual(made.interpolate(points[:, 0] + 0j, [9, 9], outside=1j), 1j)
+        self.assertEqual(made.interpolate(points[:, 0], [9, 9], outside=np.float32(2)), 2)
+
+    def test_places_of_interpolators(self):
+        points = cloud(1, 100)
+        for kind in (LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator):
+            made = kind(points, points)
+            self.assertEqual(made([]).shape, (0, 2))
+            for places in ([[1j, 0]], [["a", "b"]]):
+                with self.assertRaisesRegex(TypeError, "places are to be real numbers"):
+                    made(places)
+            with self.assertRaisesRegex(TypeError, "places are to be real numbers"):
+                made(1j, 0)
+            self.assertFalse(pickle.loads(pickle.dumps(made)).values.flags.writeable)
+
+    def test_arguments_of_rasters(self):
+        made = delaunay(cloud(1, 100))
+        for more in ({"shape": 5}, {"shape": (2,)}, {"shape": ("a", 1)}, {"shape": (2**40, 1)}, {"cell_size": "5"},
+                     {"cell_size": "a"}, {"cell_size": 1j}, {"cell_size": (1, "2")},
+                     {"cell_size": 1, "bounds": 5}, {"cell_size": 1, "bounds": "0123"}):  # fmt: skip
+            with self.assertRaisesRegex((TypeError, ValueError), "(shape|cell_size|bounds) (is|are) to be", msg=more):
+                made.raster(**more)
+
+    def test_a_line_of_points(self):
+        """A side of length 0 has one row of cells, through the points."""
+        warnings.simplefilter("ignore")  # no triangles
+        self.addCleanup(warnings.resetwarnings)
+        made = delaunay([[0, 7], [1, 7], [4, 7]])
+        cells = made.raster(cell_size=0.5)
+        self.assertEqual((cells.origin, cells.shape), ((0.25, 7.0), (1, 8)))
+        self.assertFalse(np.isnan(made.interpolate([0, 1, 4], cells)).any())
+        self.assertEqual(made.raster(cell_size=2, align=True).origin, (1.0, 7.0))
+        self.assertEqual(delaunay([[3, 0], [3, 5]]).raster(cell_size=(2, 1)).origin, (3.0, 0.5))
+
+
+if __name__ == "__main__":
+    unittest.main()
