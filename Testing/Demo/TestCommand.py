@@ -71,6 +71,7 @@ class Command(unittest.TestCase):
         self.assert_refused("invalid choice: 'cubic'", "--raster", "1", "--method=cubic")
         self.assert_refused("--method and --crs are for --raster", "--method", "natural")
         self.assert_refused("--crs takes a code such as EPSG:32633, not 32633", "--raster=1", "--crs", "32633")
+        self.assert_refused("--crs takes a code such as EPSG:32633, not ", "--raster=1", "--crs=")
         self.assert_refused("%s is a directory, not a file" % ROOT, ROOT)
         self.assert_refused("invalid float value: 'much'", "--exaggeration", "much")
         self.assert_refused("--columns and --x, --y, --z exclude each other", "--columns", "1,2", "--x", "3")
