@@ -140,6 +140,14 @@ vtkMTimeType vtkAdaptiveHilbertInterpolation2D::GetMTime()
     this->MustDescribeAnew = false;
     this->Modified(); // so that the next Update() begins with RequestInformation()
   }
+  if (this->IsDistributed() != this->HasPortsOfRanks)
+  {
+    this->HasPortsOfRanks = !this->HasPortsOfRanks;
+    for (const int port : { 0, 2 }) // FillInputPortInformation() says something else now
+    {
+      this->GetInputPortInformation(port)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
+    }
+  }
   const vtkMTimeType own = this->Superclass::GetMTime();
   return this->Triangulation ? std::max(own, this->Triangulation->GetMTime()) : own;
 }
@@ -147,6 +155,15 @@ vtkMTimeType vtkAdaptiveHilbertInterpolation2D::GetMTime()
 int vtkAdaptiveHilbertInterpolation2D::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE());
+  info->Remove(vtkAlgorithm::INPUT_IS_OPTIONAL());
+  if (port != 1 && this->IsDistributed())
+  {
+    // Whatever a rank has, it has to join the others.
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
   if (port == 1)
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
@@ -237,8 +254,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   this->ClearMeasures();
   if (this->IsDistributed())
   {
-    this->ExecuteOnRanks(inputs, info, output);
-    return 1;
+    return this->ExecuteOnRanks(inputs, info, output);
   }
   this->WarnAboutRanks();
   bool isDone = false;

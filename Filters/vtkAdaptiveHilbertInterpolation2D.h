@@ -14,8 +14,10 @@
  * still there (see ReuseLimit) and in nobody else's use, in the plane x, y: the values are those of
  * interpolating its points with its settings. Else the corners are triangulated; natural neighbours
  * then end at constraints that the cell array ConstraintEdges names, and at edges of triangles that
- * are not Delaunay. Port 1, optional: the places, a vtkDataSet or a composite data set of such.
- * Port 2, optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
+ * are not Delaunay. Over several ranks (DistributePoints and Controller of Triangulation) its
+ * points are triangulated anew, with a warning; there port 0 may be empty or of any type. Port 1,
+ * optional: the places, a vtkDataSet or a composite data set of such. Port 2, optional:
+ * constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
  * <b>Output.</b> Without places a vtkImageData, whose points are the centres of the raster's cells
  * (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; or, with OutputType
@@ -324,13 +326,14 @@ private:
   void AnnouncePieces(vtkInformation* info) const;
   void DescribeOnRanks(vtkInformation* info, bool isRaster);
   vtkAHDRaster FindRasterOnRanks(
-    const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes);
+    const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes, vtkInformation* info);
   void AskForPieces(vtkInformationVector** inputs);
-  void ExecuteOnRanks(vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output);
+  int ExecuteOnRanks(vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output);
   void WarnAboutRanks();
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
   bool WarnedAboutRanks = false;
+  bool HasPortsOfRanks = false;  // what FillInputPortInformation() said last
   bool MustDescribeAnew = false; // the raster is another than RequestInformation() said
 };
 

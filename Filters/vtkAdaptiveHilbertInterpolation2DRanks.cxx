@@ -10,6 +10,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleInformation.h"
 #include "Sampling/vtkAHDSampleMessages.h"
 #include "Sampling/vtkAHDSampleOutput.h"
@@ -17,11 +18,14 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -71,8 +75,10 @@ struct RankInput
   {
     try
     {
+      const bool hasPoints = vtkPointSet::SafeDownCast(points) ||
+        vtkCompositeDataSet::SafeDownCast(points);
       this->Merged.reset(new vtkAHDMergedBlocks(
-        filter, settings, points ? points : this->Nothing.Get(), source, context));
+        filter, settings, hasPoints ? points : this->Nothing.Get(), source, context));
       inputs.Data.Input = this->Merged->GetInput();
       inputs.Data.Source = this->Merged->GetSource();
       inputs.Data.InputBytes = this->Merged->GetBytes();
@@ -86,25 +92,27 @@ struct RankInput
     }
   }
 
+  void Warn(vtkObject* filter, vtkDataObject* points) const
+  {
+    this->Merged->Warn();
+    if (points && !vtkPointSet::SafeDownCast(points) && !vtkCompositeDataSet::SafeDownCast(points))
+    {
+      vtkWarningWithObjectMacro(filter,
+        "A " << points->GetClassName()
+             << " has no points of its own: nothing was triangulated for it.");
+    }
+  }
+
   vtkNew<vtkPolyData> Nothing;
   std::unique_ptr<vtkAHDMergedBlocks> Merged;
 };
 }
 
-/// As far as it is to be known before there are data. By dimensions that is the extent, and ranks
-/// do not ask each other: one that aborts alone asks anew alone. By cell size they have to, with
-/// their pieces of the inputs brought up to date: all ranks alike.
+/// Ranks ask each other, with their pieces of the inputs brought up to date: all ranks alike. Those
+/// that know the raster already take part in RequestData().
 vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
-  const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes)
+  const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes, vtkInformation* info)
 {
-  if (!wishes.Raster.ByCellSize)
-  {
-    vtkAHDRaster raster;
-    raster.Fault = vtkAHDRasterFault::None;
-    raster.Cells.columns = static_cast<std::size_t>(wishes.Raster.Dimensions[0]);
-    raster.Cells.rows = static_cast<std::size_t>(wishes.Raster.Dimensions[1]);
-    return raster;
-  }
   vtkMultiProcessController* const controller = this->Triangulation->GetController();
   for (const int port : { 0, 2 })
   {
@@ -115,6 +123,11 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
       request->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller->GetLocalProcessId());
       request->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), controller->GetNumberOfProcesses());
       request->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+      vtkInformation* const told = this->GetExecutive()->GetOutputInformation(0);
+      if (told->Has(Pipeline::UPDATE_TIME_STEP()))
+      {
+        request->Set(Pipeline::UPDATE_TIME_STEP(), told->Get(Pipeline::UPDATE_TIME_STEP()));
+      }
       vtkNew<vtkInformationVector> requests;
       requests->SetInformationObject(from->GetIndex(), request);
       from->GetProducer()->Update(from->GetIndex(), requests);
@@ -126,17 +139,27 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   const vtkAHDContext context(progress, threads);
   vtkAHDRanks ranks(controller);
   vtkAHDRankSampling::Inputs inputs;
-  const RankInput input(nullptr, settings, this->GetInputDataObject(0, 0),
-    this->GetNumberOfInputConnections(2) > 0 ? this->GetInputDataObject(2, 0) : nullptr, context,
-    inputs);
+  const auto dataOf = [&](int port)
+  {
+    return this->GetNumberOfInputConnections(port) > 0 ? this->GetInputDataObject(port, 0)
+                                                       : nullptr;
+  };
+  const RankInput input(nullptr, settings, dataOf(0), dataOf(2), context, inputs);
   try
   {
-    return vtkAHDRankSampling(nobody, settings, wishes, ranks, context).FindRaster(inputs);
+    vtkAHDRankSampling asking(nobody, settings, wishes, ranks, context);
+    const vtkAHDRaster raster = asking.FindRaster(inputs);
+    const vtkAHDSampleColumns::Kind scalars = asking.GetKindOfScalars();
+    vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
+    return raster;
   }
   catch (const vtkAHDStop&)
   {
-    return vtkAHDRaster();
   }
+  catch (const std::bad_alloc&)
+  {
+  }
+  return vtkAHDRaster();
 }
 
 /// What is known before there are data.
@@ -150,9 +173,7 @@ void vtkAdaptiveHilbertInterpolation2D::DescribeOnRanks(vtkInformation* info, bo
   vtkAHDSettings settings;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);
-  vtkAHDAnnounceRaster(wishes.UseBounds ? vtkAHDMakeRasterWithin(wishes.Raster, wishes.Bounds)
-                                        : this->FindRasterOnRanks(settings, wishes),
-    info);
+  vtkAHDAnnounceRaster(this->FindRasterOnRanks(settings, wishes, info), info);
 }
 
 /// Each rank takes its piece, whatever is asked of it: points of others would come twice. Where
@@ -172,7 +193,8 @@ void vtkAdaptiveHilbertInterpolation2D::AskForPieces(vtkInformationVector** inpu
   }
 }
 
-void vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
+/// Returns what RequestData() is to return: the same on all ranks.
+int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
   vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output)
 {
   vtkAHDProgress progress(this);
@@ -187,12 +209,22 @@ void vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
     vtkDataObject::GetData(inputs[2]), context, given);
   if (given.Data.Input)
   {
-    input.Merged->Warn();
+    input.Warn(this, vtkDataObject::GetData(inputs[0]));
   }
   given.Places = vtkDataObject::GetData(inputs[1]);
   if (info->Has(Pipeline::UPDATE_EXTENT()))
   {
     info->Get(Pipeline::UPDATE_EXTENT(), given.Extent.data());
+  }
+  if (info->Has(Pipeline::WHOLE_EXTENT()))
+  {
+    info->Get(Pipeline::WHOLE_EXTENT(), given.Whole.data());
+  }
+  if (info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
+  {
+    given.Piece = { { info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
+      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
   }
   vtkAHDRankSampling execution(this, settings, wishes, ranks, context);
   ++this->NumberOfTriangulations;
@@ -210,6 +242,14 @@ void vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
     this->SetAbortOutput(true); // so that all execute anew, as the one that was told to abort does
   }
 #endif
+  this->MustDescribeAnew = execution.IsOtherRaster();
+  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+  const bool hasAll = isDone && !execution.IsOtherRaster() &&
+    vtkAHDHasAllThatIsWanted(output, info);
+  const bool fits = !isRaster || hasAll || !vtkAHDFeedsImageFilters(info);
+  const bool fitAll = ranks.agree(fits ? ahd::Status::Ok : ahd::Status::Cancelled) ==
+    ahd::Status::Ok;
+  return fitAll ? 1 : this->EndWithOtherRaster(isDone, output);
 }
 
 void vtkAdaptiveHilbertInterpolation2D::WarnAboutRanks()
@@ -232,15 +272,16 @@ void vtkAdaptiveHilbertInterpolation2D::WarnAboutRanks()
 #else
 
 vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
-  const vtkAHDSettings&, const vtkAHDSampleSettings&)
+  const vtkAHDSettings&, const vtkAHDSampleSettings&, vtkInformation*)
 {
   return vtkAHDRaster();
 }
 void vtkAdaptiveHilbertInterpolation2D::DescribeOnRanks(vtkInformation*, bool) {}
 void vtkAdaptiveHilbertInterpolation2D::AskForPieces(vtkInformationVector**) {}
-void vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
+int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
   vtkInformationVector**, vtkInformation*, vtkDataObject*)
 {
+  return 1;
 }
 void vtkAdaptiveHilbertInterpolation2D::WarnAboutRanks() {}
 

@@ -275,9 +275,13 @@ void vtkAHDRankSamples::MoveNeeded(
       places = vtkAHDMakePlaces(ids.size(), areFloats);
     });
   route.Move(this->Points->GetPlaces(), places, 0);
-  vtkNew<vtkPoints> points;
-  points->SetData(places);
-  this->Input->SetPoints(points);
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      vtkNew<vtkPoints> points;
+      points->SetData(places);
+      this->Input->SetPoints(points);
+    });
   for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
   {
     vtkAbstractArray* from = this->Points->GetDataToMove()->GetAbstractArray(facts.Name.c_str());
@@ -290,7 +294,7 @@ void vtkAHDRankSamples::MoveNeeded(
       });
     this->Points->GetRoute().Move(from, owned, 0);
     route.Move(owned, needed, 0);
-    facts.AddTo(this->Input->GetPointData(), needed);
+    this->Ranks.Together(this->Context, [&] { facts.AddTo(this->Input->GetPointData(), needed); });
   }
 }
 

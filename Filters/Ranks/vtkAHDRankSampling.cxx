@@ -14,6 +14,7 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkExtentTranslator.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -40,6 +41,21 @@ public:
 
   void Execute(vtkObject*, unsigned long event, void* text) override
   {
+    try
+    {
+      this->Hear(event, text);
+    }
+    catch (const std::bad_alloc&)
+    {
+    }
+  }
+
+  std::string Error;
+  std::vector<std::string> Warnings;
+
+private:
+  void Hear(unsigned long event, void* text)
+  {
     // Without the place in the source code, and the object, before it.
     const std::string all = text ? static_cast<const char*>(text) : "";
     const std::size_t begin = all.find("): ");
@@ -54,9 +70,6 @@ public:
       this->Error = words;
     }
   }
-
-  std::string Error;
-  std::vector<std::string> Warnings;
 };
 
 /// What one rank found.
@@ -101,7 +114,8 @@ vtkAHDRankSampling::vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSetting
 {
 }
 
-vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
+/// Of the points of all. Throws vtkAHDStop on all ranks.
+ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
 {
   this->Context.Check(this->Ranks.agree(inputs.Before));
   vtkAHDSettings settings = this->Settings;
@@ -109,6 +123,15 @@ vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
   settings.Split = settings.HeightsFromSurface = false;
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
+  if (!facts.FindDifference(settings).empty())
+  {
+    throw vtkAHDStop{ ahd::Status::Cancelled }; // which Run() says
+  }
+  this->Ranks.Together(this->Context, [&] { this->FindScalars(facts); });
+  if (this->Wishes.UseBounds)
+  {
+    return ahd::Bounds(); // they do not matter
+  }
   vtkAHDRankPoints points(settings, this->Ranks, facts, this->Context);
   points.Read(inputs.Data.Input, inputs.Data.Source);
   ahd::BlockBytes own;
@@ -122,7 +145,11 @@ vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
   {
     Grow(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
   }
-  return vtkAHDMakeRaster(this->Wishes.Raster, bounds);
+  for (double* bound : { &bounds.xmin, &bounds.xmax, &bounds.ymin, &bounds.ymax })
+  {
+    *bound += 0.0; // of zeros of both signs it is chance which one comes first
+  }
+  return bounds;
 }
 
 /// The same on all ranks.
@@ -147,9 +174,26 @@ vtkAHDRaster vtkAHDRankSampling::MakeRaster(const vtkAHDRankSamples& samples)
   return vtkAHDMakeRaster(this->Wishes.Raster, bounds);
 }
 
-vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs& inputs) const
+vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs& inputs)
 {
   vtkAHDRaster piece = whole;
+  std::array<int, 6> extent = inputs.Extent;
+  std::array<int, 6> made = { { 0, static_cast<int>(whole.Cells.columns) - 1, 0,
+    static_cast<int>(whole.Cells.rows) - 1, 0, whole.Fault == vtkAHDRasterFault::None ? 0 : -1 } };
+  const bool isAsTold = made == inputs.Whole;
+  this->OtherRaster = this->Ranks.agree(isAsTold ? ahd::Status::Ok : ahd::Status::Cancelled) !=
+    ahd::Status::Ok;
+  if (this->OtherRaster)
+  {
+    // What is asked for is a piece of another raster.
+    vtkNew<vtkExtentTranslator> translator;
+    const std::array<int, 3>& asked = inputs.Piece;
+    if (translator->PieceToExtentThreadSafe(asked[0], asked[1], asked[2], made.data(),
+          extent.data(), vtkExtentTranslator::BLOCK_MODE, 0) == 0)
+    {
+      extent = { { 0, -1, 0, -1, 0, -1 } };
+    }
+  }
   const auto cut = [](int low, int high, std::size_t& first, std::size_t& count)
   {
     const long long begin = std::max(low, 0);
@@ -158,8 +202,8 @@ vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs
     count = begin < end ? static_cast<std::size_t>(end - begin) : 0;
   };
   ahd::SampleRaster& cells = piece.Cells;
-  cut(inputs.Extent[0], inputs.Extent[1], cells.firstColumn, cells.columns);
-  cut(inputs.Extent[2], inputs.Extent[3], cells.firstRow, cells.rows);
+  cut(extent[0], extent[1], cells.firstColumn, cells.columns);
+  cut(extent[2], extent[3], cells.firstRow, cells.rows);
   if (cells.columns == 0 || cells.rows == 0)
   {
     cells.columns = cells.rows = cells.firstColumn = cells.firstRow = 0;
@@ -242,7 +286,7 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
   vtkAHDRankSamples samples(this->Settings, this->Ranks, this->Context, asksForNearest);
   try
   {
-    this->CompareWishes(inputs.Places);
+    this->MeetAll(inputs);
     samples.Begin(inputs.Data, inputs.Before);
     if (!vtkAHDAreNamesFit(this->Filter, this->Wishes)) // on all ranks alike
     {
@@ -303,6 +347,12 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
     }
     return false;
   }
+  catch (const std::bad_alloc&)
+  {
+    output->Initialize();
+    vtkErrorWithObjectMacro(this->Filter, "Out of memory. Nothing is put out.");
+    return false;
+  }
 }
 
 /// Each rank by itself; then all hear how it went.
@@ -338,8 +388,8 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
   ahd::BlockBytes own;
   std::vector<ahd::BlockBytes> all;
   const vtkAHDSampleResult& mine = execution.GetResult();
-  const Found found{ isDone, !isDone && error.empty(), mine.Counts, mine.Places, this->Wanted,
-    execution.GetSeconds() };
+  const Found found{ isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Places,
+    this->Wanted, execution.GetSeconds() };
   this->Context.Check(this->Ranks.agree(ahd::Status::Ok));
   ahd::Status status = ahd::Status::Ok;
   try
@@ -364,7 +414,8 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
         const std::string text = vtkAHDReadText(reader);
         if (!one.IsDone && this->Error.empty() && !one.IsAborted)
         {
-          this->Error = "Rank " + std::to_string(rank) + ": " + text;
+          this->Error = "Rank " + std::to_string(rank) + ": " +
+            (text.empty() ? "the interpolation failed. Nothing is put out." : text);
         }
         this->Aborted = this->Aborted || one.IsAborted != 0;
         Add(one.Counts, this->Result.Counts);
@@ -437,6 +488,12 @@ void vtkAHDRankSampling::Say(const vtkAHDSampleExecution& execution,
   for (const std::string& warning : warnings) // of arrays
   {
     vtkWarningWithObjectMacro(this->Filter, << warning);
+  }
+  if (this->HaveSurface)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
+      "anew by the settings of Triangulation: its own triangles do not count across ranks.");
   }
   vtkAHDSayPlaceWarnings(this->Filter, this->Result);
   if (!samples.GetWarning().empty())

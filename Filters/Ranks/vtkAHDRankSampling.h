@@ -4,6 +4,7 @@
 
 #include "Ranks/vtkAHDRankSamples.h"
 #include "Sampling/vtkAHDRaster.h"
+#include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleExecution.h"
 #include "Sampling/vtkAHDSampleSettings.h"
 
@@ -37,26 +38,52 @@ public:
     ahd::Status Before = ahd::Status::Ok; ///< why there is no input, if it could not be had
     vtkDataObject* Places = nullptr;      ///< null: a raster
     std::array<int, 6> Extent = { { 0, -1, 0, -1, 0, -1 } }; ///< of the raster
+    std::array<int, 6> Whole = { { 0, -1, 0, -1, 0, -1 } };  ///< as it was announced
+    std::array<int, 3> Piece = { { 0, 1, 0 } };              ///< its number, of how many, ghosts
   };
 
   /// Fills this rank's output, and says errors, and on one rank warnings. Returns false on all
   /// ranks if it came to nothing: then outputs are empty.
   bool Run(const Inputs& inputs, vtkDataObject* output);
 
-  /// The raster about the points of all, without the rest. Throws vtkAHDStop on all ranks.
+  /// The raster about the points of all, without the rest. Ranks that are in Run() take part.
+  /// Throws vtkAHDStop on all ranks.
   vtkAHDRaster FindRaster(const Inputs& inputs);
+
+  /// Of the active scalars. REQUIRES: FindRaster().
+  vtkAHDSampleColumns::Kind GetKindOfScalars() const { return this->Scalars; }
 
   /// Of all ranks.
   const vtkAHDSampleResult& GetResult() const { return this->Result; }
   double GetSeconds() const { return this->Seconds; }
   bool IsAborted() const { return this->Aborted; }
+  /// Is the raster of other cells than was announced on some rank? Then the piece is one of it.
+  bool IsOtherRaster() const { return this->OtherRaster; }
   /// Of this rank.
   vtkTypeInt64 GetEstimate() const { return this->Estimate; }
 
 private:
-  void CompareWishes(vtkDataObject* places);
+  /// What ranks come together for.
+  enum class Call
+  {
+    Raster,
+    Data,
+  };
+  /// What they hear of each other.
+  struct Meeting
+  {
+    bool AreForData = true;
+    bool AreUnfit = false;            // places on one of them
+    std::size_t Other = 0;            // a rank that wants other things than rank 0
+    const char* Difference = nullptr; // what
+  };
+
+  Meeting Meet(const Inputs& inputs, Call call);
+  void MeetAll(const Inputs& inputs);
+  ahd::Bounds FindBounds(const Inputs& inputs);
+  void FindScalars(const vtkAHDAllFacts& facts);
   vtkAHDRaster MakeRaster(const vtkAHDRankSamples& samples);
-  vtkAHDRaster PieceOf(const vtkAHDRaster& whole, const Inputs& inputs) const;
+  vtkAHDRaster PieceOf(const vtkAHDRaster& whole, const Inputs& inputs);
   void FindOthers(const vtkAHDRaster& piece);
   void AddCommon(const ahd::SampleRaster& mine, const std::vector<ahd::SampleRaster>& others);
   std::vector<ahd::Bounds> BoxesOf(const Inputs& inputs, const vtkAHDRaster& piece) const;
@@ -76,10 +103,13 @@ private:
   std::string Error;                       // that all say
   std::vector<ahd::Point> CountedByOthers; // places of this rank's piece
   ahd::Bounds Wanted;                      // around this rank's places
+  vtkAHDSampleColumns::Kind Scalars;
   vtkAHDSampleResult Result;
   double Seconds = 0.0;
   vtkTypeInt64 Estimate = 0;
   bool Aborted = false;
+  bool OtherRaster = false;
+  bool HaveSurface = false; // that the Delaunay filter made, on a rank
 };
 
 #endif

@@ -10,9 +10,11 @@ places of its own.
 import math
 import random
 
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData
-from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkImageData, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline as Pipeline
+from vtkmodules.vtkImagingCore import vtkImageShiftScale, vtkRTAnalyticSource
 
 from RanksCompare import (
     RANK, RANKS, WANTED, Said, appended, attempt, check, finish, make_filter, make_input, make_source, on_all_ranks,
@@ -220,14 +222,18 @@ def failures_together():
         "a limit on memory for places": (with_({"Dimensions": (9000, 9000)}, MemoryLimit=100000),
                                          "MemoryLimit of Triangulation allows 100000 KiB"),
         "bounds that are none": (with_({"Bounds": (1, 0, 0, 1), "UseBounds": True}), "Bounds are"),
+        "different sizes": (with_({"RasterSize": int(last), "CellSize": (0.1, 0.1)}), "RasterSize is not the same"),
+        "different planes": (with_({"RasterSize": 1, "CellSize": (0.1, 0.1)}, ProjectionPlaneMode=2 * int(last)),
+                             "ProjectionPlaneMode is not the same"),
         "abort": (with_({}, prepare=abort), None),
+        "abort by cell size": (with_({"RasterSize": 1, "CellSize": (0.1, 0.1)}, prepare=abort), None),
     }
 
 
-def try_again():
+def try_again(raster):
     """What was put out before is replaced, ghost cells are overlaps, and abort does not stick."""
     made = pieces(lattice(800, 20), RANKS)
-    sampler = make_sampler(made[RANK], {}, {}, True)
+    sampler = make_sampler(made[RANK], {}, raster, True)
     said = Said(sampler)
 
     def again():
@@ -248,8 +254,121 @@ def try_again():
         with_ghosts = [part[0] for part in found]
         for part in with_ghosts:
             part["arrays"].pop("vtkGhostType", None)
-        compare(with_ghosts, run(whole, {}, {}, None, distribute=False))
-        compare([part[1] for part in found], run(whole, {}, {"Method": NATURAL}, None, distribute=False))
+        compare(with_ghosts, run(whole, {}, raster, None, distribute=False))
+        compare([part[1] for part in found], run(whole, {}, dict(raster, Method=NATURAL), None, distribute=False))
+
+
+def try_other_inputs():
+    """A rank without an input, or with one that has no points of its own, takes part."""
+    made = pieces(uniform(300), RANKS)
+
+    def on_ranks(other):
+        sampler = make_sampler(made[0], {}, {}, True)
+        if RANK:
+            sampler.SetInputDataObject(0, other)
+        said = Said(sampler)
+        sampler.UpdatePiece(RANK, RANKS, 0)
+        return read(sampler, said)
+
+    for other in (None, vtkImageData()):
+        found = on_all_ranks("other inputs", lambda: on_ranks(other))
+        if found:
+            for part in found:
+                part["warnings"] = []  # that an image has no points of its own
+            compare(found, run(made[0], {}, {}, None, distribute=False))
+
+
+class Growing(VTKPythonAlgorithmBase):
+    """Points of a square that is larger at time 1."""
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        outputs.GetInformationObject(0).Set(Pipeline.TIME_STEPS(), [0.0, 1.0], 2)
+        outputs.GetInformationObject(0).Set(Pipeline.TIME_RANGE(), [0.0, 1.0], 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        info = outputs.GetInformationObject(0)
+        time = info.Get(Pipeline.UPDATE_TIME_STEP()) if info.Has(Pipeline.UPDATE_TIME_STEP()) else 0.0
+        vtkPolyData.GetData(info).ShallowCopy(square(1 + time))
+        return 1
+
+
+def square(side):
+    points = vtkPoints()
+    for k in range(4):
+        points.InsertNextPoint(side * (k % 2), side * (k // 2), RANK)
+    data = vtkPolyData()
+    data.SetPoints(points)
+    return data
+
+
+def raster_of(side):
+    sampler = vtkAdaptiveHilbertInterpolation2D()
+    sampler.GetTriangulation().SetDistributePoints(True)
+    sampler.SetInputData(square(side))
+    sampler.SetDimensions(20, 30)
+    return sampler
+
+
+def try_time():
+    """The raster of another time is another one: pieces of that come out."""
+
+    def on_ranks():
+        sampler = raster_of(1)
+        sampler.SetRasterSize(1)
+        sampler.SetCellSize(0.125, 0.125)
+        source = Growing()
+        sampler.SetInputConnection(source.GetOutputPort())
+        counts = []
+        for time in (0.0, 1.0, 0.0):
+            sampler.UpdateTimeStep(time, RANK, RANKS, 0)
+            counts.append((sampler.GetNumberOfPlaces(), sampler.GetOutput().GetNumberOfPoints() > 0))
+        return counts
+
+    for counts in on_all_ranks("time", on_ranks) or ():
+        check(counts == [(64, True), (256, True), (64, True)], "places, and whether some are here: %r" % counts)
+
+
+def try_images_behind():
+    """Filters for images hear of the geometry, and are not run where there is an error."""
+
+    def on_ranks():
+        sampler = raster_of(2)
+        behind = vtkImageShiftScale()
+        behind.SetInputConnection(sampler.GetOutputPort())
+        behind.UpdateInformation()
+        spacing = behind.GetOutputInformation(0).Get(vtkDataObject.SPACING())
+        sampler.GetTriangulation().SetMemoryLimit(1)
+        said = Said(sampler)
+        behind.UpdatePiece(RANK, RANKS, 0)
+        return spacing, behind.GetOutput().GetNumberOfPoints(), sum("MemoryLimit" in error for error in said.errors)
+
+    for spacing, count, errors in on_all_ranks("images behind", on_ranks) or ():
+        check(abs(spacing[0] - 0.1) < 1e-9, "the spacing that is announced: %r" % (spacing,))
+        check(count == 0 and errors == 1, "after an error: %r" % ((count, errors),))
+
+
+def try_surface():
+    """A surface as input counts as its points, which one rank says."""
+    made = pieces(uniform(300), RANKS)
+
+    def on_ranks():
+        triangulation = make_filter(made[RANK], {}, True)
+        triangulation.SetInputData(make_input(made[RANK]))
+        sampler = raster_of(1)
+        sampler.SetInputConnection(triangulation.GetOutputPort())
+        said = Said(sampler)
+        sampler.UpdatePiece(RANK, RANKS, 0)
+        return said.warnings
+
+    found = on_all_ranks("surface", on_ranks)
+    if found:
+        said = [words for words in found[0] if "do not count across ranks" in words]
+        check(len(said) == 1, "rank 0 says %r" % found[0])
+        check(not any(found[1:]), "others warn: %r" % found[1:])
 
 
 def try_places_of_an_image():
@@ -285,7 +404,11 @@ check(RANK or WANTED or sum(valued) > 30000, "too few values are compared: %d" %
 for case, (what, said_then) in failures_together().items():
     if WANTED in case:
         attempt(case, try_failure, what, said_then)
-for case, what in {"again": try_again, "image": try_places_of_an_image}.items():
+for case, (what, *given) in {
+    "again": (try_again, {}), "again by cell size": (try_again, {"RasterSize": 1, "CellSize": (0.07, 0.05)}),
+    "image": (try_places_of_an_image,), "other inputs": (try_other_inputs,), "time": (try_time,),
+    "images behind": (try_images_behind,), "surface": (try_surface,),
+}.items():
     if WANTED in case:
-        attempt(case, what)
+        attempt(case, what, *given)
 finish()
