@@ -145,10 +145,6 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   {
     Grow(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
   }
-  for (double* bound : { &bounds.xmin, &bounds.xmax, &bounds.ymin, &bounds.ymax })
-  {
-    *bound += 0.0; // of zeros of both signs it is chance which one comes first
-  }
   return bounds;
 }
 
