@@ -4,13 +4,13 @@
 import weakref
 
 from .. import _library as engine
-from . import messages, package_of, settings
+from . import messages, settings
 from .arrays import coordinates, ghost_marks, new_array
 from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
 from .outputs import plane_transform
-from .vtkclass import build
+from .vtkclass import Inputs, build
 
 NAMES = ("vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
 
@@ -161,27 +161,6 @@ class _Ports:
                 vector.GetInformationObject(i).Set(exact, 1)
         return 1
 
-    def SetInputDataObject(self, *given):
-        """SetInputDataObject(data) or SetInputDataObject(port, data): the input, without a pipeline. TypeError for data
-        of another VTK than the filter's."""
-        package = package_of(given[-1]) if given else None
-        if package not in (None, self._backend.package):
-            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
-                package, self._backend.package, package))
-        super().SetInputDataObject(*given)
-
-    def SetInputData(self, *given):
-        """SetInputData(data) or SetInputData(port, data): the input, without a pipeline."""
-        self.SetInputDataObject(*given)
-
-    def AddInputData(self, *given):
-        """AddInputData(data) or AddInputData(port, data)."""
-        self.AddInputDataObject(*given)
-
-    def GetInput(self, port=0):
-        """The data object at this input port, or None."""
-        return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
-
     def GetPolyDataInput(self, port=0):
         """The vtkPolyData at this input port, or None."""
         found = self.GetInput(port)
@@ -310,7 +289,8 @@ def make_class(backend):
 
     members = dict(settings.all_methods(), __doc__=ABOUT,
                    ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))
-    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Ranks, _Transforms), members, start, (2, 3))
+    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Ranks, _Transforms, Inputs), members, start,
+                 (2, 3))
     for name, member in settings.properties_of(made).items():
         setattr(made, name, member)
     return made

@@ -4,12 +4,12 @@
 import contextlib
 
 from .. import _library as engine
-from . import messages, package_of, python_class, raster, raster_messages, raster_settings, settings
+from . import messages, python_class, raster, raster_messages, raster_settings, settings
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
 from .sampling import area_of, is_surface
-from .vtkclass import build
+from .vtkclass import Inputs, build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkDataSetAlgorithm")
 
@@ -80,27 +80,6 @@ class _Ports:
         if port > 0:
             info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
         return 1
-
-    def SetInputDataObject(self, *given):
-        """SetInputDataObject(data) or SetInputDataObject(port, data): an input, without a pipeline. TypeError for data
-        of another VTK than the filter's."""
-        package = package_of(given[-1]) if given else None
-        if package not in (None, self._backend.package):
-            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
-                package, self._backend.package, package))
-        super().SetInputDataObject(*given)
-
-    def SetInputData(self, *given):
-        """SetInputData(data) or SetInputData(port, data): an input, without a pipeline."""
-        self.SetInputDataObject(*given)
-
-    def AddInputData(self, *given):
-        """AddInputData(data) or AddInputData(port, data)."""
-        self.AddInputDataObject(*given)
-
-    def GetInput(self, port=0):
-        """The data object at this input port, or None."""
-        return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
 
     def _give(self, port, name, kind, data):
         if data is not None and not isinstance(data, getattr(self._backend, kind)):
@@ -344,7 +323,7 @@ def make_class(backend):
     members = dict(raster_settings.all_methods(), __doc__=ABOUT)
     members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
         "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
-    parts = _Measures, _Executions, _Ports, _Triangulations
+    parts = _Measures, _Executions, _Ports, _Triangulations, Inputs
     made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject")
     for name, member in raster_settings.all_properties(made).items():
         setattr(made, name, member)

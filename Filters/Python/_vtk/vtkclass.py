@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the classes in Python share: what VTK asks a class for, settings, outputs."""
+"""What the classes in Python share: what VTK asks a class for, settings, inputs, outputs."""
+
+from . import package_of
 
 
 class Names:
@@ -55,6 +57,31 @@ class Names:
 
     def _changed(self, name):
         """A setting has another value now."""
+
+
+class Inputs:
+    """Mixed into a class that has _backend and input ports."""
+
+    def SetInputDataObject(self, *given):
+        """SetInputDataObject(data) or SetInputDataObject(port, data): an input, without a pipeline. TypeError for data
+        of another VTK than the filter's."""
+        package = package_of(given[-1]) if given else None
+        if package not in (None, self._backend.package):
+            raise TypeError("data of %s, but the filter is over %s: import %s before the class is asked for" % (
+                package, self._backend.package, package))
+        super().SetInputDataObject(*given)
+
+    def SetInputData(self, *given):
+        """SetInputData(data) or SetInputData(port, data): an input, without a pipeline."""
+        self.SetInputDataObject(*given)
+
+    def AddInputData(self, *given):
+        """AddInputData(data) or AddInputData(port, data)."""
+        self.AddInputDataObject(*given)
+
+    def GetInput(self, port=0):
+        """The data object at this input port, or None."""
+        return self.GetInputDataObject(port, 0) if self.GetNumberOfInputConnections(port) > 0 else None
 
 
 class Outputs:
