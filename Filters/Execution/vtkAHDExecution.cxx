@@ -37,30 +37,22 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind
     return this->Report;
   }
   Results results;
-  try
-  {
-    this->Report.Status = ahd::Status::Ok;
-    this->SetStages();
-    this->Prepare(results.Points);
-    this->MakeTriangles(results);
-    this->Constrain(results);
-    this->Write(results, outputs);
-    this->FindStacks(results);
-    this->ReportOn(results);
-  }
-  catch (const vtkAHDStop& stop)
-  {
-    this->Report.Status = stop.Reason;
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Report.Status = ahd::Status::OutOfMemory;
-  }
+  bool isLeft = false;
+  this->Try(
+    [&]
+    {
+      this->SetStages();
+      this->MakeSurface(results);
+      this->Write(results, outputs);
+      this->FindStacks(results);
+      this->ReportOn(results);
+      isLeft = left && this->Leave(results, outputs[0], *left);
+    });
   for (std::size_t k = 0; k < outputs.size() && this->Report.Status != ahd::Status::Ok; ++k)
   {
     outputs[k]->Initialize();
   }
-  if (!left || !this->Leave(results, outputs[0], *left))
+  if (!isLeft)
   {
     this->GiveBack(results);
   }
@@ -77,17 +69,33 @@ vtkAHDReport vtkAHDExecution::Triangulate(
     return this->Report;
   }
   Results results;
+  this->Try(
+    [&]
+    {
+      std::vector<double> stages = this->FirstStages();
+      stages.insert(stages.end(), stagesBehind.begin(), stagesBehind.end());
+      this->Context.SetStages(stages);
+      this->MakeSurface(results);
+      this->FindStacks(results);
+      this->ReportOn(results);
+    });
+  if (this->Report.Status == ahd::Status::Ok)
+  {
+    made = std::move(results);
+    return this->Report;
+  }
+  this->GiveBack(results);
+  return this->Report;
+}
+
+/// Takes these steps; the report says how they ended.
+template <typename Steps>
+void vtkAHDExecution::Try(const Steps& steps)
+{
   try
   {
     this->Report.Status = ahd::Status::Ok;
-    std::vector<double> stages = this->FirstStages();
-    stages.insert(stages.end(), stagesBehind.begin(), stagesBehind.end());
-    this->Context.SetStages(stages);
-    this->Prepare(results.Points);
-    this->MakeTriangles(results);
-    this->Constrain(results);
-    this->FindStacks(results);
-    this->ReportOn(results);
+    steps();
   }
   catch (const vtkAHDStop& stop)
   {
@@ -97,13 +105,13 @@ vtkAHDReport vtkAHDExecution::Triangulate(
   {
     this->Report.Status = ahd::Status::OutOfMemory;
   }
-  if (this->Report.Status == ahd::Status::Ok)
-  {
-    made = std::move(results);
-    return this->Report;
-  }
-  this->GiveBack(results);
-  return this->Report;
+}
+
+void vtkAHDExecution::MakeSurface(Results& results)
+{
+  this->Prepare(results.Points);
+  this->MakeTriangles(results);
+  this->Constrain(results);
 }
 
 /// Those until the triangles are there. Weights are about times, measured with 10^6 points: that of
@@ -293,12 +301,12 @@ void vtkAHDExecution::ReportOn(const Results& results)
 }
 
 /// Leaves the triangulation behind, if it is to be had again and not too much. Returns false if
-/// not: then nothing has changed.
+/// not: then nothing has changed. Throws vtkAHDStop if the filter is to abort.
 bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const
 {
   // Places that were converted go with the input.
-  const bool isFit = this->Report.Status == ahd::Status::Ok && this->Report.Triangles > 0 &&
-    !results.Points.isProjected() && !this->Input.MustConvertPoints();
+  const bool isFit = this->Report.Triangles > 0 && !results.Points.isProjected() &&
+    !this->Input.MustConvertPoints();
   if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLeft() / 1024) >= this->Settings.ReuseLimit)
   {
     return false;
@@ -314,6 +322,7 @@ bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBe
     vtkAHDLeftTriangulation& to = *content;
     if (!kept->Keep(content, surface, this->Context))
     {
+      this->Context.StopIfAborted();
       return false;
     }
     to.Made = std::move(results); // nobody else knows the surface yet

@@ -83,6 +83,9 @@ private:
     ahd::Selection Selection;
   };
 
+  template <typename Steps>
+  void Try(const Steps& steps);
+  void MakeSurface(Results& results);
   bool FitsInMemory();
   std::size_t FindMostCrossings();
   std::vector<double> FirstStages() const;

@@ -25,6 +25,7 @@ TEST(InterpolationArrays, NearestOfOtherLayouts)
   vtkNew<vtkFloatArray> together;
   vtkNew<vtkSOADataArrayTemplate<long long>> large;
   large->SetName("large");
+  large->SetNumberOfComponents(1); // VTK 9.1 wants it said
   large->SetNumberOfTuples(200);
   for (vtkIdType i = 0; i < 200; ++i)
   {

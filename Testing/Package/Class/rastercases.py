@@ -145,6 +145,7 @@ def nearest_of_other_layouts():
     apart.SetName("Apart")
     apart.SetNumberOfComponents(2)
     large = core.vtkSOADataArrayTemplate["int64"]()
+    large.SetNumberOfComponents(1)  # VTK 9.1 wants it said
     large.SetName("Large")
     for data in (apart, large):
         data.SetNumberOfTuples(120)
