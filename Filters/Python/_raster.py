@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-_MOST = 2**31 - 1  # rows or columns
+MOST = 2**31 - 1  # rows or columns
 
 
 @dataclass(frozen=True)
@@ -123,8 +123,8 @@ def shape_of(given: Any, least: int) -> Tuple[int, int]:
         rows, columns = (operator.index(number) for number in given)
     except (TypeError, ValueError):
         raise TypeError("shape is to be two whole numbers, rows and columns, not %r" % (given,)) from None
-    if not (least <= rows <= _MOST and least <= columns <= _MOST):
-        raise ValueError("shape is to be rows and columns, each from %d to %d, not %r" % (least, _MOST, given))
+    if not (least <= rows <= MOST and least <= columns <= MOST):
+        raise ValueError("shape is to be rows and columns, each from %d to %d, not %r" % (least, MOST, given))
     return rows, columns
 
 
@@ -161,36 +161,56 @@ def raster_over(
     vtkAdaptiveHilbertInterpolation2D (vtkAHDRaster.h)."""
     if (cell_size is None) == (shape is None):
         raise ValueError("a raster is made by its cell_size or by its shape: one of both")
-    xmin, xmax, ymin, ymax = bounds_of(bounds)
+    area = bounds_of(bounds)
     if shape is None:
-        dx, dy = size_of(cell_size)
-        x, y = _by_size(xmin, xmax, dx, align), _by_size(ymin, ymax, dy, align)
+        x, y = axes_by_size(area, size_of(cell_size), align)
     elif align:
         raise ValueError("align is for rasters that are made by their cell_size")
     else:
         rows, columns = shape_of(shape, 1)
-        x, y = _by_count(xmin, xmax, columns), _by_count(ymin, ymax, rows)
-        width, height = x.spacing, y.spacing
-        x = x if width > 0 else _Axis(xmin, height if height > 0 else 1.0, 1)
-        y = y if height > 0 else _Axis(ymin, width if width > 0 else 1.0, 1)
+        x, y = axes_by_count(area, (columns, rows))
     for axis in (x, y):
-        if not axis.count <= _MOST:
-            raise MemoryError("a raster of %g x %g cells has more than %d rows or columns" % (x.count, y.count, _MOST))
-        last = axis.origin + (axis.count - 1) * axis.spacing
-        if not (math.isfinite(last) and math.isfinite(axis.spacing)):
+        if not axis.count <= MOST:
+            raise MemoryError("a raster of %g x %g cells has more than %d rows or columns" % (x.count, y.count, MOST))
+        if axis.is_too_wide():
             raise ValueError("the raster would be wider or higher than the largest float64")
-        areApart = last - axis.spacing < last and axis.origin + axis.spacing > axis.origin
-        if not (areApart or axis.count == 1):
+        if not axis.is_apart():
             raise ValueError("float64 cannot tell cells of size %g apart within these bounds" % axis.spacing)
     return Raster((x.origin, y.origin), (x.spacing, y.spacing), (int(y.count), int(x.count)))
 
 
-class _Axis(NamedTuple):
+class Axis(NamedTuple):
     """A raster along one axis."""
 
     origin: float  # the first centre
     spacing: float
     count: float
+
+    def last(self) -> float:
+        return self.origin + (self.count - 1) * self.spacing
+
+    def is_too_wide(self) -> bool:
+        """Is what it is computed from, or the last centre, beyond the largest number?"""
+        return not (math.isfinite(self.spacing) and math.isfinite(self.last()))
+
+    def is_apart(self) -> bool:
+        """Are the centres of neighbours different numbers?"""
+        last, step = self.last(), self.spacing
+        return step > 0 and (self.count == 1 or (last - step < last and self.origin + step > self.origin))
+
+
+def axes_by_size(area: Sequence[float], size: Sequence[float], align: bool) -> Tuple[Axis, Axis]:
+    """Of cells of this size, along x and y; vtkAHDRaster.h has the rule. `area`: xmin, xmax, ymin, ymax."""
+    return _by_size(area[0], area[1], size[0], align), _by_size(area[2], area[3], size[1], align)
+
+
+def axes_by_count(area: Sequence[float], count: Sequence[int]) -> Tuple[Axis, Axis]:
+    """The same of so many columns and rows."""
+    x, y = _by_count(area[0], area[1], count[0]), _by_count(area[2], area[3], count[1])
+    width, height = x.spacing, y.spacing
+    x = x if width > 0 else Axis(area[0], height if height > 0 else 1.0, 1.0)
+    y = y if height > 0 else Axis(area[2], width if width > 0 else 1.0, 1.0)
+    return x, y
 
 
 def _whole_below(quotient: float, slack: float) -> float:
@@ -209,16 +229,16 @@ def _length_in(low: float, high: float, size: float) -> float:
     return length / size if math.isfinite(length) else high / size - low / size
 
 
-def _by_size(low: float, high: float, size: float, align: bool) -> _Axis:
+def _by_size(low: float, high: float, size: float, align: bool) -> Axis:
     slack = 2.0**-50 * max(abs(low), abs(high)) / size  # what writing coordinates in decimal may have cost
     if align:
         first = _whole_below(low / size, slack)
         count = max(1.0, -_whole_below(-(high / size), slack) - first)
-        return _Axis((first + 0.5) * size, size, count)
+        return Axis((first + 0.5) * size, size, count)
     origin = low + 0.5 * size if low < high else low  # one row runs through what has no length
-    return _Axis(origin, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
+    return Axis(origin, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
 
 
-def _by_count(low: float, high: float, count: int) -> _Axis:
+def _by_count(low: float, high: float, count: int) -> Axis:
     spacing = _length_in(low, high, count)
-    return _Axis(low + 0.5 * spacing, spacing, float(count))
+    return Axis(low + 0.5 * spacing, spacing, float(count))

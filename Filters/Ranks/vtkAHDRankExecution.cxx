@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankExecution.h"
 
-#include "Engine/Core/Memory.h"
 #include "Engine/Prepare/Stacks.h"
 #include "Output/vtkAHDSurface.h"
 #include "Ranks/vtkAHDGatheredExecution.h"
+#include "Ranks/vtkAHDRankMemory.h"
 #include "Ranks/vtkAHDRankSurface.h"
 
 #include "vtkPointSet.h"
@@ -137,35 +137,13 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
 /// Refuses on all ranks what takes more than there is on one of them.
 void vtkAHDRankExecution::CheckMemory(std::size_t bytes, const char* what)
 {
-  const std::size_t rank = this->Ranks.GetOwn();
-  const bool isLimited = this->Settings.MemoryLimit > 0;
   this->Estimate = std::max(this->Estimate, bytes);
-  // what is held already is part of the estimate, and of no rank's rest
-  const vtkTypeInt64 there = isLimited
-    ? this->Settings.MemoryLimit
-    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 / this->Facts.CountOnHostOf(rank));
-  const std::int64_t figures[] = { static_cast<std::int64_t>(bytes / 1024), there, isLimited };
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(figures); });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Report.Estimate = figures[0];
-  for (std::size_t k = 0; k < all.size(); ++k)
+  const std::string error = vtkAHDRefuseMemory(this->Settings, this->Facts, this->Ranks,
+    this->Context, bytes, { "Triangulating", this->Report.Points, what });
+  this->Report.Estimate = static_cast<vtkTypeInt64>(bytes / 1024);
+  if (!error.empty())
   {
-    ahd::BytesReader reader(all[k]);
-    const auto needed = reader.read<std::int64_t>();
-    const auto limit = reader.read<std::int64_t>();
-    const bool isByUser = reader.read<std::int64_t>() != 0;
-    if (needed > limit)
-    {
-      std::ostringstream error;
-      error << "Triangulating " << this->Report.Points << " points on " << all.size()
-            << " ranks may take " << needed << " KiB of memory on rank " << k << what << ", but "
-            << (isByUser ? "MemoryLimit allows " : "there are ") << limit
-            << " KiB. Nothing is put out. Take fewer points or more ranks, or set MemoryLimit (in "
-               "KiB, of each rank) to allow more.";
-      this->StopAll(ahd::Status::OutOfMemory, error.str());
-    }
+    this->StopAll(ahd::Status::OutOfMemory, error);
   }
 }
 

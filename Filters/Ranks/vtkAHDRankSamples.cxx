@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankSamples.h"
 
-#include "Engine/Core/Memory.h"
 #include "Engine/Sample/BoxNeighbors.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Ranks/vtkAHDRankGather.h"
+#include "Ranks/vtkAHDRankMemory.h"
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
@@ -12,7 +12,6 @@
 #include "vtkPoints.h"
 
 #include <algorithm>
-#include <sstream>
 
 vtkAHDRankSamples::vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
   const vtkAHDContext& context, bool asksForNearest)
@@ -66,33 +65,11 @@ void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
 /// Refuses on all ranks what takes more than there is on one of them.
 void vtkAHDRankSamples::CheckMemory(std::size_t bytes)
 {
-  const std::size_t rank = this->Ranks.GetOwn();
-  const bool isLimited = this->Settings.MemoryLimit > 0;
-  const vtkTypeInt64 there = isLimited
-    ? this->Settings.MemoryLimit
-    : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 / this->Facts.CountOnHostOf(rank));
-  const std::int64_t figures[] = { static_cast<std::int64_t>(bytes / 1024), there, isLimited };
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(figures); });
-  this->Context.Check(this->Ranks.gather(own, all));
-  for (std::size_t k = 0; k < all.size(); ++k)
+  this->Error = vtkAHDRefuseMemory(this->Settings, this->Facts, this->Ranks, this->Context, bytes,
+    { "Interpolating between", this->GetPoints() });
+  if (!this->Error.empty())
   {
-    ahd::BytesReader reader(all[k]);
-    const auto needed = reader.read<std::int64_t>();
-    const auto limit = reader.read<std::int64_t>();
-    const bool isByUser = reader.read<std::int64_t>() != 0;
-    if (needed > limit)
-    {
-      std::ostringstream error;
-      error << "Interpolating between " << this->GetPoints() << " points on " << all.size()
-            << " ranks may take " << needed << " KiB of memory on rank " << k << ", but "
-            << (isByUser ? "MemoryLimit allows " : "there are ") << limit
-            << " KiB. Nothing is put out. Take fewer points or more ranks, or set MemoryLimit (in "
-               "KiB, of each rank) to allow more.";
-      this->Error = error.str();
-      throw vtkAHDStop{ ahd::Status::OutOfMemory };
-    }
+    throw vtkAHDStop{ ahd::Status::OutOfMemory };
   }
 }
 

@@ -16,6 +16,16 @@
 #include <algorithm>
 #include <utility>
 
+namespace
+{
+/// A count that the filter that made the surface has added to it; -1 if there is none.
+vtkIdType CountOf(vtkPolyData* surface, const char* name)
+{
+  auto* count = vtkIdTypeArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray(name));
+  return count && count->GetNumberOfValues() == 1 ? count->GetValue(0) : -1;
+}
+}
+
 vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
 {
   auto* surface = vtkPolyData::SafeDownCast(input);
@@ -23,11 +33,8 @@ vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
   {
     return nullptr;
   }
-  auto* count = vtkIdTypeArray::SafeDownCast(
-    surface->GetFieldData()->GetAbstractArray("NumberOfTriangles"));
   vtkCellArray* const cells = surface->GetPolys();
-  const bool isOurs = count && count->GetNumberOfValues() == 1 &&
-    count->GetValue(0) == cells->GetNumberOfCells() &&
+  const bool isOurs = CountOf(surface, "NumberOfTriangles") == cells->GetNumberOfCells() &&
     surface->GetFieldData()->HasArray("NumberOfPointsInserted") != 0;
   const bool areTriangles = cells->GetNumberOfConnectivityIds() == 3 * cells->GetNumberOfCells() &&
     cells->GetMaxCellSize() == 3;
@@ -51,9 +58,7 @@ void vtkAHDLeaveToSurface(vtkAHDSettings& settings)
 
 vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface)
 {
-  auto* count = vtkIdTypeArray::SafeDownCast(
-    surface->GetFieldData()->GetAbstractArray("NumberOfAddedPoints"));
-  const vtkIdType added = count && count->GetNumberOfValues() == 1 ? count->GetValue(0) : 0;
+  const vtkIdType added = CountOf(surface, "NumberOfAddedPoints");
   return added > 0 && added < surface->GetNumberOfPoints() ? added : 0;
 }
 

@@ -148,8 +148,9 @@ vtkAHDSampleColumns::Kind vtkAHDSampleColumns::GetKindOfScalars() const
 
 double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) const
 {
-  double perPoint = sizeof(double), perPlace = 1.0; // heights, mask
-  double copied = 0.0;                              // one at a time
+  double perPoint = sizeof(double); // heights
+  double perPlace = this->OutputPerPlace();
+  double copied = 0.0; // one at a time
   if (this->Settings.IsNearest())
   {
     perPoint += sizeof(double); // ids
@@ -157,40 +158,51 @@ double vtkAHDSampleColumns::EstimateBytes(std::size_t points, double places) con
   }
   for (const vtkAHDSampleColumn& column : this->Columns)
   {
-    const double width = double(column.Components);
     if (this->Settings.IsNearest())
     {
-      const double bytes = width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
-      perPlace += bytes;
-      copied = column.From && vtkAHDIsCopiedToGather(column.From) ? std::max(copied, bytes)
-                                                                  : copied;
+      const bool isCopied = column.From && vtkAHDIsCopiedToGather(column.From);
+      copied = isCopied ? std::max(copied, this->BytesPerPlace(column)) : copied;
       continue;
     }
     const bool isRead = column.From && !vtkArrayDownCast<vtkDoubleArray>(column.From);
-    perPoint += isRead ? width * sizeof(double) : 0.0;
-    const double perNumber = column.IsFloat ? sizeof(double) + sizeof(float) : sizeof(double);
-    const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
-    perPlace += perNumber * (width + (hasGradient ? 2.0 : 0.0));
+    perPoint += isRead ? double(column.Components * sizeof(double)) : 0.0;
+    perPlace += column.IsFloat ? double(this->NumbersPerPlace(column) * sizeof(double)) : 0.0;
   }
   return (perPoint + copied) * double(points) + perPlace * places;
 }
 
 double vtkAHDSampleColumns::EstimateOutputBytes(double places) const
 {
-  double perPlace = 1.0; // mask
+  return this->OutputPerPlace() * places;
+}
+
+/// Bytes of all columns and the mask.
+double vtkAHDSampleColumns::OutputPerPlace() const
+{
+  double bytes = 1.0; // mask
   for (const vtkAHDSampleColumn& column : this->Columns)
   {
-    const double width = double(column.Components);
-    if (this->Settings.IsNearest())
-    {
-      perPlace += width * (column.From ? std::max(1, column.From->GetDataTypeSize()) : 8);
-      continue;
-    }
-    const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
-    perPlace += (column.IsFloat ? sizeof(float) : sizeof(double)) *
-      (width + (hasGradient ? 2.0 : 0.0));
+    bytes += this->BytesPerPlace(column);
   }
-  return perPlace * places;
+  return bytes;
+}
+
+/// Values and slopes, where those are made.
+std::size_t vtkAHDSampleColumns::NumbersPerPlace(const vtkAHDSampleColumn& column) const
+{
+  const bool hasGradient = this->Settings.MakesGradients() && column.Components == 1;
+  return column.Components + (hasGradient ? 2 : 0);
+}
+
+/// What is put out of a column; that of heights if it is of no array.
+double vtkAHDSampleColumns::BytesPerPlace(const vtkAHDSampleColumn& column) const
+{
+  const std::size_t ofType = column.From
+    ? static_cast<std::size_t>(std::max(1, column.From->GetDataTypeSize()))
+    : sizeof(double);
+  const std::size_t interpolated = column.IsFloat ? sizeof(float) : sizeof(double);
+  const std::size_t perNumber = this->Settings.IsNearest() ? ofType : interpolated;
+  return double(perNumber * this->NumbersPerPlace(column));
 }
 
 void vtkAHDSampleColumns::Open(

@@ -101,6 +101,9 @@ private:
     std::size_t Points;
   };
 
+  double OutputPerPlace() const;
+  double BytesPerPlace(const vtkAHDSampleColumn& column) const;
+  std::size_t NumbersPerPlace(const vtkAHDSampleColumn& column) const;
   void Choose(vtkAbstractArray* array, const Choice& choice);
   bool IsTaken(const std::string& name, const Choice& choice) const;
   bool MakesGradientOf(const std::string& name, const Choice& choice) const;

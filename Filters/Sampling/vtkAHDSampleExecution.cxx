@@ -66,24 +66,22 @@ bool vtkAHDSampleExecution::Run(
   {
     this->Context.StopIfAborted();
     this->IsSurface = inputs.Surface != nullptr;
-    if (kept.Surface && kept.Surface->IsLent())
+    if (kept.Surface)
     {
-      this->IsKept = inputs.Piece > 0;
-    }
-    else if (kept.Surface)
-    {
-      this->IsKept = (this->MayKeep || inputs.Piece > 0) &&
-        kept.Surface->IsOf(
-          inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
-      if (!this->IsKept) // what it has is there for the new one
+      // One that is lent is there between the pieces of an execution alone.
+      const bool isLent = kept.Surface->IsLent();
+      this->IsKept = isLent ? inputs.Piece > 0
+                            : (this->MayKeep || inputs.Piece > 0) &&
+          kept.Surface->IsOf(
+            inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
+      if (!this->IsKept)
       {
-        kept.Surface->GiveBack(kept.Workspace);
+        if (!isLent) // what it has is there for the new one
+        {
+          kept.Surface->GiveBack(kept.Workspace);
+        }
         kept.Surface.reset();
       }
-    }
-    if (kept.Surface && kept.Surface->IsLent() && !this->IsKept)
-    {
-      kept.Surface.reset(); // to an execution that came to nothing
     }
     if (inputs.Surface && !this->IsKept)
     {
@@ -214,6 +212,14 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
   this->BytesOfSampling = outputs + most;
 }
 
+/// `held`: bytes that are part of estimates, and not of what is left.
+void vtkAHDSampleExecution::FindLimit(double held)
+{
+  this->Memory.IsLimited = this->Settings.MemoryLimit > 0;
+  this->Memory.Limit = this->Memory.IsLimited ? this->Settings.MemoryLimit
+                                              : InKiB(double(ahd::availableMemory()) + held);
+}
+
 /// Is there memory to find out where the raster lies? That may take a copy of the points. Says if
 /// not.
 bool vtkAHDSampleExecution::FitsToFindPlaces(const vtkAHDSampleInputs& inputs)
@@ -225,10 +231,7 @@ bool vtkAHDSampleExecution::FitsToFindPlaces(const vtkAHDSampleInputs& inputs)
   const std::size_t bytes = vtkAHDEstimateBounds(
     this->Settings, this->Wishes, inputs.Points, inputs.Source);
   vtkAHDSampleMemory& memory = this->Memory;
-  memory.IsLimited = this->Settings.MemoryLimit > 0;
-  memory.Limit = memory.IsLimited
-    ? this->Settings.MemoryLimit
-    : InKiB(double(ahd::availableMemory()) + double(inputs.InputBytes));
+  this->FindLimit(double(inputs.InputBytes));
   if (InKiB(double(bytes) + double(inputs.InputBytes)) <= memory.Limit)
   {
     return true;
@@ -259,14 +262,11 @@ bool vtkAHDSampleExecution::FitsInMemory(
   vtkAHDSampleMemory& memory = this->Memory;
   memory.Points = points;
   memory.Estimate = InKiB(toMake + this->BytesOfSampling);
-  memory.IsLimited = this->Settings.MemoryLimit > 0;
+  this->FindLimit(double(kept.Workspace.bytes()) + double(inputs.InputBytes));
   const double tables = this->IsKept && kept.Surface->IsLent()
     ? double(ahd::tableMemoryEstimate(points))
     : 0.0;
   const double needed = this->BytesOfSampling + (this->IsKept ? tables : toMake);
-  const double held = double(kept.Workspace.bytes()) + double(inputs.InputBytes);
-  memory.Limit = memory.IsLimited ? this->Settings.MemoryLimit
-                                  : InKiB(double(ahd::availableMemory()) + held);
   const bool isRefused = (memory.IsLimited ? memory.Estimate : InKiB(needed)) > memory.Limit;
   if (isRefused && points <= ahd::kMaximumPoints)
   {

@@ -84,6 +84,7 @@ public:
 
 private:
   bool FindPlaces(const vtkAHDSampleInputs& inputs);
+  void FindLimit(double held);
   bool FitsToFindPlaces(const vtkAHDSampleInputs& inputs);
   bool FitsInMemory(const vtkAHDSampleInputs& inputs, const vtkAHDSampleMemoryKept& kept);
   std::vector<double> StagesBehind(std::size_t points) const;

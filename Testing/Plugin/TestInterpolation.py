@@ -15,16 +15,6 @@ sm = proxy.SMProxy
 OF_TRIANGULATION = EXPOSED + ["Transform"]
 
 
-def properties(of):
-    iterator = of.NewPropertyIterator()
-    iterator.Begin()
-    found = {}
-    while not iterator.IsAtEnd():
-        found[iterator.GetKey()] = iterator.GetProperty()
-        iterator.Next()
-    return found
-
-
 def plane_points(count=300):
     """Points of z = 1 + 2 x - 3 y in [-2, 2], the corners among them."""
     corners = [(x, y) for x in (-2.0, 2.0) for y in (-2.0, 2.0)]

@@ -15,16 +15,6 @@ proxy = AdaptiveHilbertDelaunay2D(Input=Sphere())
 sm = proxy.SMProxy
 
 
-def properties():
-    iterator = sm.NewPropertyIterator()
-    iterator.Begin()
-    found = {}
-    while not iterator.IsAtEnd():
-        found[iterator.GetKey()] = iterator.GetProperty()
-        iterator.Next()
-    return found
-
-
 def test_menu():
     check_equal(sm.GetXMLLabel(), "Adaptive Hilbert Delaunay 2D", "label of the filter")
     check_equal(sm.GetVTKClassName(), class_in_paraview("AdaptiveHilbertDelaunay2D"), "class of the filter")
@@ -34,14 +24,14 @@ def test_menu():
 
 def test_properties_are_complete():
     expected = set(SETTINGS + MEASURES + ["Input", "Source", "Transform", "GenerateFate"] + HIDDEN)
-    check_equal(set(properties()), expected, "properties of the filter")
+    check_equal(set(properties(sm)), expected, "properties of the filter")
     for name in MEASURES:
         check(sm.GetProperty(name).GetInformationOnly(), name + " can be changed, but is a measure")
 
 
 def test_names_are_the_same_everywhere():
     """paraview.simple derives the Python name from the label; it must be the name in C++."""
-    for name, item in properties().items():
+    for name, item in properties(sm).items():
         check_equal(item.GetXMLLabel().replace(" ", ""), name, "label of %s, without spaces" % name)
         check(hasattr(proxy, name) or name in HIDDEN, "paraview.simple does not know the property " + name)
 
@@ -51,7 +41,7 @@ def test_everything_is_documented():
     check(len(documentation.GetShortHelp() or "") > 40, "short help of the filter is missing")
     check(len(documentation.GetLongHelp() or "") > 80, "long help of the filter is missing")
     check("When to change" in documentation.GetDescription(), "the help does not say when to change a setting")
-    for name, item in properties().items():
+    for name, item in properties(sm).items():
         text = item.GetDocumentation().GetDescription() if item.GetDocumentation() else ""
         check(len(text) > 30, "the property %s is not documented" % name)
         check(text.rstrip().endswith("."), "the documentation of %s stops in the middle: %r" % (name, text[-40:]))
@@ -60,7 +50,7 @@ def test_everything_is_documented():
 def test_everything_is_in_the_panel():
     """information_only hides a property unless its visibility is set; none is to be hidden but those that
     do nothing and the old name of one."""
-    for name, item in properties().items():
+    for name, item in properties(sm).items():
         hidden = name in ["RandomPointInsertion", "UseHilbertSorter", "GenerateFate"] + HIDDEN
         check(
             item.GetPanelVisibility() in (("never",) if hidden else ("default", "advanced")),

@@ -248,6 +248,17 @@ def fingerprint(source):
     return hashlib.sha256(repr(triangles(source)).encode()).hexdigest()
 
 
+def properties(of):
+    """The properties of a proxy (an SMProxy) by name."""
+    iterator = of.NewPropertyIterator()
+    iterator.Begin()
+    found = {}
+    while not iterator.IsAtEnd():
+        found[iterator.GetKey()] = iterator.GetProperty()
+        iterator.Next()
+    return found
+
+
 def measures(proxy):
     """The measures of the last run, as ParaView shows them: the update itself must fetch them."""
     proxy.UpdatePipeline()

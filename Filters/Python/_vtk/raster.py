@@ -5,8 +5,7 @@ import math
 
 import numpy
 
-MOST_CELLS = 2147483647.0  # along an axis, as VTK counts them by int
-PRECISION = 2.0**-50  # of coordinates that were written in decimal
+from .._raster import MOST, axes_by_count, axes_by_size
 
 # Why there is no raster.
 NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY = "no area", "cell size", "bounds", "too many"
@@ -43,61 +42,6 @@ class Raster:
 NONE = Raster((0.0, 0.0), (1.0, 1.0), 0, 0)
 
 
-def _rounded(number):
-    """As std::round does, halves away from 0."""
-    whole = math.floor(abs(number))
-    return math.copysign(whole + (abs(number) - whole >= 0.5), number)
-
-
-def _whole_below(quotient, slack):
-    if not math.isfinite(quotient):
-        return quotient
-    nearest = _rounded(quotient)
-    return nearest if abs(quotient - nearest) <= slack else float(math.floor(quotient))
-
-
-def _whole_above(quotient, slack):
-    return -_whole_below(-quotient, slack)
-
-
-def _length_in(low, high, size):
-    """(high - low) / size, where only the quotient may be a number, too."""
-    length = high - low
-    return length / size if math.isfinite(length) else high / size - low / size
-
-
-def _by_size(low, high, size, align):
-    """(first centre, spacing, count) along an axis."""
-    slack = PRECISION * max(abs(low), abs(high)) / size
-    if align:
-        first = _whole_below(low / size, slack)
-        count = max(1.0, _whole_above(high / size, slack) - first)
-        return (first + 0.5) * size, size, count
-    origin = low + 0.5 * size if low < high else low  # one row runs through what has no length
-    return origin, size, max(1.0, _whole_above(_length_in(low, high, size), slack))
-
-
-def _by_count(low, high, count):
-    spacing = _length_in(low, high, count)
-    return low + 0.5 * spacing, spacing, float(count)
-
-
-def _one_row(at, width):
-    return at, width if width > 0.0 else 1.0, 1.0
-
-
-def _is_too_wide(origin, spacing, count):
-    """Is what it is computed from, or the last centre, beyond the largest number?"""
-    return not (math.isfinite(spacing) and math.isfinite(origin + (count - 1.0) * spacing))
-
-
-def _are_apart(origin, spacing, count):
-    """Are the centres of neighbours different numbers?"""
-    last = origin + (count - 1.0) * spacing
-    return spacing > 0.0 and (
-        count == 1.0 or (origin + spacing > origin and last - spacing < last))
-
-
 def make_raster(values, area):
     """Of this area, (xmin, xmax, ymin, ymax) or None, with settings of the filter. Fault."""
     by_size, sizes = values["RasterSize"] == 1, values["CellSize"]
@@ -106,19 +50,16 @@ def make_raster(values, area):
     if area is None:
         raise Fault(NO_AREA)
     if by_size:
-        x, y = (_by_size(*area[2 * k:2 * k + 2], sizes[k], values["AlignToCellSize"]) for k in range(2))
+        x, y = axes_by_size(area, sizes, values["AlignToCellSize"])
     else:
-        x, y = (_by_count(*area[2 * k:2 * k + 2], values["Dimensions"][k]) for k in range(2))
-        width, height = x[1], y[1]
-        x = x if width > 0.0 else _one_row(area[0], height)
-        y = y if height > 0.0 else _one_row(area[2], width)
-    if not (x[2] <= MOST_CELLS and y[2] <= MOST_CELLS):
-        raise Fault(TOO_MANY, (x[2], y[2]))
-    if _is_too_wide(*x) or _is_too_wide(*y):
+        x, y = axes_by_count(area, values["Dimensions"])
+    if not (x.count <= MOST and y.count <= MOST):
+        raise Fault(TOO_MANY, (x.count, y.count))
+    if x.is_too_wide() or y.is_too_wide():
         raise Fault(TOO_WIDE)
-    if not (_are_apart(*x) and _are_apart(*y)):
-        raise Fault(OUT_OF_NUMBERS, (x[2], y[2]))
-    return Raster((x[0], y[0]), (x[1], y[1]), int(x[2]), int(y[2]))
+    if not (x.is_apart() and y.is_apart()):
+        raise Fault(OUT_OF_NUMBERS, (x.count, y.count))
+    return Raster((x.origin, y.origin), (x.spacing, y.spacing), int(x.count), int(y.count))
 
 
 def make_raster_within(values, bounds):

@@ -22,20 +22,6 @@ using Delaunay = vtkAdaptiveHilbertDelaunay2D;
 using Filter = vtkAdaptiveHilbertInterpolation2D;
 using Setting = std::function<void(Delaunay*)>;
 
-vtkSmartPointer<vtkPolyData> hills(std::size_t count = 1500)
-{
-  std::vector<Xyz> points = scatteredPoints(count, 21);
-  for (Xyz& p : points)
-  {
-    p[2] = 0.1 * std::sin(12 * p[0]) * p[1];
-  }
-  points.push_back(points[7]); // a duplicate with another height
-  points.back()[2] += 0.5;
-  auto cloud = makeCloud(points);
-  addArray<vtkDoubleArray>(cloud, "a", [](vtkIdType i) { return double(i % 13); });
-  return cloud;
-}
-
 void askForRaster(Filter* filter)
 {
   filter->UseBoundsOn();

@@ -90,6 +90,21 @@ void addArray(vtkPolyData* cloud, const char* name, const std::function<double(v
   cloud->GetPointData()->AddArray(array);
 }
 
+/// Hills with an array, and a duplicate with another height.
+inline vtkSmartPointer<vtkPolyData> hills(std::size_t count = 1500)
+{
+  std::vector<Xyz> points = scatteredPoints(count, 21);
+  for (Xyz& p : points)
+  {
+    p[2] = 0.1 * std::sin(12 * p[0]) * p[1];
+  }
+  points.push_back(points[7]);
+  points.back()[2] += 0.5;
+  auto cloud = makeCloud(points);
+  addArray<vtkDoubleArray>(cloud, "a", [](vtkIdType i) { return double(i % 13); });
+  return cloud;
+}
+
 /// How far the heights are from the linear function at places with a value, at most; NaN if one has
 /// none.
 inline double farthestFromPlane(vtkDataSet* data)
