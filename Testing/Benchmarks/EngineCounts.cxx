@@ -50,11 +50,14 @@ bool count(Distribution distribution, const std::vector<Point>& points, unsigned
   }
   std::printf("{\"distribution\": \"%s\", \"points\": %zu, \"threads\": %u, \"ok\": %s, "
               "\"inserted\": %zu, \"attempts\": %llu, \"deferred\": %llu, \"criticalPath\": %llu, "
-              "\"peakBytes\": %zu, \"np\": %.4f, \"nr\": %.4f}\n",
+              "\"peakBytes\": %zu, \"np\": %.4f, \"nr\": %.4f, "
+              "\"exactInCircle\": %.4f, \"exactOrient\": %.4f}\n",
     nameOf(distribution), points.size(), threads, status == Status::Ok ? "true" : "false",
     shared.inserted, static_cast<unsigned long long>(shared.insertionAttempts),
     static_cast<unsigned long long>(shared.deferredPoints),
-    static_cast<unsigned long long>(shared.criticalPath), most, work.np(), work.nr());
+    static_cast<unsigned long long>(shared.criticalPath), most, work.np(), work.nr(),
+    double(work.exactInCircle) / double(points.size()),
+    double(work.exactOrient) / double(points.size()));
   std::fflush(stdout);
   return status == Status::Ok;
 }

@@ -32,12 +32,14 @@
 #define AHD_HAS_X86_PAIRS 0
 #endif
 
-/// For small functions of hot loops, and those that are to have the instruction set of their
-/// caller.
+/// ALWAYS: for small functions of hot loops, and those that are to have the instruction set of
+/// their caller. NEVER: for what hot loops seldom call, so that it takes none of their registers.
 #if defined(__GNUC__) || defined(__clang__)
 #define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
+#define AHD_NEVER_INLINE __attribute__((noinline))
 #else
 #define AHD_ALWAYS_INLINE inline
+#define AHD_NEVER_INLINE
 #endif
 
 namespace ahd

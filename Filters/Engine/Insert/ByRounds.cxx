@@ -42,6 +42,10 @@ public:
     {
       return first.end;
     }
+    if (!kernel_.beginToNote())
+    {
+      return InsertionEnd::Cancelled;
+    }
     shared_ = { 3, 0, 3 };
     const std::size_t moved = std::max<std::size_t>(3, first.third + 1);
     if (!insertPlaces(3, moved, [&](std::size_t i) { return at(first.place(i)); }))
@@ -142,6 +146,7 @@ private:
       {
         return false;
       }
+      kernel_.note(p, hint_);
     }
     return true;
   }

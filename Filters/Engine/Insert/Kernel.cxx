@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Kernel.h"
+#include "KernelWalks.h"
 
 namespace ahd
 {
@@ -45,11 +45,12 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   }
   if (!isInConflict(root, p))
   {
-    slot = walkFrom(p, slot);
+    slot = walkFrom(p, slot, kStepsToJump);
     if (slot == kCancelled || slot == kStrayed)
     {
       return slot == kCancelled ? Insertion::Cancelled : Insertion::Strayed;
     }
+    isOutside_ = isGhost(slot);
     root = rootAt(at, slot);
   }
   if (kShared && !(owns(root.a) && owns(root.b) && owns(root.c)))
@@ -129,20 +130,14 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   if ((data_ + hint)[1] == ghost_ || (data_ + hint)[2] == ghost_)
   {
     hint = hintOutside(cavity.next, hint);
+    isOutside_ = true;
+  }
+  else if (isOutside_)
+  {
+    hint = hintOnHull(cavity.next, hint);
+    isOutside_ = isGhost(hint);
   }
   return Insertion::Done;
-}
-
-/// From a ghost of the star of p: the one of its two ghosts on the side of the next point.
-template <bool kCount, Access kAccess, bool kExact>
-Mesh::Slot Kernel<kCount, kAccess, kExact>::hintOutside(Index next, Mesh::Slot ghost) const
-{
-  const bool isFirst = data_[ghost + 2] == ghost_;
-  const Mesh::Slot before = isFirst ? ghost : Mesh::slotOf(data_[ghost + 2 + Mesh::kTwin]);
-  const Mesh::Slot after = isFirst ? Mesh::slotOf(data_[ghost + 1 + Mesh::kTwin]) : ghost;
-  const Point& p = xy_[data_[ghost]];
-  const Lifted towards = liftedFrom(p, xy_[next]);
-  return cross(liftedFrom(p, xy_[data_[after + 2]]), towards) < 0 ? after : before;
 }
 
 /// Which of the star's triangles on a root's edges a-b, b-c and c-a is the hint: the one with the
@@ -297,13 +292,24 @@ bool Kernel<kCount, kAccess, kExact>::conflicts(Index a, Index b, Index c, Index
   {
     return conflictsWithGhost(b, c, p);
   }
+  const Point &A = xy_[a], &B = xy_[b], &C = xy_[c], &P = xy_[p];
+  const int inRectangle = conflictInRectangle(A, B, C, P);
+  if (inRectangle != 0)
+  {
+    return inRectangle > 0;
+  }
+  std::optional<int> sign = inCircleByLengths(A, B, C, P);
+  sign = sign ? sign : inCircleBySharpCrosses(A, B, C, P);
+  if (sign)
+  {
+    return *sign > 0;
+  }
   spendOnExact();
   if (kCount)
   {
     ++work_.exactInCircle;
   }
-  const int inRectangle = conflictInRectangle(xy_[a], xy_[b], xy_[c], xy_[p]);
-  return inRectangle != 0 ? inRectangle > 0 : inConflictExact(xy_[a], xy_[b], xy_[c], xy_[p]);
+  return inConflictExact(A, B, C, P);
 }
 
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it
@@ -316,7 +322,8 @@ bool Kernel<kCount, kAccess, kExact>::conflictsWithGhost(Index from, Index to, I
   const Point& b = xy_[to];
   const Point& q = xy_[p];
   spendOnExact();
-  const int side = orient2d(a, b, q);
+  const std::optional<int> sharp = orient2dBySharpCross(a, b, q);
+  const int side = sharp ? *sharp : orient2d(a, b, q);
   if (side != 0)
   {
     return side > 0;
@@ -327,6 +334,10 @@ bool Kernel<kCount, kAccess, kExact>::conflictsWithGhost(Index from, Index to, I
 template <bool kCount, Access kAccess, bool kExact>
 int Kernel<kCount, kAccess, kExact>::orientation(Index a, Index b, Index p)
 {
+  if (const std::optional<int> sharp = orient2dBySharpCross(xy_[a], xy_[b], xy_[p]))
+  {
+    return *sharp;
+  }
   spendOnExact();
   if (kCount)
   {

@@ -6,9 +6,11 @@
 #include "Insert.h"
 
 #include "../Core/Chunks.h"
+#include "../Predicates/CloserFilters.h"
 #include "../Predicates/FilterPairs.h"
 #include "../Predicates/Predicates.h"
 
+#include <algorithm>
 #include <array>
 
 namespace ahd
@@ -88,6 +90,12 @@ public:
 
   const InsertionWork& work() const { return work_; }
 
+  /// From now on long walks jump to triangles that are noted. False: to be cancelled.
+  /// REQUIRES: Alone, the first triangle is there; one kernel of a mesh takes notes.
+  bool beginToNote();
+  /// Notes a triangle of this vertex or near it.
+  void note(Index vertex, Mesh::Slot slot) { data_[placeOfNote(vertex / kRanksPerNote)] = slot; }
+
 private:
   /// What carve() is to do.
   struct Cavity
@@ -138,6 +146,9 @@ private:
   static constexpr std::size_t kSlotsAhead = 8;     ///< fetched, those of four points
   static constexpr std::size_t kVerticesAhead = 16; ///< fetched: their coordinates
   static constexpr std::size_t kMostSplits = 126;   ///< that can be taken back
+  static constexpr Index kRanksPerNote = 32;        ///< 16 to 128 are alike
+  static constexpr Index kNotesTried = 3;           ///< from the next one after p
+  static constexpr unsigned kStepsToJump = 6;       ///< 4 to 8 are alike
 
   // Not slots, as they are not multiples of eight.
   static constexpr Mesh::Slot kCancelled = kNoIndex;
@@ -174,24 +185,21 @@ private:
     return std::fabs(det) > bound ? det > 0 : conflicts(root.a, root.b, root.c, p);
   }
 
-  /// From a hint that is not in conflict with p to a slot that is.
-  Mesh::Slot walkFrom(Index p, Mesh::Slot hint)
+  /// From a hint that is not in conflict with p to a slot that is. After `untilJump` steps, if that
+  /// is not 0, it goes on from elsewhere, once.
+  Mesh::Slot walkFrom(Index p, Mesh::Slot hint, unsigned untilJump)
   {
-    const bool isGhost = data_[hint] == ghost_ || data_[hint + 1] == ghost_ ||
-      data_[hint + 2] == ghost_;
-    return walk(p, isGhost ? finiteNeighbour(hint) : hint);
+    return isGhost(hint) ? walkAlongHull(p, hint, untilJump) : walk(p, hint, untilJump);
   }
 
-  /// The finite triangle on the inner side of a ghost's hull edge.
-  Mesh::Slot finiteNeighbour(Mesh::Slot ghost) const
+  bool isGhost(Mesh::Slot slot) const
   {
-    Mesh::Halfedge h = ghost;
-    while (data_[h] != ghost_)
-    {
-      ++h;
-    }
-    return Mesh::slotOf(data_[h + Mesh::kTwin]);
+    return data_[slot] == ghost_ || data_[slot + 1] == ghost_ || data_[slot + 2] == ghost_;
   }
+  /// Of a finite triangle.
+  bool isHullEdge(Mesh::Halfedge h) const { return data_[data_[h + Mesh::kTwin]] == ghost_; }
+
+  AHD_NEVER_INLINE Mesh::Slot walkAlongHull(Index p, Mesh::Slot ghost, unsigned untilJump);
 
   /// Is p strictly on the right of the line from a to b?
   bool isRightOf(const Corner& a, const Corner& b, Index p)
@@ -203,7 +211,7 @@ private:
   /// Visibility walk: leave a triangle by an edge that has p strictly behind it, never back by the
   /// edge one came in by. It ends, as the triangulation is regular (Edelsbrunner 1990), in the
   /// triangle p lies in or on, or in a ghost that sees p: both are in conflict with p.
-  Mesh::Slot walk(Index p, Mesh::Slot start)
+  Mesh::Slot walk(Index p, Mesh::Slot start, unsigned untilJump)
   {
     const Point& at = xy_[p];
     Corner a = seenFrom(at, xy_, data_[start]);
@@ -231,17 +239,25 @@ private:
     {
       return start;
     }
-    return walkAcross(p, h, a, b);
+    return walkAcross(p, h, a, b, untilJump);
   }
 
   /// The walk goes on: p lies strictly behind half-edge `crossed`, which runs from a to b.
-  Mesh::Slot walkAcross(Index p, Mesh::Halfedge crossed, Corner a, Corner b)
+  Mesh::Slot walkAcross(Index p, Mesh::Halfedge crossed, Corner a, Corner b, unsigned untilJump)
   {
     for (;;)
     {
       if (!spend())
       {
         return kCancelled;
+      }
+      if (!kShared && --untilJump == 0)
+      {
+        const Mesh::Slot start = noted(p, std::min(a.z, b.z));
+        if (start != kNoIndex)
+        {
+          return walkFrom(p, start, 0);
+        }
       }
       if (kShared && !territory_.owns(a.vertex) && !territory_.owns(b.vertex))
       {
@@ -277,6 +293,19 @@ private:
     }
   }
 
+  //--- jumps --------------------------------------------------------------------------------------
+  //
+  // A walk is long where successive points of the order are far from each other: the curve left a
+  // region with points and came into another one. The ranks before that of p lie in the former,
+  // those after it in the latter. So triangles at control points are noted by rank, and a walk that
+  // turns out long goes on from what is noted for the ranks after p (jump and walk: Mücke, Saias,
+  // Zhu 1996).
+
+  /// Where the k-th note stands: in a number of a slot that is not used.
+  static std::size_t placeOfNote(std::size_t k) { return Mesh::slotOfTriangle(k) + 7; }
+  AHD_NEVER_INLINE Mesh::Slot noted(Index p, double squaredDistance) const;
+  bool isWithin(double squaredRadius, Index p, Mesh::Slot slot) const;
+
   //--- cavity and star ----------------------------------------------------------------------------
 
   Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
@@ -291,6 +320,7 @@ private:
   unsigned decide(InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p);
   void takeBack(std::size_t splits);
   Mesh::Slot hintOutside(Index next, Mesh::Slot ghost) const;
+  AHD_NEVER_INLINE Mesh::Slot hintOnHull(Index next, Mesh::Slot hint) const;
 
   /// What lies beyond the edges after and before h of its triangle. If Shared and its apex is not
   /// owned, nothing is read: one of those edges may belong to others whole, and carve() ends there.
@@ -332,9 +362,9 @@ private:
   //--- predicates where the filter does not decide ------------------------------------------------
 
   /// Is p in conflict with the triangle a, b, c? One of them may be the ghost. The slow path.
-  bool conflicts(Index a, Index b, Index c, Index p);
+  AHD_NEVER_INLINE bool conflicts(Index a, Index b, Index c, Index p);
   bool conflictsWithGhost(Index from, Index to, Index p);
-  int orientation(Index a, Index b, Index p);
+  AHD_NEVER_INLINE int orientation(Index a, Index b, Index p);
 
   //--- steps --------------------------------------------------------------------------------------
 
@@ -352,6 +382,8 @@ private:
   Territory territory_;
   Ticker& ticker_;
   std::array<Split, kShared ? kMostSplits : 1> splits_; ///< of the star in work
+  bool isOutside_ = false; ///< the last hint was a ghost, or a walk ended in one
+  bool takesNotes_ = false;
   std::size_t budget_ = kStepsPerRefill;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;
