@@ -154,14 +154,14 @@ private:
   /// In how many parts to insert a round of so many points.
   std::size_t partsFor(std::size_t size) const
   {
-    const bool alone = kCount || points_.count < kLeastShared || tooManyWaited_;
+    const bool alone = kCount || points_.count < kLeastShared || isBetterAlone_;
     return alone ? 1 : std::min(threadsOf(ticker_), size / kLeastPart);
   }
 
   bool insertInParts(std::size_t stride, std::size_t count)
   {
     Parts parts(frame_, mesh_, ticker_, { rounds_, stride }, count);
-    return parts.insert(kernel_, shared_, tooManyWaited_);
+    return parts.insert(kernel_, shared_, isBetterAlone_);
   }
 
   static constexpr std::size_t kLeastPart = 512; ///< points of the round
@@ -173,7 +173,7 @@ private:
   Rounds rounds_;
   Kernel<kCount, Access::Alone, kExact> kernel_;
   Mesh::Slot hint_ = 0;
-  bool tooManyWaited_ = false; ///< in the round before
+  bool isBetterAlone_ = false; ///< in the round before
   SharedWork& shared_;
 };
 

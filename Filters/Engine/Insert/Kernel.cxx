@@ -55,6 +55,7 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
   }
   if (kShared && !(owns(root.a) && owns(root.b) && owns(root.c)))
   {
+    hint = slot;
     return Insertion::Deferred;
   }
 
@@ -85,6 +86,7 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
       if (splits == kMostSplits || !owns(t.apex))
       {
         takeBack(splits);
+        hint = slot;
         return Insertion::Deferred;
       }
       splits_[splits++] = { t.place, t.entry };
@@ -350,6 +352,7 @@ template <bool kCount, Access kAccess, bool kExact>
 bool Kernel<kCount, kAccess, kExact>::refill()
 {
   budget_ = kStepsPerRefill;
+  ++refills_;
   ticker_.finished(insertedSinceAsking_);
   insertedSinceAsking_ = 0;
   return ticker_.ask();

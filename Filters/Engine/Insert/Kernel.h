@@ -89,6 +89,8 @@ public:
   }
 
   const InsertionWork& work() const { return work_; }
+  /// Triangles walked through and removed, exact answers counted several times.
+  std::size_t steps() const { return refills_ * kStepsPerRefill + (kStepsPerRefill - budget_); }
 
   /// From now on long walks jump to triangles that are noted. False: to be cancelled.
   /// REQUIRES: Alone, the first triangle is there; one kernel of a mesh takes notes.
@@ -149,6 +151,7 @@ private:
   static constexpr Index kRanksPerNote = 32;        ///< 16 to 128 are alike
   static constexpr Index kNotesTried = 3;           ///< from the next one after p
   static constexpr unsigned kStepsToJump = 6;       ///< 4 to 8 are alike
+  static constexpr Index kStepsOnHull = 16;         ///< where there are no jumps
 
   // Not slots, as they are not multiples of eight.
   static constexpr Mesh::Slot kCancelled = kNoIndex;
@@ -185,8 +188,8 @@ private:
     return std::fabs(det) > bound ? det > 0 : conflicts(root.a, root.b, root.c, p);
   }
 
-  /// From a hint that is not in conflict with p to a slot that is. After `untilJump` steps, if that
-  /// is not 0, it goes on from elsewhere, once.
+  /// From a hint to a slot that is in conflict with p. After `untilJump` steps, if that is not 0,
+  /// it goes on from what is noted near p, once.
   Mesh::Slot walkFrom(Index p, Mesh::Slot hint, unsigned untilJump)
   {
     return isGhost(hint) ? walkAlongHull(p, hint, untilJump) : walk(p, hint, untilJump);
@@ -385,6 +388,7 @@ private:
   bool isOutside_ = false; ///< the last hint was a ghost, or a walk ended in one
   bool takesNotes_ = false;
   std::size_t budget_ = kStepsPerRefill;
+  std::size_t refills_ = 0;
   std::size_t insertedSinceAsking_ = 0;
   InsertionWork work_;
 };

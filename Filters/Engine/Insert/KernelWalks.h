@@ -11,8 +11,8 @@ namespace ahd
 inline namespace AHD_TARGET
 {
 
-/// From a ghost that is not in conflict with p along the hull, as long as p is beyond the edge's
-/// end: to a ghost that sees p, or from where that ends through the triangles.
+/// From a ghost along the hull, as long as p is beyond the edge's end: to a ghost that sees p, or
+/// from where that ends through the triangles.
 template <bool kCount, Access kAccess, bool kExact>
 Mesh::Slot Kernel<kCount, kAccess, kExact>::walkAlongHull(
   Index p, Mesh::Slot ghost, unsigned untilJump)
@@ -29,9 +29,10 @@ Mesh::Slot Kernel<kCount, kAccess, kExact>::walkAlongHull(
   const auto isBeyond = [](const Corner& a, const Corner& b) // b, seen from a?
   { return b.x * (a.x - b.x) + b.y * (a.y - b.y) > 0.0; };
   const bool forwards = isBeyond(from, to);
-  // Not beyond the vertex that is farthest away; rounding may not lead around it for ever.
-  for (Index left = ghost_; left > 0 && (forwards ? isBeyond(from, to) : isBeyond(to, from));
-       --left)
+  // It ends at the vertex that is farthest away, but for rounding. Where no jump cuts it short, it
+  // is left soon, as inside may be far less to walk.
+  Index left = takesNotes_ ? ghost_ : kStepsOnHull;
+  for (; left > 0 && (forwards ? isBeyond(from, to) : isBeyond(to, from)); --left)
   {
     if (!spend())
     {

@@ -117,8 +117,9 @@ bool Parts::insertOwnOf(Part& part, Ticker& ticker)
       Insertion result = kernel.insert(list[i], list[i + 1], fresh, hint);
       if (result == Insertion::Strayed)
       {
-        hint = startFor(list[i]);
-        result = kernel.insert(list[i], list[i + 1], fresh, hint);
+        Mesh::Slot start = startFor(list[i]);
+        result = kernel.insert(list[i], list[i + 1], fresh, start);
+        hint = result == Insertion::Strayed ? hint : start;
         ++strayed;
       }
       if (result == Insertion::Cancelled)
@@ -127,7 +128,7 @@ bool Parts::insertOwnOf(Part& part, Ticker& ticker)
       }
       if (result != Insertion::Done)
       {
-        waiting_[waiting++] = list[i];
+        wait(list[i], fresh, waiting++, hint);
       }
     }
     k += some;
@@ -145,6 +146,12 @@ bool Parts::insertWaiting(SharedWork& work)
       return frame_.isOnGrid() ? insertWaitingOf<true>(parts_[k], ticker)
                                : insertWaitingOf<false>(parts_[k], ticker);
     });
+  for (Part& part : parts_)
+  {
+    waitingTries_ += part.attempts;
+    waitingSteps_ += part.steps;
+    part.steps = 0;
+  }
   account(work);
   return done;
 }
@@ -158,17 +165,19 @@ bool Parts::insertWaitingOf(Part& part, Ticker& ticker)
   for (std::size_t i = part.begin; i < end; ++i)
   {
     const Index p = waiting_[i];
-    Mesh::Slot hint = startFor(p);
-    const Insertion result = kernel.insert(p, p, freshSlots(p), hint);
+    const Mesh::Slot fresh = freshSlots(p);
+    Mesh::Slot hint = startOf(p);
+    const Insertion result = kernel.insert(p, p, fresh, hint);
     if (result == Insertion::Cancelled)
     {
       return false;
     }
     if (result != Insertion::Done)
     {
-      waiting_[waiting++] = p;
+      wait(p, fresh, waiting++, hint);
     }
   }
+  part.steps = kernel.steps();
   part.attempts = part.waiting;
   part.waiting = waiting - part.begin;
   return true;

@@ -7,6 +7,7 @@
 #include "../Order/Rounds.h"
 #include "Kernel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -35,17 +36,22 @@ public:
   Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
 
   /// Inserts the round; the last that wait by `alone`. Returns false if the work is to be
-  /// cancelled. `tooManyWaited`: cavities here are so large (points on a parabola, or hundreds of
-  /// orders of magnitude apart) that one thread alone is faster.
+  /// cancelled. `isBetterAlone`: cavities here are so large (points on a parabola, or hundreds of
+  /// orders of magnitude apart), or it takes so many steps to insert points that waited (nearly
+  /// collinear ones), that one thread alone is faster.
   template <typename KernelAlone>
-  bool insert(KernelAlone& alone, SharedWork& work, bool& tooManyWaited)
+  bool insert(KernelAlone& alone, SharedWork& work, bool& isBetterAlone)
   {
     if (!findStarts() || !insertOwn(work))
     {
       return false;
     }
-    tooManyWaited = waiting() > rounds_.size(stride_) / 2;
-    while (!tooManyWaited && parts_.size() > 1 && waiting() > kFew)
+    isBetterAlone = waiting() > rounds_.size(stride_) / 2;
+    // Steps for those that waited, by points of the round: on a circle at most 2.8, 8.1, 11.2 with
+    // 2, 5, 12 parts, where threads pay; nearly collinear at least 3.1, 17, 17. By tries:
+    // uniform 10.
+    const std::size_t perPoint = std::min<std::size_t>(12, 2 * parts_.size() - 1);
+    while (!isBetterAlone && parts_.size() > 1 && waiting() > kFew)
     {
       join();
       if (parts_.size() > 1 && !insertWaiting(work))
@@ -53,7 +59,13 @@ public:
         return false;
       }
     }
-    return insertLast(alone, work);
+    waitingTries_ += waiting();
+    const std::size_t mostSteps = std::max(perPoint * rounds_.size(stride_), 24 * waitingTries_);
+    const std::size_t before = alone.steps();
+    const bool done = insertLast(alone, work);
+    waitingSteps_ += alone.steps() - before;
+    isBetterAlone = isBetterAlone || waitingSteps_ > mostSteps;
+    return done;
   }
 
 private:
@@ -66,6 +78,7 @@ private:
     std::size_t begin = 0;   ///< the points that wait: this place in waiting_
     std::size_t waiting = 0; ///< and so many
     std::uint64_t attempts = 0;
+    std::size_t steps = 0; ///< taken for those that waited
   };
 
   static constexpr std::size_t kFew = 256; ///< points that are not worth another pass
@@ -91,6 +104,15 @@ private:
     return starts_[v / known_].load(std::memory_order_relaxed);
   }
 
+  /// Vertex p waits. Where it was last looked for is noted in a number that nothing else uses, of
+  /// the slots that are there for it.
+  void wait(Index p, Mesh::Slot fresh, std::size_t place, Mesh::Slot hint)
+  {
+    waiting_[place] = p;
+    mesh_.data()[fresh + 3] = hint;
+  }
+  Mesh::Slot startOf(Index p) const { return mesh_.data()[freshSlots(p) + 3]; }
+
   Mesh::Slot freshSlots(std::size_t v) const
   {
     return Mesh::freshSlots(rounds_.before(stride_) + rounds_.index(stride_, v));
@@ -104,7 +126,7 @@ private:
       for (std::size_t i = part.begin; i < part.begin + part.waiting; ++i)
       {
         const Index p = waiting_[i];
-        Mesh::Slot hint = startFor(p);
+        Mesh::Slot hint = startOf(p);
         if (alone.insert(p, p, freshSlots(p), hint) != Insertion::Done)
         {
           return false;
@@ -124,7 +146,9 @@ private:
   std::size_t stride_;
   std::size_t known_; ///< the vertices of the rounds before: one in each block of this size
   std::vector<Part> parts_;
-  Buffer<Index> waiting_; ///< a part's points that wait stand where its own would, if listed
+  Buffer<Index> waiting_;        ///< a part's points that wait stand where its own would, if listed
+  std::size_t waitingTries_ = 0; ///< insertions of points that waited
+  std::size_t waitingSteps_ = 0; ///< and the steps of their kernels
   std::unique_ptr<std::atomic<Mesh::Slot>[]> starts_;
 };
 

@@ -7,6 +7,7 @@
 #include "Corpus.h"
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "Executors.h"
 #include "Places.h"
 
 #include "Crossings/Crossings.h"
@@ -319,6 +320,28 @@ public:
 private:
   std::size_t askings_[kPhases] = {};
 };
+
+/// What several threads leave for one in the end is reached from near it: along slivers it may be
+/// far from anywhere else.
+TEST(WorkBounds, PointsThatWaitedForOneThread)
+{
+  const std::size_t n = std::max<std::size_t>(reduced(100000), 34000);
+  for (const Distribution distribution : { Distribution::Uniform, Distribution::OnCircle,
+         Distribution::OnParabola, Distribution::NearlyCollinear, Distribution::Slivers })
+  {
+    const std::vector<Point> points = makePoints(distribution, n, 1);
+    for (const unsigned threads : { 2, 5 })
+    {
+      Counter counter;
+      ThreadExecutor executor(threads);
+      Engine engine;
+      ASSERT_EQ(engine.run(viewOf(points), Options(), &counter, &executor), Status::Ok);
+      // The insertion asks four times as often.
+      EXPECT_LE(counter.steps(Phase::Insert) / 4, kMostSteps * nLogN(n))
+        << nameOf(distribution) << ", " << threads << " threads";
+    }
+  }
+}
 
 TEST(WorkBounds, Constraints)
 {

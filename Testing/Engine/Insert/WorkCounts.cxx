@@ -176,6 +176,15 @@ TEST(WorkCounts, LongWalksAreCutShort)
   EXPECT_LT(countedRun(makePoints(Distribution::NearlyCollinear, n, 1)).np(), 2.8);
 }
 
+/// In the order of the caller there are no jumps, and inside of a circle it is less far than along.
+TEST(WorkCounts, WithoutJumpsTheHullIsLeftSoon)
+{
+  Options options;
+  options.order = InsertionOrder::AsGiven;
+  const std::vector<Point> points = makePoints(Distribution::OnCircle, reduced(8000), 1);
+  EXPECT_LT(countedRun(points, options).np(), 40.0);
+}
+
 /// Nearly all points on the hull, the others inside: along the hull it is far.
 TEST(WorkCounts, AWayInsideIsNotTakenAlongTheHull)
 {
