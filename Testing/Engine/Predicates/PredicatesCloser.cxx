@@ -127,6 +127,43 @@ TEST(PredicatesCloser, WhatIsDecidedIsRightWhereScalesDiffer)
   EXPECT_GT(answers.byLengths, 0);
 }
 
+/// A so near to P that its squared length underflows, on the tangent of the circle of P, b and c.
+TEST(PredicatesCloser, UnderflowIsNotTakenForCertainty)
+{
+  Cases source(Family::Lattice);
+  const auto digit = [&] { return double(source.below(std::uint64_t(1) << 53)) - 0x1p52; };
+  Answers answers;
+  for (int i = 0; i < kCases; ++i)
+  {
+    const Point b{ digit(), digit() }, c{ digit(), digit() };
+    const double lb = squaredLength(b.x, b.y), lc = squaredLength(c.x, c.y);
+    const int exponent = -700 - static_cast<int>(source.below(100));
+    const Point a{ std::ldexp(lb * c.x - lc * b.x, exponent),
+      std::ldexp(lb * c.y - lc * b.y, exponent) };
+    ask({ a, b, c, { 0, 0 } }, answers);
+    ASSERT_FALSE(HasFatalFailure()) << "case " << i;
+  }
+}
+
+/// P, b and c near each other, a on their circle on the other side: rounded as P sees it.
+TEST(PredicatesCloser, WhatIsSeenRoundedIsNotTakenForExact)
+{
+  Cases source(Family::Lattice);
+  const auto onCircle = [&](double angle) {
+    return Point{ 1.0 / 3 + std::cos(angle), 1.0 / 7 + std::sin(angle) };
+  };
+  const auto unit = [&] { return double(source.below(std::uint64_t(1) << 53)) * 0x1p-53; };
+  Answers answers;
+  for (int i = 0; i < kCases; ++i)
+  {
+    const double angle = 6.28 * unit();
+    ask({ onCircle(angle + 2 + 2 * unit()), onCircle(angle + 0.01), onCircle(angle + 0.02),
+          onCircle(angle) },
+      answers);
+    ASSERT_FALSE(HasFatalFailure()) << "case " << i;
+  }
+}
+
 /// Places between -1 and 1, sorted, each once.
 std::vector<double> places(Cases& source)
 {
