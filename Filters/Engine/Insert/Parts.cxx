@@ -146,12 +146,6 @@ bool Parts::insertWaiting(SharedWork& work)
       return frame_.isOnGrid() ? insertWaitingOf<true>(parts_[k], ticker)
                                : insertWaitingOf<false>(parts_[k], ticker);
     });
-  for (Part& part : parts_)
-  {
-    waitingTries_ += part.attempts;
-    waitingSteps_ += part.steps;
-    part.steps = 0;
-  }
   account(work);
   return done;
 }
@@ -223,6 +217,8 @@ void Parts::account(SharedWork& work)
     *std::min_element(busy.begin(), busy.end()) += part.attempts;
     work.attempts += part.attempts;
     part.attempts = 0;
+    waitingSteps_ += part.steps;
+    part.steps = 0;
   }
   work.criticalPath += *std::max_element(busy.begin(), busy.end());
   work.deferred += waiting();

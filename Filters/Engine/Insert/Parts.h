@@ -42,6 +42,7 @@ public:
   template <typename KernelAlone>
   bool insert(KernelAlone& alone, SharedWork& work, bool& isBetterAlone)
   {
+    const std::uint64_t deferred = work.deferred;
     if (!findStarts() || !insertOwn(work))
     {
       return false;
@@ -59,8 +60,9 @@ public:
         return false;
       }
     }
-    waitingTries_ += waiting();
-    const std::size_t mostSteps = std::max(perPoint * rounds_.size(stride_), 24 * waitingTries_);
+    const std::uint64_t tries = work.deferred - deferred;
+    const std::uint64_t mostSteps = std::max<std::uint64_t>(
+      perPoint * rounds_.size(stride_), 24 * tries);
     const std::size_t before = alone.steps();
     const bool done = insertLast(alone, work);
     waitingSteps_ += alone.steps() - before;
@@ -147,8 +149,7 @@ private:
   std::size_t known_; ///< the vertices of the rounds before: one in each block of this size
   std::vector<Part> parts_;
   Buffer<Index> waiting_;        ///< a part's points that wait stand where its own would, if listed
-  std::size_t waitingTries_ = 0; ///< insertions of points that waited
-  std::size_t waitingSteps_ = 0; ///< and the steps of their kernels
+  std::size_t waitingSteps_ = 0; ///< taken for points that waited
   std::unique_ptr<std::atomic<Mesh::Slot>[]> starts_;
 };
 

@@ -15,11 +15,6 @@ namespace ahd
 inline namespace AHD_TARGET
 {
 
-inline int signOf(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
-
 /// Three points as they are seen from P.
 struct SeenTriangle
 {

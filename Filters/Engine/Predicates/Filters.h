@@ -37,6 +37,11 @@ namespace ahd
 inline namespace AHD_TARGET
 {
 
+inline int signOf(double value)
+{
+  return (value > 0.0) - (value < 0.0);
+}
+
 /// A point seen from P, lifted to the paraboloid: z = |A|^2.
 struct Lifted
 {

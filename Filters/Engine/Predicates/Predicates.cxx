@@ -18,10 +18,7 @@ namespace stages
 namespace
 {
 
-int signOf(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
+using ahd::signOf; // beside that of integers
 
 // -------------------------------------------------------------------------------------------- Grid
 

@@ -52,11 +52,6 @@ constexpr std::uint64_t kQuick = 1200;
 constexpr std::uint64_t kQuick = 12000;
 #endif
 
-int signOf(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
-
 /// What the insertion computes of a, b, c as it sees them from p (Insert/Kernel.h).
 struct SeenFrom
 {

@@ -26,11 +26,6 @@ constexpr int kCases = 2000;
 constexpr int kCases = 20000;
 #endif
 
-int signOf(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
-
 /// The guard a kernel takes for a whole point set.
 double guardOf(const Quadruple& q)
 {

@@ -23,11 +23,6 @@ constexpr int kCases = 4000;
 constexpr int kCases = 20000;
 #endif
 
-int signOf(double value)
-{
-  return (value > 0.0) - (value < 0.0);
-}
-
 /// Numbers with all their bits, of random sign, from `least` up to twice that.
 class Numbers
 {
