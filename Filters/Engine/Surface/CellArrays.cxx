@@ -4,8 +4,7 @@
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
 #include "../Core/SortAsking.h"
-#include "../Triangulation/MeshOrder.h"
-#include "../Triangulation/State.h"
+#include "Selected.h"
 
 #include <algorithm>
 #include <functional>
@@ -30,99 +29,6 @@ std::size_t selectedCount(const Triangulation& triangulation, const Selection& s
 }
 
 using State = TriangulationAccess::State;
-
-/// The triangles that are put out, and their places among these.
-class Selected
-{
-public:
-  Selected(const State& state, const Selection& selection)
-    : state_(state)
-    , kept_(selection.kept.empty() ? nullptr : selection.kept.data())
-  {
-  }
-
-  /// REQUIRES: State::makeNumbers(). `count`: of the triangles put out. Returns false if cancelled,
-  /// as all below; throws std::bad_alloc.
-  bool number(std::size_t count, Ticker& ticker)
-  {
-    const std::size_t all = state_.allTriangles;
-    if (count == all)
-    {
-      return true;
-    }
-    places_.allocate(all);
-    return (kept_ ? markSelected(ticker) : markKept(ticker)) && countUp(ticker);
-  }
-
-  /// kNoIndex for one that is not put out. REQUIRES: number().
-  std::uint32_t placeOf(std::size_t triangle) const
-  {
-    return places_.empty() ? static_cast<std::uint32_t>(triangle) : places_[triangle];
-  }
-  /// The same of the triangle in a slot; kNoIndex for ghosts as well.
-  std::uint32_t placeOfSlot(std::size_t slot) const
-  {
-    const std::uint32_t number = state_.numbers[slot];
-    return number == kNotExtracted ? kNoIndex : placeOf(triangleOf(number));
-  }
-
-  /// Calls visit(its place, its slot, OrderedTriangle) for each, on all threads lent. It writes to
-  /// `array`, see inMeshOrder(). REQUIRES: number().
-  template <typename Arrays, typename Visit>
-  bool each(const Arrays& array, Ticker& ticker, const Visit& visit) const
-  {
-    return inMeshOrder(state_.mesh, state_.numbers, array, ticker,
-      [&](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
-      {
-        if (const std::uint32_t place = placeOf(t); place != kNoIndex)
-        {
-          visit(std::size_t(place), slot, triangle);
-        }
-      });
-  }
-
-private:
-  bool markSelected(Ticker& ticker)
-  {
-    return inChunksOf(places_.size(), ticker,
-      [this](std::size_t a, std::size_t b)
-      {
-        for (std::size_t t = a; t != b; ++t)
-        {
-          places_[t] = kept_[t] != 0 ? 0 : kNoIndex;
-        }
-      });
-  }
-
-  bool markKept(Ticker& ticker)
-  {
-    return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(places_.data(), 1), ticker,
-      [this](std::size_t t, std::size_t slot, const OrderedTriangle&)
-      { places_[t] = (state_.marksOf(slot) & kDropped) == 0 ? 0 : kNoIndex; });
-  }
-
-  /// The triangles marked get their places.
-  bool countUp(Ticker& ticker)
-  {
-    return countAndWrite(
-      places_.size(), ticker,
-      [this](std::size_t a, std::size_t b)
-      { return std::size_t(std::count(places_.data() + a, places_.data() + b, 0u)); },
-      [](std::size_t) {},
-      [this](std::size_t a, std::size_t b, std::size_t next)
-      {
-        for (std::size_t t = a; t != b; ++t)
-        {
-          places_[t] = places_[t] == kNoIndex ? kNoIndex : static_cast<std::uint32_t>(next++);
-        }
-        return next;
-      });
-  }
-
-  const State& state_;
-  const unsigned char* kept_;
-  Buffer<std::uint32_t> places_; ///< empty if all are put out
-};
 
 /// Writes neighbours; -1 for cells before the triangles.
 template <typename Id>

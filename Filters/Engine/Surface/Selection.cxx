@@ -7,6 +7,7 @@
 #include "../Triangulation/MeshOrder.h"
 #include "../Triangulation/State.h"
 #include "Circumradius.h"
+#include "PlacesInSpace.h"
 
 #include <algorithm>
 #include <atomic>
@@ -18,61 +19,6 @@ namespace
 {
 
 using State = TriangulationAccess::State;
-
-/// Where the user sees the vertices, read in their order.
-class Places
-{
-public:
-  /// Puts the places of the triangulation back as well, if they are gone. Returns false if
-  /// cancelled; throws std::bad_alloc.
-  bool read(State& state, const PointView& inSpace, Ticker& ticker)
-  {
-    const PointView& points = state.points;
-    xy_ = state.ranked.xy.data();
-    isUpright_ = points.doubles == inSpace.doubles && points.floats == inSpace.floats &&
-      points.stride == inSpace.stride;
-    isUpright_ ? z_.allocate(state.ranked.count) : places_.allocate(state.ranked.count);
-    const bool isGone = state.arePlacesGone;
-    const auto work = [&, isGone](std::size_t a, std::size_t b)
-    {
-      const std::uint32_t* const id = state.ranked.id.data();
-      for (std::size_t v = a; v != b; ++v)
-      {
-        fetch(inSpace, id[std::min(v + kPointsAhead, b - 1)]);
-        isUpright_ ? void(z_[v] = inSpace.z(id[v])) : void(places_[v] = inSpace.place(id[v]));
-        if (isGone)
-        {
-          state.ranked.xy[v] = points[id[v]];
-        }
-      }
-    };
-    return inShares(state.ranked.count, ticker, 4, kChunk, work) && state.havePlaces();
-  }
-
-  /// It will be asked for this one.
-  void fetch(Index vertex) const
-  {
-    isUpright_ ? prefetchForRead(z_.data() + vertex) : prefetchForRead(places_.data() + vertex);
-  }
-
-  Vector3 operator()(Index vertex) const
-  {
-    return isUpright_ ? Vector3{ { xy_[vertex].x, xy_[vertex].y, z_[vertex] } } : places_[vertex];
-  }
-
-private:
-  static constexpr std::size_t kPointsAhead = 24;
-  static void fetch(const PointView& points, std::size_t i)
-  {
-    points.doubles ? prefetchForRead(points.doubles + i * points.stride)
-                   : prefetchForRead(points.floats + i * points.stride);
-  }
-
-  const Point* xy_ = nullptr;
-  bool isUpright_ = false; ///< x and y are those of the triangulation
-  Buffer<double> z_;
-  Buffer<Vector3> places_; ///< if not isUpright_
-};
 
 /// One call of selectBySize(), when the triangles have numbers. What returns a bool returns false
 /// if the work is to be cancelled.
@@ -96,10 +42,11 @@ private:
   struct Edges
   {
     Buffer<unsigned char> lines;
-    Buffer<std::uint32_t> slots; ///< only of triangles with lines
+    Buffer<std::uint32_t> slots; ///< only of triangles that are not kept
   };
 
   static constexpr std::size_t kSlotsAhead = 8;
+  static constexpr std::size_t kTrianglesAhead = 16;
   bool hasAlpha() const { return limits_.alpha > 0.0; }
   bool isDropped(std::size_t slot) const { return (state_.marksOf(slot) & kDropped) != 0; }
   void fetchCornersOf(std::size_t slot) const;
@@ -111,7 +58,9 @@ private:
   bool beginUsed(Ticker& ticker);
   bool markTriangles(Ticker& ticker);
   bool findLines(Ticker& ticker);
-  unsigned linesOf(std::size_t triangle, const OrderedTriangle& corners);
+  void fetchUnkept(std::size_t triangle) const;
+  OrderedTriangle unkept(std::size_t triangle) const;
+  unsigned linesOf(std::size_t triangle);
   bool writeLines(Ticker& ticker);
   bool findLinesBetweenCollinear(Ticker& ticker);
   bool findVertices(Ticker& ticker);
@@ -126,7 +75,7 @@ private:
   const RadiusLimit radius_;
   const LengthLimit length_;
   Selection& out_;
-  Places inSpace_;
+  PlacesInSpace inSpace_;
   Buffer<std::atomic<unsigned char>> used_; ///< of each vertex: by a triangle or line?
   Edges edges_;
 };
@@ -186,6 +135,7 @@ bool Selecting::markTriangles(Ticker& ticker)
         }
       });
   }
+  edges_.slots.allocate(state_.allTriangles);
   return state_.allTriangles == 0 ||
     inMeshOrder(state_.mesh, state_.numbers, TriangleArray(kept, 1), ticker,
       [this, kept](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
@@ -198,6 +148,10 @@ bool Selecting::markTriangles(Ticker& ticker)
           use(a);
           use(b);
           use(c);
+        }
+        else
+        {
+          edges_.slots[t] = static_cast<std::uint32_t>(slot);
         }
       });
 }
@@ -242,24 +196,41 @@ bool Selecting::isLine(Index a, Index b) const
 bool Selecting::findLines(Ticker& ticker)
 {
   edges_.lines.allocate(state_.allTriangles);
-  edges_.slots.allocate(state_.allTriangles);
-  unsigned char* const lines = edges_.lines.data();
-  return inMeshOrder(state_.mesh, state_.numbers, TriangleArray(lines, 1), ticker,
-    [this, lines](std::size_t t, std::size_t slot, const OrderedTriangle& triangle)
+  return inShares(state_.allTriangles, ticker, 4, kChunk,
+    [this](std::size_t begin, std::size_t end)
     {
-      lines[t] = 0;
-      if (!out_.kept[t] && !isDropped(slot))
+      for (std::size_t t = begin; t != end; ++t)
       {
-        lines[t] = static_cast<unsigned char>(linesOf(t, triangle));
-        edges_.slots[t] = static_cast<std::uint32_t>(slot);
+        fetchUnkept(std::min(t + kTrianglesAhead, end - 1));
+        const bool isTooLarge = !out_.kept[t] && !isDropped(edges_.slots[t]);
+        edges_.lines[t] = isTooLarge ? static_cast<unsigned char>(linesOf(t)) : 0;
       }
     });
 }
 
+/// Unless it is kept, its neighbours will be asked for.
+void Selecting::fetchUnkept(std::size_t triangle) const
+{
+  if (!out_.kept[triangle])
+  {
+    const std::size_t slot = edges_.slots[triangle];
+    prefetchForRead(state_.mesh.data() + slot * Mesh::kSlotSize);
+    prefetchForRead(state_.numbers.data() + slot);
+  }
+}
+
+/// A triangle that is not kept.
+OrderedTriangle Selecting::unkept(std::size_t triangle) const
+{
+  const std::uint32_t slot = edges_.slots[triangle];
+  return { state_.mesh.data(), slot, state_.numbers[slot] };
+}
+
 /// Those edges of a triangle that is too large which are not part of one that is put out. Of two
 /// triangles that are too large the first has their edge.
-unsigned Selecting::linesOf(std::size_t triangle, const OrderedTriangle& corners)
+unsigned Selecting::linesOf(std::size_t triangle)
 {
+  const OrderedTriangle corners = unkept(triangle);
   unsigned lines = 0;
   for (unsigned k = 0; k < 3; ++k)
   {
@@ -295,8 +266,7 @@ bool Selecting::writeLines(Ticker& ticker)
       {
         if ((lines[t] >> k & 1u) != 0)
         {
-          const std::uint32_t slot = edges_.slots[t];
-          const OrderedTriangle triangle(state_.mesh.data(), slot, state_.numbers[slot]);
+          const OrderedTriangle triangle = unkept(t);
           const Index from = triangle.corner(k), to = triangle.corner((k + 1) % 3);
           out_.lines[2 * line] = static_cast<std::int32_t>(state_.ranked.id[from]);
           out_.lines[2 * line++ + 1] = static_cast<std::int32_t>(state_.ranked.id[to]);

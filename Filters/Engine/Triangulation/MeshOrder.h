@@ -63,6 +63,8 @@ struct TriangleArray
     , bytes(perTriangle * sizeof(T))
   {
   }
+  /// It will soon be asked to fetch.
+  void prepare(std::uint32_t) const {}
   /// It will be written for the triangle of this number, if it is one.
   void fetch(std::uint32_t number) const
   {
@@ -75,6 +77,7 @@ struct TriangleArray
 /// Two of them.
 struct TwoTriangleArrays
 {
+  void prepare(std::uint32_t) const {}
   void fetch(std::uint32_t number) const
   {
     first.fetch(number);
@@ -98,6 +101,7 @@ bool inMeshOrder(const Mesh& mesh, const Buffer<std::uint32_t>& numbers, const A
       const std::size_t last = numbers.size() - 1;
       for (std::size_t slot = a; slot != b; ++slot)
       {
+        array.prepare(numbers[std::min(slot + 2 * kSlotsAhead, last)]);
         array.fetch(numbers[std::min(slot + kSlotsAhead, last)]);
         if (const std::uint32_t number = numbers[slot]; number != kNotExtracted)
         {
