@@ -31,17 +31,23 @@ constexpr const char* kIdsName = "OriginalPointIds";
 // Corners of cells are fewer than 2^31, as their numbers are (Engine/Voronoi/Voronoi.h).
 using IdArray = vtkTypeInt32Array;
 
-/// The numbers as a VTK array, in the memory they are in.
-vtkSmartPointer<IdArray> TakeArray(ahd::Buffer<std::int32_t>& numbers)
+/// The buffer, which has so many values an element, as a VTK array in the memory it is in.
+template <typename Array, typename Element>
+vtkSmartPointer<Array> TakeArray(ahd::Buffer<Element>& from, int width = 1)
 {
-  const vtkIdType count = static_cast<vtkIdType>(numbers.size());
-  if (count == 0)
+  using Value = typename Array::ValueType;
+  if (from.empty())
   {
-    return vtkAHDNewArray<IdArray>(0);
+    auto none = vtkAHDNewArray<Array>(0);
+    none->SetNumberOfComponents(width);
+    return none;
   }
-  auto array = vtkSmartPointer<IdArray>::New();
-  array->SetArray(numbers.release(), count, 0, IdArray::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(ahd::Buffer<std::int32_t>::free);
+  auto array = vtkSmartPointer<Array>::New();
+  const vtkIdType count = width * static_cast<vtkIdType>(from.size());
+  array->SetNumberOfComponents(width);
+  array->SetArray(
+    reinterpret_cast<Value*>(from.release()), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
+  array->SetArrayFreeFunction(ahd::Buffer<Element>::free);
   return array;
 }
 
@@ -56,26 +62,6 @@ vtkSmartPointer<vtkIdTypeArray> MakeIds(
   sites.reset();
   ids->SetName(kIdsName);
   return ids;
-}
-
-vtkSmartPointer<vtkDoubleArray> MakeCoordinates(
-  ahd::Buffer<ahd::Point>& corners, const vtkAHDContext& context)
-{
-  auto xyz = vtkAHDNewArray<vtkDoubleArray>(3 * static_cast<vtkIdType>(corners.size()));
-  double* to = xyz->GetPointer(0);
-  context.ForRange(corners.size(),
-    [&corners, to](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        to[3 * i] = corners[i].x;
-        to[3 * i + 1] = corners[i].y;
-        to[3 * i + 2] = 0.0;
-      }
-    });
-  corners.reset();
-  xyz->SetNumberOfComponents(3);
-  return xyz;
 }
 
 /// Whatever it is, a transform that cannot be undone does not bring a point back.
@@ -110,11 +96,12 @@ void vtkAHDVoronoi::Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPo
 {
   ahd::VoronoiCells used = std::move(cells);
   vtkNew<vtkPoints> points;
-  points->SetData(MakeCoordinates(used.points, context));
+  static_assert(sizeof(ahd::VoronoiCorner) == 3 * sizeof(double), "corners are VTK's points");
+  points->SetData(TakeArray<vtkDoubleArray>(used.points, 3));
   output->SetPoints(points);
   vtkNew<vtkCellArray> polygons;
-  const auto offsets = TakeArray(used.offsets);
-  polygons->SetData(offsets, TakeArray(used.corners));
+  const auto offsets = TakeArray<IdArray>(used.offsets);
+  polygons->SetData(offsets, TakeArray<IdArray>(used.corners));
   output->SetPolys(polygons);
   output->GetCellData()->AddArray(MakeIds(used.sites, context));
   WriteData(surface, output);
@@ -181,6 +168,5 @@ bool vtkAHDVoronoi::MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output)
 
 std::size_t vtkAHDVoronoi::EstimateBytes(std::size_t pointCount)
 {
-  // two corners a vertex, and an id; the cells are the engine's
-  return pointCount * (2 * 3 * sizeof(double) + sizeof(vtkIdType));
+  return pointCount * sizeof(vtkIdType); // the cells are the engine's
 }

@@ -179,10 +179,9 @@ bool CellWalk::sumUp(Ticker& ticker)
 /// Numbers the corners and writes where they are.
 bool CellWalk::place(Ticker& ticker)
 {
-  Point* const points = cells_.points.data();
   return numbers_.finish(
     ticker, [this](Index cell) -> const std::uint32_t& { return extents_[cell].points; },
-    [points](std::uint32_t number, const Point& place) { points[number] = place; });
+    cells_.points.data());
 }
 
 /// The cells that were found come in the order in which they were found.

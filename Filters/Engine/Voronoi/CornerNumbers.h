@@ -3,7 +3,9 @@
 #define ahd_CornerNumbers_h
 
 #include "CellBorder.h"
+#include "Voronoi.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace ahd
@@ -68,19 +70,22 @@ public:
     return count;
   }
 
-  /// Adds where the numbers of the first cell begin, beginOf(cell), and calls put(number, place)
-  /// for each corner that a cell has.
-  template <typename BeginOf, typename Put>
-  bool finish(Ticker& ticker, BeginOf beginOf, Put put)
+  /// Adds where the numbers of the first cell begin, beginOf(cell), and writes to `places` where
+  /// each corner is that a cell has.
+  template <typename BeginOf>
+  bool finish(Ticker& ticker, BeginOf beginOf, VoronoiCorner* places)
   {
+    const auto put = [places](std::uint32_t number, const Point& at) {
+      places[number] = { at.x, at.y, 0.0 };
+    };
     const auto centres = [&](std::size_t a, std::size_t b)
     {
       for (std::size_t t = a; t != b; ++t)
       {
-        if (t + kAhead < centres_)
-        {
-          prefetchForRead(&beginOf(first_[t + kAhead]));
-        }
+        prefetchForRead(&beginOf(first_[std::min(t + 2 * kAhead, b - 1)]));
+        const std::size_t next = std::min(t + kAhead, b - 1);
+        const std::uint32_t number = number_[next];
+        prefetchForWrite(places + (number == kNoCorner ? 0 : number + beginOf(first_[next])));
         if (number_[t] != kNoCorner)
         {
           number_[t] += beginOf(first_[t]);

@@ -156,14 +156,14 @@ Status voronoiCells(
 std::size_t voronoiMemoryEstimate(std::size_t pointCount)
 {
   // What is held in the end; on the way there is less. Per triangle: the centre (16), the first
-  // cell that has it (4) and its number (4), and where it is as a corner (16). Per point: the
+  // cell that has it (4) and its number (4), and where it is as a corner (24). Per point: the
   // number of its cell (4), what this has (8), site (4) and offset (4), and six corners, twice,
-  // with some room (49). With two triangles per point that makes 153 (150 measured). There is a
+  // with some room (49). With two triangles per point that makes 169 (166 measured). There is a
   // triangle less for each edge of the hull, and three or four corners in the cell of its end in
-  // place of six, which are not found as those inside: 73 less. But two corners are on the border,
-  // with their places twice (64) and numbers (16), and the cell is listed with its vertex (12) and
-  // its corners (16), and some more where cells have more (207 measured).
-  constexpr std::size_t kPerPoint = 212;
+  // place of six, which are not found as those inside: 81 less. But two corners are on the border,
+  // with their places twice (80) and numbers (16), and the cell is listed with its vertex (12) and
+  // its corners (16), and some more where cells have more (231 measured).
+  constexpr std::size_t kPerPoint = 236;
   return pointCount * kPerPoint + 16384;
 }
 

@@ -22,11 +22,20 @@ enum class VoronoiClip
   Bounds = 1 ///< at the smallest axis-parallel box around the vertices
 };
 
+/// Where cells meet. It has a z, which is 0, so that the corners can be passed on as points in
+/// space.
+struct VoronoiCorner
+{
+  operator Point() const { return { x, y }; }
+
+  double x, y, z;
+};
+
 /// The cells of a Voronoi diagram, by ascending smallest id of a point at their vertex's place. The
 /// numbers fit (kMaximumPoints).
 struct VoronoiCells
 {
-  Buffer<Point> points;         ///< the corners, shared by the cells that meet there
+  Buffer<VoronoiCorner> points; ///< the corners, shared by the cells that meet there
   Buffer<std::int32_t> offsets; ///< cell k has the corners offsets[k] .. offsets[k + 1] - 1
   Buffer<std::int32_t> corners; ///< numbers of `points`; counterclockwise
   Buffer<std::int32_t> sites;   ///< the point that stands for each cell's vertex

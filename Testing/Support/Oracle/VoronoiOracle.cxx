@@ -179,7 +179,7 @@ private:
     for (std::int32_t i = cells_.offsets[k]; i < cells_.offsets[k + 1]; ++i)
     {
       const std::int32_t number = cells_.corners[static_cast<std::size_t>(i)];
-      const Point& corner = cells_.points[static_cast<std::size_t>(number)];
+      const Point corner = cells_.points[static_cast<std::size_t>(number)];
       found.push_back(exactly(corner));
       bool isRight = corner == vertices_[k]; // on a straight side of the hull, or of a tiny cell
       for (std::size_t e = 0; e < exact.size(); ++e)

@@ -3,6 +3,7 @@
 #define ahd_test_ListOf_h
 
 #include "Core/Buffer.h"
+#include "Voronoi/Voronoi.h"
 
 #include <vector>
 
@@ -16,6 +17,12 @@ template <typename Value>
 std::vector<Value> listOf(const Buffer<Value>& values)
 {
   return std::vector<Value>(values.begin(), values.end());
+}
+
+/// Where corners are, in the plane.
+inline std::vector<Point> listOf(const Buffer<VoronoiCorner>& corners)
+{
+  return std::vector<Point>(corners.begin(), corners.end());
 }
 
 } // namespace test
