@@ -17,8 +17,7 @@ void vtkAdaptiveHilbertAlgorithm::ReadSettings(vtkAHDSettings& settings) const
   options.countWork = this->CountWork;
   options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
   options.keepBoxes = this->GenerateBoxes;
-  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve ||
-    this->GenerateBoxes;
+  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve;
   settings.GeneratePointStatus = this->GeneratePointStatus;
   settings.GenerateInsertionRank = this->GenerateInsertionRank;
   settings.GenerateInsertionCurve = this->GenerateInsertionCurve;

@@ -85,7 +85,8 @@ std::size_t vtkAHDExecution::EstimateOutputs() const
   if (settings.WantsOrder())
   {
     const std::size_t limit = this->Options.insertionLimit;
-    bytes += vtkAHDOrderOutput::EstimateBytes(limit > 0 ? std::min(limit, count) : count) +
+    const std::size_t inserted = limit > 0 ? std::min(limit, count) : count;
+    bytes += vtkAHDOrderOutput::EstimateBytes(settings.GenerateInsertionCurve ? inserted : 0) +
       vtkAHDOrderOutput::EstimateBoxBytes(this->Known.Boxes);
   }
   return bytes;

@@ -53,16 +53,19 @@ template <typename IdArray>
 void WriteCells(const ahd::Triangulation& triangulation, bool withCurve, vtkPolyData* output,
   const vtkAHDContext& context)
 {
-  const auto makeCells = [&](std::size_t cells, std::size_t corners, std::size_t firstPoint)
+  const auto makeCells = [&](std::size_t cells, std::size_t size, std::size_t firstPoint)
   {
     auto made = vtkSmartPointer<vtkCellArray>::New();
-    const auto offsets = Series<IdArray>(cells + 1, 0, corners, context);
-    made->SetData(offsets, Series<IdArray>(cells * corners, firstPoint, 1, context));
+    const auto offsets = Series<IdArray>(cells + 1, 0, size, context);
+    made->SetData(offsets, Series<IdArray>(cells * size, firstPoint, 1, context));
     return made;
   };
-  const std::size_t inserted = triangulation.report().inserted;
-  output->SetLines(makeCells(withCurve ? 1 : 0, inserted, 0));
-  output->SetPolys(makeCells(triangulation.boxes().size(), ahd::kBoxCorners, inserted));
+  const std::size_t boxes = triangulation.boxes().size();
+  const std::size_t points = ahd::drawnPointCount(triangulation, withCurve) -
+    ahd::kBoxCorners * boxes;
+  const std::size_t curves = ahd::drawnCellCount(triangulation, withCurve) - boxes;
+  output->SetLines(makeCells(curves, points, 0));
+  output->SetPolys(makeCells(boxes, ahd::kBoxCorners, points));
 }
 }
 
@@ -83,9 +86,8 @@ std::size_t vtkAHDOrderOutput::EstimateBoxBytes(std::size_t boxCount)
 void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   vtkPolyData* output, const vtkAHDContext& context)
 {
-  const std::size_t count = ahd::drawnPointCount(triangulation);
-  const bool curve = withCurve && ahd::hasCurve(triangulation);
-  const std::size_t cells = triangulation.boxes().size() + (curve ? 1 : 0);
+  const std::size_t count = ahd::drawnPointCount(triangulation, withCurve);
+  const std::size_t cells = ahd::drawnCellCount(triangulation, withCurve);
   auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
   coordinates->SetNumberOfComponents(3);
   ahd::OrderDrawing<vtkIdType> drawing;
@@ -94,11 +96,11 @@ void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   drawing.ids = AddArray<vtkIdTypeArray>(output->GetPointData(), "OriginalPointIds", count);
   drawing.levels = AddArray<vtkIntArray>(output->GetCellData(), "Level", cells);
   drawing.counts = AddArray<vtkIdTypeArray>(output->GetCellData(), "Count", cells);
-  context.Check(ahd::drawOrder(triangulation, curve, drawing, context));
+  context.Check(ahd::drawOrder(triangulation, withCurve, drawing, context));
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   output->SetPoints(points);
   count <= std::size_t(VTK_TYPE_INT32_MAX)
-    ? WriteCells<vtkTypeInt32Array>(triangulation, curve, output, context)
-    : WriteCells<vtkTypeInt64Array>(triangulation, curve, output, context);
+    ? WriteCells<vtkTypeInt32Array>(triangulation, withCurve, output, context)
+    : WriteCells<vtkTypeInt64Array>(triangulation, withCurve, output, context);
 }

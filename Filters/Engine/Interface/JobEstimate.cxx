@@ -92,7 +92,8 @@ std::size_t Job::estimateArrays(const JobSizes& sizes) const
   {
     const std::size_t limit = settings.options().insertionLimit;
     const std::size_t inserted = limit > 0 ? std::min(limit, sizes.points) : sizes.points;
-    sum += inserted * (3 * sizeof(double) + 3 * kId) + 1024 + boxBytes(sizes.boxes);
+    sum += bytes(IntSetting::WantCurve, inserted * (3 * sizeof(double) + 3 * kId)) + 1024 +
+      boxBytes(sizes.boxes);
   }
   return sum;
 }

@@ -26,7 +26,7 @@ Status draw(JobResult& made, const ahd_drawing& drawing, const Context& context)
   to.ids = static_cast<Id*>(drawing.ids);
   to.levels = drawing.levels;
   to.counts = static_cast<Id*>(drawing.counts);
-  const bool withCurve = made.settings.is(IntSetting::WantCurve) && hasCurve(made.triangulation);
+  const bool withCurve = made.settings.is(IntSetting::WantCurve);
   return ahd::drawOrder(made.triangulation, withCurve, to, context);
 }
 

@@ -172,7 +172,7 @@ Options JobSettings::options() const
   options.countWork = is(IntSetting::CountWork);
   options.insertionLimit = static_cast<std::size_t>(own[IntSetting::InsertionLimit]);
   options.keepOrder = is(IntSetting::WantOrder) || is(IntSetting::WantInsertionRanks) ||
-    drawsOrder();
+    is(IntSetting::WantCurve);
   options.keepBoxes = is(IntSetting::WantBoxes);
   const std::int64_t duplicates = own[IntSetting::Duplicates];
   options.representative = duplicates == AHD_DUPLICATES_LOWEST_Z ? Representative::LowestZ

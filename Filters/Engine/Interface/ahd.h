@@ -420,9 +420,9 @@ AHD_API ahd_status ahd_array_size(
 AHD_API ahd_status ahd_get_array(
   ahd_job* job, const char* name, int32_t type, void* out, uint64_t capacity);
 
-/* The insertion order as it is drawn. Points: the inserted ones in their order, then four corners
- * of each box, counterclockwise. Cells: the curve (with want_curve, if there are two points or
- * more), then the boxes. */
+/* The insertion order as it is drawn. Points: with want_curve the inserted ones in their order,
+ * then four corners of each box, counterclockwise. Cells: the curve (with want_curve, if there are
+ * two points or more), then the boxes. */
 typedef struct ahd_drawing
 {
   double* xyz;     /* 3 * drawn_points */

@@ -60,10 +60,11 @@ void prefetch(const PointView& points, std::size_t i)
 }
 
 template <typename Id>
-bool drawInserted(const Triangulation& triangulation, const OrderDrawing<Id>& to, Ticker& ticker)
+bool drawInserted(
+  const Triangulation& triangulation, std::size_t count, const OrderDrawing<Id>& to, Ticker& ticker)
 {
   const PointView& points = triangulation.points();
-  return inChunksOf(triangulation.report().inserted, ticker,
+  return inChunksOf(count, ticker,
     [&](std::size_t a, std::size_t b)
     {
       constexpr std::size_t kAhead = 32; // points: they lie anywhere, and memory is far
@@ -102,27 +103,33 @@ bool drawBoxes(
 
 } // namespace
 
-std::size_t drawnPointCount(const Triangulation& triangulation)
+std::size_t drawnPointCount(const Triangulation& triangulation, bool withCurve)
 {
-  return triangulation.report().inserted + kBoxCorners * triangulation.boxes().size();
+  return (withCurve ? triangulation.report().inserted : 0) +
+    kBoxCorners * triangulation.boxes().size();
 }
 
-bool hasCurve(const Triangulation& triangulation)
+std::size_t drawnCellCount(const Triangulation& triangulation, bool withCurve)
 {
-  return triangulation.report().inserted >= 2;
+  return (withCurve && triangulation.report().inserted >= 2 ? 1 : 0) + triangulation.boxes().size();
 }
 
 template <typename Id>
 Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawing<Id>& drawing,
   const Context& context)
 {
-  if (const Status status = triangulation.writeOrder(drawing.ids, context); status != Status::Ok)
-  {
-    return status;
-  }
-  const std::size_t inserted = triangulation.report().inserted;
-  const std::size_t curves = withCurve ? 1 : 0;
   if (withCurve)
+  {
+    const Status status = triangulation.writeOrder(drawing.ids, context);
+    if (status != Status::Ok)
+    {
+      return status;
+    }
+  }
+  const std::size_t inserted = withCurve ? triangulation.report().inserted : 0;
+  const std::size_t curves = drawnCellCount(triangulation, withCurve) -
+    triangulation.boxes().size();
+  if (curves != 0)
   {
     drawing.levels[0] = -1;
     drawing.counts[0] = static_cast<Id>(inserted);
@@ -134,7 +141,7 @@ Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawin
     {
       Ticker ticker(context.progress, Phase::Outputs, inserted, context.executor);
       double z = 0.0;
-      return drawInserted(triangulation, drawing, ticker) &&
+      return drawInserted(triangulation, inserted, drawing, ticker) &&
         (triangulation.boxes().empty() || findLowestZ(triangulation.points(), ticker, z)) &&
         drawBoxes(triangulation.boxes(), z, boxes, ticker) && ticker.ask();
     });

@@ -19,24 +19,23 @@ constexpr std::size_t kBoxCorners = 4;
 template <typename Id>
 struct OrderDrawing
 {
-  double*
-    xyz;     ///< three numbers per point: the inserted ones in their order, then the boxes' corners
-  Id* ranks; ///< per point: its place in the order; -1 for corners
-  Id* ids;   ///< per point: its id; -1 for corners
+  double* xyz; ///< three per point: of the inserted ones, if there is a curve; then boxes' corners
+  Id* ranks;   ///< per point: its place in the order; -1 for corners
+  Id* ids;     ///< per point: its id; -1 for corners
   int* levels; ///< per cell: -1 for the curve, if there is one; then the level of each box
   Id* counts;  ///< per cell: the points that the curve passes; the distinct points in each box
 };
 
-/// Points that are drawn: report().inserted, and four for each of boxes().
-std::size_t drawnPointCount(const Triangulation& triangulation);
+/// Points that are drawn: report().inserted if there is to be a curve, and four for each of
+/// boxes().
+std::size_t drawnPointCount(const Triangulation& triangulation, bool withCurve);
 
-/// Is there a curve to draw, as two points at least were inserted?
-bool hasCurve(const Triangulation& triangulation);
+/// Cells that are drawn: the curve, where two points at least were inserted, and boxes().
+std::size_t drawnCellCount(const Triangulation& triangulation, bool withCurve);
 
 /// Writes the drawing. Corners are counterclockwise from the lower left; their z is the lowest
 /// finite one of all points that have a place, 0 if there is none, so that it stays while the limit
-/// changes. Returns Ok or Cancelled. REQUIRES: Options::keepOrder; with
-/// a curve only if hasCurve().
+/// changes. Returns Ok or Cancelled. REQUIRES: with a curve Options::keepOrder.
 template <typename Id>
 Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawing<Id>& drawing,
   const Context& context);

@@ -100,15 +100,15 @@ def write_order(backend, job, output):
         points.SetData(made) if data is None else data.AddArray(made)
     output.SetPoints(points)
     boxes = job.count("boxes")
-    curves, inserted = job.count("drawn_cells") - boxes, job.count("inserted")
+    curves, passed = job.count("drawn_cells") - boxes, job.count("drawn_points") - 4 * boxes
 
     def series(cells, corners, first):
         made, write = new_array(backend.vtkTypeInt32Array, cells * corners)
         write[:] = numpy.arange(first, first + cells * corners, dtype=numpy.int32)
         return cell_array(backend, made, corners) if cells else backend.vtkCellArray()
 
-    output.SetLines(series(curves, inserted, 0))
-    output.SetPolys(series(boxes, 4, inserted))
+    output.SetLines(series(curves, passed, 0))
+    output.SetPolys(series(boxes, 4, passed))
 
 
 class Diagram:

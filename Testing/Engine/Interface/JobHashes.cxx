@@ -139,6 +139,7 @@ TEST(JobHashes, OfOrdersAreTheEngines)
     JobRun run;
     run.setPoints(viewOf(given.points));
     run.set("want_boxes", std::int64_t(1));
+    run.set("want_order", std::int64_t(1));
     run.run();
     Hash hash;
     addStatuses(hash, 3);

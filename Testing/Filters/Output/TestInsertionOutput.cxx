@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 using namespace ahdtest;
@@ -117,6 +118,38 @@ TEST(InsertionOutput, CurvePassesThePointsByTheirRank)
         ASSERT_EQ(p, points[ids[i]]) << "with its z";
       }
     }
+  }
+}
+
+TEST(InsertionOutput, BoxesAloneHaveTheirCornersOnly)
+{
+  WatchedFilter filter;
+  filter->SetInputData(makeCloud(scatteredPoints(2000)));
+  filter->GenerateBoxesOn();
+  filter->Update();
+  vtkPolyData* alone = filter->GetOutput(1);
+  const vtkIdType boxes = alone->GetNumberOfPolys();
+  ASSERT_GT(boxes, 10);
+  EXPECT_EQ(alone->GetNumberOfCells(), boxes);
+  ASSERT_EQ(alone->GetNumberOfPoints(), 4 * boxes);
+  EXPECT_TRUE(alone->GetPolys()->IsValid());
+  for (const char* name : { "InsertionRank", "OriginalPointIds" })
+  {
+    EXPECT_EQ(idsOf(alone->GetPointData(), name), std::vector<vtkIdType>(4 * boxes, -1)) << name;
+  }
+  WatchedFilter both;
+  both->SetInputData(filter->GetInputDataObject(0, 0));
+  both->GenerateBoxesOn();
+  both->GenerateInsertionCurveOn();
+  both->Update();
+  vtkPolyData* behind = both->GetOutput(1);
+  ASSERT_EQ(behind->GetNumberOfPolys(), boxes);
+  for (vtkIdType i = 0; i < boxes; ++i)
+  {
+    double here[6], there[6];
+    alone->GetCellBounds(i, here);
+    behind->GetCellBounds(1 + i, there);
+    EXPECT_TRUE(std::equal(here, here + 6, there)) << "box " << i;
   }
 }
 

@@ -225,6 +225,11 @@ class JobTest(unittest.TestCase):
             self.assertEqual(drawn["ranks"][:300].tolist(), list(range(300)))
             self.assertEqual((drawn["levels"][0], drawn["counts"][0], len(drawn["levels"])), (-1, 300, boxes + 1))
             self.assertEqual(drawn["counts"].dtype, dtype)
+        job.set(want_curve=0)
+        job.run()
+        alone = job.draw_order(np.int32)
+        np.testing.assert_array_equal(alone["xyz"], drawn["xyz"][300:])
+        self.assertEqual((set(alone["ids"]), set(alone["ranks"]), len(alone["levels"])), ({-1}, {-1}, boxes))
 
     def test_fit_plane(self):
         points = cloud(75, 50, 3)
