@@ -45,7 +45,7 @@ def parse_arguments():
     parser.add_argument("--ablation-size", type=float, help="points of the ablations (1e6)")
     parser.add_argument("--resume", action="store_true", help="keep what the same build has measured here")
     parser.add_argument("--only-peers", action="store_true", help="no tables, no ablations")
-    parser.add_argument("--no-peers", action="store_true", help="no peers")
+    parser.add_argument("--no-peers", action="store_true", help="no peers: those there stay")
     parser.add_argument("--peers-limit", type=float, help="seconds a peer's call may take (60; quick: 10)")
     parser.add_argument("--peers-work", help="folder for the peers' files")
     parser.add_argument("--render", action="store_true", help="Results.md from Results.json")
@@ -153,11 +153,16 @@ def compare(folder):
 
 
 def begin_data(arguments, about):
-    """Empty results, or those there are, as far as they may be kept."""
+    """Empty results, or those there are, as far as they may be kept. The peers, which have a date of their
+    own, stay unless they are to be measured."""
     empty = {"made": about, "failures": [], "tables": [], "ablations": []}
-    if not (arguments.resume or arguments.only_peers) or not (arguments.out / "Results.json").exists():
+    if not (arguments.out / "Results.json").exists():
         return empty
     found = load(arguments.out)
+    if arguments.no_peers and "peers" in found:
+        empty["peers"] = found["peers"]
+    if not (arguments.resume or arguments.only_peers):
+        return empty
     if arguments.only_peers:
         found["failures"] = [f for f in found["failures"] if not f.startswith(PEERS_FAILED)]
         return found

@@ -23,7 +23,7 @@ do nothing else meanwhile.
 
 --quick       2e5 points, few rounds: two minutes, and numbers that only show that all is measured
 sizes         numbers of points, such as 2e5 1e6
---no-peers    without other libraries (which are fetched from PyPI into a venv in the build folder)
+--no-peers    without other libraries (which are fetched from PyPI into a venv in the build folder): those there stay
 --only-peers  only them, into the results there are
 --resume      keeps what this build has measured on this machine before it was stopped
 --rounds=N    measurements of each (default: 5, in the ablations 9)

@@ -177,8 +177,16 @@ class Report(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             out = Path(folder)
             paper.save(out, self.data(failures=["peers.py ended with 1", "Line: crashed"]))
-            asked = argparse.Namespace(out=out, resume=False, only_peers=True)
+            asked = argparse.Namespace(out=out, resume=False, only_peers=True, no_peers=False)
             self.assertEqual(paper.begin_data(asked, {})["failures"], ["Line: crashed"])
+
+    def test_peers_stay_where_they_are_not_measured(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder)
+            paper.save(out, self.data(peers={"runs": {}}))
+            for no_peers in (True, False):
+                asked = argparse.Namespace(out=out, resume=False, only_peers=False, no_peers=no_peers)
+                self.assertEqual("peers" in paper.begin_data(asked, {}), no_peers)
 
     def test_what_check_finds(self):
         peers = {

@@ -12,6 +12,7 @@ summary(data) and first_page(data) render it.
 import argparse
 import concurrent.futures
 import csv
+import datetime
 import hashlib
 import json
 import os
@@ -84,7 +85,8 @@ class Session:
         self.core = cores[-1] if len(cores) > 1 and self.jobs == 1 else None
         self.data["settings"] = {
             "limit": options.limit, "quick": options.quick, "sizes": options.sizes, "cores": len(cores),
-            "processor": processor(), "pinned": self.core is not None, "atATime": self.jobs,
+            "date": datetime.date.today().isoformat(), "processor": processor(),
+            "pinned": self.core is not None, "atATime": self.jobs,
             "memoryLimit": runs.memory_limit(), "programs": self.programs()}
 
     def programs(self):

@@ -161,13 +161,14 @@ def scope(results):
     right = sum(results.certified(peer, key) for peer in results.there for key in results.tried(peer))
     settings = results.settings
     pinned = "pinned to one core" if settings["pinned"] else "not pinned to a core"
+    dated = f", {settings['date']}" if "date" in settings else ""
     left = sum(not results.run(peer, key) for peer in results.there for key in results.inputs)
     left = f" {left:,} more were left out of this measurement: their cells are empty." if left else ""
     together = "" if settings["atATime"] == 1 else f", {settings['atATime']} at a time: no figure counts"
     return (f"{len(results.there)} ways to triangulate, {len(results.inputs)} inputs, {tried} runs, each in "
             f"a process of its own, {pinned} unless it has threads, the call limited to "
             f"{settings['limit']:g} s{together}. Certified by the judge: {right}.{left} "
-            f"Processor: {settings['processor']}, {settings['cores']} cores."
+            f"Processor: {settings['processor']}, {settings['cores']} cores{dated}."
             + (f" {settings['remark']}" if "remark" in settings else ""))
 
 
