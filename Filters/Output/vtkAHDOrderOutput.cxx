@@ -50,8 +50,7 @@ vtkSmartPointer<IdArray> Series(
 
 /// The curve, and the boxes behind it; of points in the order in which they are drawn.
 template <typename IdArray>
-void WriteCells(const ahd::Triangulation& triangulation, bool withCurve, vtkPolyData* output,
-  const vtkAHDContext& context)
+void WriteCells(const ahd::DrawnOrder& drawn, vtkPolyData* output, const vtkAHDContext& context)
 {
   const auto makeCells = [&](std::size_t cells, std::size_t size, std::size_t firstPoint)
   {
@@ -60,12 +59,8 @@ void WriteCells(const ahd::Triangulation& triangulation, bool withCurve, vtkPoly
     made->SetData(offsets, Series<IdArray>(cells * size, firstPoint, 1, context));
     return made;
   };
-  const std::size_t boxes = triangulation.boxes().size();
-  const std::size_t points = ahd::drawnPointCount(triangulation, withCurve) -
-    ahd::kBoxCorners * boxes;
-  const std::size_t curves = ahd::drawnCellCount(triangulation, withCurve) - boxes;
-  output->SetLines(makeCells(curves, points, 0));
-  output->SetPolys(makeCells(boxes, ahd::kBoxCorners, points));
+  output->SetLines(makeCells(drawn.curves, drawn.passed, 0));
+  output->SetPolys(makeCells(drawn.boxes, ahd::kBoxCorners, drawn.passed));
 }
 }
 
@@ -86,8 +81,9 @@ std::size_t vtkAHDOrderOutput::EstimateBoxBytes(std::size_t boxCount)
 void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   vtkPolyData* output, const vtkAHDContext& context)
 {
-  const std::size_t count = ahd::drawnPointCount(triangulation, withCurve);
-  const std::size_t cells = ahd::drawnCellCount(triangulation, withCurve);
+  const ahd::DrawnOrder drawn = ahd::drawnOrder(triangulation, withCurve);
+  const std::size_t count = drawn.points();
+  const std::size_t cells = drawn.cells();
   auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
   coordinates->SetNumberOfComponents(3);
   ahd::OrderDrawing<vtkIdType> drawing;
@@ -100,7 +96,6 @@ void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   output->SetPoints(points);
-  count <= std::size_t(VTK_TYPE_INT32_MAX)
-    ? WriteCells<vtkTypeInt32Array>(triangulation, withCurve, output, context)
-    : WriteCells<vtkTypeInt64Array>(triangulation, withCurve, output, context);
+  count <= std::size_t(VTK_TYPE_INT32_MAX) ? WriteCells<vtkTypeInt32Array>(drawn, output, context)
+                                           : WriteCells<vtkTypeInt64Array>(drawn, output, context);
 }

@@ -20,8 +20,8 @@ class vtkPolyData;
 namespace vtkAHDOrderOutput
 {
 /// Fills `output`; with boxes if the engine kept them. Throws vtkAHDStop if the filter is to abort,
-/// and std::bad_alloc if there is no room; then `output` is to be emptied. REQUIRES: the points
-/// were triangulated with Options::keepOrder.
+/// and std::bad_alloc if there is no room; then `output` is to be emptied. REQUIRES: with a
+/// curve, the points were triangulated with Options::keepOrder.
 void Write(ahd::Triangulation& triangulation, bool withCurve, vtkPolyData* output,
   const vtkAHDContext& context);
 

@@ -49,9 +49,9 @@ const ConstraintReport& constraintsOf(const Made& m)
   return m.triangulation.constraints();
 }
 
-bool withCurve(const Made& m)
+DrawnOrder drawnOrderOf(const Made& m)
 {
-  return m.settings.is(IntSetting::WantCurve);
+  return drawnOrder(m.triangulation, m.settings.is(IntSetting::WantCurve));
 }
 
 struct CountRow
@@ -112,10 +112,8 @@ constexpr CountRow kCounts[] = {
   { "on_one_line", [](const Made& m) { return std::uint64_t(m.areOnOneLine); } },
   { "stacked", [](const Made& m) { return std::uint64_t(m.areStacked); } },
   { "boxes", [](const Made& m) { return std::uint64_t(m.triangulation.boxes().size()); } },
-  { "drawn_points",
-    [](const Made& m) { return std::uint64_t(drawnPointCount(m.triangulation, withCurve(m))); } },
-  { "drawn_cells",
-    [](const Made& m) { return std::uint64_t(drawnCellCount(m.triangulation, withCurve(m))); } },
+  { "drawn_points", [](const Made& m) { return std::uint64_t(drawnOrderOf(m).points()); } },
+  { "drawn_cells", [](const Made& m) { return std::uint64_t(drawnOrderOf(m).cells()); } },
   { "triangles_walked", [](const Made& m) { return countsOf(m).trianglesWalked; } },
   { "triangles_removed", [](const Made& m) { return countsOf(m).trianglesRemoved; } },
   { "exact_in_circle", [](const Made& m) { return countsOf(m).exactInCircle; } },

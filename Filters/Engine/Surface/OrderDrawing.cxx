@@ -103,15 +103,10 @@ bool drawBoxes(
 
 } // namespace
 
-std::size_t drawnPointCount(const Triangulation& triangulation, bool withCurve)
+DrawnOrder drawnOrder(const Triangulation& triangulation, bool withCurve)
 {
-  return (withCurve ? triangulation.report().inserted : 0) +
-    kBoxCorners * triangulation.boxes().size();
-}
-
-std::size_t drawnCellCount(const Triangulation& triangulation, bool withCurve)
-{
-  return (withCurve && triangulation.report().inserted >= 2 ? 1 : 0) + triangulation.boxes().size();
+  const std::size_t passed = withCurve ? triangulation.report().inserted : 0;
+  return { passed, passed >= 2 ? std::size_t(1) : 0, triangulation.boxes().size() };
 }
 
 template <typename Id>
@@ -126,22 +121,20 @@ Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawin
       return status;
     }
   }
-  const std::size_t inserted = withCurve ? triangulation.report().inserted : 0;
-  const std::size_t curves = drawnCellCount(triangulation, withCurve) -
-    triangulation.boxes().size();
-  if (curves != 0)
+  const DrawnOrder drawn = drawnOrder(triangulation, withCurve);
+  if (drawn.curves != 0)
   {
     drawing.levels[0] = -1;
-    drawing.counts[0] = static_cast<Id>(inserted);
+    drawing.counts[0] = static_cast<Id>(drawn.passed);
   }
-  const OrderDrawing<Id> boxes = { drawing.xyz + 3 * inserted, drawing.ranks + inserted,
-    drawing.ids + inserted, drawing.levels + curves, drawing.counts + curves };
+  const OrderDrawing<Id> boxes = { drawing.xyz + 3 * drawn.passed, drawing.ranks + drawn.passed,
+    drawing.ids + drawn.passed, drawing.levels + drawn.curves, drawing.counts + drawn.curves };
   return unlessCancelled(
     [&]
     {
-      Ticker ticker(context.progress, Phase::Outputs, inserted, context.executor);
+      Ticker ticker(context.progress, Phase::Outputs, drawn.passed, context.executor);
       double z = 0.0;
-      return drawInserted(triangulation, inserted, drawing, ticker) &&
+      return drawInserted(triangulation, drawn.passed, drawing, ticker) &&
         (triangulation.boxes().empty() || findLowestZ(triangulation.points(), ticker, z)) &&
         drawBoxes(triangulation.boxes(), z, boxes, ticker) && ticker.ask();
     });

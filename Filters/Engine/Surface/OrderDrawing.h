@@ -26,12 +26,17 @@ struct OrderDrawing
   Id* counts;  ///< per cell: the points that the curve passes; the distinct points in each box
 };
 
-/// Points that are drawn: report().inserted if there is to be a curve, and four for each of
-/// boxes().
-std::size_t drawnPointCount(const Triangulation& triangulation, bool withCurve);
+/// What there is to draw.
+struct DrawnOrder
+{
+  std::size_t points() const { return passed + kBoxCorners * boxes; }
+  std::size_t cells() const { return curves + boxes; }
 
-/// Cells that are drawn: the curve, where two points at least were inserted, and boxes().
-std::size_t drawnCellCount(const Triangulation& triangulation, bool withCurve);
+  std::size_t passed; ///< points: if there is to be a curve, report().inserted
+  std::size_t curves; ///< 1, or 0 where it would pass fewer than two
+  std::size_t boxes;
+};
+DrawnOrder drawnOrder(const Triangulation& triangulation, bool withCurve);
 
 /// Writes the drawing. Corners are counterclockwise from the lower left; their z is the lowest
 /// finite one of all points that have a place, 0 if there is none, so that it stays while the limit
