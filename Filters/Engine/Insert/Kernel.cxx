@@ -31,7 +31,11 @@ inline namespace AHD_TARGET
 /// The star's triangle whose wedge at p holds the next point becomes the hint. That choice is made
 /// in floating point, and without a branch, as it would be mispredicted; a wrong hint (rounding, or
 /// the ghost's NaN) costs steps, never the result.
+///
+/// kInside: while it has met no ghost; where it does, it begins once more. Only ghosts have edges
+/// that belong to others whole beside those that a part owns (beyond()).
 template <bool kCount, Access kAccess, bool kExact>
+template <bool kInside>
 Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slot& hint)
 {
   const Point* const xy = xy_;
@@ -53,10 +57,11 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     isOutside_ = isGhost(slot);
     root = rootAt(at, slot);
   }
-  if (kShared && !(owns(root.a) && owns(root.b) && owns(root.c)))
+  if (kShared &&
+    !(mayRemove<kInside>(root.a) && mayRemove<kInside>(root.b) && mayRemove<kInside>(root.c)))
   {
     hint = slot;
-    return Insertion::Deferred;
+    return kInside && isGhost(slot) ? carve<false>(cavity, hint) : Insertion::Deferred;
   }
 
   const VectorPair origin{ lows(at, at), highs(at, at) };
@@ -83,20 +88,24 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     countRemoved();
     if (kShared)
     {
-      if (splits == kMostSplits || !owns(t.apex))
+      if (splits == kMostSplits || !mayRemove<kInside>(t.apex))
       {
         takeBack(splits);
         hint = slot;
-        return Insertion::Deferred;
+        if (!spend(splits))
+        {
+          return Insertion::Cancelled;
+        }
+        return kInside && t.apex == ghost_ ? carve<false>(cavity, hint) : Insertion::Deferred;
       }
-      splits_[splits++] = { t.place, t.entry };
+      splits_[splits++] = t.entry;
     }
-    if (!spend())
+    else if (!spend())
     {
       return Insertion::Cancelled;
     }
-    const Beyond first = beyond(t.beyond.first);
-    const Beyond second = beyond(t.beyond.second);
+    const Beyond first = beyond<kInside>(t.beyond.first);
+    const Beyond second = beyond<kInside>(t.beyond.second);
     const LiftedPair apices = liftedFrom(origin, xy[t.beyond.firstApex], xy[t.beyond.secondApex]);
     const InCirclePair seen = test(t.edges, apices);
     const unsigned right = signs(cross(apices, towards));
@@ -120,13 +129,17 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     }
     else if (waiting != kNoIndex)
     {
-      t = waitingAt(waiting, at, towards);
+      t = waitingAt<kInside>(waiting, at, towards);
       waiting = (data_ + waiting)[3];
     }
     else
     {
       break;
     }
+  }
+  if (kShared && !spend(splits))
+  {
+    return Insertion::Cancelled;
   }
   hint = hintPlace;
   if ((data_ + hint)[1] == ghost_ || (data_ + hint)[2] == ghost_)
@@ -214,27 +227,28 @@ AHD_ALWAYS_INLINE Mesh::Slot Kernel<kCount, kAccess, kExact>::split(const Remove
 template <bool kCount, Access kAccess, bool kExact>
 void Kernel<kCount, kAccess, kExact>::takeBack(std::size_t splits)
 {
+  Mesh::Slot place = 0;
   while (splits > 0)
   {
-    const Split split = splits_[--splits];
-    std::uint32_t* const u = data_ + split.place;
-    const std::uint32_t* const v = data_ + Mesh::slotOf(split.entry);
+    const Mesh::Halfedge entry = splits_[--splits];
+    const std::uint32_t* const v = data_ + Mesh::slotOf(entry);
+    place = Mesh::slotOf(v[6]); // the other half is the one after it in the star
+    const std::uint32_t* const u = data_ + place;
     const Index a = u[1], b = v[2], apex = u[2];
     const Mesh::Halfedge first = u[4], second = v[4], after = v[5];
-    const Mesh::Halfedge next = Mesh::next(split.entry);
-    const Mesh::Halfedge previous = Mesh::previous(split.entry);
-    u[2] = b;
-    link(split.place + 1, after);
-    data_[split.entry] = apex;
+    const Mesh::Halfedge next = Mesh::next(entry);
+    const Mesh::Halfedge previous = Mesh::previous(entry);
+    data_[place + 2] = b;
+    link(place + 1, after);
+    data_[entry] = apex;
     data_[next] = b;
     data_[previous] = a;
-    link(split.place, split.entry);
+    link(place, entry);
     link(next, first);
     link(previous, second);
   }
-  const Split root = splits_[0];
-  const Mesh::Slot closing = root.place + Mesh::kSlotSize;
-  link(root.entry, (data_ + closing)[Mesh::kTwin]);
+  // The first split was that of the star's first triangle.
+  link(splits_[0], (data_ + place + Mesh::kSlotSize)[Mesh::kTwin]);
 }
 
 /// Is the triangle beyond the root's edge c-a in conflict with p?
@@ -250,6 +264,7 @@ AHD_ALWAYS_INLINE bool Kernel<kCount, kAccess, kExact>::closingInConflict(
 
 /// The triangle beyond the star's triangle at `place`, which is in conflict with p.
 template <bool kCount, Access kAccess, bool kExact>
+template <bool kInside>
 AHD_ALWAYS_INLINE typename Kernel<kCount, kAccess, kExact>::Removed
 Kernel<kCount, kAccess, kExact>::waitingAt(
   Mesh::Slot place, Pair at, const VectorPair& towards) const
@@ -262,7 +277,7 @@ Kernel<kCount, kAccess, kExact>::waitingAt(
   const Pair c = coordinates(xy_[apex]) - at;
   const LiftedPair ac = lifted(a, c), cb = lifted(c, b);
   const bool isRight = (signs(cross(cb, towards)) & 1) != 0;
-  return { place, twin, apex, isRight, { ac, cb, cross(ac, cb) }, beyond(twin) };
+  return { place, twin, apex, isRight, { ac, cb, cross(ac, cb) }, beyond<kInside>(twin) };
 }
 
 /// Which of the two triangles beyond a removed one are in conflict with p, by the exact predicate

@@ -85,7 +85,8 @@ public:
     ++insertedSinceAsking_;
     prefetchForWrite(data_ + fresh + kSlotsAhead * Mesh::kSlotSize);
     prefetchForRead(xy_ + p + kVerticesAhead);
-    return carve({ p, next, fresh }, hint);
+    const Cavity cavity{ p, next, fresh };
+    return kShared && !isOutside_ ? carve<kShared>(cavity, hint) : carve<false>(cavity, hint);
   }
 
   const InsertionWork& work() const { return work_; }
@@ -133,13 +134,6 @@ private:
     Beyond beyond;
   };
 
-  /// A triangle of the star that was split, and the edge across which what goes there was met.
-  struct Split
-  {
-    Mesh::Slot place;
-    Mesh::Halfedge entry;
-  };
-
   static constexpr bool kShared = kAccess == Access::Shared;
   static constexpr std::size_t kStepsPerRefill = kStepsPerAsking / 4;
   /// An exact answer counts as so many steps. At the ends of the exponent range it may take 500
@@ -158,6 +152,12 @@ private:
   static constexpr Mesh::Slot kStrayed = kNoIndex - 1;
 
   bool owns(Index vertex) const { return territory_.owns(vertex) || vertex == ghost_; }
+  /// May carve<kInside>() remove triangles with this vertex?
+  template <bool kInside>
+  bool mayRemove(Index vertex) const
+  {
+    return kInside ? territory_.owns(vertex) : owns(vertex);
+  }
 
   //--- locate -------------------------------------------------------------------------------------
 
@@ -311,8 +311,10 @@ private:
 
   //--- cavity and star ----------------------------------------------------------------------------
 
+  template <bool kInside>
   Insertion carve(const Cavity& cavity, Mesh::Slot& hint);
   bool closingInConflict(const Root& root, Mesh::Halfedge twin, const VectorPair& at, Index p);
+  template <bool kInside>
   Removed waitingAt(Mesh::Slot place, Pair at, const VectorPair& towards) const;
   /// Which of two triangles are in conflict with p, by the filter or, on a grid, exactly.
   AHD_ALWAYS_INLINE InCirclePair test(const EdgePair& edges, const LiftedPair& apices) const
@@ -325,11 +327,12 @@ private:
   Mesh::Slot hintOutside(Index next, Mesh::Slot ghost) const;
   AHD_NEVER_INLINE Mesh::Slot hintOnHull(Index next, Mesh::Slot hint) const;
 
-  /// What lies beyond the edges after and before h of its triangle. If Shared and its apex is not
-  /// owned, nothing is read: one of those edges may belong to others whole, and carve() ends there.
+  /// What lies beyond the edges after and before h of its triangle. Of a ghost with an apex that is
+  /// not owned one of these may belong to others whole: nothing is read there, and carve() ends.
+  template <bool kInside>
   AHD_ALWAYS_INLINE Beyond beyond(Mesh::Halfedge h) const
   {
-    if (kShared && !owns(data_[h]))
+    if (kShared && !kInside && !owns(data_[h]))
     {
       return {};
     }
@@ -373,6 +376,12 @@ private:
 
   /// One bounded step is about to be taken. False: the caller wants to cancel.
   bool spend() { return --budget_ != 0 || refill(); }
+  /// So many were taken.
+  bool spend(std::size_t steps)
+  {
+    budget_ -= std::min(budget_, steps);
+    return budget_ != 0 || refill();
+  }
   bool refill();
   /// An exact answer is about to be asked for, within a step.
   void spendOnExact() { budget_ -= budget_ > kStepsOfExact ? kStepsOfExact : budget_ - 1; }
@@ -384,7 +393,8 @@ private:
   Index ghost_;
   Territory territory_;
   Ticker& ticker_;
-  std::array<Split, kShared ? kMostSplits : 1> splits_; ///< of the star in work
+  /// Of the star in work: the edges across which what was split was met.
+  std::array<Mesh::Halfedge, kShared ? kMostSplits : 1> splits_;
   bool isOutside_ = false; ///< the last hint was a ghost, or a walk ended in one
   bool takesNotes_ = false;
   std::size_t budget_ = kStepsPerRefill;

@@ -32,17 +32,19 @@ Parts::Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round,
   , ticker_(ticker)
   , rounds_(round.rounds)
   , stride_(round.stride)
-  , known_(round.stride * kControlStride)
+  , knownOfBlock_(std::clamp<std::size_t>(
+      points_.count / count / (round.stride * kControlStride) / kLeastBlocks, 1, kMostKnown))
+  , block_(round.stride * kControlStride * knownOfBlock_)
   , parts_(count)
-  , starts_(new std::atomic<Mesh::Slot>[points_.count / known_ + 1])
+  , starts_(new std::atomic<Mesh::Slot>[points_.count / block_ + 1]())
 {
   waiting_.allocate(rounds_.size(stride_));
-  const std::size_t blocks = points_.count / known_;
+  const std::size_t blocks = points_.count / block_;
   for (std::size_t k = 0; k < count; ++k)
   {
     const Share share(blocks, k, count);
-    const std::size_t begin = share.begin * known_;
-    const std::size_t end = k + 1 < count ? share.end * known_ : points_.count;
+    const std::size_t begin = share.begin * block_;
+    const std::size_t end = k + 1 < count ? share.end * block_ : points_.count;
     parts_[k].territory = { static_cast<Index>(begin), static_cast<Index>(end - begin) };
     parts_[k].begin = rounds_.index(stride_, begin);
   }
@@ -50,40 +52,66 @@ Parts::Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round,
 
 bool Parts::findStarts()
 {
-  const std::size_t vertices = points_.count / known_ + 1;
-  const std::size_t triangles = 2 * rounds_.before(stride_) - 2;
-  const std::size_t tasks = threadsOf(ticker_);
-  const auto clear = [&](std::size_t task, Ticker& ticker)
-  {
-    const Share share(vertices, task, tasks);
-    std::fill(starts_.get() + share.begin, starts_.get() + share.end, Mesh::Slot(0));
-    return ticker.ask();
-  };
-  const auto note = [&](std::size_t task, Ticker& ticker)
-  {
-    const Share share(triangles, task, tasks);
-    return inChunks(share.begin, share.end, ticker,
-      [&](std::size_t a, std::size_t b)
-      { noteStarts(Mesh::slotOfTriangle(a), Mesh::slotOfTriangle(b)); });
-  };
-  return inParallel(ticker_, tasks, clear) && inParallel(ticker_, tasks, note);
+  return noteStarts(2 * knownOfBlock_ - 1) && (fillStarts() || (noteStarts(1) && fillStarts()));
 }
 
-void Parts::noteStarts(Mesh::Slot begin, Mesh::Slot end)
+/// Notes one of every so many triangles.
+bool Parts::noteStarts(std::size_t every)
 {
-  const std::uint32_t* const data = mesh_.data();
-  const double toBlock = 1.0 / double(known_); // v + 0.5 is not nearer to a border than it rounds
-  for (Mesh::Slot slot = begin; slot != end; slot += Mesh::kSlotSize)
-  {
-    for (unsigned corner = 0; corner < 3; ++corner)
+  const std::size_t noted = (2 * rounds_.before(stride_) - 2) / every;
+  const std::size_t tasks = tasksFor(threadsOf(ticker_), noted, 1, kLeastNoted);
+  return inParallel(ticker_, tasks,
+    [&](std::size_t task, Ticker& ticker)
     {
-      const Index v = data[slot + corner];
-      if (v != mesh_.ghost())
-      {
-        storeLarger(starts_[static_cast<std::size_t>((v + 0.5) * toBlock)], slot);
-      }
+      const Share share(noted, task, tasks);
+      return inChunks(share.begin, share.end, ticker,
+        [&](std::size_t a, std::size_t b)
+        {
+          for (std::size_t i = a; i < b; ++i)
+          {
+            noteStart(Mesh::slotOfTriangle(i * every));
+          }
+        });
+    });
+}
+
+void Parts::noteStart(Mesh::Slot slot)
+{
+  const double toBlock = 1.0 / double(block_); // v + 0.5 is not nearer to a border than it rounds
+  for (unsigned corner = 0; corner < 3; ++corner)
+  {
+    const Index v = mesh_.data()[slot + corner];
+    if (v != mesh_.ghost())
+    {
+      storeLarger(starts_[static_cast<std::size_t>((v + 0.5) * toBlock)], slot);
     }
   }
+}
+
+/// Blocks without a start get that of the one before or, at the beginning of a territory, of the
+/// first one after them. False: a territory has none.
+bool Parts::fillStarts()
+{
+  const auto hasStart = [](const std::atomic<Mesh::Slot>& start)
+  { return start.load(std::memory_order_relaxed) != 0; };
+  for (const Part& part : parts_)
+  {
+    const std::size_t size = part.territory.size;
+    std::atomic<Mesh::Slot>* const begin = starts_.get() + part.territory.begin / block_;
+    std::atomic<Mesh::Slot>* const end = begin + (size + block_ - 1) / block_;
+    const auto* const first = std::find_if(begin, end, hasStart);
+    if (first == end)
+    {
+      return false;
+    }
+    Mesh::Slot last = first->load(std::memory_order_relaxed);
+    for (std::atomic<Mesh::Slot>* start = begin; start != end; ++start)
+    {
+      last = hasStart(*start) ? start->load(std::memory_order_relaxed) : last;
+      start->store(last, std::memory_order_relaxed);
+    }
+  }
+  return true;
 }
 
 bool Parts::insertOwn(SharedWork& work)

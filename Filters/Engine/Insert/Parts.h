@@ -85,9 +85,14 @@ private:
 
   static constexpr std::size_t kFew = 256; ///< points that are not worth another pass
   static constexpr std::size_t kJoined = 4;
+  static constexpr std::size_t kMostKnown = 8;        ///< vertices for one start
+  static constexpr std::size_t kLeastBlocks = 1024;   ///< in a territory, before they get larger
+  static constexpr std::size_t kLeastNoted = 1 << 15; ///< triangles that are worth a task
 
   bool findStarts();
-  void noteStarts(Mesh::Slot begin, Mesh::Slot end);
+  bool noteStarts(std::size_t every);
+  void noteStart(Mesh::Slot slot);
+  bool fillStarts();
   bool insertOwn(SharedWork& work);
   template <bool kExact>
   bool insertOwnOf(Part& part, Ticker& ticker);
@@ -98,12 +103,12 @@ private:
   std::size_t waiting() const;
   void account(SharedWork& work);
 
-  /// A triangle to start from when locating vertex v: it had, when the round began, the vertex of
-  /// the rounds before that is in the same block as v. Since then, whatever fills its slot has a
-  /// vertex of the territory that vertex belongs to.
+  /// A triangle to start from when locating vertex v: it had, when the round began, a vertex of the
+  /// rounds before that is in the same block as v, or in one near it in the same territory. Since
+  /// then, whatever fills its slot has a vertex of that territory.
   Mesh::Slot startFor(std::size_t v) const
   {
-    return starts_[v / known_].load(std::memory_order_relaxed);
+    return starts_[v / block_].load(std::memory_order_relaxed);
   }
 
   /// Vertex p waits. Where it was last looked for is noted in a number that nothing else uses, of
@@ -146,7 +151,8 @@ private:
   Ticker& ticker_;
   const Rounds& rounds_;
   std::size_t stride_;
-  std::size_t known_; ///< the vertices of the rounds before: one in each block of this size
+  std::size_t knownOfBlock_; ///< how many vertices of the rounds before are in a block
+  std::size_t block_;        ///< so many successive vertices, which have one start
   std::vector<Part> parts_;
   Buffer<Index> waiting_;        ///< a part's points that wait stand where its own would, if listed
   std::size_t waitingSteps_ = 0; ///< taken for points that waited
