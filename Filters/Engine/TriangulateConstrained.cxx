@@ -26,7 +26,8 @@ bool insertConstraints(State& state, const ConstraintView& given, FillRule rule,
   state.tables.starts.reset();
   state.hasNumbers = state.hasCorners = state.hasTwins = state.hasNeighbors = false;
   if (!state.restorePlaces(ticker) || !(state.hasPointMap || state.makePointMap(ticker)) ||
-    !state.constrained.begin(state.mesh, state.ranked.xy.data(), ticker))
+    !state.constrained.begin(state.mesh, state.ranked.xy.data(), ticker) ||
+    !state.constrained.findVertices(ticker))
   {
     return false;
   }

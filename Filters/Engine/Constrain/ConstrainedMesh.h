@@ -26,9 +26,13 @@ enum : std::uint8_t
 class ConstrainedMesh
 {
 public:
-  /// Looks at every triangle once. Returns false if the caller wants to cancel; throws
-  /// std::bad_alloc. REQUIRES: a mesh with a triangle; xy outlives this.
+  /// No marks. Returns false if the caller wants to cancel, as below; throws std::bad_alloc.
+  /// REQUIRES: a mesh with a triangle; xy outlives this.
   bool begin(Mesh& mesh, const Point* xy, Ticker& ticker);
+  /// Looks at every triangle once, so that a triangle of each vertex is known: what asks for that
+  /// (isInMesh(), outgoing(), slotOf()) or changes it (setCorners()) REQUIRES it. Throws
+  /// std::bad_alloc.
+  bool findVertices(Ticker& ticker);
 
   std::uint32_t* data() { return data_; }
   const std::uint32_t* data() const { return data_; }

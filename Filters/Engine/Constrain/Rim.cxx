@@ -40,7 +40,8 @@ private:
   bool mayGo(Mesh::Halfedge h) const;
   bool mayLose(Mesh::Halfedge h) const;
   bool isDropped(Mesh::Halfedge h) const { return (mesh_.marks(h) & kDropped) != 0; }
-  bool turnAround(Index vertex, bool& isBare);
+  bool findGhost(Mesh::Slot& slot);
+  bool turnAround(Mesh::Halfedge first, bool& isBare);
 
   ConstrainedMesh& mesh_;
   Ticker& ticker_;
@@ -100,9 +101,32 @@ void Trimmer::dropAcross(Mesh::Halfedge h)
   droppedArea_ += doubledArea(mesh_.at(v[0]), mesh_.at(v[1]), mesh_.at(v[2]));
 }
 
+/// The last one.
+bool Trimmer::findGhost(Mesh::Slot& slot)
+{
+  for (slot = Mesh::slotOfTriangle(mesh_.triangles() - 1); !mesh_.isGhost(slot);
+       slot -= Mesh::kSlotSize)
+  {
+    if (!ticker_.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool Trimmer::dropAlongHull()
 {
-  const Mesh::Halfedge first = mesh_.outgoing(mesh_.ghost());
+  Mesh::Halfedge ghost = 0;
+  if (!findGhost(ghost))
+  {
+    return false;
+  }
+  while (mesh_.apex(ghost) != mesh_.ghost())
+  {
+    ++ghost;
+  }
+  const Mesh::Halfedge first = Mesh::previous(ghost);
   const Point& corner = mesh_.at(mesh_.destination(first));
   Mesh::Halfedge spoke = first;
   do
@@ -151,7 +175,7 @@ bool Trimmer::countBare(std::size_t& bare)
     {
       const Index vertex = mesh_.apex(h);
       bool isBare = false;
-      if (seen[vertex] == 0 && !turnAround(vertex, isBare))
+      if (seen[vertex] == 0 && !turnAround(Mesh::previous(h), isBare))
       {
         return false;
       }
@@ -162,9 +186,9 @@ bool Trimmer::countBare(std::size_t& bare)
   return true;
 }
 
-bool Trimmer::turnAround(Index vertex, bool& isBare)
+/// Around the vertex from which the half-edge runs: is none of its triangles left?
+bool Trimmer::turnAround(Mesh::Halfedge first, bool& isBare)
 {
-  const Mesh::Halfedge first = mesh_.outgoing(vertex);
   Mesh::Halfedge h = first;
   do
   {
