@@ -10,13 +10,12 @@
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
-  Core/Buffer.h Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h
+  Core/Buffer.h Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Prefetch.h
   Core/Progress.h Core/Stages.h Core/Threads.h Core/Uninitialised.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
   Distribute/BlockTriangulation.h Merge/Merge.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
-  Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h Distribute/BlockTriangulation.h
   Interface/ahd.h Interface/ahd_sample.h Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 

@@ -2,6 +2,7 @@
 #ifndef ahd_Chunks_h
 #define ahd_Chunks_h
 
+#include "Prefetch.h"
 #include "Progress.h"
 
 #include <algorithm>
@@ -36,28 +37,6 @@ bool fillAll(Array& array, const Value& value, Ticker& ticker)
 {
   return inChunks(0, array.size(), ticker,
     [&](std::size_t a, std::size_t b) { std::fill(array.data() + a, array.data() + b, value); });
-}
-
-/// Tells the processor that a cache line is about to be written. Changes no result.
-inline void prefetchForWrite(const void* address)
-{
-#if defined(__GNUC__) || defined(__clang__)
-  __builtin_prefetch(address, 1);
-  asm volatile(""); // no instruction; else GCC drops calls of functions that do nothing but fetch
-#else
-  (void)address;
-#endif
-}
-
-/// Tells the processor that a cache line is about to be read. Changes no result.
-inline void prefetchForRead(const void* address)
-{
-#if defined(__GNUC__) || defined(__clang__)
-  __builtin_prefetch(address, 0);
-  asm volatile(""); // as above
-#else
-  (void)address;
-#endif
 }
 
 /// Number of bits needed to write n; 0 for 0.

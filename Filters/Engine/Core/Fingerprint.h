@@ -2,6 +2,8 @@
 #ifndef ahd_Fingerprint_h
 #define ahd_Fingerprint_h
 
+#include "Prefetch.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -20,6 +22,7 @@ class FingerprintSum
 {
 public:
   static constexpr std::size_t kWord = sizeof(std::uint64_t);
+  static constexpr std::size_t kWordsAhead = 128; ///< fetched: some processors fetch too few
 
   /// Adds the words [begin, end) of so many words at `bytes`.
   void add(const unsigned char* bytes, std::size_t begin, std::size_t end, std::size_t words)
@@ -29,6 +32,7 @@ public:
     for (std::size_t i = begin; i < end; ++i)
     {
       std::uint64_t word = 0;
+      prefetchForRead(bytes + (i + kWordsAhead) * kWord);
       std::memcpy(&word, bytes + i * kWord, kWord);
       plain += at(word, i);
       weighted += plain;

@@ -13,7 +13,8 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kBucket = 256;       // points per bucket aimed at
+constexpr std::size_t kBucket = 256; // points per bucket aimed at
+constexpr std::size_t kPointsAhead = 64;
 constexpr unsigned kMostBucketBits = 15;   // more buckets than this cost more than they save
 constexpr std::size_t kPrefetchAhead = 2;  // records: the next cache line
 constexpr std::size_t kTasksPerThread = 4; // so that a thread that is late is waited for less
@@ -29,6 +30,7 @@ struct Source
   std::size_t stride;
 
   Point operator[](std::size_t i) const { return { numbers[i * stride], numbers[i * stride + 1] }; }
+  void prefetch(std::size_t i) const { prefetchForRead(numbers + i * stride); }
 };
 
 unsigned bucketBits(std::size_t n)
@@ -124,6 +126,7 @@ std::size_t Scatter::makeKeyBlock(
   const Grid grid = grid_;
   for (std::size_t i = begin; i < end; ++i)
   {
+    from.prefetch(i + kPointsAhead);
     if (wanted<kPlain>(from, i))
     {
       const Point p = from[i];
@@ -235,6 +238,8 @@ bool Scatter::makeRecords(const From& from, Ticker& ticker)
             if (wanted<kPlain>(from, i))
             {
               const Point p = from[i];
+              from.prefetch(i + kPointsAhead);
+              prefetchForRead(next + kPointsAhead);
               const std::uint64_t key = *next++;
               Record* const r = records_ + places[bucketOf(key)]++;
               *r = { p.x, p.y, key, static_cast<Index>(i) };

@@ -2,6 +2,8 @@
 #ifndef ahd_Points_h
 #define ahd_Points_h
 
+#include "../Core/Prefetch.h"
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -83,6 +85,14 @@ struct PointView
   {
     const std::size_t at = i * stride + 2;
     return isFlat ? 0.0 : doubles ? doubles[at] : double(floats[at]);
+  }
+
+  /// Point i is about to be read: fetches it. It need not exist.
+  void prefetch(std::size_t i) const
+  {
+    const std::size_t first = i * stride, last = first + stride - 1; // mostly in the same line
+    doubles ? prefetchForRead(doubles + first) : prefetchForRead(floats + first);
+    doubles ? prefetchForRead(doubles + last) : prefetchForRead(floats + last);
   }
 
   /// Is point i to be left out on the caller's wish?

@@ -132,7 +132,7 @@ private:
       const auto visit = [&](Visitor<Method, Sink>& visitor, std::size_t k, Ticker& own)
       {
         constexpr std::size_t kAhead = 8;
-        prefetchForRead(places_.points(), order[std::min(k + kAhead, end - begin - 1)]);
+        points.prefetch(order[std::min(k + kAhead, end - begin - 1)]);
         own.finished(1);
         return visitor.visit(order[k], points[order[k]], own);
       };
@@ -143,12 +143,6 @@ private:
       }
     }
     return true;
-  }
-
-  static void prefetchForRead(const PointView& points, std::size_t k)
-  {
-    points.doubles ? ahd::prefetchForRead(points.doubles + k * points.stride)
-                   : ahd::prefetchForRead(points.floats + k * points.stride);
   }
 
   bool inTiles(Ticker& ticker)

@@ -43,22 +43,6 @@ bool findLowestZ(const PointView& points, Ticker& ticker, double& z)
   return all;
 }
 
-/// Tells the processor that the point is about to be read.
-void prefetch(const PointView& points, std::size_t i)
-{
-  const std::size_t first = i * points.stride, last = first + points.stride - 1;
-  if (points.doubles)
-  {
-    prefetchForRead(points.doubles + first);
-    prefetchForRead(points.doubles + last); // mostly in the same line
-  }
-  else
-  {
-    prefetchForRead(points.floats + first);
-    prefetchForRead(points.floats + last);
-  }
-}
-
 template <typename Id>
 bool drawInserted(
   const Triangulation& triangulation, std::size_t count, const OrderDrawing<Id>& to, Ticker& ticker)
@@ -71,7 +55,7 @@ bool drawInserted(
       for (std::size_t i = a; i != b; ++i)
       {
         const auto next = static_cast<std::size_t>(to.ids[std::min(b - 1, i + kAhead)]);
-        prefetch(points, next);
+        points.prefetch(next);
         const std::array<double, 3> p = points.place(static_cast<std::size_t>(to.ids[i]));
         std::copy(p.begin(), p.end(), to.xyz + 3 * i);
         to.ranks[i] = static_cast<Id>(i);

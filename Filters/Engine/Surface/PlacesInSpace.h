@@ -33,7 +33,7 @@ public:
       const std::uint32_t* const id = state.ranked.id.data();
       for (std::size_t v = a; v != b; ++v)
       {
-        fetch(inSpace, id[std::min(v + kPointsAhead, b - 1)]);
+        inSpace.prefetch(id[std::min(v + kPointsAhead, b - 1)]);
         isUpright_ ? void(z_[v] = inSpace.z(id[v])) : void(places_[v] = inSpace.place(id[v]));
         if (isGone)
         {
@@ -57,11 +57,6 @@ public:
 
 private:
   static constexpr std::size_t kPointsAhead = 24;
-  static void fetch(const PointView& points, std::size_t i)
-  {
-    points.doubles ? prefetchForRead(points.doubles + i * points.stride)
-                   : prefetchForRead(points.floats + i * points.stride);
-  }
 
   const Point* xy_ = nullptr;
   bool isUpright_ = false; ///< x and y are those of the triangulation

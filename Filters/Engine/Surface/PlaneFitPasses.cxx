@@ -11,6 +11,8 @@ namespace ahd
 namespace
 {
 
+constexpr std::size_t kLanesAhead = 4 * kSumLanes; ///< fetched: some processors fetch too few
+
 /// How far along an axis the points are.
 SumTerms alongAxis(const Vector3& axis, const PlaneBlock& block)
 {
@@ -30,6 +32,15 @@ SumTerms productsOf(const SumTerms& a, const SumTerms& b)
     products[lane] = a[lane] * b[lane];
   }
   return products;
+}
+
+/// The coordinates of as many points as sums take at once will be read.
+void prefetchRows(const double* rows)
+{
+  for (std::size_t i = 0; i < 3 * kSumLanes; i += 64 / sizeof(double))
+  {
+    prefetchForRead(rows + i);
+  }
 }
 
 } // namespace
@@ -55,6 +66,7 @@ PlaneBlock PlaneFitting::Work::readPlaces(std::size_t begin, std::size_t end) co
   if (points_.doubles && !points_.isFlat && end - begin == kSumLanes)
   {
     const double* const rows = points_.doubles + 3 * begin;
+    prefetchRows(rows + 3 * kLanesAhead);
     for (std::size_t lane = 0; lane < kSumLanes; ++lane)
     {
       for (std::size_t k = 0; k < 3; ++k)
@@ -108,6 +120,7 @@ bool PlaneFitting::Work::findExtent(Ticker& ticker)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
+        points_.prefetch(i + kLanesAhead);
         const Vector3 p = points_.place(i);
         if (doesCount(p, i))
         {

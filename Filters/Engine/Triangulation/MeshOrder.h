@@ -103,6 +103,7 @@ bool inMeshOrder(const Mesh& mesh, const Buffer<std::uint32_t>& numbers, const A
       {
         array.prepare(numbers[std::min(slot + 2 * kSlotsAhead, last)]);
         array.fetch(numbers[std::min(slot + kSlotsAhead, last)]);
+        prefetchForRead(data + (slot + 2 * kSlotsAhead) * Mesh::kSlotSize);
         if (const std::uint32_t number = numbers[slot]; number != kNotExtracted)
         {
           visit(triangleOf(number), slot, OrderedTriangle(data, slot, number));

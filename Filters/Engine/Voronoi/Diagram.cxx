@@ -52,6 +52,7 @@ bool Diagram::joinCentres(Ticker& ticker)
   const std::size_t tasks = tasksFor(threadsOf(ticker), triangles(), 8, 1 << 14);
   const double size = std::max(
     sizeOf({ bounds_.xmin, bounds_.ymin }), sizeOf({ bounds_.xmax, bounds_.ymax }));
+  constexpr std::size_t kAhead = 64; // triangles: fetched
   std::vector<std::vector<std::uint32_t>> found(tasks);
   const auto look = [&](std::size_t task, Ticker& own)
   {
@@ -62,6 +63,8 @@ bool Diagram::joinCentres(Ticker& ticker)
       {
         for (std::size_t t = begin; t < end; ++t)
         {
+          prefetchForRead(centres_.data() + t + kAhead);
+          prefetchForRead(tables_.twins.data() + 3 * (t + kAhead));
           if (mayJoin(t, size))
           {
             some.push_back(static_cast<std::uint32_t>(t));

@@ -52,6 +52,8 @@ private:
   bool count();
   bool number();
 
+  static constexpr std::size_t kAhead = 32; ///< points or vertices: fetched
+
   const State& state_;
   Sites& sites_;
   Ticker& ticker_;
@@ -72,6 +74,7 @@ bool SiteNumbering::findFirst()
   {
     for (std::size_t v = a; v != b; ++v)
     {
+      prefetchForWrite(vertexAt + ranked.id[std::min(v + kAhead, b - 1)]);
       first[v] = ranked.id[v];
       vertexAt[ranked.id[v]] = static_cast<Index>(v);
     }
@@ -143,6 +146,7 @@ bool SiteNumbering::count()
         {
           for (std::size_t i = a; i != b; ++i)
           {
+            state_.points.prefetch(i + kAhead);
             if (vertexAt_[i] != kNoIndex)
             {
               const Point p = state_.points[i];
@@ -172,6 +176,7 @@ bool SiteNumbering::number()
   sites_.areModest = all.areModest;
   sites_.ids.allocate(all.count);
   const bool areTheirOwn = state_.ranked.duplicates.empty();
+  Index* const cellOf = sites_.cellOf.data();
   return inParallel(ticker_, parts_.size(),
     [&](std::size_t task, Ticker& own)
     {
@@ -182,12 +187,14 @@ bool SiteNumbering::number()
         {
           for (std::size_t i = a; i != b; ++i)
           {
+            const Index later = vertexAt_[std::min(i + kAhead, b - 1)];
+            prefetchForWrite(cellOf + (later == kNoIndex ? 0 : later));
             const Index vertex = vertexAt_[i];
             if (vertex != kNoIndex)
             {
               sites_.ids[cell] = static_cast<std::int32_t>(
                 areTheirOwn ? i : std::size_t(state_.ranked.id[vertex]));
-              sites_.cellOf[vertex] = static_cast<Index>(cell++);
+              cellOf[vertex] = static_cast<Index>(cell++);
             }
           }
         });
