@@ -41,8 +41,9 @@ struct Inputs
   std::size_t n = 1000000;
   int threads = 1;
   bool cold = false;
-  vtkNew<vtkPolyData> points;     ///< uniform in the unit square, z on a slanted plane
-  vtkNew<vtkPolyData> breaklines; ///< n / 10 short lines between points near to each other
+  vtkNew<vtkPolyData> points;        ///< uniform in the unit square, z on a slanted plane
+  vtkNew<vtkPolyData> breaklines;    ///< n / 10 short lines, of which no two cross
+  vtkNew<vtkPolyData> crossingLines; ///< the same, but that some do
 
   /// The mean distance between neighbours.
   double spacing() const { return 1.0 / std::sqrt(double(n)); }
@@ -71,6 +72,7 @@ const std::vector<Feature>& features()
     { "Curve", [](Filter& f, const Inputs&) { f.GenerateInsertionCurveOn(); } },
     { "Boxes", [](Filter& f, const Inputs&) { f.GenerateBoxesOn(); } },
     { "Breaklines", [](Filter& f, const Inputs& in) { f.SetSourceData(in.breaklines); } },
+    { "CrossingLines", [](Filter& f, const Inputs& in) { f.SetSourceData(in.crossingLines); } },
   };
   return all;
 }
@@ -149,28 +151,46 @@ void makePoints(Inputs& in)
   in.points->SetPoints(points);
 }
 
-/// Between two corners of triangles that follow each other in the output: some are edges, most are
-/// not.
-void makeBreaklines(Inputs& in)
+/// The triangles of every `step`-th point, as the caller's ids.
+std::vector<std::int64_t> trianglesOfEvery(std::size_t step, const Inputs& in)
 {
   const auto* places = static_cast<const double*>(in.points->GetPoints()->GetVoidPointer(0));
   Triangulation made;
   Workspace workspace;
-  triangulate(PointView(places, in.n, 3), Options(), workspace, {}, made);
-  std::vector<std::int32_t> triples(3 * made.report().triangles);
+  triangulate(
+    PointView(places, (in.n + step - 1) / step, 3 * step), Options(), workspace, {}, made);
+  std::vector<std::int64_t> triples(3 * made.report().triangles);
   made.writeTriangles(triples.data(), {});
-  vtkNew<vtkCellArray> lines;
-  const std::size_t step = std::max<std::size_t>(1, triples.size() / 3 / (in.n / 10 + 1));
-  for (std::size_t t = 0; t + step < triples.size() / 3; t += step)
+  std::for_each(
+    triples.begin(), triples.end(), [step](std::int64_t& id) { id *= std::int64_t(step); });
+  return triples;
+}
+
+/// n / 10 lines, one for each of as many corners of the triples: to another one so many places on.
+void makeLines(const Inputs& in, std::size_t step, std::size_t placesOn, vtkPolyData* lines)
+{
+  const std::vector<std::int64_t> triples = trianglesOfEvery(step, in);
+  const std::size_t apart = std::max<std::size_t>(1, triples.size() / 3 / (in.n / 10 + 1));
+  vtkNew<vtkCellArray> cells;
+  for (std::size_t t = 0; 3 * t + placesOn < triples.size(); t += apart)
   {
-    const vtkIdType ids[2] = { triples[3 * t], triples[3 * t + 5] };
+    const vtkIdType ids[2] = { triples[3 * t], triples[3 * t + placesOn] };
     if (ids[0] != ids[1])
     {
-      lines->InsertNextCell(2, ids);
+      cells->InsertNextCell(2, ids);
     }
   }
-  in.breaklines->SetPoints(in.points->GetPoints());
-  in.breaklines->SetLines(lines);
+  lines->SetPoints(in.points->GetPoints());
+  lines->SetLines(cells);
+}
+
+/// Edges of the triangulation of every third point do not cross each other, and few of them are
+/// edges of the triangulation of all. Lines between corners of triangles that follow each other
+/// may.
+void makeBreaklines(Inputs& in)
+{
+  makeLines(in, 3, 1, in.breaklines);
+  makeLines(in, 1, 5, in.crossingLines);
 }
 
 /// The value of `--name=`, or nothing.
@@ -254,7 +274,8 @@ int main(int argc, char** argv)
     return 1;
   }
   makePoints(in);
-  if (list.find("Breaklines") != std::string::npos || list == "all")
+  if (list == "all" || list.find("Breaklines") != std::string::npos ||
+    list.find("CrossingLines") != std::string::npos)
   {
     makeBreaklines(in);
   }

@@ -239,7 +239,7 @@ def feature_rows(programs, plan):
         yield Row(title, name, measure, ("here", "plain"), "<=", limit)
     if len(os.sched_getaffinity(0)) < 2:
         return
-    for name in ["plain", *FEATURES, "Breaklines"]:
+    for name in ["plain", *FEATURES, "Breaklines", "CrossingLines"]:
         def measure_threads(name=name):
             sides = {"one": [], "two": []}
             for _ in range(plan.repeat[size]):
