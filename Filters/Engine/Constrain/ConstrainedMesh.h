@@ -61,9 +61,11 @@ public:
   bool isInMesh(Index vertex) const { return slotOf_[vertex] != kNoIndex; }
 
   /// A half-edge that runs from the vertex. REQUIRES: isInMesh(vertex).
-  Mesh::Halfedge outgoing(Index vertex) const
+  Mesh::Halfedge outgoing(Index vertex) const { return outgoing(slotOf_[vertex], vertex); }
+  /// That of a triangle which has the vertex as a corner.
+  Mesh::Halfedge outgoing(Mesh::Slot slot, Index vertex) const
   {
-    Mesh::Halfedge h = slotOf_[vertex];
+    Mesh::Halfedge h = slot;
     while (data_[h] != vertex)
     {
       ++h;

@@ -117,16 +117,12 @@ bool Trimmer::findGhost(Mesh::Slot& slot)
 
 bool Trimmer::dropAlongHull()
 {
-  Mesh::Halfedge ghost = 0;
-  if (!findGhost(ghost))
+  Mesh::Slot slot = 0;
+  if (!findGhost(slot))
   {
     return false;
   }
-  while (mesh_.apex(ghost) != mesh_.ghost())
-  {
-    ++ghost;
-  }
-  const Mesh::Halfedge first = Mesh::previous(ghost);
+  const Mesh::Halfedge first = mesh_.outgoing(slot, mesh_.ghost());
   const Point& corner = mesh_.at(mesh_.destination(first));
   Mesh::Halfedge spoke = first;
   do

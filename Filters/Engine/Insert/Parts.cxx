@@ -32,9 +32,9 @@ Parts::Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round,
   , ticker_(ticker)
   , rounds_(round.rounds)
   , stride_(round.stride)
-  , knownOfBlock_(std::clamp<std::size_t>(
-      points_.count / count / (round.stride * kControlStride) / kLeastBlocks, 1, kMostKnown))
-  , block_(round.stride * kControlStride * knownOfBlock_)
+  , known_(round.stride * kControlStride)
+  , block_(known_ *
+      std::clamp<std::size_t>(points_.count / count / known_ / kLeastBlocks, 1, kMostKnown))
   , parts_(count)
   , starts_(new std::atomic<Mesh::Slot>[points_.count / block_ + 1]())
 {
@@ -52,7 +52,7 @@ Parts::Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round,
 
 bool Parts::findStarts()
 {
-  return noteStarts(2 * knownOfBlock_ - 1) && (fillStarts() || (noteStarts(1) && fillStarts()));
+  return noteStarts(2 * (block_ / known_) - 1) && (fillStarts() || (noteStarts(1) && fillStarts()));
 }
 
 /// Notes one of every so many triangles.

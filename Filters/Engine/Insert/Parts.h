@@ -151,8 +151,8 @@ private:
   Ticker& ticker_;
   const Rounds& rounds_;
   std::size_t stride_;
-  std::size_t knownOfBlock_; ///< how many vertices of the rounds before are in a block
-  std::size_t block_;        ///< so many successive vertices, which have one start
+  std::size_t known_; ///< the vertices of the rounds before: one of so many successive ones
+  std::size_t block_; ///< so many successive vertices, which have one start
   std::vector<Part> parts_;
   Buffer<Index> waiting_;        ///< a part's points that wait stand where its own would, if listed
   std::size_t waitingSteps_ = 0; ///< taken for points that waited

@@ -13,8 +13,8 @@ namespace ahd
 namespace
 {
 
-constexpr std::size_t kBucket = 256; // points per bucket aimed at
-constexpr std::size_t kPointsAhead = 64;
+constexpr std::size_t kBucket = 256;       // points per bucket aimed at
+constexpr std::size_t kPointsAhead = 64;   // fetched, and their keys
 constexpr unsigned kMostBucketBits = 15;   // more buckets than this cost more than they save
 constexpr std::size_t kPrefetchAhead = 2;  // records: the next cache line
 constexpr std::size_t kTasksPerThread = 4; // so that a thread that is late is waited for less

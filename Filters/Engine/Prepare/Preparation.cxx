@@ -67,18 +67,17 @@ double diagonalOf(const Box& box)
   return std::min(length, std::numeric_limits<double>::max());
 }
 
-constexpr std::size_t kPointsAhead = 64; ///< fetched
-
 /// Writes where the points lie from the plane, three numbers each. Returns false if the work is to
 /// be cancelled.
 bool projectAll(const PointView& points, const Plane& plane, double* to, Ticker& ticker)
 {
+  constexpr std::size_t kAhead = 64; // points: fetched
   return inChunksOf(points.count, ticker,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        points.prefetch(i + kPointsAhead);
+        points.prefetch(i + kAhead);
         const Vector3 from = points.place(i);
         const bool finite = from[0] * 0 + from[1] * 0 + from[2] * 0 == 0;
         const Vector3 place = plane.project(from);
