@@ -32,6 +32,8 @@ inline std::size_t tasksFor(
 /// phase; in ascending order on this thread if none are. The tasks must be independent, and what
 /// they write must not depend on which runs first. `work` returns false if it was told to cancel;
 /// then this does. If one throws std::bad_alloc the others are stopped and this throws it.
+/// With threads lent it asks at its end: the others may have taken all tasks, or tasks too short to
+/// ask.
 template <typename Work>
 bool inParallel(Ticker& ticker, std::size_t count, Work work)
 {
@@ -74,7 +76,7 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
   {
     throw std::bad_alloc();
   }
-  return !cancelled && !ticker.cancelled(); // the last idle() may have been told
+  return !cancelled && ticker.ask();
 }
 
 /// [begin, end) of the items that task `task` of `tasks` takes, when they share `items` evenly.

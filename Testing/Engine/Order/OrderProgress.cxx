@@ -189,10 +189,16 @@ TEST(OrderProgress, StopsAtEveryAskingWithThreads)
       ASSERT_EQ(counter.read + counter.sort, k) << nameOf(d);
       ASSERT_EQ(counter.late, 0u) << nameOf(d);
     }
+    // Where other threads take all tasks, too.
+    QuickElsewhereExecutor elsewhere(3);
     ThreadExecutor threads(3);
-    Counter first(1);
-    EXPECT_EQ(rank(points, &threads, first), Status::Cancelled);
-    EXPECT_EQ(first.late, 0u) << nameOf(d);
+    for (Executor* executor :
+      { static_cast<Executor*>(&elsewhere), static_cast<Executor*>(&threads) })
+    {
+      Counter first(1);
+      EXPECT_EQ(rank(points, executor, first), Status::Cancelled) << nameOf(d);
+      EXPECT_EQ(first.late, 0u) << nameOf(d);
+    }
   }
 }
 

@@ -118,5 +118,19 @@ void ElsewhereExecutor::run(std::size_t count, const std::function<void(std::siz
   other.join();
 }
 
+void QuickElsewhereExecutor::run(std::size_t count, const std::function<void(std::size_t)>& task,
+  const std::function<void()>& /*idle*/)
+{
+  std::thread other(
+    [&]
+    {
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        task(i);
+      }
+    });
+  other.join();
+}
+
 } // namespace test
 } // namespace ahd

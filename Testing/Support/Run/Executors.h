@@ -95,6 +95,15 @@ public:
     const std::function<void()>& idle) override;
 };
 
+/// Runs all tasks on one thread that is not the caller's, and is done before the caller asks.
+class QuickElsewhereExecutor : public NominalExecutor
+{
+public:
+  using NominalExecutor::NominalExecutor;
+  void run(std::size_t count, const std::function<void(std::size_t)>& task,
+    const std::function<void()>& idle) override;
+};
+
 } // namespace test
 } // namespace ahd
 
