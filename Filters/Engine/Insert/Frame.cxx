@@ -82,6 +82,7 @@ bool Framing::begin(Ticker& ticker)
     {
       const Bounds& b = points_.bounds;
       guard_ = inCircleGuard(4 * squaredLength(b.xmax - b.xmin, b.ymax - b.ymin));
+      squaredGuard_ = std::numeric_limits<double>::infinity();
       return true;
     }
     exponent_ += shift;
@@ -93,6 +94,7 @@ bool Framing::begin(Ticker& ticker)
   }
   const double ghost = std::ldexp(kGhostDistance, exponent_);
   guard_ = inCircleGuard(2 * ghost * ghost);
+  squaredGuard_ = inCircleSquaredGuard(2 * ghost * ghost);
   points_.xy[points_.count] = { 0.0, ghost };
   return findUnit(ticker);
 }

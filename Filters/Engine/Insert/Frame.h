@@ -14,8 +14,9 @@ namespace ahd
 struct Frame
 {
   const RankedPoints& points;
-  double guard;      ///< of the in-circle filter (Filters.h): enough for all triangles
-  double exactBelow; ///< error bounds below this are 0 (exactErrorBound() in Filters.h)
+  double guard;        ///< of the in-circle filter (Filters.h): enough for all triangles
+  double squaredGuard; ///< of that for two triangles at once (FilterPairs.h)
+  double exactBelow;   ///< error bounds below this are 0 (exactErrorBound() in Filters.h)
 
   double perturbation; ///< for perturbedDeterminant() (Filters.h)
 
@@ -24,7 +25,7 @@ struct Frame
 };
 
 /// Puts points into the frame of an insertion, and takes them out again:
-/// - Where coordinates are so small or so large that their fourth powers would underflow or
+/// - Where coordinates are so small or so large that squares of determinants would underflow or
 ///   overflow, all are multiplied by one power of two, if that is exact for each. In-circle and
 ///   orientation determinants keep their signs, and so does the order of locations.
 /// - The ghost gets a location far away, so that the filters answer for it, too (kGhostDistance in
@@ -44,7 +45,7 @@ public:
   /// The points, the ghost included, get back what they had.
   bool end(Ticker& ticker);
 
-  Frame frame() const { return { points_, guard_, exactBelow_, perturbation_ }; }
+  Frame frame() const { return { points_, guard_, squaredGuard_, exactBelow_, perturbation_ }; }
 
 private:
   bool multiplyBy(double factor, Ticker& ticker);
@@ -55,6 +56,7 @@ private:
   int exponent_ = 0; ///< all coordinates are below 2 to this power
   double scale_ = 1.0;
   double guard_ = 0.0;
+  double squaredGuard_ = 0.0;
   double exactBelow_ = -1.0;
   double perturbation_ = 0.0;
 };

@@ -69,6 +69,7 @@ public:
   Kernel(const Frame& frame, Mesh& mesh, Ticker& ticker, Territory territory = Territory())
     : xy_(frame.points.xy.data())
     , guard_(frame.guard)
+    , squaredGuard_(frame.squaredGuard)
     , exactly_{ frame.exactBelow, frame.perturbation }
     , data_(mesh.data())
     , ghost_(mesh.ghost())
@@ -320,7 +321,7 @@ private:
   AHD_ALWAYS_INLINE InCirclePair test(const EdgePair& edges, const LiftedPair& apices) const
   {
     return kExact ? perturbedInCircle(edges, apices, both(guard_), exactly_)
-                  : inCircle(edges, apices, both(guard_));
+                  : inCircle(edges, apices, both(squaredGuard_));
   }
   unsigned decide(InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p);
   void takeBack(std::size_t splits);
@@ -387,7 +388,8 @@ private:
   void spendOnExact() { budget_ -= budget_ > kStepsOfExact ? kStepsOfExact : budget_ - 1; }
 
   const Point* xy_;
-  double guard_; ///< what underflow may cost an in-circle determinant (see Filters.h)
+  double guard_;        ///< what underflow may cost an in-circle determinant (see Filters.h)
+  double squaredGuard_; ///< the same of its square (see FilterPairs.h)
   Exactly exactly_;
   std::uint32_t* data_;
   Index ghost_;

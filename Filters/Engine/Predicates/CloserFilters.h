@@ -38,7 +38,8 @@ struct SeenTriangle
 
 /// The sign of the in-circle determinant, by the bound of inCircleIsCertain() before its step from
 /// products of lengths to their squares, which loses much where one point is far nearer than the
-/// others.
+/// others. That of pairs (inCircleSquaredBound()) is the same; this one is for points on a grid and
+/// those that no scale brings into a frame, and its guard is less.
 ///
 /// Proof, continued from step 4 there: the error is below ((1 + u)^10 - 1) a b c (a + b + c), and
 /// (a + b + c)^2 <= 3 (a^2 + b^2 + c^2). What is compared are the squares of both; their roundings,

@@ -305,8 +305,8 @@ struct InCirclePair
   unsigned certain; ///< the others are for an exact predicate to decide
 };
 
-/// Of each of two edges and points: the determinant of b, a, c, and the bound on its error. See
-/// inCircle().
+/// Of each of two edges and points: the determinant of b, a, c, and a bound on its error. See
+/// inCircle() and perturbedInCircle().
 AHD_ALWAYS_INLINE Pair inCircleDeterminant(const EdgePair& e, const LiftedPair& c)
 {
   const Pair u = productLess(e.a.z, e.b.y, e.b.z * e.a.y);
@@ -320,32 +320,46 @@ AHD_ALWAYS_INLINE Pair inCircleErrorBound(const EdgePair& e, const LiftedPair& c
   return multiplyAdd(both(kInCircleBound), sum, guard);
 }
 
+/// The square of a bound on its error that is closer where one point is far nearer than the others.
+/// See inCircle(). REQUIRES: guard >= inCircleSquaredGuard(A.z + B.z + C.z).
+AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair& c, Pair guard)
+{
+  const Pair product = both(3.0 * kInCircleBound * kInCircleBound) * (e.a.z * e.b.z);
+  return multiplyAdd(product, c.z * (e.a.z + e.b.z + c.z), guard);
+}
+
 /// For each of two edges a-b and a point c on its right: does P lie in the circle of b, a, c? That
 /// is the sign of the determinant
 ///     A.z C x B + B.z A x C - C.z A x B  =  C.x u + C.y v - C.z A x B,
 ///     u = A.z B.y - B.z A.y,  v = B.z A.x - A.z B.x.
-/// REQUIRES: guard >= inCircleGuard(A.z + B.z + C.z).
+/// REQUIRES: guard >= inCircleSquaredGuard(A.z + B.z + C.z); if it is finite, all points are those
+/// of a frame with kFrameExponent, so that nothing overflows (det^2 and the bound are below 2^772).
 ///
-/// Proof: the bound is that of inCircleIsCertain, with C for its third vector, and so is the proof,
+/// Proof, without underflow first. It is that of inCircleIsCertain, with C for the third vector,
 /// but for these steps.
 /// 2', 3. A.z B.y differs from the true product by a factor (1 + u)^5, the product's own rounding
 ///    and that of u make 7 factors, C.x and its product with u 9, their sum with C.y v 10; the last
 ///    sum keeps its sign. C.z A x B has 4 + 4 factors and its own.
 /// 4. By the Cauchy-Schwarz inequality |C.x B.y| + |C.y B.x| <= c b, and the same with a: again the
-///    error is below ((1 + u)^10 - 1) (a^2 b c + b^2 c a + c^2 a b).
-/// Underflow: A.z, B.z, C.z and A x B may be wrong by 3e, each product by e more; what multiplies
-/// these is at most a length or two, and less than 24e (la + lb + lc + 1) in all. The guard is far
-/// larger.
-/// Overflow: a product in u or v is at most a^2 b or b^2 a, so at most la, lb or la lb: if it
-///    overflows, so does one of these, and the bound. If only their difference does, the larger is
-///    above 2^1022, say b^2 a; then a > 2 (else the other is too small to matter), and la lb
-///    overflows. |C.x u| <= a^2 b c + b^2 a c, and s >= (ab)^2 + c^2 (a^2 + b^2) is at least
-///    2 a b c (a^2 + b^2)^(1/2) >= 2^(1/2) a b c (a + b): so that is at most 0.71 s, as is |C.y v|,
-///    and their sum is one of two terms of the determinant, at most 0.87 s.
+///    error is below ((1 + u)^10 - 1) (a^2 b c + b^2 c a + c^2 a b) = E a b c (a + b + c).
+/// 5'. (a + b + c)^2 <= 3 (a^2 + b^2 + c^2), so the error is at most F = 3^(1/2) E p^(1/2) with
+///    p = a^2 b^2 c^2 (a^2 + b^2 + c^2). What is compared are squares: the bound has less than 30
+///    factors 1 + u, and 10.01 u exceeds E by 0.0009 E and more. So |det| > 1.0009 F.
+/// Underflow in det: A.z, B.z, C.z and A x B may be wrong by 3e, each product by e more; what
+///    multiplies these is at most a length or two: U < 24e (la + lb + lc + 1) in all. In the bound:
+///    with M = la + lb + lc it loses at most e (M + 1)^2 (15 (3 (10.01 u)^2) (M + 1) + 1). With
+///    m = 2^-40 M + 1, which is at least 2^-40 (M + 1), that is less than 2^-994 m^3, and the guard
+///    is 2^34 times that. So what the comparison says is |det|^2 > (1.0009 F)^2 + 0.8 guard. If
+///    U <= 0.0009 F, |det| > F + U by the former; else F + U < 1200 U < 2^-1020 m is less than the
+///    root of the latter. det^2 itself is normal, as it is above the guard.
+/// The ghost (kGhostDistance): with c its distance F is less than 10.1 u c^2 a b and the bound, by
+///    its p^(1/2) >= c^2 a b, above 17.3 u c^2 a b, while |R| <= 2^-67 c^2 a b. So what is certain
+///    has the sign of alpha x beta.
 AHD_ALWAYS_INLINE InCirclePair inCircle(const EdgePair& e, const LiftedPair& c, Pair guard)
 {
   const Pair det = inCircleDeterminant(e, c);
-  return { signs(det) ^ 3u, magnitudeExceeds(det, inCircleErrorBound(e, c, guard)) };
+  const Pair bound = inCircleSquaredBound(e, c, guard);
+  return { signs(det) ^ 3u, bits(exceeds(det * det, bound)) };
 }
 
 /// What is known of points on a grid (Frame.h): determinants with bounds below this are exact.
@@ -368,17 +382,21 @@ AHD_ALWAYS_INLINE Pair perturbing(const EdgePair& e, const LiftedPair& c)
   return choose(exceeds(ofC, larger(ofAB, both(0.0))), isC, smaller(area, ofAB));
 }
 
-/// The same for points on a grid. What is exact there, as `exactly` has it, is certain, and where
-/// the determinant is 0 the answer is whether P is in conflict with b, a, c
-/// (perturbedDeterminant()).
+/// The same for points on a grid, with the bound and the guard of inCircleIsCertain(). What is
+/// exact there, as `exactly` has it, is certain, and where the determinant is 0 the answer is
+/// whether P is in conflict with b, a, c (perturbedDeterminant()). REQUIRES: guard >=
+/// inCircleGuard(A.z + B.z + C.z).
 ///
+/// Proof of the bound: that of inCircleIsCertain() with the steps 2' to 4 of inCircle(); what
+/// underflow costs there is far less than the guard, and on a grid nothing overflows.
 /// Proof that the determinant is exact, where exactErrorBound() says so. In units, A, B, C are
 /// integers other than 0 (no two points are the same, and the far ghost has too large a bound), so
 /// a, b, c >= 1, and s < 2^53. The products in u and v are at most a^2 b and b^2 a, so at most
 /// a^2 b^2 <= s. As (a - 1) (b - 1) >= 0, u and v are at most a b (a + b) <= a^2 b^2 + a b <= s, by
-/// c^2 (a^2 + b^2) >= 2 a b. C.x u and its sum with C.y v are at most c a b (a + b) <= 0.71 s, as
-/// above, C.z A x B is at most c^2 a b <= s / 2, the determinant 0.87 s. So all are integers that a
-/// double has, and so is each product that is fused or not.
+/// c^2 (a^2 + b^2) >= 2 a b. As s >= (a b)^2 + c^2 (a^2 + b^2) >= 2 a b c (a^2 + b^2)^(1/2), which
+/// is at least 2^(1/2) a b c (a + b), C.x u and its sum with C.y v are at most c a b (a + b)
+/// <= 0.71 s, C.z A x B is at most c^2 a b <= s / 2, the determinant 0.87 s. So all are integers
+/// that a double has, and so is each product that is fused or not.
 AHD_ALWAYS_INLINE InCirclePair perturbedInCircle(
   const EdgePair& e, const LiftedPair& c, Pair guard, const Exactly& exactly)
 {

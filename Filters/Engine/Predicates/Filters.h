@@ -147,6 +147,14 @@ inline double inCircleGuard(double sumOfSquaredLengths)
   return kInCircleGuard * (sumOfSquaredLengths + 1.0); // in this order it is never subnormal
 }
 
+/// The guard of inCircleSquaredBound() (FilterPairs.h) for lengths of at most this sum. Infinite is
+/// legal: then nothing is certain.
+inline double inCircleSquaredGuard(double sumOfSquaredLengths)
+{
+  const double m = multiplyAdd(0x1p-40, sumOfSquaredLengths, 1.0);
+  return 0x1p-960 * m * m * m;
+}
+
 inline double inCircleErrorBound(double la, double lb, double lc, double guard)
 {
   return multiplyAdd(kInCircleBound, multiplyAdd(la, lb, lc * (la + lb)), guard);
@@ -172,9 +180,9 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
 /// alpha x beta. Which of the three corners is the ghost has no say in s or R.
 constexpr double kGhostDistance = 0x1p70;
 /// All exponents of a point set's frame are at most this in magnitude: the coordinates are below
-/// 2^e, |e| <= kFrameExponent, so that nothing overflows and the guard, which has to be enough for
-/// the ghost, too, is at most 2^-678.
-constexpr int kFrameExponent = 100;
+/// 2^e, |e| <= kFrameExponent, so that nothing overflows, squares of determinants with the ghost
+/// included, and the guard, which has to be enough for the ghost, too, is at most 2^-758.
+constexpr int kFrameExponent = 60;
 
 /// The computed in-circle determinant of points whose coordinates are multiples of a `unit` is the
 /// true one where its error bound, as inCircleErrorBound() has it, is below this.

@@ -107,6 +107,7 @@ TEST(Frame, TakesNoScaleThatIsNotExact)
   EXPECT_EQ(std::memcmp(before.data(), made.ranked.xy.data(), before.size() * sizeof(Point)), 0);
   EXPECT_TRUE(std::isnan(made.ghost().y));
   EXPECT_FALSE(framing.frame().isOnGrid());
+  EXPECT_TRUE(std::isinf(framing.frame().squaredGuard)); // as squares may overflow
   ASSERT_TRUE(framing.end(made.ticker));
   EXPECT_EQ(std::memcmp(before.data(), made.ranked.xy.data(), before.size() * sizeof(Point)), 0);
 }

@@ -26,8 +26,8 @@ constexpr int kCases = 2000;
 constexpr int kCases = 20000;
 #endif
 
-/// The guard a kernel takes for a whole point set.
-double guardOf(const Quadruple& q)
+/// The squared length of the diagonal of all, times 4.
+double mostOf(const Quadruple& q)
 {
   double low[2] = { q[0].x, q[0].y }, high[2] = { q[0].x, q[0].y };
   for (const Point& p : q)
@@ -37,7 +37,23 @@ double guardOf(const Quadruple& q)
     high[0] = std::max(high[0], p.x);
     high[1] = std::max(high[1], p.y);
   }
-  return inCircleGuard(4 * squaredLength(high[0] - low[0], high[1] - low[1]));
+  return 4 * squaredLength(high[0] - low[0], high[1] - low[1]);
+}
+
+/// The guards a kernel takes for a whole point set.
+double guardOf(const Quadruple& q)
+{
+  return inCircleGuard(mostOf(q));
+}
+
+double squaredGuardOf(const Quadruple& q)
+{
+  bool isInFrame = true;
+  for (const Point& p : q)
+  {
+    isInFrame &= std::max(std::fabs(p.x), std::fabs(p.y)) < std::ldexp(1.0, kFrameExponent);
+  }
+  return isInFrame ? inCircleSquaredGuard(mostOf(q)) : kInfinity;
 }
 
 struct Tally
@@ -86,7 +102,7 @@ EdgePair edgesFrom(const VectorPair& p, const Point (&from)[2], const Point (&to
 /// beside the next.
 void askPairs(const Quadruple& q, Tally& tally)
 {
-  const Pair guard = both(guardOf(q));
+  const Pair guard = both(squaredGuardOf(q));
   const VectorPair p = twice(q[3]);
   for (std::size_t k = 0; k < 3; ++k)
   {
@@ -183,6 +199,29 @@ TEST(PredicatesFilters, UnderflowIsNotMagnifiedByAFarPoint)
   }
 }
 
+/// Two of the points so near to P that the squared bound on pairs underflows, but not the square of
+/// the determinant, as the third is far away; and the two so nearly in line that rounding decides.
+TEST(PredicatesFilters, TheSquaredBoundMayUnderflow)
+{
+  Cases source(Family::AnyExponents);
+  Tally tally;
+  for (int i = 0; i < kCases; ++i)
+  {
+    const int nearby = -320 + static_cast<int>(source.below(70));
+    const int faraway = kFrameExponent - 1 - static_cast<int>(source.below(30));
+    const auto digits = [&]
+    { return 1.0 + 0x1p-52 * double(source.below(std::uint64_t(1) << 52)); };
+    const double factor = digits();
+    Quadruple q;
+    q[0] = { std::ldexp(digits(), faraway - 1), std::ldexp(-digits(), faraway - 1) };
+    q[1] = { std::ldexp(digits(), nearby), std::ldexp(digits(), nearby) };
+    q[3] = { std::ldexp(-digits(), nearby), std::ldexp(-digits(), nearby) };
+    q[2] = { q[3].x + factor * (q[1].x - q[3].x), q[3].y + factor * (q[1].y - q[3].y) };
+    askPairs(q, tally);
+    ASSERT_FALSE(HasFatalFailure()) << "case " << i << ", 2^" << nearby << " and 2^" << faraway;
+  }
+}
+
 TEST(PredicatesFilters, ThePointAtInfinityIsUncertain)
 {
   const Point p{ 0.25, 0.5 };
@@ -204,7 +243,7 @@ TEST(PredicatesFilters, OfAPairOnlyThePointAtInfinityIsUncertain)
 {
   const Point ghost{ kNan, kNan }, a{ 0, 0 }, b{ 1, 0 }, c{ 0.5, -2 };
   const VectorPair p = twice({ 0.25, 0.5 });
-  const Pair guard = both(inCircleGuard(10.0));
+  const Pair guard = both(inCircleSquaredGuard(10.0));
   const Point triples[3][3] = { { ghost, b, c }, { a, ghost, c }, { a, b, ghost } };
   for (const auto& t : triples)
   {

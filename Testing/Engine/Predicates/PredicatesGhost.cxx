@@ -31,12 +31,14 @@ struct Range
     : end(std::ldexp(1.0, exponent))
     , ghost{ 0.0, std::ldexp(kGhostDistance, exponent) }
     , guard(inCircleGuard(2 * ghost.y * ghost.y))
+    , squaredGuard(inCircleSquaredGuard(2 * ghost.y * ghost.y))
   {
   }
 
   double end;
   Point ghost;
   double guard;
+  double squaredGuard;
 };
 
 struct Triple
@@ -95,11 +97,12 @@ struct Tally
   int asked = 0;
 };
 
-void count(double det, double bound, Tally& tally)
+/// `det` may be the square of a determinant, then `bound` is that of a bound.
+void count(double det, double bound, double nearly, Tally& tally)
 {
   ++tally.asked;
   tally.certain += std::fabs(det) > bound;
-  tally.nearly += std::fabs(det) > bound && std::fabs(det) < 4.0 * bound;
+  tally.nearly += std::fabs(det) > bound && std::fabs(det) < nearly * bound;
 }
 
 /// The triangle a, b, ghost, from each of its corners on.
@@ -112,7 +115,7 @@ void askOne(const Triple& t, const Range& range, int side, Tally& tally)
     const Lifted &a = corners[k], &b = corners[(k + 1) % 3], &c = corners[(k + 2) % 3];
     const double det = inCircleDeterminant(a, b, c, cross(a, b));
     const double bound = inCircleErrorBound(a.z, b.z, c.z, range.guard);
-    count(det, bound, tally);
+    count(det, bound, 4.0, tally);
     ASSERT_TRUE(std::fabs(det) <= bound || (det > 0 ? 1 : -1) == side) << "corner " << k;
   }
 }
@@ -128,10 +131,10 @@ void askTwo(const Triple& t, const Range& range, int side, Tally& tally)
     const LiftedPair a = liftedFrom(p, q1, q2), b = liftedFrom(p, q0, q1);
     const LiftedPair c = liftedFrom(p, q2, q0);
     const EdgePair edges{ a, b, cross(a, b) };
-    const InCirclePair seen = inCircle(edges, c, both(range.guard));
+    const InCirclePair seen = inCircle(edges, c, both(range.squaredGuard));
     const Pair det = inCircleDeterminant(edges, c);
-    const Pair bound = inCircleErrorBound(edges, c, both(range.guard));
-    count(low(det), low(bound), tally);
+    const Pair bound = inCircleSquaredBound(edges, c, both(range.squaredGuard));
+    count(low(det * det), low(bound), 16.0, tally);
     for (unsigned i = 0; i < 2; ++i)
     {
       const bool isCertain = (seen.certain >> i & 1) != 0;
