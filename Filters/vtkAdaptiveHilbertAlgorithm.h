@@ -177,9 +177,11 @@ public:
    * Memory in kibibytes (1024 bytes), from 0. MemoryLimit: the most the filter may take, its output
    * included, its input not; 0, the default: what machine and process have left. A higher estimate
    * is an error before anything is allocated (GenerateBoxes: before anything is inserted).
-   * ReuseLimit: the most working memory kept for the next execution; 0: none; default 262144, 256
-   * MiB, enough for 3 million points. What took more, failed or was aborted gives all back. Within
-   * it a triangulation stays whole until the next execution, for who interpolates on its surface.
+   * ReuseLimit: the most memory kept for the next execution; 0: none; default 262144, 256 MiB,
+   * enough for 2 million points. Working memory comes first: what took more, failed or was aborted
+   * gives all back. Within it a triangulation stays whole until the next execution, for who
+   * interpolates on its surface. What is left of it keeps the memory of outputs that nobody has any
+   * more.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);

@@ -58,6 +58,7 @@ vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   : Workspace(new ahd::Workspace)
   , Left(new vtkAHDLeftBehind)
   , Cache(new vtkAHDOutputCache)
+  , OutputMemory(new vtkAHDOutputMemory)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -134,7 +135,8 @@ vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkP
     vtkNew<vtkAlgorithm> nobody; // who could abort
     vtkAHDProgress progress(nobody);
     ahd::Threads threads(vtkAHDThreadsToUse(0));
-    const vtkAHDContext context(progress, threads);
+    vtkAHDOutputMemory none;
+    const vtkAHDContext context(progress, threads, none);
     vtkAHDInput points(vtkAHDSettings(), input, nullptr);
     points.Open(context);
     ahd::Plane plane;
@@ -181,7 +183,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   }
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-  const vtkAHDContext context(progress, threads);
+  const vtkAHDContext context(progress, threads, *this->OutputMemory);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try

@@ -48,6 +48,7 @@ enum class Status;
 class vtkAHDContext;
 class vtkAHDLeftBehind;
 class vtkAHDOutputCache;
+class vtkAHDOutputMemory;
 class vtkAHDRankBlocks;
 struct vtkAHDDataSets;
 class vtkAbstractTransform;
@@ -453,9 +454,10 @@ private:
   void AddCounts(vtkPolyData* surface) const;
   void WarnAboutRanks();
 
-  const std::unique_ptr<ahd::Workspace> Workspace; // kept for the next execution
-  const std::unique_ptr<vtkAHDLeftBehind> Left;    // the last execution's triangulation
-  const std::unique_ptr<vtkAHDOutputCache> Cache;  // the last execution's outputs
+  const std::unique_ptr<ahd::Workspace> Workspace;        // kept for the next execution
+  const std::unique_ptr<vtkAHDLeftBehind> Left;           // the last execution's triangulation
+  const std::unique_ptr<vtkAHDOutputCache> Cache;         // the last execution's outputs
+  const std::unique_ptr<vtkAHDOutputMemory> OutputMemory; // kept for the next execution
   bool WarnedAboutRanks = false;
   bool WarnedAboutOneRank = false;
 };

@@ -269,7 +269,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
     vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-  const vtkAHDContext context(progress, threads);
+  const vtkAHDContext context(progress, threads, *this->OutputMemory);
   const bool hasPoints = this->WarnOfInput(input);
   vtkNew<vtkPolyData> nothing;
   std::unique_ptr<vtkAHDMergedBlocks> merged;

@@ -318,7 +318,8 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
 {
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  const vtkAHDContext context(progress, threads);
+  vtkAHDOutputMemory notKept;
+  const vtkAHDContext context(progress, threads, notKept);
   vtkAHDSettings settings;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);

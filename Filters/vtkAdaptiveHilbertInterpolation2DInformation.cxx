@@ -93,7 +93,8 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress
   vtkAHDProgress progress(nobody);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  const vtkAHDContext context(progress, threads);
+  vtkAHDOutputMemory notKept;
+  const vtkAHDContext context(progress, threads, notKept);
   vtkDataObject* const source = this->GetNumberOfInputConnections(2) > 0
     ? this->GetInputDataObject(2, 0)
     : nullptr;

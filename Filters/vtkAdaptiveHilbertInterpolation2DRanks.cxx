@@ -136,7 +136,8 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress or errors
   vtkAHDProgress progress(nobody);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  const vtkAHDContext context(progress, threads);
+  vtkAHDOutputMemory notKept;
+  const vtkAHDContext context(progress, threads, notKept);
   vtkAHDRanks ranks(controller);
   vtkAHDRankSampling::Inputs inputs;
   const auto dataOf = [&](int port)
@@ -199,7 +200,8 @@ int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
 {
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  const vtkAHDContext context(progress, threads);
+  vtkAHDOutputMemory notKept;
+  const vtkAHDContext context(progress, threads, notKept);
   vtkAHDSettings settings;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);

@@ -110,12 +110,18 @@ bool vtkAHDExecution::FitsInMemory()
   const std::size_t bytes = this->EstimateBytes();
   const bool isLimited = this->Settings.MemoryLimit > 0;
   this->Report.IsLimited = isLimited;
+  vtkAHDOutputMemory& outputs = this->Context.GetOutputMemory();
   if (isLimited && this->Workspace.bytes() / 1024 > bytes / 1024)
   {
     this->Workspace.release();
   }
+  if (isLimited &&
+    static_cast<vtkTypeInt64>((bytes + outputs.GetBytes()) / 1024) > this->Settings.MemoryLimit)
+  {
+    outputs.Release(); // arrays may be smaller than the memory that they find
+  }
   constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
-  const std::size_t held = this->Workspace.bytes() + this->BytesBefore;
+  const std::size_t held = this->Workspace.bytes() + outputs.GetBytes() + this->BytesBefore;
   this->Report.Limit = std::min(kPlenty,
     isLimited ? this->Settings.MemoryLimit
               : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 + held / 1024));

@@ -56,6 +56,7 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind
   {
     this->GiveBack(results);
   }
+  this->KeepOutputMemory(isLeft ? this->EstimateLeft() : this->Workspace.bytes());
   return this->Report;
 }
 
@@ -188,9 +189,21 @@ void vtkAHDExecution::MakeTriangles(Results& results)
   this->Context.NextStage();
   if (this->Settings.GenerateVoronoi)
   {
+    this->TakeVoronoiMemory(triangulation.report(), results.Voronoi);
     this->Context.Check(
       ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
   }
+}
+
+/// For as much as there is without a border, and a little more. Where that is not enough, others
+/// have other memory.
+void vtkAHDExecution::TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiCells& cells) const
+{
+  vtkAHDOutputMemory& memory = this->Context.GetOutputMemory();
+  const std::size_t corners = counts.triangles + counts.triangles / 64;
+  cells.points = memory.Take<ahd::VoronoiCorner>(corners);
+  cells.offsets = memory.Take<std::int32_t>(counts.inserted + 1);
+  cells.corners = memory.Take<std::int32_t>(3 * corners);
 }
 
 void vtkAHDExecution::Constrain(Results& results)
@@ -349,4 +362,14 @@ void vtkAHDExecution::GiveBack(Results& results)
   {
     this->Workspace.release();
   }
+}
+
+/// That of the outputs when they are gone, for the next execution. `held`: the bytes of ReuseLimit
+/// that other memory has.
+void vtkAHDExecution::KeepOutputMemory(std::size_t held) const
+{
+  const double left = double(this->Settings.ReuseLimit) * 1024 - double(held);
+  const bool isOk = this->Report.Status == ahd::Status::Ok;
+  this->Context.GetOutputMemory().KeepAtMost(
+    isOk ? static_cast<std::size_t>(std::clamp(left, 0.0, 0x1p60)) : 0);
 }

@@ -92,6 +92,7 @@ private:
   void SetStages() const;
   void MakeTriangles(Results& results);
   void Prepare(ahd::PreparedInput& points);
+  void TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiCells& cells) const;
   void Constrain(Results& results);
   void Write(Results& results, const vtkAHDOutputs& outputs);
   void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
@@ -100,6 +101,7 @@ private:
   bool Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const;
   std::size_t EstimateLeft() const;
   void GiveBack(Results& results);
+  void KeepOutputMemory(std::size_t held) const;
   std::size_t EstimateTables() const;
   std::size_t EstimateOutputs() const;
   void UpdateEstimate();

@@ -2,7 +2,6 @@
 #include "Output/vtkAHDOrderOutput.h"
 
 #include "Engine/Surface/OrderDrawing.h"
-#include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDContext.h"
 
 #include "vtkCellArray.h"
@@ -22,9 +21,9 @@ namespace
 /// An array `name` of one value per tuple, added to `data`; returns its values.
 template <typename Array>
 typename Array::ValueType* AddArray(
-  vtkDataSetAttributes* data, const char* name, std::size_t tuples)
+  vtkDataSetAttributes* data, const char* name, std::size_t tuples, const vtkAHDContext& context)
 {
-  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(tuples));
+  auto array = context.NewArray<Array>(static_cast<vtkIdType>(tuples));
   array->SetName(name);
   data->AddArray(array);
   return array->GetPointer(0);
@@ -35,7 +34,7 @@ template <typename IdArray>
 vtkSmartPointer<IdArray> Series(
   std::size_t count, std::size_t first, std::size_t step, const vtkAHDContext& context)
 {
-  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(count));
+  auto array = context.NewArray<IdArray>(static_cast<vtkIdType>(count));
   auto* values = array->GetPointer(0);
   context.ForRange(count,
     [&](std::size_t begin, std::size_t end)
@@ -84,14 +83,15 @@ void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   const ahd::DrawnOrder drawn = ahd::drawnOrder(triangulation, withCurve);
   const std::size_t count = drawn.points();
   const std::size_t cells = drawn.cells();
-  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
+  auto coordinates = context.NewArray<vtkDoubleArray>(static_cast<vtkIdType>(3 * count));
   coordinates->SetNumberOfComponents(3);
   ahd::OrderDrawing<vtkIdType> drawing;
   drawing.xyz = coordinates->GetPointer(0);
-  drawing.ranks = AddArray<vtkIdTypeArray>(output->GetPointData(), "InsertionRank", count);
-  drawing.ids = AddArray<vtkIdTypeArray>(output->GetPointData(), "OriginalPointIds", count);
-  drawing.levels = AddArray<vtkIntArray>(output->GetCellData(), "Level", cells);
-  drawing.counts = AddArray<vtkIdTypeArray>(output->GetCellData(), "Count", cells);
+  drawing.ranks = AddArray<vtkIdTypeArray>(output->GetPointData(), "InsertionRank", count, context);
+  drawing.ids = AddArray<vtkIdTypeArray>(
+    output->GetPointData(), "OriginalPointIds", count, context);
+  drawing.levels = AddArray<vtkIntArray>(output->GetCellData(), "Level", cells, context);
+  drawing.counts = AddArray<vtkIdTypeArray>(output->GetCellData(), "Count", cells, context);
   context.Check(ahd::drawOrder(triangulation, withCurve, drawing, context));
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);

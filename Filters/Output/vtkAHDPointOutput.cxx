@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDPointOutput.h"
 
-#include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 
@@ -174,7 +173,7 @@ void vtkAHDPointOutput::Write(vtkPolyData* output, const vtkAHDContext& context)
 
 void vtkAHDPointOutput::WritePoints(vtkPolyData* output, const vtkAHDContext& context) const
 {
-  auto coordinates = vtkAHDNewArray<vtkDoubleArray>(3 * this->Count);
+  auto coordinates = context.NewArray<vtkDoubleArray>(3 * this->Count);
   coordinates->SetNumberOfComponents(3);
   double* xyz = coordinates->GetPointer(0);
   const bool moved = this->Points.isProjected();

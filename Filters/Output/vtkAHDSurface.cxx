@@ -39,7 +39,7 @@ constexpr std::size_t kMostCrossingRows = 1000;
 vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkAHDContext& context)
 {
   const vtkIdType count = ids->GetNumberOfValues() / size;
-  auto offsets = vtkAHDNewArray<IdArray>(count + 1);
+  auto offsets = context.NewArray<IdArray>(count + 1);
   auto* offset = offsets->GetPointer(0);
   context.ForRange(static_cast<std::size_t>(count + 1),
     [offset, size](std::size_t begin, std::size_t end)
@@ -57,16 +57,17 @@ vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkA
 vtkSmartPointer<vtkCellArray> MakeCells(
   const std::vector<std::int32_t>& ids, vtkIdType size, const vtkAHDContext& context)
 {
-  auto array = vtkAHDNewArray<IdArray>(static_cast<vtkIdType>(ids.size()));
+  auto array = context.NewArray<IdArray>(static_cast<vtkIdType>(ids.size()));
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
   return MakeCells(array, size, context);
 }
 
 /// A named array of `width` numbers for each of `count` tuples.
 template <typename Array>
-vtkSmartPointer<Array> MakeArray(const char* name, std::size_t count, int width = 1)
+vtkSmartPointer<Array> MakeArray(
+  const vtkAHDContext& context, const char* name, std::size_t count, int width = 1)
 {
-  auto array = vtkAHDNewArray<Array>(static_cast<vtkIdType>(count) * width);
+  auto array = context.NewArray<Array>(static_cast<vtkIdType>(count) * width);
   array->SetNumberOfComponents(width);
   array->SetName(name);
   return array;
@@ -110,7 +111,7 @@ template <typename Array>
 void vtkAHDSurface::CopyPoints(const ahd::PointView& points) const
 {
   using Number = typename Array::ValueType;
-  auto copy = vtkAHDNewArray<Array>(3 * static_cast<vtkIdType>(points.count));
+  auto copy = this->Context.NewArray<Array>(3 * static_cast<vtkIdType>(points.count));
   copy->SetNumberOfComponents(3);
   Number* numbers = copy->GetPointer(0);
   this->Context.ForRange(3 * points.count,
@@ -192,14 +193,14 @@ ahd::Status vtkAHDSurface::WriteWithNeighbors(
   ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners)
 {
   const std::size_t count = ahd::cellCount(triangulation, selection);
-  this->Neighbors = MakeArray<vtkIdTypeArray>("Neighbors", count, 3);
+  this->Neighbors = MakeArray<vtkIdTypeArray>(this->Context, "Neighbors", count, 3);
   const ahd::CellsWithNeighbors<vtkIdType> to = { corners, this->Neighbors->GetPointer(0) };
   return ahd::writeWithNeighbors(triangulation, selection, to, this->Context);
 }
 
 void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
 {
-  auto corners = vtkAHDNewArray<IdArray>(
+  auto corners = this->Context.NewArray<IdArray>(
     3 * static_cast<vtkIdType>(triangulation.report().triangles));
   std::int32_t* const to = corners->GetPointer(0);
   this->Context.Check(this->Settings.GenerateNeighbors
@@ -211,7 +212,7 @@ void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
 void vtkAHDSurface::WriteSelected(
   ahd::Triangulation& triangulation, const ahd::Selection& selection)
 {
-  auto corners = vtkAHDNewArray<IdArray>(3 * static_cast<vtkIdType>(selection.keptCount));
+  auto corners = this->Context.NewArray<IdArray>(3 * static_cast<vtkIdType>(selection.keptCount));
   std::int32_t* const to = corners->GetPointer(0);
   this->Context.Check(this->Settings.GenerateNeighbors
       ? this->WriteWithNeighbors(triangulation, selection, to)
@@ -233,7 +234,7 @@ void vtkAHDSurface::AddPointArrays(
   const std::size_t count = points.points().count;
   if (this->Settings.GeneratePointStatus)
   {
-    auto array = MakeArray<vtkIdTypeArray>("Fate", count);
+    auto array = MakeArray<vtkIdTypeArray>(this->Context, "Fate", count);
     vtkIdType* status = array->GetPointer(0);
     this->Context.Check(triangulation.writePointStatus(status, this->Context));
     for (const ahd::MergedPoint& merged : points.merged())
@@ -244,7 +245,7 @@ void vtkAHDSurface::AddPointArrays(
   }
   if (this->Settings.GenerateInsertionRank)
   {
-    auto array = MakeArray<vtkIdTypeArray>("InsertionRank", count);
+    auto array = MakeArray<vtkIdTypeArray>(this->Context, "InsertionRank", count);
     this->Context.Check(triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
     vtkAHDReplaceArray(this->Output->GetPointData(), array);
   }
@@ -257,14 +258,14 @@ void vtkAHDSurface::AddCellArrays(
   vtkCellData* data = this->Output->GetCellData();
   if (this->Settings.GenerateConstraintEdges)
   {
-    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
+    auto edges = MakeArray<vtkUnsignedCharArray>(this->Context, "ConstraintEdges", count);
     this->Context.Check(
       ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
     data->AddArray(edges);
   }
   if (this->Settings.GenerateRegionIds)
   {
-    auto regions = MakeArray<vtkIdTypeArray>("RegionId", count);
+    auto regions = MakeArray<vtkIdTypeArray>(this->Context, "RegionId", count);
     this->Context.Check(
       ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
     data->AddArray(regions);
@@ -299,7 +300,9 @@ void vtkAHDSurface::WriteCrossings(
     return;
   }
   const std::size_t count = std::min(cells.size(), kMostCrossingRows);
-  auto rows = MakeArray<vtkIdTypeArray>("Crossings", count, 2);
+  auto rows = vtkAHDNewArray<vtkIdTypeArray>(2 * static_cast<vtkIdType>(count));
+  rows->SetNumberOfComponents(2);
+  rows->SetName("Crossings");
   for (std::size_t i = 0; i < count; ++i)
   {
     rows->SetValue(static_cast<vtkIdType>(2 * i), static_cast<vtkIdType>(cells[i][0]));

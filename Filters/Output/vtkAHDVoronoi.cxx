@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDVoronoi.h"
 
-#include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 
@@ -33,28 +32,20 @@ using IdArray = vtkTypeInt32Array;
 
 /// The buffer, which has so many values an element, as a VTK array in the memory it is in.
 template <typename Array, typename Element>
-vtkSmartPointer<Array> TakeArray(ahd::Buffer<Element>& from, int width = 1)
+vtkSmartPointer<Array> TakeArray(
+  ahd::Buffer<Element>& from, const vtkAHDContext& context, int width = 1)
 {
-  using Value = typename Array::ValueType;
-  if (from.empty())
-  {
-    auto none = vtkAHDNewArray<Array>(0);
-    none->SetNumberOfComponents(width);
-    return none;
-  }
-  auto array = vtkSmartPointer<Array>::New();
   const vtkIdType count = width * static_cast<vtkIdType>(from.size());
+  const auto array = from.empty() ? context.NewArray<Array>(0)
+                                  : context.GetOutputMemory().MakeArray<Array>(from, count);
   array->SetNumberOfComponents(width);
-  array->SetArray(
-    reinterpret_cast<Value*>(from.release()), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
-  array->SetArrayFreeFunction(ahd::Buffer<Element>::free);
   return array;
 }
 
 vtkSmartPointer<vtkIdTypeArray> MakeIds(
   ahd::Buffer<std::int32_t>& sites, const vtkAHDContext& context)
 {
-  auto ids = vtkAHDNewArray<vtkIdTypeArray>(static_cast<vtkIdType>(sites.size()));
+  auto ids = context.NewArray<vtkIdTypeArray>(static_cast<vtkIdType>(sites.size()));
   vtkIdType* to = ids->GetPointer(0);
   context.ForRange(sites.size(),
     [&sites, to](std::size_t begin, std::size_t end)
@@ -97,11 +88,11 @@ void vtkAHDVoronoi::Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPo
   ahd::VoronoiCells used = std::move(cells);
   vtkNew<vtkPoints> points;
   static_assert(sizeof(ahd::VoronoiCorner) == 3 * sizeof(double), "corners are VTK's points");
-  points->SetData(TakeArray<vtkDoubleArray>(used.points, 3));
+  points->SetData(TakeArray<vtkDoubleArray>(used.points, context, 3));
   output->SetPoints(points);
   vtkNew<vtkCellArray> polygons;
-  const auto offsets = TakeArray<IdArray>(used.offsets);
-  polygons->SetData(offsets, TakeArray<IdArray>(used.corners));
+  const auto offsets = TakeArray<IdArray>(used.offsets, context);
+  polygons->SetData(offsets, TakeArray<IdArray>(used.corners, context));
   output->SetPolys(polygons);
   output->GetCellData()->AddArray(MakeIds(used.sites, context));
   WriteData(surface, output);

@@ -5,6 +5,7 @@
 #include "Engine/Core/Context.h"
 #include "Engine/Core/Threads.h"
 #include "Engine/Result.h"
+#include "Pipeline/vtkAHDOutputMemory.h"
 #include "Pipeline/vtkAHDProgress.h"
 
 #include <algorithm>
@@ -19,18 +20,30 @@ struct vtkAHDStop
   ahd::Status Reason;
 };
 
-/// Who is told of progress in one Update(), and the threads that work in it. Borrows both.
+/// Who is told of progress in one Update(), the threads that work in it, and the memory of what it
+/// puts out. Borrows all of them.
 class vtkAHDContext
 {
 public:
-  vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads)
+  vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads, vtkAHDOutputMemory& memory)
     : Progress(progress)
     , Threads(threads)
+    , Memory(memory)
   {
   }
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
+
+  vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
+
+  /// A VTK array to be put out, of `count` numbers, one component, not initialised. Throws
+  /// std::bad_alloc.
+  template <typename Array>
+  vtkSmartPointer<Array> NewArray(vtkIdType count) const
+  {
+    return this->Memory.NewArray<Array>(count);
+  }
 
   /// The stages of the execution (see vtkAHDProgress), and the beginning of the next one.
   void SetStages(const std::vector<double>& weights) const { this->Progress.SetStages(weights); }
@@ -118,6 +131,7 @@ public:
 private:
   vtkAHDProgress& Progress;
   ahd::Threads& Threads;
+  vtkAHDOutputMemory& Memory;
 };
 
 #endif

@@ -139,7 +139,8 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
   const double held = beginPeak(), begun = now();
   vtkAHDProgress progress(filter, now);
   ahd::Threads threads(unsigned(way.threads));
-  const vtkAHDContext context(progress, threads);
+  vtkAHDOutputMemory outputs;
+  const vtkAHDContext context(progress, threads, outputs);
   const vtkAHDSettings settings;
   vtkAHDRanks ranks(controller);
   vtkAHDRankExecution execution(settings, ranks, context);

@@ -67,6 +67,9 @@ public:
     size_ = size;
   }
 
+  /// Drops what it held, but not its memory.
+  void clear() { size_ = 0; }
+
   void reset() { Buffer old(std::move(*this)); }
 
   /// Gives up its memory, which free() is to be called with; null if it owns none.
@@ -76,6 +79,14 @@ public:
     data_ = nullptr;
     size_ = capacity_ = 0;
     return given;
+  }
+  /// Owns what a Buffer of any type gave up.
+  static Buffer owner(void* given, std::size_t bytes)
+  {
+    Buffer buffer;
+    buffer.data_ = static_cast<T*>(given);
+    buffer.size_ = buffer.capacity_ = bytes / sizeof(T);
+    return buffer;
   }
   static void free(void* given) { ::operator delete(given, std::align_val_t(kAlignment)); }
 

@@ -42,6 +42,18 @@
 #define AHD_NEVER_INLINE
 #endif
 
+/// Before a function: compiled for these instructions (see InstructionSet), whole vectors of them.
+#if !AHD_HAS_X86_TARGETS
+#define AHD_FOR_AVX2
+#define AHD_FOR_AVX512
+#elif defined(__clang__) // does not know the preference as an attribute
+#define AHD_FOR_AVX2 __attribute__((target("avx2")))
+#define AHD_FOR_AVX512 __attribute__((target("avx512f,avx512vl")))
+#else
+#define AHD_FOR_AVX2 __attribute__((target("avx2")))
+#define AHD_FOR_AVX512 __attribute__((target("avx512f,avx512vl,prefer-vector-width=512")))
+#endif
+
 namespace ahd
 {
 

@@ -83,28 +83,17 @@ void keysBaseline(const Word* columns, const Word* rows, std::uint64_t* keys, st
   keysOf(columns, rows, keys, count);
 }
 
-#if AHD_HAS_X86_TARGETS
-#if defined(__clang__) // does not know the preference as an attribute
-#define AHD_AVX512 "avx512f,avx512vl"
-#else
-#define AHD_AVX512 "avx512f,avx512vl,prefer-vector-width=512"
-#endif
-
-__attribute__((target("avx2"))) void keysAvx2(
+AHD_FOR_AVX2 void keysAvx2(
   const Word* columns, const Word* rows, std::uint64_t* keys, std::size_t count)
 {
   keysOf(columns, rows, keys, count);
 }
 
-__attribute__((target(AHD_AVX512))) void keysAvx512(
+AHD_FOR_AVX512 void keysAvx512(
   const Word* columns, const Word* rows, std::uint64_t* keys, std::size_t count)
 {
   keysOf(columns, rows, keys, count);
 }
-#else
-const auto keysAvx2 = keysBaseline;
-const auto keysAvx512 = keysBaseline;
-#endif
 
 } // namespace
 

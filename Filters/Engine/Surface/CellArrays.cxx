@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -70,12 +71,11 @@ void fetchAround(const State& state, std::size_t slot)
   }
 }
 
-/// Calls write(state, the selected triangles, ticker) when there are numbers, unless it can do
-/// without; it returns false if it is to be cancelled.
+/// Calls write(state, the selected triangles, ticker) when there are numbers; it returns false if
+/// it is to be cancelled.
 template <typename Write>
 Status withSelected(
-  Triangulation& triangulation, const Selection& selection, const Context& context, Write write,
-  bool (*canDoWithout)(const State&) = [](const State&) { return false; })
+  Triangulation& triangulation, const Selection& selection, const Context& context, Write write)
 {
   const std::size_t count = selectedCount(triangulation, selection);
   if (count == 0)
@@ -89,7 +89,7 @@ Status withSelected(
       Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
         state.worthItsWhile(context.executor));
       Selected selected(state, selection);
-      return (canDoWithout(state) || state.makeNumbers(ticker, State::PlacesAre::NotNeeded)) &&
+      return state.makeNumbers(ticker, State::PlacesAre::NotNeeded) &&
         selected.number(count, ticker) && write(state, selected, ticker) && ticker.ask();
     });
 }
@@ -106,6 +106,34 @@ bool hasCornersOnly(const Triangulation& triangulation, const Selection& selecti
 {
   const State* const state = TriangulationAccess::stateOf(triangulation);
   return state && !selection.kept.empty() && state->hasCorners && !state->hasNumbers;
+}
+
+/// The selected triangles of a Triangulation that hasCornersOnly(). Returns false if cancelled.
+template <typename Id>
+bool writeByCorners(const State& state, const Selection& selection, Id* triples, Ticker& ticker)
+{
+  const unsigned char* const kept = selection.kept.data();
+  const Index* const corners = state.tables.corners.data();
+  const std::uint32_t* const id = state.ranked.id.data();
+  const auto count = [=](std::size_t a, std::size_t b)
+  { return std::accumulate(kept + a, kept + b, std::size_t(0)); };
+  const auto write = [=](std::size_t a, std::size_t b, std::size_t place)
+  {
+    for (std::size_t t = a; t != b; ++t)
+    {
+      if (kept[t])
+      {
+        for (unsigned k = 0; k < 3; ++k)
+        {
+          triples[3 * place + k] = static_cast<Id>(id[corners[3 * t + k]]);
+        }
+        ++place;
+      }
+    }
+    return place;
+  };
+  return countAndWrite(
+    selection.kept.size(), ticker, count, [](std::size_t) {}, write);
 }
 
 /// Zeros.
@@ -284,23 +312,14 @@ Status writeSelected(
 {
   if (hasCornersOnly(triangulation, selection))
   {
-    const auto write = [&](const State& state, const Selected& selected, Ticker& ticker)
-    {
-      return inShares(state.allTriangles, ticker, 4, kChunk,
-        [&](std::size_t a, std::size_t b)
-        {
-          for (std::size_t h = 3 * a; h != 3 * b; ++h)
-          {
-            if (const std::uint32_t place = selected.placeOf(h / 3); place != kNoIndex)
-            {
-              triples[3 * std::size_t(place) + h % 3] = static_cast<Id>(
-                state.ranked.id[state.tables.corners[h]]);
-            }
-          }
-        });
-    };
-    return withSelected(
-      triangulation, selection, context, write, [](const State&) { return true; });
+    return unlessCancelled(
+      [&]
+      {
+        const State& state = *TriangulationAccess::stateOf(triangulation);
+        Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
+          state.worthItsWhile(context.executor));
+        return writeByCorners(state, selection, triples, ticker) && ticker.ask();
+      });
   }
   return withSelected(triangulation, selection, context,
     [&](const State& state, const Selected& selected, Ticker& ticker)

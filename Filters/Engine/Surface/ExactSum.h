@@ -18,19 +18,29 @@ using SumTerms = std::array<double, kSumLanes>;
 /// Each lane's parts, on three grids.
 using SumParts = std::array<SumTerms, 3>;
 
-/// Cuts the terms into parts and adds these: compiled for several kinds of processors, with the
-/// same results on all.
-using AddTerms = void(const SumTerms& terms, SumParts& parts);
-extern const DispatchTarget<AddTerms> kAddTermsTargets[3];
-void addTerms(const SumTerms& terms, SumParts& parts);
-
 /// A sum that does not depend on the order of its terms: each is cut into three parts on fixed
 /// grids (of 2^-24, 2^-49, 2^-74), and the sum of the parts on one grid is exact. REQUIRES: at most
 /// 2^28 terms of magnitude 1 at most (more only round).
 class ExactSum
 {
 public:
-  void add(const SumTerms& terms) { addTerms(terms, parts_); }
+  AHD_ALWAYS_INLINE void add(const SumTerms& terms)
+  {
+    // Adding and subtracting a large number leaves the term rounded to that number's last place.
+    constexpr double kLarge[3] = { 0x1.8p28, 0x1.8p3, 0x1.8p-22 };
+    SumTerms rest = terms; // a copy: no pointer to it, so the loops are free of doubts
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      double* const sums = parts_[k].data();
+      const double large = kLarge[k];
+      for (std::size_t lane = 0; lane < kSumLanes; ++lane)
+      {
+        const double part = (rest[lane] + large) - large;
+        sums[lane] += part;
+        rest[lane] -= part;
+      }
+    }
+  }
 
   void merge(const ExactSum& other)
   {

@@ -38,18 +38,31 @@ void PlaneFitting::Work::chooseOrigin()
     std::frexp(high - low, &e); // half the extent is below 2^e
     if (high == low)
     {
-      origin_[k] = around_.low[k];
+      places_.origin[k] = around_.low[k];
       continue;
     }
     if (std::fabs(centre) >= 8 * (high - low))
     {
-      origin_[k] = std::ldexp(std::nearbyint(std::ldexp(centre, -e - 1)), e + 1);
+      places_.origin[k] = std::ldexp(std::nearbyint(std::ldexp(centre, -e - 1)), e + 1);
     }
     exponent = std::max(exponent, e + 1); // the extent is below 2^exponent
   }
   exponent = exponent == std::numeric_limits<int>::min() ? 0 : exponent + 5;
-  factors_[0] = clampedPowerOfTwo(-exponent / 2);
-  factors_[1] = clampedPowerOfTwo(-exponent - -exponent / 2);
+  places_.factors[0] = clampedPowerOfTwo(-exponent / 2);
+  places_.factors[1] = clampedPowerOfTwo(-exponent - -exponent / 2);
+}
+
+/// What the axes are scaled by, for products that do not get lost.
+Vector3 PlaneFitting::Work::factorsOf(const Vector3& reach)
+{
+  Vector3 factor;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    int e = 0;
+    std::frexp(reach[k], &e);
+    factor[k] = clampedPowerOfTwo(std::min(-e, 1000));
+  }
+  return factor;
 }
 
 /// How far the points reach from the mean along each coordinate: fromMean() is monotone.
@@ -58,8 +71,8 @@ Vector3 PlaneFitting::Work::reachOfExtent() const
   Vector3 reach;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    reach[k] = std::max(
-      std::fabs(fromMean(around_.low[k], k)), std::fabs(fromMean(around_.high[k], k)));
+    reach[k] = std::max(std::fabs(places_.fromMean(around_.low[k], k)),
+      std::fabs(places_.fromMean(around_.high[k], k)));
   }
   return reach;
 }
@@ -95,7 +108,8 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
     return unitAxis(2);
   }
   // A width that the rounding of the coordinates alone would make is none.
-  const double rounding = 2 * (largestMagnitude() * factors_[0]) * factors_[1] * precision_;
+  const double rounding = 2 * (largestMagnitude() * places_.factors[0]) * places_.factors[1] *
+    precision_;
   if (std::sqrt(std::max(0.0, spread[by[1]][by[1]])) <= rounding + 0x1p-50)
   {
     const Vector3& line = axes_[by[0]];
@@ -129,12 +143,12 @@ bool PlaneFitting::Work::look(Ticker& ticker)
     case Step::Extent:
       return findExtent(ticker) && ticker.ask();
     case Step::Mean:
-      return sumUp(ticker);
+      return sweep(PlaneSums{}, sums_, ticker); // from the origin: there is no mean yet
     case Step::Reach:
-      return findReach(ticker);
+      return sweep(PlaneReaches{ axes_ }, reaches_, ticker);
     default:
       products_ = ExactSums<9>();
-      return sumUpProducts(ticker);
+      return sweep(PlaneProducts{ axes_, factorsOf(reach_) }, products_, ticker);
   }
 }
 
@@ -152,7 +166,7 @@ void PlaneFitting::Work::goOn()
     case Step::Mean:
       for (std::size_t k = 0; k < 3; ++k)
       {
-        mean_[k] = sums_[k].value() / around_.count;
+        places_.mean[k] = sums_[k].value() / around_.count;
       }
       reach_ = reachOfExtent();
       step_ = Step::Spread;
@@ -174,8 +188,8 @@ void PlaneFitting::Work::goOn()
     return;
   }
   fit_.normal = chooseNormal(spread);
-  fit_.origin = origin_;
-  fit_.height = dot(fit_.normal, mean_) / factors_[0] / factors_[1];
+  fit_.origin = places_.origin;
+  fit_.height = dot(fit_.normal, places_.mean) / places_.factors[0] / places_.factors[1];
   fit_.shrink = largestMagnitude() > 0x1p1000 ? 0x1p-32 : 1.0;
   step_ = Step::Done;
 }

@@ -2,8 +2,8 @@
 #ifndef ahd_PlaneFitWork_h
 #define ahd_PlaneFitWork_h
 
-#include "ExactSum.h"
 #include "PlaneFit.h"
+#include "PlanePasses.h"
 
 #include <algorithm>
 #include <array>
@@ -32,36 +32,6 @@ struct PlaneExtent
   }
 };
 
-/// As many points as sums take at once, by coordinate.
-using PlaneBlock = std::array<SumTerms, 3>;
-
-/// How far points reach along three axes: the farthest of each lane.
-struct PlaneReach
-{
-  PlaneBlock lanes = {};
-
-  void merge(const PlaneReach& other)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      for (std::size_t lane = 0; lane < kSumLanes; ++lane)
-      {
-        lanes[k][lane] = std::max(lanes[k][lane], other.lanes[k][lane]);
-      }
-    }
-  }
-
-  Vector3 farthest() const
-  {
-    Vector3 most;
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      most[k] = *std::max_element(lanes[k].begin(), lanes[k].end());
-    }
-    return most;
-  }
-};
-
 /// 2^e or, where that is no double, the closest power of two that is.
 inline double clampedPowerOfTwo(int e)
 {
@@ -73,7 +43,7 @@ class PlaneFitting::Work
 {
 public:
   Work(const PointView& points, bool areDoubles)
-    : points_(points)
+    : places_{ points }
     , precision_(areDoubles ? DBL_EPSILON : double(FLT_EPSILON))
   {
   }
@@ -98,37 +68,28 @@ private:
 
   bool doesCount(const Vector3& p, std::size_t i) const
   {
-    return p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !points_.skipped(i);
+    return p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !places_.points.skipped(i);
   }
-  template <typename Part, typename Visit>
-  bool visitBlocks(Part& total, Ticker& ticker, const Visit& visit) const;
-  PlaneBlock readPlaces(std::size_t begin, std::size_t end) const;
-  PlaneBlock read(std::size_t begin, std::size_t end) const;
+  template <typename Pass>
+  bool sweep(const Pass& pass, typename Pass::Part& total, Ticker& ticker) const;
   bool findExtent(Ticker& ticker);
   void chooseOrigin();
-  bool sumUp(Ticker& ticker);
-  bool findReach(Ticker& ticker);
-  bool sumUpProducts(Ticker& ticker);
   static Vector3 factorsOf(const Vector3& reach);
   Matrix3 spreadOfProducts() const;
   void turnAxes(Matrix3& spread);
   Vector3 reachOfExtent() const;
   Vector3 chooseNormal(const Matrix3& spread) const;
-  double fromMean(double coordinate, std::size_t k) const;
   double largestMagnitude() const;
 
-  const PointView points_;
+  PlanePlaces places_;
   const double precision_; ///< of the coordinates
   Step step_ = Step::Extent;
   PlaneExtent around_;
   ExactSums<3> sums_;
   PlaneReach reaches_;
-  ExactSums<9> products_; ///< of the pairs 00, 01, 02, 11, 12, 22, then the three themselves
+  ExactSums<9> products_;
   Matrix3 axes_ = { { unitAxis(0), unitAxis(1), unitAxis(2) } };
   Vector3 reach_ = { { 0, 0, 0 } }; ///< along these
-  Vector3 origin_ = { { 0, 0, 0 } };
-  Vector3 mean_ = { { 0, 0, 0 } }; ///< from the origin, scaled
-  double factors_[2] = { 1, 1 };   ///< their product scales the points to 1/32 of a unit at most
   PlaneFit fit_;
 };
 

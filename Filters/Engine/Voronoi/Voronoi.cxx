@@ -23,11 +23,23 @@ namespace
 
 using State = TriangulationAccess::State;
 
-/// No cells.
-void setNone(VoronoiCells& cells)
+/// No cells, but the memory for them.
+void clear(VoronoiCells& cells)
 {
-  cells.offsets.allocate(1);
-  cells.offsets[0] = 0;
+  cells.points.clear();
+  cells.offsets.clear();
+  cells.corners.clear();
+  cells.sites.clear();
+}
+
+/// Where there are no cells there is an end of them all the same.
+void finish(VoronoiCells& cells)
+{
+  if (cells.offsets.empty())
+  {
+    cells.offsets.allocate(1);
+    cells.offsets[0] = 0;
+  }
 }
 
 /// One call of voronoiCells().
@@ -94,7 +106,6 @@ bool Voronoi::makeCells(Diagram& diagram, CellBorder& border)
 
 bool Voronoi::make()
 {
-  setNone(cells_);
   if (!numberSites(state_, sites_, ticker_))
   {
     return false;
@@ -123,10 +134,11 @@ bool Voronoi::make()
 Status voronoiCells(
   Triangulation& delaunay, VoronoiClip clip, VoronoiCells& cells, const Context& context)
 {
-  cells = VoronoiCells();
+  clear(cells);
   Status status = delaunay.makeNeighbors(context);
   if (status != Status::Ok)
   {
+    cells = VoronoiCells();
     return status;
   }
   status = unlessCancelled(
@@ -135,7 +147,7 @@ Status voronoiCells(
       const State* const state = TriangulationAccess::stateOf(std::as_const(delaunay));
       if (!state)
       {
-        setNone(cells);
+        finish(cells);
         return true;
       }
       // Vertices for sites and, twice, for cells; triangles for their centres, for what these are
@@ -144,7 +156,9 @@ Status voronoiCells(
         5 * state->allTriangles;
       Ticker ticker(
         context.progress, Phase::Outputs, steps, state->worthItsWhile(context.executor));
-      return Voronoi(*state, clip, cells, ticker).make();
+      const bool isDone = Voronoi(*state, clip, cells, ticker).make();
+      finish(cells);
+      return isDone;
     });
   if (status != Status::Ok)
   {

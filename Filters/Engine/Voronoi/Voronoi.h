@@ -58,7 +58,7 @@ struct VoronoiCells
 ///
 /// Time and memory are linear, but for sorting the vertices where all are collinear.
 /// REQUIRES: `delaunay` has no constraints. Makes the tables of it that it needs.
-/// Returns Ok, Cancelled or OutOfMemory; unless Ok, `cells` is empty.
+/// Returns Ok, Cancelled or OutOfMemory; unless Ok, `cells` is empty. Memory that it had is used.
 Status voronoiCells(
   Triangulation& delaunay, VoronoiClip clip, VoronoiCells& cells, const Context& context);
 

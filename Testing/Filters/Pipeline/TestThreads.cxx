@@ -274,6 +274,10 @@ TEST(Reuse, KeepsWorkingMemoryUpToTheLimit)
   EXPECT_LT(heldAfter(1000), none + count) << "more than a limit of 1000 KiB is held";
   EXPECT_GT(heldAfter(262144), none + 64 * count);
   EXPECT_LT(heldAfter(0), none + count);
+  for (vtkTypeInt64 limit = 4000; limit < 60000; limit += 2000)
+  {
+    EXPECT_LT(heldAfter(limit), none + std::size_t(limit) * 1024 + count) << limit;
+  }
 }
 
 TEST(Reuse, NothingIsKeptOfAnAbortedExecution)
@@ -282,15 +286,42 @@ TEST(Reuse, NothingIsKeptOfAnAbortedExecution)
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   filter->SetInputData(makeCloud(latticePoints(count, 1000000)));
   filter->SetNumberOfThreads(1);
+  const std::size_t none = heldByProgram();
   filter->Update();
   filter->GetOutput()->Initialize();
-  const std::size_t before = heldByProgram();
+  EXPECT_GT(heldByProgram(), none + (64 + 32) * count)
+    << "working memory and two triangles a point";
   vtkNew<ThreadWatch> watch;
   watch->AbortAt = 0.5;
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
   filter->Modified();
   filter->Update();
-  EXPECT_LT(heldByProgram(), before - 64 * count);
+  EXPECT_LT(heldByProgram(), none + count);
+}
+
+TEST(Reuse, OutputsWithinAMemoryLimitTakeNoLargerMemory)
+{
+  const std::size_t more = 200000, fewer = 170000;
+  const auto larger = makeCloud(latticePoints(more, 1000000));
+  const auto smaller = makeCloud(latticePoints(fewer, 1000000));
+  vtkTypeInt64 estimate = 0;
+  const auto heldWith = [&](vtkTypeInt64 limit)
+  {
+    const std::size_t before = heldByProgram();
+    vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+    filter->SetNumberOfThreads(1);
+    filter->SetInputData(larger);
+    filter->Update();
+    filter->GetOutput()->Initialize();
+    filter->SetInputData(smaller);
+    filter->SetMemoryLimit(limit);
+    filter->Update();
+    EXPECT_EQ(std::size_t(filter->GetNumberOfPointsInserted()), fewer);
+    estimate = filter->GetMemoryEstimate();
+    return heldByProgram() - before;
+  };
+  const std::size_t unlimited = heldWith(0);
+  EXPECT_LT(heldWith(estimate), unlimited - 16 * (more - fewer));
 }
 #endif
 

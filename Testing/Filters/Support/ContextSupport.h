@@ -11,7 +11,7 @@
 namespace ahdtest
 {
 
-/// What an execution works with: a filter that could abort, progress, threads.
+/// What an execution works with: a filter that could abort, progress, threads, memory.
 struct Work
 {
   explicit Work(unsigned threads = 2)
@@ -22,7 +22,8 @@ struct Work
   vtkNew<vtkAlgorithm> Filter;
   vtkAHDProgress Progress{ this->Filter };
   ahd::Threads Threads;
-  const vtkAHDContext Context{ this->Progress, this->Threads };
+  vtkAHDOutputMemory Memory;
+  const vtkAHDContext Context{ this->Progress, this->Threads, this->Memory };
 };
 
 } // namespace ahdtest

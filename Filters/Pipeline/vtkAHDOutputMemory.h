@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkAHDOutputMemory_h
+#define vtkAHDOutputMemory_h
+
+#include "Engine/Core/Buffer.h"
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstddef>
+#include <memory>
+
+/**
+ * Memory of large arrays that a filter puts out: when the last who has such an array lets go of it,
+ * it is kept for an array of the next execution, which then need not ask the system for pages.
+ *
+ * Arrays may outlive this, and may be let go of by any thread. All else is for one thread at a
+ * time. What takes memory throws std::bad_alloc, after what is kept was given back.
+ */
+class vtkAHDOutputMemory
+{
+public:
+  /// Keeps nothing until KeepAtMost() says how much.
+  vtkAHDOutputMemory();
+  ~vtkAHDOutputMemory();
+  vtkAHDOutputMemory(const vtkAHDOutputMemory&) = delete;
+  vtkAHDOutputMemory& operator=(const vtkAHDOutputMemory&) = delete;
+
+  /// What is allocated for so many bytes, a sixteenth more at most: so that the next array may be a
+  /// little larger. Pages that nobody writes to take no memory.
+  static std::size_t GetCapacity(std::size_t bytes);
+
+  /// A VTK array of `count` numbers, one component, not initialised.
+  template <typename Array>
+  vtkSmartPointer<Array> NewArray(vtkIdType count)
+  {
+    auto memory = this->Take<typename Array::ValueType>(static_cast<std::size_t>(count));
+    return this->MakeArray<Array>(memory, count);
+  }
+
+  /// Memory for `count` elements or more, to be filled and given to MakeArray().
+  template <typename Element>
+  ahd::Buffer<Element> Take(std::size_t count)
+  {
+    ahd::Scratch taken = this->TakeBytes(count, sizeof(Element));
+    const std::size_t bytes = taken.bytes();
+    return ahd::Buffer<Element>::owner(taken.release(), bytes);
+  }
+
+  /// The buffer's memory, which has `count` numbers, as a VTK array of one component. The buffer is
+  /// empty then.
+  template <typename Array, typename Element>
+  vtkSmartPointer<Array> MakeArray(ahd::Buffer<Element>& from, vtkIdType count)
+  {
+    using Value = typename Array::ValueType;
+    auto array = vtkSmartPointer<Array>::New();
+    this->Expect(from.data(), from.bytes());
+    array->SetArray(
+      reinterpret_cast<Value*>(from.release()), count, 0, Array::VTK_DATA_ARRAY_USER_DEFINED);
+    array->SetArrayFreeFunction(Free);
+    return array;
+  }
+
+  /// The most bytes that are kept from now on. What is kept now was of no use to the execution that
+  /// ends with this: it goes back to the system.
+  void KeepAtMost(std::size_t bytes);
+
+  /// Bytes that are kept, not those of arrays.
+  std::size_t GetBytes() const;
+
+  /// Gives back what is kept.
+  void Release();
+
+private:
+  struct Store;
+  struct Origins;
+
+  ahd::Scratch TakeBytes(std::size_t count, std::size_t size);
+  void Expect(void* memory, std::size_t bytes);
+  static void Free(void* memory);
+
+  const std::shared_ptr<Store> Kept;
+};
+
+#endif

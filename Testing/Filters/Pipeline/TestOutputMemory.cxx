@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The memory of arrays that were put out, kept for those of the next execution.
+#include "FilterTestSupport.h"
+#include "Pipeline/vtkAHDOutputMemory.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkTypeInt32Array.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <numeric>
+#include <thread>
+#include <vector>
+
+using namespace ahdtest;
+
+namespace
+{
+constexpr std::size_t kPlenty = std::size_t(1) << 30;
+constexpr vtkIdType kCount = 100000;
+constexpr std::size_t kBytes = kCount * sizeof(double);
+
+using Doubles = vtkSmartPointer<vtkDoubleArray>;
+
+Doubles makeDoubles(vtkAHDOutputMemory& memory, vtkIdType count = kCount)
+{
+  Doubles array = memory.NewArray<vtkDoubleArray>(count);
+  EXPECT_EQ(array->GetNumberOfValues(), count);
+  std::iota(array->GetPointer(0), array->GetPointer(0) + count, 0.0);
+  return array;
+}
+}
+
+TEST(OutputMemory, CapacityIsASixteenthMoreAtMost)
+{
+  for (std::size_t bytes = 1024; bytes < kPlenty; bytes += bytes / 7 + 1)
+  {
+    EXPECT_GE(vtkAHDOutputMemory::GetCapacity(bytes), bytes);
+    EXPECT_LE(vtkAHDOutputMemory::GetCapacity(bytes), bytes + bytes / 16) << bytes;
+  }
+  EXPECT_EQ(vtkAHDOutputMemory::GetCapacity(0), 64u);
+  EXPECT_EQ(vtkAHDOutputMemory::GetCapacity(65), 128u);
+}
+
+TEST(OutputMemory, IsTakenAgainForAsMuchOrALittleMore)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(kPlenty);
+  Doubles array = makeDoubles(memory);
+  const void* const first = array->GetPointer(0);
+  EXPECT_EQ(memory.GetBytes(), 0u);
+  for (vtkIdType count : { kCount, kCount + kCount / 50, kCount - kCount / 10 })
+  {
+    array = nullptr;
+    EXPECT_EQ(memory.GetBytes(), vtkAHDOutputMemory::GetCapacity(kBytes));
+    array = makeDoubles(memory, count);
+    EXPECT_EQ(array->GetPointer(0), first) << count;
+    EXPECT_EQ(memory.GetBytes(), 0u);
+  }
+}
+
+TEST(OutputMemory, TheSmallestThatIsEnoughIsTaken)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(kPlenty);
+  Doubles arrays[] = { makeDoubles(memory, kCount + kCount / 4), makeDoubles(memory) };
+  const void* const smaller = arrays[1]->GetPointer(0);
+  arrays[0] = nullptr;
+  arrays[1] = nullptr;
+  arrays[0] = makeDoubles(memory);
+  EXPECT_EQ(arrays[0]->GetPointer(0), smaller);
+}
+
+TEST(OutputMemory, IsNotTakenForMuchLessNorForMore)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(kPlenty);
+  makeDoubles(memory);
+  const std::size_t kept = memory.GetBytes();
+  ASSERT_GT(kept, 0u);
+  const Doubles less = makeDoubles(memory, kCount / 2);
+  EXPECT_EQ(memory.GetBytes(), kept);
+  const Doubles more = makeDoubles(memory, kCount + kCount / 10);
+  EXPECT_EQ(memory.GetBytes(), kept);
+}
+
+TEST(OutputMemory, NoMoreIsKeptThanTheLimit)
+{
+  vtkAHDOutputMemory memory;
+  makeDoubles(memory);
+  EXPECT_EQ(memory.GetBytes(), 0u) << "before anybody said how much";
+  memory.KeepAtMost(kBytes + kBytes / 2);
+  Doubles arrays[] = { makeDoubles(memory), makeDoubles(memory) };
+  arrays[0] = nullptr;
+  arrays[1] = nullptr;
+  EXPECT_EQ(memory.GetBytes(), vtkAHDOutputMemory::GetCapacity(kBytes));
+  memory.KeepAtMost(kBytes / 2);
+  EXPECT_EQ(memory.GetBytes(), 0u);
+  makeDoubles(memory);
+  EXPECT_EQ(memory.GetBytes(), 0u);
+  memory.KeepAtMost(kPlenty);
+  makeDoubles(memory, 100);
+  EXPECT_EQ(memory.GetBytes(), 0u) << "small arrays are not kept";
+  makeDoubles(memory);
+  EXPECT_GT(memory.GetBytes(), 0u);
+  memory.Release();
+  EXPECT_EQ(memory.GetBytes(), 0u);
+}
+
+TEST(OutputMemory, ArraysOutliveIt)
+{
+  Doubles array;
+  {
+    vtkAHDOutputMemory memory;
+    memory.KeepAtMost(kPlenty);
+    array = makeDoubles(memory);
+  }
+  EXPECT_EQ(array->GetValue(kCount - 1), double(kCount - 1));
+}
+
+TEST(OutputMemory, AnArrayThatGrowsLetsGoOfIt)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(kPlenty);
+  const Doubles array = makeDoubles(memory);
+  array->InsertNextValue(7.0);
+  EXPECT_EQ(memory.GetBytes(), vtkAHDOutputMemory::GetCapacity(kBytes));
+  EXPECT_EQ(array->GetValue(kCount - 1), double(kCount - 1));
+  EXPECT_EQ(array->GetValue(kCount), 7.0);
+}
+
+TEST(OutputMemory, BuffersBecomeArrays)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(kPlenty);
+  ahd::Buffer<std::int32_t> buffer = memory.Take<std::int32_t>(kCount);
+  ASSERT_GE(buffer.size(), std::size_t(kCount));
+  const void* const first = buffer.data();
+  buffer.allocate(kCount - 5); // as who fills it does
+  EXPECT_EQ(buffer.data(), first);
+  std::iota(buffer.begin(), buffer.end(), 1);
+  auto array = memory.MakeArray<vtkTypeInt32Array>(buffer, kCount - 5);
+  EXPECT_TRUE(buffer.empty());
+  EXPECT_EQ(array->GetPointer(0), first);
+  EXPECT_EQ(array->GetValue(kCount - 6), kCount - 5);
+  array = nullptr;
+  EXPECT_EQ(memory.Take<std::int32_t>(kCount).data(), first);
+  EXPECT_EQ(memory.GetBytes(), 0u) << "a buffer that becomes no array gives its memory back";
+}
+
+TEST(OutputMemory, AnyThreadLetsGo)
+{
+  vtkAHDOutputMemory memory;
+  memory.KeepAtMost(8 * kBytes);
+  for (int round = 0; round < 50; ++round)
+  {
+    std::vector<Doubles> arrays;
+    for (int i = 0; i < 4; ++i)
+    {
+      arrays.push_back(makeDoubles(memory, 10000));
+    }
+    std::vector<std::thread> threads;
+    for (Doubles& array : arrays)
+    {
+      threads.emplace_back(
+        [&array]
+        {
+          EXPECT_EQ(array->GetValue(9999), 9999.0);
+          array = nullptr;
+        });
+    }
+    makeDoubles(memory, 10000);
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  }
+  EXPECT_EQ(memory.GetBytes() % vtkAHDOutputMemory::GetCapacity(80000), 0u);
+  EXPECT_GE(memory.GetBytes(), 4 * vtkAHDOutputMemory::GetCapacity(80000));
+}
+
+namespace
+{
+std::vector<const void*> memoryOf(vtkPolyData* surface)
+{
+  std::vector<const void*> all;
+  for (vtkDataArray* array : { surface->GetPolys()->GetConnectivityArray(),
+         surface->GetPolys()->GetOffsetsArray(), surface->GetCellData()->GetArray("Neighbors") })
+  {
+    all.push_back(array->GetVoidPointer(0));
+  }
+  return all;
+}
+
+std::vector<vtkIdType> neighborsOf(vtkPolyData* surface)
+{
+  auto* array = vtkIdTypeArray::SafeDownCast(surface->GetCellData()->GetArray("Neighbors"));
+  return { array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues() };
+}
+
+vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> runOnce(std::size_t count)
+{
+  auto filter = vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D>::New();
+  filter->SetInputData(makeCloud(latticePoints(count, 1000000)));
+  filter->GenerateNeighborsOn();
+  filter->KeepTriangulationOff();
+  filter->Update();
+  return filter;
+}
+
+void runAgain(vtkAdaptiveHilbertDelaunay2D* filter)
+{
+  filter->Modified();
+  filter->Update();
+}
+}
+
+TEST(OutputMemory, TheNextExecutionWritesWhereTheLastOneDid)
+{
+  const auto filter = runOnce(50000);
+  const std::vector<const void*> first = memoryOf(filter->GetOutput());
+  const std::vector<vtkIdType> expected = neighborsOf(filter->GetOutput());
+  runAgain(filter);
+  EXPECT_EQ(memoryOf(filter->GetOutput()), first);
+  EXPECT_EQ(neighborsOf(filter->GetOutput()), expected);
+}
+
+TEST(OutputMemory, WhatIsInUseIsLeftAlone)
+{
+  auto filter = runOnce(50000);
+  const std::vector<vtkIdType> expected = neighborsOf(filter->GetOutput());
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(filter->GetOutput());
+  const std::vector<const void*> first = memoryOf(copy);
+  filter->SetInputData(makeCloud(latticePoints(50000, 999983)));
+  runAgain(filter);
+  const std::vector<const void*> second = memoryOf(filter->GetOutput());
+  for (const void* memory : second)
+  {
+    EXPECT_EQ(std::count(first.begin(), first.end(), memory), 0);
+  }
+  EXPECT_EQ(neighborsOf(copy), expected);
+  filter = nullptr; // the copy has its arrays for itself then
+  EXPECT_EQ(neighborsOf(copy), expected);
+}
