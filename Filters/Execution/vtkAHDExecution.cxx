@@ -195,8 +195,8 @@ void vtkAHDExecution::MakeTriangles(Results& results)
   }
 }
 
-/// For as much as there is without a border, and a little more. Where that is not enough, others
-/// have other memory.
+/// Memory for as many corners as there are without a border, and a few more. Where that is not
+/// enough, voronoiCells() takes its own.
 void vtkAHDExecution::TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiCells& cells) const
 {
   vtkAHDOutputMemory& memory = this->Context.GetOutputMemory();
