@@ -71,6 +71,21 @@ void fetchAround(const State& state, std::size_t slot)
   }
 }
 
+/// Calls write(state, ticker), a part of the outputs in so many steps; it returns false if it is to
+/// be cancelled. REQUIRES: there is a state.
+template <typename Write>
+Status withTicker(
+  Triangulation& triangulation, std::size_t steps, const Context& context, Write write)
+{
+  return unlessCancelled(
+    [&]
+    {
+      State& state = *TriangulationAccess::stateOf(triangulation);
+      Ticker ticker(context.progress, Phase::Outputs, steps, state.worthItsWhile(context.executor));
+      return write(state, ticker) && ticker.ask();
+    });
+}
+
 /// Calls write(state, the selected triangles, ticker) when there are numbers; it returns false if
 /// it is to be cancelled.
 template <typename Write>
@@ -82,15 +97,13 @@ Status withSelected(
   {
     return Status::Ok;
   }
-  return unlessCancelled(
-    [&]
+  return withTicker(triangulation, TriangulationAccess::stateOf(triangulation)->allTriangles,
+    context,
+    [&](State& state, Ticker& ticker)
     {
-      State& state = *TriangulationAccess::stateOf(triangulation);
-      Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
-        state.worthItsWhile(context.executor));
       Selected selected(state, selection);
       return state.makeNumbers(ticker, State::PlacesAre::NotNeeded) &&
-        selected.number(count, ticker) && write(state, selected, ticker) && ticker.ask();
+        selected.number(count, ticker) && write(state, selected, ticker);
     });
 }
 
@@ -145,15 +158,11 @@ Status writeAll(
   {
     return Status::Ok;
   }
-  return unlessCancelled(
-    [&]
+  return withTicker(triangulation, count, context,
+    [=](const State&, Ticker& ticker)
     {
-      const State& state = *TriangulationAccess::stateOf(triangulation);
-      Ticker ticker(context.progress, Phase::Outputs, count, state.worthItsWhile(context.executor));
       return inShares(count, ticker, 4, kChunk,
-               [=](std::size_t a, std::size_t b)
-               { std::fill(numbers + a, numbers + b, Number(0)); }) &&
-        ticker.ask();
+        [=](std::size_t a, std::size_t b) { std::fill(numbers + a, numbers + b, Number(0)); });
     });
 }
 
@@ -312,14 +321,9 @@ Status writeSelected(
 {
   if (hasCornersOnly(triangulation, selection))
   {
-    return unlessCancelled(
-      [&]
-      {
-        const State& state = *TriangulationAccess::stateOf(triangulation);
-        Ticker ticker(context.progress, Phase::Outputs, state.allTriangles,
-          state.worthItsWhile(context.executor));
-        return writeByCorners(state, selection, triples, ticker) && ticker.ask();
-      });
+    return withTicker(triangulation, selection.kept.size(), context,
+      [&](const State& state, Ticker& ticker)
+      { return writeByCorners(state, selection, triples, ticker); });
   }
   return withSelected(triangulation, selection, context,
     [&](const State& state, const Selected& selected, Ticker& ticker)
