@@ -17,6 +17,8 @@ constexpr std::size_t kBucket = 256;       // points per bucket aimed at
 constexpr std::size_t kPointsAhead = 64;   // fetched, and their keys
 constexpr unsigned kMostBucketBits = 15;   // more buckets than this cost more than they save
 constexpr std::size_t kPrefetchAhead = 2;  // records: the next cache line
+constexpr unsigned kMostCachedBits = 12;   // of so many buckets the next lines stay in the cache
+constexpr std::ptrdiff_t kKeysAhead = 24;  // of more buckets: the key whose place is fetched
 constexpr std::size_t kTasksPerThread = 4; // so that a thread that is late is waited for less
 constexpr std::size_t kMostTasks = 128;    // their counters fit into counterBytes()
 constexpr std::size_t kFewPoints = kChunk; // no task for less
@@ -230,6 +232,8 @@ bool Scatter::makeRecords(const From& from, Ticker& ticker)
       const Share share(points_.count, task, tasks_);
       Index* const places = place(task);
       const std::uint64_t* next = keys_ + firstKey_[task];
+      const std::uint64_t* const end = keys_ + firstKey_[task + 1];
+      const bool isCached = bits_ <= kMostCachedBits;
       return inChunks(share.begin, share.end, own,
         [&](std::size_t a, std::size_t b)
         {
@@ -243,7 +247,8 @@ bool Scatter::makeRecords(const From& from, Ticker& ticker)
               const std::uint64_t key = *next++;
               Record* const r = records_ + places[bucketOf(key)]++;
               *r = { p.x, p.y, key, static_cast<Index>(i) };
-              prefetchForWrite(r + kPrefetchAhead);
+              const std::uint64_t* const later = next + std::min(kKeysAhead, end - next - 1);
+              prefetchForWrite(isCached ? r + kPrefetchAhead : records_ + places[bucketOf(*later)]);
             }
           }
           own.finished((b - a) / 4);
