@@ -12,6 +12,7 @@ ROOT = FOLDER.parent.parent
 ENGINE = "Filters/Engine"
 FILTER = "filter"  # before the tests of the VTK layer
 FILTER_PROGRAMS = ("FaultsCancel", "FaultsMemory")  # beside FilterTests, whose suites are tests
+FUSED = "PredicatesFma"  # all tests of the predicates; exists where the processor has fused multiply-adds
 FIELDS = {"name", "file", "old", "new", "at", "breaks", "hints", "equivalent"}
 
 
@@ -83,6 +84,11 @@ def load():
     return mutants
 
 
+def engine_tests(root=ROOT):
+    """The tests of the engine: one a file, and one of several."""
+    return sorted({path.stem for path in (pathlib.Path(root) / "Testing/Engine").rglob("*.cxx")} | {FUSED})
+
+
 def filter_suites(root=ROOT):
     """The suites of FilterTests."""
     texts = (path.read_text() for path in (pathlib.Path(root) / "Testing/Filters").rglob("*.cxx"))
@@ -92,14 +98,14 @@ def filter_suites(root=ROOT):
 def check(mutants, root=ROOT):
     """Complaints: mutants that do not apply to the sources, hints that are no tests."""
     complaints = []
-    engine_tests = {path.stem for path in (pathlib.Path(root) / "Testing/Engine").rglob("*.cxx")}
+    of_engine = engine_tests(root)
     filter_tests = filter_suites(root).union(FILTER_PROGRAMS)
     for mutant in mutants:
         try:
             mutant.apply(mutant.path(root).read_text())
         except (ListError, OSError) as error:
             complaints.append(str(error))
-        tests = engine_tests if mutant.is_of_engine else filter_tests
+        tests = of_engine if mutant.is_of_engine else filter_tests
         for hint in mutant.hints:
             if hint.split(":")[-1] not in tests:
                 complaints.append(f"{mutant.name}: there is no test {hint}")

@@ -11,7 +11,7 @@ import signal
 import subprocess
 import time
 
-from mutants import FILTER, FILTER_PROGRAMS, ROOT
+from mutants import FILTER, FILTER_PROGRAMS, ROOT, engine_tests
 
 # What the tests of the engine and of the VTK layer are made of. Parts of Testing/ that are not here are
 # not configured.
@@ -68,7 +68,7 @@ class Workshop:
     def tests(self, of_engine=True):
         """All tests, by name. Of the VTK layer: parts of FilterTests, and programs beside it."""
         if of_engine:
-            return sorted(path.stem for path in (self.source / "Testing/Engine").rglob("*.cxx"))
+            return engine_tests(self.source)
         first, last = PARTS_OF_FILTER_TESTS
         return [f"{FILTER}:{name}" for name in (first, *FILTER_PROGRAMS, last)]
 

@@ -110,7 +110,7 @@ Insertion Kernel<kCount, kAccess, kExact>::carve(const Cavity& cavity, Mesh::Slo
     const InCirclePair seen = test(t.edges, apices);
     const unsigned right = signs(cross(apices, towards));
     const unsigned inside = seen.certain == 3 ? seen.inside
-                                              : decide(seen, t.place, t.apex, t.beyond, p);
+                                              : decide(seen, t.place, t.apex, t.beyond);
     const Mesh::Slot added = split(t, p);
     const Mesh::Slot refined = t.apexIsRight ? t.place : added;
     hintPlace = hintPlace == t.place ? refined : hintPlace;
@@ -280,22 +280,59 @@ Kernel<kCount, kAccess, kExact>::waitingAt(
   return { place, twin, apex, isRight, { ac, cb, cross(ac, cb) }, beyond<kInside>(twin) };
 }
 
-/// Which of the two triangles beyond a removed one are in conflict with p, by the exact predicate
-/// where the filter is not certain. REQUIRES: the star has not been split there yet.
+/// Which of the two triangles beyond a removed one are in conflict with p, by closer filters and
+/// the exact predicate where the filter is not certain.
+/// REQUIRES: the star has not been split there yet.
 template <bool kCount, Access kAccess, bool kExact>
 unsigned Kernel<kCount, kAccess, kExact>::decide(
-  InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p)
+  InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond)
 {
-  const std::uint32_t* const t = data_ + place;
-  const bool first = (seen.certain & 1) != 0 ? (seen.inside & 1) != 0
-                                             : conflicts(apex, t[1], beyond.firstApex, p);
+  const Index p = data_[place], a = data_[place + 1], b = data_[place + 2];
+  const Index ofFirst = beyond.firstApex, ofSecond = beyond.secondApex;
+  const TwoEdges edges{ xy_[a], xy_[apex], xy_[b], xy_[ofFirst], xy_[ofSecond] };
+  seen = orElse(seen, inRectangles(3 & ~seen.certain, xy_[p], edges));
+  if (seen.certain != 3)
+  {
+    InCirclePair sharp = inCircleBySharpCrosses(xy_[p], edges, guard_);
+    // The ghost's place is not for filters that are as close as this one.
+    sharp.certain &= apex == ghost_ ? 0u : 3u;
+    sharp.certain &= a == ghost_ || ofFirst == ghost_ ? 2u : 3u;
+    sharp.certain &= b == ghost_ || ofSecond == ghost_ ? 1u : 3u;
+    seen = orElse(seen, sharp);
+  }
+  // In a frame the closer filters for one triangle know nothing more.
+  const bool isInFrame = !std::isinf(squaredGuard_);
+  const auto conflict = [=](Index u, Index v, Index w)
+  { return kPairsAreFused && isInFrame ? conflictsExactly(u, v, w, p) : conflicts(u, v, w, p); };
+  const bool first = (seen.certain & 1) != 0 ? (seen.inside & 1) != 0 : conflict(apex, a, ofFirst);
   const bool second = (seen.certain & 2) != 0 ? (seen.inside & 2) != 0
-                                              : conflicts(t[2], apex, beyond.secondApex, p);
+                                              : conflict(b, apex, ofSecond);
   return (first ? 1u : 0u) + (second ? 2u : 0u);
 }
 
 template <bool kCount, Access kAccess, bool kExact>
 bool Kernel<kCount, kAccess, kExact>::conflicts(Index a, Index b, Index c, Index p)
+{
+  if (a != ghost_ && b != ghost_ && c != ghost_)
+  {
+    const Point &A = xy_[a], &B = xy_[b], &C = xy_[c], &P = xy_[p];
+    const int inRectangle = conflictInRectangle(A, B, C, P);
+    if (inRectangle != 0)
+    {
+      return inRectangle > 0;
+    }
+    std::optional<int> sign = inCircleByLengths(A, B, C, P);
+    sign = sign ? sign : inCircleBySharpCrosses(A, B, C, P);
+    if (sign)
+    {
+      return *sign > 0;
+    }
+  }
+  return conflictsExactly(a, b, c, p);
+}
+
+template <bool kCount, Access kAccess, bool kExact>
+bool Kernel<kCount, kAccess, kExact>::conflictsExactly(Index a, Index b, Index c, Index p)
 {
   if (c == ghost_)
   {
@@ -309,24 +346,12 @@ bool Kernel<kCount, kAccess, kExact>::conflicts(Index a, Index b, Index c, Index
   {
     return conflictsWithGhost(b, c, p);
   }
-  const Point &A = xy_[a], &B = xy_[b], &C = xy_[c], &P = xy_[p];
-  const int inRectangle = conflictInRectangle(A, B, C, P);
-  if (inRectangle != 0)
-  {
-    return inRectangle > 0;
-  }
-  std::optional<int> sign = inCircleByLengths(A, B, C, P);
-  sign = sign ? sign : inCircleBySharpCrosses(A, B, C, P);
-  if (sign)
-  {
-    return *sign > 0;
-  }
   spendOnExact();
   if (kCount)
   {
     ++work_.exactInCircle;
   }
-  return inConflictExact(A, B, C, P);
+  return inConflictExact(xy_[a], xy_[b], xy_[c], xy_[p]);
 }
 
 /// The hull lies on the right of the edge `from` - `to` or is that edge: p is in conflict if it

@@ -7,6 +7,7 @@
 
 #include "../Core/Chunks.h"
 #include "../Predicates/CloserFilters.h"
+#include "../Predicates/CloserPairs.h"
 #include "../Predicates/FilterPairs.h"
 #include "../Predicates/Predicates.h"
 
@@ -323,7 +324,7 @@ private:
     return kExact ? perturbedInCircle(edges, apices, both(guard_), exactly_)
                   : inCircle(edges, apices, both(squaredGuard_));
   }
-  unsigned decide(InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond, Index p);
+  AHD_NEVER_INLINE unsigned decide(InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond);
   void takeBack(std::size_t splits);
   Mesh::Slot hintOutside(Index next, Mesh::Slot ghost) const;
   AHD_NEVER_INLINE Mesh::Slot hintOnHull(Index next, Mesh::Slot hint) const;
@@ -370,6 +371,8 @@ private:
 
   /// Is p in conflict with the triangle a, b, c? One of them may be the ghost. The slow path.
   AHD_NEVER_INLINE bool conflicts(Index a, Index b, Index c, Index p);
+  /// The same where no closer filter is to be asked.
+  AHD_NEVER_INLINE bool conflictsExactly(Index a, Index b, Index c, Index p);
   bool conflictsWithGhost(Index from, Index to, Index p);
   AHD_NEVER_INLINE int orientation(Index a, Index b, Index p);
 

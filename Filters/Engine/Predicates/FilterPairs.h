@@ -63,6 +63,7 @@ AHD_ALWAYS_INLINE Pair operator*(Pair a, Pair b)
   return { _mm_mul_pd(a.v, b.v) };
 }
 #if defined(__FMA__) || defined(AHD_FUSED_MULTIPLY_ADD)
+constexpr bool kPairsAreFused = true; ///< Are the next three rounded once?
 AHD_ALWAYS_INLINE Pair multiplyAdd(Pair a, Pair b, Pair c)
 {
   return { _mm_fmadd_pd(a.v, b.v, c.v) };
@@ -76,6 +77,7 @@ AHD_ALWAYS_INLINE Pair productLess(Pair a, Pair b, Pair c)
   return { _mm_fmsub_pd(a.v, b.v, c.v) };
 }
 #else
+constexpr bool kPairsAreFused = false;
 AHD_ALWAYS_INLINE Pair multiplyAdd(Pair a, Pair b, Pair c)
 {
   return a * b + c;
@@ -96,10 +98,13 @@ AHD_ALWAYS_INLINE unsigned signs(Pair a)
 {
   return static_cast<unsigned>(_mm_movemask_pd(a.v));
 }
+AHD_ALWAYS_INLINE Pair magnitude(Pair a)
+{
+  return { _mm_andnot_pd(_mm_set1_pd(-0.0), a.v) };
+}
 AHD_ALWAYS_INLINE unsigned magnitudeExceeds(Pair a, Pair b)
 {
-  const __m128d magnitude = _mm_andnot_pd(_mm_set1_pd(-0.0), a.v);
-  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(magnitude, b.v)));
+  return static_cast<unsigned>(_mm_movemask_pd(_mm_cmpgt_pd(magnitude(a).v, b.v)));
 }
 
 /// For each of two numbers: an answer, for choices without a branch.
@@ -111,6 +116,14 @@ struct MaskPair
 AHD_ALWAYS_INLINE MaskPair exceeds(Pair a, Pair b)
 {
   return { _mm_cmpgt_pd(a.v, b.v) };
+}
+AHD_ALWAYS_INLINE MaskPair areEqual(Pair a, Pair b)
+{
+  return { _mm_cmpeq_pd(a.v, b.v) };
+}
+AHD_ALWAYS_INLINE MaskPair operator&(MaskPair a, MaskPair b)
+{
+  return { _mm_and_pd(a.v, b.v) };
 }
 AHD_ALWAYS_INLINE unsigned bits(MaskPair m)
 {
@@ -175,6 +188,7 @@ AHD_ALWAYS_INLINE Pair operator*(Pair a, Pair b)
 {
   return { a.l * b.l, a.h * b.h };
 }
+constexpr bool kPairsAreFused = kMultiplyAddIsFused;
 AHD_ALWAYS_INLINE Pair multiplyAdd(Pair a, Pair b, Pair c)
 {
   return { multiplyAdd(a.l, b.l, c.l), multiplyAdd(a.h, b.h, c.h) };
@@ -192,6 +206,10 @@ AHD_ALWAYS_INLINE unsigned signs(Pair a)
 {
   return (std::signbit(a.l) ? 1u : 0u) + (std::signbit(a.h) ? 2u : 0u);
 }
+AHD_ALWAYS_INLINE Pair magnitude(Pair a)
+{
+  return { std::fabs(a.l), std::fabs(a.h) };
+}
 AHD_ALWAYS_INLINE unsigned magnitudeExceeds(Pair a, Pair b)
 {
   return (std::fabs(a.l) > b.l ? 1u : 0u) + (std::fabs(a.h) > b.h ? 2u : 0u);
@@ -205,6 +223,14 @@ struct MaskPair
 AHD_ALWAYS_INLINE MaskPair exceeds(Pair a, Pair b)
 {
   return { a.l > b.l, a.h > b.h };
+}
+AHD_ALWAYS_INLINE MaskPair areEqual(Pair a, Pair b)
+{
+  return { a.l == b.l, a.h == b.h };
+}
+AHD_ALWAYS_INLINE MaskPair operator&(MaskPair a, MaskPair b)
+{
+  return { a.l && b.l, a.h && b.h };
 }
 AHD_ALWAYS_INLINE unsigned bits(MaskPair m)
 {
@@ -304,6 +330,13 @@ struct InCirclePair
   unsigned inside;  ///< where it is certain
   unsigned certain; ///< the others are for an exact predicate to decide
 };
+
+/// Of each triangle the first answer that is certain.
+AHD_ALWAYS_INLINE InCirclePair orElse(InCirclePair first, InCirclePair second)
+{
+  return { (first.inside & first.certain) | (second.inside & ~first.certain),
+    first.certain | second.certain };
+}
 
 /// Of each of two edges and points: the determinant of b, a, c, and a bound on its error. See
 /// inCircle() and perturbedInCircle().

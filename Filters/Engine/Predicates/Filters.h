@@ -51,14 +51,19 @@ struct Lifted
 };
 
 /// a * b + c, with one rounding where that is one instruction.
+#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(AHD_FUSED_MULTIPLY_ADD)
+constexpr bool kMultiplyAddIsFused = true;
 inline double multiplyAdd(double a, double b, double c)
 {
-#if defined(__FMA__) || defined(__FP_FAST_FMA) || defined(AHD_FUSED_MULTIPLY_ADD)
   return std::fma(a, b, c);
-#else
-  return a * b + c;
-#endif
 }
+#else
+constexpr bool kMultiplyAddIsFused = false;
+inline double multiplyAdd(double a, double b, double c)
+{
+  return a * b + c;
+}
+#endif
 
 inline double squaredLength(double x, double y)
 {

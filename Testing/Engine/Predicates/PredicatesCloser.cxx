@@ -3,6 +3,7 @@
 // The filters that are asked second: never wrong, and they decide nearly all that slivers leave
 // open.
 #include "Predicates/CloserFilters.h"
+#include "Predicates/CloserPairs.h"
 
 #include "ExactSigns.h"
 #include "PredicatesCases.h"
@@ -31,9 +32,26 @@ struct Answers
   int byLengths = 0;
   int bySharpCrosses = 0;
   int orientations = 0;
+  int bySharpPairs = 0; ///< what sharp crosses decide
 
   int open() const { return asked - byFirst; }
 };
+
+/// Asks the filter for two triangles at once about q's first three points, from the k-th on, and
+/// the next three. REQUIRES: the guard is enough for them.
+InCirclePair askPair(const Quadruple& q, std::size_t k, double guard)
+{
+  const Point &a = q[k], &c = q[(k + 1) % 3], &b = q[(k + 2) % 3];
+  const InCirclePair seen = inCircleBySharpCrosses(q[3], { a, c, b, b, a }, guard);
+  if (seen.certain != 0)
+  {
+    const int inside = oracleInCircle(c, a, b, q[3]) > 0 ? 3 : 0; // b, c, a is in the same order
+    const unsigned wrong = (seen.inside ^ static_cast<unsigned>(inside)) & seen.certain;
+    EXPECT_EQ(wrong, 0u) << "pair: " << hexText(a) << hexText(b) << hexText(c) << hexText(q[3]);
+    EXPECT_NE(oracleInCircle(c, a, b, q[3]), 0);
+  }
+  return seen;
+}
 
 /// Asks all filters about q in each cyclic order of its first three points.
 void ask(const Quadruple& q, Answers& answers)
@@ -56,6 +74,9 @@ void ask(const Quadruple& q, Answers& answers)
       ASSERT_EQ(byLengths.value_or(sign), sign) << "by lengths: " << text;
       ASSERT_EQ(sharp.value_or(sign), sign) << "by sharp crosses: " << text;
     }
+    const InCirclePair pair = askPair(q, k, guard);
+    ASSERT_FALSE(testing::Test::HasFailure());
+    answers.bySharpPairs += sharp && pair.certain == 3 ? 1 : 0;
     answers.byLengths += !first && byLengths ? 1 : 0;
     answers.bySharpCrosses += !first && !byLengths && sharp ? 1 : 0;
     if (const auto side = orient2dBySharpCross(a, b, p))
@@ -164,6 +185,24 @@ TEST(PredicatesCloser, WhatIsSeenRoundedIsNotTakenForExact)
   }
 }
 
+#if defined(__FMA__)
+/// Of two triangles at once, each with the point that is not seen exactly in each place: only the
+/// one that has it is left open.
+TEST(PredicatesCloser, OfAPairOnlyWhatIsRoundedIsLeftOpen)
+{
+  const Point p{ 0x1p-70, 0 }, a{ 0x1p-70, 1 }, b{ 0x1p-69, -1 }, c{ 0, 0x1p-60 };
+  const Point f{ 0x1p-68, 3 }, g{ 0x1p-65, 5 };
+  const Point rounded{ 1, 0x1p-20 };
+  const double guard = inCircleGuard(1000);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, c, b, f, g }, guard).certain, 3u);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { rounded, c, b, f, g }, guard).certain, 2u);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, rounded, b, f, g }, guard).certain, 0u);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, c, rounded, f, g }, guard).certain, 1u);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, c, b, rounded, g }, guard).certain, 2u);
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, c, b, f, rounded }, guard).certain, 1u);
+}
+#endif
+
 /// Places between -1 and 1, sorted, each once.
 std::vector<double> places(Cases& source)
 {
@@ -219,6 +258,7 @@ TEST(PredicatesCloser, NearlyCollinearPointsAreDecidedBySharpCrosses)
   EXPECT_GT(answers.open(), answers.asked / 20);
   EXPECT_GT(answers.byLengths + answers.bySharpCrosses, answers.open() * 9 / 10);
   EXPECT_GT(answers.bySharpCrosses, answers.open() / 2);
+  EXPECT_GT(answers.bySharpPairs, answers.asked * 9 / 10);
   EXPECT_GT(answers.orientations, answers.asked * 9 / 10);
 }
 #else
@@ -226,6 +266,8 @@ TEST(PredicatesCloser, WithoutFusedMultiplyAddsSharpCrossesAreNotUsed)
 {
   EXPECT_FALSE(inCircleBySharpCrosses({ 0, 0 }, { 1, 0 }, { 0, 1 }, { 0.5, 0.5 }));
   EXPECT_FALSE(orient2dBySharpCross({ 0, 0 }, { 1, 0 }, { 0.5, 0.5 }));
+  const Point p{ 0, 0 }, a{ 1, 0 }, b{ 0, 1 }, c{ 1, 2 };
+  EXPECT_EQ(inCircleBySharpCrosses(p, { a, c, b, b, a }, inCircleGuard(20)).certain, 0u);
 }
 #endif
 

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rectangles with sides along the axes, which are known by their coordinates.
+#include "Predicates/CloserPairs.h"
 #include "Predicates/Filters.h"
 
 #include "PredicatesCases.h"
 #include "PredicatesOracle.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace ahd::test
 {
@@ -47,6 +50,29 @@ TEST(PredicatesRectangles, AreKnownInEveryOrder)
   }
   EXPECT_EQ(conflictInRectangle({ 0, 0 }, { 2, 0 }, { 1, 2 }, { 1, 1 }), 0);
   EXPECT_EQ(conflictInRectangle({ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 2 }), 0);
+}
+
+/// Of two edges, those that are asked for.
+TEST(PredicatesRectangles, AreKnownOfPairs)
+{
+  const Point p{ 0, 0 }, right{ 1, 0 }, far{ 1, 1 }, above{ 0, 1 }, other{ 5, 7 };
+  const Point below{ 0, -1 }, farBelow{ 1, -1 };
+  ASSERT_EQ(conflictInRectangle(right, far, above, p), -1); // the largest is opposite
+  ASSERT_EQ(conflictInRectangle(below, farBelow, right, p), 1);
+  const auto seen = [&](unsigned open, const TwoEdges& edges)
+  {
+    const InCirclePair pair = inRectangles(open, p, edges);
+    return std::pair<unsigned, unsigned>(pair.certain, pair.inside & pair.certain);
+  };
+  using Answer = std::pair<unsigned, unsigned>;
+  // the first is of c, a and beyondFirst, the second of b, c and beyondSecond
+  const TwoEdges both{ far, right, below, above, farBelow };
+  EXPECT_EQ(seen(3, both), Answer(3, 2));
+  EXPECT_EQ(seen(1, both), Answer(1, 0));
+  EXPECT_EQ(seen(2, both), Answer(2, 2));
+  EXPECT_EQ(seen(0, both), Answer(0, 0));
+  EXPECT_EQ(seen(3, { far, right, below, other, farBelow }), Answer(2, 2));
+  EXPECT_EQ(seen(3, { far, right, below, above, other }), Answer(1, 0));
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ahd
@@ -121,6 +122,32 @@ TEST(HardInputs, OneCavityOfAllTriangles)
   Options options;
   options.order = InsertionOrder::AsGiven;
   expectCertified(points, options);
+}
+
+/// The last point sees the ghost's place exactly, and lies so near a hull edge, on either side of
+/// it, that a point there would be on the other side of its circle.
+TEST(HardInputs, BesideAHullEdgeOnTheAxis)
+{
+  Options options;
+  options.order = InsertionOrder::AsGiven;
+  for (const int exponent : { -60, -75, -90, -140, -300, -500 })
+  {
+    const double off = std::ldexp(1.0, exponent);
+    for (const Point& apex : { Point{ 0.25, 1 }, Point{ 0.25, -1 } })
+    {
+      for (const double side : { off, -off })
+      {
+        std::vector<Point> points = { { -1, 0 }, { 1, side }, apex, { 0.125, 2 * apex.y } };
+        std::sort(points.begin(), points.end(), lexicographicallyLess);
+        do
+        {
+          std::vector<Point> all = points;
+          all.push_back({ 0.5, 0 });
+          expectCertified(all, options);
+        } while (std::next_permutation(points.begin(), points.end(), lexicographicallyLess));
+      }
+    }
+  }
 }
 
 TEST(HardInputs, AllEqual)
