@@ -155,11 +155,15 @@ void InCurveOrder::prefetch(std::size_t i, std::size_t end) const
     prefetchForRead(mesh_.data() + slot);
     prefetchForRead(mesh_.places() + from(kTriangle));
   }
-  if (const Mesh::Slot slot = mesh_.slotOf(from(kNeighbours)); slot != kNoIndex)
+  const Index near = from(kNeighbours);
+  if (const Mesh::Slot slot = mesh_.slotOf(near); slot != kNoIndex)
   {
     for (Mesh::Halfedge h = slot; h != slot + 3; ++h)
     {
-      prefetchForRead(mesh_.data() + Mesh::slotOf(mesh_.twin(h)));
+      if (mesh_.apex(h) != near) // the edge opposite may be that of others
+      {
+        prefetchForRead(mesh_.data() + Mesh::slotOf(mesh_.twin(h)));
+      }
     }
   }
 }

@@ -60,7 +60,7 @@ ConstrainedOutcome constrain(Engine& engine, const PointView& points,
   outcome.status = engine.run(points, options, helpers.progress, helpers.executor);
   if (outcome.status == Status::Ok)
   {
-    outcome.status = engine.constrain(constraints, rule, helpers.progress);
+    outcome.status = engine.constrain(constraints, rule, helpers.progress, helpers.executor);
   }
   outcome.report = engine.report();
   if (outcome.status != Status::Ok)

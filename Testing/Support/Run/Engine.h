@@ -22,9 +22,10 @@ struct Engine
   {
     return ahd::triangulate(points, options, workspace, { progress, executor }, made);
   }
-  Status constrain(const ConstraintView& constraints, FillRule rule, Progress* progress = nullptr)
+  Status constrain(const ConstraintView& constraints, FillRule rule, Progress* progress = nullptr,
+    Executor* executor = nullptr)
   {
-    return ahd::constrain(std::move(made), constraints, rule, { progress, nullptr }, made);
+    return ahd::constrain(std::move(made), constraints, rule, { progress, executor }, made);
   }
 
   template <typename Id>
