@@ -30,6 +30,10 @@ public:
   /// The half-edge from -> to that was made. REQUIRES: fill() returned true.
   Mesh::Halfedge made() const { return made_; }
 
+  /// The other edge of the two triangles takes the place of this one, in the same two slots.
+  /// REQUIRES: it is no constraint, and they make a convex quadrilateral.
+  void flip(Mesh::Halfedge h);
+
 private:
   /// The polygon on one side, counterclockwise, its last edge along the segment; and for each of
   /// the other edges the half-edge of the triangle that goes, and where to link the new one.
@@ -53,7 +57,6 @@ private:
   bool eachEdge(const Side& side, Visit visit);
   template <typename Visit>
   bool eachSlot(Visit visit);
-  void flip(Mesh::Halfedge h);
   bool collect(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
   bool lookBeyond(Side& side);
   bool fillSide(Side& side, const Mesh::Slot* slots);

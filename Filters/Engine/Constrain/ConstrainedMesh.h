@@ -94,6 +94,10 @@ public:
   {
     marks(h) = static_cast<std::uint8_t>(marks(h) | 1u << (h & 3u));
   }
+  void release(Mesh::Halfedge h)
+  {
+    marks(h) = static_cast<std::uint8_t>(marks(h) & ~(1u << (h & 3u)));
+  }
 
   /// Where to look a vertex up, for a hint to the processor.
   const void* placeOfSlot(Index vertex) const { return slotOf_.data() + vertex; }

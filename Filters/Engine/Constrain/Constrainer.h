@@ -17,8 +17,8 @@ namespace ahd
 
 class InCurveOrder;
 
-/// Inserts constraints into a mesh: all along the curve if none crosses another,
-/// else one after the other, in the order given.
+/// Inserts constraints into a mesh: those that cross no other along the curve, then the rest one
+/// after the other, in the order given.
 class Constrainer
 {
 public:

@@ -82,7 +82,7 @@ bool InCurveOrder::sort(std::size_t places)
     return eachSegment(Share(places, task, tasks), own,
       [&](std::size_t place, Index from, Index to)
       {
-        isEdge_[place] = 0;
+        became_[place] = kNothing;
         if (from != kNoIndex && to != kNoIndex && from != to)
         {
           visit(mine[blocks.of(from)], Segment{ from, to, static_cast<std::uint32_t>(place) });
@@ -145,10 +145,11 @@ void InCurveOrder::divide(const std::uint32_t* blockEnds, std::size_t blocks, un
 
 /// Fetches what the segments soon to come need, step by step, as one thing tells where the next is.
 /// Looks only at triangles around their first vertices.
-void InCurveOrder::prefetch(std::size_t i, std::size_t end) const
+void InCurveOrder::prefetch(const Segment* segment, const Segment* end) const
 {
-  constexpr std::size_t kSlot = 24, kTriangle = 16, kNeighbours = 8;
-  const auto from = [&](std::size_t ahead) { return segments_[std::min(i + ahead, end - 1)].from; };
+  constexpr std::ptrdiff_t kSlot = 24, kTriangle = 16, kNeighbours = 8;
+  const std::ptrdiff_t last = end - segment - 1;
+  const auto from = [=](std::ptrdiff_t ahead) { return segment[std::min(ahead, last)].from; };
   prefetchForRead(mesh_.placeOfSlot(from(kSlot)));
   if (const Mesh::Slot slot = mesh_.slotOf(from(kTriangle)); slot != kNoIndex)
   {
@@ -214,7 +215,7 @@ InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, T
     case SegmentWalk::Outcome::Beyond:
       return Outcome::Beyond;
     case SegmentWalk::Outcome::Blocked:
-      return Outcome::GaveUp;
+      return Outcome::Crosses;
     case SegmentWalk::Outcome::Cancelled:
       return Outcome::Cancelled;
     default:
@@ -226,21 +227,23 @@ InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, T
     return Outcome::GaveUp;
   }
   work.budget -= replaced;
-  isEdge_[segment.place] = work.walk.pieces().size() == 1 ? 1 : 0;
+  became_[segment.place] = work.walk.pieces().size() == 1 ? kEdge : kRow;
   return makeEdges(work, territory) ? Outcome::Done : Outcome::Cancelled;
 }
 
-/// Segments [begin, end), but for those that leave the walk's territory: `territory.left` of them
-/// are moved to segments_[begin] and on. Returns false if the caller wants to cancel.
+/// Segments [begin, end), but for those that leave the walk's territory or cross others. Returns
+/// false if the caller wants to cancel.
 bool InCurveOrder::insert(
-  std::size_t begin, std::size_t end, Work& work, Territory& territory, Ticker& ticker)
+  const Segment* begin, const Segment* end, Work& work, Territory& territory, Ticker& ticker)
 {
   work.budget = kReplacedAtLeast;
-  for (std::size_t i = begin; i != end && !gaveUp_.load(std::memory_order_relaxed); ++i)
+  const auto mostCrossing = [begin](const Segment* now)
+  { return kCrossingAtLeast + static_cast<std::size_t>(now - begin) / kMostCrossing; };
+  for (const Segment* now = begin; now != end && !gaveUp_.load(std::memory_order_relaxed); ++now)
   {
-    const Segment segment = segments_[i];
+    const Segment& segment = *now;
     work.budget += kMostReplaced;
-    prefetch(i, end);
+    prefetch(now, end);
     const bool isOwn = work.walk.isOwn(segment.to);
     if (!isOwn || areInMesh(segment))
     {
@@ -250,8 +253,15 @@ bool InCurveOrder::insert(
           ticker.finished(1);
           break;
         case Outcome::Beyond:
-          segments_[begin + territory.left++] = segment;
+          territory.left.push_back(segment);
           break;
+        case Outcome::Crosses:
+          territory.crossing.push_back(segment);
+          if (territory.crossing.size() <= mostCrossing(now))
+          {
+            break;
+          }
+          [[fallthrough]];
         case Outcome::GaveUp:
           gaveUp_ = true;
           break;
@@ -280,9 +290,11 @@ bool InCurveOrder::insertSorted()
     }
     // On a local one: no thread waits for a line of another.
     Territory own;
-    const bool done = insert(territories_[k].begin, territories_[k + 1].begin, work, own, ticker);
-    territories_[k].left = own.left;
+    const bool done = insert(segments_.data() + territories_[k].begin,
+      segments_.data() + territories_[k + 1].begin, work, own, ticker);
     territories_[k].edges = own.edges;
+    territories_[k].left = std::move(own.left);
+    territories_[k].crossing = std::move(own.crossing);
     territories_[k].replaced = std::move(own.replaced);
     return done;
   };
@@ -290,23 +302,27 @@ bool InCurveOrder::insertSorted()
   {
     return false;
   }
-  std::size_t left = 0;
-  for (std::size_t k = 0; k != count; ++k)
+  std::vector<Segment> left;
+  Work work(mesh_, ticker_);
+  return gather(&Territory::left, left) &&
+    insert(left.data(), left.data() + left.size(), work, territories_.back(), ticker_);
+}
+
+/// Moves all territories' segments of one kind into one list.
+bool InCurveOrder::gather(std::vector<Segment> Territory::*kind, std::vector<Segment>& all)
+{
+  for (Territory& territory : territories_)
   {
-    const Territory& territory = territories_[k];
-    const auto move = [&](std::size_t a, std::size_t b)
-    {
-      std::copy(segments_.data() + territory.begin + a, segments_.data() + territory.begin + b,
-        segments_.data() + left + a);
-    };
-    if (!inChunks(0, territory.left, ticker_, move))
+    std::vector<Segment>& some = territory.*kind;
+    const auto add = [&](std::size_t a, std::size_t b)
+    { all.insert(all.end(), some.data() + a, some.data() + b); };
+    if (!inChunks(0, some.size(), ticker_, add))
     {
       return false;
     }
-    left += territory.left;
+    some = {};
   }
-  Work work(mesh_, ticker_);
-  return left == 0 || insert(0, left, work, territories_.back(), ticker_);
+  return true;
 }
 
 /// The last one first; then no constraint is left.
@@ -357,20 +373,25 @@ bool InCurveOrder::insertAll(const ConstraintView& constraints)
   {
     return true;
   }
-  isEdge_.allocate(places);
+  became_.allocate(places);
   if (!sort(places) || !insertSorted())
+  {
+    return false;
+  }
+  for (const Territory& territory : territories_)
+  {
+    edges_ += territory.edges;
+  }
+  if (!gaveUp_ && !takeOutCrossed())
   {
     return false;
   }
   segments_.reset();
   if (gaveUp_)
   {
-    isEdge_.reset();
+    became_.reset();
+    edges_ = 0;
     return undo();
-  }
-  for (const Territory& territory : territories_)
-  {
-    edges_ += territory.edges;
   }
   territories_.clear();
   return true;

@@ -249,6 +249,17 @@ SegmentWalk::Outcome SegmentWalk::walk(Index a, Index b)
   return outcome;
 }
 
+SegmentWalk::Outcome SegmentWalk::walkAcross(Index a, Index b)
+{
+  WayOut way;
+  if (const Outcome outcome = chooseEnd(a, b, way); outcome != Outcome::Free)
+  {
+    return outcome;
+  }
+  goesOn_ = true;
+  return walkFrom(start_, start_ == a ? b : a, way);
+}
+
 /// From vertex to vertex on the segment. `way` leads out of the first.
 SegmentWalk::Outcome SegmentWalk::walkFrom(Index from, Index end, WayOut way)
 {

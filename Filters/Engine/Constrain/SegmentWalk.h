@@ -52,6 +52,10 @@ public:
   /// cost m log m steps.
   Outcome walk(Index a, Index b);
 
+  /// The same across all constraints: crossed() lists them among the other edges. Returns Free or
+  /// Cancelled. REQUIRES: no territory.
+  Outcome walkAcross(Index a, Index b);
+
   /// Along the segment, from start(), which is one of its ends.
   const std::vector<Piece>& pieces() const { return pieces_; }
   Index start() const { return start_; }

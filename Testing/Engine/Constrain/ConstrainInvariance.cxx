@@ -89,7 +89,8 @@ TEST(ConstrainInvariance, NoThreadChangesAByte)
 }
 
 /// Segments that do not cross are made edges in another order than theirs; one more that crosses
-/// them all, as the last one, makes the engine undo that, and then changes nothing else.
+/// many, as the last one, makes the engine insert these in the order given, and then changes
+/// nothing else.
 TEST(ConstrainInvariance, OneThatCrossesChangesNothingElse)
 {
   ConstraintCase given = shortSegments(3000, 1000);
