@@ -190,6 +190,11 @@ bool InCurveOrder::takeOut(const std::vector<Segment>& crossed)
       return false;
     }
     became_[segment.place] = kNothing;
+    if (edges.size() > mostCrossed())
+    {
+      gaveUp_ = true;
+      return true;
+    }
   }
   std::vector<Mesh::Halfedge> suspects;
   for (const auto& [u, v] : edges)
