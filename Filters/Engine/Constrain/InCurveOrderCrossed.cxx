@@ -176,32 +176,30 @@ bool InCurveOrder::makeDelaunay(std::vector<Mesh::Halfedge>& suspects)
 bool InCurveOrder::takeOut(const std::vector<Segment>& crossed)
 {
   SegmentWalk along(mesh_, ticker_), walk(mesh_, ticker_);
-  std::vector<std::pair<Index, Index>> edges;
+  std::vector<Mesh::Halfedge> suspects;
   Edges taken(ticker_);
+  std::size_t count = 0;
   if (!taken.begin(crossed.size()))
   {
     return false;
   }
-  const auto list = [&](Index u, Index v) { edges.emplace_back(u, v); };
+  bool done = true;
+  const auto takeOff = [&](Index u, Index v)
+  {
+    ++count;
+    done = done && taken.add(u, v, 0) != nullptr && setConstraint(u, v, false, walk, suspects);
+  };
   for (const Segment& segment : crossed)
   {
-    if (!eachEdge(segment, along, list) || !ticker_.step())
+    if (!eachEdge(segment, along, takeOff) || !done)
     {
       return false;
     }
     became_[segment.place] = kNothing;
-    if (edges.size() > mostCrossed())
+    if (count > mostCrossed())
     {
       gaveUp_ = true;
       return true;
-    }
-  }
-  std::vector<Mesh::Halfedge> suspects;
-  for (const auto& [u, v] : edges)
-  {
-    if (taken.add(u, v, 0) == nullptr || !setConstraint(u, v, false, walk, suspects))
-    {
-      return false;
     }
   }
   // Others may be the same edges.
@@ -210,7 +208,6 @@ bool InCurveOrder::takeOut(const std::vector<Segment>& crossed)
   {
     return false;
   }
-  bool done = true;
   const auto putBack = [&](Index u, Index v)
   { done = done && setConstraint(u, v, true, walk, suspects); };
   for (const Segment& segment : others)

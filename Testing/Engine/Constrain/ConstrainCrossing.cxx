@@ -77,16 +77,8 @@ void expectRight(const ConstraintCase& given)
   EXPECT_GT(expected.constraints.crossing, 0u);
   ThreadExecutor two(2);
   BackwardExecutor backward(5);
-  for (Executor* executor : { static_cast<Executor*>(&two), static_cast<Executor*>(&backward) })
-  {
-    Helpers helpers;
-    helpers.executor = executor;
-    Engine engine;
-    EXPECT_EQ(difference(expected,
-                constrain(engine, given.view(), given.constraints.view(), FillRule::Orientation,
-                  Options(), helpers)),
-      "");
-  }
+  EXPECT_EQ(differenceByThreads(given, FillRule::Orientation, expected, two), "");
+  EXPECT_EQ(differenceByThreads(given, FillRule::Orientation, expected, backward), "");
 }
 
 constexpr std::size_t kPoints = 34000; // enough for threads

@@ -77,13 +77,7 @@ TEST(ConstrainInvariance, NoThreadChangesAByte)
     for (Executor* executor : { static_cast<Executor*>(&two), static_cast<Executor*>(&five),
            static_cast<Executor*>(&backward) })
     {
-      Helpers helpers;
-      helpers.executor = executor;
-      Engine engine;
-      EXPECT_EQ(difference(expected,
-                  constrain(engine, given.view(), given.constraints.view(), FillRule::Orientation,
-                    Options(), helpers)),
-        "");
+      EXPECT_EQ(differenceByThreads(given, FillRule::Orientation, expected, *executor), "");
     }
   }
 }

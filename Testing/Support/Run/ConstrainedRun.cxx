@@ -119,6 +119,16 @@ std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b)
   return first == std::end(all) ? "" : *first;
 }
 
+std::string differenceByThreads(const ConstraintCase& given, FillRule rule,
+  const ConstrainedOutcome& expected, Executor& executor)
+{
+  Helpers helpers;
+  helpers.executor = &executor;
+  Engine engine;
+  return difference(
+    expected, constrain(engine, given.view(), given.constraints.view(), rule, Options(), helpers));
+}
+
 const char* nameOf(FillRule rule)
 {
   return rule == FillRule::Orientation ? "by orientation" : "even-odd";

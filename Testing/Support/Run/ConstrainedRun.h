@@ -34,6 +34,11 @@ std::string faultsOfConstraining(const ConstraintCase& given, FillRule rule);
 /// The first thing that differs, in words; empty if all is the same to the byte.
 std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b);
 
+/// What differs where the executor works instead of this thread; empty if nothing.
+/// `expected` is constrain(given, rule).
+std::string differenceByThreads(const ConstraintCase& given, FillRule rule,
+  const ConstrainedOutcome& expected, Executor& executor);
+
 const char* nameOf(FillRule rule);
 constexpr FillRule kFillRules[] = { FillRule::Orientation, FillRule::EvenOdd };
 
