@@ -183,10 +183,11 @@ with_display() {
   touch "$folder/authority"
   start_display "$folder"
   if [ -n "$number" ]; then
-    # OpenMPI, which ParaView is built with, refuses root unless told twice; its hwloc would knock
-    # at displays :0 to :9 to see whether they have a graphics card
-    DISPLAY=:$number XAUTHORITY="$folder/authority" HWLOC_COMPONENTS=-gl \
-      OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "$@"
+    # ParaView is built with Open MPI, whose hwloc would knock at displays :0 to :9 to see whether
+    # they have a graphics card
+    # shellcheck disable=SC2046
+    env DISPLAY=":$number" XAUTHORITY="$folder/authority" HWLOC_COMPONENTS=-gl \
+      $(grep '^[A-Z]' "$root/.ci/mpi.env") "$@"
     status=$?
     kill "$server" 2>/dev/null
     wait "$server" 2>/dev/null

@@ -24,20 +24,23 @@ while [ $# -gt 0 ]; do
     -h | --help) help && exit 0 ;;
     --points) points=$2 && shift ;;
     --rounds) rounds=$2 && shift ;;
-    --cpu) cpu=--cpu && export OMPI_MCA_mpi_yield_when_idle=1 ;;
+    --cpu) cpu=--cpu ;;
     *) echo "unknown option: $1. See --help." >&2 && exit 1 ;;
   esac
   shift
 done
 build=${AHD_BUILD_DIR:-$root/build}
 cmake --build "$build" --target RanksBenchmark >/dev/null
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe
+set -a
+. "$root/.ci/mpi.env"
+set +a
+[ -n "$cpu" ] || unset OMPI_MCA_mpi_yield_when_idle # no time is lost by ranks that wait
 lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 
 # run <ranks> <threads>
 run() {
-  mpirun --oversubscribe --bind-to none -np "$1" "$build/bin/RanksBenchmark" --points="$points" --threads="$2" --runs=1 \
+  mpirun --bind-to none -np "$1" "$build/bin/RanksBenchmark" --points="$points" --threads="$2" --runs=1 \
     $cpu >>"$lines"
 }
 

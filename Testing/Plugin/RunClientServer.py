@@ -12,16 +12,18 @@ import subprocess
 import sys
 import time
 
-from pluginsupport import check_equal, run, scratch
+from pluginsupport import check_equal, outputs_of_ranks, run, scratch
 
 
 def read_log():
+    """What the server has printed, one rank after the other."""
     with open(scratch("server.log"), errors="replace") as log:
-        return log.read()
+        return "\n".join([log.read()] + outputs_of_ranks())
 
 
 def start_server(command):
     """Starts a server on a port of its choice and waits until it listens there. Returns both."""
+    outputs_of_ranks(forget=True)
     with open(scratch("server.log"), "w") as log:
         server = subprocess.Popen(
             command + ["--dr", "--server-port=0", "--hostname=localhost"],

@@ -7,6 +7,7 @@ CTest sets the environment (see CMakeLists.txt):
     AHD_SCRATCH      a directory of this test's own, below the build tree
 """
 
+import glob
 import hashlib
 import math
 import os
@@ -263,6 +264,18 @@ def measures(proxy):
     """The measures of the last run, as ParaView shows them: the update itself must fetch them."""
     proxy.UpdatePipeline()
     return {name: getattr(proxy, name) for name in MEASURES}
+
+
+def outputs_of_ranks(forget=False):
+    """What each rank that own_output.sh started has printed so far, one text a rank; or makes it be as if none had."""
+    texts = []
+    for path in sorted(glob.glob(scratch("rank.*.log"))):
+        if forget:
+            os.remove(path)
+            continue
+        with open(path, errors="replace") as log:
+            texts.append(log.read())
+    return texts
 
 
 def run(command, timeout=100, **environment):

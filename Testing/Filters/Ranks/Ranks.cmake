@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The filter on several ranks of pvbatch, against one. Open MPI refuses root unless told twice, wants a processor for
-# each rank, and keeps processors busy while it waits.
+# The filter on several ranks of pvbatch, against one.
 function (ahd_add_rank_test ranks script label)
   get_filename_component(name "${script}" NAME_WE)
   set(test "Filter.Ranks.${name}.${ranks}")
@@ -11,8 +10,7 @@ function (ahd_add_rank_test ranks script label)
     COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_PREFLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
       "$<TARGET_FILE:ParaView::pvbatch>" --sym "${CMAKE_CURRENT_SOURCE_DIR}/Ranks/${script}" ${ARGN})
   set(environment "PYTHONPATH=${ahd_python_path}:${ahd_vtk_python_path}" PYTHONDONTWRITEBYTECODE=1
-    "AHD_SCRATCH=${own}" OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-    OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_mpi_yield_when_idle=1)
+    "AHD_SCRATCH=${own}" ${ahd_mpi_environment})
   set_tests_properties("${test}" PROPERTIES
     ENVIRONMENT "${environment}" LABELS "${label}" TIMEOUT 300 PROCESSORS 2)
 endfunction ()
