@@ -55,11 +55,14 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name in _CLASSES:  # which one depends on the VTK in use, so it is found out each time
-        return importlib.import_module("._vtk", __name__).vtk_class(name)
-    if name not in _MODULES:
+    if name not in _CLASSES and name not in _MODULES:
         raise AttributeError("module %r has no attribute %r" % (__name__, name))
-    found = getattr(importlib.import_module(_MODULES[name], __name__), name)
+    try:
+        if name in _CLASSES:  # which one depends on the VTK in use, so it is found out each time
+            return importlib.import_module("._vtk", __name__).vtk_class(name)
+        found = getattr(importlib.import_module(_MODULES[name], __name__), name)
+    except AttributeError as error:  # which Python would take for the answer that there is no such name
+        raise ImportError("adaptivehilbertdelaunay: %s cannot be loaded: %s" % (name, error)) from error
     globals()[name] = found
     return found
 

@@ -60,7 +60,7 @@ def delaunay(
     points : (n, 2) or (n, 3) array of real numbers, n at most 2**28 - 2
         x, y and perhaps z, in any one unit. float32 and float64 are not copied, whatever their strides (but those whose
         coordinates do not lie side by side); other types are converted to float64. A point whose x or y is NaN or
-        infinite is no vertex, and a warning counts them. Do not change the points while the triangulation is in use.
+        infinite is no vertex, and a warning counts them. Do not change arrays while the triangulation is in use.
     segments : (m, 2) array of int, optional
         Pairs of ids that are to be edges. A segment that passes through points becomes several edges.
     lines : sequence of sequences of int, or (c, w) array, optional

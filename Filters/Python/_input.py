@@ -3,16 +3,17 @@
 
 from __future__ import annotations
 
-import hashlib
 import operator
 from typing import Any, Callable, Dict, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _library as library
+from ._held import anchor
 
 Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
+Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
 #: Settings that have names for values: those that Python callers use, in the order of the header's numbers.
 CHOICES: Mapping[str, Tuple[str, ...]] = {
@@ -65,6 +66,7 @@ DEFAULTS: Mapping[str, Any] = {
 
 # Where the C interface has another name.
 _NAMES_IN_C = {"crossings": "split_crossings", "closed_lines_are_loops": "closed_lines"}
+_NAMES_HERE = {"line_ids": "segments or lines", "loop_ids": "loops", "skip": "marks of `skip`"}
 
 
 def _refused(name: str, value: Any, wanted: str) -> str:
@@ -232,8 +234,14 @@ def check_ids(name: str, chains: Chains, count: int, whose: str) -> None:
 # --- All of it ----------------------------------------------------------------------------------------------
 
 
+def _is_shown(array: np.ndarray, given: Any) -> bool:
+    """May the array lie in memory of what was given? Frames, buffers and others may show their own numbers."""
+    return not isinstance(given, (list, tuple)) and bool(np.may_share_memory(array, np.asarray(given)))
+
+
 class Request:
-    """Settings and arrays of a job. Never changes once it is made."""
+    """Settings and arrays of a job. Never changes once it is made, but for the numbers in arrays that are the caller's:
+    `fingerprint` tells whether they did."""
 
     def __init__(
         self,
@@ -244,21 +252,46 @@ class Request:
         plane: Plane,
         settings: Mapping[str, Any],
     ) -> None:
-        self.points = points_of("points", points)
-        # Can the caller change them? Frames, buffers and others may show their own numbers.
-        self.isCopy = isinstance(points, (list, tuple)) or not np.may_share_memory(self.points, np.asarray(points))
         self.settings = settings_of(settings)
-        self.arrays: Dict[str, np.ndarray] = {"points": self.points}
+        self.arrays: Dict[str, np.ndarray] = {}
+        self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
         self.projection: Optional[Callable[[np.ndarray], None]] = None
+        self._take("points", points_of("points", points), points)
         if skip is not None:
-            self.arrays["skip"] = skip_of(skip, len(self.points))
+            self._take("skip", skip_of(skip, len(self.points)), skip)
         if source_points is not None:
-            self.arrays["source_points"] = points_of("source_points", source_points)
+            self._take("source_points", points_of("source_points", source_points), source_points)
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
         elif self.settings["source_heights"] != library.HEIGHTS_OWN:
             raise ValueError("source_heights='surface' is for source_points, and there are none")
         self._take_chains(chains)
         self._take_plane(plane)
+
+    def _take(self, name: str, array: np.ndarray, given: Any) -> None:
+        """An array that was made of what was given; a view of it, whose shape nobody else can change."""
+        if _is_shown(array, given):
+            self._shared[name] = anchor(array)
+            array = array.view()
+        self.arrays[name] = array
+
+    def __getstate__(self) -> Dict[str, Any]:
+        """A copy has memory of its own; its numbers are compared all the same."""
+        return {**self.__dict__, "_shared": dict.fromkeys(self._shared)}
+
+    def fingerprint(self) -> Fingerprint:
+        """Of all arrays that the caller can change."""
+        return {name: library.fingerprint(self.arrays[name]) for name in self._shared}
+
+    def first_changed(self, before: Fingerprint) -> str:
+        """What the caller calls the first array that has other numbers than it had; empty if none has."""
+        for name, numbers in before.items():
+            if library.fingerprint(self.arrays[name]) != numbers:
+                return _NAMES_HERE.get(name, name)
+        return ""
+
+    @property
+    def points(self) -> np.ndarray:
+        return self.arrays["points"]
 
     @property
     def columns(self) -> int:
@@ -270,22 +303,26 @@ class Request:
         source = self.arrays.get("source_points")
         count, whose = (len(self.points), "") if source is None else (len(source), " in source_points")
         lines: Optional[Chains] = None
+        ofLines: Any = ()
         for name, value in given.items():
             if value is None:
                 continue
             chains = segments_of(name, value) if name == "segments" else chains_of(name, value)
             check_ids(name, chains, count, whose)
+            given = value if name == "segments" or isinstance(value, np.ndarray) else ()  # else chains_of() copied it
             if name == "loops":
-                self._set_chains("loop", chains)
+                self._set_chains("loop", chains, given)
+            elif lines is None:
+                lines, ofLines = chains, given
             else:
-                lines = chains if lines is None else appended(lines, chains)
+                lines, ofLines = appended(lines, chains), ()
         if lines is not None:
-            self._set_chains("line", lines)
+            self._set_chains("line", lines, ofLines)
 
-    def _set_chains(self, kind: str, chains: Chains) -> None:
+    def _set_chains(self, kind: str, chains: Chains, given: Any) -> None:
         ids, offsets = chains
         if ids.size:
-            self.arrays[kind + "_ids"] = ids
+            self._take(kind + "_ids", ids, given)
             if offsets is not None:
                 self.arrays[kind + "_offsets"] = offsets
 
@@ -337,19 +374,6 @@ class Projection:
                     % (moved.shape, xyz.shape)
                 )
             xyz[...] = moved
-
-
-def checksum(points: np.ndarray) -> bytes:
-    """Differs where a coordinate does, and where rows change places. Sums of the bits: of parts, and of what is at
-    the same place in each part. The points are not copied, but in small parts where they do not lie side by side."""
-    rows = min(1 << 13, len(points))
-    sums, total = [], np.zeros(rows * points.shape[1] * points.itemsize // 4, np.uint64)
-    for begin in range(0, len(points), max(1, rows)):
-        part = np.ascontiguousarray(points[begin : begin + rows])
-        numbers = part.ravel().view(np.uint32 if part.nbytes % 8 else np.uint64)
-        sums.append(int(numbers.sum(dtype=np.uint64)))
-        total[: len(numbers)] += numbers
-    return hashlib.blake2b(total.tobytes() + repr(sums).encode(), digest_size=16).digest()
 
 
 def near_each_other(places: np.ndarray) -> np.ndarray:

@@ -167,7 +167,7 @@ class Sampled(ctypes.Structure):
 
 
 Progress = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
-Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.POINTER(ctypes.c_double), ctypes.c_uint64)
+Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64)
 
 
 def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
@@ -242,7 +242,9 @@ def _load(path: str) -> ctypes.CDLL:
             % (path, found, ABI_VERSION)
         )
     for name, (result, arguments) in _signatures().items():
-        function = getattr(library, name)
+        function = getattr(library, name, None)
+        if function is None:
+            raise ImportError("adaptivehilbertdelaunay: %s has no function %s: it is of another build" % (path, name))
         function.restype, function.argtypes = result, arguments
     return library
 
@@ -282,11 +284,11 @@ def status_name(status: int) -> str:
 
 
 def fingerprint(array: np.ndarray, kind: int = 0) -> Tuple[int, int]:
-    """128 bits that differ, in practice always, where the numbers of the array or `kind` do. The array is not
-    copied where its numbers lie side by side, else in parts."""
+    """128 bits that differ, in practice always, where the numbers of the array or `kind` do; the same however they lie
+    in memory. They are copied in small parts where they do not lie side by side."""
     made = (ctypes.c_uint64 * 2)(kind, 0)
-    rows = len(array) if array.flags.c_contiguous else 1 << 13
-    for begin in range(0, max(1, len(array)), max(1, rows)):
+    rows = 1 << 13
+    for begin in range(0, max(1, len(array)), rows):
         part = np.ascontiguousarray(array[begin : begin + rows])
         C.ahd_fingerprint(part.ctypes.data, part.nbytes, made[0] ^ made[1], made)
     return int(made[0]), int(made[1])

@@ -79,6 +79,8 @@ class _Interpolator:
         self.values.flags.writeable = False  # which pickle forgets
 
     def __repr__(self) -> str:
+        if "values" not in self.__dict__:
+            return "<%s that was not made>" % type(self).__name__
         return "<%s of %d points>" % (type(self).__name__, len(self.values))
 
 

@@ -11,10 +11,7 @@ from __future__ import annotations
 import contextlib
 import ctypes
 import functools
-import signal
 import threading
-import weakref
-from types import FrameType
 from typing import Any, Callable, Dict, Iterator, List, NamedTuple, Optional, Sequence, Set, Tuple, Union
 
 import numpy as np
@@ -22,42 +19,13 @@ import numpy as np
 from ._interface import *  # noqa: F403
 from ._interface import (
     AT_CROSSINGS, AT_SURFACE, BAD_ARRAY, BUSY, COUNTS, DOUBLE_SETTINGS, ERRORS, FIXED_DTYPES, INT_SETTINGS, MEASURES,
-    OK, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, EngineError, Fault, NotAvailable, OutOfMemory, Places,
-    Progress, Projection, Sampled, names, status_name,
+    NO_JOB, OK, SAMPLE_LINEAR, TYPES, Array, BadInput, C, Drawing, EngineError, Fault, NotAvailable, Places, Sampled,
+    names, status_name,
 )  # fmt: skip
+from ._calls import AT_WORK as _at_work
+from ._calls import NO_PROGRESS, NO_PROJECTION, PROGRESS, PROJECTION, Call, Interrupts, end_with_the_program
+from ._held import NO_HANDLE, Handle, anchor
 from ._raster import Raster
-
-
-class _Interrupts:
-    """While it is entered, what the handler of SIGINT raises is put aside and cancels the work of a job.
-
-    Python runs the handler when a callback begins, before its first line: an exception from there would be
-    printed by ctypes and lost. Only the main thread runs handlers, so others need none of this.
-    """
-
-    def __init__(self, job: Job) -> None:
-        self._job = job
-        self._handler: Any = None
-
-    def __enter__(self) -> None:
-        handler = signal.getsignal(signal.SIGINT)
-        if not callable(handler) or threading.current_thread() is not threading.main_thread():
-            return
-        try:
-            signal.signal(signal.SIGINT, self._interrupt)
-            self._handler = handler
-        except ValueError:  # an interpreter beside the main one: it runs no handlers
-            pass
-
-    def __exit__(self, *_: Any) -> None:
-        if self._handler is not None:
-            signal.signal(signal.SIGINT, self._handler)
-
-    def _interrupt(self, number: int, frame: Optional[FrameType]) -> None:
-        try:
-            self._handler(number, frame)
-        except BaseException as error:
-            self._job._raised = error
 
 
 # --- Jobs ---------------------------------------------------------------------------------------------------
@@ -65,32 +33,6 @@ class _Interrupts:
 ProgressFunction = Callable[[int, float], Any]
 ProjectionFunction = Callable[[np.ndarray], Any]
 Number = Union[int, float]
-
-_at_work: Dict[int, Job] = {}  # by number: who is told by the callbacks
-
-
-def _on_progress(number: int, phase: int, fraction: float) -> int:
-    job = _at_work[number]
-    try:
-        if job._raised is None and job._progress is not None and job._progress(phase, fraction):
-            return 1
-    except BaseException as error:
-        job._raised = error
-    return 0 if job._raised is None else 1
-
-
-def _on_projection(number: int, xyz: Any, count: int) -> int:
-    job = _at_work[number]
-    try:
-        if job._raised is None and job._projection is not None:
-            job._projection(np.ctypeslib.as_array(xyz, shape=(count, 3)))
-    except BaseException as error:
-        job._raised = error
-    return 0 if job._raised is None else 1
-
-
-_PROGRESS, _NO_PROGRESS = Progress(_on_progress), Progress()
-_PROJECTION, _NO_PROJECTION = Projection(_on_projection), Projection()
 
 _INTS = frozenset(names(INT_SETTINGS))
 _DOUBLES = frozenset(names(DOUBLE_SETTINGS))
@@ -111,18 +53,28 @@ class Job:
     all are EngineErrors and have a `status`.
     """
 
-    def __init__(self) -> None:
-        self._handle = C.ahd_job_new()
-        if not self._handle:
-            raise OutOfMemory("there is no memory for a job")
-        weakref.finalize(self, C.ahd_job_free, self._handle).atexit = False  # others may use it until the very end
-        self._arrays: Dict[str, np.ndarray] = {}  # what the library looks at
+    def __init__(self, handle: Optional[Handle] = None) -> None:
+        """Of a new job of the library, or of one that was handed on."""
+        self._handle = Handle() if handle is None else handle
+        self._arrays: Dict[str, Any] = {}  # anchors of what the library looks at
         self._changed: Set[str] = set()  # settings
         self._progress: Optional[ProgressFunction] = None
         self._projection: Optional[ProjectionFunction] = None
         self._raised: Optional[BaseException] = None
-        self._listens = False  # has the library been told of _PROGRESS?
-        C.ahd_set_progress(self._handle, _NO_PROGRESS, id(self))
+        self._listens = False  # has the library been told of PROGRESS?
+        self.wasCancelled = False  # perhaps the next call will hear of it
+        self.hasTables = False  # has the library all that it needs of the input to find places?
+        C.ahd_set_progress(self._handle, NO_PROGRESS, self._handle)
+
+    def hand_on(self) -> Handle:
+        """The library's job, taken out of this one, which is of no use any more."""
+        handle, self._handle = self._handle, NO_HANDLE
+        return handle
+
+    def begin_anew(self) -> None:
+        """With a new job of the library. The one before may be at work for ever, and is not freed."""
+        self._handle.abandon()
+        self.__init__()  # type: ignore[misc]
 
     # --- calls ---
 
@@ -135,28 +87,42 @@ class Job:
         """Callbacks take the GIL: there are none where nobody wants to know."""
         wanted = self._progress is not None or threading.current_thread() is threading.main_thread()
         if wanted != self._listens:
-            function = _PROGRESS if wanted else _NO_PROGRESS
-            self._check(C.ahd_set_progress(self._handle, function, id(self)))
+            function = PROGRESS if wanted else NO_PROGRESS
+            self._check(C.ahd_set_progress(self._handle, function, self._handle))
             self._listens = wanted
 
     def refuse_if_busy(self) -> None:
         """NotAvailable during a call, which is that of a progress function."""
-        if id(self) in _at_work:
-            raise NotAvailable("the triangulation is at work: a progress function cannot ask it", BUSY)
+        if self._handle.address in _at_work:
+            raise _busy()
 
-    def _call(self, function: Any, *arguments: Any) -> None:
-        """A call that may take long."""
-        self.refuse_if_busy()
-        self._listen()
-        _at_work[id(self)] = self
+    def _put_aside(self, error: BaseException) -> None:
+        """Cancels the call, which raises it."""
+        self._raised = error
+
+    def _call(self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
+        """A call that may take long. `arrays`: those of callers whose addresses are among the arguments."""
+        handle = self._handle
+        call = Call(self, threading.current_thread(), [anchor(array) for array in arrays])
+        if handle.address is None:
+            self._check(NO_JOB)
         try:
-            with _Interrupts(self):
-                status = function(self._handle, *arguments)
+            if _at_work.setdefault(handle.address, call) is not call:
+                raise _busy()
+            end_with_the_program()
+            self._listen()
+            with Interrupts(self._put_aside):
+                status = function(handle, *arguments)
         finally:
-            del _at_work[id(self)]
+            if _at_work.get(handle.address) is call:
+                del _at_work[handle.address]
             raised, self._raised = self._raised, None
         if raised is not None:
-            raise raised
+            try:
+                raise raised
+            finally:
+                del raised  # else it and this frame keep each other
+        end_with_the_program()
         self._check(status)
 
     # --- settings ---
@@ -189,10 +155,11 @@ class Job:
     # --- input ---
 
     def set_array(self, name: str, array: Optional[np.ndarray]) -> None:
-        """An input array of one or two dimensions; None takes it away. It is not copied: it is to stay
-        unchanged until another one takes its place. Any strides; the types are those of the header, in the
-        machine's byte order, aligned."""
+        """An input array of one or two dimensions; None takes it away. It is not copied, and must stay unchanged until
+        another one takes its place; its memory stays where it is. Any strides; the types are those of the header, in
+        the machine's byte order, aligned."""
         if array is None:
+            self.hasTables = False
             self._check(C.ahd_set_array(self._handle, name.encode(), None))
             self._arrays.pop(name, None)
             return
@@ -208,14 +175,20 @@ class Job:
             array.strides[0],
             array.itemsize if flat else array.strides[1],
         )
-        self._check(C.ahd_set_array(self._handle, name.encode(), given))
-        self._arrays[name] = array
+        self.hasTables = False
+        before, now = self._arrays.get(name), anchor(array)
+        self._arrays[name] = (before, now)  # whichever of them the library has if this is interrupted
+        status = C.ahd_set_array(self._handle, name.encode(), given)
+        self._arrays[name] = now if status == OK else before
+        if self._arrays[name] is None:
+            del self._arrays[name]
+        self._check(status)
 
     def set_projection(self, projection: Optional[ProjectionFunction]) -> None:
         """For PLANE_CALLBACK: a function that is given (k, 3) float64, points, and changes them in place to
         where they lie in the plane and their height above it. None takes it away."""
-        function = _NO_PROJECTION if projection is None else _PROJECTION
-        self._check(C.ahd_set_projection(self._handle, function, id(self)))
+        function = NO_PROJECTION if projection is None else PROJECTION
+        self._check(C.ahd_set_projection(self._handle, function, self._handle))
         self._projection = projection
 
     def set_progress(self, progress: Optional[ProgressFunction]) -> None:
@@ -243,10 +216,12 @@ class Job:
 
     def run(self) -> None:
         """Triangulates. What was made before is gone."""
+        self.hasTables = False
         self._call(C.ahd_run)
 
     def cancel(self) -> None:
         """Ends the call that is at work, or else the next one. From any thread."""
+        self.wasCancelled = True
         C.ahd_cancel(self._handle)
 
     def kept_bytes(self) -> int:
@@ -255,6 +230,7 @@ class Job:
 
     def release(self, most: int = 0) -> None:
         """Drops the result. Its memory is kept for the next run, unless that would be more than `most` bytes."""
+        self.hasTables = False
         self._check(C.ahd_release(self._handle, most))
 
     def fit_plane(self) -> np.ndarray:
@@ -302,7 +278,8 @@ class Job:
             out = np.empty(shape, dtype or FIXED_DTYPES.get(name, np.int32))
         if not out.flags.c_contiguous or out.dtype not in TYPES:
             raise BadInput("%s: cannot be written into this array of type %s" % (name, out.dtype.str), BAD_ARRAY)
-        self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size)
+        _check_writeable(name, out)
+        self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size, arrays=(out,))
         return out
 
     def draw_order(self, dtype: Any = np.int32) -> Dict[str, np.ndarray]:
@@ -325,7 +302,8 @@ class Job:
         columns = 1 if values.ndim == 1 else values.shape[1]
         if values.dtype != np.float64 or not values.flags.c_contiguous or len(values) != self.count("points"):
             raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
-        self._call(C.ahd_interpolate, where, values.ctypes.data, columns)
+        _check_writeable("values", values)
+        self._call(C.ahd_interpolate, where, values.ctypes.data, columns, arrays=(values,))
 
     def locate(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) int64, cells (k,) int64; see
@@ -335,9 +313,10 @@ class Job:
             raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
         count = len(xy)
         kinds, ids, cells = np.empty(count, np.int32), np.empty((count, 3), np.int64), np.empty(count, np.int64)
-        self._call(C.ahd_locate, xy.ctypes.data, count, kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
+        out = (kinds.ctypes.data, ids.ctypes.data, cells.ctypes.data)
+        self._call(C.ahd_locate, xy.ctypes.data, count, *out, arrays=(xy,))
+        self.hasTables = True
         return kinds, ids, cells
-
 
     @contextlib.contextmanager
     def _sampling(self, method: int, fills: bool, bytes_given: int) -> Iterator[None]:
@@ -362,7 +341,8 @@ class Job:
         float64 for each output point, C-contiguous. `method`: SAMPLE_...; `fills`: places outside have the values of
         the nearest vertex; `gradients`: with SAMPLE_LINEAR the slopes too. Memory is asked for when the library has
         said that it is enough."""
-        at, count, owner = _places_of(places)
+        at, count, owners = _places_of(places)
+        values = tuple(values)
         for array in values:
             if array.dtype != np.float64 or not array.flags.c_contiguous or len(array) != self.count("points"):
                 raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
@@ -379,14 +359,16 @@ class Job:
                     for array, n, to, slope in zip(values, columns, out, slopes)
                 )
             )
-            self._call(C.ahd_sample, at, arrays, len(columns), mask.ctypes.data)
+            self._call(C.ahd_sample, at, arrays, len(columns), mask.ctypes.data, arrays=(*owners, *values))
+        self.hasTables = True
         return Samples(out, slopes, mask)
 
     def sample_weights(self, places: Union[np.ndarray, Raster], method: int = SAMPLE_LINEAR) -> None:
         """Makes the arrays weight_offsets, weight_points and weights: see ahd_sample_weights."""
-        at, _, owner = _places_of(places)
+        at, _, owners = _places_of(places)
         with self._sampling(method, False, 0):
-            self._call(C.ahd_sample_weights, at)
+            self._call(C.ahd_sample_weights, at, arrays=owners)
+        self.hasTables = True
 
 
 class Samples(NamedTuple):
@@ -397,16 +379,25 @@ class Samples(NamedTuple):
     mask: np.ndarray  #: (k,) uint8: 1 where there is a value of the surface
 
 
-def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, np.ndarray]:
-    """Places as the library knows them, how many they are, and what is to outlive them."""
+def _places_of(places: Union[np.ndarray, Raster]) -> Tuple[Places, int, Tuple[np.ndarray, ...]]:
+    """Places as the library knows them, how many they are, and the arrays that they lie in."""
     if isinstance(places, Raster):
         rows, columns = places.shape
         at = Places(None, 0, places.origin, places.spacing, columns, rows)
-        return at, rows * columns, np.empty(0)
+        return at, rows * columns, ()
     xy = np.ascontiguousarray(places, np.float64)
     if xy.ndim != 2 or xy.shape[1] != 2:
         raise BadInput("places: of shape %s, not (k, 2)" % (xy.shape,), BAD_ARRAY)
-    return Places(xy.ctypes.data, len(xy)), len(xy), xy
+    return Places(xy.ctypes.data, len(xy)), len(xy), (xy,)
+
+
+def _check_writeable(name: str, array: np.ndarray) -> None:
+    if not array.flags.writeable:
+        raise BadInput("%s: cannot be written into this array, which is read-only" % name, BAD_ARRAY)
+
+
+def _busy() -> NotAvailable:
+    return NotAvailable("the triangulation is at work: a progress function cannot ask it", BUSY)
 
 
 @functools.lru_cache(None)
@@ -421,26 +412,28 @@ def defaults() -> Dict[str, Number]:
 #: Most bytes that are kept for the next job.
 REUSE_LIMIT = 1 << 28
 
-_spare: List[Job] = []  # one at most: what is done with it is one step, so that threads need no lock
+_spare: List[Handle] = []  # one at most: what is done with it is one step, so that threads need no lock
 
 
 def take_job() -> Job:
     """A job with default settings, which has the memory of the last one that was given back."""
     try:
-        return _spare.pop()
+        return Job(_spare.pop())
     except IndexError:
         return Job()
 
 
 def give_back(job: Job) -> None:
     """Keeps the memory of a job that nobody uses any more, at most REUSE_LIMIT bytes, for the next one: asking the
-    system for it takes a tenth of the time of 10^6 points."""
+    system for it takes a tenth of the time of 10^6 points. The job has nothing after that; if it is at work, it keeps
+    all."""
     try:
         job.reset(REUSE_LIMIT)
     except EngineError:
         return
-    _spare.append(job)
-    del _spare[1:]
+    if not job.wasCancelled:
+        _spare.append(job.hand_on())
+        del _spare[1:]
 
 
 def release_memory() -> None:

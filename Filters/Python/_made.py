@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import threading
 from typing import Any, Callable, Dict, Optional, Set
@@ -10,7 +11,7 @@ from typing import Any, Callable, Dict, Optional, Set
 import numpy as np
 
 from . import _library as library
-from ._input import Request, checksum
+from ._input import Fingerprint, Request
 
 # Those that a run makes only if it was told before.
 _TOLD_BEFORE = frozenset(("insertion_ranks", "order", "boxes", "voronoi"))
@@ -21,14 +22,27 @@ def frozen(array: np.ndarray) -> np.ndarray:
     return array
 
 
+_forks = 0  # that made this process
+_renewing = threading.Lock()
+
+
+def _after_fork() -> None:
+    global _forks, _renewing
+    _forks += 1
+    _renewing = threading.Lock()
+
+
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
+
+
 class Made:
     """Holds the job of a request, and what has been made of it."""
 
     _job: Optional[library.Job]
     _told: Set[str]  # what the job was told before it ran
-    _hasPlaces: bool  # has the job read the points for the last time?
     _cached: Dict[str, Any]  # what has been made
-    _checksum: Optional[bytes]  # of points that the caller can change
+    _fingerprint: Fingerprint  # of the input when the job ran first
     _counts: Dict[str, int]
     _measures: Dict[str, float]
 
@@ -36,11 +50,27 @@ class Made:
         self._request = request
         self._dtype = np.dtype(id_dtype)
         self._lock = threading.RLock()
+        self._forks = _forks
         self._job = None
         self._told = set()
-        self._hasPlaces = False
         self._cached = {}
-        self._checksum = None
+        self._fingerprint = {}
+
+    def _locked(self) -> threading.RLock:  # type: ignore[valid-type]
+        """The lock, to be entered: work with the job, and what is made, are for one thread at a time."""
+        if self._forks != _forks:
+            with _renewing:
+                if self._forks != _forks:
+                    self._leave_to_the_parent()
+                    self._forks = _forks
+        return self._lock
+
+    def _leave_to_the_parent(self) -> None:
+        """In a child of fork: a thread that had the lock is not there to give it back, nor to end what it had begun."""
+        if self._lock.acquire(blocking=False):
+            self._lock.release()
+        else:
+            self._lock, self._job = threading.RLock(), None
 
     def _run(self, told: Set[str], progress: Any = None) -> library.Job:
         """A new job that has run, in place of the one there was."""
@@ -53,18 +83,25 @@ class Made:
         return job
 
     def _give_back(self) -> None:
-        job, self._job, self._hasPlaces = self._job, None, False
+        job, self._job = self._job, None
         if job is not None:
             library.give_back(job)
 
     def __del__(self, ends: Callable[[], bool] = sys.is_finalizing) -> None:
+        """Leaves the library's job to the next one. This object stays as good as any: what another finalizer asks it
+        for is made by a new job."""
         if self.__dict__.get("_job") is not None and not ends():
             self._give_back()
 
+    def _check_input(self) -> None:
+        """RuntimeError where it is not what was triangulated."""
+        changed = self._request.first_changed(self._fingerprint)
+        if changed:
+            raise RuntimeError("the %s were changed after they were triangulated: triangulate them again" % changed)
+
     def _engine(self, name: str = "") -> library.Job:
         """The job, told of this before it ran. REQUIRES: the lock."""
-        if self._checksum is not None and checksum(self._request.points) != self._checksum:
-            raise RuntimeError("the points were changed after they were triangulated: triangulate them again")
+        self._check_input()
         tell = {name} & _TOLD_BEFORE
         if self._job is None or not tell <= self._told:
             return self._run((self._told | tell) & _TOLD_BEFORE)
@@ -73,7 +110,7 @@ class Made:
     def _made(self, name: str, make: Any) -> Any:
         found = self._cached.get(name)
         if found is None:
-            with self._lock:
+            with self._locked():
                 found = self._cached.get(name)
                 if found is None:
                     found = self._cached[name] = make()

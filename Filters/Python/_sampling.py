@@ -70,7 +70,7 @@ class Sampled(Made):
     def _for_places(self) -> library.Job:
         """The job. The first time the engine makes tables of its own, and reads no points after that. REQUIRES: the
         lock."""
-        return self._job if self._hasPlaces and self._job is not None else self._engine()
+        return self._job if self._job is not None and self._job.hasTables else self._engine()
 
     def raster(
         self,
@@ -119,7 +119,7 @@ class Sampled(Made):
         Raster(origin=(2.5, 2.5), spacing=(5.0, 5.0), shape=(1, 2))
         """
         if bounds is None:
-            with self._lock:
+            with self._locked():
                 box = self._engine().array("vertex_bounds")
             if np.isnan(box).any():
                 raise ValueError("there are no vertices: bounds are to be given")
@@ -231,10 +231,9 @@ class Sampled(Made):
         Weights(offsets=array([0, 2, 2, 3]), points=array([3, 0, 2], dtype=int32), weights=array([0.25, 0.75, 1.  ]))
         """
         places, _ = places_of(at)
-        with self._lock:
+        with self._locked():
             job = self._for_places()
             job.sample_weights(places, method_of(method))
-            self._hasPlaces = True
             return Weights(
                 job.array("weight_offsets"), job.array("weight_points", self._dtype), job.array("weights")
             )  # fmt: skip
@@ -261,7 +260,7 @@ class Sampled(Made):
         rows = self._for_points(given) if self._counts["added_points"] else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
-        with self._lock:
+        with self._locked():
             found = self._sampled(places, flat.view(np.float64), chosen, outside == "nearest", gradient, progress)
         made = found.values[0].view(dtype)
         if not isinstance(outside, str) and not _is_nan(outside):
@@ -279,7 +278,7 @@ class Sampled(Made):
         made = np.full((self._counts["points"],) + given.shape[1:], np.nan, dtype)
         made[: len(given)] = given
         if made.size:
-            with self._lock:
+            with self._locked():
                 self._engine().interpolate(made.reshape(len(made), -1).view(np.float64))
         return made
 
@@ -299,11 +298,9 @@ class Sampled(Made):
             tell = progress
             job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)
         try:
-            made = job.sample(places, [rows], method=method, fills=fills, gradients=gradient)
+            return job.sample(places, [rows], method=method, fills=fills, gradients=gradient)
         finally:
             job.set_progress(None)
-        self._hasPlaces = True
-        return made
 
 
 def _is_nan(number: Any) -> bool:

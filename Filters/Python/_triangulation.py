@@ -9,7 +9,7 @@ from typing import Any, Dict, Iterable, Mapping, Optional, Tuple
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request, checksum, near_each_other
+from ._input import CHOICES, DEFAULTS, Request, near_each_other
 from ._made import frozen
 from ._results import Boxes, Location, Voronoi, chained
 from ._raster import real_numbers, unmasked
@@ -39,7 +39,7 @@ class Triangulation(Sampled):
 
     What is not there yet when it is asked for is made then, and kept: `triangles` and `counts` are always there, what
     the keyword `want` of `delaunay` named as well. For that it keeps the engine's memory, 64 bytes per point, later
-    110, until it is gone or `release` is called, and reads the points that it was given: these are not to be
+    110, until it is gone or `release` is called, and reads the arrays that it was given: these must not be
     changed. If they were, it says so (RuntimeError) rather than give what does not fit.
 
     Several threads may use one triangulation. It can be pickled: with its input and what has been made. `copy.copy`
@@ -67,14 +67,13 @@ class Triangulation(Sampled):
 
     def __init__(self, request: Request, id_dtype: Any, wanted: Tuple[str, ...], progress: Any) -> None:
         self._start(request, id_dtype)
+        self._fingerprint = request.fingerprint()  # before the run, in which the input may change, too
         job = self._run(set(wanted), progress)
         self._counts, self._measures = job.counts(), job.measures()
         self._cached["triangles"] = frozen(job.array("triangles", self._dtype))
         for name in wanted:
             self.voronoi() if name == "voronoi" else getattr(self, name)
         job.set_progress(None)
-        if not request.isCopy:
-            self._checksum = checksum(request.points)
 
     def _of_triangles(self, name: str, dtype: Any = None) -> np.ndarray:
         """Rows of an array of cells that are triangles."""
@@ -94,7 +93,7 @@ class Triangulation(Sampled):
     def release(self) -> None:
         """Gives the engine's memory back to the system. What has been made stays; what is asked for later is made by
         triangulating once more."""
-        with self._lock:
+        with self._locked():
             self._job = None
 
     # --- points ---
@@ -108,6 +107,7 @@ class Triangulation(Sampled):
         def make() -> np.ndarray:
             request = self._request
             if not self._counts["added_points"] and request.settings["duplicates"] != library.DUPLICATES_MEAN_Z:
+                self._check_input()
                 return _view(request.points)
             return frozen(self._engine().array("points", np.float64)[:, : request.columns])
 
@@ -210,7 +210,8 @@ class Triangulation(Sampled):
             status = self.point_status
             ids = np.flatnonzero(status == np.arange(len(status))).astype(self._dtype)
             places = np.ascontiguousarray(self.plane_points[ids, :2])
-            whole = Triangulation(Request(places, None, None, {}, "xy", DEFAULTS), self._dtype, (), None)
+            settings = {**DEFAULTS, **{name: self._request.settings[name] for name in ("threads", "memory_limit")}}
+            whole = Triangulation(Request(places, None, None, {}, "xy", settings), self._dtype, (), None)
             found: np.ndarray = ids[whole.hull]
             return found
         return chained(self.boundary)
@@ -364,11 +365,10 @@ class Triangulation(Sampled):
         if given.ndim != 2 or given.shape[1] != 2:
             raise ValueError("places are to be of shape (k, 2), not %s" % (given.shape,))
         places = real_numbers("places", given)
-        with self._lock:
+        with self._locked():
             job = self._for_places()
             order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
             found = job.locate(places[order])  # each is looked for from the one before it
-            self._hasPlaces = True
         kinds, corners, cells = (np.empty_like(array) for array in found)
         kinds[order], corners[order], cells[order] = found
         triangles = np.where(cells < 0, -1, cells - self._others)
@@ -389,14 +389,16 @@ class Triangulation(Sampled):
     # --- as an object ---
 
     def __repr__(self) -> str:
+        if "triangles" not in self.__dict__.get("_cached", ()):
+            return "<Triangulation that was not made>"
         return "<Triangulation of %d points: %d triangles>" % (self._counts["points"], len(self.triangles))
 
     def __copy__(self) -> Triangulation:
         return self
 
     def __getstate__(self) -> Dict[str, Any]:
-        names = ("_request", "_dtype", "_cached", "_counts", "_measures")
-        with self._lock:
+        names = ("_request", "_dtype", "_cached", "_counts", "_measures", "_fingerprint")
+        with self._locked():
             cached = {name: made for name, made in self._cached.items() if name != "points"}
             return {**{name: getattr(self, name) for name in names}, "_cached": cached}
 

@@ -3,12 +3,9 @@
 
 from __future__ import annotations
 
-import os
 import sys
 import warnings
 from typing import Iterator, Mapping
-
-from . import _library as library
 
 Counts = Mapping[str, int]
 
@@ -111,9 +108,10 @@ def warn(counts: Counts, trimmed_area: float, split: bool) -> None:
 
 
 def _depth() -> int:
-    """The stacklevel of the first caller outside of this folder, seen from warn()."""
-    folder, depth = os.path.dirname(os.path.abspath(library.__file__)), 1
+    """The stacklevel of the first caller outside of this package, seen from warn(). By names of modules: files may have
+    no path, as where the working directory was deleted."""
+    inside, depth = __name__.rpartition(".")[0], 1
     frame = sys._getframe(1)
-    while frame.f_back is not None and os.path.dirname(os.path.abspath(frame.f_code.co_filename)) == folder:
+    while frame.f_back is not None and (str(frame.f_globals.get("__name__")) + ".").startswith(inside + "."):
         frame, depth = frame.f_back, depth + 1
     return depth

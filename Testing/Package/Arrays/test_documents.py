@@ -9,12 +9,14 @@ import unittest
 
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
-    _arrays, _input, _interface, _interpolators, _library, _raster, _results, _sampling, _triangulation, _warnings,
+    _arrays, _calls, _held, _input, _interface, _interpolators, _library, _raster, _results, _sampling,
+    _triangulation, _warnings,
 )  # fmt: skip
 from arraysupport import ROOT
 
 MODULES = (
-    _arrays, _input, _interface, _interpolators, _library, _raster, _results, _sampling, _triangulation, _warnings
+    _arrays, _calls, _held, _input, _interface, _interpolators, _library, _raster, _results, _sampling,
+    _triangulation, _warnings
 )  # fmt: skip
 README = os.path.join(ROOT, "Filters", "Python", "README.md")
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """delaunay: what it takes, without copies where none is needed, and what it refuses, naming it."""
 
+import collections
 import re
 import tracemalloc
 import unittest
@@ -100,6 +101,17 @@ class PointsTest(unittest.TestCase):
                 tracemalloc.stop()
             self.assertEqual(made.counts["segments_of_no_length"], count)
             self.assertLess(peak, made.triangles.nbytes + ids.nbytes / 2)
+
+
+    def test_chains_of_any_kind(self):
+        """Of any iterables, of different lengths too."""
+        chains = [[0, 1], [2, 3, 4], [5, 1, 0]]
+        expected = delaunay(SQUARE, lines=chains, crossings="split").constraint_edges
+        for given in (tuple(chains), collections.deque(chains), iter(chains), dict(enumerate(chains)).values(),
+                      [np.array(chain, np.int8) for chain in chains], np.array([*chains, []], object)[:3]):  # fmt: skip
+            np.testing.assert_array_equal(delaunay(SQUARE, lines=given, crossings="split").constraint_edges, expected)
+        loop = collections.deque([[0, 1, 2], [0, 2, 3, 3]])
+        self.assertEqual(len(delaunay(SQUARE, loops=loop).regions), len(delaunay(SQUARE, loops=list(loop)).regions))
 
 
 class RefusedTest(unittest.TestCase):

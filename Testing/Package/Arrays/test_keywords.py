@@ -4,11 +4,14 @@
 import inspect
 import math
 import re
+import subprocess
+import sys
 import unittest
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import DelaunayWarning, delaunay
+from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, delaunay
+from adaptivehilbertdelaunay import _library as library
 from arraysupport import SQUARE, cloud, complaints, integers, lattice, twice_area
 
 RING = [0, 1, 2, 3]  # around SQUARE and lattices of corners(), counterclockwise
@@ -305,6 +308,21 @@ class PointTest(KeywordTest):
         with self.assertWarns(DelaunayWarning) as caught:
             delaunay([[0, 0], [1, 1]])
         self.assertEqual(caught.filename, __file__)
+        with self.assertWarns(DelaunayWarning) as caught:
+            LinearInterpolator([[0, 0], [1, 1]], [1, 2])
+        self.assertEqual(caught.filename, __file__)
+
+    @unittest.skipIf(sys.platform == "win32", "POSIX only: a folder can be deleted that is somebody's")
+    def test_a_warning_in_a_deleted_folder(self):
+        script = (
+            "import os, sys, tempfile\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "folder = tempfile.mkdtemp()\nos.chdir(folder)\nos.rmdir(folder)\n"
+            "print(len(delaunay([[0, 0], [1, 1]]).points))\n"
+        )
+        done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                              check=False)  # fmt: skip
+        self.assertEqual((done.stdout, done.returncode), ("2\n", 0), done.stderr)
+        self.assertRegex(done.stderr, "^<string>:6: DelaunayWarning: There is no triangle")
 
 
 class InsertionTest(KeywordTest):
@@ -396,6 +414,29 @@ class OutputTest(KeywordTest):
         with self.assertRaisesRegex(MemoryError, str(needed)):
             delaunay(points, memory_limit=needed - 1)
         self.assertEqual(len(delaunay(points, memory_limit=needed).point_status), 10000)
+
+    def test_what_triangulates_again(self):
+        """Has the same threads and the same limit."""
+        points = cloud(46, 2000)
+        loop = [int(np.argmin(((points - place) ** 2).sum(axis=1))) for place in ((0.3, 0.3), (0.7, 0.3), (0.5, 0.7))]
+        made = delaunay(points, loops=[loop], threads=1, memory_limit=60_000_000)
+        seen, run = [], library.Job.run
+        self.addCleanup(setattr, library.Job, "run", run)
+
+        def look(job):
+            seen.append((job.get("threads"), job.get("memory_limit")))
+            run(job)
+
+        library.Job.run = look
+        self.assertEqual(len(made.hull), len(delaunay(points, threads=1, memory_limit=60_000_000).hull))
+        made.voronoi("bounds"), made.order
+        made.release()
+        made.neighbors
+        self.assertEqual(seen, [(1, 60_000_000)] * 5)
+        made = delaunay(points, loops=[loop], threads=1)
+        made._request.settings["memory_limit"] = 1000
+        with self.assertRaisesRegex(MemoryError, "allows 1000"):
+            made.hull
 
     def test_too_many_crossings(self):
         points = cloud(45, 4000)

@@ -54,17 +54,28 @@ class HeaderTest(unittest.TestCase):
                 job.set(**{name: value})
                 self.assertEqual(job.get(name), value)
         job.set(want_order=1, want_boxes=1, want_insertion_ranks=1, want_voronoi=1, source_heights=1)
-        job.set_array("points", SQUARE)
-        job.set_array("source_points", SQUARE[:1])
+        job.set(split_crossings=1, cell_ids=1, tolerance=0.01, alpha=1.0)
+        job.set_array("points", np.concatenate((SQUARE, [[1, 2.001], [9, 9], [9, 8.5], [20, 20]])))
+        job.set_array("source_points", SQUARE[:5])
+        job.set_array("line_ids", np.array([[0, 2], [1, 3], [0, 4], [4, 2]]))
         job.run()
         job.sample_weights(SQUARE)
         self.assertEqual(set(job.counts()), set(library.names(library.COUNTS)))
         self.assertEqual(set(job.measures()), set(library.names(library.MEASURES)))
+        rows = re.findall(r"^ \*   (\w+) +(id|real|uint8|int32|int64|float64) +\((\w+|\w+ \+ 1)(?:, (\d))?\)", header(),
+                          re.MULTILINE)  # fmt: skip
+        shapes = {name: (kind, int(columns or 1)) for name, kind, _, columns in rows}
         for name in library.names(library.OUTPUT_ARRAYS):
-            array = job.array(name)
-            self.assertEqual(array.reshape(len(array), -1).shape[1] if array.size else 1,
-                             job.array_shape(name)[1] if array.size else 1, name)  # fmt: skip
-            np.testing.assert_array_equal(job.array(name, out=np.empty_like(array)), array)
+            array, (kind, columns) = job.array(name), shapes[name]
+            self.assertEqual(array.shape, job.array_shape(name)[: array.ndim], name)
+            self.assertEqual(array.shape[1:], (columns,) if columns > 1 else (), name)
+            self.assertEqual(array.dtype, {"id": "int32", "real": "float64"}.get(kind, kind), name)
+            if name != "left_out":  # as crossings are split
+                self.assertGreater(array.size, 0, name)
+            written = np.empty_like(array)
+            written.fill(77)
+            self.assertIs(job.array(name, out=written), written)
+            np.testing.assert_array_equal(written, array)
 
     def test_delaunay_has_every_setting(self):
         """What has no keyword, and why."""
@@ -107,6 +118,34 @@ class LoadTest(unittest.TestCase):
     @unittest.skipUnless(sys.platform == "linux", "names a library of Linux")
     def test_another_library(self):
         self.assertIn("libm.so.6 is not the library of adaptivehilbertdelaunay", self.load("libm.so.6"))
+
+    def test_a_library_that_lacks_a_function(self):
+        """The error says which; Python takes an AttributeError for the answer that the package has no such name."""
+        class Older:
+            def __init__(self, path):
+                self.ahd_abi_version = lambda: library.ABI_VERSION
+
+            def __getattr__(self, name):
+                if name == "ahd_sample_weights":
+                    raise AttributeError(name)
+                self.__dict__[name] = lambda *_: None
+                return self.__dict__[name]
+
+        loader, _interface.ctypes.CDLL = _interface.ctypes.CDLL, Older
+        try:
+            with self.assertRaisesRegex(ImportError, "x.so has no function ahd_sample_weights"):
+                _interface._load("x.so")
+        finally:
+            _interface.ctypes.CDLL = loader
+
+    def test_a_module_that_cannot_be_loaded(self):
+        """The error says why: here NumPy lacks something."""
+        script = (
+            "import numpy\ndel numpy.inf\n"
+            "try:\n    from adaptivehilbertdelaunay import delaunay\nexcept ImportError as error:\n    print(error)\n"
+        )
+        done = subprocess.run([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True, check=True)
+        self.assertRegex(done.stdout, "delaunay cannot be loaded: module 'numpy' has no attribute 'inf'")
 
     def test_the_library_itself(self):
         self.assertEqual(self.load(library.library_path()), "loaded\n")

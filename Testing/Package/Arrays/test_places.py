@@ -83,5 +83,19 @@ class PlacesTest(unittest.TestCase):
         self.assertEqual(delaunay([[3, 0], [3, 5]]).raster(cell_size=(2, 1)).origin, (3.0, 0.5))
 
 
+class SourceTest(unittest.TestCase):
+    def test_points_of_the_source(self):
+        """Have values of their own; points that were added have none, which the nearest point needs."""
+        points, source = cloud(6, 300), cloud(7, 5)
+        made = delaunay(points, source_points=source, lines=[0, 1])
+        values = np.concatenate((points, source)) @ [2, 1]
+        places = cloud(9, 60) * 0.5 + 0.25
+        for kind in (LinearInterpolator, NaturalNeighborInterpolator):
+            np.testing.assert_allclose(kind(made, values)(places), places @ [2, 1], rtol=1e-12)
+            self.assertRaises(ValueError, kind, made, values[:300])
+            self.assertEqual(len(pickle.loads(pickle.dumps(kind(made, values))).values), 305)
+        self.assertRaisesRegex(ValueError, "points that were added", NearestInterpolator, made, values)
+
+
 if __name__ == "__main__":
     unittest.main()

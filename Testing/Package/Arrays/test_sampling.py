@@ -427,14 +427,15 @@ class WorkTest(unittest.TestCase):
         points = cloud(6, 20000)
         made = delaunay(points, threads=1)
         cells = made.raster(shape=(4000, 4000))
-        before = signal.signal(signal.SIGALRM, lambda *_: os.kill(os.getpid(), signal.SIGINT))
+        for number, handler in ((signal.SIGALRM, lambda *_: os.kill(os.getpid(), signal.SIGINT)),
+                                (signal.SIGINT, signal.default_int_handler)):  # as it may be ignored  # fmt: skip
+            self.addCleanup(signal.signal, number, signal.signal(number, handler))
         signal.setitimer(signal.ITIMER_REAL, 0.3)
         try:
             with self.assertRaises(KeyboardInterrupt):
                 made.interpolate(points[:, 0], cells, "natural")
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
-            signal.signal(signal.SIGALRM, before)
         self.assertAlmostEqual(float(made.interpolate(np.ones(20000), [0.5, 0.5])), 1)
 
 
@@ -458,7 +459,10 @@ class InterpolatorTest(unittest.TestCase):
             self.assertRaises(TypeError, f, 1, 2, 3)
             self.assertRaises(ValueError, f, [[1, 2, 3]])
             self.assertRaises(ValueError, kind, points, np.ones(7))
-            self.assertRaises(ValueError, kind, cloud(1, 9, 3), np.ones(9))
+            for rescale in (False, True):
+                for points_of_wrong_shape in (cloud(1, 9, 3), cloud(1, 9, 2)[0], np.ones((9, 1)), np.ones((9, 2, 1))):
+                    with self.assertRaisesRegex(ValueError, r"points are to be of shape \(n, 2\), not"):
+                        kind(points_of_wrong_shape, np.ones(len(points_of_wrong_shape)), rescale=rescale)
             self.assertRaises(ValueError, kind, delaunay(points), np.ones(300), rescale=True)
             self.assertRaises(TypeError, kind, points, np.ma.masked_equal(np.ones(300), 1))
 

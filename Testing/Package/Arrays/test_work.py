@@ -2,10 +2,12 @@
 """delaunay at work: Ctrl-C, exceptions of callbacks, threads."""
 
 import os
+import pickle
 import signal
 import subprocess
 import sys
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -33,13 +35,22 @@ if sys.argv[1] == "handler":
     signal.signal(signal.SIGINT, stop)
 handler = signal.getsignal(signal.SIGINT)
 
+def change(number, frame):
+    signal.signal(signal.SIGINT, stop)
+    threading.Timer(0.01, interrupt).start()  # when this has returned to the engine
+
+if sys.argv[1] == "changed":  # by the first signal, which sends another
+    signal.signal(signal.SIGINT, change)
+    handler = stop
+
 def interrupt():
     while not library._at_work:  # waits for the GIL, which the main thread gives away when it is in the engine
         pass
     os.kill(os.getpid(), signal.SIGINT)
 
 while True:
-    threading.Thread(target=interrupt, daemon=True).start()
+    if threading.active_count() == 1:
+        threading.Thread(target=interrupt, daemon=True).start()
     try:
         job.run()
     except (KeyboardInterrupt, Stop) as error:
@@ -65,7 +76,7 @@ class InterruptTest(unittest.TestCase):
     @unittest.skipIf(sys.platform == "win32", "signals of POSIX")
     def test_control_c(self):
         """Is obeyed while the engine works, raises what its handler raises, and nothing is lost on the way."""
-        for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop")):
+        for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop"), ("changed", "Stop")):
             done = in_a_process(INTERRUPTED, how)
             self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "400000", ""], done.stderr)
             self.assertEqual(done.stderr, "")
@@ -96,6 +107,57 @@ class InterruptTest(unittest.TestCase):
 
         self.assertEqual(delaunay(cloud(51, 20000), progress=once).counts["inserted"], 20000)
         self.assertEqual(called, [signal.SIGINT])
+
+    def test_a_handler_that_is_changed(self):
+        """By the handler or by a callback: it stays, and is heard during the work."""
+        for change_in in ("handler", "callback"):
+            heard = []
+
+            def second(number, frame, heard=heard):
+                heard.append("second")
+                raise LookupError
+
+            def first(number, frame, heard=heard, second=second, change_in=change_in):
+                heard.append("first")
+                if change_in == "handler":
+                    signal.signal(signal.SIGINT, second)
+
+            before = signal.signal(signal.SIGINT, first)
+            self.addCleanup(signal.signal, signal.SIGINT, before)
+
+            def press(phase, done, heard=heard, second=second, change_in=change_in):
+                if phase == "insert" and len(heard) < 2:
+                    os.kill(os.getpid(), signal.SIGINT)
+                if phase == "insert" and change_in == "callback":
+                    signal.signal(signal.SIGINT, second)
+
+            with self.assertRaises(LookupError):
+                delaunay(cloud(51, 20000), progress=press)
+            self.assertEqual(heard, ["first", "second"])
+            self.assertIs(signal.getsignal(signal.SIGINT), second)
+
+    def test_a_handler_that_is_ignored_from_now_on(self):
+        def once(number, frame):
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+        before = signal.signal(signal.SIGINT, once)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(cloud(51, 20000), progress=lambda phase, done: os.kill(os.getpid(), signal.SIGINT))
+        self.assertEqual(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
+
+    def test_a_handler_that_was_looked_up_during_the_work(self):
+        """And is set again afterwards: it raises what the program's raises."""
+        def stop(number, frame):
+            raise LookupError
+
+        before, found = signal.signal(signal.SIGINT, stop), []
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(SQUARE, progress=lambda phase, done: found.append(signal.getsignal(signal.SIGINT)))
+        self.assertIs(signal.getsignal(signal.SIGINT), stop)
+        signal.signal(signal.SIGINT, found[0])
+        with self.assertRaises(LookupError):
+            os.kill(os.getpid(), signal.SIGINT)
+            signal.getsignal(signal.SIGINT)
 
     def test_ignored_stays_ignored(self):
         before = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -172,10 +234,10 @@ class MemoryTest(unittest.TestCase):
         self.assertEqual(library._spare, [])
         del made
         (spare,) = library._spare
-        self.assertTrue(20000 * 40 < spare.kept_bytes() <= library.REUSE_LIMIT)
+        self.assertTrue(20000 * 40 < library.C.ahd_kept_bytes(spare) <= library.REUSE_LIMIT)
         made = delaunay(points)
         self.assertEqual(library._spare, [])
-        self.assertIs(made._job, spare)
+        self.assertIs(made._job._handle, spare)
         two = [delaunay(points), delaunay(points)]
         del made, two
         self.assertEqual(len(library._spare), 1)
@@ -186,7 +248,7 @@ class MemoryTest(unittest.TestCase):
         self.addCleanup(setattr, library, "REUSE_LIMIT", library.REUSE_LIMIT)
         library.REUSE_LIMIT = 1000
         delaunay(cloud(57, 20000))
-        self.assertEqual([job.kept_bytes() for job in library._spare], [0])
+        self.assertEqual([library.C.ahd_kept_bytes(spare) for spare in library._spare], [0])
 
     def test_nothing_else_is_kept(self):
         points = cloud(58, 300, 3)
@@ -194,11 +256,19 @@ class MemoryTest(unittest.TestCase):
         delaunay(points, source_points=cloud(59, 9), lines=[0, 1, 2], skip=np.arange(300) % 2 == 0, alpha=0.1, nmax=3,
                  plane=lambda xyz: xyz[:, [1, 2, 0]], duplicates="mean_z", want=("boxes", "voronoi"), threads=2,
                  progress=lambda phase, done: None, voronoi_clip="bounds", count_work=True)  # fmt: skip
-        (job,) = library._spare
+        (spare,) = library._spare
+        job = library.take_job()
+        self.assertIs(job._handle, spare)
         self.assertEqual({name: job.get(name) for name in library.defaults()}, library.defaults())
         self.assertEqual((job._arrays, job._progress, job._projection), ({}, None, None))
+        job.run()
+        self.assertEqual(job.count("points"), 0)
+        job.set(plane=library.PLANE_CALLBACK)
+        with self.assertRaisesRegex(library.BadInput, "set none"):
+            job.run()
+        library.give_back(job)
         made = delaunay(points)
-        self.assertIs(made._job, job)
+        self.assertIs(made._job._handle, spare)
         np.testing.assert_array_equal(made.triangles, expected)
         self.assertEqual(made.measures["np"], -1)
 
@@ -282,6 +352,74 @@ class ThreadTest(unittest.TestCase):
             for one, two in zip(answer, (expected.edges, expected.order, expected.voronoi().points,
                                          expected.locate(places).triangle)):  # fmt: skip
                 np.testing.assert_array_equal(one, two)
+
+    def test_what_one_thread_asks_waits_for_the_other(self):
+        """Every question, while another thread interpolates; none is refused, and none is answered before."""
+        points, places, values = cloud(65, 2000), cloud(66, 3000), cloud(65, 2000)[:, 0].copy()
+        questions = {
+            **{name: lambda made, name=name: getattr(made, name) for name in (
+                "neighbors", "edges", "boundary", "hull", "lines", "vertices", "constraint_edges", "is_constraint",
+                "regions", "left_out", "crossing_ends", "crossing_fractions", "order", "insertion_ranks", "boxes",
+                "points", "plane_points", "plane_matrix", "point_status", "vertex_of_point", "point_of_vertex",
+                "merged")},
+            "voronoi": lambda made: made.voronoi(), "voronoi in bounds": lambda made: made.voronoi("bounds"),
+            "locate": lambda made: made.locate(places), "weights": lambda made: made.weights(places, "natural"),
+            "raster": lambda made: made.raster(shape=(3, 3)), "release": lambda made: made.release(),
+            "interpolate": lambda made: made.interpolate(values, places),
+            "for all points": lambda made: made.interpolate(values),
+            "with a slope": lambda made: made.interpolate(values, places, gradient=True),
+            "pickle": pickle.dumps,
+        }  # fmt: skip
+        for name, question in questions.items():
+            made = delaunay(points, threads=1)
+            asking, answered, early, wrong = threading.Event(), [], [], []
+
+            def hear(phase, done, asking=asking, answered=answered, early=early):
+                asking.wait()
+                if not early:
+                    time.sleep(0.01)  # what needs no lock would be answered in it
+                    early.append(list(answered))
+
+            def ask(made=made, question=question, asking=asking, answered=answered, wrong=wrong):
+                while not library._at_work:
+                    pass
+                asking.set()
+                try:
+                    question(made)
+                except Exception as error:
+                    wrong.append(error)
+                answered.append(True)
+
+            other = threading.Thread(target=ask)
+            other.start()
+            found = made.interpolate(values, places, "natural", progress=hear)
+            other.join()
+            self.assertEqual((wrong, early[0], answered), ([], [], [True]), name)
+            np.testing.assert_allclose(found[np.isfinite(found)], places[np.isfinite(found), 0], atol=1e-9)
+
+    def test_many_threads_begin_at_once(self):
+        """Each the same long work with one triangulation; none is refused."""
+        interval = sys.getswitchinterval()
+        self.addCleanup(sys.setswitchinterval, interval)
+        sys.setswitchinterval(1e-6)
+        points, places = cloud(67, 5000), cloud(68, 5000)
+        works = (
+            lambda made: made.interpolate(points[:, 0], places, "natural"), lambda made: made.weights(places).weights,
+            lambda made: made.locate(places).corners, lambda made: made.neighbors, lambda made: made.order,
+            lambda made: made.interpolate(points[:, 0]), lambda made: made.voronoi("bounds").points,
+            lambda made: np.array(made.raster(shape=(3, 3)).bounds),
+        )  # fmt: skip
+        for work in works:
+            made, barrier = delaunay(points), threading.Barrier(6)
+            expected = work(delaunay(points))
+
+            def begin(k, made=made, barrier=barrier, work=work):
+                barrier.wait()
+                return [work(made) for _ in range(3)]
+
+            for found in self.in_threads(begin, 6):
+                for one in found:
+                    np.testing.assert_array_equal(one, expected)
 
     def test_other_threads_go_on(self):
         """The main thread sees the other in the engine: so it is not the GIL that is waited for."""

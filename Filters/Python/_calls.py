@@ -1,0 +1,149 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Calls of the library that are at work: who is told of them, what they look at, and how they end when Ctrl-C is
+pressed, when the interpreter ends and in a child of fork."""
+
+from __future__ import annotations
+
+import atexit
+import ctypes
+import os
+import signal
+import threading
+import time
+from types import FrameType
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, NamedTuple, Optional
+
+import numpy as np
+
+from ._interface import BAD_ARRAY, BadInput, Progress, Projection
+
+if TYPE_CHECKING:
+    from ._library import Job
+
+
+class Call(NamedTuple):
+    """One that is at work."""
+
+    job: Job  # is told by callbacks
+    thread: threading.Thread
+    arrays: List[Any]  # anchors of what the library looks at and writes meanwhile
+
+
+AT_WORK: Dict[int, Call] = {}  # by the address of the library's job, which callbacks are given
+
+
+def _on_progress(number: int, phase: int, fraction: float) -> int:
+    job = AT_WORK[number].job
+    try:
+        if job._raised is None and job._progress is not None and job._progress(phase, fraction):
+            return 1
+    except BaseException as error:
+        job._raised = error
+    return 0 if job._raised is None else 1
+
+
+def _on_projection(number: int, xyz: int, count: int) -> int:
+    """The function has a copy: what it keeps, and what a debugger shows of it later, outlives the library's memory."""
+    job = AT_WORK[number].job
+    try:
+        if job._raised is None and job._projection is not None:
+            points = np.empty((count, 3))
+            ctypes.memmove(points.ctypes.data, xyz, points.nbytes)
+            job._projection(points)
+            if points.shape != (count, 3):
+                raise BadInput("the projection changed the shape of its points to %s" % (points.shape,), BAD_ARRAY)
+            moved = np.ascontiguousarray(points, np.float64)
+            ctypes.memmove(xyz, moved.ctypes.data, moved.nbytes)
+    except BaseException as error:
+        job._raised = error
+    return 0 if job._raised is None else 1
+
+
+PROGRESS, NO_PROGRESS = Progress(_on_progress), Progress()
+PROJECTION, NO_PROJECTION = Projection(_on_projection), Projection()
+
+
+# --- Ctrl-C -------------------------------------------------------------------------------------------------
+
+
+class Interrupts:
+    """While it is entered, what the handler of SIGINT raises goes to `tell`: it cancels the work.
+
+    Python runs the handler when a callback begins, before its first line: an exception from there would be
+    printed by ctypes and lost. Only the main thread runs handlers, so others need none of this.
+
+    The handler that the program wants is the one that it set last: before, by its handler or by a callback.
+    """
+
+    def __init__(self, tell: Callable[[BaseException], None]) -> None:
+        self._tell = tell
+        self._handler: Any = None  # the program's
+        self._isEntered = False
+
+    def __enter__(self) -> None:
+        handler = signal.getsignal(signal.SIGINT)
+        if not callable(handler) or threading.current_thread() is not threading.main_thread():
+            return
+        self._handler, self._isEntered = handler, True
+        try:
+            signal.signal(signal.SIGINT, self._interrupt)
+        except ValueError:  # an interpreter beside the main one: it runs no handlers
+            self._isEntered = False
+
+    def __exit__(self, *_: Any) -> None:
+        if self._isEntered:
+            if signal.getsignal(signal.SIGINT) == self._interrupt:
+                signal.signal(signal.SIGINT, self._handler)
+            self._isEntered = False
+
+    def _interrupt(self, number: int, frame: Optional[FrameType]) -> None:
+        if not self._isEntered:  # a program that looked the handler up during the work has set it again
+            self._handler(number, frame)
+            return
+        try:
+            self._handler(number, frame)
+        except BaseException as error:
+            self._tell(error)
+        changed = signal.getsignal(signal.SIGINT)
+        if changed != self._interrupt and callable(changed):
+            self._handler = changed
+            signal.signal(signal.SIGINT, self._interrupt)
+
+
+# --- When threads end that are at work ----------------------------------------------------------------------
+
+_isEnding = False
+
+
+def _at_exit() -> None:
+    """Daemon threads may be at work when the interpreter ends. A callback cannot come after that (it would end the
+    process with an error), so their work is cancelled, and none begins."""
+    global _isEnding
+    _isEnding = True
+    until = time.monotonic() + 10  # a callback of theirs may never return
+    while time.monotonic() < until:
+        calls = [call for call in list(AT_WORK.values()) if call.thread.daemon]
+        if not calls:
+            return
+        for call in calls:
+            call.job.cancel()
+        time.sleep(0.001)
+
+
+def end_with_the_program() -> None:
+    """Ends a daemon thread where the interpreter ends."""
+    if _isEnding and threading.current_thread().daemon:
+        raise SystemExit
+
+
+def _after_fork() -> None:
+    """In a child process there is the thread that forked, alone. What others were at work with stays half done."""
+    for address, call in list(AT_WORK.items()):
+        if call.thread is not threading.current_thread():
+            del AT_WORK[address]
+            call.job.begin_anew()
+
+
+atexit.register(_at_exit)
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_after_fork)
