@@ -266,7 +266,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   {
     try
     {
-      isDone = this->Execute(inputs, output);
+      isDone = this->Execute(inputs, info);
     }
     catch (const std::bad_alloc&)
     {
@@ -279,10 +279,15 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
     this->ClearCounts();
   }
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  const bool isAsTold = !isRaster || !isDone || !vtkAHDIsNotAnnounced(output, info);
-  this->MustDescribeAnew = !isAsTold;
-  const bool fits = !isRaster || (isAsTold && vtkAHDHasAllThatIsWanted(output, info));
-  return fits || !vtkAHDFeedsImageFilters(info) ? 1 : this->EndWithOtherRaster(isDone, output);
+  const bool isBehind = isRaster && vtkAHDHasFiltersBehind(info);
+  this->MustDescribeAnew = isRaster && isDone && vtkAHDIsNotAnnounced(output, info);
+  if (isBehind && this->MustDescribeAnew)
+  {
+    this->WarnOfOtherRaster();
+  }
+  return !isBehind || vtkAHDHasAllThatIsWanted(output, info)
+    ? 1
+    : this->EndWithOtherRaster(isDone, output);
 }
 
 /// Where memory ran out elsewhere than in an execution's steps, which say more of it.
@@ -298,14 +303,27 @@ void vtkAdaptiveHilbertInterpolation2D::SayOutOfMemory()
   }
 }
 
-/// Filters for images behind would read pixels that are not there: they are not to be run. Returns
-/// what RequestData() is to return.
+/// Once for each filter.
+void vtkAdaptiveHilbertInterpolation2D::WarnOfOtherRaster()
+{
+  if (!this->WarnedOfOtherRaster)
+  {
+    this->WarnedOfOtherRaster = true;
+    vtkWarningMacro("The points have other bounds at this time, so the raster is another than "
+                    "filters behind it were told. Until the next update those for images place it "
+                    "where it was before, or take a part of it. Set UseBounds, so that all times "
+                    "have one raster. This is said once.");
+  }
+}
+
+/// Filters for images behind would read pixels that are not there, so those behind are not run.
+/// Returns what RequestData() is to return.
 int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataObject* output)
 {
   if (isDone)
   {
     vtkErrorMacro("The points have other bounds at this time, so the raster is another than "
-                  "filters for images behind it were told, which they cannot stand. Update again, "
+                  "filters behind it were told, and lacks cells that they ask for. Update again, "
                   "or set UseBounds, so that all times have one raster.");
     output->Initialize();
     this->ClearCounts();
@@ -313,11 +331,11 @@ int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataOb
   return 0;
 }
 
-bool vtkAdaptiveHilbertInterpolation2D::Execute(
-  vtkInformationVector** inputs, vtkDataObject* output)
+bool vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, vtkInformation* info)
 {
   vtkAHDProgress progress(this);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
+  const vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> triangulation = this->Triangulation;
+  ahd::Threads threads(vtkAHDThreadsToUse(triangulation->GetNumberOfThreads()));
   vtkAHDOutputMemory notKept;
   const vtkAHDContext context(progress, threads, notKept);
   vtkAHDSettings settings;
@@ -343,10 +361,13 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
     vtkAHDLeaveToSurface(settings);
   }
   data.InputBytes = merged.GetBytes();
-  vtkAbstractTransform* const transform = this->Triangulation->GetTransform();
-  data.SettingsTimes = { { this->Triangulation->vtkObject::GetMTime(),
+  vtkAbstractTransform* const transform = triangulation->GetTransform();
+  data.SettingsTimes = { { triangulation->vtkObject::GetMTime(),
     transform ? transform->GetMTime() : 0 } };
-  const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
+  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+  data.Told = isRaster && vtkAHDHasFiltersBehind(info) ? vtkAHDToldRaster(info)
+                                                       : ahd::SampleRaster();
+  const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), vtkDataObject::GetData(info));
   vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
   between.ReuseLimit = VTK_TYPE_INT64_MAX;
   vtkAHDSampleResult all;
@@ -358,7 +379,7 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
     data.Piece = k;
     data.SaysArrays = k == 0;
     vtkAHDSampleExecution execution(this, isLast ? settings : between, wishes, context,
-      !isLast || this->Triangulation->GetKeepTriangulation());
+      !isLast || triangulation->GetKeepTriangulation());
     const bool isDone = execution.Run(data, *this->Kept, pieces.GetOutput(k));
     this->NumberOfTriangulations += execution.HasTriangulated() ? 1 : 0;
     this->MemoryEstimate = std::max(this->MemoryEstimate, execution.GetMemory().Estimate);

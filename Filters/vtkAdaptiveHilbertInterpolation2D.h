@@ -315,8 +315,9 @@ private:
   void ReadSettings(vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const;
   void UpdateInputs();
   void Describe(vtkInformation* info, bool isRaster);
-  bool Execute(vtkInformationVector** inputs, vtkDataObject* output);
+  bool Execute(vtkInformationVector** inputs, vtkInformation* info);
   void SayOutOfMemory();
+  void WarnOfOtherRaster();
   int EndWithOtherRaster(bool isDone, vtkDataObject* output);
   void ClearMeasures();
   void ClearCounts();
@@ -333,6 +334,7 @@ private:
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
   bool WarnedAboutRanks = false;
+  bool WarnedOfOtherRaster = false;
   bool HasPortsOfRanks = false;  // what FillInputPortInformation() said last
   bool MustDescribeAnew = false; // the raster is another than RequestInformation() said
 };

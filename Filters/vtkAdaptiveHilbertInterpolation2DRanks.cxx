@@ -246,9 +246,8 @@ int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
 #endif
   this->MustDescribeAnew = execution.IsOtherRaster();
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  const bool hasAll = isDone && !execution.IsOtherRaster() &&
+  const bool fits = !isRaster || !vtkAHDHasFiltersBehind(info) ||
     vtkAHDHasAllThatIsWanted(output, info);
-  const bool fits = !isRaster || hasAll || !vtkAHDFeedsImageFilters(info);
   const bool fitAll = ranks.agree(fits ? ahd::Status::Ok : ahd::Status::Cancelled) ==
     ahd::Status::Ok;
   return fitAll ? 1 : this->EndWithOtherRaster(isDone, output);

@@ -7,6 +7,7 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
+#include "Sampling/vtkAHDSampleInformation.h"
 #include "Sampling/vtkAHDSampleOutput.h"
 #include "Sampling/vtkAHDSamplePieces.h"
 #include "Sampling/vtkAHDSampling.h"
@@ -161,6 +162,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
   this->Raster = inputs.Raster
     ? *inputs.Raster
     : vtkAHDFindRaster(this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
+  vtkAHDCover(inputs.Told, this->Raster);
   vtkAHDSayNoRaster(this->Filter, this->Wishes, this->Raster);
   this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
   return this->Raster.Fault == vtkAHDRasterFault::None ||

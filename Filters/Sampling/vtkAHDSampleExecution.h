@@ -41,6 +41,8 @@ struct vtkAHDSampleInputs
   std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
   bool SaysArrays = true;     ///< warn of arrays that are passed over
   vtkAHDSettingsTimes SettingsTimes = {};
+  ahd::SampleRaster
+    Told; ///< what filters behind were told of the raster and ask for; empty: nothing
 
   // One of several ranks: then nobody is warned.
   const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it

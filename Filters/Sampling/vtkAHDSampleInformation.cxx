@@ -3,12 +3,9 @@
 
 #include "Engine/Core/Memory.h"
 
-#include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
-#include "vtkExecutive.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
-#include "vtkInformationExecutivePortVectorKey.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStructuredGrid.h"
 
@@ -78,26 +75,41 @@ bool vtkAHDHasAllThatIsWanted(vtkDataObject* made, vtkInformation* info)
   return hasAll;
 }
 
-bool vtkAHDFeedsImageFilters(vtkInformation* info)
+bool vtkAHDHasFiltersBehind(vtkInformation* info)
 {
-  vtkExecutive** const consumers = vtkExecutive::CONSUMERS()->GetExecutives(info);
-  const int count = consumers ? vtkExecutive::CONSUMERS()->Length(info) : 0;
-  for (int k = 0; k < count; ++k)
+  return info->GetReferenceCount() > 1;
+}
+
+ahd::SampleRaster vtkAHDToldRaster(vtkInformation* info)
+{
+  int wanted[6] = { 0, -1, 0, -1, 0, -1 };
+  double origin[3] = { 0, 0, 0 }, spacing[3] = { 1, 1, 1 };
+  info->Get(Pipeline::UPDATE_EXTENT(), wanted);
+  info->Get(vtkDataObject::ORIGIN(), origin);
+  info->Get(vtkDataObject::SPACING(), spacing);
+  ahd::SampleRaster told;
+  if (wanted[0] <= wanted[1] && wanted[2] <= wanted[3] && wanted[1] >= 0 && wanted[3] >= 0)
   {
-    vtkAlgorithm* const filter = consumers[k]->GetAlgorithm();
-    if (filter && filter->IsA("vtkImageAlgorithm"))
-    {
-      return true;
-    }
-    for (int port = 0; port < consumers[k]->GetNumberOfOutputPorts(); ++port)
-    {
-      if (vtkAHDFeedsImageFilters(consumers[k]->GetOutputInformation(port)))
-      {
-        return true;
-      }
-    }
+    told.origin = { origin[0], origin[1] };
+    told.spacing = { spacing[0], spacing[1] };
+    told.columns = static_cast<std::size_t>(wanted[1]) + 1;
+    told.rows = static_cast<std::size_t>(wanted[3]) + 1;
   }
-  return false;
+  return told;
+}
+
+void vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster)
+{
+  if (raster.Fault == vtkAHDRasterFault::NoArea && told.columns > 0)
+  {
+    raster.Fault = vtkAHDRasterFault::None;
+    raster.Cells = told;
+  }
+  else if (raster.Fault == vtkAHDRasterFault::None)
+  {
+    raster.Cells.columns = std::max(raster.Cells.columns, told.columns);
+    raster.Cells.rows = std::max(raster.Cells.rows, told.rows);
+  }
 }
 
 bool vtkAHDIsLarger(const ahd::SampleRaster& cells, vtkTypeInt64 limit)

@@ -19,9 +19,18 @@ bool vtkAHDIsNotAnnounced(vtkDataObject* made, vtkInformation* info);
 /// Does it have all of the extent that filters behind ask for?
 bool vtkAHDHasAllThatIsWanted(vtkDataObject* made, vtkInformation* info);
 
-/// Is there a vtkImageAlgorithm among the filters behind this output? These read as many pixels as
-/// were announced, whether or not they are there.
-bool vtkAHDFeedsImageFilters(vtkInformation* info);
+/// Are there filters behind this output? Each of them holds this information, and but for them only
+/// the filter's own executive need: who else does counts as one of them. Which they are nobody can
+/// say: VTK's list of consumers keeps those that were deleted.
+bool vtkAHDHasFiltersBehind(vtkInformation* info);
+
+/// What filters behind were told of the raster, as far as they ask for it; empty: nothing.
+ahd::SampleRaster vtkAHDToldRaster(vtkInformation* info);
+
+/// Filters for images read as many pixels as they were told of, whether or not these are there: so
+/// makes the raster at least that large. If no point says where it is to be, it is the one that
+/// they were told of.
+void vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster);
 
 /// Do heights and mask of these cells alone take more memory than this limit in KiB, or, if that is
 /// 0, than there is?
