@@ -3,11 +3,17 @@
 // Arrays of the points that are kept otherwise, or have the names of arrays that are made.
 #include "SampleTestSupport.h"
 
+#include "vtkBitArray.h"
 #include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkLongLongArray.h"
 #include "vtkSOADataArrayTemplate.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -57,6 +63,78 @@ TEST(InterpolationArrays, NearestOfOtherLayouts)
   ASSERT_NE(found, nullptr);
   EXPECT_EQ(found->GetValue(2), 0);
   EXPECT_EQ(double(found->GetValue(4) - (1LL << 60)), arrayOf(output, "apart")->GetComponent(4, 0));
+}
+
+/// Adds an array of this layout and type, and one of doubles with the same numbers.
+template <typename Array>
+void addBeside(vtkPolyData* cloud, const std::string& name, int width, double scale)
+{
+  vtkNew<Array> array;
+  vtkNew<vtkDoubleArray> doubles;
+  const std::string names[] = { name, name + " as doubles" };
+  vtkDataArray* const both[] = { array, doubles };
+  for (std::size_t k = 0; k < 2; ++k)
+  {
+    both[k]->SetName(names[k].c_str());
+    both[k]->SetNumberOfComponents(width);
+    both[k]->SetNumberOfTuples(cloud->GetNumberOfPoints());
+  }
+  for (vtkIdType i = 0; i < cloud->GetNumberOfPoints(); ++i)
+  {
+    for (int c = 0; c < width; ++c)
+    {
+      array->SetComponent(i, c, scale * double((7 * i + 3 * c) % 101));
+      doubles->SetComponent(i, c, array->GetComponent(i, c)); // as the type has it
+    }
+  }
+  cloud->GetPointData()->AddArray(array);
+  cloud->GetPointData()->AddArray(doubles);
+}
+
+/// Every type and layout, with one to three columns, for an odd number of points: interpolated as
+/// its numbers are.
+TEST(InterpolationArrays, OtherLayoutsAndTypesAreReadAsTheirNumbers)
+{
+  auto cloud = makeCloud(onPlane(scatteredPoints(201, 5)));
+  std::vector<std::string> names;
+  for (int width = 1; width <= 3; ++width)
+  {
+    const auto name = [&](const char* type)
+    {
+      names.push_back(type + std::to_string(width));
+      return names.back();
+    };
+    addBeside<vtkSOADataArrayTemplate<double>>(cloud, name("soa double "), width, 0.3);
+    addBeside<vtkSOADataArrayTemplate<float>>(cloud, name("soa float "), width, 0.3);
+    addBeside<vtkSOADataArrayTemplate<int>>(cloud, name("soa int "), width, -3.0);
+    addBeside<vtkFloatArray>(cloud, name("float "), width, 0.7);
+    addBeside<vtkIntArray>(cloud, name("int "), width, -5.0);
+    addBeside<vtkUnsignedCharArray>(cloud, name("byte "), width, 2.0);
+    addBeside<vtkBitArray>(cloud, name("bit "), width, 1.0);
+  }
+  for (const int method : { 0, 1, 3 })
+  {
+    WatchedInterpolation filter;
+    filter->SetInputData(cloud);
+    filter->SetMethod(method);
+    filter->SetDimensions(13, 11);
+    filter->SetNoValue(-1.0);
+    filter->Update();
+    EXPECT_GT(filter->GetNumberOfValidPlaces(), 90);
+    for (const std::string& name : names)
+    {
+      const auto found = numbersOf(filter->GetOutput(), name.c_str());
+      auto expected = numbersOf(filter->GetOutput(), (name + " as doubles").c_str());
+      ASSERT_EQ(found.size(), expected.size()) << name;
+      for (std::size_t i = 0; i < found.size(); ++i)
+      {
+        const bool isFloat = name.find("float") != std::string::npos;
+        const bool isOutside = method == 3 && expected[i] == -1.0;
+        const double as = isFloat ? double(float(expected[i])) : expected[i];
+        EXPECT_TRUE(found[i] == as || isOutside) << name << " " << method << " " << i;
+      }
+    }
+  }
 }
 
 /// Whatever the order of the arrays: a gradient has its name.

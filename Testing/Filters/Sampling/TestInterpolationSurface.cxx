@@ -5,6 +5,7 @@
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
@@ -106,6 +107,68 @@ TEST(InterpolationSurface, WithConstraints)
   expectTheSame(named, source, { Filter::LINEAR });
   expectTheSame(named, source, { Filter::NATURAL_NEIGHBOR }, false, 12.0);
   expectTheSame([](Delaunay* f) { f->SetCrossingModeToSplit(); }, source, { Filter::LINEAR });
+}
+
+/// Marks each constraint edge where it is edge `at` of its triangles: their corners are turned.
+vtkSmartPointer<vtkPolyData> turned(vtkPolyData* surface, int at)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(surface);
+  vtkDataArray* const edges = copy->GetCellData()->GetArray("ConstraintEdges");
+  vtkNew<vtkCellArray> cells;
+  for (vtkIdType t = 0; t < copy->GetNumberOfCells(); ++t)
+  {
+    const Triangle ids = trianglesOf(surface)[static_cast<std::size_t>(t)];
+    const int bits = static_cast<int>(edges->GetComponent(t, 0));
+    int turn = 0; // corners k, k + 1 are those of the first marked edge
+    while (turn < 3 && (bits >> turn & 1) == 0)
+    {
+      ++turn;
+    }
+    turn = turn == 3 ? 0 : (turn + 3 - at) % 3;
+    cells->InsertNextCell(
+      { ids[std::size_t(turn)], ids[std::size_t(turn + 1) % 3], ids[std::size_t(turn + 2) % 3] });
+    edges->SetComponent(t, 0, ((bits >> turn) | (bits << (3 - turn))) & 7);
+  }
+  copy->SetPolys(cells);
+  return copy;
+}
+
+/// Whichever edge of its triangles a constraint is, natural neighbours end there.
+TEST(InterpolationSurface, ConstraintsAtEachEdgeOfTheirTriangles)
+{
+  const auto points = scatteredPoints(60, 21);
+  std::vector<Xyz> hilly = points;
+  for (Xyz& p : hilly)
+  {
+    p[2] = std::sin(9 * p[0]) + std::cos(7 * p[1]);
+  }
+  // a Delaunay edge, so that no triangle is there because of it
+  vtkNew<Delaunay> plain, marked;
+  plain->SetInputData(makeCloud(hilly));
+  plain->Update();
+  const Triangle inside = trianglesOf(plain->GetOutput())[20];
+  marked->SetInputData(makeCloud(hilly));
+  marked->SetSourceData(makeSource({ { inside[0], inside[1] } }, {}));
+  marked->GenerateConstraintEdgesOn();
+  marked->Update();
+  const auto sample = [](vtkPolyData* surface)
+  {
+    WatchedInterpolation filter;
+    filter->SetInputData(surface);
+    filter->SetMethodToNaturalNeighbor();
+    filter->SetDimensions(60, 60);
+    filter->Update();
+    EXPECT_TRUE(filter.Said->Errors.empty());
+    return numbersOf(filter->GetOutput(), "Elevation");
+  };
+  const auto expected = sample(turned(marked->GetOutput(), 0));
+  EXPECT_FALSE(areSame(expected, sample(plain->GetOutput()), 1e-6)) << "the constraint has no say";
+  for (const int at : { 1, 2 })
+  {
+    EXPECT_TRUE(areSame(expected, sample(turned(marked->GetOutput(), at)), 1e-12)) << at;
+  }
+  EXPECT_TRUE(areSame(expected, sample(marked->GetOutput()), 1e-12));
 }
 
 TEST(InterpolationSurface, InAnotherPlane)
