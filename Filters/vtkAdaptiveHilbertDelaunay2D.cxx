@@ -200,29 +200,37 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   return 1;
 }
 
+/// Observers have the outputs, too: all is made in data sets of its own, and handed on in the end.
 void vtkAdaptiveHilbertDelaunay2D::Execute(
   vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data, const vtkAHDContext& context)
 {
   vtkAHDSettings settings;
   this->ReadSettings(settings);
   const vtkAHDMergedBlocks merged(this, settings, input, source, context);
-  data.Input = merged.GetInput();
-  data.Source = merged.GetSource();
-  data.InputBytes = merged.GetBytes();
-  if (data.Input && this->PassOnCached(data, context))
+  std::array<vtkNew<vtkPolyData>, 3> outputs;
+  vtkAHDDataSets own;
+  own.Input = merged.GetInput();
+  own.Source = merged.GetSource();
+  own.InputBytes = merged.GetBytes();
+  for (std::size_t k = 0; k < outputs.size(); ++k)
   {
-    return;
+    outputs[k]->GetFieldData()->ShallowCopy(data.Outputs[k]->GetFieldData());
+    own.Outputs[k] = outputs[k];
   }
-  this->ClearMeasures();
-  this->WarnAboutRanks();
-  merged.Warn();
-  if (data.Input)
+  if (!own.Input || !this->PassOnCached(own, context))
   {
-    this->Triangulate(data, context);
+    this->ClearMeasures();
+    this->WarnAboutRanks();
+    merged.Warn();
+    own.Input ? this->Triangulate(own, context) : this->Cache->Forget();
   }
-  else
+  if (own.Input)
   {
-    this->Cache->Forget();
+    merged.HandOnPoints(outputs[0]);
+  }
+  for (std::size_t k = 0; k < outputs.size(); ++k)
+  {
+    data.Outputs[k]->ShallowCopy(outputs[k]);
   }
 }
 
@@ -292,7 +300,7 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   vtkAHDSayWarnings(this, settings, report);
   if (this->KeepTriangulation)
   {
-    this->Cache->Keep(data);
+    this->Cache->Keep(data, context);
   }
 }
 

@@ -330,6 +330,8 @@ bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBe
     const ahd::PointView& points = results.Points.points();
     const auto borrowed = this->Input.FindBorrowed(points);
     std::copy(borrowed.begin(), borrowed.end(), content->Borrowed.begin());
+    const void* const floats = points.floats;
+    content->At = { { points.doubles ? points.doubles : floats, points.skip } };
     content->ShowMeans = this->Settings.ShowMeans;
     const auto kept = vtkSmartPointer<vtkAHDKeptTriangulation>::New();
     vtkAHDLeftTriangulation& to = *content;

@@ -19,14 +19,26 @@
 vtkStandardNewMacro(vtkAHDKeptTriangulation);
 vtkInformationKeyMacro(vtkAHDKeptTriangulation, KEPT, ObjectBase);
 
-/// Of the surface's points, and of what the triangulation borrows.
+namespace
+{
+/// Does an array have its numbers there? Null has none, and so they are anywhere.
+bool IsAt(vtkDataArray* array, const void* place)
+{
+  return !array || array->GetVoidPointer(0) == place;
+}
+}
+
+/// Of the surface's points and corners, and of what the triangulation borrows. False if that cannot
+/// be known again, or lies elsewhere than where the triangulation reads it.
 bool vtkAHDKeptTriangulation::TakePrints(const vtkAHDLeftTriangulation& content,
   vtkPolyData* surface, const vtkAHDContext& context, Prints& prints)
 {
   vtkDataArray* const shown = surface->GetPoints()->GetData();
   vtkDataArray* const places = content.Borrowed[0];
-  if (!vtkAHDTakeFingerprint(shown, context, prints[0]) ||
-    !vtkAHDTakeFingerprint(content.Borrowed[1], context, prints[2]))
+  if (!IsAt(places, content.At[0]) || !IsAt(content.Borrowed[1], content.At[1]) ||
+    !vtkAHDTakeFingerprint(shown, context, prints[0]) ||
+    !vtkAHDTakeFingerprint(content.Borrowed[1], context, prints[2]) ||
+    !vtkAHDTakeFingerprint(surface->GetPolys()->GetConnectivityArray(), context, prints[3]))
   {
     return false;
   }
@@ -55,6 +67,7 @@ bool vtkAHDKeptTriangulation::Keep(
   this->CornersTime = corners->GetMTime();
   this->Triangles = surface->GetPolys()->GetNumberOfCells();
   std::copy(content->Borrowed.begin(), content->Borrowed.end(), this->Borrowed.begin());
+  this->BorrowedAt = content->At;
   this->Here = std::move(content);
   return true;
 }
@@ -108,10 +121,11 @@ vtkAHDKeptTriangulation::Content vtkAHDKeptTriangulation::Close()
 
 bool vtkAHDKeptTriangulation::BorrowsFrom(vtkPointSet* input) const
 {
-  const auto isOneOf = [](const vtkDataArray* borrowed, const vtkDataArray* now)
-  { return !borrowed || borrowed == now; };
-  return isOneOf(this->Borrowed[0], input->GetPoints() ? input->GetPoints()->GetData() : nullptr) &&
-    isOneOf(this->Borrowed[1], input->GetPointGhostArray());
+  vtkDataArray* const places = input->GetPoints() ? input->GetPoints()->GetData() : nullptr;
+  vtkDataArray* const marks = input->GetPointGhostArray();
+  const auto isOneOf = [this](std::size_t k, vtkDataArray* now)
+  { return !this->Borrowed[k] || (this->Borrowed[k] == now && IsAt(now, this->BorrowedAt[k])); };
+  return isOneOf(0, places) && isOneOf(1, marks);
 }
 
 void vtkAHDLeftBehind::TakeBackUnlessOf(vtkPointSet* input, ahd::Workspace& workspace)

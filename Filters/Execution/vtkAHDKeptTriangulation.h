@@ -26,6 +26,7 @@ struct vtkAHDLeftTriangulation
   bool ShowMeans = false;          ///< heights are those of the settings
   /// What the points borrow, their places and marks; null where they have their own.
   std::array<vtkSmartPointer<vtkDataArray>, 2> Borrowed;
+  std::array<const void*, 2> At = {}; ///< where it reads them
 };
 
 /**
@@ -34,6 +35,9 @@ struct vtkAHDLeftTriangulation
  *
  * It is lent to one at a time, as tables are made in it, and only as long as the filter that made
  * the surface has not taken it back. Take(), GiveBack() and Close() may be called by any thread.
+ *
+ * The arrays that it borrows are held, their memory is not, as it cannot be: they are looked at
+ * again before it is lent, and it is not lent where their numbers lie elsewhere than they did.
  */
 class vtkAHDKeptTriangulation : public vtkObject
 {
@@ -44,7 +48,8 @@ public:
   using Content = std::unique_ptr<vtkAHDLeftTriangulation>;
 
   /// Lends the triangulation of a surface in its plane x, y. Null if there is none, another has it,
-  /// or points or triangles have changed since; and if the filter is to abort. Throws
+  /// or points or triangles have changed since, or lie elsewhere; and if the filter is to abort.
+  /// Nobody may give their arrays other memory until it is given back. Throws
   /// std::bad_alloc.
   static Content Borrow(vtkPolyData* surface, const vtkAHDContext& context,
     vtkSmartPointer<vtkAHDKeptTriangulation>& lender);
@@ -58,7 +63,7 @@ public:
   /// From who borrowed it.
   void GiveBack(Content content);
 
-  /// Does what the content borrows, if anything, belong to this input?
+  /// Does what the content borrows, if anything, belong to this input, and lie where it did?
   bool BorrowsFrom(vtkPointSet* input) const;
 
   /// Lends it no more. Returns what is there; what is lent is freed when it comes back.
@@ -73,7 +78,7 @@ private:
   void operator=(const vtkAHDKeptTriangulation&) = delete;
 
   static vtkInformationObjectBaseKey* KEPT();
-  using Prints = std::array<ahd::Fingerprint, 3>;
+  using Prints = std::array<ahd::Fingerprint, 4>;
 
   static bool TakePrints(const vtkAHDLeftTriangulation& content, vtkPolyData* surface,
     const vtkAHDContext& context, Prints& prints);
@@ -86,6 +91,7 @@ private:
   // Only to be compared:
   const vtkDataArray* Corners = nullptr;
   std::array<const vtkDataArray*, 2> Borrowed = {};
+  std::array<const void*, 2> BorrowedAt = {};
   vtkMTimeType CornersTime = 0;
   vtkIdType Triangles = 0;
   Prints AtTheTime = {};

@@ -4,6 +4,7 @@
 #include "Engine/Core/Memory.h"
 #include "Engine/Points/Points.h"
 #include "Execution/vtkAHDMessages.h"
+#include "Input/vtkAHDHeldCopy.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 
@@ -12,6 +13,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <new>
@@ -22,9 +24,13 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
   , Limit(settings.MemoryLimit)
   , GivenInput(input)
   , GivenSource(source)
-  , Input(vtkPointSet::SafeDownCast(input))
-  , Source(vtkPolyData::SafeDownCast(source))
+  , Input(vtkAHDHeldCopy(vtkPointSet::SafeDownCast(input)))
+  , Source(vtkAHDHeldCopy(vtkPolyData::SafeDownCast(source)))
 {
+  if (this->Input)
+  {
+    this->GivenPoints = vtkPointSet::SafeDownCast(input)->GetPoints();
+  }
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
   {
     this->Input = this->Merge(vtkAHDBlocks(blocks), context);
@@ -83,6 +89,15 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
                          << (this->Limit > 0 ? "MemoryLimit allows " : "there are ") << limit
                          << " KiB. Nothing was computed.");
   return nullptr;
+}
+
+void vtkAHDMergedBlocks::HandOnPoints(vtkPolyData* surface) const
+{
+  const bool areThose = this->GivenPoints && surface->GetPoints() == this->Input->GetPoints();
+  if (areThose && this->GivenPoints->GetData() == this->Input->GetPoints()->GetData())
+  {
+    surface->SetPoints(this->GivenPoints);
+  }
 }
 
 void vtkAHDMergedBlocks::Warn() const

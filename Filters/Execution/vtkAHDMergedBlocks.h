@@ -3,6 +3,8 @@
 #define vtkAHDMergedBlocks_h
 
 #include "Input/vtkAHDBlocks.h"
+#include "vtkDataObject.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
@@ -10,14 +12,14 @@
 
 class vtkAHDContext;
 class vtkAlgorithm;
-class vtkDataObject;
 class vtkPointSet;
 class vtkPolyData;
 struct vtkAHDSettings;
 
 /**
  * Input and source of one execution, each as one data set: as it is, or all blocks of a composite
- * data set together. Borrows what it is made of.
+ * data set together. They are held copies (vtkAHDHeldCopy), as observers may do what they like to
+ * what the pipeline has, or take it from the filter.
  */
 class vtkAHDMergedBlocks
 {
@@ -30,6 +32,9 @@ public:
 
   /// Null if there is nothing to be triangulated: no points, an error, or an abort.
   vtkPointSet* GetInput() const { return this->Input; }
+
+  /// Lets a surface that has the points of GetInput() have those that were given instead.
+  void HandOnPoints(vtkPolyData* surface) const;
 
   /// Null if there is none.
   vtkPolyData* GetSource() const { return this->Source; }
@@ -47,8 +52,9 @@ private:
 
   vtkAlgorithm* const Filter;
   const vtkTypeInt64 Limit;
-  vtkDataObject* const GivenInput;
-  vtkDataObject* const GivenSource;
+  const vtkSmartPointer<vtkDataObject> GivenInput;
+  const vtkSmartPointer<vtkDataObject> GivenSource;
+  vtkSmartPointer<vtkPoints> GivenPoints; // null: there are none, or they are of blocks
   vtkSmartPointer<vtkPointSet> Input;
   vtkSmartPointer<vtkPolyData> Source;
   std::size_t Bytes = 0;

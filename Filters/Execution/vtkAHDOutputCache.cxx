@@ -21,6 +21,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace
@@ -28,7 +29,7 @@ namespace
 constexpr const char* kCrossings = "Crossings";
 
 /// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
-void Share(vtkPolyData* from, vtkPolyData* to)
+void ShareAll(vtkPolyData* from, vtkPolyData* to)
 {
   to->SetPoints(from->GetPoints());
   // those there are: where there are none, VTK hands out an empty array that all share
@@ -46,6 +47,28 @@ void Share(vtkPolyData* from, vtkPolyData* to)
   }
   to->GetPointData()->ShallowCopy(from->GetPointData());
   to->GetCellData()->ShallowCopy(from->GetCellData());
+}
+
+/// All arrays of a data set; null where it has none.
+std::vector<vtkAbstractArray*> ArraysOf(vtkPolyData* set)
+{
+  std::vector<vtkAbstractArray*> arrays = { set->GetPoints() ? set->GetPoints()->GetData()
+                                                             : nullptr };
+  for (vtkCellArray* cells : { set->GetVerts(), set->GetLines(), set->GetPolys() })
+  {
+    arrays.push_back(cells ? cells->GetConnectivityArray() : nullptr);
+    arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
+  }
+  const std::initializer_list<vtkFieldData*> all = { set->GetPointData(), set->GetCellData(),
+    set->GetFieldData() };
+  for (vtkFieldData* data : all)
+  {
+    for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+    {
+      arrays.push_back(data->GetAbstractArray(i));
+    }
+  }
+  return arrays;
 }
 
 bool IsAmong(vtkAbstractArray* array, vtkFieldData* data)
@@ -99,6 +122,32 @@ bool vtkAHDOutputCache::TakeFingerprints(const vtkAHDDataSets& data, const vtkAH
   return true;
 }
 
+/// False if the filter is to abort, or an array cannot be known again.
+bool vtkAHDOutputCache::TakeOutputs(const vtkAHDContext& context, std::vector<Known>& found) const
+{
+  for (const auto& kept : this->Data)
+  {
+    for (vtkAbstractArray* array : ArraysOf(kept))
+    {
+      Known known = { array && array->GetName() ? array->GetName() : "", {} };
+      auto* const numbers = vtkArrayDownCast<vtkDataArray>(array);
+      if ((array && !numbers) || !vtkAHDTakeFingerprint(numbers, context, known.Print))
+      {
+        return false;
+      }
+      found.push_back(known);
+    }
+  }
+  return true;
+}
+
+/// Are they there, and what they were?
+bool vtkAHDOutputCache::HasOutputs(const vtkAHDContext& context) const
+{
+  std::vector<Known> now;
+  return this->IsKept && this->TakeOutputs(context, now) && now == this->Outputs;
+}
+
 bool vtkAHDOutputCache::Fits(
   const vtkAHDDataSets& data, vtkMTimeType settings, const vtkAHDContext& context)
 {
@@ -107,8 +156,8 @@ bool vtkAHDOutputCache::Fits(
   this->Settings = settings;
   this->Count = count;
   this->Now.clear();
-  const bool fits = mayFit && this->TakeFingerprints(data, context) && this->IsKept &&
-    this->Now == this->AtTheTime;
+  const bool fits = mayFit && this->TakeFingerprints(data, context) &&
+    this->Now == this->AtTheTime && this->HasOutputs(context);
   if (!fits)
   {
     this->LetGo(); // before anything else takes memory
@@ -116,17 +165,34 @@ bool vtkAHDOutputCache::Fits(
   return fits;
 }
 
-void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data)
+void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
-  vtkPointSet* input = data.Input;
-  const vtkAHDOutputs& outputs = data.Outputs;
-  if (this->Now.empty() || outputs[0]->GetNumberOfPoints() != input->GetNumberOfPoints())
+  if (this->Now.empty() || data.Outputs[0]->GetNumberOfPoints() != data.Input->GetNumberOfPoints())
   {
     return;
   }
+  this->Share(data);
+  this->AtTheTime = this->Now;
+  this->Outputs.clear();
+  this->IsKept = this->TakeOutputs(context, this->Outputs);
+  if (!this->IsKept)
+  {
+    this->LetGo();
+  }
+}
+
+/// Makes Data of the outputs, without what is of the input.
+void vtkAHDOutputCache::Share(const vtkAHDDataSets& data)
+{
+  vtkPointSet* input = data.Input;
+  const vtkAHDOutputs& outputs = data.Outputs;
   for (std::size_t k = 0; k < outputs.size(); ++k)
   {
-    Share(outputs[k], this->Data[k]);
+    ShareAll(outputs[k], this->Data[k]);
+  }
+  if (vtkAHDVoronoi::IsWritten(this->Data[2]))
+  {
+    vtkAHDVoronoi::DropData(this->Data[2]);
   }
   vtkFieldData* fieldData = outputs[0]->GetFieldData();
   std::vector<vtkAbstractArray*> made;
@@ -159,8 +225,6 @@ void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data)
   {
     this->Data[0]->SetPoints(nullptr);
   }
-  this->AtTheTime = this->Now;
-  this->IsKept = true;
 }
 
 void vtkAHDOutputCache::PassOn(const vtkAHDDataSets& data) const
@@ -169,7 +233,7 @@ void vtkAHDOutputCache::PassOn(const vtkAHDDataSets& data) const
   const vtkAHDOutputs& outputs = data.Outputs;
   for (std::size_t k = 0; k < outputs.size(); ++k)
   {
-    Share(this->Data[k], outputs[k]);
+    ShareAll(this->Data[k], outputs[k]);
   }
   if (!this->HasOwnPoints)
   {
@@ -208,6 +272,7 @@ void vtkAHDOutputCache::LetGo()
 {
   this->IsKept = false;
   this->AtTheTime.clear();
+  this->Outputs.clear();
   for (auto& kept : this->Data)
   {
     kept->Initialize();

@@ -7,6 +7,7 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkAHDContext;
@@ -18,7 +19,7 @@ class vtkPolyData;
  *
  * The same: by what they are, not by which object they are in, so that a reader may make new ones
  * for each time step, and a program may change them where they lie. The outputs' arrays are held,
- * the input is not.
+ * the input is not. Whoever has the outputs may change their arrays, too: then they are let go.
  *
  * To know the points again takes their fingerprint, and that takes time. So it is not taken before
  * an execution comes again with unchanged settings and as many points: the second such execution
@@ -33,13 +34,14 @@ public:
   vtkAHDOutputCache& operator=(const vtkAHDOutputCache&) = delete;
 
   /// Can the outputs be passed on for these data sets, with settings that were changed last at
-  /// `settings`? If not, lets go of them. False if the filter is to abort.
+  /// `settings`, and are they what they were? If not, lets go of them. False if the filter is to
+  /// abort.
   bool Fits(const vtkAHDDataSets& data, vtkMTimeType settings, const vtkAHDContext& context);
 
   /// Keeps the outputs, if Fits() took fingerprints, unless points were added, whose data are not
   /// the input's. They belong to the data sets that Fits() was called with last, whatever has
-  /// changed since. REQUIRES: it said no to these.
-  void Keep(const vtkAHDDataSets& data);
+  /// changed since. Keeps nothing if the filter is to abort. REQUIRES: it said no to these.
+  void Keep(const vtkAHDDataSets& data, const vtkAHDContext& context);
 
   /// Fills the outputs anew, with the point data of this input; field data that they have stay.
   /// REQUIRES: Fits() said so.
@@ -49,7 +51,21 @@ public:
   void Forget();
 
 private:
+  /// An array of the outputs, as it is known again.
+  struct Known
+  {
+    std::string Name;
+    ahd::Fingerprint Print;
+    bool operator==(const Known& other) const
+    {
+      return this->Name == other.Name && this->Print == other.Print;
+    }
+  };
+
+  void Share(const vtkAHDDataSets& data);
   bool TakeFingerprints(const vtkAHDDataSets& data, const vtkAHDContext& context);
+  bool TakeOutputs(const vtkAHDContext& context, std::vector<Known>& found) const;
+  bool HasOutputs(const vtkAHDContext& context) const;
   void LetGo();
 
   bool IsKept = false;
@@ -59,7 +75,8 @@ private:
   vtkIdType Count = -1;                    // of points
   std::vector<ahd::Fingerprint> Now;       // empty if none were taken
   std::vector<ahd::Fingerprint> AtTheTime; // of what is kept
-  std::array<vtkNew<vtkPolyData>, 3> Data; // the first without data of the input
+  std::array<vtkNew<vtkPolyData>, 3> Data; // without data of the input
+  std::vector<Known> Outputs;              // their arrays, when they were kept
 };
 
 #endif

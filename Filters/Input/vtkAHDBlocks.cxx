@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Input/vtkAHDBlocks.h"
 
+#include "Input/vtkAHDHeldCopy.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 
@@ -73,7 +74,7 @@ vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind)
     if (points &&
       (points->GetNumberOfPoints() > 0 || (this->HasCells() && points->GetNumberOfCells() > 0)))
     {
-      this->Blocks.push_back(points);
+      this->Blocks.push_back(vtkAHDHeldCopy(points));
       this->Count += points->GetNumberOfPoints();
       const bool marked = points->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName());
       this->UnfitMarks += marked && !HasMarks(points) ? 1 : 0;
@@ -89,7 +90,7 @@ vtkAHDBlocks::vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind)
 std::size_t vtkAHDBlocks::EstimateBytes() const
 {
   std::size_t kibibytes = 1;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     kibibytes += 1 +
       (this->HasCells() ? block->GetActualMemorySize()
@@ -102,7 +103,7 @@ std::size_t vtkAHDBlocks::EstimateBytes() const
 vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) const
 {
   bool areFloats = true;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     areFloats = areFloats &&
       (block->GetNumberOfPoints() == 0 || block->GetPoints()->GetDataType() == VTK_FLOAT);
@@ -116,7 +117,7 @@ vtkSmartPointer<vtkPolyData> vtkAHDBlocks::Merge(const vtkAHDContext& context) c
   }
   points->SetNumberOfPoints(this->Count);
   vtkIdType begin = 0;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     context.StopIfAborted();
     if (const vtkIdType count = block->GetNumberOfPoints())
@@ -138,14 +139,13 @@ void vtkAHDBlocks::MergeCells(vtkPolyData* merged, const vtkAHDContext& context)
 {
   vtkNew<vtkCellArray> verts, lines, polygons, strips;
   vtkIdType begin = 0;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     context.StopIfAborted();
-    auto* source = vtkPolyData::SafeDownCast(block);
-    verts->Append(source->GetVerts(), begin);
-    lines->Append(source->GetLines(), begin);
-    polygons->Append(source->GetPolys(), begin);
-    strips->Append(source->GetStrips(), begin);
+    verts->Append(block->GetVerts(), begin);
+    lines->Append(block->GetLines(), begin);
+    polygons->Append(block->GetPolys(), begin);
+    strips->Append(block->GetStrips(), begin);
     begin += this->Wanted == Kind::SourcesByIds ? 0 : block->GetNumberOfPoints();
   }
   merged->SetVerts(verts);
@@ -157,13 +157,13 @@ void vtkAHDBlocks::MergeCells(vtkPolyData* merged, const vtkAHDContext& context)
 void vtkAHDBlocks::MergePointData(vtkPolyData* merged, const vtkAHDContext& context) const
 {
   bool marked = false;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     marked = marked || HasMarks(block);
   }
   std::vector<vtkSmartPointer<vtkPointData>> data;
   vtkDataSetAttributes::FieldList common;
-  for (vtkPointSet* block : this->Blocks)
+  for (vtkPolyData* block : this->Blocks)
   {
     data.push_back(UsableData(block, marked));
     common.IntersectFieldList(data.back());

@@ -19,7 +19,7 @@ class vtkPolyData;
  *
  * The points of one block follow those of the one before, in the order of the data set's iterator.
  * Blocks without points are passed over, and so are those that are no vtkPointSet (of a source: no
- * vtkPolyData), which are counted. Borrows the blocks.
+ * vtkPolyData), which are counted. Holds what the blocks have when it is made.
  */
 class vtkAHDBlocks
 {
@@ -64,7 +64,7 @@ private:
   bool HasCells() const { return this->Wanted != Kind::PointSets; }
 
   const Kind Wanted;
-  std::vector<vtkPointSet*> Blocks; // those with points
+  std::vector<vtkSmartPointer<vtkPolyData>> Blocks; // those with points, as held copies
   vtkIdType Count = 0;
   vtkIdType Others = 0;
   vtkIdType UnfitMarks = 0;

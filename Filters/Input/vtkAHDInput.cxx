@@ -65,6 +65,7 @@ void vtkAHDInput::ReadMarks()
     this->Input->GetPointData()->HasArray(vtkDataSetAttributes::GhostArrayName()) != 0;
   if (fit && this->Request.points.count > 0)
   {
+    this->Marks = marks;
     this->Request.points.skip = marks->GetPointer(0);
     this->Request.points.skipMask = vtkDataSetAttributes::DUPLICATEPOINT |
       vtkDataSetAttributes::HIDDENPOINT;
@@ -85,13 +86,20 @@ void vtkAHDInput::Open(const vtkAHDContext& context)
 
 std::array<vtkDataArray*, 2> vtkAHDInput::FindBorrowed(const ahd::PointView& points) const
 {
-  const void* const places = points.doubles ? static_cast<const void*>(points.doubles)
-                                            : static_cast<const void*>(points.floats);
-  const auto ifAt = [](vtkDataArray* array, const void* at)
-  { return array && at && array->GetVoidPointer(0) == at ? array : nullptr; };
-  vtkPoints* const input = this->Input->GetPoints();
-  return { { ifAt(input ? input->GetData() : nullptr, places),
-    ifAt(this->Input->GetPointGhostArray(), points.skip) } };
+  const ahd::PointView& opened = this->Request.points;
+  const bool arePlaces = points.doubles == opened.doubles && points.floats == opened.floats;
+  const bool areMarks = points.skip && points.skip == opened.skip;
+  vtkDataArray* const marks = this->Marks;
+  return { { arePlaces ? this->InputPoints.GetData() : nullptr, areMarks ? marks : nullptr } };
+}
+
+bool vtkAHDInput::AreInPlace(const ahd::PointView& points) const
+{
+  const auto arrays = this->FindBorrowed(points);
+  const void* const floats = points.floats;
+  const void* const places = points.doubles ? points.doubles : floats;
+  return (!arrays[0] || arrays[0]->GetVoidPointer(0) == places) &&
+    (!arrays[1] || arrays[1]->GetVoidPointer(0) == points.skip);
 }
 
 vtkPolyData* vtkAHDInput::GetSourceOfPoints() const

@@ -7,15 +7,17 @@
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "vtkPointSet.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <array>
 
-class vtkPointSet;
-class vtkPolyData;
-
 /**
  * The data sets of one execution as the engine takes them: points, ghost marks and cells, looked at
- * where they lie. Borrows the data sets, which must outlive it.
+ * where they lie. Holds the data sets and the arrays that it looks at: nobody may give these other
+ * memory as long as what was opened is in use.
  */
 class vtkAHDInput
 {
@@ -54,6 +56,10 @@ public:
   /// Which of the input's arrays these points are a view of: places, marks; null where of none.
   std::array<vtkDataArray*, 2> FindBorrowed(const ahd::PointView& points) const;
 
+  /// Have these arrays their numbers where the points read them? No more if they were given other
+  /// memory since.
+  bool AreInPlace(const ahd::PointView& points) const;
+
   /// Bytes that Open() takes.
   std::size_t EstimateBytes() const
   {
@@ -65,12 +71,13 @@ private:
   void ReadMarks();
   void ReadCells(vtkPolyData* source);
 
-  vtkPointSet* const Input;
-  vtkPolyData* const Source;
+  const vtkSmartPointer<vtkPointSet> Input;
+  const vtkSmartPointer<vtkPolyData> Source;
   vtkAHDPointsView InputPoints;
   vtkAHDPointsView SourcePoints;
   vtkAHDCellsView Lines;
   vtkAHDCellsView Polygons;
+  vtkSmartPointer<vtkUnsignedCharArray> Marks; // null: none that fit
   vtkAHDProjection Projection;
   ahd::InputRequest Request;
   SourceContent Found;

@@ -3,9 +3,9 @@
 #define vtkAHDProjection_h
 
 #include "Engine/Prepare/Prepare.h"
+#include "vtkAbstractTransform.h"
 #include "vtkSmartPointer.h"
 
-class vtkAbstractTransform;
 class vtkAHDContext;
 class vtkTransform;
 
@@ -17,7 +17,6 @@ class vtkTransform;
 class vtkAHDProjection : public ahd::Projection
 {
 public:
-  /// Borrows the transform.
   explicit vtkAHDProjection(vtkAbstractTransform* transform)
     : Transform(transform)
   {
@@ -31,7 +30,7 @@ public:
 private:
   bool ProjectInTurn(const ahd::PointView& points, double* to) const;
 
-  vtkAbstractTransform* const Transform;
+  const vtkSmartPointer<vtkAbstractTransform> Transform;
   const vtkAHDContext* Context = nullptr;
 };
 

@@ -103,6 +103,14 @@ bool vtkAHDVoronoi::IsWritten(vtkPolyData* output)
   return output->GetCellData()->HasArray(kIdsName) != 0;
 }
 
+void vtkAHDVoronoi::DropData(vtkPolyData* output)
+{
+  vtkCellData* data = output->GetCellData();
+  const vtkSmartPointer<vtkAbstractArray> original = data->GetAbstractArray(kIdsName);
+  data->Initialize();
+  data->AddArray(original);
+}
+
 void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
 {
   vtkNew<vtkPointData> pointData; // what there is of every point
@@ -122,8 +130,7 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
   const vtkIdType count = ids->GetNumberOfValues();
   if (pointData->GetNumberOfArrays() == 0)
   {
-    data->Initialize();
-    data->AddArray(original);
+    DropData(output);
     return;
   }
   vtkNew<vtkIdList> from;

@@ -26,6 +26,9 @@ void Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPolyData* output,
 /// Is this what Write() wrote?
 bool IsWritten(vtkPolyData* output);
 
+/// Leaves of its cell data what WriteData() needs. REQUIRES: IsWritten().
+void DropData(vtkPolyData* output);
+
 /// Replaces the cell data of what Write() wrote by those of other point data of the same points.
 void WriteData(vtkPolyData* surface, vtkPolyData* output);
 

@@ -8,6 +8,7 @@
 #include "vtkAOSDataArrayTemplate.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,7 +20,7 @@
 class vtkAHDCellsView
 {
 public:
-  /// Borrows the cells; null stands for none.
+  /// Holds the arrays that the cells have at this time; null stands for none.
   explicit vtkAHDCellsView(vtkCellArray* cells)
     : Ids(cells ? cells->GetConnectivityArray() : nullptr)
     , Offsets(cells ? cells->GetOffsetsArray() : nullptr)
@@ -43,7 +44,8 @@ public:
     return sizeof(std::int64_t) * (ids + offsets);
   }
 
-  /// The cells, converted if they must be. Good as long as this object and the cells. Throws
+  /// The cells, converted if they must be. Good as long as this object, and
+  /// nobody gives the arrays other memory. Throws
   /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
   ahd::CellsView Open(const vtkAHDContext& context)
   {
@@ -106,8 +108,8 @@ private:
     return converted.data();
   }
 
-  vtkDataArray* Ids;
-  vtkDataArray* Offsets;
+  vtkSmartPointer<vtkDataArray> Ids;
+  vtkSmartPointer<vtkDataArray> Offsets;
   ahd::CellsView View;
   std::vector<std::int64_t> ConvertedIds;
   std::vector<std::int64_t> ConvertedOffsets;

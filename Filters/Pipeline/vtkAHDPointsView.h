@@ -8,6 +8,7 @@
 #include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <vector>
@@ -17,7 +18,7 @@
 class vtkAHDPointsView
 {
 public:
-  /// Borrows the points; null stands for none.
+  /// Holds the array that the points have at this time; null stands for none.
   explicit vtkAHDPointsView(vtkPoints* points)
     : Data(points && points->GetNumberOfPoints() > 0 ? points->GetData() : nullptr)
     , Count(this->Data ? static_cast<std::size_t>(points->GetNumberOfPoints()) : 0)
@@ -26,11 +27,14 @@ public:
 
   std::size_t GetCount() const { return this->Count; }
 
+  /// Null if there are no points.
+  vtkDataArray* GetData() const { return this->Data; }
+
   /// Are they neither floats nor doubles, point after point in memory?
   bool MustBeConverted() const
   {
-    return this->Data && !vtkArrayDownCast<vtkFloatArray>(this->Data) &&
-      !vtkArrayDownCast<vtkDoubleArray>(this->Data);
+    return this->Data && !vtkArrayDownCast<vtkFloatArray>(this->GetData()) &&
+      !vtkArrayDownCast<vtkDoubleArray>(this->GetData());
   }
 
   /// Bytes that converting them takes.
@@ -39,15 +43,16 @@ public:
     return this->MustBeConverted() ? 3 * sizeof(double) * this->Count : 0;
   }
 
-  /// The points, converted if they must be. Good as long as this object and the points. Throws
+  /// The points, converted if they must be. Good as long as this object, and
+  /// nobody gives the array other memory. Throws
   /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
   ahd::PointView Open(const vtkAHDContext& context)
   {
-    if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Data))
+    if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->GetData()))
     {
       return ahd::PointView(floats->GetPointer(0), this->Count, 3);
     }
-    if (auto* doubles = vtkArrayDownCast<vtkDoubleArray>(this->Data))
+    if (auto* doubles = vtkArrayDownCast<vtkDoubleArray>(this->GetData()))
     {
       return ahd::PointView(doubles->GetPointer(0), this->Count, 3);
     }
@@ -64,7 +69,7 @@ public:
   }
 
 private:
-  vtkDataArray* Data;
+  vtkSmartPointer<vtkDataArray> Data;
   std::size_t Count;
   std::vector<double> Converted;
 };

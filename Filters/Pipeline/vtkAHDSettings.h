@@ -6,9 +6,9 @@
 #include "Engine/Options.h"
 #include "Engine/Surface/Selection.h"
 #include "Engine/Voronoi/Voronoi.h"
+#include "vtkAbstractTransform.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-class vtkAbstractTransform;
 
 namespace ahd
 {
@@ -16,7 +16,7 @@ class Plane;
 }
 
 /// What a filter is asked for, as it was when the execution began: its settings, in the engine's
-/// words where it has them.
+/// words where it has them. Whoever has a copy holds what it names, but for the plane.
 struct vtkAHDSettings
 {
   ahd::Options Insertion; ///< Options::mostBoxes is found out
@@ -30,8 +30,8 @@ struct vtkAHDSettings
   bool Split = false;
   bool FitPlane = false;
   const ahd::Plane* Plane = nullptr; ///< with FitPlane: null, or this one, which was fitted before
-  vtkAbstractTransform* Transform = nullptr; ///< null: none is used
-  bool TransformIsMissing = false;           ///< although it is asked for
+  vtkSmartPointer<vtkAbstractTransform> Transform; ///< null: none is used
+  bool TransformIsMissing = false;                 ///< although it is asked for
   double Tolerance = 0.0;
   bool ShowMeans = false; ///< of z, at duplicates
   bool Bounding = false;

@@ -8,15 +8,15 @@
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <memory>
 
-class vtkDataSet;
-
 /**
  * Where values are wanted: the points of a data set, in the plane of a triangulation. Looked at
- * where they lie if they have coordinates in memory and the plane is x, y; else a copy. Borrows the
+ * where they lie if they have coordinates in memory and the plane is x, y; else a copy. Holds the
  * data set.
  */
 class vtkAHDPlaces
@@ -39,7 +39,7 @@ private:
   void Move(const ahd::PointView& from, const vtkAHDSettings& settings,
     const ahd::PreparedInput& points, const vtkAHDContext& context);
 
-  vtkDataSet* const Set;
+  const vtkSmartPointer<vtkDataSet> Set;
   const std::size_t Count;
   std::unique_ptr<vtkAHDPointsView> View; // if it is a vtkPointSet
   ahd::UninitialisedVector<double> Copy;

@@ -3,8 +3,6 @@
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
-#include "vtkDataSet.h"
-#include "vtkSmartPointer.h"
 
 vtkAHDSamplePieces::vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* output)
 {
@@ -12,7 +10,7 @@ vtkAHDSamplePieces::vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* out
   auto* outputs = vtkCompositeDataSet::SafeDownCast(output);
   if (!blocks || !outputs)
   {
-    this->Pieces.emplace_back(vtkDataSet::SafeDownCast(places), vtkDataSet::SafeDownCast(output));
+    this->Add(vtkDataSet::SafeDownCast(places), vtkDataSet::SafeDownCast(output));
     return;
   }
   outputs->CopyStructure(blocks);
@@ -23,7 +21,18 @@ vtkAHDSamplePieces::vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* out
     {
       auto made = vtkSmartPointer<vtkDataSet>::Take(block->NewInstance());
       outputs->SetDataSet(each, made);
-      this->Pieces.emplace_back(block, made);
+      this->Add(block, made);
     }
   }
+}
+
+void vtkAHDSamplePieces::Add(vtkDataSet* places, vtkDataSet* output)
+{
+  vtkSmartPointer<vtkDataSet> held;
+  if (places)
+  {
+    held.TakeReference(places->NewInstance());
+    held->ShallowCopy(places);
+  }
+  this->Pieces.emplace_back(held, output);
 }

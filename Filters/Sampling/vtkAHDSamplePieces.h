@@ -2,14 +2,17 @@
 #ifndef vtkAHDSamplePieces_h
 #define vtkAHDSamplePieces_h
 
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+
 #include <cstddef>
 #include <utility>
 #include <vector>
 
 class vtkDataObject;
-class vtkDataSet;
 
-/// Places and outputs in pieces: one, or one for each block of a composite data set. Borrows all.
+/// Places and outputs in pieces: one, or one for each block of a composite data set. Holds shallow
+/// copies of the places, and the outputs.
 class vtkAHDSamplePieces
 {
 public:
@@ -23,7 +26,9 @@ public:
   vtkDataSet* GetOutput(std::size_t k) const { return this->Pieces[k].second; }
 
 private:
-  std::vector<std::pair<vtkDataSet*, vtkDataSet*>> Pieces;
+  void Add(vtkDataSet* places, vtkDataSet* output);
+
+  std::vector<std::pair<vtkSmartPointer<vtkDataSet>, vtkSmartPointer<vtkDataSet>>> Pieces;
 };
 
 #endif

@@ -112,8 +112,8 @@ std::size_t vtkAHDSampledSurface::Select(
   return 0;
 }
 
-bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
-  const vtkAHDContext& context, Identity& found)
+std::vector<vtkDataArray*> vtkAHDSampledSurface::ArraysOf(
+  vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface)
 {
   const auto pointsOf = [](vtkPointSet* set)
   { return set->GetPoints() ? set->GetPoints()->GetData() : nullptr; };
@@ -126,17 +126,28 @@ bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtk
       arrays.push_back(cells ? cells->GetConnectivityArray() : nullptr);
       arrays.push_back(cells ? cells->GetOffsetsArray() : nullptr);
     }
-    // cells are numbered behind the vertices
-    found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
   }
   if (surface)
   {
     arrays.push_back(surface->GetPolys()->GetConnectivityArray());
     arrays.push_back(surface->GetCellData()->GetArray("ConstraintEdges"));
+  }
+  return arrays;
+}
+
+bool vtkAHDSampledSurface::Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
+  const vtkAHDContext& context, Identity& found)
+{
+  if (source) // cells are numbered behind the vertices
+  {
+    found.Prints.push_back({ { std::uint64_t(source->GetNumberOfVerts()), 1 } });
+  }
+  if (surface)
+  {
     found.Prints.push_back({ { std::uint64_t(surface->GetNumberOfPolys()), 2 } });
     found.Prints.push_back({ { std::uint64_t(vtkAHDCountAddedPoints(surface)), 3 } });
   }
-  for (vtkDataArray* array : arrays)
+  for (vtkDataArray* array : ArraysOf(input, source, surface))
   {
     ahd::Fingerprint print;
     if (!vtkAHDTakeFingerprint(array, context, print))
@@ -154,7 +165,8 @@ void vtkAHDSampledSurface::Remember(
 {
   this->Settings = settings;
   this->Known = Identity();
-  this->IsKnown = Identify(this->Input, this->Source, this->Surface, context, this->Known);
+  this->IsKnown = this->View->AreInPlace(this->Made.Points.points()) &&
+    Identify(this->Input, this->Source, this->Surface, context, this->Known);
 }
 
 bool vtkAHDSampledSurface::IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet* input,
@@ -166,12 +178,12 @@ bool vtkAHDSampledSurface::IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet
   {
     return false;
   }
-  if (now.Places == this->Known.Places)
+  if (ArraysOf(input, source, surface) == ArraysOf(this->Input, this->Source, this->Surface))
   {
-    return true;
+    return now.Places == this->Known.Places;
   }
-  // Others of the same content: those that are held are still to be what they were, where they
-  // were.
+  // Others of the same content: those that are held, which are read, must still be what they were,
+  // where they were.
   Identity held;
   return Identify(this->Input, this->Source, this->Surface, context, held) &&
     held.Prints == this->Known.Prints && held.Places == this->Known.Places;

@@ -29,8 +29,8 @@ using vtkAHDSettingsTimes = std::array<vtkMTimeType, 2>;
 
 /**
  * A triangulation to interpolate on, which can be kept for the next execution. It holds the arrays
- * that the triangulation borrows. Or it borrows the triangulation itself, from the filter that made
- * the surface.
+ * that the triangulation borrows; their memory it cannot hold, so IsOf() looks whether it is where
+ * it was. Or it borrows the triangulation itself, from the filter that made the surface.
  */
 class vtkAHDSampledSurface
 {
@@ -64,7 +64,8 @@ public:
   /// Remembers what it was made of, as the settings were changed last at `settings`.
   void Remember(const vtkAHDSettingsTimes& settings, const vtkAHDContext& context);
 
-  /// Is it the surface of these, with settings of those times? False if the filter is to abort.
+  /// Is it the surface of these, with settings of those times, and all that it reads where it was?
+  /// False if the filter is to abort. Nobody may give the arrays other memory while it is in use.
   bool IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet* input, vtkPolyData* source,
     vtkPolyData* surface, const vtkAHDContext& context) const;
 
@@ -109,6 +110,8 @@ private:
     std::vector<const void*> Places;
   };
   const vtkAHDTriangulated& GetMade() const { return this->Lent ? this->Lent->Made : this->Made; }
+  static std::vector<vtkDataArray*> ArraysOf(
+    vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface);
   static bool Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
     const vtkAHDContext& context, Identity& found);
 

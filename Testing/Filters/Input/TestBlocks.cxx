@@ -20,6 +20,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <vector>
+
 using namespace ahdtest;
 
 namespace
@@ -42,6 +45,22 @@ void addArray(vtkPointSet* block, const char* name, const std::vector<double>& v
   block->GetPointData()->AddArray(array);
 }
 
+/// Does something the first time that it hears.
+class AtFirst : public vtkCommand
+{
+public:
+  static AtFirst* New() { return new AtFirst; }
+  void Execute(vtkObject*, unsigned long, void*) override
+  {
+    if (this->Do)
+    {
+      this->Do();
+      this->Do = nullptr;
+    }
+  }
+  std::function<void()> Do;
+};
+
 std::vector<Xyz> pointsOf(vtkPointSet* set)
 {
   std::vector<Xyz> points(static_cast<std::size_t>(set->GetNumberOfPoints()));
@@ -62,6 +81,42 @@ std::vector<double> valuesOf(vtkPointSet* set, const char* name)
   }
   return values;
 }
+}
+
+/// Observers hear while blocks are merged: what was there in the beginning is merged, whatever they
+/// do to the blocks.
+TEST(Blocks, AreHeldWhileTheyAreMerged)
+{
+  for (const bool isDisturbed : { false, true })
+  {
+    vtkNew<vtkMultiBlockDataSet> blocks;
+    for (unsigned b = 0; b < 5; ++b)
+    {
+      auto cloud = makeCloud({ { double(b), 1, 2 }, { double(b), 3, 4 } });
+      addArray<vtkDoubleArray>(cloud, "a", { 10.0 * b, 10.0 * b + 1 });
+      blocks->SetBlock(b, cloud);
+    }
+    vtkNew<vtkAlgorithm> filter;
+    vtkNew<AtFirst> observer;
+    observer->Do = [&blocks, isDisturbed]
+    {
+      for (unsigned b = 0; b < 5 && isDisturbed; ++b)
+      {
+        vtkPolyData::SafeDownCast(blocks->GetBlock(b))->Initialize();
+        blocks->SetBlock(b, nullptr);
+      }
+    };
+    filter->AddObserver(vtkCommand::ProgressEvent, observer);
+    static double now = 0.0;
+    vtkAHDProgress progress(filter, [] { return now += 1.0; }); // each time it is time to be heard
+    ahd::Threads threads(1);
+    vtkAHDOutputMemory memory;
+    const auto merged = vtkAHDBlocks(blocks).Merge(vtkAHDContext(progress, threads, memory));
+    EXPECT_FALSE(observer->Do) << "it was not heard";
+    ASSERT_EQ(merged->GetNumberOfPoints(), 10);
+    EXPECT_EQ(pointsOf(merged)[9], (Xyz{ 4, 3, 4 }));
+    EXPECT_EQ(valuesOf(merged, "a"), (std::vector<double>{ 0, 1, 10, 11, 20, 21, 30, 31, 40, 41 }));
+  }
 }
 
 TEST(Blocks, PointsFollowEachOtherInTheOrderOfTheBlocks)

@@ -14,6 +14,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace ahdtest;
@@ -211,6 +212,71 @@ TEST(KeptStale, AnEmptyVoronoiDiagramHasTheArraysOfNow)
     EXPECT_EQ(data->GetNumberOfArrays(), 2);
     EXPECT_TRUE(data->HasArray("OriginalPointIds"));
     EXPECT_TRUE(data->HasArray(name.c_str())) << name;
+  }
+}
+
+/// Outputs belong to who has them. What he did to their arrays is not passed on, whether or not VTK
+/// knows of it.
+TEST(KeptStale, AnEditedOutputIsNotPassedOn)
+{
+  using Edit = std::function<void(vtkPolyData*, vtkPolyData*)>; // surface, diagram
+  const auto numbersOf = [](vtkDataArray* array)
+  { return static_cast<vtkTypeInt32*>(array->GetVoidPointer(0)); };
+  const std::vector<std::pair<const char*, Edit>> edits = {
+    { "corners",
+      [&](vtkPolyData* s, vtkPolyData*)
+      {
+        vtkTypeInt32* const ids = numbersOf(s->GetPolys()->GetConnectivityArray());
+        ids[0] = ids[1];
+      } },
+    { "offsets",
+      [&](vtkPolyData* s, vtkPolyData*) { numbersOf(s->GetPolys()->GetOffsetsArray())[1] = 2; } },
+    { "cells", [](vtkPolyData* s, vtkPolyData*) { s->GetPolys()->Reset(); } },
+    { "points", [](vtkPolyData* s, vtkPolyData*) { s->GetPoints()->SetPoint(3, 9, 9, 9); } },
+    { "regions",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetCellData()->GetArray("RegionId")->SetComponent(0, 0, 77); } },
+    { "a name",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetCellData()->GetArray("RegionId")->SetName("mine"); } },
+    { "status",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetPointData()->GetArray("Fate")->SetComponent(9, 0, 77); } },
+    { "counts",
+      [](vtkPolyData* s, vtkPolyData*)
+      { s->GetFieldData()->GetArray("NumberOfTriangles")->SetComponent(0, 0, 1); } },
+    { "diagram's corners",
+      [](vtkPolyData*, vtkPolyData* d) { d->GetPoints()->SetPoint(0, 5, 5, 5); } },
+    { "diagram's ids",
+      [](vtkPolyData*, vtkPolyData* d)
+      { d->GetCellData()->GetArray("OriginalPointIds")->SetComponent(0, 0, 1e6); } },
+  };
+  for (const auto& edit : edits)
+  {
+    SCOPED_TRACE(edit.first);
+    std::vector<Xyz> xyz = scatteredPoints(200);
+    xyz.push_back(xyz[11]);
+    xyz.back()[2] = 3.0;
+    Line line;
+    line.Filter->SetDuplicatePolicyToMeanZ(); // the surface has points of its own
+    line.Filter->GenerateRegionIdsOn();
+    line.Filter->GenerateFateOn();
+    line.Filter->GenerateVoronoiOn();
+    EXPECT_TRUE(line.RunsTwice(makeCloud(xyz)));
+    EXPECT_FALSE(line.Runs(makeCloud(xyz)));
+    vtkNew<vtkPolyData> surface, diagram;
+    surface->DeepCopy(line.Surface());
+    diagram->DeepCopy(line.Filter->GetOutput(2));
+    edit.second(line.Surface(), line.Filter->GetOutput(2));
+    EXPECT_TRUE(line.Runs(makeCloud(xyz)));
+    EXPECT_EQ(trianglesOf(line.Surface()), trianglesOf(surface));
+    EXPECT_EQ(
+      idsOf(line.Surface()->GetCellData(), "RegionId"), idsOf(surface->GetCellData(), "RegionId"));
+    EXPECT_EQ(
+      idsOf(line.Surface()->GetPointData(), "Fate"), idsOf(surface->GetPointData(), "Fate"));
+    EXPECT_EQ(idsOf(line.Filter->GetOutput(2)->GetCellData(), "OriginalPointIds"),
+      idsOf(diagram->GetCellData(), "OriginalPointIds"));
+    EXPECT_FALSE(line.Runs(makeCloud(xyz))) << "that one is kept again";
   }
 }
 

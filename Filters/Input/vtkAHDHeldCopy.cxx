@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Input/vtkAHDHeldCopy.h"
+
+#include "vtkCellArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace
+{
+/// Null for no cells: there VTK hands out an empty array that all share.
+vtkSmartPointer<vtkCellArray> CopyOf(vtkCellArray* cells)
+{
+  vtkSmartPointer<vtkCellArray> copy;
+  if (cells && cells->GetNumberOfCells() > 0)
+  {
+    copy = vtkSmartPointer<vtkCellArray>::New();
+    copy->ShallowCopy(cells);
+  }
+  return copy;
+}
+}
+
+vtkSmartPointer<vtkPolyData> vtkAHDHeldCopy(vtkPointSet* data)
+{
+  if (!data)
+  {
+    return nullptr;
+  }
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  if (auto* withCells = vtkPolyData::SafeDownCast(data))
+  {
+    copy->ShallowCopy(withCells);
+    copy->SetVerts(CopyOf(withCells->GetVerts()));
+    copy->SetLines(CopyOf(withCells->GetLines()));
+    copy->SetPolys(CopyOf(withCells->GetPolys()));
+    copy->SetStrips(CopyOf(withCells->GetStrips()));
+  }
+  else
+  {
+    copy->GetPointData()->ShallowCopy(data->GetPointData());
+  }
+  if (vtkPoints* const given = data->GetPoints())
+  {
+    vtkNew<vtkPoints> points;
+    points->SetData(given->GetData());
+    copy->SetPoints(points);
+  }
+  return copy;
+}

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What is kept and the memory it was made of: the same array may have the same numbers elsewhere
+// (double buffers, arrays that are emptied and filled again), and the memory of before belongs to
+// others, who may write into it.
+#include "KeptTestSupport.h"
+#include "SampleTestSupport.h"
+
+#include "vtkCellArray.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace
+{
+
+using namespace ahdtest;
+using Delaunay = vtkAdaptiveHilbertDelaunay2D;
+
+/// Points on a plane in memory of the test's own, between which their array can be moved.
+struct Buffers
+{
+  Buffers()
+  {
+    const std::vector<Xyz> xyz = onPlane(scatteredPoints(2000, 31));
+    this->Numbers.assign(&xyz[0][0], &xyz[0][0] + 3 * xyz.size());
+    this->Array->SetNumberOfComponents(3);
+    vtkNew<vtkPoints> points;
+    this->Move();
+    points->SetData(this->Array);
+    this->Cloud->SetPoints(points);
+  }
+
+  /// The same numbers to other memory; that of before gets others.
+  void Move()
+  {
+    const auto before = this->Now;
+    this->Now = std::make_shared<std::vector<double>>(this->Numbers);
+    this->All.push_back(this->Now); // so that none has the address of one before
+    this->Array->SetArray(this->Now->data(), static_cast<vtkIdType>(this->Now->size()), 1);
+    this->Array->Modified();
+    this->Cloud->Modified();
+    if (before)
+    {
+      std::fill(before->begin(), before->end(), -1e6);
+    }
+  }
+
+  std::vector<double> Numbers;
+  std::shared_ptr<std::vector<double>> Now;
+  std::vector<std::shared_ptr<std::vector<double>>> All;
+  vtkNew<vtkDoubleArray> Array;
+  vtkNew<vtkPolyData> Cloud;
+};
+
+void expectThePlane(WatchedInterpolation& sampler)
+{
+  sampler->SetDimensions(40, 30);
+  sampler->Modified();
+  sampler->Update();
+  EXPECT_GT(sampler->GetNumberOfValidPlaces(), 1000);
+  EXPECT_LT(farthestFromPlane(sampler->GetOutput()), 1e-9);
+}
+
+/// The triangulation that the filter has left behind, for others and again for its own outputs.
+TEST(InterpolationMoved, OnASurfaceWhoseArrayWasMoved)
+{
+  Buffers buffers;
+  vtkNew<Delaunay> maker;
+  maker->SetInputData(buffers.Cloud);
+  maker->Update();
+  WatchedInterpolation before, after;
+  for (WatchedInterpolation* sampler : { &before, &after })
+  {
+    (*sampler)->SetInputData(maker->GetOutput());
+  }
+  expectThePlane(before);
+  EXPECT_EQ(before->GetNumberOfTriangulations(), 0);
+  buffers.Move();
+  expectThePlane(after);
+  EXPECT_EQ(after->GetNumberOfTriangulations(), 1);
+}
+
+/// In a pipeline that executes again and again, from the third execution on what is passed on.
+TEST(InterpolationMoved, BehindAFilterThatPassesOn)
+{
+  Buffers buffers;
+  vtkNew<Delaunay> maker;
+  maker->SetInputData(buffers.Cloud);
+  WatchedInterpolation sampler;
+  sampler->SetInputConnection(maker->GetOutputPort());
+  for (int step = 0; step < 5; ++step)
+  {
+    SCOPED_TRACE(step);
+    expectThePlane(sampler);
+    buffers.Move();
+  }
+  EXPECT_EQ(maker->GetNumberOfTriangulations(), 2);
+}
+
+/// The triangulation that the interpolation keeps for itself, of points and of their marks.
+TEST(InterpolationMoved, OfPointsWhoseArrayWasMoved)
+{
+  Buffers buffers;
+  WatchedInterpolation sampler;
+  sampler->SetInputData(buffers.Cloud);
+  for (int step = 0; step < 3; ++step)
+  {
+    SCOPED_TRACE(step);
+    expectThePlane(sampler);
+    EXPECT_EQ(sampler->GetNumberOfTriangulations(), step + 1);
+    buffers.Move();
+  }
+  expectThePlane(sampler);
+  expectThePlane(sampler);
+  EXPECT_EQ(sampler->GetNumberOfTriangulations(), 4) << "where nothing moves, it is kept";
+}
+
+/// Marks, too, are read where they lie.
+TEST(InterpolationMoved, MarksThatWereMoved)
+{
+  Buffers buffers;
+  std::vector<unsigned char> first(2000, 0), second(2000, 0);
+  first[5] = second[5] = 1;
+  vtkNew<vtkUnsignedCharArray> marks;
+  marks->SetName("vtkGhostType");
+  marks->SetArray(first.data(), 2000, 1);
+  buffers.Cloud->GetPointData()->AddArray(marks);
+  vtkNew<Delaunay> maker;
+  maker->SetInputData(buffers.Cloud);
+  maker->Update();
+  marks->SetArray(second.data(), 2000, 1);
+  std::fill(first.begin(), first.end(), 1);
+  WatchedInterpolation sampler;
+  sampler->SetInputData(maker->GetOutput());
+  expectThePlane(sampler);
+  EXPECT_EQ(sampler->GetNumberOfTriangulations(), 1);
+}
+
+/// One vtkPoints that is emptied and filled again with the same points.
+TEST(InterpolationMoved, PointsThatAreFilledAgain)
+{
+  const std::vector<Xyz> xyz = onPlane(scatteredPoints(3000, 32));
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkPolyData> cloud;
+  cloud->SetPoints(points);
+  vtkNew<Delaunay> maker;
+  maker->SetInputData(cloud);
+  WatchedInterpolation behind, direct;
+  behind->SetInputConnection(maker->GetOutputPort());
+  direct->SetInputData(cloud);
+  std::vector<std::vector<double>> taken; // memory that would be had again else
+  for (int step = 0; step < 4; ++step)
+  {
+    SCOPED_TRACE(step);
+    points->Initialize();
+    for (int k = 0; k < 30; ++k)
+    {
+      taken.emplace_back(3 * xyz.size(), 777.0);
+    }
+    for (const Xyz& p : xyz)
+    {
+      points->InsertNextPoint(p.data());
+    }
+    points->Modified();
+    cloud->Modified();
+    expectThePlane(behind);
+    expectThePlane(direct);
+  }
+}
+
+/// Triangles that were edited where they lie, which VTK does not know of, are others.
+TEST(InterpolationMoved, EditedTrianglesAreOthers)
+{
+  auto cloud = makeCloud(onPlane(scatteredPoints(500, 33)));
+  vtkNew<Delaunay> maker;
+  maker->SetInputData(cloud);
+  maker->Update();
+  vtkDataArray* corners = maker->GetOutput()->GetPolys()->GetConnectivityArray();
+  auto* numbers = static_cast<vtkTypeInt32*>(corners->GetVoidPointer(0));
+  std::swap_ranges(numbers, numbers + 3, numbers + 3); // the first two triangles: the same surface
+  WatchedInterpolation sampler;
+  sampler->SetInputData(maker->GetOutput());
+  expectThePlane(sampler);
+  EXPECT_EQ(sampler->GetNumberOfTriangulations(), 1);
+}
+
+} // namespace
