@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A triangulation that is left behind is lent to one at a time, whoever asks from whatever thread.
+#include "ContextSupport.h"
+#include "Execution/vtkAHDKeptTriangulation.h"
+#include "FilterTestSupport.h"
+
+#include "vtkCellArray.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <memory>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace ahdtest;
+using Kept = vtkAHDKeptTriangulation;
+
+/// Lets so many threads go on at the same moment, again and again.
+class Barrier
+{
+public:
+  explicit Barrier(int threads)
+    : Threads(threads)
+  {
+  }
+
+  void Wait()
+  {
+    const int round = this->Round;
+    if (++this->Waiting == this->Threads)
+    {
+      this->Waiting = 0;
+      ++this->Round;
+    }
+    while (this->Round == round)
+    {
+      std::this_thread::yield();
+    }
+  }
+
+private:
+  const int Threads;
+  std::atomic<int> Waiting{ 0 };
+  std::atomic<int> Round{ 0 };
+};
+
+/// A surface of one triangle, and a triangulation kept for it.
+struct Surface
+{
+  Surface()
+  {
+    vtkNew<vtkCellArray> triangles;
+    triangles->InsertNextCell({ vtkIdType(0), vtkIdType(1), vtkIdType(2) });
+    this->Data->SetPolys(triangles);
+    auto content = std::make_unique<vtkAHDLeftTriangulation>();
+    EXPECT_TRUE(this->Lender->Keep(content, this->Data, Work(1).Context));
+    EXPECT_EQ(content, nullptr);
+  }
+
+  vtkSmartPointer<vtkPolyData> Data = makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
+  vtkNew<Kept> Lender;
+};
+
+/// All ask at the same moment; who has it works on while the others ask again.
+TEST(KeptTriangulation, IsLentToOneAtATime)
+{
+  constexpr int kThreads = 2, kRounds = 3000;
+  Surface surface;
+  Barrier barrier(kThreads);
+  std::atomic<int> lent{ 0 }, wrong{ 0 };
+  const auto ask = [&]
+  {
+    const Work work(1);
+    for (int round = 0; round < kRounds; ++round)
+    {
+      vtkSmartPointer<Kept> lender, again;
+      barrier.Wait();
+      Kept::Content content = Kept::Borrow(surface.Data, work.Context, lender);
+      lent += content ? 1 : 0;
+      barrier.Wait();
+      wrong += lent == 1 ? 0 : 1;
+      wrong += Kept::Borrow(surface.Data, work.Context, again) ? 1 : 0;
+      barrier.Wait();
+      lent = 0;
+      if (content)
+      {
+        lender->GiveBack(std::move(content));
+      }
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int k = 0; k < kThreads; ++k)
+  {
+    threads.emplace_back(ask);
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
+TEST(KeptTriangulation, IsGoneWhenItIsClosed)
+{
+  Surface surface;
+  const Work work(1);
+  vtkSmartPointer<Kept> lender, none;
+  Kept::Content content = Kept::Borrow(surface.Data, work.Context, lender);
+  ASSERT_NE(content, nullptr);
+  EXPECT_EQ(lender, surface.Lender.Get());
+  EXPECT_EQ(surface.Lender->Close(), nullptr) << "it is lent";
+  lender->GiveBack(std::move(content));
+  EXPECT_EQ(Kept::Borrow(surface.Data, work.Context, none), nullptr);
+}
+
+} // namespace
