@@ -23,7 +23,8 @@ _classes = {}
 class Backend:
     """One VTK: its classes as attributes, looked up when they are asked for."""
 
-    MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkCommonTransforms")
+    MODULES = ("vtkCommonCore", "vtkCommonDataModel", "vtkCommonExecutionModel", "vtkCommonTransforms",
+               "vtkFiltersGeneral")
 
     def __init__(self, package):
         self.package = package

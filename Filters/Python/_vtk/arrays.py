@@ -3,6 +3,8 @@
 
 import numpy
 
+from .. import _library as engine
+
 # Of VTK's types whole numbers with a sign, without one, floating-point numbers; VTK_ID_TYPE is 12.
 _NUMBERS = {2: "i", 3: "u", 4: "i", 5: "u", 6: "i", 7: "u", 8: "i", 9: "u", 10: "f", 11: "f", 12: "i", 15: "i", 16: "i",
             17: "u"}
@@ -24,6 +26,27 @@ def view(data):
 def is_viewable(data):
     """Do its numbers lie in memory one after the other?"""
     return bool(data.HasStandardMemoryLayout()) and data.GetDataType() in _NUMBERS
+
+
+def place(data):
+    """Where the numbers of a vtkDataArray begin and how many bytes they take, as long as nobody gives it others or
+    another size. REQUIRES: standard memory layout."""
+    numbers = view(data)
+    return numbers.ctypes.data if numbers.size else 0, numbers.nbytes
+
+
+def shallow(backend, given, with_cells=False):
+    """The same points and point data, in an object of its own, that keeps them whatever others do to the given one;
+    with cells a copy of a vtkPolyData. None of None."""
+    if given is None:
+        return None
+    made = backend.vtkPolyData()
+    if with_cells:
+        made.ShallowCopy(given)
+    else:
+        made.SetPoints(given.GetPoints())
+        made.GetPointData().ShallowCopy(given.GetPointData())
+    return made
 
 
 def new_array(kind, count, components=1, name=None):
@@ -70,9 +93,16 @@ def ghost_marks(given):
     return (view(marks), False) if fits else (None, True)
 
 
-def ids_of(backend, cells):
-    """Offsets and ids of a vtkCellArray; (None, None) where no cell has a point."""
-    if cells is None or cells.GetNumberOfConnectivityIds() == 0:
+class BadCells(engine.EngineError):
+    """Offsets of cells that lie."""
+
+    status = engine.BAD_ARRAY
+
+
+def ids_of(backend, cells, what):
+    """Offsets and ids of a vtkCellArray; (None, None) where no cell has a point. `what` they are, for the text of
+    BadCells."""
+    if cells is None or cells.GetNumberOfConnectivityIds() == 0 or cells.GetNumberOfCells() <= 0:
         return None, None
     found = []
     for data in (cells.GetOffsetsArray(), cells.GetConnectivityArray()):
@@ -82,7 +112,25 @@ def ids_of(backend, cells):
             data = copy
         numbers = view(data)
         found.append(numbers.view(numpy.int64 if numbers.itemsize == 8 else numpy.int32))
+    offsets, ids = found
+    begin, end = offsets[:-1], offsets[1:]
+    bad = (begin < 0) | (begin > end) | (end > len(ids))
+    if bad.any():
+        cell = int(bad.argmax())
+        raise BadCells("The %s are damaged: the offsets of number %d among them are %d and %d, but offsets must ascend "
+                       "from 0 to the number of point ids, %d" % (what, cell, begin[cell], end[cell], len(ids)))
     return found
+
+
+def cells_of(backend, offsets, ids):
+    """A vtkCellArray of these whole numbers. MemoryError."""
+    made, parts = backend.vtkCellArray(), []
+    for numbers in (offsets, ids):
+        part, write = new_array(backend.vtkTypeInt64Array, len(numbers))
+        write[:] = numbers
+        parts.append(part)
+    made.SetData(*parts)
+    return made
 
 
 def remove_arrays_of_one_name(data):
@@ -105,14 +153,8 @@ def replace_array(data, made):
 
 def id_list(backend, numbers):
     """A vtkIdList of these, filled by VTK."""
-    offsets, write = new_array(backend.vtkTypeInt64Array, 2)
-    write[:] = 0, len(numbers)
-    ids, write = new_array(backend.vtkTypeInt64Array, len(numbers))
-    write[:] = numbers
-    cells = backend.vtkCellArray()
-    cells.SetData(offsets, ids)
     made = backend.vtkIdList()
-    cells.GetCellAtId(0, made)
+    cells_of(backend, (0, len(numbers)), numbers).GetCellAtId(0, made)
     return made
 
 

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Blocks of a composite data set as one: Filters/Input/vtkAHDBlocks.h and Filters/Execution/vtkAHDMergedBlocks.h."""
 
+import numpy
+
 from .. import _library as engine
 from . import messages
-from .arrays import GHOSTS, ghost_marks, new_array, remove_arrays_of_one_name
+from .arrays import (GHOSTS, BadCells, cells_of, ghost_marks, ids_of, new_array, remove_arrays_of_one_name,
+                     shallow)
 
 MOST_POINTS = 2**28 - 2
 
@@ -58,12 +61,25 @@ class Blocks:
         return merged
 
     def _merge_cells(self, merged):
-        for kind in ("Verts", "Lines", "Polys", "Strips"):
-            cells, begin = self.backend.vtkCellArray(), 0
+        for kind, what in (("Lines", "lines"), ("Polys", "polygons")):
+            offsets, ids, begin, end = [numpy.zeros(1, numpy.int64)], [numpy.empty(0, numpy.int64)], 0, 0
             for block in self.blocks:
-                cells.Append(getattr(block, "Get" + kind)(), begin)
+                own, of_cells = ids_of(self.backend, getattr(block, "Get" + kind)(), what + " of a block of the source")
+                if own is None:
+                    own, of_cells = numpy.zeros(1 + self._count(block, kind), numpy.int64), ids[0]
+                offsets.append(own[1:].astype(numpy.int64) + (end - int(own[0])))
+                end += int(own[-1] - own[0])
+                ids.append(of_cells[own[0]:own[-1]].astype(numpy.int64) + begin)
                 begin += 0 if self.ids_stay else block.GetNumberOfPoints()
-            getattr(merged, "Set" + kind)(cells)
+            getattr(merged, "Set" + kind)(cells_of(self.backend, numpy.concatenate(offsets), numpy.concatenate(ids)))
+        for kind in ("Verts", "Strips"):  # which are counted, and no more
+            count = sum(self._count(block, kind) for block in self.blocks)
+            getattr(merged, "Set" + kind)(cells_of(self.backend, numpy.zeros(1 + count), ()))
+
+    @staticmethod
+    def _count(block, kind):
+        """How many cells; an array without a single offset gives -1."""
+        return max(0, getattr(block, "Get" + kind)().GetNumberOfCells())
 
     def _merge_point_data(self, all_):
         """The arrays that all blocks have, by name, type and number of components, with a value for each point."""
@@ -121,14 +137,15 @@ class Blocks:
 
 
 class Merged:
-    """Input and source of an execution, merged where they are composite; `input` is None where that failed, which has
-    been said, or where there are no points. `bytes`: that merging took."""
+    """Input and source of an execution, merged where they are composite, else held whatever observers do to the data
+    sets; `input` is None where merging failed, which has been said, or where there are no points. `bytes`: that merging
+    took."""
 
     def __init__(self, backend, speaker, values, given, source):
         self.backend, self.speaker, self.limit = backend, speaker, values["MemoryLimit"]
         self.given, self.given_source, self.bytes = given, source, 0
-        self.input = given if isinstance(given, backend.vtkPointSet) else None
-        self.source = source if isinstance(source, backend.vtkPolyData) else None
+        self.input = shallow(backend, given) if isinstance(given, backend.vtkPointSet) else None
+        self.source = shallow(backend, source, True) if isinstance(source, backend.vtkPolyData) else None
         if isinstance(given, backend.vtkCompositeDataSet):
             self.input = self._merge(Blocks(backend, given))
         if isinstance(source, backend.vtkCompositeDataSet) and self.input is not None:
@@ -146,6 +163,9 @@ class Merged:
         try:
             if needed <= limit:
                 return blocks.merge()
+        except BadCells as bad:
+            self.speaker.error(messages.not_computed(str(bad)))
+            return None
         except MemoryError:
             pass
         self.speaker.error(

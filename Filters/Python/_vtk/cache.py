@@ -2,7 +2,7 @@
 """The outputs of an execution, for another one with the same points: Filters/Execution/vtkAHDOutputCache.h."""
 
 from .. import _library as engine
-from .arrays import GHOSTS, is_viewable, replace_array, view
+from .arrays import GHOSTS, is_viewable, place, replace_array, view
 from .outputs import Diagram
 
 MOST_POINTS = 2**28 - 2
@@ -21,23 +21,38 @@ def _fingerprint(data):
     return engine.fingerprint(numbers, data.GetNumberOfComponents() * 256 + data.GetDataType())
 
 
-def _fingerprints(given, source):
-    """Of points, ghost marks and source; None where that cannot be known."""
-    if given.GetNumberOfPoints() > MOST_POINTS:
-        return None
-    marks = given.GetPointData().GetAbstractArray(GHOSTS)
-    points = given.GetPoints()
-    arrays = [points.GetData() if points else None, marks if marks and marks.IsA("vtkUnsignedCharArray") else None]
-    more = []
-    if source is not None:
-        arrays.append(source.GetPoints().GetData() if source.GetPoints() else None)
-        for cells in (source.GetLines(), source.GetPolys()):
-            arrays += [cells.GetConnectivityArray(), cells.GetOffsetsArray()]
-        more.append(source.GetNumberOfVerts())  # cells are numbered behind the vertices
-    try:
-        return [_fingerprint(data) for data in arrays] + more
-    except Unknown:
-        return None
+def _of_cells(cells):
+    return [cells.GetConnectivityArray(), cells.GetOffsetsArray()]
+
+
+class Inputs:
+    """What a triangulation is made of: the arrays of points, ghost marks and source, held."""
+
+    def __init__(self, given, source):
+        marks, points = given.GetPointData().GetAbstractArray(GHOSTS), given.GetPoints()
+        self.is_small = given.GetNumberOfPoints() <= MOST_POINTS
+        self.arrays = [points.GetData() if points else None,
+                       marks if marks and marks.IsA("vtkUnsignedCharArray") else None]
+        self.vertices = 0
+        if source is not None:
+            self.arrays += [source.GetPoints().GetData() if source.GetPoints() else None]
+            self.arrays += _of_cells(source.GetLines()) + _of_cells(source.GetPolys())
+            self.vertices = source.GetNumberOfVerts()  # cells are numbered behind the vertices
+
+    def fingerprints(self):
+        """Of all; None where that cannot be known."""
+        try:
+            return [_fingerprint(data) for data in self.arrays] + [self.vertices] if self.is_small else None
+        except Unknown:
+            return None
+
+    def places(self):
+        """Where the numbers of each lie. REQUIRES: fingerprints() has some."""
+        return [data and place(data) for data in self.arrays]
+
+    def are_the_same_arrays(self, other):
+        """Are these the very arrays of the other?"""
+        return len(self.arrays) == len(other.arrays) and all(a is b for a, b in zip(self.arrays, other.arrays))
 
 
 def _share(given, taker):
@@ -60,9 +75,23 @@ def _is_among(data, arrays):
     return any(data is other for other in arrays)
 
 
+def _contents(outputs):
+    """What outputs that are kept consist of: whoever has them can change their arrays, which are the same."""
+    found = []
+    for output in outputs:
+        points = output.GetPoints()
+        arrays = [points.GetData() if points else None]
+        for cells in (output.GetVerts(), output.GetLines(), output.GetPolys()):
+            arrays += _of_cells(cells)
+        for data in (output.GetPointData(), output.GetCellData(), output.GetFieldData()):
+            arrays += _arrays(data)
+        found.append([(data and data.GetName(), _fingerprint(data)) for data in arrays])
+    return found
+
+
 class OutputCache:
     """Fingerprints are taken from the second execution with the same settings and number of points on, and outputs
-    passed on from the third."""
+    passed on from the third, unless somebody has changed their arrays."""
 
     def __init__(self, backend):
         self.backend = backend
@@ -81,11 +110,17 @@ class OutputCache:
         count = given.GetNumberOfPoints()
         may_fit = (self.settings, self.count) == (settings, count)
         self.settings, self.count = settings, count
-        self.now = _fingerprints(given, source) if may_fit else None
+        self.now = Inputs(given, source).fingerprints() if may_fit else None
         fits = self.now is not None and self.kept is not None and self.now == self.at_the_time
-        if not fits:
+        if not (fits and self._are_unchanged()):
             self._let_go()
-        return fits
+        return self.kept is not None
+
+    def _are_unchanged(self):
+        try:
+            return _contents(self.kept) == self.contents
+        except Unknown:
+            return False
 
     def keep(self, given, outputs):
         if self.now is None or outputs[0].GetNumberOfPoints() != given.GetNumberOfPoints():
@@ -105,7 +140,11 @@ class OutputCache:
         self.own_points = outputs[0].GetPoints() is not given.GetPoints()
         if not self.own_points:
             kept[0].SetPoints(None)
-        self.kept, self.at_the_time = kept, self.now
+        Diagram(self.backend, kept[2]).leave_only_ids()  # the rest of its data is that of the points
+        try:
+            self.contents, self.kept, self.at_the_time = _contents(kept), kept, self.now
+        except Unknown:
+            pass
 
     def pass_on(self, given, outputs):
         """Fills the outputs anew, with the point data of this input. REQUIRES: fits() said so."""

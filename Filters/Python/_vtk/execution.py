@@ -79,7 +79,7 @@ class Execution:
     def __init__(self, backend, algorithm, given, source, bytes_before=0):
         self.backend, self.algorithm, self.job = backend, algorithm, algorithm._job
         self.given, self.source, self.bytes_before = given, source, bytes_before
-        self.values, self.transform = algorithm._values, algorithm._transform
+        self.values, self.transform = dict(algorithm._values), algorithm._transform  # observers may set others
         mode = self.values["ProjectionPlaneMode"]
         self.fits_plane = mode == 2
         if self.fits_plane:
@@ -139,8 +139,9 @@ class Execution:
         if source is not None:
             if self.values["SourceMode"]:
                 job.set_array("source_points", coordinates(vtk, source.GetPoints()))
-            for name, cells in (("line", source.GetLines()), ("loop", source.GetPolys())):
-                offsets, ids = ids_of(vtk, cells)
+            for name, what, cells in (
+                    ("line", "lines", source.GetLines()), ("loop", "polygons", source.GetPolys())):
+                offsets, ids = ids_of(vtk, cells, what + " of the source")
                 job.set_array(name + "_ids", ids)
                 job.set_array(name + "_offsets", offsets)
             self.found.source_points = source.GetNumberOfPoints()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The class itself, made for one VTK."""
 
-import weakref
+import itertools
 
 from .. import _library as engine
 from . import messages, settings
@@ -10,7 +10,7 @@ from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
 from .outputs import plane_transform
-from .vtkclass import Inputs, build
+from .vtkclass import Followers, Inputs, Pieces, build
 
 NAMES = ("vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertAlgorithm", "vtkPolyDataAlgorithm")
 
@@ -63,6 +63,9 @@ class _Executions:
         """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
         vtk = self._backend
         made = [vtk.vtkPolyData.GetData(outputs, port) for port in range(3)]
+        later = self._later_pieces(outputs)
+        if all(later):
+            return 1
         given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
                  for port in range(2)]
         try:
@@ -71,12 +74,23 @@ class _Executions:
             self._end(made, error.status, str(error))
         except MemoryError:
             self._end(made, None)
-        except KeyboardInterrupt as interrupt:
+        except BaseException:  # Ctrl-C, mostly
             self._end(made, engine.CANCELLED)
-            self._interrupt = interrupt
+            raise
         finally:
             let_go(self._job)
+        for output in itertools.compress(made, later):  # others than the first piece
+            output.Initialize()
         return 1
+
+    def _later_pieces(self, outputs):
+        """Of each output, whether it is empty: in one process the first piece has all, and the others nothing."""
+        if not self._is_alone(self.GetController()):
+            return [False] * 3
+        values = self._values
+        is_made = True, values["GenerateInsertionCurve"] or values["GenerateBoxes"], values["GenerateVoronoi"]
+        return [not made or self._is_later_piece(outputs.GetInformationObject(port))
+                for port, made in enumerate(is_made)]
 
     def _execute(self, given, source, made):
         vtk, speaker = self._backend, messages.Speaker(self._backend, self)
@@ -142,6 +156,8 @@ class _Ports:
 
     def FillInputPortInformation(self, port, info):
         """The first type decides: a filter that takes composite data sets is not run for each block."""
+        if port > 1:
+            return self._describe_followed(info)
         required = self._backend.vtkAlgorithm.INPUT_REQUIRED_DATA_TYPE()
         info.Remove(required)
         if port == 1:
@@ -154,11 +170,14 @@ class _Ports:
         return 1
 
     def RequestUpdateExtent(self, _request, inputs, _outputs):
-        """All of the input, and no more."""
+        """All of the input, and no more. In one process whatever piece of the output is wanted: surfaces of pieces do
+        not join."""
         exact = self._backend.vtkStreamingDemandDrivenPipeline.EXACT_EXTENT()
         for vector in inputs:
             for i in range(vector.GetNumberOfInformationObjects()):
                 vector.GetInformationObject(i).Set(exact, 1)
+            if self._is_alone(self.GetController()):
+                self._ask_for_all(vector)
         return 1
 
     def GetPolyDataInput(self, port=0):
@@ -207,27 +226,11 @@ class _Transforms:
                 self._backend.package, type(transform).__name__))
         if transform is self._transform:
             return
-        if self._transform is not None:
-            self._transform.RemoveObserver(self._transform_tag)
         self._transform = transform
-        if transform is not None:
-            known = self._weakly()
-
-            def notice(_caller, _event):
-                algorithm = known()
-                if algorithm is not None:
-                    algorithm.Modified()
-
-            self._transform_tag = transform.AddObserver("ModifiedEvent", notice)
+        if transform is not None or self._changes is not None:
+            self.changes().SetTransform(transform or self._backend.vtkTransform())
+            self._follow(self.changes() if transform else None)
         self.Modified()
-
-    def _weakly(self):
-        """A function that gives this filter as long as VTK has it: Python's own weak reference dies earlier."""
-        if hasattr(self._backend, "vtkWeakReference"):
-            known = self._backend.vtkWeakReference()
-            known.Set(self)
-            return known.Get
-        return weakref.ref(self)
 
     def GetTransform(self):
         """What the points are transformed by, or None."""
@@ -237,20 +240,6 @@ class _Transforms:
         """When the filter or its Transform was changed last."""
         own = super().GetMTime()
         return max(own, self._transform.GetMTime()) if self._transform is not None else own
-
-    def _notice_transform(self):
-        """Where a transform changed of which this one is made, which tells nobody."""
-        if self._transform is not None and self._transform.GetMTime() > super().GetMTime():
-            self.Modified()
-
-    def Update(self, *given):
-        """Brings the outputs up to date."""
-        self._notice_transform()
-        self._interrupt = None
-        super().Update(*given)
-        interrupt, self._interrupt = self._interrupt, None
-        if interrupt is not None:
-            raise interrupt
 
     def _changed(self, name):
         """A setting has another value now."""
@@ -282,15 +271,15 @@ def make_class(backend):
     def start(self):
         self._values = {setting.name: setting.default for setting in settings.SETTINGS}
         self._values.update(settings.MEASURES)
-        self._transform = self._transform_tag = self._interrupt = None
+        self._transform = None
         self._warned_about_ranks = False
         self._job = engine.Job()
         self._cache = OutputCache(backend)
 
     members = dict(settings.all_methods(), __doc__=ABOUT,
                    ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))
-    made = build(backend, NAMES, (_Measures, _Executions, _Ports, _Ranks, _Transforms, Inputs), members, start,
-                 (2, 3))
+    parts = _Measures, _Executions, _Ports, _Ranks, _Transforms, Inputs, Followers, Pieces
+    made = build(backend, NAMES, parts, members, start, (2, 3))
     for name, member in settings.properties_of(made).items():
         setattr(made, name, member)
     return made

@@ -20,12 +20,11 @@ KEPT_BYTES = 110  # of a triangulation, for each point
 
 
 class Stopped(Exception):
-    """Nothing is put out. `text`: the error to be said, None where the work was aborted. `estimate`: KiB. `interrupt`:
-    what ended the work."""
+    """Nothing is put out. `text`: the error to be said, None where the work was aborted. `estimate`: KiB."""
 
-    def __init__(self, text=None, estimate=0, interrupt=None):
+    def __init__(self, text=None, estimate=0):
         super().__init__(text)
-        self.text, self.estimate, self.interrupt = text, estimate, interrupt
+        self.text, self.estimate = text, estimate
 
 
 class _Stage(Progress):
@@ -40,13 +39,14 @@ class _Stage(Progress):
 
 
 class Interpolating:
-    """Of a filter, with the settings of its triangulation; `merged`: the points and constraints; `places`: of one
-    piece, None for a raster. The triangulation is kept until the last piece is done. `counts`: how many places each
-    piece has; the first piece answers for the memory of all."""
+    """Of a filter. `asked`: the filter with the settings of the triangulation, these, and those of the interpolation,
+    as they were when the execution began; `merged`: the points and constraints; `places`: of one piece, None for a
+    raster. The triangulation is kept until the last piece is done. `counts`: how many places each piece has; the first
+    piece answers for the memory of all."""
 
-    def __init__(self, algorithm, values, merged, places, speaker, is_first=True, is_last=True, counts=()):
+    def __init__(self, algorithm, asked, merged, places, speaker, is_first=True, is_last=True, counts=()):
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
-        self.values, self.wishes, self.speaker = values, algorithm._values, speaker
+        self.triangulation, self.values, self.wishes, self.speaker = *asked, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
         self.places, self.cells, self.count, self.points = places, None, 0, 0
         self.is_kept = self.is_triangulated = False
@@ -70,8 +70,6 @@ class Interpolating:
             raise Stopped(*self._what_went_wrong(error)) from None
         except MemoryError:
             raise Stopped(*self._memory_is_short(False)) from None
-        except KeyboardInterrupt as interrupt:
-            raise Stopped(interrupt=interrupt) from None
 
     def _find_places(self):
         """Where values are wanted. raster.Fault."""
@@ -83,7 +81,7 @@ class Interpolating:
                 self.cells = raster.make_raster_within(self.wishes, self.wishes["Bounds"])
             else:
                 self.cells = raster.make_raster(self.wishes, area_of(
-                    self.backend, self.algorithm._triangulation, self.values, self.given, self.source))
+                    self.backend, self.triangulation, self.values, self.given, self.source))
         except raster.Fault as fault:
             if fault.kind != raster.NO_AREA:
                 raise
@@ -110,7 +108,7 @@ class Interpolating:
         kept, adds = filter_._surface, source is not None and self.values["SourceMode"]
         self.points = self.given.GetNumberOfPoints() + (source.GetNumberOfPoints() if adds else 0)
         may_keep = self.values["KeepTriangulation"] or not self.is_last or not self.is_first
-        self.is_kept = bool(may_keep and kept is not None and kept.is_of(filter_._triangulation, self.given, source))
+        self.is_kept = bool(may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source))
         self.bytes_behind = self._estimate_behind()
         if self.is_kept:
             self.is_triangulated = True
@@ -121,10 +119,10 @@ class Interpolating:
             filter_._surface = None
             kept.give_back()
         filter_._surface = SampledSurface(
-            self.backend, self.job, filter_._triangulation, self.values, self.given, source, self.bytes_before)
+            self.backend, self.job, self.triangulation, self.values, self.given, source, self.bytes_before)
         try:
             filter_._values["NumberOfTriangulations"] += 1
-            filter_._surface.make(_Stage(filter_, 0.0, TRIANGULATION), self.bytes_behind)
+            filter_._surface.make(_Stage(filter_, 0.0, TRIANGULATION), self.bytes_behind, may_keep)
         except engine.OutOfMemory as error:
             filter_._values["NumberOfTriangulations"] -= error.status == engine.MEMORY_LIMIT  # nothing was done
             raise
@@ -250,12 +248,8 @@ class Interpolating:
     def _keep(self):
         """Leaves the surface to the next execution, or its memory."""
         most = self.values["ReuseLimit"] * 1024
-        if not self.is_last:
-            self.algorithm._surface.remember()
-            return
-        if self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most:
-            if not self.is_kept:
-                self.algorithm._surface.remember()
+        if not self.is_last or (
+                self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most):
             return
         self.algorithm._surface.give_back()
         self.algorithm._surface = None

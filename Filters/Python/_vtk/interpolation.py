@@ -9,7 +9,7 @@ from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
 from .sampling import area_of, is_surface
-from .vtkclass import Inputs, build
+from .vtkclass import Followers, Inputs, Pieces, build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkDataSetAlgorithm")
 
@@ -36,6 +36,7 @@ class _Triangulations:
                             % type(triangulation).__name__)
         if triangulation is not self._triangulation:
             self._triangulation = triangulation
+            self._follow(triangulation.changes() if hasattr(triangulation, "changes") else None)
             self.Modified()
 
     def GetTriangulation(self):
@@ -49,14 +50,10 @@ class _Triangulations:
 
     def Update(self, *given):
         """Brings the output up to date."""
-        others = self._triangulation is not None and self._triangulation.GetMTime() > super().GetMTime()
-        if others or self._must_describe_anew:
+        compiled = self._triangulation is not None and not hasattr(self._triangulation, "changes")
+        if self._must_describe_anew or (compiled and self._triangulation.GetMTime() > super().GetMTime()):
             self.Modified()
-        self._interrupt = None
         super().Update(*given)
-        interrupt, self._interrupt = self._interrupt, None
-        if interrupt is not None:
-            raise interrupt
 
     def _surface_settings(self):
         """Those of Triangulation, but for what it would put out."""
@@ -73,6 +70,8 @@ class _Ports:
 
     def FillInputPortInformation(self, port, info):
         """The first type decides: a filter that takes composite data sets is not run for each block."""
+        if port > 2:
+            return self._describe_followed(info)
         algorithm = self._backend.vtkAlgorithm
         info.Remove(algorithm.INPUT_REQUIRED_DATA_TYPE())
         for kind in self.KINDS[port]:
@@ -169,10 +168,20 @@ class _Executions:
         if self._triangulation is not None:
             for port in (0, 2):
                 if self.GetNumberOfInputConnections(port):
-                    self.GetInputAlgorithm(port, 0).Update(self.GetInputConnection(port, 0).GetIndex())
+                    self._update_input(self.GetInputConnection(port, 0))
             with contextlib.suppress(raster.Fault, engine.EngineError, MemoryError):
                 self._describe(info, is_raster)
         return 1
+
+    def _update_input(self, output):
+        """Others may have asked the same input for a piece, which is not what the points are then."""
+        vtk, index, requests = self._backend, output.GetIndex(), self._backend.vtkInformationVector()
+        requests.SetInformationObject(index, vtk.vtkInformation())
+        requests.GetInformationObject(index).CopyEntry(
+            output.GetProducer().GetOutputInformation(index), vtk.vtkStreamingDemandDrivenPipeline.WHOLE_EXTENT())
+        if self._is_alone(self._triangulation.GetController()):
+            self._ask_for_all(requests)
+        output.GetProducer().Update(index, requests)
 
     def _describe(self, info, is_raster):
         """What the output will be like."""
@@ -212,8 +221,12 @@ class _Executions:
                 tuple(info.Get(data.SPACING())) == made.GetSpacing()))
 
     def RequestUpdateExtent(self, _request, inputs, _outputs):
-        """All points are needed whatever part of the output is wanted, and all places."""
+        """All points are needed whatever part of the output is wanted; on ranks those of each. Of places as many as
+        are wanted of the output, and all where these have an extent."""
         pipeline = self._backend.vtkStreamingDemandDrivenPipeline
+        if self._triangulation is not None and self._is_alone(self._triangulation.GetController()):
+            for port in (0, 2):
+                self._ask_for_all(inputs[port])
         for vector in inputs:
             for i in range(vector.GetNumberOfInformationObjects()):
                 info = vector.GetInformationObject(i)
@@ -233,7 +246,13 @@ class _Executions:
         if self._triangulation is None:
             speaker.error("Triangulation is null: nothing says how to triangulate.")
         else:
-            is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)
+            try:
+                is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)
+            except BaseException:  # Ctrl-C, mostly
+                self._let_go()
+                self._clear_measures()
+                made.Initialize()
+                raise
         if not is_done:
             made.Initialize()
         self._must_describe_anew = is_done and self._data(inputs, 1) is None and not self._is_as_announced(
@@ -247,8 +266,8 @@ class _Executions:
         if unfit is not None:
             speaker.error(unfit)
             return False
-        values = self._surface_settings()
-        merged = Merged(self._backend, speaker, values, points, source)
+        asked = self._triangulation, self._surface_settings(), dict(self._values)
+        merged = Merged(self._backend, speaker, asked[1], points, source)
         if merged.input is None:
             return False
         merged.warn()
@@ -260,13 +279,12 @@ class _Executions:
         try:
             for k, (piece, output) in enumerate(pieces):
                 more = Interpolating(
-                    self, values, merged, piece, speaker, k == 0, k + 1 == len(pieces), counts).run(output)
+                    self, asked, merged, piece, speaker, k == 0, k + 1 == len(pieces), counts).run(output)
                 found = raster_messages.together(found, more)
         except Stopped as stopped:
             self._let_go()
             self._clear_measures()
             self._values["MemoryEstimate"] = stopped.estimate
-            self._interrupt = stopped.interrupt
             if stopped.text:
                 speaker.error(stopped.text)
             return False
@@ -315,16 +333,19 @@ def make_class(backend):
     def start(self):
         self._values = {setting.name: setting.default for setting in raster_settings.SETTINGS}
         self._values.update(raster_settings.MEASURES)
-        self._interrupt = self._surface = None
+        self._surface = None
         self._must_describe_anew = False  # the raster is another than was announced
         self._job = engine.Job()
-        self._triangulation = python_class(backend.package)()
+        self._triangulation = None
+
+    def begin(self):
+        self.SetTriangulation(python_class(backend.package)())
 
     members = dict(raster_settings.all_methods(), __doc__=ABOUT)
     members.update(("Get%sOutput" % name, _output_getter(backend, name)) for name in (
         "ImageData", "PolyData", "RectilinearGrid", "StructuredGrid", "StructuredPoints", "UnstructuredGrid"))
-    parts = _Measures, _Executions, _Ports, _Triangulations, Inputs
-    made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject")
+    parts = _Measures, _Executions, _Ports, _Triangulations, Inputs, Followers, Pieces
+    made = build(backend, NAMES, parts, members, start, (3, 1), "vtkDataObject", begin)
     for name, member in raster_settings.all_properties(made).items():
         setattr(made, name, member)
     return made

@@ -54,6 +54,8 @@ def error_text(status, job, values, more):
     are none of those below."""
     if status == engine.CANCELLED:
         return None
+    if status == engine.BAD_ARRAY:
+        return not_computed(more)
     if status > engine.TOO_MANY_CROSSINGS:
         return "%s. Nothing is put out." % more
     points, limited = job.count("points"), values["MemoryLimit"] > 0
@@ -83,6 +85,10 @@ def error_text(status, job, values, more):
         also = ", and MemoryLimit allows %d" % allowed if limited and needed > allowed else ""
         return "Out of memory while triangulating %d points; about %d KiB are needed%s." % (points, needed, also)
     raise ValueError(status)
+
+
+def not_computed(why):
+    return "%s. Nothing was computed." % why
 
 
 def too_many_points(count):

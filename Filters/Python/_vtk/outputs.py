@@ -142,6 +142,13 @@ class Diagram:
     def is_written(self):
         return bool(self.output.GetCellData().HasArray(IDS_NAME))
 
+    def leave_only_ids(self):
+        data = self.output.GetCellData()
+        sites = data.GetAbstractArray(IDS_NAME)
+        data.Initialize()
+        if sites is not None:
+            data.AddArray(sites)
+
     def write_data(self, surface):
         """The point data of the surface, of each cell that of its point."""
         vtk = self.backend

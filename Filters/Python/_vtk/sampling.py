@@ -7,26 +7,13 @@ import numpy
 
 from .. import _library as engine
 from . import cache
-from .arrays import coordinates, ghost_marks
+from .arrays import coordinates, ghost_marks, shallow
 from .execution import SKIPPED, Execution, let_go, threads_to_use
 from .outputs import Surface
 from .raster import box_of
 
 
 MEAN_Z = 3
-
-
-def shallow(backend, given, with_cells=False):
-    """The same points and point data, in an object of its own; with cells a copy of a vtkPolyData. None of None."""
-    if given is None:
-        return None
-    made = backend.vtkPolyData()
-    if with_cells:
-        made.ShallowCopy(given)
-    else:
-        made.SetPoints(given.GetPoints())
-        made.GetPointData().ShallowCopy(given.GetPointData())
-    return made
 
 
 def times_of(backend, triangulation):
@@ -37,34 +24,37 @@ def times_of(backend, triangulation):
 
 
 class SampledSurface:
-    """A triangulation, which can be kept for the next execution. It holds the arrays that its job borrows.
-    `triangulation`: the filter with the settings, `values` these settings."""
+    """A triangulation, which can be kept for the next execution. Its job reads the numbers of VTK's arrays where they
+    lie: these arrays are held, and is_of() asks whether they still lie there and are the same. `triangulation`: the
+    filter with the settings, `values` these settings."""
 
     def __init__(self, backend, job, triangulation, values, given, source, bytes_before):
         self.backend, self.job, self.values = backend, job, values
         self.settings, self.known = times_of(backend, triangulation), None
+        self.held = self.places = None
         self.given, self.source = shallow(backend, given), shallow(backend, source, True)
         asked = types.SimpleNamespace(_job=job, _values=values, _transform=triangulation.GetTransform())
         self.execution = Execution(backend, asked, self.given, self.source, bytes_before)
         self.transform = self.execution.transform
 
-    def make(self, progress, bytes_behind):
-        """Triangulates. `bytes_behind`: what interpolating will take. engine.EngineError."""
+    def make(self, progress, bytes_behind, is_kept):
+        """Triangulates. `bytes_behind`: what interpolating will take. `is_kept`: may another execution use it?
+        engine.EngineError."""
+        self.held = cache.Inputs(self.given, self.source) if is_kept else None
+        self.known = self.held and self.held.fingerprints()
+        self.places = self.known and self.held.places()
         self.execution.triangulate(progress, bytes_behind + self.execution.bytes_before)
         self.estimate = self.job.count("memory_estimate") - bytes_behind
 
-    def remember(self):
-        """What it was made of."""
-        self.known = cache._fingerprints(self.given, self.source)
-
     def is_of(self, triangulation, given, source):
-        """Is it the surface of these, with these settings?"""
-        if self.known is None or self.settings != times_of(self.backend, triangulation) or (
-                cache._fingerprints(given, source) != self.known):
+        """Is it the surface of these, with these settings, and what its job reads still what it was?"""
+        if self.known is None or self.settings != times_of(self.backend, triangulation):
             return False
-        if given.GetPoints() is self.given.GetPoints() and source is None:
-            return True
-        return cache._fingerprints(self.given, self.source) == self.known  # what is held is still what it was
+        if self.held.places() != self.places:
+            return False
+        now = cache.Inputs(given, source)
+        return now.fingerprints() == self.known and (
+            now.are_the_same_arrays(self.held) or self.held.fingerprints() == self.known)
 
     def take_data(self, given, source):
         """The point data that interpolation is to work on from now on, of the same points."""

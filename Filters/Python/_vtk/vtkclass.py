@@ -2,6 +2,7 @@
 """What the classes in Python share: what VTK asks a class for, settings, inputs, outputs."""
 
 from . import package_of
+from .interrupts import ends_by_ctrl_c
 
 
 class Names:
@@ -42,6 +43,11 @@ class Names:
         """A new one with default settings."""
         return type(self)()
 
+    @ends_by_ctrl_c
+    def ProcessRequest(self, request, inputs, outputs):
+        """What the pipeline calls: 1 where the request was met."""
+        return super().ProcessRequest(request, inputs, outputs)
+
     def __str__(self):
         header, _, rest = super().__str__().partition("\n")
         address = header[header.find(" ("):] if " (" in header else ""
@@ -57,6 +63,71 @@ class Names:
 
     def _changed(self, name):
         """A setting has another value now."""
+
+
+class Followers:
+    """Has the pipeline ask whether other objects have changed; mixed into a class that has _backend.
+
+    VTK asks a filter and those before it when they were changed, but asks no code in Python. So there is one more input
+    port, behind all others and seen by C++ code only, for a filter of VTK's that has been changed when the objects
+    have."""
+
+    _changes = None  # that filter of this one's own
+
+    def GetNumberOfInputPorts(self):
+        """How many there are for data."""
+        return super().GetNumberOfInputPorts() - 1
+
+    def changes(self):
+        """A filter of VTK's that was changed when this one was, or its transform."""
+        if self._changes is None:
+            made, moved = self._backend.vtkTransformFilter(), self._backend.vtkPolyData()
+            moved.SetPoints(self._backend.vtkPoints())
+            made.SetInputDataObject(moved)
+            made.SetTransform(self._backend.vtkTransform())
+            self._changes = made
+        return self._changes
+
+    def _follow(self, changes):
+        """Has the pipeline ask this filter of VTK's. None: no more."""
+        self.SetInputConnection(self.GetNumberOfInputPorts(), changes and changes.GetOutputPort())
+
+    def Modified(self):
+        """Has the filter run at the next update."""
+        super().Modified()
+        if self._changes is not None:
+            self._changes.Modified()
+
+    def _describe_followed(self, info):
+        algorithm = self._backend.vtkAlgorithm
+        info.Set(algorithm.INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData")
+        info.Set(algorithm.INPUT_IS_OPTIONAL(), 1)
+        return 1
+
+
+class Pieces:
+    """Pieces of outputs that are asked for in one process; mixed into a class that has _backend."""
+
+    def _is_alone(self, controller):
+        """Does no other process work on pieces of its own? `controller`: the filter's, or None."""
+        return all(ranks is None or ranks.GetNumberOfProcesses() < 2 for ranks in (
+            controller, self._backend.controller()))
+
+    def _ask_for_all(self, inputs):
+        """Of these inputs, whichever piece of the output is wanted."""
+        pipeline = self._backend.vtkStreamingDemandDrivenPipeline
+        for i in range(inputs.GetNumberOfInformationObjects()):
+            info = inputs.GetInformationObject(i)
+            info.Set(pipeline.UPDATE_PIECE_NUMBER(), 0)
+            info.Set(pipeline.UPDATE_NUMBER_OF_PIECES(), 1)
+            info.Set(pipeline.UPDATE_NUMBER_OF_GHOST_LEVELS(), 0)
+            if info.Has(pipeline.WHOLE_EXTENT()):
+                info.Set(pipeline.UPDATE_EXTENT(), info.Get(pipeline.WHOLE_EXTENT()), 6)
+
+    def _is_later_piece(self, output):
+        """Is another piece than the first wanted of this output?"""
+        number = self._backend.vtkStreamingDemandDrivenPipeline.UPDATE_PIECE_NUMBER()
+        return bool(output.Has(number)) and output.Get(number) > 0
 
 
 class Inputs:
@@ -97,17 +168,19 @@ class Outputs:
         self.GetExecutive().SetOutputData(0, output)
 
 
-def build(backend, names, parts, members, start, ports, puts_out="vtkPolyData"):
+def build(backend, names, parts, members, start, ports, puts_out="vtkPolyData", begin=lambda self: None):
     """The class: of these parts over VTK's superclass of algorithms in Python. `start(self)`: its attributes before
-    VTK asks for anything. `ports`: numbers of input and output ports. `puts_out`: what all outputs are."""
+    VTK asks for anything. `ports`: numbers of input and output ports. `puts_out`: what all outputs are. `begin(self)`:
+    what is done when it has ports."""
     base = backend.algorithm_base()
 
     def __new__(cls, *_given, **_properties):
         """Ready without __init__, which derived classes need not call: those of VTK are so too."""
         self = base.__new__(cls)
         start(self)
-        base.__init__(self, nInputPorts=ports[0], inputType="vtkPointSet", nOutputPorts=ports[1],
-                      outputType=puts_out)
+        base.__init__(self, nInputPorts=ports[0] + issubclass(cls, Followers), inputType="vtkPointSet",
+                      nOutputPorts=ports[1], outputType=puts_out)
+        begin(self)
         return self
 
     def __init__(self, *_given, **properties):

@@ -43,6 +43,7 @@ def tested_class(name):
 
 Filter = tested_class("vtkAdaptiveHilbertDelaunay2D")
 Source = tested_class("vtkPlanarPointSource")
+IN_PYTHON = hasattr(Filter, "_backend")
 
 
 def place_of_set(of_set, k):
