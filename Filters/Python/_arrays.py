@@ -9,6 +9,7 @@ import numpy as np
 
 from ._input import DEFAULTS, Plane, Request
 from ._library import release_memory
+from ._names import by_any_name
 from ._results import Boxes, Kind, Location, Voronoi
 from ._triangulation import WANTED, Triangulation
 from ._warnings import DelaunayWarning, warn
@@ -16,6 +17,7 @@ from ._warnings import DelaunayWarning, warn
 __all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
 
 
+@by_any_name()
 def delaunay(
     points: Any,
     *,

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _library as library
 from ._held import anchor
+from ._names import value_of
 
 Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
@@ -76,6 +77,7 @@ def _refused(name: str, value: Any, wanted: str) -> str:
 
 def _choice(name: str, value: Any) -> int:
     among = CHOICES[name]
+    value = value_of(name, value)
     if not isinstance(value, str) or value not in among:
         kind = ValueError if isinstance(value, str) else TypeError
         raise kind(_refused(name, value, "one of " + ", ".join(map(repr, among))))
@@ -328,6 +330,7 @@ class Request:
 
     def _take_plane(self, plane: Plane) -> None:
         if isinstance(plane, str):
+            plane = value_of("plane", plane)
             if plane not in ("xy", "best_fit"):
                 raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
             self.settings["plane"] = library.PLANE_XY if plane == "xy" else library.PLANE_BEST_FIT

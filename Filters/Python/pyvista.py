@@ -10,14 +10,14 @@ import importlib
 import inspect
 import math
 import operator
-import sys
 import warnings
 
 import numpy
 import pyvista
 
 from . import _raster, _vtk
-from ._warnings import DelaunayWarning
+from ._names import by_any_name, value_of
+from ._warnings import DelaunayWarning, _depth
 
 __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
 
@@ -26,10 +26,11 @@ NAME = "adaptive"
 FILL_RULES = ("orientation", "even_odd")
 CROSSINGS = ("leave_out", "split")
 CLOSED_LINES = ("lines", "loops")
-DUPLICATES = ("first", "lowest", "highest", "mean")
+DUPLICATES = ("first", "lowest_z", "highest_z", "mean_z")
 HEIGHTS = ("own", "surface")
-RIMS = ("auto", "hull", "trimmed")
+RIMS = ("automatic", "convex_hull", "trimmed")
 CLIPS = ("hull", "bounds")
+PLANES = ("xy", "automatic", "best_fit")
 METHODS = ("linear", "natural", "laplace", "nearest")
 OUTSIDES = ("none", "nearest")
 ARRAYS = {
@@ -38,6 +39,7 @@ ARRAYS = {
 
 
 def _number_of(value, words, argument):
+    value = value_of(argument, value)
     if value not in words:
         raise ValueError("%s=%r: it is one of %s" % (argument, value, ", ".join(map(repr, words))))
     return words.index(value)
@@ -62,15 +64,7 @@ class _Messages:
             if event == "ErrorEvent":
                 raise (MemoryError if "memory" in text else RuntimeError)(text)
         for _, text in self._said:
-            warnings.warn(text, DelaunayWarning, stacklevel=_caller_of_this_file())
-
-
-def _caller_of_this_file():
-    """How many frames above the one that asks the first is whose code is elsewhere."""
-    level, frame = 1, sys._getframe(1)
-    while frame.f_back is not None and frame.f_code.co_filename == __file__:
-        level, frame = level + 1, frame.f_back
-    return level
+            warnings.warn(text, DelaunayWarning, stacklevel=_depth())
 
 
 def _is_flat(mesh):
@@ -95,8 +89,9 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
         algorithm.MergeBlocksOn()
     algorithm.SetInputDataObject(mesh)
     if isinstance(plane, str):
-        flat = plane == "auto" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
-        fits = ("xy", "auto", "fit")[_number_of(plane, ("xy", "auto", "fit"), "plane")] != "xy" and not flat
+        plane = PLANES[_number_of(plane, PLANES, "plane")]
+        flat = plane == "automatic" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
+        fits = plane != "xy" and not flat
         algorithm.SetProjectionPlaneMode(2 if fits else 0)
     else:
         algorithm.SetProjectionPlaneMode(1)
@@ -136,10 +131,10 @@ def _arrays_to_add(names):
 
 
 def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constraints=None, crossings="leave_out",
-                   closed_lines="loops", fill_rule="even_odd", heights="own", rim="auto", alpha=0.0,
-                   max_edge_length=0.0):
+                   closed_lines="loops", fill_rule="even_odd", heights="own", rim="automatic", alpha=0.0,
+                   maximum_edge_length=0.0):
     """What the surface is bound by and reaches to. The constraints go to a port of `to_constrain`."""
-    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, MaximumEdgeLength=max_edge_length,
+    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, MaximumEdgeLength=maximum_edge_length,
          CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
          ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
          FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
@@ -150,6 +145,9 @@ def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constrain
         algorithm.SetSourceModeToCoordinates()
     if edge_source is not None or constraints is not None:
         to_constrain.SetInputDataObject(port, constraints if edge_source is None else edge_source)
+
+
+BOUNDS_OF_SURFACE = tuple(inspect.signature(_bound_surface).parameters)[3:]
 
 
 def _run(algorithm, messages, progress_bar, title):
@@ -178,10 +176,11 @@ def _into(mesh, made, inplace):
     return mesh
 
 
+@by_any_name()
 def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False, edge_source=None, progress_bar=False,
                 *, constraints=None, crossings="leave_out", closed_lines="loops", fill_rule="even_odd", heights="own",
-                plane="auto", rim="auto", duplicates="first", max_edge_length=0.0, arrays=(), threads=0,
-                memory_limit=0):
+                plane="automatic", rim="automatic", duplicates="first", maximum_edge_length=0.0, arrays=(),
+                threads=0, memory_limit=0):
     """Triangulate the points of a mesh, exactly; the first arguments are PyVista's, in its order.
 
     Parameters
@@ -213,17 +212,16 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
         What outlines keep: what lies inside an odd number of them, or, as VTK does, what lies on the left of each.
     heights : {"own", "surface"}
         Which z the points of `constraints` have: their own, or that of the surface of the mesh's points.
-    plane : {"auto", "fit", "xy"} or vtkAbstractTransform
-        In which plane to triangulate: the best fitting one ("fit"), x and y ("xy"), x and y of the points as a
-        transform moves them; "auto": x and y if all z are the same, else the best fitting one. The points stay where
-        they are.
-    rim : {"auto", "hull", "trimmed"}
-        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it; "auto":
-        to the hull in x, y, else trimmed, as these would stand as walls.
-    duplicates : {"first", "lowest", "highest", "mean"}
+    plane : {"automatic", "best_fit", "xy"} or vtkAbstractTransform
+        In which plane to triangulate: the best fitting one, x and y ("xy"), x and y of the points as a transform moves
+        them; "automatic": x and y if all z are the same, else the best fitting one. The points stay where they are.
+    rim : {"automatic", "convex_hull", "trimmed"}
+        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it;
+        "automatic": to the hull in x, y, else trimmed, as these would stand as walls.
+    duplicates : {"first", "lowest_z", "highest_z", "mean_z"}
         Which of several points at one place in the plane is in the surface: the one of smallest id, that of lowest or
         highest z, the one of smallest id at the mean of all z.
-    max_edge_length : float, default: 0.0
+    maximum_edge_length : float, default: 0.0
         Triangles with a longer edge in the plane are not put out; 0: no limit.
     arrays : iterable of {"status", "rank", "neighbors", "regions", "constraint_edges"}
         Arrays to add: point data "Fate" and "InsertionRank", cell data "Neighbors", "RegionId" and "ConstraintEdges".
@@ -252,12 +250,13 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     _set(algorithm, Offset=offset, BoundingTriangulation=int(bool(bound)), **_arrays_to_add(arrays))
     _bound_surface(algorithm, 1, algorithm, edge_source=edge_source, constraints=constraints, crossings=crossings,
                    closed_lines=closed_lines, fill_rule=fill_rule, heights=heights, rim=rim, alpha=alpha,
-                   max_edge_length=max_edge_length)
+                   maximum_edge_length=maximum_edge_length)
     _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
     return _into(mesh, _taken(algorithm.GetOutput()), inplace)
 
 
-def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", threads=0, memory_limit=0,
+@by_any_name()
+def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="automatic", duplicates="first", threads=0, memory_limit=0,
                progress_bar=False):
     """The Voronoi diagram of the points of a mesh.
 
@@ -294,7 +293,7 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="auto", duplicates="first", 
 def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads,
                  memory_limit, progress_bar, bounds_of_surface):
     """What vtkAdaptiveHilbertInterpolation2D puts out, with settings of its raster."""
-    unknown = [name for name in bounds_of_surface if name not in inspect.signature(_bound_surface).parameters]
+    unknown = [name for name in bounds_of_surface if name not in BOUNDS_OF_SURFACE]
     if unknown:
         raise TypeError("an unknown argument: %r" % unknown[0])
     if not isinstance(elevation, str):
@@ -334,6 +333,7 @@ def _raster_settings(cell_size, shape, bounds, align):
     return made
 
 
+@by_any_name(*BOUNDS_OF_SURFACE)
 def to_raster(mesh, cell_size=None, *, shape=None, bounds=None, align=False, method="linear", outside="none",
               no_value=math.nan, gradients=False, surface=False, elevation="Elevation", plane="xy", tol=0.0,
               duplicates="first", threads=0, memory_limit=0, progress_bar=False, **bounds_of_surface):
@@ -366,13 +366,13 @@ def to_raster(mesh, cell_size=None, *, shape=None, bounds=None, align=False, met
         Give the raster as a surface, its points at their heights, hidden where there is no value.
     elevation : str, default: "Elevation"
         The name of the array of heights. Empty: none.
-    plane : {"xy", "fit", "auto"} or vtkAbstractTransform
+    plane : {"xy", "best_fit", "automatic"} or vtkAbstractTransform
         In which plane, as in `delaunay_2d`. In another plane than x, y the raster lies in that plane.
     tol, duplicates, threads, memory_limit, progress_bar
         As in `delaunay_2d`.
     **bounds_of_surface
         What bounds the surface, as in `delaunay_2d`: edge_source, constraints, crossings, closed_lines, fill_rule,
-        heights, rim, alpha, max_edge_length.
+        heights, rim, alpha, maximum_edge_length.
 
     Returns
     -------
@@ -410,6 +410,7 @@ def _places_of(places):
     return pyvista.PolyData(numpy.c_[xyz, numpy.zeros((len(xyz), 3 - xyz.shape[1]))])
 
 
+@by_any_name(*BOUNDS_OF_SURFACE)
 def sample(mesh, places, *, method="linear", outside="none", no_value=math.nan, gradients=False,
            elevation="Elevation", plane="xy", tol=0.0, duplicates="first", threads=0, memory_limit=0,
            progress_bar=False, **bounds_of_surface):

@@ -247,5 +247,39 @@ class RefusedTest(unittest.TestCase):
                 delaunay(SQUARE[:2])
 
 
+class NamesTest(unittest.TestCase):
+    def test_other_names(self):
+        """Those of mesh.adaptive are taken for the same, and never both."""
+        heights, points = np.array([[0, 0, 5], [1, 0, 1], [0, 1, 1], [1, 1, 2], [0, 0, 3]], float), cloud(31)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            for given, other, name, value, own in (
+                (points, "max_edge_length", "maximum_edge_length", 0.1, 0.1),
+                (points, "bound", "bounding", True, True),
+                (points, "tol", "tolerance", 0.05, 0.05),
+                (points, "clip", "voronoi_clip", "bounds", "bounds"),
+                (points, "rim", "rim", "hull", "convex_hull"),
+                (points, "rim", "rim", "auto", "automatic"),
+                (heights, "duplicates", "duplicates", "lowest", "lowest_z"),
+                (heights, "duplicates", "duplicates", "highest", "highest_z"),
+                (heights, "duplicates", "duplicates", "mean", "mean_z"),
+                (heights, "plane", "plane", "fit", "best_fit"),
+            ):
+                made, expected = delaunay(given, **{other: value}), delaunay(given, **{name: own})
+                np.testing.assert_array_equal(made.triangles, expected.triangles, other)
+                np.testing.assert_array_equal(made.points, expected.points, other)
+                np.testing.assert_array_equal(made.voronoi().points, expected.voronoi().points, other)
+                if other != name:
+                    text = r"delaunay\(\) has %s and %s, which are two names" % (name, other)
+                    with self.assertRaisesRegex(TypeError, text):
+                        delaunay(given, **{name: own, other: value})
+        own = delaunay(points, source_points=[[0.5, 0.5, 3]], heights="surface")
+        self.assertEqual(own.points.shape, (201, 3))
+        with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'edges'"):
+            delaunay(points, edges=1)
+        with self.assertRaisesRegex(ValueError, "maximum_edge_length is to be a number from 0 to inf, not -1"):
+            delaunay(points, max_edge_length=-1)
+
+
 if __name__ == "__main__":
     unittest.main()

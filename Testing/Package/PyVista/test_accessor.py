@@ -131,7 +131,7 @@ class DelaunayTest(unittest.TestCase):
         whole, small = mesh.adaptive.delaunay_2d(), mesh.adaptive.delaunay_2d(alpha=40.0)
         self.assertTrue(0 < small.n_cells < whole.n_cells)
         self.assertEqual((small.n_lines, small.n_verts), (0, 0))
-        short = mesh.adaptive.delaunay_2d(max_edge_length=60.0)
+        short = mesh.adaptive.delaunay_2d(maximum_edge_length=60.0)
         corners = short.points[faces_of(short)]
         self.assertLessEqual(numpy.linalg.norm(corners - corners[:, [1, 2, 0]], axis=2).max(), 60.001)
 
@@ -151,7 +151,7 @@ class DelaunayTest(unittest.TestCase):
         """Exactly: a lattice far away from the origin, turned, would no longer be one."""
         lattice = mesh_of([(1e6 + 0.25 * (i % 30), 5e6 + 0.25 * (i // 30), 3) for i in range(900)])
         self.assertEqual(lattice.adaptive.delaunay_2d().n_cells, 2 * 29 * 29)
-        self.assertTrue(numpy.array_equal(lattice.adaptive.delaunay_2d(rim="hull").faces,
+        self.assertTrue(numpy.array_equal(lattice.adaptive.delaunay_2d(rim="convex_hull").faces,
                                           lattice.adaptive.delaunay_2d(plane="xy").faces))
 
     def test_arrays(self):
@@ -163,7 +163,7 @@ class DelaunayTest(unittest.TestCase):
 
     def test_duplicates(self):
         mesh = mesh_of(box(0, 0, 10) + [(5, 5, 1), (5, 5, 4)])
-        for name, used, z in (("first", 4, 1), ("highest", 5, 4), ("lowest", 4, 1), ("mean", 4, 2.5)):
+        for name, used, z in (("first", 4, 1), ("highest_z", 5, 4), ("lowest_z", 4, 1), ("mean_z", 4, 2.5)):
             made = mesh.adaptive.delaunay_2d(duplicates=name, plane="xy")
             self.assertIn(used, made.faces)
             self.assertEqual(made.points[used][2], z)
@@ -211,14 +211,76 @@ class DelaunayTest(unittest.TestCase):
 
     def test_arguments_that_are_none(self):
         mesh = mesh_of(scattered(10))
-        for more in ({"plane": "x"}, {"fill_rule": 1}, {"arrays": ["fate"]}, {"crossings": "cut"}, {"rim": ""},
-                     {"duplicates": "last"}, {"edge_source": mesh, "constraints": mesh}, {"heights": "zero"}):
-            with self.assertRaises(ValueError, msg=more):
-                mesh.adaptive.delaunay_2d(**more)
-        with self.assertRaises(TypeError):
-            mesh.cast_to_unstructured_grid().adaptive.delaunay_2d(inplace=True)
-        with self.assertRaises(TypeError):
-            mesh.adaptive.delaunay_2d(tol="much")
+        for more, text in (
+                ({"plane": "x"}, "plane='x': it is one of 'xy', 'automatic', 'best_fit'"),
+                ({"fill_rule": 1}, "fill_rule=1: it is one of 'orientation', 'even_odd'"),
+                ({"closed_lines": "rings"}, "closed_lines='rings': it is one of 'lines', 'loops'"),
+                ({"crossings": "cut"}, "crossings='cut': it is one of 'leave_out', 'split'"),
+                ({"rim": ""}, "rim='': it is one of 'automatic', 'convex_hull', 'trimmed'"),
+                ({"duplicates": "last"}, "duplicates='last': it is one of 'first', 'lowest_z', 'highest_z', 'mean_z'"),
+                ({"heights": "zero"}, "heights='zero': it is one of 'own', 'surface'"),
+                ({"arrays": ["fate"]}, "arrays: no 'fate'; there are 'status', 'rank', 'neighbors', 'regions', "
+                                       "'constraint_edges'"),
+                ({"edge_source": mesh, "constraints": mesh},
+                 "edge_source refers to the mesh's points, constraints have their own: give one of them"),
+                ({"threads": 1025}, "threads is to be from 0 to 1024, not 1025"),
+                ({"memory_limit": -1}, "memory_limit is to be from 0 to 9223372036854775807, not -1")):
+            self.assertRefused(ValueError, text, mesh.adaptive.delaunay_2d, **more)
+        self.assertRefused(ValueError, "clip='box': it is one of 'hull', 'bounds'", mesh.adaptive.voronoi_2d,
+                           clip="box")
+        self.assertRefused(TypeError, "threads is to be a whole number, not 1.5", mesh.adaptive.delaunay_2d,
+                           threads=1.5)
+        self.assertRefused(TypeError, "inplace: a pyvista.PolyData can be overwritten, not UnstructuredGrid",
+                           mesh.cast_to_unstructured_grid().adaptive.delaunay_2d, inplace=True)
+        self.assertRefused(TypeError, "a float is required, not str", mesh.adaptive.delaunay_2d, tol="much",
+                           compiled="argument")
+
+    def assertRefused(self, kind, text, call, compiled=None, **more):
+        with self.assertRaises(kind, msg=more) as caught:
+            call(**more)
+        said = str(caught.exception)
+        self.assertTrue(said == text or (compiled and compiled in said), said)
+
+    def test_other_names(self):
+        """Those of `delaunay` and shorter ones are taken for the same, and never both."""
+        mesh = mesh_of(numpy.r_[scattered(60), scattered(9) + (0, 0, 5)])
+        for other, name, value, own in (
+                ("max_edge_length", "maximum_edge_length", 60.0, 60.0), ("tolerance", "tol", 0.05, 0.05),
+                ("source_heights", "heights", "surface", "surface"), ("rim", "rim", "hull", "convex_hull"),
+                ("rim", "rim", "auto", "automatic"), ("duplicates", "duplicates", "lowest", "lowest_z"),
+                ("duplicates", "duplicates", "highest", "highest_z"), ("duplicates", "duplicates", "mean", "mean_z"),
+                ("plane", "plane", "fit", "best_fit"), ("plane", "plane", "auto", "automatic")):
+            given = {} if "plane" in (other, name) else {"plane": "xy"}
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore", DelaunayWarning)
+                made, expected = (mesh.adaptive.delaunay_2d(**given, **{key: word}) for key, word in (
+                    (other, value), (name, own)))
+            self.assertTrue(numpy.array_equal(made.faces, expected.faces), (other, value))
+            self.assertTrue(numpy.array_equal(made.points, expected.points), (other, value))
+            if other != name:
+                self.assertRefused(TypeError, "delaunay_2d() has %s and %s, which are two names for one thing" % (
+                    name, other), mesh.adaptive.delaunay_2d, **{name: own, other: value})
+        self.assertEqual(mesh_of(scattered(20)).adaptive.delaunay_2d(bounding=True, offset=2.0).n_points, 28)
+        self.assertEqual(area(mesh.adaptive.delaunay_2d(plane="xy")), area(mesh.adaptive.delaunay_2d(0.0, plane="xy")))
+        with self.assertRaisesRegex(TypeError, "has tol and tolerance"):
+            mesh.adaptive.delaunay_2d(0.0, tolerance=0.0)
+        boxed = mesh.adaptive.voronoi_2d(voronoi_clip="bounds", plane="xy")
+        self.assertEqual(boxed.area, mesh.adaptive.voronoi_2d(clip="bounds", plane="xy").area)
+        for more in ({"max_edge_length": 60.0}, {"maximum_edge_length": 60.0}):
+            raster = mesh.adaptive.to_raster(20.0, duplicates="mean", **more)
+            self.assertEqual(int(raster["vtkValidPointMask"].sum()), int(mesh.adaptive.to_raster(
+                20.0, duplicates="mean_z", maximum_edge_length=60.0)["vtkValidPointMask"].sum()))
+        with self.assertRaisesRegex(TypeError, "two names for one thing"):
+            mesh.adaptive.sample(mesh, heights="own", source_heights="own")
+
+    def test_nothing_is_left_at_a_transform(self):
+        """Whose every change would have to tell all filters that there were."""
+        core = type(mesh_of(box(0, 0, 1))).__mro__[-3].__module__.split(".")[0]
+        turned = __import__(core + ".vtkCommonTransforms", fromlist=["vtkTransform"]).vtkTransform()
+        for _ in range(3):
+            mesh_of(scattered(20)).adaptive.delaunay_2d(plane=turned)
+            mesh_of(scattered(20)).adaptive.to_raster(20.0, plane=turned)
+        self.assertFalse(turned.HasObserver("ModifiedEvent"))
 
 
 class VoronoiTest(unittest.TestCase):

@@ -122,7 +122,7 @@ class RasterTest(Case):
         """There is no value between two parts."""
         mesh = slope(4000)
         mesh = pyvista.PolyData(mesh.points[(mesh.points[:, 0] < 40) | (mesh.points[:, 0] > 60)])
-        made = mesh.adaptive.to_raster(2.0, bounds=(0, 100, 0, 100), max_edge_length=15.0)
+        made = mesh.adaptive.to_raster(2.0, bounds=(0, 100, 0, 100), maximum_edge_length=15.0)
         middle = (made.points[:, 0] > 41) & (made.points[:, 0] < 59)
         self.assertFalse(numpy.isfinite(made["Elevation"][middle]).any())
         self.assertGreater(numpy.isfinite(made["Elevation"]).mean(), 0.7)
@@ -136,23 +136,47 @@ class RasterTest(Case):
             pyvista.ImageData(dimensions=(4, 5, 1)).adaptive.to_raster(1.0)
 
     def test_arguments_that_are_none(self):
-        for more in ({}, {"cell_size": 1.0, "shape": (2, 2)}, {"cell_size": 0.0}, {"cell_size": (1, 2, 3)},
-                     {"cell_size": math.nan}, {"shape": (0, 3)}, {"shape": (2, 2), "align": True},
-                     {"cell_size": 1.0, "bounds": (0, 1, 2)}, {"cell_size": 1.0, "bounds": (1, 0, 0, 1)},
-                     {"cell_size": 1.0, "method": "cubic"}, {"cell_size": 1.0, "outside": "far"}):
-            with self.assertRaises((TypeError, ValueError), msg=more):
+        no_size = "how large is the raster? Give cell_size, or shape=(rows, columns)"
+        sizes = "cell_size is to be one number or two numbers, x and y"
+        positive = "cell_size is to be greater than 0 and finite"
+        two = "shape is to be two whole numbers, rows and columns"
+        each = "shape is to be rows and columns, each from 1 to 2147483647"
+        area = "bounds are to have an area,"
+        four, ascending = "bounds are to be four numbers: xmin, xmax, ymin, ymax;", (
+            "bounds are to be xmin, xmax, ymin, ymax, finite and ascending,")
+        for kind, text, more in (
+                (ValueError, no_size, {}), (ValueError, no_size, {"cell_size": 1.0, "shape": (2, 2)}),
+                (ValueError, positive + ", not 0.0", {"cell_size": 0.0}),
+                (ValueError, positive + ", not nan", {"cell_size": math.nan}),
+                (TypeError, sizes + ", not (1, 2, 3)", {"cell_size": (1, 2, 3)}),
+                (TypeError, sizes + ", not '5'", {"cell_size": "5"}),
+                (TypeError, sizes + ", not 1j", {"cell_size": 1j}),
+                (ValueError, each + ", not (0, 3)", {"shape": (0, 3)}),
+                (ValueError, each + ", not (1099511627776, 1)", {"shape": (2**40, 1)}),
+                (TypeError, two + ", not 5", {"shape": 5}), (TypeError, two + ", not (2,)", {"shape": (2,)}),
+                (TypeError, two + ", not ('a', 1)", {"shape": ("a", 1)}),
+                (ValueError, "align: borders are laid on multiples of cell_size, but shape is given",
+                 {"shape": (2, 2), "align": True}),
+                (TypeError, four + " not (0, 1, 2)", {"cell_size": 1.0, "bounds": (0, 1, 2)}),
+                (TypeError, four + " not 5", {"cell_size": 1.0, "bounds": 5}),
+                (TypeError, four + " not 'abcd'", {"cell_size": 1.0, "bounds": "abcd"}),
+                (ValueError, ascending + " not (1, 0, 0, 1)", {"cell_size": 1.0, "bounds": (1, 0, 0, 1)}),
+                (ValueError, area + " not (1, 1, 0, 1)", {"cell_size": 1.0, "bounds": (1, 1, 0, 1)}),
+                (ValueError, area + " not (0, 1, 1, 1)", {"cell_size": 1.0, "bounds": (0, 1, 1, 1)}),
+                (ValueError, "method='cubic': it is one of 'linear', 'natural', 'laplace', 'nearest'",
+                 {"cell_size": 1.0, "method": "cubic"}),
+                (ValueError, "outside='far': it is one of 'none', 'nearest'", {"cell_size": 1.0, "outside": "far"}),
+                (TypeError, "elevation is to be a name, a str, not None", {"cell_size": 1.0, "elevation": None}),
+                (ValueError, "threads is to be from 0 to 1024, not -1", {"cell_size": 1.0, "threads": -1}),
+                (ValueError, "memory_limit is to be from 0 to 9223372036854775807, not -1",
+                 {"cell_size": 1.0, "memory_limit": -1}),
+                (TypeError, "an unknown argument: 'unknown'", {"cell_size": 1.0, "unknown": 1})):
+            with self.assertRaises(kind, msg=more) as caught:
                 slope().adaptive.to_raster(**more)
-        for more in ({"shape": 5}, {"shape": (2,)}, {"shape": ("a", 1)}, {"shape": (2**40, 1)}, {"cell_size": "5"},
-                     {"cell_size": "a"}, {"cell_size": 1j}, {"cell_size": 1.0, "bounds": 5},
-                     {"cell_size": 1.0, "bounds": "abcd"}, {"cell_size": 1.0, "elevation": None},
-                     {"cell_size": 1.0, "threads": -1}, {"cell_size": 1.0, "memory_limit": -1}):
-            with self.assertRaisesRegex((TypeError, ValueError), "(is|are) to be", msg=more):
-                slope().adaptive.to_raster(**more)
-        with self.assertRaisesRegex(TypeError, "unknown"):
-            slope().adaptive.to_raster(1.0, unknown=1)
-        with self.assertRaises(MemoryError):
-            slope().adaptive.to_raster(1e-7)
-        with self.assertRaises(MemoryError):
+            self.assertEqual(str(caught.exception), text)
+        with self.assertRaisesRegex(MemoryError, r"^Interpolating at .* places from 2004 points may take"):
+            slope(2000).adaptive.to_raster(1e-4)
+        with self.assertRaisesRegex(MemoryError, "but MemoryLimit of Triangulation allows 4 KiB"):
             slope().adaptive.to_raster(1.0, memory_limit=4096)
 
 

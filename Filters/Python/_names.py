@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Names that are accepted beside those that documents have: keywords and values are the same at both doors of Python,
+`delaunay` and `mesh.adaptive`, but for what PyVista calls otherwise in its own `delaunay_2d`."""
+
+from __future__ import annotations
+
+import functools
+import inspect
+from typing import Any, Callable, Mapping, TypeVar
+
+#: Of values, by the keyword that has them: the other name and the one that documents have.
+VALUES: Mapping[str, Mapping[str, str]] = {
+    "duplicates": {"lowest": "lowest_z", "highest": "highest_z", "mean": "mean_z"},
+    "rim": {"auto": "automatic", "hull": "convex_hull"},
+    "plane": {"auto": "automatic", "fit": "best_fit"},
+}
+
+#: Of keywords: each pair names one thing. A function has one of them in its signature.
+KEYWORDS = (
+    ("maximum_edge_length", "max_edge_length"),
+    ("bounding", "bound"),
+    ("tolerance", "tol"),
+    ("source_heights", "heights"),
+    ("voronoi_clip", "clip"),
+)
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def value_of(keyword: str, value: Any) -> Any:
+    """The name that documents have, if this is another one for it."""
+    return VALUES.get(keyword, {}).get(value, value) if isinstance(value, str) else value
+
+
+def by_any_name(*more: str) -> Callable[[Function], Function]:
+    """Decorates a function that takes each keyword of its signature, and `more`, by the other name too. TypeError for
+    one that is given by both."""
+
+    def decorate(function: Function) -> Function:
+        signature = inspect.signature(function)
+        own = (*signature.parameters, *more)
+        others = {pair[1 - k]: pair[k] for pair in KEYWORDS for k in range(2) if pair[k] in own}
+
+        @functools.wraps(function)
+        def call(*arguments: Any, **keywords: Any) -> Any:
+            for other in others.keys() & keywords.keys():
+                name = others[other]
+                if name in keywords or name in list(signature.parameters)[: len(arguments)]:
+                    raise TypeError("%s() has %s and %s, which are two names for one thing" % (
+                        function.__name__, name, other))  # fmt: skip
+                keywords[name] = keywords.pop(other)
+            return function(*arguments, **keywords)
+
+        return call  # type: ignore[return-value]
+
+    return decorate
