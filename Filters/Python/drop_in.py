@@ -14,7 +14,8 @@ difference whether this import comes first or last, as long as it comes before t
         ...
 
 Not reached, since no module holds them under a name: a class derived from the original before, the original
-in somebody's list or default argument or local variable, filters made before, filters that C++ code makes.
+in somebody's list or default argument or local variable, filters made before, filters that C++ code makes. Not
+touched: what a module has taken from this one, `drop_in.original` or `drop_in.vtkDelaunay2D`, and keeps under a name.
 
 README.md beside the source of this file says in what the two classes differ.
 """
@@ -32,6 +33,8 @@ MODULE = ".vtkFiltersCore"  # that has the class, in each VTK
 
 _replaced = {}  # by VTK, "vtkmodules" or "cvista": its own class, and the one in its place
 _wanted = [False]  # is the original to be replaced where a VTK is imported from now on?
+_places = {}  # by VTK: (names of a module, name) where a class was put
+_askers = {"original": [], "vtkDelaunay2D": []}  # names of modules that have asked for these
 
 
 def _pass_field_data(given, made):
@@ -152,13 +155,33 @@ def _pair(package):
 
 def __getattr__(name):
     """`original`: the class of the VTK in use, whatever is installed; `vtkDelaunay2D`: the one for its place."""
-    if name in ("original", "vtkDelaunay2D"):
-        return _pair(_vtk.package_in_use())[name == "vtkDelaunay2D"]
+    if name in _askers:
+        return _given(name, sys._getframe(1).f_globals)
     raise AttributeError("module %r has no attribute %r" % (__name__, name))
 
 
-def _replace(old, new):
-    """Puts `new` in the place of `old` wherever a loaded module holds it under a name."""
+def _given(name, asker):
+    """The class of this name, for a module with these names: under which of them it keeps it is its own business from
+    now on. Those that hold it already have it of VTK."""
+    package = _vtk.package_in_use()
+    made = _pair(package)[name == "vtkDelaunay2D"]
+    if not _is_one_of(asker, _askers[name]):
+        _askers[name].append(asker)
+        _places.setdefault(package, []).extend((asker, own) for own, value in list(asker.items()) if value is made)
+    return made
+
+
+def _is_one_of(names, among):
+    return any(names is other for other in among)
+
+
+def _replace(package, installs):
+    """Puts this VTK's class, or the one in its place, where a loaded module holds the other under a name: where it did
+    so before, and in modules that cannot have the other from here."""
+    original, ours = _pair(package)
+    old, new = (original, ours) if installs else (ours, original)
+    askers = _askers["original" if installs else "vtkDelaunay2D"]
+    before, now = _places.get(package, ()), []
     for module in list(sys.modules.values()):
         try:  # past __getattribute__: a look at a lazy module must not load it
             names = object.__getattribute__(module, "__dict__")
@@ -166,9 +189,14 @@ def _replace(old, new):
             continue
         if names is globals():
             continue
+        put = {name for others, name in before if others is names}
+        is_asker = _is_one_of(names, askers)
         for name, value in list(names.items()):
-            if value is old:
+            if value is old and (name in put or not is_asker):
                 names[name] = new
+                put.add(name)
+        now += [(names, name) for name in put if names.get(name) is new]
+    _places[package] = now
 
 
 class _Watch(importlib.abc.MetaPathFinder, importlib.abc.Loader):
@@ -209,14 +237,15 @@ class _Watch(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         if _wanted[0]:
             self.come_first()
             if name.endswith(MODULE):
-                _replace(*_pair_of(module))
+                _replace(_package_of(module), True)
 
 
-def _pair_of(module):
+def _package_of(module):
+    """The VTK of this module, which has its class."""
     package = module.__name__.split(".", 1)[0]
     if package not in _replaced:
         _replaced[package] = module.vtkDelaunay2D, _make(package, module.vtkDelaunay2D)
-    return _replaced[package]
+    return package
 
 
 _watch = _Watch()
@@ -233,15 +262,15 @@ def install():
     _wanted[0] = True
     _watch.come_first()
     for package in _loaded():
-        _replace(*_pair(package))
+        _replace(package, True)
 
 
 def uninstall():
     """Puts VTK's vtkDelaunay2D back in all loaded modules. Filters that were made stay what they are."""
     _wanted[0] = False
     _watch.go()
-    for original, ours in _replaced.values():
-        _replace(ours, original)
+    for package in list(_replaced):
+        _replace(package, False)
 
 
 def installed():
@@ -254,8 +283,11 @@ def suspended():
     """VTK's vtkDelaunay2D is back inside a `with` block; afterwards all is as it was before. Gives the original."""
     was_installed = installed()
     uninstall()
+    asker = sys._getframe(1)
+    while asker.f_globals.get("__name__") == contextlib.__name__ and asker.f_back is not None:
+        asker = asker.f_back
     try:
-        yield _pair(_vtk.package_in_use())[0]
+        yield _given("original", asker.f_globals)
     finally:
         if was_installed:
             install()
