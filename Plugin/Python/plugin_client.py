@@ -2,6 +2,7 @@
 """What the plugin in Python does on the client. make_plugin.py puts it into the plugin, in place of its import."""
 
 import math
+import sys
 
 from paraview.modules.vtkRemotingCore import vtkProcessModule
 from paraview.modules.vtkRemotingServerManager import (
@@ -125,7 +126,9 @@ def _suggest_raster(proxy):
     if not _value(proxy, "UseBounds") and proxy.GetProperty("Bounds").IsValueDefault():
         for element, bound in enumerate((xmin, xmax, ymin, ymax)):
             vtkSMPropertyHelper(proxy, "Bounds").Set(element, bound)
-    if not _value(proxy, "RasterSize") and proxy.GetProperty("CellSize").IsValueDefault() and longer > 0:
+    if not _value(proxy, "RasterSize") and proxy.GetProperty("CellSize").IsValueDefault() and (
+        sys.float_info.min <= longer < math.inf
+    ):
         power = 10.0 ** math.floor(math.log10(longer / 400.0))
         size = max(step for step in (1.0, 2.0, 5.0) if step == 1.0 or longer / 400.0 >= step * power) * power
         for element in (0, 1):

@@ -299,11 +299,29 @@ def test_a_raster_is_suggested():
     check_equal(list(given.Bounds) + list(given.CellSize), [0, 1, 0, 1, 1, 1], "what is used is not replaced")
 
 
+def test_no_cell_size_is_suggested_for_extents_beyond_all_numbers():
+    """Nor for none: what there is no size for is left to whoever wants a raster."""
+    for size in (1e308, 5e-324, 0.0):
+        points = reader("extent.vtp", [(-size, 0, 0), (size, 0, 0), (0, size, 0)])
+        points.UpdatePipeline()
+        raster = AdaptiveHilbertInterpolation2D(Input=points)
+        check_equal(list(raster.Bounds), [-size, size, 0.0, size], "the area that is suggested for %r" % size)
+        check_equal(list(raster.CellSize), [1.0, 1.0], "the cell size for %r" % size)
+        raster.Dimensions = (0, 9)  # what is set up after that is, too
+        check_equal(list(raster.Dimensions), [1, 9], "dimensions, as 0 and 9 were given")
+
+
 def test_circles_are_refused():
-    raster = AdaptiveHilbertInterpolation2D(Input=Sphere())
+    """However long; and nothing else is."""
+    raster, other = AdaptiveHilbertInterpolation2D(Input=Sphere()), Line()
     for name in ("Places", "Source"):
-        setattr(raster, name, Clip(Input=raster))
-        check(getattr(raster, name) is None, "%s made of the raster were taken" % name)
+        for made in (raster, Clip(Input=raster), Calculator(Input=Clip(Input=raster))):
+            setattr(raster, name, other)
+            check(getattr(raster, name).SMProxy is other.SMProxy, "%s that are no circle were not taken" % name)
+            setattr(raster, name, made)
+            check(getattr(raster, name) is None, "%s made of the raster were taken" % name)
+        raster.UpdatePipeline()
+        check(raster.GetDataInformation().GetNumberOfPoints() > 0, "without %s there is no raster" % name)
 
 
 def test_states():
