@@ -123,7 +123,9 @@ class Columns:
                 per_place += width * (max(1, data.GetDataTypeSize()) if data is not None else 8) * 2.0
                 continue
             per_point += 8.0 * width if data is not None and data.GetDataType() != self.backend.VTK_DOUBLE else 0.0
-            per_place += 25.0 * (width + (2 if self.makes_slopes and width == 1 else 0))
+            of_float = data is not None and data.GetDataType() == self.backend.VTK_FLOAT
+            per_place += (33.0 if of_float else 25.0) * (width + (2 if self.makes_slopes and width == 1 else 0))
+            per_place += 16.0 * width if self.makes_slopes and width > 1 else 0.0  # made, but not put out
         return per_point * points + per_place * places
 
     def output_bytes(self, places):

@@ -78,6 +78,10 @@ class Followers:
         """How many there are for data."""
         return super().GetNumberOfInputPorts() - 1
 
+    def GetTotalNumberOfInputConnections(self):
+        """How many connections bring data."""
+        return sum(self.GetNumberOfInputConnections(port) for port in range(self.GetNumberOfInputPorts()))
+
     def changes(self):
         """A filter of VTK's that was changed when this one was, or its transform."""
         if self._changes is None:

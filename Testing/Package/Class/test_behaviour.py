@@ -154,15 +154,31 @@ class PipelineTest(Case):
         self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
 
     def test_estimate_grows_with_what_is_asked_for(self):
-        def estimate(count, number=core.VTK_DOUBLE, **settings):
-            return run(cloud(scattered(count), number), **settings)[0].GetMemoryEstimate()
+        """By what is put out at least, and not by much more; bytes per point."""
+        count, points = 20000, scattered(20000)
 
-        plain = estimate(1000)
-        self.assertGreater(plain, 1000 * 32 // 1024)
-        self.assertGreater(estimate(2000), plain)
-        self.assertGreater(estimate(1000, core.VTK_INT), plain)
-        for name in ("PointStatus", "Neighbors", "RegionIds", "Voronoi", "InsertionCurve", "InsertionRank"):
-            self.assertGreater(estimate(1000, **{"Generate" + name: True}), plain, name)
+        def estimate(number=core.VTK_DOUBLE, arrays=0, **settings):
+            given = cloud(points, number)
+            for k in range(arrays):
+                made = array("vtkDoubleArray", "a%d" % k, (), 3)
+                made.SetNumberOfTuples(count)
+                given.GetPointData().AddArray(made)
+            return 1024 * run(given, **settings)[0].GetMemoryEstimate() / count
+
+        plain = estimate()
+        self.assertTrue(2 * 3 * 4 + 2 * 4 < plain < 250, plain)
+        for (least, most), settings in (
+                ((24, 25), {"number": core.VTK_INT}), ((-1, 1), {"number": core.VTK_FLOAT}), ((-1, 1), {"arrays": 4}),
+                ((7, 16), {"GeneratePointStatus": True}), ((7, 16), {"GenerateInsertionRank": True}),
+                ((48, 200), {"GenerateNeighbors": True}), ((16, 160), {"GenerateRegionIds": True}),
+                ((2, 140), {"GenerateConstraintEdges": True}), ((200, 780), {"GenerateVoronoi": True}),
+                ((40, 125), {"GenerateInsertionCurve": True}), ((40, 140), {"GenerateBoxes": True}),
+                ((24, 95), {"BoundingTriangulation": 1}), ((24, 325), {"DuplicatePolicy": 3})):
+            more = estimate(**settings) - plain
+            self.assertTrue(least <= more <= most, (settings, more))
+        for (least, most), name in (((96, 97), "BoundingTriangulation"), ((96, 205), "GenerateVoronoi")):
+            more = estimate(arrays=4, **{name: 1}) - estimate(**{name: 1})
+            self.assertTrue(least <= more <= most, (name, more))
 
     def test_messages_nobody_listens_to_go_to_the_output_window(self):
         window = core.vtkStringOutputWindow()

@@ -6,11 +6,12 @@ writes the file anew."""
 import json
 import unittest
 
-from classtests import (FOLDER, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source, tested_class,
-                        vtk, write_rows)
+from classtests import (FOLDER, IN_PYTHON, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source,
+                        tested_class, vtk, write_rows)
 from inputs import full, square
 from rastercases import CASES, image, wanted_places
 from test_cases import masked, of_array, of_attributes
+from test_kept import scattered
 from test_settings import described
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
@@ -234,6 +235,18 @@ class InterpolationTest(Case):
         algorithm.Update()
         self.assertEqual(algorithm.GetOutput().GetExtent(), (0, 9, 0, 19, 0, 0))
 
+    def test_a_raster_that_is_too_large_is_not_announced(self):
+        """9 bytes for each place; filters for images behind may make room for one as large."""
+        algorithm, pipeline = silent(), vtk("vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
+        algorithm.SetInputData(full())
+        algorithm.SetDimensions(1000, 1000)
+        whole, none = (0, 999, 0, 999, 0, 0), (0, -1, 0, -1, 0, -1)
+        for limit, extent in ((8790, whole), (8700, none), (8790, whole)):
+            algorithm.GetTriangulation().SetMemoryLimit(limit)
+            algorithm.Modified()
+            algorithm.UpdateInformation()
+            self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT()), extent)
+
     def test_points_that_change_with_time(self):
         """The raster is that of the time; the next update announces it."""
         algorithm, pipeline = silent(), vtk("vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
@@ -296,6 +309,83 @@ class InterpolationTest(Case):
         algorithm.SetPlacesData(image())
         self.assertEqual(algorithm.GetSource().GetNumberOfCells(), 1)
         self.assertEqual(algorithm.GetPlaces().GetClassName(), "vtkImageData")
+
+
+@unittest.skipUnless(IN_PYTHON, "of the compiled class other tests ask that")
+class EstimateTest(Case):
+    """Estimates of what the class takes beside the engine: no less than NumPy and the outputs take, and not much more.
+    """
+
+    ARRAYS = ([], [("vtkDoubleArray", 1)], [("vtkDoubleArray", 3)], [("vtkFloatArray", 1)], [("vtkFloatArray", 3)],
+              [("vtkIntArray", 2)], [("vtkUnsignedCharArray", 1)], 6 * [("vtkDoubleArray", 1)],
+              [("vtkFloatArray", 2), ("vtkShortArray", 4)])
+
+    def taken(self, arrays, count=1000, side=200, places=False, **settings):
+        """Bytes that interpolating on a surface that is kept took, and the estimate, without the engine's part."""
+        import tracemalloc
+
+        given, algorithm = cloud(scattered(count)), silent()
+        for k, (kind, components) in enumerate(arrays):
+            made = array(kind, "a%d" % k, (), components)
+            made.SetNumberOfTuples(count)
+            for c in range(components):
+                made.FillComponent(c, 7)
+            given.GetPointData().AddArray(made)
+        algorithm.SetInputData(given)
+        if places:
+            algorithm.SetPlacesData(cloud(scattered(side * side, 3)))
+        for name, value in settings.items():
+            getattr(algorithm, "Set" + name)(value)
+        algorithm.SetDimensions(3, 3)
+        algorithm.Update()
+        algorithm.SetDimensions(side, side)
+        algorithm.Modified()
+        tracemalloc.start()
+        try:
+            algorithm.Update()
+            taken = tracemalloc.get_traced_memory()[1]
+        finally:
+            tracemalloc.stop()
+        made = algorithm.GetOutput()
+        numbers = [made.GetPointData().GetArray(i) for i in range(made.GetPointData().GetNumberOfArrays())]
+        if made.IsA("vtkStructuredGrid"):
+            numbers.append(made.GetPoints().GetData())
+        taken += sum(data.GetNumberOfTuples() * data.GetNumberOfComponents() * data.GetDataTypeSize()
+                     for data in numbers)
+        columns = 1 + sum(components for _, components in arrays) if algorithm.GetMethod() != 3 else 1
+        engine = count * (14 + 8 * columns) * (1 + algorithm.GetOutside()) + side * side * (
+            32 * places + algorithm.GetOutside())
+        return taken, 1024 * algorithm.GetMemoryEstimate() - algorithm._surface.estimate - engine
+
+    def test_from_both_sides(self):
+        for arrays in self.ARRAYS:
+            for settings in ({}, {"GenerateGradients": True}, {"Method": 3}, {"Method": 1, "Outside": 1},
+                             {"OutputType": 1}, {"places": True}, {"places": True, "Method": 3}):
+                taken, estimate = self.taken(arrays, **settings)
+                self.assertTrue(taken <= estimate + 30000, (arrays, settings, taken, estimate))
+                most = 2.8 if "places" in settings else 2.0  # the engine has a copy of places
+                self.assertTrue(estimate <= most * taken + 30000, (arrays, settings, taken, estimate))
+
+    def test_many_points(self):
+        for arrays in (3 * [("vtkDoubleArray", 3)], 3 * [("vtkIntArray", 3)]):
+            for method in (0, 1, 3):
+                taken, estimate = self.taken(arrays, count=40000, side=15, Method=method)
+                self.assertTrue(taken <= estimate + 50000, (arrays, method, taken, estimate))
+                self.assertTrue(estimate <= 1.8 * taken + 50000, (arrays, method, taken, estimate))
+
+    def test_the_triangulation_counts(self):
+        """That of an execution which makes it anew, and of one on a surface that is kept."""
+        algorithm = silent()
+        algorithm.SetInputData(cloud(scattered(20000)))
+        algorithm.SetDimensions(2, 2)
+        estimates = []
+        for _ in range(2):
+            algorithm.Modified()
+            algorithm.Update()
+            estimates.append(algorithm.GetMemoryEstimate() * 1024 / 20000)
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
+        self.assertTrue(100 < estimates[0] < 350, estimates)
+        self.assertLess(abs(estimates[0] - estimates[1]), 1.0)
 
 
 if __name__ == "__main__":

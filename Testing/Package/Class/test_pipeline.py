@@ -217,6 +217,10 @@ class FollowersTest(Case):
         for make, inputs in ((Filter, 2), (Interpolation, 3)):
             self.assertEqual(make().GetNumberOfInputPorts(), inputs)
             self.assertEqual(make().GetNumberOfOutputPorts(), 3 if make is Filter else 1)
+            algorithm = make()
+            algorithm.SetInputData(cloud(scattered()))
+            (algorithm if make is Filter else algorithm.GetTriangulation()).SetTransform(transforms.vtkTransform())
+            self.assertEqual(algorithm.GetTotalNumberOfInputConnections(), 1)
 
 
 LIES = {

@@ -4,7 +4,10 @@ them. AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
 
 import json
 import math
-from classtests import FOLDER, WRITES, Case, Filter, Said, Source, cloud, core, vtk, run_tests, write_rows
+import unittest
+
+from classtests import (BACKEND, FOLDER, IN_PYTHON, WRITES, Case, Filter, Said, Source, cloud, core, run_tests,
+                        tested_class, vtk, write_rows)
 
 FILE = FOLDER / "Settings.json"
 VALUES = (-7, 0, 1, 2, 3, 17, 1000000, 2**40, 0.3, 1e300, math.nan, True, "a word", None)
@@ -109,6 +112,33 @@ class SettingsTest(Case):
         self.assertIn("\n  Tolerance: 0.25\n", text)
         self.assertIn("\n  GenerateBoxes: Off\n", text)
         self.assertIn("\n  NumberOfTriangles: 0\n", text)
+
+    @unittest.skipUnless(IN_PYTHON, "VTK's wrappers have texts of their own")
+    def test_what_is_refused_is_said(self):
+        algorithm, other = Filter(), tested_class("vtkAdaptiveHilbertInterpolation2D")()
+        for kind, text, call, *given in (
+                (TypeError, "a float is required, not str", algorithm.SetAlpha, "1"),
+                (TypeError, "a float is required, not list", algorithm.SetTolerance, [1.0]),
+                (TypeError, "'float' object cannot be interpreted as an integer", algorithm.SetNmax, 1.5),
+                (OverflowError, "value is out of range for int", algorithm.SetNmax, 2**31),
+                (OverflowError, "value is out of range for int", algorithm.SetNmax, -2**31 - 1),
+                (OverflowError, "value is out of range for long long", algorithm.SetMemoryLimit, 2**63),
+                (TypeError, "SetTransform argument 1: a vtkAbstractTransform of %s is required, not int" % BACKEND,
+                 algorithm.SetTransform, 3),
+                (TypeError, "SetSourceData argument 1: a vtkPolyData of %s is required, not int" % BACKEND,
+                 algorithm.SetSourceData, 3),
+                (TypeError, "SetDimensions takes 2 numbers", other.SetDimensions, 1, 2, 3),
+                (TypeError, "SetBounds takes 4 numbers", other.SetBounds, (1, 2, 3)),
+                (OverflowError, "value is out of range for int", other.SetDimensions, 1, 2**31),
+                (TypeError, "a float is required, not str", other.SetCellSize, 1.0, "2"),
+                (TypeError, "a float is required, not NoneType", other.SetNoValue, None),
+                (TypeError, "string is required, not int", other.SetHeightArrayName, 3),
+                (TypeError, "SetTriangulation argument 1: a vtkAdaptiveHilbertDelaunay2D is required, not int",
+                 other.SetTriangulation, 3)):
+            with self.assertRaises(kind) as caught:
+                call(*given)
+            self.assertEqual(str(caught.exception), text)
+        self.assertEqual((algorithm.GetNmax(), algorithm.GetAlpha(), other.GetDimensions()), (50, 0.0, (256, 256)))
 
     def test_transform(self):
         algorithm, transform = Filter(), vtk("vtkCommonTransforms").vtkTransform()
