@@ -140,11 +140,11 @@ void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideIn
 }
 
 /// |a| + |b| with the sign of a if `sameSign`, else |a| - |b| with the sign that has.
-template <int N, int M>
-WideInteger<std::max(N, M) + 1> addSigned(
-  const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign)
+template <int R, int N, int M>
+void addSigned(
+  const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign, WideInteger<R>& result)
 {
-  WideInteger<std::max(N, M) + 1> result; // the only one, so that returning it copies nothing
+  result.size = 0;
   result.negative = a.negative;
   if (sameSign)
   {
@@ -159,6 +159,14 @@ WideInteger<std::max(N, M) + 1> addSigned(
     subtractMagnitudes(b, a, result);
     result.negative = !a.negative;
   }
+}
+
+template <int N, int M>
+WideInteger<std::max(N, M) + 1> addSigned(
+  const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign)
+{
+  WideInteger<std::max(N, M) + 1> result; // the only one, so that returning it copies nothing
+  addSigned(a, b, sameSign, result);
   return result;
 }
 
@@ -174,13 +182,14 @@ WideInteger<std::max(N, M) + 1> operator-(const WideInteger<N>& a, const WideInt
   return addSigned(a, b, a.negative != b.negative);
 }
 
-template <int N, int M>
-WideInteger<N + M> operator*(const WideInteger<N>& a, const WideInteger<M>& b)
+/// a * b. REQUIRES: `result` is neither of them.
+template <int R, int N, int M>
+void multiply(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
-  WideInteger<N + M> result;
   if (a.size == 0 || b.size == 0)
   {
-    return result;
+    result.size = 0;
+    return;
   }
   result.negative = a.negative != b.negative;
   result.size = a.size + b.size;
@@ -198,6 +207,13 @@ WideInteger<N + M> operator*(const WideInteger<N>& a, const WideInteger<M>& b)
     result.word[i + b.size] = carry;
   }
   result.dropLeadingZeros();
+}
+
+template <int N, int M>
+WideInteger<N + M> operator*(const WideInteger<N>& a, const WideInteger<M>& b)
+{
+  WideInteger<N + M> result;
+  multiply(a, b, result);
   return result;
 }
 

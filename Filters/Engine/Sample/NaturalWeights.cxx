@@ -40,6 +40,9 @@ constexpr double kUnit<DoubleDouble> = 0x1p-100;
 /// Most that weights may be wrong by.
 constexpr double kMostError = 0x1p-40;
 
+/// Divisors that are less may have lost bits: see areGood().
+constexpr double kLeastDivisor = 0x1p-500;
+
 template <typename Vector>
 auto crossOf(const Vector& a, const Vector& b)
 {
@@ -87,7 +90,7 @@ typename NaturalWeights<Number>::Vector NaturalWeights<Number>::noted(
   const Vector centre{ numerators.x * inverse, numerators.y * inverse };
   // Where something is NaN, or the divisor negative, which is a matter of rounding, too.
   const double area = valueOf(divisor), flatness = sides / (area * area);
-  const bool isFlat = !((area > 0.0) & (flatness > 0.0));
+  const bool isFlat = !((area > kLeastDivisor) & (flatness > 0.0));
   flatness_ = isFlat ? std::numeric_limits<double>::infinity() : std::max(flatness_, flatness);
   const double x = valueOf(centre.x), y = valueOf(centre.y);
   size_ = std::max(size_, std::max(size, x * x + y * y));
@@ -226,6 +229,12 @@ bool NaturalWeights<Number>::finish(std::vector<double>& weights, Ticker& ticker
 ///
 /// With the largest f, a product of two centres is wrong by 188 f u s and 2 u s, less than
 /// 200 f u s. A weight has a few such sides; all are divided by the sum.
+///
+/// Products that are less than 2^-900 lose up to 2^-1074. As divisors are more than 2^-500, |a| |b|
+/// is more than half of that: numerators are wrong by more than u 2^-750 anyway. Of Laplace's
+/// weights the squared distance of the nearest vertex a loses most. Its side reaches to about half
+/// of |b|, so where the sum is finite |b| is less than some 2^512 |a|, and |a|^2 more than 2^-1014,
+/// which is wrong by 2^-60 of itself.
 template <typename Number>
 bool NaturalWeights<Number>::areGood() const
 {
@@ -268,26 +277,22 @@ bool NaturalMethod::weightsInside(
   {
     return false;
   }
-  bool areGood = quick_.areGood();
-  if (!areGood)
+  if (!quick_.areGood() && !weightsWithCare(place, ticker))
   {
-    double scale = 1.0;
-    if (!findScale(place, ticker, scale) ||
-      !careful_.compute(surface_, cavity_, place, scale, isLaplace_, ticker, weights_))
-    {
-      return false;
-    }
-    areGood = careful_.areGood();
+    return false;
   }
-  if (areGood)
-  {
-    found = { cavity_.vertices().data(), weights_.data(), weights_.size(), spot.halfEdge };
-    return true;
-  }
-  const HalfEdge first = spot.halfEdge / 3 * 3;
-  triangleWeights(surface_, first, place, inTriangle_);
-  found = { surface_.tables->corners.data() + first, inTriangle_, 3, first };
+  found = { cavity_.vertices().data(), weights_.data(), weights_.size(), spot.halfEdge };
   return true;
+}
+
+/// By doubles of 106 bits, or of as many bits as it takes. Returns false if the work is to be
+/// cancelled.
+bool NaturalMethod::weightsWithCare(const Point& place, Ticker& ticker)
+{
+  double scale = 1.0;
+  return findScale(place, ticker, scale) &&
+    careful_.compute(surface_, cavity_, place, scale, isLaplace_, ticker, weights_) &&
+    (careful_.areGood() || wide_.compute(surface_, cavity_, place, isLaplace_, ticker, weights_));
 }
 
 bool NaturalMethod::weightsAt(const Point& place, Ticker& ticker, Weights& found)

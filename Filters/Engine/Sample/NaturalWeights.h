@@ -5,6 +5,7 @@
 #include "../Arithmetic/DoubleDouble.h"
 #include "Cavity.h"
 #include "Methods.h"
+#include "WideWeights.h"
 
 #include <vector>
 
@@ -76,6 +77,7 @@ public:
 
 private:
   bool weightsInside(const Spot& spot, const Point& place, Ticker& ticker, Weights& found);
+  bool weightsWithCare(const Point& place, Ticker& ticker);
   bool findScale(const Point& place, Ticker& ticker, double& scale) const;
 
   SampledSurface surface_;
@@ -85,8 +87,8 @@ private:
   Cavity cavity_;
   NaturalWeights<double> quick_;
   NaturalWeights<DoubleDouble> careful_;
+  WideWeights wide_;
   std::vector<double> weights_;
-  double inTriangle_[3];
 };
 
 } // namespace ahd

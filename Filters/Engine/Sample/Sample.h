@@ -120,10 +120,9 @@ struct SampleWeights
 /// *NaturalNeighbor*, *Laplace*: Sibson's and Laplace's coordinates. Both are linear where the
 /// values are. The cavity ends at constraint edges and at dropped triangles as at the hull; on such
 /// edges the value is linear between the ends, which is the limit from either side. Neighbours with
-/// a NaN are left out and the other weights grow in proportion. Weights are right to some 1e-12;
-/// where triangles are so flat that 100 bits are not enough for that, they are those of Linear.
-/// Next to an edge that the cavity ends at, NaturalNeighbor's are those of Linear from some 2^-29
-/// of its length on, where they differ by no more than some 1e-8.
+/// a NaN are left out and the other weights grow in proportion. Weights are right to some 1e-12
+/// for all finite coordinates. Where that takes more bits than a double has a place takes longer:
+/// mostly some microseconds, milliseconds where exponents are hundreds of powers of two apart.
 /// *Nearest*: of all vertices, whatever the triangles; everywhere.
 ///
 /// All vertices collinear: Linear, NaturalNeighbor and Laplace are linear between neighbours on
@@ -168,9 +167,10 @@ private:
 /// (tableMemoryEstimate) and what it is given to write to: prepare() for so many points and
 /// values() for so many places, `components` of all arrays together, at least one of each.
 ///
-/// Not counted: for each thread 1024 bytes; and with NaturalNeighbor and Laplace at most 450 bytes
-/// for each neighbour of a place, the most that a place has on each thread. Mostly that is nothing:
-/// a place has some six neighbours, and many only amidst points on a circle.
+/// Not counted: for each thread 1024 bytes; and with NaturalNeighbor and Laplace 64 KiB more where
+/// a place asks for more bits than two doubles have, and at most 450 bytes for each neighbour of a
+/// place, the most that a place has on each thread. Mostly that is nothing: a place has some six
+/// neighbours, and many only amidst points on a circle.
 std::size_t sampleMemoryEstimate(
   std::size_t pointCount, const SamplePlaces& places, std::size_t components);
 

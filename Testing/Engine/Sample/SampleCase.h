@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -197,6 +198,56 @@ inline std::vector<Point> placesAmong(
     places.push_back(choices[random.below(8)]);
   }
   return places;
+}
+
+/// Those of natural neighbours.
+const SampleMethod kBoth[] = { SampleMethod::NaturalNeighbor, SampleMethod::Laplace };
+
+inline std::vector<Point> distinct(std::vector<Point> points)
+{
+  std::sort(points.begin(), points.end(), lexicographicallyLess);
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  return points;
+}
+
+/// Finite places on and next to vertices, edges and the hull, and anywhere.
+inline std::vector<Point> hardPlaces(const std::vector<Point>& points, std::size_t count)
+{
+  std::vector<Point> places = placesAmong(points, count, points.size());
+  Random random(count);
+  for (std::size_t k = 0; k < count; k += 4)
+  {
+    const Point a = points[random.below(points.size())], b = places[k];
+    const double near = std::ldexp(1.0, -int(random.below(50)));
+    places[k] = { a.x + near * (b.x - a.x), a.y + near * (b.y - a.y) };
+  }
+  places.erase(
+    std::remove_if(places.begin(), places.end(), [](const Point& p) { return !isFinite(p); }),
+    places.end());
+  return places;
+}
+
+/// Natural neighbours' weights at these places against their definition.
+inline void expectWeightsOfDefinition(SampledCase& given, const std::vector<Point>& places)
+{
+  const std::vector<std::int32_t> triples = given.triples();
+  const SampleOracle oracle(given.points, triples);
+  for (const SampleMethod method : kBoth)
+  {
+    given.prepare(method);
+    const std::vector<PointWeights> found = weightsAt(given.sampler, places);
+    for (std::size_t k = 0; k < places.size(); ++k)
+    {
+      SCOPED_TRACE(testing::Message() << hexText(places[k]) << ", method " << int(method));
+      const PointWeights expected = method == SampleMethod::Laplace ? oracle.laplace(places[k])
+                                                                    : oracle.sibson(places[k]);
+      ASSERT_LE(differenceOf(found[k], expected), 1e-12);
+      if (!expected.empty())
+      {
+        ASSERT_NEAR(sumOf(found[k]), 1.0, 1e-14);
+      }
+    }
+  }
 }
 
 } // namespace test

@@ -171,32 +171,66 @@ std::vector<Point> placeAmidst(const std::vector<Point>& points)
   return { { 0.499 * b.xmin + 0.501 * b.xmax, 0.5 * (b.ymin + b.ymax) } };
 }
 
-/// Neighbours are gone through many times, each time with asking: with Laplace in the search (8
-/// steps for each), twice, as the weights are not good at once, around the place (3), to measure
-/// and divide (2), once for the scale, and to hand over; with NaturalNeighbor the weights are not
-/// even good the second time, so there are three to hand over.
+/// Neighbours are gone through many times, each time with asking: in the search (8 steps for each),
+/// twice, as the weights are not good at once, around the place (3), to measure and divide (2),
+/// once for the scale, and to hand over. With NaturalNeighbor they are not even good the second
+/// time: once more around the place, 32 steps each, for the exponents, to measure and divide.
 TEST(SampleTrouble, AsksOftenEnoughAroundOnePlace)
 {
-  constexpr std::size_t n = 100000, kSteps = 8 + 2 * (3 + 2) + 1, kMissing = 3;
+  constexpr std::size_t n = 100000, kSteps = 8 + 2 * (3 + 2) + 1, kWideSteps = 3 * 32 + 3;
   SampledCase given(makePoints(Distribution::OnCircle, n, 1));
   const std::vector<Point> where = placeAmidst(given.points);
   const SamplePlaces places(viewOf(where));
   const std::vector<double> values = valuesFor(given.points);
   for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
   {
-    SCOPED_TRACE(int(method));
+    SCOPED_TRACE(testing::Message() << int(method));
     given.prepare(method);
-    const std::size_t more = method == SampleMethod::Laplace ? 1 : 0;
+    const std::size_t steps = kSteps + (method == SampleMethod::Laplace ? 0 : kWideSteps);
     SampleWeights weights;
     SampleReport report;
     Listener ofWeights, ofValues;
     ASSERT_EQ(given.sampler.weights(places, weights, report, { &ofWeights, nullptr }), Status::Ok);
-    EXPECT_EQ(weights.points.size(), more == 1 ? n : 3);
-    const std::size_t batch = kStepsPerAsking / 2;
-    EXPECT_GE((ofWeights.askings() + kMissing) * batch, (2 * kSteps + more) * n) << "each twice";
+    EXPECT_EQ(weights.points.size(), n);
+    const std::size_t batch = kStepsPerAsking / 2, few = 3;
+    EXPECT_GE((ofWeights.askings() + few) * batch, (2 * steps + 1) * n) << "each twice";
     const SampledValues found = sample(given.sampler, places, values, { &ofValues, nullptr });
-    EXPECT_EQ(found.report.leftOut, more) << "they are added up again without the NaNs";
-    EXPECT_GE((ofValues.askings() + kMissing) * batch, (kSteps + 2 * more) * n);
+    EXPECT_EQ(found.report.leftOut, 1u) << "they are added up again without the NaNs";
+    EXPECT_GE((ofValues.askings() + few) * batch, (steps + 2) * n);
+  }
+}
+
+/// Neighbours whose weights take more digits than doubles of 106 bits have, and places near them.
+std::vector<Point> pointsOfUnlikeUnits()
+{
+  std::vector<Point> points = makePoints(Distribution::Uniform, 40, 1);
+  for (Point& p : points)
+  {
+    p.x *= 0x1p900;
+  }
+  return points;
+}
+
+/// The same for all the digits that a place asks for.
+TEST(SampleTrouble, AnyAskingCanCancelWhereDoublesAreNotEnough)
+{
+  SampledCase given(pointsOfUnlikeUnits());
+  const std::vector<Point> few = placesAmong(given.points, 40, 1);
+  ASSERT_EQ(given.engine.made.makeNeighbors({}), Status::Ok);
+  const std::vector<double> values = valuesFor(given.points);
+  const SamplePlaces places(viewOf(few));
+  for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
+  {
+    Listener all;
+    ASSERT_EQ(sampleAnew(given, method, places, values, { &all, nullptr }), Status::Ok);
+    EXPECT_GT(all.askings(), 60u) << "work of many digits counts many steps";
+    for (std::size_t k = 1; k <= all.askings(); ++k)
+    {
+      Listener listener(k);
+      ASSERT_EQ(
+        sampleAnew(given, method, places, values, { &listener, nullptr }), Status::Cancelled);
+      EXPECT_EQ(listener.askings(), k) << "nobody is asked again";
+    }
   }
 }
 
@@ -204,9 +238,9 @@ TEST(SampleTrouble, AnyAllocationCanFail)
 {
   const SampleRaster raster = rasterOf(30, 20);
   const std::vector<Point> few = placesAmong({ { 0, 0 }, { 1, 0 }, { 0.3, 1 } }, 300, 1);
-  for (const Distribution d : { Distribution::Uniform, Distribution::Collinear })
+  for (const std::vector<Point>& points : { makePoints(Distribution::Uniform, 300, 1),
+         makePoints(Distribution::Collinear, 300, 1), pointsOfUnlikeUnits() })
   {
-    const std::vector<Point> points = makePoints(d, 300, 1);
     const std::vector<double> values = valuesFor(points);
     for (const SampleMethod method : kMethods)
     {
@@ -376,6 +410,20 @@ TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachNeighbor)
     const std::size_t estimate = sampleMemoryEstimate(n, places, 1);
     EXPECT_LE(taken, estimate + 450 * n) << int(method);
     EXPECT_GE(taken, estimate + 100 * n) << int(method);
+  }
+}
+
+TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachThread)
+{
+  SampledCase given(pointsOfUnlikeUnits());
+  const std::vector<Point> few = placesAmong(given.points, 50, 1);
+  const SamplePlaces places(viewOf(few));
+  for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
+  {
+    const std::size_t taken = bytesTaken(given, method, places, valuesFor(given.points));
+    const std::size_t estimate = sampleMemoryEstimate(given.points.size(), places, 1);
+    EXPECT_LE(taken, estimate + 65536) << int(method);
+    EXPECT_GE(taken, 32768u) << int(method) << ": they were not good at once";
   }
 }
 

@@ -61,14 +61,22 @@ PointWeights normalised(const std::map<std::int64_t, Number>& parts)
 class Polygon
 {
 public:
-  /// A square that no cell reaches the border of.
-  Polygon()
+  /// A square that no cell among these vectors reaches the border of: coordinates are multiples of
+  /// 2^-n and less than 2^m, so corners of cells, |a| |b| |a - b| over twice an area, are nearer
+  /// than 2^(3 m + 2 n + 3).
+  explicit Polygon(const std::vector<Vector>& around)
   {
-    Number far = 1;
-    for (int i = 0; i < 2400; ++i)
+    std::size_t m = 0, n = 0;
+    for (const Vector& v : around)
     {
-      far *= 2;
+      for (const Number* c : { &v.x, &v.y })
+      {
+        const mpz_class whole = abs(c->get_num()) / c->get_den() + 1;
+        m = std::max(m, mpz_sizeinbase(whole.get_mpz_t(), 2));
+        n = std::max(n, mpz_sizeinbase(c->get_den().get_mpz_t(), 2));
+      }
     }
+    const Number far(mpz_class(1) << (3 * m + 2 * n + 3));
     corners_ = { { -far, -far }, { far, -far }, { far, far }, { -far, far } };
   }
 
@@ -139,15 +147,28 @@ private:
 
 } // namespace
 
+namespace
+{
+
+std::vector<Vector> seenFrom(const Point& place, const std::vector<Point>& points)
+{
+  std::vector<Vector> result;
+  for (const Point& p : points)
+  {
+    result.push_back(between(place, p));
+  }
+  return result;
+}
+
+} // namespace
+
 /// The points seen from a place, and its cell among them.
 struct SampleOracle::Cells
 {
   Cells(const std::vector<Point>& points, const Point& place)
+    : around(seenFrom(place, points))
+    , own(around)
   {
-    for (const Point& p : points)
-    {
-      around.push_back(between(place, p));
-    }
     for (const Vector& v : around)
     {
       own.keepNearer({ 0, 0 }, v);
