@@ -61,6 +61,31 @@ void exactWeights(
 /// Areas in units of the longest edge's square below this are not worth 40 bits, of 100.
 constexpr double kLeastArea = 0x1p-50;
 
+/// A power of two that values are multiplied by, so that neither products of them nor those that
+/// are taken of them for their rounding overflow, nor what is left of differences underflows.
+double powerFor(std::initializer_list<double> values)
+{
+  double largest = 0.0;
+  for (const double value : values)
+  {
+    largest = std::max(largest, std::fabs(value));
+  }
+  const bool isSmall = largest > 0.0 && largest < 0x1p-400;
+  return largest > 0x1p400 ? 0x1p-700 : isSmall ? 0x1p700 : 1.0;
+}
+
+/// From a slope of values times `power` in coordinates times `scale`, both powers of two. What is
+/// between them may overflow or underflow where the slope does not.
+Point scaledSlope(const Point& slope, double scale, double power)
+{
+  if (power == 1.0)
+  {
+    return { slope.x * scale, slope.y * scale };
+  }
+  const int exponent = std::ilogb(scale) - std::ilogb(power);
+  return { std::ldexp(slope.x, exponent), std::ldexp(slope.y, exponent) };
+}
+
 /// Numerators and area exactly; each quotient is rounded once.
 Point exactSlope(const Point& a, const Point& b, const Point& c, const double (&value)[3])
 {
@@ -127,22 +152,20 @@ Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&val
   {
     return exactSlope(a, b, c, value);
   }
-  // Neither products of values nor those that are taken of them for their rounding overflow.
-  const double largest = std::max(
-    { std::fabs(value[0]), std::fabs(value[1]), std::fabs(value[2]) });
-  const double less = largest > 0x1p400 ? 0x1p-700 : 1.0;
-  const DoubleDouble u = exactDifference(value[1] * less, value[0] * less);
-  const DoubleDouble v = exactDifference(value[2] * less, value[0] * less);
+  const double power = powerFor({ value[0], value[1], value[2] });
+  const DoubleDouble u = exactDifference(value[1] * power, value[0] * power);
+  const DoubleDouble v = exactDifference(value[2] * power, value[0] * power);
   const double x = (u * V.y - v * U.y).value(), y = (v * U.x - u * V.x).value();
-  return { x / area * scale / less, y / area * scale / less };
+  return scaledSlope({ x / area, y / area }, scale, power);
 }
 
 Point slopeAlong(const Point& a, const Point& b, double atA, double atB)
 {
   const double scale = unitScale({ a, b });
   const double x = scaledDifference(b.x, a.x, scale), y = scaledDifference(b.y, a.y, scale);
-  const double rise = (atB - atA) / (x * x + y * y) * scale;
-  return { x * rise, y * rise };
+  const double power = powerFor({ atA, atB });
+  const double rise = (atB * power - atA * power) / (x * x + y * y);
+  return scaledSlope({ x * rise, y * rise }, scale, power);
 }
 
 } // namespace ahd

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Natural neighbours where doubles, and doubles of 106 bits, are not enough: points one
+// Natural neighbours and slopes where doubles, and doubles of 106 bits, are not enough: points one
 // unit in the last place apart, lattices that nearly coincide, axes of unlike units, coordinates of
-// any exponent. Weights against their definition in rational arithmetic.
+// any exponent. Weights against their definition in rational arithmetic, slopes against rationals.
 #include "Executors.h"
 #include "SampleCase.h"
+
+#include <gmpxx.h>
 
 namespace ahd
 {
@@ -232,6 +234,85 @@ TEST(SampleHard, ThreadsAndOtherPlacesHaveNoSay)
       std::reverse(other.mask.begin(), other.mask.end());
       EXPECT_TRUE(areSame(alone, other));
       EXPECT_GT(alone.report.valued, 1000u);
+    }
+  }
+}
+
+// ------------------------------------------------------------------------------------------ slopes
+
+/// The error of the slopes in this triangle, over the larger of them.
+double errorOfSlopes(const Point (&p)[3], const double (&value)[3])
+{
+  const mpq_class ux = mpq_class(p[1].x) - mpq_class(p[0].x),
+                  uy = mpq_class(p[1].y) - mpq_class(p[0].y),
+                  vx = mpq_class(p[2].x) - mpq_class(p[0].x),
+                  vy = mpq_class(p[2].y) - mpq_class(p[0].y),
+                  u = mpq_class(value[1]) - mpq_class(value[0]),
+                  v = mpq_class(value[2]) - mpq_class(value[0]), area = ux * vy - uy * vx;
+  const mpq_class x = (u * vy - v * uy) / area, y = (ux * v - vx * u) / area;
+  const mpq_class most = std::max(mpq_class(abs(x)), mpq_class(abs(y)));
+  SampledCase given(std::vector<Point>(p, p + 3));
+  given.prepare(SampleMethod::Linear);
+  const SampledValues found = sample(given.sampler, SamplePlaces(viewOf(given.points)),
+    { value[0], value[1], value[2] }, Context(), true);
+  double error = 0.0;
+  for (std::size_t k = 0; k != 3; ++k)
+  {
+    const double slope[2] = { found.gradients[2 * k], found.gradients[2 * k + 1] };
+    if (!std::isfinite(slope[0]) || !std::isfinite(slope[1]))
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    const mpq_class off = abs(mpq_class(slope[0]) - x) + abs(mpq_class(slope[1]) - y);
+    error = most == 0 ? off.get_d() : std::max(error, mpq_class(off / most).get_d());
+  }
+  return error;
+}
+
+/// Wherever the larger slope is a double that keeps its bits.
+TEST(SampleHard, SlopesOfValuesAndCoordinatesOfAnyExponent)
+{
+  for (const double size : { 1.0, 0x1p-1000, 0x1p-500, 0x1p500, 0x1p1023 })
+  {
+    for (const double flat : { 1.0, 0x1p-20, 0x1p-45, 0x1p-51 })
+    {
+      const Point p[3] = { { 0, 0 }, { size, flat * size / 3 }, { 0.3 * size, 0.7 * flat * size } };
+      for (const double height : { 1.0, 0x1p-1050, 0x1p-1000, 0x1p-450, 0x1p450, 0x1p1022 })
+      {
+        const int exponent = std::ilogb(height) - std::ilogb(size);
+        if (exponent > -900 && exponent - std::ilogb(flat) < 1000)
+        {
+          EXPECT_LE(errorOfSlopes(p, { 0.0, height, 0.3 * height }), 1e-9)
+            << size << " " << flat << " " << height;
+          EXPECT_LE(errorOfSlopes(p, { -height, height, 0.2 * height }), 1e-9)
+            << size << " " << flat << " " << height;
+        }
+      }
+    }
+  }
+}
+
+TEST(SampleHard, SlopesAlongALine)
+{
+  for (const double size : { 1.0, 0x1p-900, 0x1p1000 })
+  {
+    for (const double height : { 1.0, 0x1p-1072, 0x1p-450, 0x1p900, 0x1p1023 })
+    {
+      const int exponent = std::ilogb(height) - std::ilogb(size);
+      if (exponent < -1000 || exponent > 1000)
+      {
+        continue;
+      }
+      for (const Point& to : { Point{ 0.75 * size, 0 }, Point{ 0, 0.75 * size } })
+      {
+        SampledCase given({ { 0, 0 }, to });
+        given.prepare(SampleMethod::Linear);
+        const SampledValues found = sample(
+          given.sampler, SamplePlaces(viewOf(given.points)), { -height, height }, Context(), true);
+        const double expected = std::ldexp(2.0 / 0.75, exponent);
+        EXPECT_DOUBLE_EQ(found.gradients[to.x == 0.0 ? 1 : 0], expected) << size << " " << height;
+        EXPECT_EQ(found.gradients[to.x == 0.0 ? 0 : 1], 0.0) << size << " " << height;
+      }
     }
   }
 }
