@@ -161,8 +161,8 @@ void WideWeights::finish(std::size_t k, Index vertex, std::vector<double>& weigh
     w.with.difference(w.rim.y, w.before.y, w.corner[0].y);
     square(w.corner[0], w.area);
     see(vertex, w.corner[0]);
-    square(w.corner[0], w.square[0]);
-    w.with.inverse(w.square[0], w.divisor);
+    square(w.corner[0], w.square);
+    w.with.inverse(w.square, w.divisor);
     w.with.product(w.area, w.divisor, w.area);
   }
   else
@@ -255,21 +255,19 @@ void WideWeights::centreOfCorners(bool hasPlace, Vector& centre)
   Work& w = work_[0];
   WideArithmetic& with = w.with;
   WideFloat& divisor = w.divisor;
-  for (std::size_t k = 0; k != 3; ++k)
-  {
-    square(w.corner[k], w.square[k]);
-  }
   WideArithmetic::setZero(centre.x);
   WideArithmetic::setZero(centre.y);
   WideArithmetic::setZero(divisor);
   for (std::size_t k = 0; k != 3; ++k)
   {
     const Vector &next = w.corner[(k + 1) % 3], &last = w.corner[(k + 2) % 3];
+    square(w.corner[k], w.square);
+    w.lengths[k] = hasPlace && k == 2 ? w.lengths[0] : w.square.bits();
     with.difference(next.y, last.y, w.left);
-    with.product(w.square[k], w.left, w.left);
+    with.product(w.square, w.left, w.left);
     with.sum(centre.x, w.left, centre.x);
     with.difference(last.x, next.x, w.left);
-    with.product(w.square[k], w.left, w.left);
+    with.product(w.square, w.left, w.left);
     with.sum(centre.y, w.left, centre.y);
     cross(w.corner[k], next, w.left);
     with.sum(divisor, w.left, divisor);
@@ -290,9 +288,8 @@ void WideWeights::centreOfCorners(bool hasPlace, Vector& centre)
 /// What is to be known of a centre to bound the errors. `divisor`: its bits.
 void WideWeights::note(bool hasPlace, const Vector& centre, int divisor)
 {
-  const WideFloat* const square = work_[0].square;
-  const int a = square[0].bits(), b = square[1].bits();
-  const int largest = std::max({ a, b, hasPlace ? a : square[2].bits() });
+  const int a = work_[0].lengths[0], b = work_[0].lengths[1];
+  const int largest = std::max({ a, b, work_[0].lengths[2] });
   nearest_ = hasPlace ? std::min(nearest_, a) : nearest_;
   flatness_ = std::max(flatness_, (hasPlace ? a + b : 2 * largest) - 2 * (divisor - 1));
   size_ = std::max(size_, largest);

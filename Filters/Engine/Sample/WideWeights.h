@@ -35,7 +35,8 @@ private:
   {
     WideArithmetic with;
     Vector corner[3];          ///< of the triangle at work
-    WideFloat square[3];       ///< their squared lengths
+    WideFloat square;          ///< a squared length
+    int lengths[3];            ///< bits of those of the corners
     Vector centre;             ///< of the triangle that the way around is in
     Vector other;              ///< of the one that it goes to
     Vector rim, before, first; ///< centres of triangles of the place: this, the last, the first

@@ -200,13 +200,14 @@ TEST(SampleTrouble, AsksOftenEnoughAroundOnePlace)
   }
 }
 
-/// Neighbours whose weights take more digits than doubles of 106 bits have, and places near them.
-std::vector<Point> pointsOfUnlikeUnits()
+/// Neighbours whose weights take more digits than doubles of 106 bits have, if x is stretched as
+/// much.
+std::vector<Point> pointsOfUnlikeUnits(double stretch = 0x1p900)
 {
   std::vector<Point> points = makePoints(Distribution::Uniform, 40, 1);
   for (Point& p : points)
   {
-    p.x *= 0x1p900;
+    p.x *= stretch;
   }
   return points;
 }
@@ -413,17 +414,20 @@ TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachNeighbor)
   }
 }
 
+/// Compared with places that doubles of 106 bits are enough for.
 TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachThread)
 {
-  SampledCase given(pointsOfUnlikeUnits());
-  const std::vector<Point> few = placesAmong(given.points, 50, 1);
-  const SamplePlaces places(viewOf(few));
   for (const SampleMethod method : { SampleMethod::NaturalNeighbor, SampleMethod::Laplace })
   {
-    const std::size_t taken = bytesTaken(given, method, places, valuesFor(given.points));
-    const std::size_t estimate = sampleMemoryEstimate(given.points.size(), places, 1);
-    EXPECT_LE(taken, estimate + 65536) << int(method);
-    EXPECT_GE(taken, 32768u) << int(method) << ": they were not good at once";
+    std::size_t taken[2];
+    for (const bool isWide : { false, true })
+    {
+      SampledCase given(pointsOfUnlikeUnits(isWide ? 0x1p900 : 0x1p10));
+      const std::vector<Point> few = placesAmong(given.points, 50, 1);
+      taken[isWide] = bytesTaken(given, method, SamplePlaces(viewOf(few)), valuesFor(given.points));
+    }
+    EXPECT_LE(taken[1], taken[0] + 65536) << int(method);
+    EXPECT_GE(taken[1], taken[0] + 32768) << int(method) << ": they were good before";
   }
 }
 
