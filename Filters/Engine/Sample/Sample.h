@@ -93,7 +93,7 @@ struct SampleReport
   std::size_t outside = 0;   ///< outside of the hull, in a hole or a dropped triangle
   std::size_t notFinite = 0; ///< with a NaN or infinite x or y
   /// Components of valued places that are NaN, as values there are (with NaturalNeighbor and
-  /// Laplace, all of them).
+  /// Laplace, all that have a weight).
   std::size_t withoutValue = 0;
   /// Components of valued places that some neighbours, whose values are NaN, were left out of.
   std::size_t leftOut = 0;
@@ -120,9 +120,11 @@ struct SampleWeights
 /// *NaturalNeighbor*, *Laplace*: Sibson's and Laplace's coordinates. Both are linear where the
 /// values are. The cavity ends at constraint edges and at dropped triangles as at the hull; on such
 /// edges the value is linear between the ends, which is the limit from either side. Neighbours with
-/// a NaN are left out and the other weights grow in proportion. Weights are right to some 1e-12
-/// for all finite coordinates. Where that takes more bits than a double has a place takes longer:
-/// mostly some microseconds, milliseconds where exponents are hundreds of powers of two apart.
+/// a NaN are left out and the other weights grow in proportion; so close to such a neighbour that
+/// no other has a weight there is no value. Weights are right to some 1e-12 for all finite
+/// coordinates, before any are left out. Where that takes more bits than a double has a place takes
+/// longer: mostly some microseconds, milliseconds where exponents are hundreds of powers of two
+/// apart.
 /// *Nearest*: of all vertices, whatever the triangles; everywhere.
 ///
 /// All vertices collinear: Linear, NaturalNeighbor and Laplace are linear between neighbours on
