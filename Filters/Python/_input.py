@@ -237,8 +237,11 @@ def check_ids(name: str, chains: Chains, count: int, whose: str) -> None:
 
 
 def _is_shown(array: np.ndarray, given: Any) -> bool:
-    """May the array lie in memory of what was given? Frames, buffers and others may show their own numbers."""
-    return not isinstance(given, (list, tuple)) and bool(np.may_share_memory(array, np.asarray(given)))
+    """May the array lie in memory of what was given? Frames, buffers and others may show their own numbers; they are
+    not asked for these again, which a file that is read, or a graph that is computed, would be."""
+    if isinstance(given, np.ndarray):
+        return bool(np.may_share_memory(array, given))
+    return not isinstance(given, (list, tuple))
 
 
 class Request:

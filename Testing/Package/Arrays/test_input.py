@@ -103,6 +103,25 @@ class PointsTest(unittest.TestCase):
             self.assertLess(peak, made.triangles.nbytes + ids.nbytes / 2)
 
 
+    def test_what_makes_arrays_is_asked_once(self):
+        """It may read a file for that; what it shows may be its own memory, which can change."""
+
+        class Shows:
+            def __init__(self, array):
+                self.array, self.asked = array, 0
+
+            def __array__(self, dtype=None, copy=None):
+                self.asked += 1
+                return self.array
+
+        points, ids, marks = Shows(cloud(3)), Shows(np.array([[0, 1]])), Shows(np.zeros(200, bool))
+        made = delaunay(points, segments=ids, skip=marks)
+        self.assertEqual([one.asked for one in (points, ids, marks)], [1, 1, 1])
+        for one, value in ((points, 7), (ids, 5), (marks, True)):
+            made = delaunay(points, segments=ids, skip=marks)
+            one.array[-1] = value
+            self.assertRaises(RuntimeError, lambda made=made: made.neighbors)
+
     def test_chains_of_any_kind(self):
         """Of any iterables, of different lengths too."""
         chains = [[0, 1], [2, 3, 4], [5, 1, 0]]
