@@ -92,20 +92,22 @@ class Interrupts:
 
     def __exit__(self, *_: Any) -> None:
         if self._isEntered:
-            if signal.getsignal(signal.SIGINT) == self._interrupt:
-                signal.signal(signal.SIGINT, self._handler)
+            last = signal.signal(signal.SIGINT, self._handler)
+            if last != self._interrupt:  # which the program has set meanwhile
+                signal.signal(signal.SIGINT, last)
             self._isEntered = False
 
     def _interrupt(self, number: int, frame: Optional[FrameType]) -> None:
         if not self._isEntered:  # a program that looked the handler up during the work has set it again
             self._handler(number, frame)
             return
+        before = signal.getsignal(signal.SIGINT)  # not this one, where a call within the call has this one as handler
         try:
             self._handler(number, frame)
         except BaseException as error:
             self._tell(error)
         changed = signal.getsignal(signal.SIGINT)
-        if changed != self._interrupt and callable(changed):
+        if changed != before and callable(changed):
             self._handler = changed
             signal.signal(signal.SIGINT, self._interrupt)
 

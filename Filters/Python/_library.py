@@ -97,8 +97,12 @@ class Job:
             raise _busy()
 
     def _put_aside(self, error: BaseException) -> None:
-        """Cancels the call, which raises it."""
+        """Cancels the call, which raises it, and those that its callbacks have made of other jobs: of this thread, the
+        main one."""
         self._raised = error
+        for call in list(_at_work.values()):
+            if call.thread is threading.current_thread():
+                call.job._raised = error
 
     def _call(self, function: Any, *arguments: Any, arrays: Sequence[np.ndarray] = ()) -> None:
         """A call that may take long. `arrays`: those of callers whose addresses are among the arguments."""
@@ -106,17 +110,21 @@ class Job:
         call = Call(self, threading.current_thread(), [anchor(array) for array in arrays])
         if handle.address is None:
             self._check(NO_JOB)
+        raised: Optional[BaseException] = None
         try:
-            if _at_work.setdefault(handle.address, call) is not call:
-                raise _busy()
-            end_with_the_program()
-            self._listen()
-            with Interrupts(self._put_aside):
-                status = function(handle, *arguments)
+            with Interrupts(self._put_aside):  # until nobody is told of the call any more
+                try:
+                    if _at_work.setdefault(handle.address, call) is not call:
+                        raise _busy()
+                    end_with_the_program()
+                    self._listen()
+                    status = function(handle, *arguments)
+                finally:
+                    if _at_work.get(handle.address) is call:
+                        del _at_work[handle.address]
         finally:
-            if _at_work.get(handle.address) is call:
-                del _at_work[handle.address]
-            raised, self._raised = self._raised, None
+            if handle.address not in _at_work:  # else it is for the call that is at work
+                raised, self._raised = self._raised, None
         if raised is not None:
             try:
                 raise raised

@@ -2,6 +2,7 @@
 """What the tests of arrays share: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
 
 import os
+import subprocess
 import sys
 
 import numpy as np
@@ -45,6 +46,15 @@ def uniform(count, seed):
     """The points of Testing/Support/Points/Distributions.h with this name."""
     random = Random(seed)
     return np.array([random.unit() for _ in range(2 * count)]).reshape(-1, 2)
+
+
+# --- Programs -----------------------------------------------------------------------------------------------
+
+
+def in_a_process(script, *arguments):
+    return subprocess.run(
+        [sys.executable, "-c", script, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        timeout=200, check=False)  # fmt: skip
 
 
 # --- The hash of Data/Hashes --------------------------------------------------------------------------------

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""delaunay at work: Ctrl-C."""
+
+import os
+import signal
+import sys
+import unittest
+
+from adaptivehilbertdelaunay import _library as library
+from adaptivehilbertdelaunay import delaunay
+from arraysupport import SQUARE, cloud, in_a_process
+
+# Interrupts itself while the engine is at work in the main thread, and tells how that ended.
+INTERRUPTED = """
+import os, signal, sys, threading
+import numpy as np
+from adaptivehilbertdelaunay import _library as library
+
+job = library.Job()
+points = np.random.default_rng(1).random((400000, 2))
+job.set_array("points", points)
+
+class Stop(Exception):
+    pass
+
+def stop(number, frame):
+    raise Stop
+
+if sys.argv[1] == "handler":
+    signal.signal(signal.SIGINT, stop)
+handler = signal.getsignal(signal.SIGINT)
+
+def change(number, frame):
+    signal.signal(signal.SIGINT, stop)
+    threading.Timer(0.01, interrupt).start()  # when this has returned to the engine
+
+if sys.argv[1] == "changed":  # by the first signal, which sends another
+    signal.signal(signal.SIGINT, change)
+    handler = stop
+
+def interrupt():
+    while not library._at_work:  # waits for the GIL, which the main thread gives away when it is in the engine
+        pass
+    os.kill(os.getpid(), signal.SIGINT)
+
+while True:
+    if threading.active_count() == 1:
+        threading.Thread(target=interrupt, daemon=True).start()
+    try:
+        job.run()
+    except (KeyboardInterrupt, Stop) as error:
+        print(type(error).__name__)
+        break
+try:
+    job.count("inserted")
+except library.NotAvailable:
+    print("it was stopped")
+print(signal.getsignal(signal.SIGINT) is handler)
+job.run()
+print(job.count("inserted"))
+"""
+
+
+class InterruptTest(unittest.TestCase):
+    @unittest.skipIf(sys.platform == "win32", "signals of POSIX")
+    def test_control_c(self):
+        """Is obeyed while the engine works, raises what its handler raises, and nothing is lost on the way."""
+        for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop"), ("changed", "Stop")):
+            done = in_a_process(INTERRUPTED, how)
+            self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "400000", ""], done.stderr)
+            self.assertEqual(done.stderr, "")
+
+    @unittest.skipIf(sys.platform == "win32", "signals of POSIX")
+    def test_control_c_ends_a_program(self):
+        script = (
+            "import os, signal, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
+            "delaunay(numpy.random.default_rng(1).random((100000, 2)),\n"
+            "         progress=lambda phase, done: phase == 'insert' and os.kill(os.getpid(), signal.SIGINT))\n"
+            "print('went on')\n"
+        )
+        done = in_a_process(script)
+        self.assertEqual((done.returncode, done.stdout), (-signal.SIGINT, ""), done.stderr)
+        self.assertIn("KeyboardInterrupt", done.stderr)
+        self.assertNotIn("ignored", done.stderr)
+
+    def test_a_handler_that_returns_stops_nothing(self):
+        called = []
+        before = signal.signal(signal.SIGINT, lambda number, frame: called.append(number))
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        told = []
+
+        def once(phase, done):
+            if phase == "insert" and phase not in told:
+                os.kill(os.getpid(), signal.SIGINT)
+            told.append(phase)
+
+        self.assertEqual(delaunay(cloud(51, 20000), progress=once).counts["inserted"], 20000)
+        self.assertEqual(called, [signal.SIGINT])
+
+    def test_a_handler_that_is_changed(self):
+        """By the handler or by a callback: it stays, and is heard during the work."""
+        for change_in in ("handler", "callback"):
+            heard = []
+
+            def second(number, frame, heard=heard):
+                heard.append("second")
+                raise LookupError
+
+            def first(number, frame, heard=heard, second=second, change_in=change_in):
+                heard.append("first")
+                if change_in == "handler":
+                    signal.signal(signal.SIGINT, second)
+
+            before = signal.signal(signal.SIGINT, first)
+            self.addCleanup(signal.signal, signal.SIGINT, before)
+
+            def press(phase, done, heard=heard, second=second, change_in=change_in):
+                if phase == "insert" and len(heard) < 2:
+                    os.kill(os.getpid(), signal.SIGINT)
+                if phase == "insert" and change_in == "callback":
+                    signal.signal(signal.SIGINT, second)
+
+            with self.assertRaises(LookupError):
+                delaunay(cloud(51, 20000), progress=press)
+            self.assertEqual(heard, ["first", "second"])
+            self.assertIs(signal.getsignal(signal.SIGINT), second)
+
+    def test_a_handler_that_is_ignored_from_now_on(self):
+        def once(number, frame):
+            signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+        before = signal.signal(signal.SIGINT, once)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(cloud(51, 20000), progress=lambda phase, done: os.kill(os.getpid(), signal.SIGINT))
+        self.assertEqual(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
+
+    def test_a_handler_that_was_looked_up_during_the_work(self):
+        """And is set again afterwards: it raises what the program's raises."""
+        def stop(number, frame):
+            raise LookupError
+
+        before, found = signal.signal(signal.SIGINT, stop), []
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(SQUARE, progress=lambda phase, done: found.append(signal.getsignal(signal.SIGINT)))
+        self.assertIs(signal.getsignal(signal.SIGINT), stop)
+        signal.signal(signal.SIGINT, found[0])
+        with self.assertRaises(LookupError):
+            os.kill(os.getpid(), signal.SIGINT)
+            signal.getsignal(signal.SIGINT)
+
+    def test_wherever_it_comes(self):
+        """After each call that the package makes: no job stays at work, and the next run knows nothing of it."""
+        handler, tried = signal.getsignal(signal.SIGINT), 0
+        while True:
+            job, left = library.Job(), [tried + 1]
+            job.set_array("points", SQUARE)
+
+            def press(frame, event, argument, left=left):
+                if event != "c_call" and str(frame.f_globals.get("__name__")).startswith("adaptivehilbertdelaunay"):
+                    left[0] -= 1
+                    if left[0] == 0:
+                        signal.raise_signal(signal.SIGINT)
+
+            before = sys.getprofile()
+            sys.setprofile(press)
+            try:
+                job.run()
+                wasRaised = False
+            except KeyboardInterrupt:
+                wasRaised = True
+            finally:
+                sys.setprofile(before)
+            if left[0] > 0:
+                break
+            tried += 1
+            self.assertTrue(wasRaised, tried)
+            self.assertEqual((library._at_work, signal.getsignal(signal.SIGINT)), ({}, handler), tried)
+            job.run()
+            self.assertEqual(job.count("inserted"), 6)
+        self.assertGreater(tried, 30)
+
+    def test_calls_within_calls(self):
+        """All are cancelled, the inner one at once, and the program's handler comes back."""
+        told, outcome, handler = [], [], signal.getsignal(signal.SIGINT)
+
+        def press(phase, done):
+            if not told:
+                signal.raise_signal(signal.SIGINT)
+            told.append(phase)
+
+        def call(phase, done):
+            try:
+                outcome.append(delaunay(cloud(57), progress=press))
+            except KeyboardInterrupt as error:
+                outcome.append(error)
+
+        with self.assertRaises(KeyboardInterrupt) as caught:
+            delaunay(cloud(58), progress=call)
+        self.assertEqual((len(told), outcome), (1, [caught.exception]))
+        self.assertIs(signal.getsignal(signal.SIGINT), handler)
+
+    def test_a_callback_that_asks_afterwards(self):
+        """What is refused, as the job is at work, does not take the interrupt away."""
+        job, told = library.Job(), []
+        job.set_array("points", SQUARE)
+
+        def press(phase, done):
+            signal.raise_signal(signal.SIGINT)
+            self.assertRaises(library.NotAvailable, job.run)
+            told.append(phase)
+
+        job.set_progress(press)
+        self.assertRaises(KeyboardInterrupt, job.run)
+        self.assertEqual(len(told), 1)
+
+    def test_ignored_stays_ignored(self):
+        before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+        delaunay(SQUARE)
+        self.assertEqual(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
+
+
+if __name__ == "__main__":
+    unittest.main()
