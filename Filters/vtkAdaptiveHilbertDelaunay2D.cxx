@@ -181,6 +181,11 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
     // null where it has blocks
     data.Outputs[static_cast<std::size_t>(port)] = vtkPolyData::GetData(outputVector, port);
   }
+  if (this->IsEmptyPiece(outputVector))
+  {
+    this->KeepFirstPieces(outputVector);
+    return 1;
+  }
   vtkAHDProgress progress(this);
   ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
   const vtkAHDContext context(progress, threads, *this->OutputMemory);
@@ -197,6 +202,7 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
   {
     this->EndWithoutMemory(data);
   }
+  this->KeepFirstPieces(outputVector);
   return 1;
 }
 

@@ -437,6 +437,8 @@ private:
   void Execute(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
     const vtkAHDContext& context);
   bool IsDistributed() const;
+  bool IsEmptyPiece(vtkInformationVector* outputs) const;
+  void KeepFirstPieces(vtkInformationVector* outputs) const;
   void DescribePortsAnew();
   void MakeOutputs(vtkDataObject* input, vtkInformationVector* outputs) const;
   void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputs,

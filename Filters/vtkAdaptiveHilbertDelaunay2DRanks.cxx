@@ -9,6 +9,7 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDPieces.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
@@ -72,7 +73,8 @@ bool vtkAdaptiveHilbertDelaunay2D::IsDistributed() const
 #endif
 }
 
-/// Across ranks, points of others would come twice with ghost levels.
+/// Across ranks, points of others would come twice with ghost levels. In one process all is needed
+/// whatever piece of the output is wanted: surfaces of pieces do not join.
 int vtkAdaptiveHilbertDelaunay2D::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -85,7 +87,38 @@ int vtkAdaptiveHilbertDelaunay2D::RequestUpdateExtent(
         vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
   }
+  for (int port = 0; port < 2 && vtkAHDIsOnlyProcess(this->Controller); ++port)
+  {
+    vtkAHDAskForAll(inputs[port]);
+  }
   return result;
+}
+
+/// In one process the first piece of an output has all of it, and the others nothing. Is there
+/// nothing to be made, as others than the first are wanted?
+bool vtkAdaptiveHilbertDelaunay2D::IsEmptyPiece(vtkInformationVector* outputs) const
+{
+  const bool isMade[] = { true, this->GenerateInsertionCurve || this->GenerateBoxes,
+    this->GenerateVoronoi };
+  bool isEmpty = vtkAHDIsOnlyProcess(this->Controller);
+  for (int port = 0; port < 3; ++port)
+  {
+    isEmpty = isEmpty && (!isMade[port] || vtkAHDIsLaterPiece(outputs->GetInformationObject(port)));
+  }
+  return isEmpty;
+}
+
+/// Empties those outputs of which another piece than the first is wanted.
+void vtkAdaptiveHilbertDelaunay2D::KeepFirstPieces(vtkInformationVector* outputs) const
+{
+  for (int port = 0; port < 3 && vtkAHDIsOnlyProcess(this->Controller); ++port)
+  {
+    vtkInformation* const info = outputs->GetInformationObject(port);
+    if (vtkAHDIsLaterPiece(info))
+    {
+      vtkDataObject::GetData(info)->Initialize();
+    }
+  }
 }
 
 /// What ports take and give is asked for anew when it is needed next.

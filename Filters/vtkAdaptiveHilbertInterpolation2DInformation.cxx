@@ -9,6 +9,7 @@
 #include "Engine/Core/Threads.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDPieces.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
@@ -72,13 +73,25 @@ int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
   return 1;
 }
 
+/// Others may have asked the same inputs for a piece. That is not what the points are then.
 void vtkAdaptiveHilbertInterpolation2D::UpdateInputs()
 {
+  const bool isAlone = vtkAHDIsOnlyProcess(this->Triangulation->GetController());
   for (const int port : { 0, 2 })
   {
     if (this->GetNumberOfInputConnections(port) > 0)
     {
-      this->GetInputAlgorithm(port, 0)->Update(this->GetInputConnection(port, 0)->GetIndex());
+      vtkAlgorithmOutput* const from = this->GetInputConnection(port, 0);
+      vtkNew<vtkInformationVector> requests;
+      requests->SetInformationObject(from->GetIndex(), vtkNew<vtkInformation>());
+      vtkInformation* const request = requests->GetInformationObject(from->GetIndex());
+      request->CopyEntry(from->GetProducer()->GetOutputInformation(from->GetIndex()),
+        vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
+      if (isAlone)
+      {
+        vtkAHDAskForAll(requests);
+      }
+      from->GetProducer()->Update(from->GetIndex(), requests);
     }
   }
 }
@@ -140,13 +153,22 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   }
 }
 
-/// All points are needed whatever part of the output is wanted, and all places; on ranks the pieces
-/// of each.
+/// All points are needed whatever part of the output is wanted; on ranks the piece of each. Of
+/// places as many as are wanted of the output, and all where these have an extent.
 int vtkAdaptiveHilbertInterpolation2D::RequestUpdateExtent(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector*)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->AskForPieces(inputs);
+  const bool isAlone = this->Triangulation &&
+    vtkAHDIsOnlyProcess(this->Triangulation->GetController());
+  for (const int port : { 0, 2 })
+  {
+    if (isAlone)
+    {
+      vtkAHDAskForAll(inputs[port]);
+    }
+  }
   for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
   {
     for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)

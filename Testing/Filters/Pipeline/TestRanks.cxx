@@ -3,9 +3,14 @@
 // On several ranks the filter says, once, that each rank works on its own points.
 #include "FilterTestSupport.h"
 
+#include "vtkAdaptiveHilbertInterpolation2D.h"
 #include "vtkDummyCommunicator.h"
 #include "vtkDummyController.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
@@ -23,6 +28,31 @@ public:
     this->MaximumNumberOfProcesses = ranks;
     this->SetNumberOfProcesses(ranks);
     this->LocalProcessId = rank;
+  }
+};
+
+/// Notes which piece it was asked for.
+class Asked : public vtkPolyDataAlgorithm
+{
+public:
+  static Asked* New() { VTK_STANDARD_NEW_BODY(Asked); }
+  vtkTypeMacro(Asked, vtkPolyDataAlgorithm);
+  int Piece = -1;
+
+protected:
+  Asked() { this->SetNumberOfInputPorts(0); }
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    outputs->GetInformationObject(0)->Set(CAN_HANDLE_PIECE_REQUEST(), 1);
+    return 1;
+  }
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
+  {
+    this->Piece = outputs->GetInformationObject(0)->Get(
+      vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+    vtkPolyData::GetData(outputs)->ShallowCopy(makeCloud(latticePoints(100, 1000)));
+    return 1;
   }
 };
 
@@ -68,4 +98,28 @@ TEST(Ranks, WithoutAControllerThereAreNoneToDistributeTo)
   const std::vector<std::string> said = warningsOfTwoRuns(0, 3, true);
   ASSERT_EQ(said.size(), 1u);
   EXPECT_NE(said[0].find("has no effect without a Controller"), std::string::npos) << said[0];
+}
+
+/// Where there are several, the piece of a rank is its own points.
+TEST(Ranks, EachAsksForItsPiece)
+{
+  vtkNew<Pretended> communicator;
+  communicator->Be(1, 3);
+  vtkNew<vtkDummyController> controller;
+  controller->SetCommunicator(communicator);
+  vtkMultiProcessController::SetGlobalController(controller);
+  for (const bool isSurface : { true, false })
+  {
+    vtkSmartPointer<vtkAlgorithm> filter = vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D>::New();
+    if (!isSurface)
+    {
+      filter = vtkSmartPointer<vtkAdaptiveHilbertInterpolation2D>::New();
+    }
+    vtkNew<Asked> points;
+    filter->SetInputConnection(points->GetOutputPort());
+    filter->UpdatePiece(1, 3, 0);
+    EXPECT_EQ(points->Piece, 1) << isSurface;
+    EXPECT_GT(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+  }
+  vtkMultiProcessController::SetGlobalController(nullptr);
 }
