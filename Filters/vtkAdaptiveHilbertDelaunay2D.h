@@ -449,7 +449,7 @@ private:
   bool WarnOfInput(vtkDataObject* input);
   void ExecuteOneOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data);
   void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,
-    const vtkAHDSettings& settings, bool hasFailed);
+    const vtkAHDSettings& settings, ahd::Status before);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);

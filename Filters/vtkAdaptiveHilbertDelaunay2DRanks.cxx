@@ -319,22 +319,26 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
   {
     data.Input = nullptr;
   }
-  this->TriangulateOnRanks(data, context, settings, data.Input == nullptr);
+  ahd::Status before = ahd::Status::Ok;
+  if (!data.Input)
+  {
+    before = context.IsAborted()        ? ahd::Status::Cancelled
+      : merged && merged->AreCellsBad() ? ahd::Status::BadCells
+                                        : ahd::Status::OutOfMemory;
+  }
+  this->TriangulateOnRanks(data, context, settings, before);
 }
 
-/// `hasFailed`: this rank has no input, as it could not be merged.
+/// `before`: why this rank has no input; Ok if it has.
 void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
-  const vtkAHDContext& context, const vtkAHDSettings& settings, bool hasFailed)
+  const vtkAHDContext& context, const vtkAHDSettings& settings, ahd::Status before)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
   ++this->NumberOfTriangulations;
   this->Left->TakeBack(*this->Workspace);
   vtkAHDRanks ranks(this->Controller);
   vtkAHDRankExecution execution(settings, ranks, context);
-  const ahd::Status reason = context.IsAborted() ? ahd::Status::Cancelled
-                                                 : ahd::Status::OutOfMemory;
-  const vtkAHDReport report = execution.Run(
-    data, hasFailed ? reason : ahd::Status::Ok, *this->Workspace);
+  const vtkAHDReport report = execution.Run(data, before, *this->Workspace);
   const vtkAHDRankExecution::Words& words = execution.GetWords();
   this->MemoryEstimate = report.Estimate;
   if (report.Status != ahd::Status::Ok)
@@ -369,7 +373,7 @@ void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
   static_cast<void>(data);
   static_cast<void>(context);
   static_cast<void>(settings);
-  static_cast<void>(hasFailed);
+  static_cast<void>(before);
 #endif
 }
 

@@ -88,7 +88,10 @@ struct RankInput
     }
     if (!inputs.Data.Input)
     {
-      inputs.Before = context.IsAborted() ? ahd::Status::Cancelled : ahd::Status::OutOfMemory;
+      const bool areBad = this->Merged && this->Merged->AreCellsBad();
+      inputs.Before = context.IsAborted() ? ahd::Status::Cancelled
+        : areBad                          ? ahd::Status::BadCells
+                                          : ahd::Status::OutOfMemory;
     }
   }
 

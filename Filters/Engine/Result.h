@@ -16,7 +16,8 @@ enum class Status
   TooManyPoints, ///< more than kMaximumPoints
   TooManyBoxes,  ///< more than Options::mostBoxes
   TooManyCrossings, ///< more than InputRequest::mostCrossings
-  OutOfMemory       ///< an allocation failed
+  OutOfMemory,      ///< an allocation failed
+  BadCells          ///< offsets of cells do not ascend within their ids (findBadCell())
 };
 
 /// The status of a point, as Triangulation::writePointStatus writes it: its own id if it stands for

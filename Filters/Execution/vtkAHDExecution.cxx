@@ -101,6 +101,8 @@ void vtkAHDExecution::Try(const Steps& steps)
   catch (const vtkAHDStop& stop)
   {
     this->Report.Status = stop.Reason;
+    this->Report.BadCell = stop.Cell;
+    this->Report.BadCellsOf = stop.CellsOf;
   }
   catch (const std::bad_alloc&)
   {

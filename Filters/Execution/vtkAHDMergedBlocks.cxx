@@ -72,8 +72,13 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
       return blocks.Merge(context);
     }
   }
-  catch (const vtkAHDStop&)
+  catch (const vtkAHDStop& stop)
   {
+    this->CellsAreBad = stop.Reason == ahd::Status::BadCells;
+    if (this->Filter && this->CellsAreBad)
+    {
+      vtkAHDSayBadCells(this->Filter, stop.CellsOf, stop.Cell);
+    }
     return nullptr;
   }
   catch (const std::bad_alloc&)

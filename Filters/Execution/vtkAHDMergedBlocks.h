@@ -24,8 +24,8 @@ struct vtkAHDSettings;
 class vtkAHDMergedBlocks
 {
 public:
-  /// Merges what has to be. Says in an error if there are too many points or too little memory;
-  /// nothing without a filter.
+  /// Merges what has to be. Says in an error if there are too many points or too little memory, or
+  /// where offsets of cells lie; nothing without a filter.
   /// `source` may be null. Throws std::bad_alloc.
   vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
     vtkDataObject* source, const vtkAHDContext& context);
@@ -38,6 +38,9 @@ public:
 
   /// Null if there is none.
   vtkPolyData* GetSource() const { return this->Source; }
+
+  /// Is there no input because offsets of a source's cells lie?
+  bool AreCellsBad() const { return this->CellsAreBad; }
 
   /// Those that merging has taken, at most.
   std::size_t GetBytes() const { return this->Bytes; }
@@ -58,6 +61,7 @@ private:
   vtkSmartPointer<vtkPointSet> Input;
   vtkSmartPointer<vtkPolyData> Source;
   std::size_t Bytes = 0;
+  bool CellsAreBad = false;
 };
 
 #endif

@@ -297,6 +297,22 @@ void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count)
        << " can be triangulated.");
 }
 
+void vtkAHDSayBadCells(vtkAlgorithm* filter, const char* what, const ahd::BadCell& bad)
+{
+  if (!what)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "Cells of the source are damaged on one of the ranks: their offsets do not ascend from 0 to "
+      "the number of point ids. Nothing was computed.");
+    return;
+  }
+  vtkErrorWithObjectMacro(filter,
+    "The " << what << " are damaged: the offsets of number " << bad.cell << " among them are "
+           << bad.begin << " and " << bad.end
+           << ", but offsets must ascend from 0 to the number of point ids, " << bad.ids
+           << ". Nothing was computed.");
+}
+
 void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   switch (report.Status)
@@ -315,6 +331,9 @@ void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
       return;
     case ahd::Status::OutOfMemory:
       report.IsRefused ? SayRefused(filter, report) : SayOutOfMemory(filter, report);
+      return;
+    case ahd::Status::BadCells:
+      vtkAHDSayBadCells(filter, report.BadCellsOf, report.BadCell);
   }
 }
 

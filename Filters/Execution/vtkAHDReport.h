@@ -18,13 +18,15 @@
 struct vtkAHDReport
 {
   ahd::Status Status = ahd::Status::Cancelled;
-  bool IsRefused = false;        ///< the estimate is above the limit; nothing was begun
-  std::size_t Points = 0;        ///< all, as far as they were known when it ended
-  vtkTypeInt64 Estimate = 0;     ///< of memory, KiB
-  vtkTypeInt64 Limit = 0;        ///< on memory, KiB
-  bool IsLimited = false;        ///< it is MemoryLimit, and not what there is
-  std::size_t MostBoxes = 0;     ///< for which there was memory
-  std::size_t MostCrossings = 0; ///< the same
+  bool IsRefused = false;           ///< the estimate is above the limit; nothing was begun
+  std::size_t Points = 0;           ///< all, as far as they were known when it ended
+  vtkTypeInt64 Estimate = 0;        ///< of memory, KiB
+  vtkTypeInt64 Limit = 0;           ///< on memory, KiB
+  bool IsLimited = false;           ///< it is MemoryLimit, and not what there is
+  std::size_t MostBoxes = 0;        ///< for which there was memory
+  std::size_t MostCrossings = 0;    ///< the same
+  ahd::BadCell BadCell;             ///< where the status is BadCells
+  const char* BadCellsOf = nullptr; ///< what these cells are; null: those of another rank
 
   // The rest means something if Status is Ok.
   ahd::Report Counts;

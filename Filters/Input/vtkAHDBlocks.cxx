@@ -3,6 +3,7 @@
 
 #include "Input/vtkAHDHeldCopy.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
 
 #include "vtkCellArray.h"
@@ -59,6 +60,44 @@ vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
     usable->AddArray(none);
   }
   return usable;
+}
+
+/// Appends as many cells, which nobody looks at: they are counted.
+void AppendUnread(vtkCellArray* to, vtkCellArray* cells)
+{
+  for (vtkIdType k = 0; k < cells->GetNumberOfCells(); ++k)
+  {
+    to->InsertNextCell(0);
+  }
+}
+
+/// Appends cells, their ids moved by `begin`. `what`: as vtkAHDCellsView takes it.
+void Append(vtkCellArray* to, vtkCellArray* cells, const char* what, vtkIdType begin,
+  const vtkAHDContext& context)
+{
+  vtkAHDCellsView opened(cells, what);
+  const ahd::CellsView view = opened.Open(context);
+  if (view.ids == 0)
+  {
+    AppendUnread(to, cells);
+    return;
+  }
+  const auto offset = [&view](std::size_t k)
+  { return view.offsets32 ? std::size_t(view.offsets32[k]) : std::size_t(view.offsets64[k]); };
+  if (offset(0) == 0 && offset(view.cells) == view.ids)
+  {
+    to->Append(cells, begin);
+    return;
+  }
+  // vtkCellArray::Append() would give the ids that no cell has to the cells that come next.
+  for (std::size_t k = 0; k < view.cells; ++k)
+  {
+    to->InsertNextCell(static_cast<int>(offset(k + 1) - offset(k)));
+    for (std::size_t i = offset(k); i < offset(k + 1); ++i)
+    {
+      to->InsertCellPoint(begin + (view.ids32 ? view.ids32[i] : view.ids64[i]));
+    }
+  }
 }
 }
 
@@ -142,10 +181,10 @@ void vtkAHDBlocks::MergeCells(vtkPolyData* merged, const vtkAHDContext& context)
   for (vtkPolyData* block : this->Blocks)
   {
     context.StopIfAborted();
-    verts->Append(block->GetVerts(), begin);
-    lines->Append(block->GetLines(), begin);
-    polygons->Append(block->GetPolys(), begin);
-    strips->Append(block->GetStrips(), begin);
+    AppendUnread(verts, block->GetVerts());
+    Append(lines, block->GetLines(), "lines of a block of the source", begin, context);
+    Append(polygons, block->GetPolys(), "polygons of a block of the source", begin, context);
+    AppendUnread(strips, block->GetStrips());
     begin += this->Wanted == Kind::SourcesByIds ? 0 : block->GetNumberOfPoints();
   }
   merged->SetVerts(verts);

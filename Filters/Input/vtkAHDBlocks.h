@@ -53,7 +53,8 @@ public:
   /// blocks have, by name, type and number of components, with a value for each point. Blocks
   /// without ghost marks that fit count as unmarked if others have some. Of sources the cells too,
   /// by kind (vertices, lines, polygons, strips), with the new ids of their points. Throws
-  /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
+  /// vtkAHDStop if the filter is to abort or where offsets of lines or polygons lie, and
+  /// std::bad_alloc.
   vtkSmartPointer<vtkPolyData> Merge(const vtkAHDContext& context) const;
 
 private:

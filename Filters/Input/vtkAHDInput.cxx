@@ -21,8 +21,8 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
   , Source(source)
   , InputPoints(input->GetPoints())
   , SourcePoints(PointsToAdd(settings, source))
-  , Lines(source ? source->GetLines() : nullptr)
-  , Polygons(source ? source->GetPolys() : nullptr)
+  , Lines(source ? source->GetLines() : nullptr, "lines of the source")
+  , Polygons(source ? source->GetPolys() : nullptr, "polygons of the source")
   , Projection(settings.Transform)
 {
   this->Request.points.count = this->InputPoints.GetCount();

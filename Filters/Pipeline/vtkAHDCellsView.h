@@ -20,13 +20,19 @@
 class vtkAHDCellsView
 {
 public:
-  /// Holds the arrays that the cells have at this time; null stands for none.
-  explicit vtkAHDCellsView(vtkCellArray* cells)
-    : Ids(cells ? cells->GetConnectivityArray() : nullptr)
+  /// Holds the arrays that the cells have at this time; null stands for none. `what` they are, for
+  /// messages: a literal.
+  explicit vtkAHDCellsView(vtkCellArray* cells, const char* what)
+    : What(what)
+    , Ids(cells ? cells->GetConnectivityArray() : nullptr)
     , Offsets(cells ? cells->GetOffsetsArray() : nullptr)
   {
-    this->View.ids = cells ? static_cast<std::size_t>(cells->GetNumberOfConnectivityIds()) : 0;
-    this->View.cells = this->View.ids > 0 ? static_cast<std::size_t>(cells->GetNumberOfCells()) : 0;
+    // An array without a single offset gives -1 cells.
+    if (cells && cells->GetNumberOfCells() > 0 && cells->GetNumberOfConnectivityIds() > 0)
+    {
+      this->View.ids = static_cast<std::size_t>(cells->GetNumberOfConnectivityIds());
+      this->View.cells = static_cast<std::size_t>(cells->GetNumberOfCells());
+    }
   }
 
   /// How many cells and ids; Open() tells where they are.
@@ -44,9 +50,9 @@ public:
     return sizeof(std::int64_t) * (ids + offsets);
   }
 
-  /// The cells, converted if they must be. Good as long as this object, and
-  /// nobody gives the arrays other memory. Throws
-  /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
+  /// The cells, converted if they must be. Good as long as this object, and nobody gives the arrays
+  /// other memory. Throws vtkAHDStop if the filter is to abort or where offsets lie, and
+  /// std::bad_alloc.
   ahd::CellsView Open(const vtkAHDContext& context)
   {
     if (this->View.ids == 0)
@@ -57,11 +63,20 @@ public:
     {
       this->View.ids32 = Lying<vtkTypeInt32>(this->Ids)->GetPointer(0);
       this->View.offsets32 = Lying<vtkTypeInt32>(this->Offsets)->GetPointer(0);
-      return this->View;
     }
-    this->View.ids64 = Open(this->Ids, this->View.ids, this->ConvertedIds, context);
-    this->View.offsets64 = Open(
-      this->Offsets, this->View.cells + 1, this->ConvertedOffsets, context);
+    else
+    {
+      this->View.ids64 = Open(this->Ids, this->View.ids, this->ConvertedIds, context);
+      this->View.offsets64 = Open(
+        this->Offsets, this->View.cells + 1, this->ConvertedOffsets, context);
+    }
+    vtkAHDStop stop{ ahd::Status::Ok, {}, this->What };
+    stop.Reason = ahd::findBadCell(this->View, context, stop.Cell);
+    if (stop.Reason == ahd::Status::BadCells)
+    {
+      throw stop;
+    }
+    context.Check(stop.Reason);
     return this->View;
   }
 
@@ -108,6 +123,7 @@ private:
     return converted.data();
   }
 
+  const char* What;
   vtkSmartPointer<vtkDataArray> Ids;
   vtkSmartPointer<vtkDataArray> Offsets;
   ahd::CellsView View;

@@ -4,6 +4,7 @@
 
 #include "Engine/Core/Context.h"
 #include "Engine/Core/Threads.h"
+#include "Engine/Prepare/Prepare.h"
 #include "Engine/Result.h"
 #include "Pipeline/vtkAHDOutputMemory.h"
 #include "Pipeline/vtkAHDProgress.h"
@@ -18,6 +19,8 @@
 struct vtkAHDStop
 {
   ahd::Status Reason;
+  ahd::BadCell Cell = {};        ///< where the reason is BadCells
+  const char* CellsOf = nullptr; ///< what these cells are, if that is known
 };
 
 /// Who is told of progress in one Update(), the threads that work in it, and the memory of what it

@@ -120,7 +120,7 @@ vtkAHDRankGather::Sizes vtkAHDRankGather::MeasureOwn(const vtkAHDDataSets& data)
   {
     for (std::size_t kind = 0; kind < kKinds; ++kind)
     {
-      const ahd::CellsView counts = vtkAHDCellsView(CellsOf(source)[kind]).GetCounts();
+      const ahd::CellsView counts = vtkAHDCellsView(CellsOf(source)[kind], nullptr).GetCounts();
       own.Cells[kind] = { counts.cells, counts.ids };
     }
     vtkNew<vtkPolyData> nothing;
@@ -400,7 +400,7 @@ void vtkAHDRankGather::WriteCells(
   ahd::BytesWriter writer(bytes);
   for (vtkCellArray* array : CellsOf(source))
   {
-    vtkAHDCellsView opened(array);
+    vtkAHDCellsView opened(array, nullptr); // what they are is not told to other ranks
     const ahd::CellsView cells = opened.Open(this->Context);
     Chain chain;
     chain.Ids.reserve(cells.ids);

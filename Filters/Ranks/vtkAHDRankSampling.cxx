@@ -315,9 +315,8 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
           }
         }
       });
-    const ahd::Bounds bounds = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
+    this->Result.Surface = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
     samples.Take(boxes);
-    this->Result.Surface = bounds;
     this->Interpolate(inputs, piece, samples, vtkDataSet::SafeDownCast(output));
     return true;
   }
@@ -331,15 +330,17 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
     {
       vtkErrorWithObjectMacro(this->Filter, << error);
     }
-    else if (stop.Reason == ahd::Status::OutOfMemory)
+    else if (stop.Reason == ahd::Status::OutOfMemory || stop.Reason == ahd::Status::TooManyPoints)
     {
       vtkErrorWithObjectMacro(
-        this->Filter, "Out of memory on a rank while interpolating. Nothing is put out.");
+        this->Filter, << (stop.Reason == ahd::Status::OutOfMemory
+                             ? "Out of memory on a rank while interpolating."
+                             : "A rank has too many points to be triangulated.")
+                      << " Nothing is put out.");
     }
-    else if (stop.Reason == ahd::Status::TooManyPoints)
+    else if (stop.Reason == ahd::Status::BadCells)
     {
-      vtkErrorWithObjectMacro(
-        this->Filter, "A rank has too many points to be triangulated. Nothing is put out.");
+      vtkAHDSayBadCells(this->Filter, stop.CellsOf, stop.Cell);
     }
     return false;
   }

@@ -76,7 +76,7 @@ ahd::Plane vtkAHDFitPlaneOf(
 
 vtkAHDGivenSurface::vtkAHDGivenSurface(vtkPolyData* surface)
   : Surface(surface)
-  , Cells(surface->GetPolys())
+  , Cells(surface->GetPolys(), "triangles of the surface")
 {
 }
 
@@ -212,7 +212,7 @@ std::size_t vtkAHDGivenSurface::Find(ahd::Triangulation& triangulation,
 
 std::size_t vtkAHDGivenSurface::EstimateBytes(vtkPolyData* surface)
 {
-  const vtkAHDCellsView cells(surface->GetPolys());
+  const vtkAHDCellsView cells(surface->GetPolys(), nullptr);
   const std::size_t points = static_cast<std::size_t>(surface->GetNumberOfPoints());
   return cells.EstimateBytes() + 3 * points; // a mark, and a byte for each of two triangles
 }

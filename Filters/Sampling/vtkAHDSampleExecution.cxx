@@ -103,6 +103,10 @@ bool vtkAHDSampleExecution::Run(
   catch (const vtkAHDStop& stop)
   {
     status = stop.Reason;
+    if (status == ahd::Status::BadCells)
+    {
+      vtkAHDSayBadCells(this->Filter, stop.CellsOf, stop.Cell);
+    }
   }
   catch (const std::bad_alloc&)
   {

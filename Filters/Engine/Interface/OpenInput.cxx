@@ -133,39 +133,20 @@ const Id* evenOffsets(
   return to.data();
 }
 
-/// The first cell whose ids are not among those there are.
-struct Misplaced
+/// Refuses cells whose offsets lie.
+void checkCells(const CellsView& cells, InputArray offsetArray, const Context& context)
 {
-  std::size_t cell = std::size_t(-1);
-
-  void merge(const Misplaced& other) { cell = std::min(cell, other.cell); }
-};
-
-template <typename Id>
-void checkOffsets(
-  const Id* offsets, const CellsView& cells, const char* name, const Context& context)
-{
-  Ticker ticker(context.progress, Phase::Merge, 0, context.executor);
-  Misplaced found;
-  const bool all = gather(cells.cells, ticker, found,
-    [&](Misplaced& part, std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end && part.cell > i; ++i)
-      {
-        const bool isFit = offsets[i] >= 0 && offsets[i] <= offsets[i + 1] &&
-          static_cast<std::uint64_t>(offsets[i + 1]) <= cells.ids;
-        part.cell = isFit ? part.cell : i;
-      }
-    });
-  check(all ? Status::Ok : Status::Cancelled);
-  if (found.cell < cells.cells)
+  BadCell bad;
+  const Status status = findBadCell(cells, context, bad);
+  if (status == Status::BadCells)
   {
-    const std::size_t i = found.cell;
     refuse(AHD_BAD_ARRAY,
-      "\"" + std::string(name) + "\" has " + std::to_string(offsets[i]) + " and " +
-        std::to_string(offsets[i + 1]) + " for chain " + std::to_string(i) + ": they are to " +
-        "ascend from 0 to the " + std::to_string(cells.ids) + " ids.");
+      "\"" + std::string(InputArrays::name(std::size_t(offsetArray))) + "\" has " +
+        std::to_string(bad.begin) + " and " + std::to_string(bad.end) + " for chain " +
+        std::to_string(bad.cell) + ": they are to ascend from 0 to the " + std::to_string(bad.ids) +
+        " ids.");
   }
+  check(status);
 }
 
 /// Ids and offsets have one type: 32 bits if both are so.
@@ -189,7 +170,6 @@ void openCells(const InputArrays& arrays, InputArray idArray, InputArray offsetA
     return;
   }
   offsets = idsOf(arrays[offsetArray], offsetCopy, context);
-  checkOffsets(offsets, cells, InputArrays::name(std::size_t(offsetArray)), context);
 }
 
 std::size_t copiedBytesOf(const ahd_array& ids, const ahd_array& offsets)
@@ -294,6 +274,7 @@ CellsView OpenInput::open(const InputArrays& arrays, InputArray ids, InputArray 
         cells.offsets32, cells.ids32)
     : ahd::openCells(arrays, ids, offsets, copies.offsets64, copies.ids64, cells, context,
         cells.offsets64, cells.ids64);
+  checkCells(cells, offsets, context);
   return cells;
 }
 

@@ -40,6 +40,8 @@ inline void check(Status status)
       refuse(AHD_TOO_MANY_CROSSINGS, "Too many crossings.");
     case Status::OutOfMemory:
       refuse(AHD_OUT_OF_MEMORY, "Out of memory.");
+    case Status::BadCells:
+      refuse(AHD_BAD_ARRAY, "Offsets do not ascend within the ids.");
   }
 }
 

@@ -92,6 +92,42 @@ void findOdd(const PointView& points, std::size_t begin, std::size_t end, Found&
   }
 }
 
+/// The first cell whose ids are not among those there are.
+struct Misplaced
+{
+  std::size_t cell = std::size_t(-1);
+
+  void merge(const Misplaced& other) { cell = std::min(cell, other.cell); }
+};
+
+template <typename Number>
+Status findBadCellBy(
+  const Number* offsets, const CellsView& cells, const Context& context, BadCell& bad)
+{
+  Ticker ticker(context.progress, Phase::Merge, 0, context.executor);
+  Misplaced found;
+  const bool all = gather(cells.cells, ticker, found,
+    [&](Misplaced& part, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end && part.cell > i; ++i)
+      {
+        const bool isFit = offsets[i] >= 0 && offsets[i] <= offsets[i + 1] &&
+          static_cast<std::uint64_t>(offsets[i + 1]) <= cells.ids;
+        part.cell = isFit ? part.cell : i;
+      }
+    });
+  if (!all)
+  {
+    return Status::Cancelled;
+  }
+  if (found.cell >= cells.cells)
+  {
+    return Status::Ok;
+  }
+  bad = { found.cell, offsets[found.cell], offsets[found.cell + 1], cells.ids };
+  return Status::BadCells;
+}
+
 } // namespace
 
 std::array<double, 3> PreparedInput::place(std::size_t id) const
@@ -201,6 +237,16 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
     bytes += count * kBytesToMerge;
   }
   return bytes;
+}
+
+Status findBadCell(const CellsView& cells, const Context& context, BadCell& bad)
+{
+  return withoutThrowing(
+    [&]
+    {
+      return cells.offsets64 ? findBadCellBy(cells.offsets64, cells, context, bad)
+                             : findBadCellBy(cells.offsets32, cells, context, bad);
+    });
 }
 
 Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd)

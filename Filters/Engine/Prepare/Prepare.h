@@ -22,7 +22,8 @@ namespace ahd
 class Triangulation;
 
 /// Cells of a source, looked at where the caller has them: cell k has the ids offsets[k] to
-/// offsets[k + 1] - 1. Either both arrays have 32 bits or both have 64.
+/// offsets[k + 1] - 1. Either both arrays have 32 bits or both have 64. REQUIRES: findBadCell()
+/// finds none.
 struct CellsView
 {
   const std::int32_t* offsets32 = nullptr;
@@ -221,6 +222,19 @@ private:
 /// Ok, Cancelled, OutOfMemory, TooManyPoints or TooManyCrossings; unless Ok, `out` is not to be
 /// used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
+
+/// A cell whose offsets do not ascend, or are not among the ids there are.
+struct BadCell
+{
+  std::size_t cell = 0;
+  std::int64_t begin = 0, end = 0; ///< its offsets
+  std::size_t ids = 0;             ///< that there are, of all cells
+};
+
+/// Looks at the offsets of cells that come from elsewhere. Ids that no cell has are no fault.
+/// Returns Ok, Cancelled, OutOfMemory, or BadCells with the first such cell; the phase is
+/// Phase::Merge.
+Status findBadCell(const CellsView& cells, const Context& context, BadCell& bad);
 
 /// The points that prepare() has to deal with, crossings excepted.
 std::size_t expectedPoints(const InputRequest& request);

@@ -57,6 +57,67 @@ struct ManyRequests
   PrepareCase given;
 };
 
+/// Offsets that lie, in 32 and in 64 bits, on one thread and on several: the first bad cell.
+TEST(PrepareTrouble, FirstCellWhoseOffsetsLieIsFound)
+{
+  constexpr std::size_t kCells = 300000;
+  CellStore store(Cells(kCells, { 1, 2 }));
+  ThreadExecutor executor(3);
+  const auto find = [&](bool wide, Executor* threads, BadCell& bad) {
+    return findBadCell(store.view(wide), Context{ nullptr, threads }, bad);
+  };
+  const auto expectAt = [&](std::size_t cell)
+  {
+    for (const bool wide : { false, true })
+    {
+      for (Executor* threads :
+        { static_cast<Executor*>(nullptr), static_cast<Executor*>(&executor) })
+      {
+        BadCell bad;
+        ASSERT_EQ(find(wide, threads, bad), cell < kCells ? Status::BadCells : Status::Ok);
+        if (cell < kCells)
+        {
+          EXPECT_EQ(bad.cell, cell);
+          EXPECT_EQ(bad.begin, store.offsets64[cell]);
+          EXPECT_EQ(bad.end, store.offsets64[cell + 1]);
+          EXPECT_EQ(bad.ids, 2 * kCells);
+        }
+      }
+    }
+  };
+  const auto put = [&](std::size_t place, std::int64_t offset)
+  {
+    store.offsets64[place] = offset;
+    store.offsets32[place] = std::int32_t(offset);
+  };
+  expectAt(kCells);
+  for (const std::size_t place : { std::size_t(0), std::size_t(1), kCells / 2, kCells })
+  {
+    const std::int64_t was = store.offsets64[place];
+    const std::size_t before = place == 0 ? 0 : place - 1;
+    put(place, -1);
+    expectAt(before);
+    put(place, 2 * kCells + 1);
+    expectAt(before);
+    if (place > 0)
+    {
+      put(place, was - 3);
+      expectAt(before);
+    }
+    put(place, was);
+  }
+  put(kCells / 3, 0);
+  put(kCells - 5, -7);
+  expectAt(kCells / 3 - 1);
+  CellStore wide(Cells(2, { 1, 2 }));
+  wide.offsets64[1] = std::numeric_limits<std::int64_t>::max();
+  BadCell bad;
+  EXPECT_EQ(findBadCell(wide.view(), Context(), bad), Status::BadCells);
+  EXPECT_EQ(findBadCell(CellsView(), Context(), bad), Status::Ok);
+  Listener listener(1);
+  EXPECT_EQ(findBadCell(store.view(), Context{ &listener, nullptr }, bad), Status::Cancelled);
+}
+
 TEST(PrepareTrouble, AnyAskingCanCancel)
 {
   ManyRequests(3000).forAll(
