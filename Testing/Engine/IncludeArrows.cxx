@@ -38,7 +38,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Crossings", { "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
     { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation", "" } },
-    { "Surface", { "Points", "Merge", "Triangulation" } },
+    { "Surface", { "Arithmetic", "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
     { "Sample", { "Arithmetic", "Points", "Order", "Predicates", "Triangulation" } },

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Means.h"
 
+#include "../Arithmetic/ExactMean.h"
 #include "../Core/Border.h"
 #include "../Core/SortAsking.h"
 #include "../Triangulation/Triangulation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <utility>
 
 namespace ahd
@@ -40,7 +42,7 @@ private:
   bool findMean(const std::vector<Index>& ids, std::vector<Mean>& means);
   bool gatherNumbers(const std::vector<Index>& ids, std::size_t k);
   bool meanOfNumbers(double& mean);
-  bool sumOfParts(double divisor, double& sum);
+  bool longMeanOfNumbers(double& mean);
 
   const Triangulation& triangulation_;
   const PointView& inSpace_;
@@ -131,41 +133,42 @@ bool Averaging::gatherNumbers(const std::vector<Index>& ids, std::size_t k)
     });
 }
 
-/// Of equal numbers that number itself. Sorts, so that their order has no say.
+/// Of numbers that are the same to the last bit that number itself, a zero's sign included.
 bool Averaging::meanOfNumbers(double& mean)
 {
-  const auto isLess = [](double a, double b) { return a < b; };
-  if (!sortAsking(numbers_, ticker_, isLess))
-  {
-    return false;
-  }
-  mean = numbers_.front();
-  if (numbers_.front() == numbers_.back())
-  {
-    return true;
-  }
-  const double count = double(numbers_.size());
-  double sum = 0.0;
-  if (!sumOfParts(1.0, sum))
-  {
-    return false;
-  }
-  mean = sum / count;
-  return std::isfinite(sum) || sumOfParts(count, mean);
-}
-
-/// The sum of the numbers, each divided by `divisor`.
-bool Averaging::sumOfParts(double divisor, double& sum)
-{
-  sum = 0.0;
-  return inChunks(0, numbers_.size(), ticker_,
+  bool areSame = true;
+  ShortSum sum;
+  const bool all = inChunks(0, numbers_.size(), ticker_,
     [&](std::size_t begin, std::size_t end)
     {
       for (std::size_t i = begin; i < end; ++i)
       {
-        sum += numbers_[i] / divisor;
+        areSame = areSame && std::memcmp(&numbers_[i], numbers_.data(), sizeof(double)) == 0;
+        sum.add(numbers_[i]);
       }
     });
+  if (areSame)
+  {
+    mean = numbers_.front();
+    return all;
+  }
+  return all && (sum.mean(numbers_.size(), mean) || longMeanOfNumbers(mean));
+}
+
+/// Where the sum has more bits than two doubles.
+bool Averaging::longMeanOfNumbers(double& mean)
+{
+  LongSum sum;
+  const bool all = inChunks(0, numbers_.size(), ticker_,
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        sum.add(numbers_[i]);
+      }
+    });
+  mean = sum.mean(numbers_.size());
+  return all;
 }
 
 } // namespace

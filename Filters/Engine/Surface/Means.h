@@ -23,9 +23,9 @@ struct Mean
 
 /// The means of all places with several points of which one at least has a finite z, by increasing
 /// id. Of the points with a number below `count` only. `inSpace`: what is averaged, the same points
-/// in space; z: that of the triangulated points. A coordinate that all have
-/// in common is kept to the last bit, and the order of the points has no say. Makes the tables it
-/// needs. Returns Ok, Cancelled or OutOfMemory.
+/// in space; z: that of the triangulated points. Each coordinate is the double
+/// nearest to the exact mean: what all have in common is kept to the last bit, and the order of the
+/// points has no say. Makes the tables it needs. Returns Ok, Cancelled or OutOfMemory.
 Status findMeans(Triangulation& triangulation, std::size_t count, const PointView& inSpace,
   const Context& context, std::vector<Mean>& means);
 

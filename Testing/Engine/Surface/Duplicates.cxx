@@ -9,6 +9,7 @@
 #include "Listeners.h"
 #include "OwnMemory.h"
 
+#include <gmpxx.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -217,6 +218,78 @@ TEST(Duplicates, MeansOfHugeAndOfOddNumbers)
   const std::vector<Mean> means = meansOf(points);
   ASSERT_EQ(means.size(), 1u);
   EXPECT_EQ(means[0].position[2], most * 0.75);
+}
+
+/// Is this the double nearest to the exact mean, an even one of two?
+bool isNearestToMean(double found, const std::vector<double>& numbers)
+{
+  mpq_class mean = 0;
+  for (const double x : numbers)
+  {
+    mean += mpq_class(x);
+  }
+  mean /= static_cast<unsigned long>(numbers.size());
+  const mpq_class below(std::nextafter(found, -kInfinity)), above(std::nextafter(found, kInfinity));
+  const mpq_class low = (below + mpq_class(found)) / 2, high = (mpq_class(found) + above) / 2;
+  int exponent = 0;
+  const bool isEven = std::fmod(std::ldexp(std::frexp(found, &exponent), 53), 2.0) == 0.0;
+  return isEven || std::fabs(found) < 0x1p-1021 ? low <= mean && mean <= high
+                                                : low < mean && mean < high;
+}
+
+double meanOf(const std::vector<double>& numbers)
+{
+  std::vector<Xyz> points;
+  for (const double z : numbers)
+  {
+    points.push_back({ { 1, 2, z } });
+  }
+  const std::vector<Mean> means = meansOf(points);
+  return means.size() == 1 ? means[0].position[2] : kNaN;
+}
+
+TEST(Duplicates, MeansAreNearestToTheExactOnes)
+{
+  EXPECT_EQ(meanOf({ 1e16, 1, -1e16 }), 1.0 / 3);
+  EXPECT_EQ(meanOf({ 1e16, -1e16, 0 }), 0.0);
+  EXPECT_EQ(meanOf({ 1e300, 1e-300, -1e300 }), 1e-300 / 3);
+  EXPECT_EQ(meanOf({ 1.7e308, 1.7e308, 1.7e308, -1.7e308 }), 0.85e308);
+  EXPECT_EQ(meanOf({ 5e-324, 0, 0 }), 0.0);
+  EXPECT_EQ(meanOf({ 5e-324, 5e-324, 0 }), 5e-324);
+  EXPECT_FALSE(std::signbit(meanOf({ -0.0, 0.0 })));
+  EXPECT_TRUE(std::signbit(meanOf({ -0.0, -0.0 })));
+  std::mt19937_64 random(7);
+  const int widths[] = { 0, 3, 30, 60, 300, 2040 };
+  for (int trial = 0; trial < 3000; ++trial)
+  {
+    // as many digits as there are, or few; exponents near each other or far; sums that cancel
+    const int width = widths[random() % 6], lowest = int(random() % 2046) - 1073;
+    std::vector<double> numbers(2 + random() % 9);
+    for (double& x : numbers)
+    {
+      const std::uint64_t digits = random() >> (random() % 2 == 0 ? 11 : 58);
+      const int exponent = std::min(970, lowest + int(random() % unsigned(width + 1)));
+      x = std::ldexp(double(digits), exponent) * (random() % 2 == 0 ? 1 : -1);
+    }
+    if (trial % 3 == 0)
+    {
+      numbers.push_back(-numbers[0]);
+      numbers.push_back(std::nextafter(-numbers[1], 0));
+    }
+    ASSERT_TRUE(isNearestToMean(meanOf(numbers), numbers))
+      << trial << ": " << testing::PrintToString(numbers);
+  }
+}
+
+/// Half-way between two doubles, and next to that.
+TEST(Duplicates, MeansThatAreTies)
+{
+  const double above = std::nextafter(1.0, 2.0);
+  EXPECT_EQ(meanOf({ 1.0, above }), 1.0);
+  EXPECT_EQ(meanOf({ above, std::nextafter(above, 2.0) }), std::nextafter(above, 2.0));
+  EXPECT_EQ(meanOf({ 1.0, above, 1e-200, -1e-200 }), 0.5);
+  EXPECT_EQ(meanOf({ 1.0, above, 1e-200, 0.0 }), std::nextafter(0.5, 1.0));
+  EXPECT_EQ(meanOf({ 1.0, above, -1e-200, 0.0 }), 0.5);
 }
 
 TEST(Duplicates, InAPlaneTheMeanIsOneOfPositions)
