@@ -7,6 +7,7 @@
 #include "vtkPVDataInformation.h"
 #include "vtkProcessModule.h"
 #include "vtkSMDoubleRangeDomain.h"
+#include "vtkSMEnumerationDomain.h"
 #include "vtkSMIntRangeDomain.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -82,8 +84,9 @@ public:
   void Execute(vtkObject* caller, unsigned long, void* data) override
   {
     const auto* name = static_cast<const char*>(data);
-    const bool isSource = name && std::strcmp(name, "Source") == 0;
-    if (!isSource && !(name && std::strcmp(name, "Places") == 0))
+    const auto* refusal = std::find_if(std::begin(kRefusals), std::end(kRefusals),
+      [name](const Refusal& r) { return name && std::strcmp(name, r.Property) == 0; });
+    if (refusal == std::end(kRefusals))
     {
       return;
     }
@@ -92,13 +95,24 @@ public:
     std::set<vtkSMProxy*> seen;
     if (item && item->GetNumberOfProxies() > 0 && DependsOn(item->GetProxy(0), proxy, seen))
     {
-      vtkGenericWarningMacro(
-        << (isSource ? "The source was made from the surface that it is to constrain."
-                     : "The places were made from the values that are wanted there.")
-        << (isSource ? " It was" : " They were") << " taken away again.");
+      vtkGenericWarningMacro(<< refusal->Text);
       item->RemoveAllProxies();
     }
   }
+
+private:
+  struct Refusal
+  {
+    const char* Property;
+    const char* Text;
+  };
+  static constexpr Refusal kRefusals[] = {
+    { "Input", "The input was made from this filter's own output. It was taken away again." },
+    { "Source",
+      "The source was made from the surface that it is to constrain. It was taken away again." },
+    { "Places",
+      "The places were made from the values that are wanted there. They were taken away again." },
+  };
 };
 
 // A setting, and the property with its old name, which older states and scripts have.
@@ -151,7 +165,21 @@ Number nearestIn(Domain* domain, unsigned int element, Number value)
   return isLimited && value > most ? most : value;
 }
 
-/// Sets an element of the property to the nearest value in its range, if it is a number with one.
+/// The nearest of the values that the property can have, as the filter takes it.
+int nearestIn(vtkSMEnumerationDomain* domain, int value)
+{
+  int nearest = value;
+  for (unsigned int k = 0; k < domain->GetNumberOfEntries(); ++k)
+  {
+    const int entry = domain->GetEntryValue(k);
+    const auto away = [value](int other) { return std::abs(double(other) - double(value)); };
+    nearest = k == 0 || away(entry) < away(nearest) ? entry : nearest;
+  }
+  return nearest;
+}
+
+/// Sets an element of the property to the nearest value in its range or of its enumeration, if it
+/// has one.
 void KeepInRange(vtkSMProperty* property, unsigned int element)
 {
   vtkSMPropertyHelper value(property);
@@ -159,6 +187,15 @@ void KeepInRange(vtkSMProperty* property, unsigned int element)
   {
     const int given = value.GetAsInt(element);
     if (const int kept = nearestIn(whole, element, given); kept != given)
+    {
+      value.Set(element, kept);
+    }
+  }
+  else if (auto* named = vtkSMEnumerationDomain::SafeDownCast(
+             property->FindDomain("vtkSMEnumerationDomain")))
+  {
+    const int given = value.GetAsInt(element);
+    if (const int kept = nearestIn(named, given); kept != given)
     {
       value.Set(element, kept);
     }
@@ -280,6 +317,12 @@ public:
     auto* proxy = vtkSMSourceProxy::SafeDownCast(registered->Proxy);
     const std::string name = proxy && proxy->GetXMLName() ? proxy->GetXMLName() : "";
     const bool isSurface = name == "AdaptiveHilbertDelaunay2D";
+    if (name == "PlanarPointSource" &&
+      !proxy->HasObserver(vtkCommand::PropertyModifiedEvent, this->Range))
+    {
+      KeepAllInRange(proxy);
+      proxy->AddObserver(vtkCommand::PropertyModifiedEvent, this->Range);
+    }
     if (!(isSurface || name == "AdaptiveHilbertInterpolation2D") ||
       proxy->HasObserver(vtkCommand::UpdateDataEvent, this->Fetch))
     {

@@ -22,12 +22,14 @@ UP_TO_POINTS = []
 # It fetches information properties before a run, not after it: measures are fetched again after each run.
 # It takes a source that was made from the surface, and its update never ends: such a source is taken away.
 # It knows no second name of a property: GenerateFate and GeneratePointStatus are kept equal.
-# It shows numbers out of a property's range, though the filter takes the nearest legal one: so does the panel.
+# It shows numbers out of a property's range, or of no entry of a list, though the filter takes the nearest legal one:
+# so does the panel.
 # It has no range that ends at the number of points: that of a hidden property, which is set here, is used.
 # It knows no area and no cell size that suit the points: as long as they are not used, they are suggested.
 
 FILTER = "AdaptiveHilbertDelaunay2D"
 RASTER = "AdaptiveHilbertInterpolation2D"
+SOURCE = "PlanarPointSource"
 NAMES = {"GenerateFate": "GeneratePointStatus", "GeneratePointStatus": "GenerateFate"}  # old and new
 RANGES = "vtkSMIntRangeDomain", "vtkSMDoubleRangeDomain"
 UPDATED, CHANGED = "UpdateDataEvent", "PropertyModifiedEvent"
@@ -78,6 +80,7 @@ def _depends_on(proxy, wanted, seen):
 
 
 CIRCLES = {
+    "Input": "The input was made from this filter's own output. It was taken away again.\n",
     "Source": "The source was made from the surface that it is to constrain. It was taken away again.\n",
     "Places": "The places were made from the values that are wanted there. They were taken away again.\n",
 }
@@ -98,8 +101,21 @@ def _keep_equal(proxy, name):
         proxy.UpdateProperty(other)
 
 
+def _keep_in_enumeration(proxy, name):
+    """Sets the property to the nearest of the values that it can have, if these have names."""
+    item = proxy.GetProperty(name)
+    entries = item and not item.GetInformationOnly() and item.FindDomain("vtkSMEnumerationDomain")
+    if entries and entries.GetNumberOfEntries():
+        value = _value(proxy, name)
+        known = map(entries.GetEntryValue, range(entries.GetNumberOfEntries()))
+        kept = min(known, key=lambda entry: abs(entry - value))
+        if kept != value:
+            vtkSMPropertyHelper(proxy, name).Set(kept)
+
+
 def _keep_in_range(proxy, name):
     """Sets the property to the nearest value in its range, if it is a number with one that is a limit."""
+    _keep_in_enumeration(proxy, name)
     limits = _range(proxy.GetProperty(name))
     if not limits or name in UP_TO_POINTS:
         return
@@ -163,6 +179,7 @@ def _input_was_updated(source, _event):
 
 def _property_changed(proxy, _event, name):
     if name == "Input":
+        _refuse_circle(proxy, name)
         _follow_points(proxy)
     elif name in CIRCLES:
         _refuse_circle(proxy, name)
@@ -180,7 +197,7 @@ def _observe(proxy):
     proxy._ahd_observed = True
     if proxy.GetXMLName() == RASTER:
         _suggest_raster(proxy)
-    else:
+    elif proxy.GetXMLName() == FILTER:
         old, new = NAMES
         _keep_equal(proxy, old if _value(proxy, old) else new)
     for name, _item in _properties(proxy):
@@ -195,8 +212,8 @@ def _is_observed(proxy):
 
 
 def _is_filter(proxy):
-    """Is it the filter, and that of a plugin in Python? The compiled one has its own observers."""
-    return proxy.GetXMLName() in (FILTER, RASTER) and "." in proxy.GetVTKClassName()
+    """Is it one of ours, and that of a plugin in Python? The compiled one has its own observers."""
+    return proxy.GetXMLName() in (FILTER, RASTER, SOURCE) and "." in proxy.GetVTKClassName()
 
 
 _seen = {"sources": 0}

@@ -144,6 +144,16 @@ def test_a_source_made_from_the_surface_itself():
     check(surface.Source is not None, "a source that is no part of a circle was refused")
 
 
+def test_an_input_made_from_the_surface_itself():
+    surface = lattice()
+    points = surface.Input
+    for own in (Clip(Input=surface), surface):
+        surface.Input = own
+        check(surface.Input is None, "the surface is made of itself")
+        surface.Input = points
+        check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles of the input before")
+
+
 def test_counts_are_in_the_field_data():
     surface = lattice(Source=source("counted", ring(0.3), loops=[range(8)]))
     found = measures(surface)

@@ -322,6 +322,14 @@ def test_circles_are_refused():
             check(getattr(raster, name) is None, "%s made of the raster were taken" % name)
         raster.UpdatePipeline()
         check(raster.GetDataInformation().GetNumberOfPoints() > 0, "without %s there is no raster" % name)
+    sphere = Sphere()
+    raster = AdaptiveHilbertInterpolation2D(Input=sphere, Dimensions=[8, 8])
+    before = str(values(raster))  # some are NaN
+    for own in (Clip(Input=raster), raster):
+        raster.Input = own
+        check(raster.Input is None, "an input made of the raster was taken")
+        raster.Input = sphere
+        check_equal(str(values(raster)), before, "the raster after that")
 
 
 def test_states():

@@ -6,6 +6,7 @@ import re
 
 from paraview.simple import *
 from paraview import servermanager
+from paraview.modules.vtkRemotingServerManager import vtkSMPropertyHelper
 from vtkmodules.vtkCommonExecutionModel import vtkPolyDataAlgorithm
 
 from pluginsupport import *
@@ -152,6 +153,59 @@ def test_what_is_shown_is_what_is_used():
     for given in (0, 1, 2, 10**6):
         limited = AdaptiveHilbertDelaunay2D(Input=Sphere(), InsertionLimit=given)
         check_equal(limited.InsertionLimit, given, "InsertionLimit, which may be more than its slider shows")
+
+
+def enumerations(item):
+    """The names of the settings of a proxy that are chosen from a list, with the least and the largest value."""
+    domains = {name: p.FindDomain("vtkSMEnumerationDomain") for name, p in properties(item).items()}
+    values = {name: [d.GetEntryValue(i) for i in range(d.GetNumberOfEntries())] for name, d in domains.items() if d}
+    return {name: (min(found), max(found)) for name, found in values.items() if found}
+
+
+def number(made, name):
+    return vtkSMPropertyHelper(made.SMProxy, name).GetAsInt()
+
+
+def makers():
+    return (lambda: AdaptiveHilbertDelaunay2D(Input=Sphere()), lambda: AdaptiveHilbertInterpolation2D(Input=Sphere()),
+            PlanarPointSource)
+
+
+def test_what_is_shown_of_lists_is_what_is_used():
+    """Numbers that stand for nothing become the nearest that does, as in the classes."""
+    for make, count in zip(makers(), (11, 4, 2)):
+        lists = enumerations(make().SMProxy)
+        check(len(lists) >= count, "%d lists, and there are %d" % (len(lists), count))
+        for name, (least, most) in lists.items():
+            for given, kept in ((99, most), (-7, least), (most, most)):
+                made = make()
+                setattr(made, name, given)
+                check_equal(number(made, name), kept, "%s, as %d was given" % (name, given))
+                engine = made.GetClientSideObject()
+                if hasattr(engine, "Get" + name):
+                    made.UpdateVTKObjects()
+                    check_equal(getattr(engine, "Get" + name)(), kept, name + " in the class")
+
+
+def test_what_is_shown_of_lists_in_a_state():
+    ResetSession()
+    made = AdaptiveHilbertDelaunay2D(registrationName="listed", Input=Sphere(), Rim=2, InsertionOrder=1)
+    PlanarPointSource(registrationName="drawn", Distribution=3)
+    made.UpdatePipeline()
+    SaveState(scratch("lists.pvsm"))
+    with open(scratch("lists.pvsm"), encoding="utf-8") as file:
+        state = file.read()
+    for name, value in (("Rim", 2), ("InsertionOrder", 1), ("Distribution", 3)):
+        state, changed = re.subn(
+            r'(<Property name="%s"[^>]*>\s*<Element index="0" value=)"%d"' % (name, value), r'\1"99"', state)
+        check_equal(changed, 1, "places of %s in the state" % name)
+    with open(scratch("lists.pvsm"), "w", encoding="utf-8") as file:
+        file.write(state)
+    ResetSession()
+    LoadState(scratch("lists.pvsm"))
+    listed, drawn = FindSource("listed"), FindSource("drawn")
+    check_equal((number(listed, "Rim"), number(listed, "InsertionOrder"), number(drawn, "Distribution")), (2, 3, 6),
+                "what the state says of lists")
 
 
 def test_measures_are_greyed():
