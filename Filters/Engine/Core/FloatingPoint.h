@@ -4,6 +4,8 @@
 
 #if defined(__SSE2__) || defined(_M_X64)
 #include <xmmintrin.h>
+#elif defined(__aarch64__) && defined(__GNUC__)
+#include <cstdint>
 #else
 #include <cfenv>
 #endif
@@ -14,7 +16,8 @@ namespace ahd
 /// For its lifetime, this thread's floating-point arithmetic is as the predicates assume it:
 /// rounding to nearest, subnormal numbers kept, no traps. A host program, or the task a borrowed
 /// thread ran before, may have left it otherwise.
-/// What was set is set again at the end. Elsewhere than on x86 only the rounding mode is.
+/// What was set is set again at the end. Elsewhere than on x86-64 and aarch64 only the rounding
+/// mode is.
 class ScopedFloatingPoint
 {
 public:
@@ -32,6 +35,24 @@ public:
 
 private:
   unsigned before_;
+#elif defined(__aarch64__) && defined(__GNUC__)
+  ScopedFloatingPoint()
+  {
+    __asm__ volatile("mrs %0, fpcr" : "=r"(before_));
+    set(0); // Arm's defaults: all bits of modes and traps are 0
+  }
+  ~ScopedFloatingPoint()
+  {
+    set(before_);
+  }
+
+private:
+  static void set(std::uint64_t modes)
+  {
+    __asm__ volatile("msr fpcr, %0" : : "r"(modes) : "memory");
+  }
+
+  std::uint64_t before_ = 0;
 #else
   ScopedFloatingPoint()
     : before_(std::fegetround())

@@ -15,15 +15,15 @@ struct HostMode
 {
   std::string name;
   int rounding;      ///< FE_UPWARD and the like
-  unsigned flushing; ///< bits of the MXCSR register: kFlushToZero, kDenormalsAreZero
+  unsigned flushing; ///< kFlushToZero, kDenormalsAreZero: bits of the MXCSR register
   int traps;         ///< exceptions (FE_INEXACT and the like) that end the program by a signal
 };
 
 constexpr unsigned kFlushToZero = 0x8000;
 constexpr unsigned kDenormalsAreZero = 0x0040;
 
-/// Every rounding but the usual one, flushing, traps, and all together. Where the processor is none
-/// of the x86 family, rounding only.
+/// Every rounding but the usual one, flushing, traps, and all together: what the processor has of
+/// these.
 const std::vector<HostMode>& hostModes();
 
 /// Sets this thread's arithmetic.
