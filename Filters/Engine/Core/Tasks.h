@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <new>
+#include <exception>
 
 namespace ahd
 {
@@ -31,7 +31,7 @@ inline std::size_t tasksFor(
 /// Calls work(task, ticker of the task) for each task in [0, count) on the threads lent to the
 /// phase; in ascending order on this thread if none are. The tasks must be independent, and what
 /// they write must not depend on which runs first. `work` returns false if it was told to cancel;
-/// then this does. If one throws std::bad_alloc the others are stopped and this throws it.
+/// then this does. If one throws the others are stopped and this throws it, of several the first.
 /// With threads lent it asks at its end: the others may have taken all tasks, or tasks too short to
 /// ask.
 template <typename Work>
@@ -49,7 +49,8 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
     return true;
   }
   std::atomic<bool> cancelled{ false };
-  std::atomic<bool> outOfMemory{ false };
+  std::atomic<bool> hasThrown{ false };
+  std::exception_ptr thrown; // written by the task that sets hasThrown, read when all are done
   const auto run = [&](std::size_t task)
   {
     const ScopedFloatingPoint asAssumed;
@@ -61,9 +62,12 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
         cancelled = true;
       }
     }
-    catch (const std::bad_alloc&)
+    catch (...)
     {
-      outOfMemory = true;
+      if (!hasThrown.exchange(true))
+      {
+        thrown = std::current_exception();
+      }
       cancelled = true;
       ticker.cancel();
     }
@@ -72,9 +76,9 @@ bool inParallel(Ticker& ticker, std::size_t count, Work work)
     const ScopedFloatingPoint whateverItSets;
     ticker.executor()->run(count, run, [&] { ticker.ask(); });
   }
-  if (outOfMemory)
+  if (thrown)
   {
-    throw std::bad_alloc();
+    std::rethrow_exception(thrown);
   }
   return !cancelled && ticker.ask();
 }

@@ -147,12 +147,24 @@ void Threads::Crew::run(std::size_t count, const std::function<void(std::size_t)
   called_.notify_all();
   takeTasks(count, task);
   std::unique_lock<std::mutex> locked(mutex_);
-  task_ = nullptr; // who comes now comes too late
+  task_ = nullptr;           // who comes now comes too late
+  std::exception_ptr thrown; // by idle(): not before the others have let go of the task
   while (!finished_.wait_for(locked, kIdle, [this] { return atWork_ == 0; }))
   {
     locked.unlock();
-    idle();
+    try
+    {
+      thrown ? void() : idle();
+    }
+    catch (...)
+    {
+      thrown = std::current_exception();
+    }
     locked.lock();
+  }
+  if (thrown)
+  {
+    std::rethrow_exception(thrown);
   }
 }
 

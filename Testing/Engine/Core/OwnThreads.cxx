@@ -12,6 +12,7 @@
 #include <chrono>
 #include <mutex>
 #include <set>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -55,6 +56,34 @@ void waitUntil(const Done& done)
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
+}
+
+/// What idle() throws is thrown when all tasks have returned, and not before.
+TEST(OwnThreads, ExceptionsOfIdleWaitForTheTasks)
+{
+  Threads executor(2);
+  const std::thread::id caller = std::this_thread::get_id();
+  std::atomic<bool> isBegun{ false }, isThrown{ false }, isDone{ false };
+  const auto task = [&](std::size_t)
+  {
+    if (std::this_thread::get_id() == caller)
+    {
+      waitUntil([&] { return isBegun.load(); });
+      return;
+    }
+    isBegun = true;
+    waitUntil([&] { return isThrown.load(); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    isDone = true;
+  };
+  const auto idle = [&]
+  {
+    isThrown = true;
+    throw std::runtime_error("enough");
+  };
+  EXPECT_THROW(executor.run(2, task, idle), std::runtime_error);
+  EXPECT_TRUE(isDone);
+  expectEachTaskOnce(executor, 10);
 }
 
 TEST(OwnThreads, CallEachTaskOnceWithAnyNumberOfThreads)

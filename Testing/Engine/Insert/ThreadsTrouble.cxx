@@ -2,6 +2,10 @@
 //
 // Several threads and something goes wrong: the caller cancels, or memory runs out in a task. This
 // program's operator new fails when told to.
+#include "Core/Border.h"
+#include "Core/Progress.h"
+#include "Core/Tasks.h"
+
 #include "EngineRun.h"
 #include "Executors.h"
 #include "OwnMemory.h"
@@ -9,6 +13,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <initializer_list>
+#include <new>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -162,6 +170,60 @@ void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
     ASSERT_EQ(status, Status::OutOfMemory) << "at allocation " << k;
   }
   FAIL() << "no run got through";
+}
+
+/// What the tasks of inParallel() throw, whichever it is and on whichever thread, is thrown by it.
+template <typename Exception>
+void expectThrown(Executor& executor, const Exception& thrown)
+{
+  for (std::size_t from = 0; from < 40; from += 13)
+  {
+    Listener listener;
+    std::atomic<std::size_t> begun{ 0 };
+    bool isCaught = false;
+    try
+    {
+      Ticker ticker(&listener, Phase::Merge, 0, &executor);
+      inParallel(ticker, 40,
+        [&](std::size_t task, Ticker&)
+        {
+          ++begun;
+          if (task >= from)
+          {
+            throw thrown;
+          }
+          return true;
+        });
+    }
+    catch (const Exception& caught)
+    {
+      isCaught = true;
+      EXPECT_STREQ(caught.what(), thrown.what());
+    }
+    EXPECT_TRUE(isCaught);
+    EXPECT_LE(begun, 40u);
+  }
+}
+
+TEST(ThreadsTrouble, ExceptionsOfTasksReachTheCaller)
+{
+  BackwardExecutor backward(3);
+  ThreadExecutor together(3);
+  ElsewhereExecutor elsewhere(2);
+  for (Executor* executor : std::initializer_list<Executor*>{ &backward, &together, &elsewhere })
+  {
+    expectThrown(*executor, std::bad_alloc());
+    expectThrown(*executor, std::length_error("too long"));
+    expectThrown(*executor, std::runtime_error("something else"));
+    const Status status = unlessCancelled(
+      [&]
+      {
+        Ticker ticker(nullptr, Phase::Merge, 0, executor);
+        return inParallel(
+          ticker, 8, [](std::size_t, Ticker&) -> bool { throw std::length_error("too long"); });
+      });
+    EXPECT_EQ(status, Status::OutOfMemory);
+  }
 }
 
 TEST(ThreadsTrouble, OutOfMemoryAtAnyAllocation)
