@@ -59,13 +59,12 @@ std::size_t addressSpaceLeft(const Taken& taken)
 
 /// Linux control groups, second version, then first; a limit that is not set does not read as a
 /// number or is astronomic.
-std::size_t containerLeft(const Taken& taken)
+std::size_t containerLeft(const std::string& groups, const Taken& taken)
 {
-  for (const char* path :
-    { "/sys/fs/cgroup/memory.max", "/sys/fs/cgroup/memory/memory.limit_in_bytes" })
+  for (const char* file : { "/memory.max", "/memory/memory.limit_in_bytes" })
   {
     std::size_t bytes = 0;
-    if (std::ifstream(path) >> bytes && bytes > 0)
+    if (std::ifstream(groups + file) >> bytes && bytes > 0)
     {
       return less(bytes, taken.resident);
     }
@@ -74,9 +73,9 @@ std::size_t containerLeft(const Taken& taken)
 }
 
 /// What Linux takes for available: free memory, and caches that it would give up.
-std::size_t machineLeft()
+std::size_t machineLeft(const std::string& meminfo)
 {
-  std::ifstream info("/proc/meminfo");
+  std::ifstream info(meminfo);
   std::string name, unit;
   for (std::size_t kibibytes = 0; info >> name >> kibibytes; std::getline(info, unit))
   {
@@ -92,8 +91,13 @@ std::size_t machineLeft()
 
 std::size_t availableMemory()
 {
+  return availableMemoryBy("/proc/meminfo", "/sys/fs/cgroup");
+}
+
+std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups)
+{
   const Taken taken = takenByProcess();
-  return std::min({ machineLeft(), containerLeft(taken), addressSpaceLeft(taken) });
+  return std::min({ machineLeft(meminfo), containerLeft(groups, taken), addressSpaceLeft(taken) });
 }
 
 } // namespace ahd

@@ -3,6 +3,7 @@
 #define ahd_Memory_h
 
 #include <cstddef>
+#include <string>
 
 namespace ahd
 {
@@ -12,6 +13,10 @@ namespace ahd
 /// container). The largest number where none of them is known: only Linux tells all, other POSIX
 /// systems the address space. For who sets limits; the engine itself does not ask.
 std::size_t availableMemory();
+
+/// The same by other files than those in which Linux tells of memory: `meminfo` in place of
+/// /proc/meminfo, and the folder `groups` in place of /sys/fs/cgroup. For tests.
+std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups);
 
 } // namespace ahd
 

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 #if defined(__linux__)
 #include <sys/resource.h>
@@ -22,6 +25,78 @@ TEST(AvailableMemory, IsSome)
 {
   EXPECT_GT(availableMemory(), std::size_t(1) << 20);
 }
+
+/// Files as Linux has them, in a folder of this test's own.
+class MemoryFiles
+{
+public:
+  MemoryFiles()
+    : folder_(std::filesystem::path(testing::TempDir()) / "ahd_memory_files")
+  {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_ / "memory");
+  }
+  ~MemoryFiles() { std::filesystem::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(folder_ / name) << text;
+  }
+  void remove(const std::string& name) const { std::filesystem::remove(folder_ / name); }
+
+  std::size_t available() const
+  {
+    return availableMemoryBy((folder_ / "meminfo").string(), folder_.string());
+  }
+
+private:
+  std::filesystem::path folder_;
+};
+
+constexpr std::size_t kGibibyte = std::size_t(1) << 30;
+
+TEST(AvailableMemory, IsThatOfTheMachine)
+{
+  const MemoryFiles files;
+  files.write(
+    "meminfo", "MemTotal:  9 kB\nMemFree: 7 kB\nMemAvailable:    5000 kB\nBuffers: 3 kB\n");
+  EXPECT_EQ(files.available(), 5000u * 1024);
+  files.write("meminfo", "MemTotal:       9 kB\n");
+  EXPECT_GE(files.available(), std::size_t(1) << 48) << "nobody tells";
+}
+
+#if defined(__linux__)
+/// Of either version of control groups: what the limit leaves, less what this process has taken.
+TEST(AvailableMemory, KeepsToTheLimitOfAContainer)
+{
+  const MemoryFiles files;
+  files.write("meminfo", "MemAvailable: 99999999999 kB\n");
+  const std::size_t unlimited = files.available();
+  for (const char* name : { "memory.max", "memory/memory.limit_in_bytes" })
+  {
+    SCOPED_TRACE(name);
+    files.write(name, std::to_string(64 * kGibibyte) + "\n");
+    const std::size_t left = files.available();
+    EXPECT_LT(left, 64 * kGibibyte) << "this process has taken some";
+    EXPECT_GT(left, 60 * kGibibyte);
+    files.write(name, "4096\n"); // less than is taken already
+    EXPECT_EQ(files.available(), 0u);
+    files.write("meminfo", "MemAvailable: 4 kB\n");
+    files.write(name, std::to_string(64 * kGibibyte) + "\n");
+    EXPECT_EQ(files.available(), 4096u) << "the machine has less";
+    files.write("meminfo", "MemAvailable: 99999999999 kB\n");
+    files.write(name, "max\n");
+    EXPECT_EQ(files.available(), unlimited);
+    files.write(name, "9223372036854771712\n"); // the first version's word for no limit
+    EXPECT_EQ(files.available(), unlimited);
+    files.remove(name);
+    EXPECT_EQ(files.available(), unlimited);
+  }
+  files.write("memory.max", std::to_string(8 * kGibibyte));
+  files.write("memory/memory.limit_in_bytes", std::to_string(64 * kGibibyte));
+  EXPECT_LT(files.available(), 8 * kGibibyte) << "the second version's comes first";
+}
+#endif
 
 #if defined(__linux__)
 TEST(AvailableMemory, KeepsToTheAddressSpace)
