@@ -156,17 +156,10 @@ void Sampling::run(std::size_t bytes, const Work& work)
   const struct Apart
   {
     JobProgress& progress;
-    JobSampling& kept;
-    double begun = steadySeconds();
-    ~Apart()
-    {
-      kept.seconds = steadySeconds() - begun;
-      progress.endApart();
-    }
-  } apart{ job_.progress, kept_ };
-  kept_.places = places_.count();
-  kept_.report = SampleReport();
-  kept_.estimate = bytes;
+    ~Apart() { progress.endApart(); }
+  } apart{ job_.progress };
+  const double begun = steadySeconds();
+  SampleReport report;
   job_.progress.beginApart(stageWeights());
   job_.withThreads(
     [&](const Context& context)
@@ -175,9 +168,13 @@ void Sampling::run(std::size_t bytes, const Work& work)
       const Sampler& sampler = prepare(kept_.byMethod, method_, context);
       job_.progress.reach(2);
       job_.progress.expectLastPhase();
-      work(sampler, context);
+      work(sampler, report, context);
       check(job_.progress.finish() ? Status::Ok : Status::Cancelled);
     });
+  kept_.places = places_.count();
+  kept_.report = report;
+  kept_.estimate = bytes;
+  kept_.seconds = steadySeconds() - begun;
 }
 
 const Sampler& Sampling::prepare(
@@ -203,7 +200,7 @@ void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask
     checkColumns(components);
   }
   run(estimate(components, mask != nullptr),
-    [&](const Sampler& sampler, const Context& context)
+    [&](const Sampler& sampler, SampleReport& report, const Context& context)
     {
       Buffer<unsigned char> ownMask;
       if (fills_ && !mask)
@@ -211,8 +208,8 @@ void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask
         ownMask.allocate(places_.count());
         mask = ownMask.data();
       }
-      check(sampler.values(places_, arrays.data(), arrays.size(), mask, kept_.report, context));
-      if (fills_ && kept_.report.outside > 0)
+      check(sampler.values(places_, arrays.data(), arrays.size(), mask, report, context));
+      if (fills_ && report.outside > 0)
       {
         job_.progress.reach(3);
         const Sampler& nearest = prepare(kept_.nearest, SampleMethod::Nearest, context);
@@ -230,11 +227,11 @@ void Sampling::weights()
   const std::size_t bytes = (places_.count() + 1) * sizeof(std::uint64_t) +
     places_.count() * perPlace * (sizeof(std::int32_t) + sizeof(double));
   fills_ = false;
-  kept_.hasWeights = false;
-  kept_.weights = SampleWeights();
+  SampleWeights made; // those before stay until these are there
   run(estimate(0, true) + bytes,
-    [&](const Sampler& sampler, const Context& context)
-    { check(sampler.weights(places_, kept_.weights, kept_.report, context)); });
+    [&](const Sampler& sampler, SampleReport& report, const Context& context)
+    { check(sampler.weights(places_, made, report, context)); });
+  kept_.weights = std::move(made);
   kept_.hasWeights = true;
 }
 

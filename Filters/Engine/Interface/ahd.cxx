@@ -24,7 +24,9 @@ struct ahd_job
 {
   ahd::Job job;
   std::string message;
-  const char* said = ""; ///< the message, or what to say without memory for it
+  /// The message, or what to say without memory for it. Atomic, as a call from a callback may be on
+  /// another thread than the one that is at work, though it must not.
+  std::atomic<const char*> said{ "" };
   std::atomic<bool> isBusy{ false };
 };
 
@@ -46,6 +48,7 @@ ahd_status guarded(ahd_job& job, const Work& work)
   try
   {
     work(job.job);
+    job.said = ""; // callbacks may have been told that it is busy
     return AHD_OK;
   }
   catch (ahd::Refusal& refusal)
@@ -79,6 +82,7 @@ ahd_status call(ahd_job* job, const Work& work)
   }
   if (job->isBusy.exchange(true))
   {
+    job->said = "The job is at work: a callback of its can call ahd_cancel() only.";
     return AHD_BUSY;
   }
   job->job.progress.beginCall();
@@ -127,7 +131,7 @@ void ahd_job_free(ahd_job* job)
 
 const char* ahd_message(const ahd_job* job)
 {
-  return job ? job->said : "The job is a null pointer.";
+  return job ? job->said.load() : "The job is a null pointer.";
 }
 
 ahd_status ahd_set_int(ahd_job* job, const char* name, int64_t value)

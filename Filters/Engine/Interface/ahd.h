@@ -25,8 +25,9 @@
  * They keep name and meaning while AHD_ABI_VERSION is the same; new ones may come.
  *
  * Errors. Functions return an ahd_status; ahd_message() then says what was wrong, and with which.
- * Nothing is thrown, printed or read from the environment. A call that failed changed nothing, but
- * for ahd_run(), after which there is no result.
+ * Nothing is thrown, printed or read from the environment. A call that failed changed nothing but
+ * the message, the caller's memory that it was to write to, times and threads_used; after
+ * ahd_run() there is no result, and the counts are those of this run.
  *
  * Threads. A job is for one thread at a time; several jobs may be at work in several threads. Only
  * ahd_cancel() may be called while another call of the same job is at work: from another thread or
@@ -201,7 +202,7 @@ AHD_API ahd_job* ahd_job_new(void);
 /* Null is allowed. REQUIRES: the job is not at work. */
 AHD_API void ahd_job_free(ahd_job* job);
 /* What was wrong in the last call, empty if nothing was; UTF-8, good until the next call of the
- * job. Never null. */
+ * job. Never null. In a callback: of the last call from it. */
 AHD_API const char* ahd_message(const ahd_job* job);
 
 /* --- Settings --------------------------------------------------------------------------------
@@ -306,10 +307,12 @@ AHD_API ahd_status ahd_run(ahd_job* job);
 /* Ends the call that is at work; if there is none, the next one that can be cancelled. */
 AHD_API void ahd_cancel(ahd_job* job);
 
-/* Bytes of working memory that are kept for the next run; those of a result not counted. */
+/* Bytes of working memory that are kept for the next run; those of a result not counted. 0 while
+ * the job is at work. */
 AHD_API uint64_t ahd_kept_bytes(ahd_job* job);
 /* Drops the result and keeps its memory for the next run, unless all that is kept would be more
- * than `most` bytes: then it goes back to the system. Counts, settings and input stay. */
+ * than `most` bytes: then it goes back to the system. Settings and input stay, and the counts that
+ * are known after every run. */
 AHD_API ahd_status ahd_release(ahd_job* job, uint64_t most);
 
 /* The plane that fits the input points best, without a run: (4, 4) numbers, row by row, that take
@@ -324,7 +327,7 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *   memory_allowed      bytes that it was held against
  *   most_boxes          for which there was memory
  *   most_crossings      the same, of those that are split
- *   threads_used        that shared work; 1 if nothing was worth sharing
+ *   threads_used        that shared work, later calls included; 1 if nothing was worth sharing
  *   dispatch_target     what the processor can do: 0 the baseline, 1 AVX2, 2 AVX-512
  * Known after AHD_OK:
  *   input_points, source_points, added_points (source, bounding points, crossings),

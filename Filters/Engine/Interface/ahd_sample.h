@@ -24,7 +24,8 @@
  *   sample_outside   0   AHD_OUTSIDE_...
  * besides them threads, memory_limit and other_memory.
  *
- * Counts, of the last ahd_sample() or ahd_sample_weights() of the result, 0 before:
+ * Counts, of the last ahd_sample() or ahd_sample_weights() of the result that returned AHD_OK, 0
+ * before:
  *   sampled_places        = sampled_valued + sampled_outside + sampled_not_finite
  *   sampled_valued        on the surface; with AHD_SAMPLE_NEAREST all that are finite
  *   sampled_outside       outside of the hull, in a hole or in a triangle that is not put out
@@ -96,7 +97,7 @@ AHD_API ahd_status ahd_sample_estimate(
   ahd_job* job, const ahd_places* places, uint64_t columns, uint64_t* bytes);
 
 /* Makes the arrays weight_... and weights, for who interpolates himself. sample_outside has no say
- * in them. */
+ * in them. Those of the last call are kept until these are there. */
 AHD_API ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places);
 
 #endif

@@ -76,6 +76,7 @@ int main(void)
   test_results();
   test_sample();
   test_trouble();
+  test_unchanged();
   if (ahd_failures > 0)
   {
     fprintf(stderr, "%d checks failed.\n", ahd_failures);

@@ -127,6 +127,7 @@ static int32_t listen(void* user, int32_t phase, double fraction)
   own->phases |= 1 << phase;
   own->fraction = fraction;
   own->busy = ahd_count(own->job, "points", &number);
+  CHECK_SAYS(own->job, "at work");
   return ++own->calls == own->last_call;
 }
 

@@ -73,5 +73,6 @@ void test_input(void);
 void test_results(void);
 void test_sample(void);
 void test_trouble(void);
+void test_unchanged(void);
 
 #endif
