@@ -35,7 +35,7 @@ options
                                outside the surface NaN, the borders of cells multiples of CELL
   --method METHOD              how heights come about: linear (default), natural, laplace or nearest
   --crs EPSG:CODE              what coordinate reference system the GeoTIFF says it has, for example EPSG:32633
-  --output DIR                 where to write (default: build/demo)
+  --output DIR                 where to write (default: build/demo); a file there that the demo did not write stays
   --help                       this text
 
 exit code  0 done, 1 something failed (a log is named), 2 the file, an option or this system cannot be used
@@ -82,6 +82,7 @@ done
 [ -z "$file" ] || [ -f "$file" ] || fail 2 "no such file: $file"
 [ -z "$file" ] || [ -r "$file" ] || fail 2 "no permission to read $file"
 arguments+=("--output=$output")
+[ "$output" != "$build/demo" ] || arguments+=(--own-output)
 
 require_release
 export PYTHONDONTWRITEBYTECODE=1

@@ -20,6 +20,7 @@ import numpy
 import conversion
 import pointfiles
 import raster
+import results as written
 from conversion import VTK_FILES
 from pointfiles import InputError, PointSet, thousands
 
@@ -38,6 +39,7 @@ def parse_arguments(words):
         parser.add_argument("--" + axis, metavar="COLUMN")
     parser.add_argument("--columns", metavar="X,Y,Z")
     parser.add_argument("--output", metavar="DIR", required=True)
+    parser.add_argument("--own-output", action="store_true")  # nobody else writes into that folder
     parser.add_argument("--exaggeration", type=float, metavar="FACTOR")
     parser.add_argument("--edges", action="store_true")
     raster.add_options(parser)
@@ -76,10 +78,18 @@ def check_file(chosen):
         raise InputError("columns can be chosen in tables only (%s)" % " ".join(pointfiles.TABLES))
 
 
+def stem(chosen):
+    """The results without their endings."""
+    return os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
+
+
 def results(chosen):
     """Where the surface, the picture and the rasters are written."""
-    stem = os.path.join(chosen.output, os.path.splitext(os.path.basename(chosen.file))[0])
-    return (stem + ".vtp", stem + ".png", *raster.results(chosen, stem))
+    return (stem(chosen) + ".vtp", stem(chosen) + ".png", *raster.results(chosen, stem(chosen)))
+
+
+def folder(chosen):
+    return written.Folder(chosen.output, chosen.own_output)
 
 
 def check_output(chosen):
@@ -99,6 +109,7 @@ def check_output(chosen):
             raise InputError("no permission to write %s" % path)
         if os.path.exists(path) and os.path.samefile(path, chosen.file):
             raise InputError("the result would take the place of %s; choose another folder with --output" % path)
+    folder(chosen).check(results(chosen))
 
 
 # --- what needs ParaView ------------------------------------------------------------------------
@@ -240,17 +251,19 @@ def run(chosen):
     proxy, surface, measures = triangulate(source, chosen.plugin)
     report(points, measures)
     vtp, png, *rasters = results(chosen)
-    for old in (vtp, png, *rasters):  # nothing of an earlier run beside this surface
-        if os.path.exists(old):
-            os.remove(old)
+    own = folder(chosen)
+    own.remove(stem(chosen) + ending for ending in (".vtp", ".png", *raster.ENDINGS))  # nothing old beside this surface
     save_surface(proxy, vtp)
+    own.add(vtp)
     if surface.GetNumberOfPolys() == 0:
         raise InputError("no triangle, so no picture: all points lie on one line, or there are fewer than three")
     if rasters:
         for path in raster.run(proxy.GetClientSideObject().GetOutputDataObject(0), chosen, rasters):
             check_written(path)
+            own.add(path)
     told = write_picture(surface, points, chosen, png)
     check_written(png)
+    own.add(png)
     print("Picture  %s\n         %s" % (png, told))
 
 
@@ -279,6 +292,9 @@ def main():
         return 2
     except OSError as error:
         print("demo: %s" % error, file=sys.stderr)
+        return 1
+    except MemoryError:
+        print("demo: out of memory; take fewer points, or a larger cell of the raster", file=sys.stderr)
         return 1
     return 0
 

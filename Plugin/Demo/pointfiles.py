@@ -11,6 +11,7 @@ import csv
 import math
 import os
 import re
+import string
 import struct
 
 import numpy
@@ -20,7 +21,7 @@ LAS = (".las", ".laz")
 
 COMMENTS = ("#", "%", "//", "!", ">")  # what a line that is no data begins with
 
-COMMENT_BEHIND = re.compile(r"(^|(?<=[\s,;\d.])) *#.*")  # not the # of a name such as Buoy#3
+MINUS = dict.fromkeys(map(ord, "\u2212\u2010\u2011\u2013\ufe63\uff0d"), "-")  # as word processors write it
 
 # Column names taken for x, y and z, most telling first. Compared in lower case, without units.
 NAMES = {
@@ -116,15 +117,29 @@ def significant_lines(text):
             if not rows:
                 comment = line.lstrip().lstrip("#%/!> ")
             continue
-        rows.append((number, COMMENT_BEHIND.sub("", line) if "#" in line else line))
+        rows.append((number, without_comment(line) if "#" in line else line))
     return rows, comment
+
+
+def without_comment(line):
+    """Up to a # that begins the line or stands behind a space, a number or what divides fields: not the # of a name
+    such as Buoy#3. Once through the line, whatever is in it."""
+    at, begin = line.find("#"), 0
+    while at >= 0:
+        end = at
+        while end > begin and line[end - 1] == " ":
+            end -= 1
+        if end < at or end == 0 or re.match(r"[\s,;\d.]", line[end - 1]):
+            return line[:end]
+        at, begin = line.find("#", at + 1), at + 1
+    return line
 
 
 class Layout:
     """How a line of the table is cut into fields."""
 
     WORDS = {",": "commas", ";": "semicolons", "\t": "tabs", None: "spaces"}
-    DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?$")
+    DECIMAL_COMMA = re.compile(r"[+-]?\d*,\d+([eE][+-]?\d+)?$", re.ASCII)
 
     def __init__(self, delimiter, decimal_comma, quoted):
         self.delimiter, self.decimal_comma, self.quoted = delimiter, decimal_comma, quoted
@@ -132,21 +147,28 @@ class Layout:
     @classmethod
     def of(cls, lines, quoted):
         """Told from the first lines: a delimiter that nearly all of them have, tab and semicolon
-        before comma, as a comma may also be a decimal one. quoted: whether any line has quotes."""
-        for delimiter in ("\t", ";", ","):
-            if sum(delimiter in line for line in lines) < 0.8 * len(lines):
-                continue
-            if delimiter == "," and cls.spaced_decimal_commas(lines):
-                return cls(None, True, False)
-            fields = [field for line in lines for field in line.split(delimiter)]
-            decimal_comma = delimiter != "," and cls.any_decimal_comma(fields)
-            return cls(delimiter, decimal_comma, quoted)
-        decimal_comma = cls.any_decimal_comma([f for line in lines for f in line.split()])
-        return cls(None, decimal_comma, False)
+        before comma, as a comma may also be a decimal one; of several the first that cuts them into
+        numbers, as the others may stand in text. quoted: whether any line has quotes."""
+        found = [cls.by(delimiter, lines, quoted) for delimiter in ("\t", ";", ",")
+                 if sum(delimiter in line for line in lines) >= 0.8 * len(lines)]
+        found.append(cls.by(None, lines, False))
+        return next((layout for layout in found if layout.gives_numbers(lines)), found[0])
+
+    @classmethod
+    def by(cls, delimiter, lines, quoted):
+        if delimiter == "," and cls.spaced_decimal_commas(lines):
+            return cls(None, True, False)
+        fields = [field for line in lines for field in line.split(delimiter)]
+        return cls(delimiter, delimiter != "," and cls.any_decimal_comma(fields), quoted)
+
+    def gives_numbers(self, lines):
+        """Do half of the lines have two numbers at least?"""
+        good = sum(sum(map(self.is_number, self.split(line))) > 1 for line in lines)
+        return 2 * good >= len(lines)
 
     @classmethod
     def any_decimal_comma(cls, fields):
-        return any(cls.DECIMAL_COMMA.match(field.strip(' "')) for field in fields)
+        return any(cls.DECIMAL_COMMA.match(field.strip(' "').translate(MINUS)) for field in fields)
 
     @classmethod
     def spaced_decimal_commas(cls, lines):
@@ -154,7 +176,7 @@ class Layout:
         good = 0
         for line in lines:
             fields = line.split()
-            good += len(fields) > 1 and all(cls.DECIMAL_COMMA.match(field) for field in fields)
+            good += len(fields) > 1 and all(cls.DECIMAL_COMMA.match(field.translate(MINUS)) for field in fields)
         return good >= 0.8 * len(lines)
 
     def split(self, line):
@@ -168,6 +190,7 @@ class Layout:
         """The field as a float; ValueError where it is none (Python also takes 1_000: we do not)."""
         if "_" in field:
             raise ValueError(field)
+        field = field.translate(MINUS) if not field.isascii() else field
         return float(field.replace(",", ".") if self.decimal_comma else field)
 
     def is_number(self, field):
@@ -204,8 +227,21 @@ def find_header(rows, comment, layout):
 
 def plain(name):
     """A column's name in lower case, without quotes and without its unit: "Depth (m)" is depth."""
-    name = re.sub(r"[\(\[].*?[\)\]]", "", name.strip(' "\'').lower())
-    return re.sub(r"[\s_.-]*(deg|degrees|metres|meters|m|ft|feet)$", "", name.strip()) or name.strip()
+    name = without_brackets(name.strip(' "\'').lower()).strip()
+    unit = re.search(r"(degrees|metres|meters|feet|deg|ft|m)$", name)
+    return name[: unit.start()].rstrip("_.-" + string.whitespace) or name if unit else name
+
+
+def without_brackets(text):
+    """Without what stands in round or square brackets. Once through the text, whatever is in it."""
+    kept, begin = [], 0
+    while True:
+        opening = re.compile(r"[(\[]").search(text, begin)
+        closing = opening and re.compile(r"[)\]]").search(text, opening.end())
+        if not closing:
+            return "".join(kept) + text[begin:]
+        kept.append(text[begin : opening.start()])
+        begin = closing.end()
 
 
 def choose_columns(wanted, names, layout, rows, has_header):

@@ -9,6 +9,7 @@ import numpy
 import geotiff
 from pointfiles import InputError, thousands
 
+ENDINGS = (".vti", ".tif")
 METHODS = {"linear": "Linear", "natural": "NaturalNeighbor", "laplace": "Laplace", "nearest": "Nearest"}
 
 
@@ -31,7 +32,7 @@ def check(chosen, parser):
 
 def results(chosen, stem):
     """The files that are written, the second one where that is possible."""
-    return () if chosen.raster is None else (stem + ".vti", stem + ".tif")
+    return () if chosen.raster is None else tuple(stem + ending for ending in ENDINGS)
 
 
 def make(surface, cell, method):

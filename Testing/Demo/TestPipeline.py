@@ -27,6 +27,7 @@ import demo
 import geotiff
 import picture
 from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+import results
 from pointfiles import InputError
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
@@ -238,6 +239,42 @@ class WholeRuns(InFolder):
         self.assertEqual(self.surface("same.vtp").GetNumberOfPolys(), 0)
         self.assertFalse(os.path.exists(self.path("same.png")))
 
+    def test_no_old_raster_stays_beside_a_new_surface(self):
+        path = self.write_text("same.csv", badfiles.HILL.decode())
+        self.run_demo(path, "--raster=0.5")
+        self.assertTrue(os.path.exists(self.path("same.vti")))
+        self.run_demo(path)
+        self.assertFalse(os.path.exists(self.path("same.vti")) or os.path.exists(self.path("same.tif")))
+        self.assertTrue(os.path.exists(self.path("same.png")))
+
+    def test_files_of_somebody_else_stay(self):
+        path = self.write_text("line.csv", "0,0,1\n1,1,2\n2,2,3\n")
+        for name in ("line.png", "line.vtp"):
+            mine = self.write_text(name, "mine")
+            with self.assertRaisesRegex(InputError, name + " is there, and is not as this program wrote it"):
+                self.run_demo(path)
+            with open(mine, encoding="utf-8") as file:
+                self.assertEqual(file.read(), "mine")
+            os.remove(mine)
+        mine = self.write_text("line.vti", "mine")  # no result of this run
+        with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
+            self.run_demo(path)
+        self.assertTrue(os.path.exists(mine))
+        with open(self.path("line.vtp"), "a", encoding="utf-8") as file:
+            file.write("<!-- mine now -->")
+        with self.assertRaisesRegex(InputError, "line.vtp is there"):
+            self.run_demo(path)
+        with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
+            self.run_demo(path, "--own-output")
+
+    def test_where_memory_is_short_one_line_says_so(self):
+        words = ["demo.py", "--output", self.folder, self.write_text("square.csv", "0,0,1\n1,0,2\n0,1,2\n")]
+        said = io.StringIO()
+        with mock.patch.object(demo, "run", side_effect=MemoryError), mock.patch.object(sys, "argv", words):
+            with contextlib.redirect_stderr(said):
+                self.assertEqual(demo.main(), 1)
+        self.assertRegex(said.getvalue(), r"^demo: out of memory; [^\n]*\n$")
+
     def test_what_cannot_be_drawn_is_triangulated_all_the_same(self):
         for name, (content, words) in badfiles.FOR_THE_PICTURE.items():
             with self.subTest(name=name):
@@ -321,7 +358,7 @@ class Rasters(InFolder):
 
     def test_without_gdal_a_line_says_how_to_get_it(self):
         path = self.write_text("plane.csv", self.rows)
-        self.write_text("plane.tif", "of an earlier run")
+        results.Folder(self.folder).add(self.write_text("plane.tif", "of an earlier run"))
         with mock.patch.object(geotiff, "writer", return_value=None):
             said = self.run_demo(path, "--raster=0.5")
         self.assertRegex(said, "no GeoTIFF: .*apt install python3-gdal")

@@ -11,6 +11,7 @@ import numpy
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "Plugin", "Demo"))
 
+import pointfiles
 from pointfiles import InputError, read_points
 
 POINTS = [[637177.98, 849393.95, 411.19], [-0.1, 1e-300, 3.0], [1e300, -2.5, 0.0]]
@@ -66,6 +67,21 @@ class Delimiters(FileTest):
             with self.subTest(text=text):
                 self.assert_points(self.read(text), [[1.5, 2.25, -3], [4, 5.5, 6]])
 
+    def test_commas_in_text(self):
+        for text in ("1 2 3 rock,grey\n4 5 6 sand,red\n", "1\t2\t3\trock, grey\n4\t5\t6\tsand, red\n",
+                     "x y z note\n1 2 3 a;b\n4 5 6 a;b\n", "1;2;3;a,b,c\n4;5;6;a,b,c\n"):
+            with self.subTest(text=text):
+                found = self.read(text)
+                self.assert_points(found, [[1, 2, 3], [4, 5, 6]])
+                self.assertEqual(found.bad_rows, 0)
+
+    def test_minus_as_word_processors_write_it(self):
+        for minus in "\u2212\u2013\uff0d":
+            with self.subTest(minus=minus):
+                text = "x,y,z\n%s1,2e%s1,%s.5\n4,5,6\n" % (minus, minus, minus)
+                self.assert_points(self.read(text), [[-1, 0.2, -0.5], [4, 5, 6]])
+                self.assert_points(self.read("%s1,5;2;0\n4;5;6\n" % minus), [[-1.5, 2, 0], [4, 5, 6]])
+
     def test_quotes(self):
         self.assert_points(self.read('"x","y","z"\n"1","2.5","3"\n"4","5","6"\n'), [[1, 2.5, 3], [4, 5, 6]])
 
@@ -77,6 +93,25 @@ class Delimiters(FileTest):
 
     def test_number_signs_in_names_are_no_comments(self):
         self.assert_points(self.read("name,x,y,z\nBuoy#1,1,2,3\nBuoy#2,4,5,6 # good\n"), [[1, 2, 3], [4, 5, 6]])
+
+    def test_work_grows_with_the_file_whatever_is_in_it(self):
+        many = 200_000  # work that grows with its square would not end in time
+        for name in ("(" * many, "[" * many + "m", "x" + "_" * many + "m_", "()" * many):
+            found = self.read("x,y,%s\n1,2,3\n4,5,6\n" % name, "1", "2", "3")
+            self.assert_points(found, [[1, 2, 3], [4, 5, 6]])
+        for line in ("4 5 6%sa#" % (" " * many), "4 5 6 a%s" % ("#" * many), "4 5 6 %s #" % ("a#" * many)):
+            self.assert_points(self.read("1 2 3\n%s\n" % line), [[1, 2, 3], [4, 5, 6]])
+
+    def test_where_a_comment_begins(self):
+        for text, kept in (("1 2 3#a", "1 2 3"), ("a#b", "a#b"), ("a#b #c", "a#b"), ("1,#", "1,"), ("a  #b#c", "a"),
+                           ("a#b3#c", "a#b3"), ("é#b", "é#b"), ("#", "")):
+            self.assertEqual(pointfiles.without_comment(text).rstrip(), kept)
+
+    def test_units_of_names(self):
+        for name, kept in (("Depth (m)", "depth"), ("depth_m", "depth"), ("Lon [deg] ", "lon"), ("m", "m"),
+                           ("z(a)(b)", "z"), ("z (", "z ("), ("(", "("), ("h [a(b]", "h"), ("alt-feet", "alt"),
+                           ("(m)", "")):
+            self.assertEqual(pointfiles.plain(name), kept)
 
     def test_a_row_of_units_below_the_names(self):
         found = self.read("lat,lon,depth\ndeg,deg,m\n1,2,3\n4,5,6\n")
