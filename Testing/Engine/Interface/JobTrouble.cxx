@@ -11,6 +11,8 @@
 #include <cstring>
 #include <functional>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 namespace ahd
 {
@@ -198,6 +200,106 @@ TEST(JobTrouble, ItTakesNoMoreMemoryThanEstimated)
   }
 }
 
+std::int64_t estimateOf(JobRun& run)
+{
+  std::uint64_t bytes = 0;
+  EXPECT_EQ(ahd_estimate(run.job(), &bytes), AHD_OK) << ahd_message(run.job());
+  return std::int64_t(bytes);
+}
+
+/// The bytes of these arrays, as they are read: ids and real numbers of 64 bits.
+std::int64_t bytesOf(JobRun& run, const std::vector<std::string>& arrays)
+{
+  std::int64_t bytes = 0;
+  for (const std::string& name : arrays)
+  {
+    std::uint64_t rows = 0, columns = 0;
+    EXPECT_EQ(ahd_array_size(run.job(), name.c_str(), &rows, &columns), AHD_OK) << name;
+    bytes += std::int64_t(rows * columns * (name == "constraint_edges" ? 1 : 8));
+  }
+  return bytes;
+}
+
+/// What an array adds to the estimate is its own bytes and little else; what it takes besides (a
+/// table, the order) is there with others already.
+TEST(JobTrouble, EstimateOfEachArrayIsItsBytes)
+{
+  constexpr std::int64_t kCount = 20000;
+  const Case made(kCount);
+  JobRun run;
+  run.setPoints(made.given.view());
+  run.setConstraints(made.given.constraints.view());
+  run.set("want_voronoi", std::int64_t(1)); // has the tables
+  run.set("want_order", std::int64_t(1));
+  run.set("want_regions", std::int64_t(1));
+  run.set("want_constraint_edges", std::int64_t(1));
+  run.set("want_neighbors", std::int64_t(1));
+  run.set("want_point_status", std::int64_t(1));
+  run.set("want_insertion_ranks", std::int64_t(1));
+  ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+  const struct
+  {
+    const char* setting;
+    std::vector<std::string> arrays;
+    std::int64_t more; ///< bytes a point, at most
+  } rows[] = { { "want_regions", { "regions" }, 0 },
+    { "want_constraint_edges", { "constraint_edges" }, 0 },
+    { "want_neighbors", { "neighbors" }, 0 }, { "want_point_status", { "point_status" }, 0 },
+    { "want_insertion_ranks", { "insertion_ranks" }, 0 },
+    { "want_voronoi", { "voronoi_points", "voronoi_offsets", "voronoi_corners", "voronoi_sites" },
+      280 } };
+  const std::int64_t all = estimateOf(run);
+  for (const auto& row : rows)
+  {
+    SCOPED_TRACE(row.setting);
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    const std::int64_t bytes = bytesOf(run, row.arrays);
+    EXPECT_GE(bytes, kCount);
+    run.set(row.setting, std::int64_t(0));
+    const std::int64_t less = all - estimateOf(run);
+    EXPECT_GE(less, bytes);
+    EXPECT_LE(less, bytes + bytes / 100 + 1000 + row.more * kCount);
+    run.set(row.setting, std::int64_t(1));
+  }
+}
+
+/// The same of settings that take memory in the run.
+TEST(JobTrouble, EstimateOfEachSettingIsWhatItTakes)
+{
+  constexpr std::int64_t kCount = 20000;
+  const Case made(kCount);
+  const struct
+  {
+    const char* name;
+    std::int64_t value;
+    std::int64_t least, most; ///< bytes a point
+  } rows[] = {
+    { "plane", AHD_PLANE_BEST_FIT, 25, 80 },               // a copy of the places, and its marks
+    { "rim", AHD_RIM_TRIMMED, 1, 60 },                     // the rim's triangles
+    { "duplicates", AHD_DUPLICATES_LOWEST_Z, 8, 32 },      // who stands for whom
+    { "duplicates", AHD_DUPLICATES_MEAN_Z, 24 + 24, 250 }, // a copy of the points, the means
+    { "bounding", 1, 25, 80 },                             // a copy of the points
+    { "want_curve", 1, 24 + 3 * 8, 100 },                  // drawn: places, rank, id, count
+    { "split_crossings", 1, 0, 20 },                       // of the segments alone
+    { "closed_lines", 1, 0, 20 },
+  };
+  JobRun run;
+  run.setPoints(made.given.view());
+  run.setConstraints(made.given.constraints.view());
+  const std::int64_t plain = estimateOf(run);
+  for (const auto& row : rows)
+  {
+    SCOPED_TRACE(row.name + std::string(" ") + std::to_string(row.value));
+    run.set(row.name, row.value);
+    const std::int64_t more = estimateOf(run) - plain;
+    EXPECT_GE(more, row.least * kCount);
+    EXPECT_LE(more, row.most * kCount + 5000);
+    run.set(row.name, std::int64_t(0));
+  }
+  run.set("other_memory", std::int64_t(123456));
+  EXPECT_EQ(estimateOf(run), plain + 123456);
+}
+
 std::int32_t throwIt(void*, std::int32_t, double)
 {
   throw std::runtime_error("from a callback");
@@ -296,7 +398,61 @@ TEST(JobTrouble, SamplingTakesNoMoreMemoryThanEstimated)
     EXPECT_EQ(run.count("sampling_estimate"), std::int64_t(estimate));
     EXPECT_LE(account.peak - before, estimate + 10000);
     EXPECT_GE((account.peak - before) * 20, estimate) << "it is no estimate but a guess";
+    // Of weights the arrays that are made, too.
+    const std::size_t beforeWeights = account.held;
+    account.peak = beforeWeights;
+    ASSERT_EQ(sampling.weights(), AHD_OK) << ahd_message(run.job());
+    const std::int64_t bytes = bytesOf(run, { "weight_offsets", "weights" }) +
+      bytesOf(run, { "weight_points" }) / 2; // ids are kept with 32 bits
+    EXPECT_GE(account.peak - beforeWeights, std::size_t(bytes));
+    EXPECT_LE(account.peak - beforeWeights, std::size_t(run.count("sampling_estimate")) + 10000);
+    EXPECT_GE(run.count("sampling_estimate"), bytes);
   }
+}
+
+/// Two sides of each part: places, columns, tables, what is outside, and what others take.
+TEST(JobTrouble, EstimateOfSamplingIsThatOfItsParts)
+{
+  constexpr std::int64_t kSide = 300, kPlaces = kSide * kSide;
+  const Case made(20000);
+  JobRun run;
+  run.setPoints(made.given.view());
+  ASSERT_EQ(run.run(), AHD_OK);
+  const std::int64_t points = run.count("points");
+  std::vector<double> xy(2 * kPlaces, 0.5);
+  const ahd_places raster = { nullptr, 0, { 0, 0 }, { 0.001, 0.001 }, kSide, kSide };
+  const ahd_places places = { xy.data(), kPlaces, { 0, 0 }, { 0, 0 }, 0, 0 };
+  const auto estimate = [&run](const ahd_places& at, std::uint64_t columns)
+  {
+    std::uint64_t bytes = 0;
+    EXPECT_EQ(ahd_sample_estimate(run.job(), &at, columns, &bytes), AHD_OK);
+    return std::int64_t(bytes);
+  };
+  const auto expectBetween = [](std::int64_t least, std::int64_t found, std::int64_t most)
+  {
+    EXPECT_LE(least, found);
+    EXPECT_LE(found, most);
+  };
+  const std::int64_t plain = estimate(raster, 1);
+  // a column: its values in the order of the vertices
+  expectBetween(8 * points, estimate(raster, 2) - plain, 8 * points + 1000);
+  // places that are on no raster: sorted by keys
+  expectBetween(16 * kPlaces, estimate(places, 1) - plain, 40 * kPlaces);
+  // places outside: their numbers and places, and the values of the nearest
+  run.set("sample_outside", std::int64_t(AHD_OUTSIDE_NEAREST_VERTEX));
+  expectBetween(24 * kPlaces, estimate(raster, 1) - plain, 120 * kPlaces + 40 * points);
+  run.set("sample_method", std::int64_t(AHD_SAMPLE_NEAREST)); // none is outside
+  EXPECT_EQ(estimate(raster, 1), plain);
+  run.set("sample_method", std::int64_t(AHD_SAMPLE_LINEAR));
+  run.set("sample_outside", std::int64_t(AHD_OUTSIDE_NO_VALUE));
+  run.set("other_memory", std::int64_t(777));
+  EXPECT_EQ(estimate(raster, 1), plain + 777);
+  run.set("other_memory", std::int64_t(0));
+  // the tables that it is asked with are made once: corners of two triangles, at least
+  std::vector<double> values(static_cast<std::size_t>(points)), out(kPlaces);
+  const ahd_sampled array = { values.data(), 1, out.data(), nullptr };
+  ASSERT_EQ(ahd_sample(run.job(), &raster, &array, 1, nullptr), AHD_OK);
+  expectBetween(24 * points, plain - estimate(raster, 1), 120 * points);
 }
 
 } // namespace

@@ -241,9 +241,21 @@ TEST(Messages, MemoryEstimateHasTheTablesThatAreLookedUp)
   const vtkTypeInt64 withNeighbors = perPoint();
   const vtkTypeInt64 ofNeighbors = 2 * 3 * sizeof(vtkIdType);
   EXPECT_GT(withNeighbors, plain + ofNeighbors + 24) << "corners of two triangles, and more";
+  EXPECT_LT(withNeighbors, plain + ofNeighbors + 120) << "no more than tables of a triangulation";
   filter->GenerateVoronoiOn();
   const vtkTypeInt64 ofDiagram = 2 * 3 * sizeof(double) + 8 * sizeof(vtkIdType);
-  EXPECT_GT(perPoint(), withNeighbors + ofDiagram + 32) << "two centres, and more";
+  const vtkTypeInt64 withDiagram = perPoint();
+  EXPECT_GT(withDiagram, withNeighbors + ofDiagram + 32) << "two centres, and more";
+  EXPECT_LT(withDiagram, withNeighbors + ofDiagram + 200);
+  // With the tables there, arrays of cells take their own bytes and no more.
+  filter->GenerateRegionIdsOn();
+  EXPECT_NEAR(double(perPoint() - withDiagram), 2.0 * sizeof(vtkIdType), 1.0);
+  filter->GenerateRegionIdsOff();
+  filter->GenerateConstraintEdgesOn();
+  EXPECT_NEAR(double(perPoint() - withDiagram), 2.0, 1.0);
+  filter->GenerateConstraintEdgesOff();
+  filter->GeneratePointStatusOn();
+  EXPECT_NEAR(double(perPoint() - withDiagram), double(sizeof(vtkIdType)), 1.0);
 }
 
 #if defined(__linux__)

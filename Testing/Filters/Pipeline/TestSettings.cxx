@@ -236,13 +236,26 @@ TEST(Settings, CountsOfASplitAreFieldDataAndAreGoneAfterAnError)
 TEST(Settings, OffsetIsHowFarTheBoundingTriangulationReaches)
 {
   vtkNew<Filter> filter;
-  filter->SetInputData(makeCloud(latticePoints(100, 1000)));
+  auto cloud = makeCloud(latticePoints(100, 1000));
+  double points[6];
+  cloud->GetBounds(points);
+  const double diagonal = cloud->GetLength();
+  filter->SetInputData(cloud);
   filter->BoundingTriangulationOn();
-  filter->Update();
-  const double near = filter->GetOutput()->GetLength();
-  filter->SetOffset(3.0);
-  filter->Update();
-  EXPECT_GT(filter->GetOutput()->GetLength(), 2.0 * near);
+  for (const double offset : { 1.0, 3.0, 0.75, 20.0 })
+  {
+    filter->SetOffset(offset);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 108);
+    double all[6];
+    filter->GetOutput()->GetBounds(all);
+    for (int k = 0; k < 4; k += 2) // a circle of so many diagonals around the middle
+    {
+      const double middle = (points[k] + points[k + 1]) / 2;
+      EXPECT_NEAR(all[k], middle - offset * diagonal, 1e-9 * diagonal * offset);
+      EXPECT_NEAR(all[k + 1], middle + offset * diagonal, 1e-9 * diagonal * offset);
+    }
+  }
 }
 
 TEST(Settings, AreReadAndNeverWrittenByARun)

@@ -3,6 +3,8 @@
 // The triangulation that the interpolation keeps, and memory.
 #include "SampleTestSupport.h"
 
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
 #include "vtkSphericalTransform.h"
@@ -12,6 +14,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 
 namespace
 {
@@ -201,6 +204,81 @@ TEST(InterpolationMemory, MemoryIsRefusedWithFigures)
   EXPECT_EQ(filter.Said->Errors.size(), 3u);
   EXPECT_EQ(filter->GetNumberOfPlaces(), 1000000);
   EXPECT_EQ(filter->GetMemoryEstimate(), estimate);
+}
+
+/// Each array by the numbers that are read of points and made of places, whichever its type; and
+/// what else takes memory for each place.
+TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
+{
+  constexpr double kPoints = 5000, kPlaces = 300 * 300;
+  using Add = std::function<void(vtkPolyData*)>;
+  WatchedInterpolation filter;
+  filter->SetDimensions(300, 300);
+  const auto estimateOf = [&](const Add& add)
+  {
+    auto points = cloud(std::size_t(kPoints));
+    add(points);
+    filter->SetInputData(points);
+    filter->Update();
+    return 1024.0 * double(filter->GetMemoryEstimate());
+  };
+  const auto make = [](auto array, int components)
+  {
+    return Add(
+      [array, components](vtkPolyData* points)
+      {
+        auto made = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+        made->SetName("more");
+        made->SetNumberOfComponents(components);
+        made->SetNumberOfTuples(points->GetNumberOfPoints());
+        made->Fill(1.0);
+        points->GetPointData()->AddArray(made);
+      });
+  };
+  vtkNew<vtkDoubleArray> doubles;
+  vtkNew<vtkFloatArray> floats;
+  vtkNew<vtkIntArray> ints;
+  const auto expectMore = [&](const Add& add, double perPoint, double perPlace)
+  {
+    const double more = estimateOf(add) - estimateOf([](vtkPolyData*) {});
+    EXPECT_NEAR(more, perPoint * kPoints + perPlace * kPlaces, 3 * 1024.0);
+  };
+  for (const int method : { 0, 1 })
+  {
+    SCOPED_TRACE(method);
+    filter->SetMethod(method);
+    // by points: the values in the order of the vertices, and those that have to be read
+    expectMore(make(doubles.Get(), 1), 8, 8);
+    expectMore(make(doubles.Get(), 3), 24, 24);
+    expectMore(make(floats.Get(), 2), 16 + 16, 2 * (8 + 4)); // made as doubles
+    expectMore(make(ints.Get(), 2), 16 + 16, 16);
+  }
+  filter->SetMethod(0);
+  filter->GenerateGradientsOn();
+  expectMore(make(doubles.Get(), 1), 8, 8 + 16);
+  expectMore(make(floats.Get(), 1), 8 + 8, 3 * (8 + 4));
+  expectMore(make(doubles.Get(), 2), 16, 16); // none has a slope
+  filter->GenerateGradientsOff();
+  filter->SetMethod(vtkAdaptiveHilbertInterpolation2D::NEAREST); // values are gathered as they are
+  expectMore(make(doubles.Get(), 2), 0, 16);
+  expectMore(make(floats.Get(), 3), 0, 12);
+  expectMore(make(ints.Get(), 1), 0, 4);
+  filter->SetMethod(0);
+  const double plain = estimateOf([](vtkPolyData*) {});
+  filter->SetOutputTypeToSurface();
+  EXPECT_NEAR(estimateOf([](vtkPolyData*) {}) - plain, 25 * kPlaces, 3 * 1024.0);
+  filter->SetOutputTypeToImage();
+  filter->SetOutsideToNearestVertex();
+  const double outside = estimateOf([](vtkPolyData*) {}) - plain;
+  EXPECT_GE(outside, 24 * kPlaces);
+  EXPECT_LE(outside, 120 * kPlaces + 40 * kPoints);
+  filter->SetOutsideToNoValue();
+  filter->SetDimensions(600, 300); // height and mask
+  EXPECT_NEAR(estimateOf([](vtkPolyData*) {}) - plain, 9 * kPlaces, 4 * 1024.0);
+  filter->SetPlacesData(makeCloud(scatteredPoints(std::size_t(kPlaces), 3))); // found by their keys
+  const double places = estimateOf([](vtkPolyData*) {}) - plain;
+  EXPECT_GE(places, 16 * kPlaces);
+  EXPECT_LE(places, 64 * kPlaces);
 }
 
 /// Said when it is merged for its values, not when its raster is announced.

@@ -234,11 +234,21 @@ TEST(InterpolationPlaces, AnImagesAreThoseOfItsRaster)
     filter->SetPlacesData(places);
     filter->Update();
     const auto a = numbersOf(raster, "Elevation"), b = numbersOf(filter->GetOutput(), "Elevation");
+    ASSERT_EQ(a.size(), 33u * 21);
     ASSERT_EQ(a.size(), b.size());
+    std::size_t valued = 0;
     for (std::size_t i = 0; i < a.size(); ++i)
     {
       EXPECT_TRUE(a[i] == b[i] || (std::isnan(a[i]) && std::isnan(b[i])));
+      if (!std::isnan(b[i]))
+      {
+        ++valued;
+        const double* at = filter->GetImageDataOutput()->GetPoint(vtkIdType(i));
+        EXPECT_NEAR(b[i], planeAt(at[0], at[1]), method == 3 ? 0.5 : 1e-12);
+      }
     }
+    EXPECT_EQ(valued, static_cast<std::size_t>(filter->GetNumberOfValidPlaces()));
+    EXPECT_GT(valued, 600u) << "most of the raster is on the surface";
   }
 }
 

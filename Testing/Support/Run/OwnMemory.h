@@ -35,6 +35,7 @@ struct Account
   std::atomic<std::size_t> peak{ 0 }; ///< most bytes held at once
   std::atomic<std::size_t> blocks{ 0 };
   std::atomic<std::size_t> allocations{ 0 };
+  std::atomic<std::size_t> failures{ 0 };   ///< of these, since it was set to 0
   std::atomic<std::size_t> failAt{ 0 };     ///< this allocation and all later ones fail; 0: none
   std::atomic<bool> failsOnce{ false };     ///< ... and none of the later ones
   std::atomic<bool> countsNothing{ false }; ///< allocations are not numbered now, and do not fail
@@ -71,7 +72,9 @@ inline bool failsNow()
   }
   const std::size_t number = ++account.allocations;
   const std::size_t failAt = account.failAt;
-  return failAt != 0 && (account.failsOnce ? number == failAt : number >= failAt);
+  const bool fails = failAt != 0 && (account.failsOnce ? number == failAt : number >= failAt);
+  account.failures += fails;
+  return fails;
 }
 
 /// By a pointer: compilers warn of free() in an operator delete whose operator new they do not see.
