@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A copy of the sources, where they may be broken, and its builds."""
 
+import contextlib
 import dataclasses
 import os
 import pathlib
@@ -39,16 +40,17 @@ class Run:
 class Workshop:
     """Sources and builds below `folder`. Only changed files are copied, so builds stay incremental."""
 
-    def __init__(self, folder, jobs):
+    def __init__(self, folder, jobs, folders=FOLDERS, files=FILES):
         self.folder = pathlib.Path(folder).resolve()
         self.source = self.folder / "source"
         self.jobs = jobs
+        self.folders, self.files = folders, files
         self.configured = set()
         self.copy()
 
     def copy(self):
         """Brings the copy up to date with the sources."""
-        for name in FOLDERS:
+        for name in self.folders:
             here, there = ROOT / name, self.source / name
             wanted = {path.relative_to(here) for path in here.rglob("*") if path.is_file()}
             for path in list(there.rglob("*")):
@@ -56,7 +58,7 @@ class Workshop:
                     path.unlink()
             for path in wanted:
                 self.write(there / path, (here / path).read_bytes())
-        for name in FILES:
+        for name in self.files:
             self.write(self.source / name, (ROOT / name).read_bytes())
 
     def write(self, path, content):
@@ -107,38 +109,49 @@ class Workshop:
 
         Each is stopped after so many seconds of processor time, or ten times as many on the clock."""
         sanitizer, _, name = test.partition(":") if ":" in test else ("", "", test)
-        sanitized = sanitizer in ("asan", "tsan")
-
-        def limit():
-            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-            resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_limit), int(cpu_limit) + 5))
-            if not sanitized:  # these reserve terabytes
-                resource.setrlimit(resource.RLIMIT_AS, (12 * GIBIBYTE, 12 * GIBIBYTE))
-
         chosen = "-Long*"
         if sanitizer == FILTER and name not in FILTER_PROGRAMS:
             chosen = name if "*" in name else name + ".*"
             chosen += (":" if "-" in chosen else "-") + WANT_A_PROCESS
         command = [program, "--gtest_filter=" + chosen, "--gtest_fail_fast", "--gtest_color=no"]
-        before, used = time.monotonic(), children_cpu()
-        with open(self.folder / "output.txt", "w+b") as output:
-            process = subprocess.Popen(
-                command,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                preexec_fn=limit,
-                cwd=self.folder,
-                env={**os.environ, "TSAN_OPTIONS": "halt_on_error=1"},
-            )
-            try:
-                code = process.wait(timeout=10 * cpu_limit)
-            except subprocess.TimeoutExpired:
-                process.kill()
-                process.wait()
-                code = -signal.SIGXCPU
-            output.seek(0)
-            text = output.read().decode(errors="replace")
-        return Run(failure_in(text, code), time.monotonic() - before, children_cpu() - used)
+        is_limited = sanitizer not in ("asan", "tsan")  # these reserve terabytes
+        return execute(command, self.folder, cpu_limit, {"TSAN_OPTIONS": "halt_on_error=1"}, is_limited)
+
+
+def execute(command, folder, cpu_limit, environment, is_limited=True):
+    """Runs a command in a folder, stopped, and all that it started, after so many seconds of processor time, or ten
+    times as many on the clock. `is_limited`: with 12 GiB of addresses at most.
+    """
+
+    def limit():
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_limit), int(cpu_limit) + 5))
+        if is_limited:
+            resource.setrlimit(resource.RLIMIT_AS, (12 * GIBIBYTE, 12 * GIBIBYTE))
+
+    before, used = time.monotonic(), children_cpu()
+    with open(folder / "output.txt", "w+b") as output:
+        process = subprocess.Popen(
+            command,
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+            preexec_fn=limit,
+            start_new_session=True,
+            cwd=folder,
+            env={**os.environ, **environment},
+        )
+        try:
+            code = process.wait(timeout=10 * cpu_limit)
+        except subprocess.TimeoutExpired:
+            code = -signal.SIGXCPU
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+            process.wait()
+        output.seek(0)
+        text = output.read().decode(errors="replace")
+    return Run(failure_in(text, code), time.monotonic() - before, children_cpu() - used)
 
 
 def filter_options():
@@ -156,9 +169,9 @@ def failure_in(text, code):
     """Which test failed, and how, from what the program printed and how it ended; empty if none did."""
     if code == 0:
         return ""
-    failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)", text, re.MULTILINE)
+    failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)|^(?:FAIL|ERROR): (\w+)", text, re.MULTILINE)
     if code > 0 and failed:
-        return failed[0]
+        return "".join(failed[0])
     begun = re.findall(r"^\[ RUN      \] (\S+)", text, re.MULTILINE)
     where = begun[-1] if begun else "before the first test"
     if code > 0:

@@ -107,13 +107,17 @@ def install(python, what, pair):
     raise NotHere("pip: " + said.strip().splitlines()[-1])
 
 
+def suite_environment(folders, is_vtk=True):
+    """What the scripts want to find in the environment, with the package in the first of the folders that has it."""
+    return clean_environment(
+        PYTHONPATH=os.pathsep.join(folders + [str(HERE.parent / "Filters")]),
+        AHD_TEST_VTK="vtkmodules" if is_vtk else "cvista", AHD_TEST_CLASS="python")
+
+
 def run_suites(python, pair, package):
     """The number of tests, and the output of those that failed."""
     is_vtk = pair.split(":")[1].startswith("vtk")
-    folders = [] if package.suffix == ".whl" else [str(package)]
-    environment = clean_environment(
-        PYTHONPATH=os.pathsep.join(folders + [str(HERE.parent / "Filters")]),
-        AHD_TEST_VTK="vtkmodules" if is_vtk else "cvista", AHD_TEST_CLASS="python")
+    environment = suite_environment([] if package.suffix == ".whl" else [str(package)], is_vtk)
     count, failed = 0, []
     for script in FOR_ALL + (FOR_VTK if is_vtk else ()):
         if "pyvista" in script.lower() and "pyvista" not in pair:

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Which tests a part of the product has, and how a fault comes into what they run.
+
+A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and says which files it loads,
+`concerns` asks that for one of them; `run(test, limit)` runs it. `plant(fault)` puts a changed file in its place and
+builds, `heal(fault)` takes it out.
+"""
+
+import dataclasses
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+import workshop
+from mutants import ROOT
+
+PACKAGE = ROOT / "Testing/Package"
+PYTHON = "Filters/Python"
+BUILT_INTO = "_compiled.py"  # CMake writes into it
+
+
+@dataclasses.dataclass(frozen=True)
+class Tests:
+    """What is built for a part, and what is run: `programs` of GoogleTest with their filters, and those that ctest
+    has whose names match `listed`.
+    """
+
+    targets: tuple
+    programs: tuple = ()
+    listed: str = ""
+
+
+LAYER = ("*-*Hashes*:" + workshop.WANT_A_PROCESS, "*Hashes*")
+VTK_LAYER = Tests(
+    ("FilterTests", "FaultsCancel", "FaultsMemory"),
+    (*(("FilterTests", chosen) for chosen in LAYER), ("FaultsCancel", "-Long*"), ("FaultsMemory", "-Long*")),
+)
+# By the beginning of a file's path; the longest that fits counts.
+TESTS = {
+    "Filters/": VTK_LAYER,
+    "Filters/Ranks/": Tests(
+        ("FilterTests", "AdaptiveHilbertDelaunayFiltersPython"), (("FilterTests", "*Rank*"),), r"Filter\.Ranks\..*"
+    ),
+    "Filters/Engine/": Tests(("all",), (), r"Engine\.(?!Sanitized|ThreadSanitizer).*"),
+    "Filters/Engine/Interface/": Tests(
+        ("EngineCInterface", "EngineJobHashes", "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
+        (),
+        r"Engine\.(CInterface|Job\w+)|Package\.Arrays\..*",
+    ),
+}
+
+
+def part_for(folder, work, jobs, python, package):
+    """The part that a folder of the product belongs to."""
+    if folder == PYTHON or folder.startswith(PYTHON + "/"):
+        return PythonPart(work / "python", python, package)
+    fitting = [begin for begin in TESTS if (folder + "/").startswith(begin)]
+    if not fitting:
+        raise workshop.BuildError(f"{folder} is no folder of the product that has tests of its own")
+    return CxxPart(work / "cxx", jobs, TESTS[max(fitting, key=len)])
+
+
+class PythonPart:
+    """The Python package: a copy of a built one, with the modules of the sources, and its tests without a build.
+
+    `python` has the VTK and PyVista of PyPI, or the tests that need them are left out. A test is run for a fault only
+    where it loads the module.
+    """
+
+    def __init__(self, folder, python, package):
+        self.folder = folder.resolve()
+        self.python = python
+        self.place = self.folder / "package" / "adaptivehilbertdelaunay"
+        shutil.rmtree(self.folder / "package", ignore_errors=True)
+        found = sorted(pathlib.Path(package).glob("**/adaptivehilbertdelaunay/libadaptivehilbertdelaunay.*"))
+        if not found:
+            raise workshop.BuildError(f"There is no built package below {package}")
+        shutil.copytree(found[0].parent, self.place)
+        for path in (ROOT / PYTHON).rglob("*.py"):
+            if path.name != BUILT_INTO:
+                target = self.place / path.relative_to(ROOT / PYTHON)
+                target.parent.mkdir(exist_ok=True)
+                shutil.copyfile(path, target)
+        (self.folder / "package" / "sitecustomize.py").write_text(TELL_WHAT_IS_LOADED)
+        sys.path.insert(0, str(PACKAGE))
+        import pairs
+
+        self.environment = pairs.suite_environment([str(self.folder / "package")])
+        scripts = [f"Arrays/{path.name}" for path in sorted((PACKAGE / "Arrays").glob("test_*.py"))]
+        self.names = [*scripts, *(script for script in pairs.FOR_ALL + pairs.FOR_VTK if self.can_run(script))]
+
+    def can_run(self, script):
+        needed = "pyvista" if "pyvista" in script.lower() else "vtkmodules"
+        return subprocess.run([self.python, "-c", "import " + needed], capture_output=True).returncode == 0
+
+    def path(self, file):
+        return self.place / pathlib.PurePosixPath(file).relative_to(PYTHON)
+
+    def run(self, test, limit):
+        loaded = self.folder / "loaded.txt"
+        loaded.unlink(missing_ok=True)
+        environment = {**self.environment, "AHD_TELL_LOADED": str(loaded)}
+        ran = workshop.execute([self.python, str(PACKAGE / test)], self.folder, limit, environment)
+        self.loaded = loaded.read_text().split() if loaded.exists() else []
+        return ran
+
+    def measure(self, test, limit):
+        """How it runs without a fault, and the files that it loads; all of them where it does not say."""
+        ran = self.run(test, limit)
+        return ran, sorted({str(pathlib.PurePath(path).relative_to(self.place)) for path in self.loaded})
+
+    def concerns(self, facts, file):
+        """Whether a test that loads such files can notice."""
+        return not facts or str(self.path(file).relative_to(self.place)) in facts
+
+    def plant(self, fault):
+        text = fault.apply((ROOT / fault.file).read_text())
+        try:
+            compile(text, fault.file, "exec")
+        except SyntaxError as error:
+            raise workshop.BuildError(str(error)) from error
+        self.path(fault.file).write_text(text)
+
+    def heal(self, fault):
+        shutil.copyfile(ROOT / fault.file, self.path(fault.file))
+
+
+# For the interpreters of the tests: those that end tell what they loaded of the package.
+TELL_WHAT_IS_LOADED = '''\
+import atexit, os, sys
+
+def _tell(file=os.environ.get("AHD_TELL_LOADED")):
+    paths = [getattr(module, "__file__", None) for module in list(sys.modules.values())]
+    if file:
+        with open(file, "a") as out:
+            out.write("".join(path + "\\n" for path in paths if path and "/adaptivehilbertdelaunay/" in path))
+
+atexit.register(_tell)
+'''
+
+
+def system_python():
+    """The interpreter that ParaView's VTK is made for, and not the first of PATH."""
+    return ["-DPython3_EXECUTABLE=/usr/bin/python3"] if pathlib.Path("/usr/bin/python3").exists() else []
+
+
+class CxxPart(workshop.Workshop):
+    """A folder of C++: a copy of all sources and one build of it as users have it, the folder `source/build`."""
+
+    FOLDERS = ("Filters", "Plugin", "Testing", "Data")
+    FILES = ("CMakeLists.txt", "paraview.plugin", "pyproject.toml", "README.md")
+
+    def __init__(self, folder, jobs, tests):
+        super().__init__(folder, jobs, self.FOLDERS, self.FILES)
+        self.wanted = tests
+        self.build_folder = self.source / "build"
+        command = ["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
+                   "-DBUILD_TESTING=ON", *system_python()]  # fmt: skip
+        if shutil.which("ccache"):
+            command.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+        workshop.run_quietly(command)
+        self.make()
+        self.commands = dict(self.programs())
+        self.commands.update(self.listed())
+        self.names = list(self.commands)
+
+    def make(self):
+        workshop.run_quietly(["ninja", "-C", self.build_folder, f"-j{self.jobs}", *self.wanted.targets])
+
+    def programs(self):
+        for program, chosen in self.wanted.programs:
+            words = [self.build_folder / "bin" / program, "--gtest_color=no", "--gtest_filter=" + chosen]
+            yield f"{program} {chosen}", (words, {})
+
+    def listed(self):
+        """Commands and environments of tests as ctest has them."""
+        command = ["ctest", "--test-dir", self.build_folder, "--show-only=json-v1"]
+        for test in json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]:
+            settings = {row["name"]: row["value"] for row in test.get("properties", [])}
+            environment = dict(word.split("=", 1) for word in settings.get("ENVIRONMENT", []))
+            if "command" in test and re.fullmatch(self.wanted.listed, test["name"]):
+                yield test["name"], (test["command"], environment)
+
+    def run(self, test, limit):
+        command, environment = self.commands[test]
+        return workshop.execute(command, self.folder, limit, {**environment, "GTEST_FAIL_FAST": "1"})
+
+    def measure(self, test, limit):
+        return self.run(test, limit), []
+
+    def concerns(self, _facts, _file):
+        return True
+
+    def plant(self, fault):
+        (self.source / fault.file).write_text(fault.apply((ROOT / fault.file).read_text()))
+        self.make()
+
+    def heal(self, fault):
+        self.write(self.source / fault.file, (ROOT / fault.file).read_bytes())

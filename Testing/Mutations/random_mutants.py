@@ -1,0 +1,176 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Plants faults at random places of a folder of the product, one at a time, and sees whether its tests notice.
+
+    random_mutants.py SEED COUNT FOLDER      e.g. 1 30 Filters/Python
+    random_mutants.py --report FILE          only writes the Markdown report of all results
+
+A fault is a comparison flipped, a bound off by one, a condition negated, a statement, an assignment to a member or a
+lock removed, a constant or an operator changed, an early return, arguments swapped, `and` for `or`, an exception
+swallowed. Each line that is executed is as likely as any other; the seed decides. What does not compile is drawn
+again. Only the tests of that folder run (parts.py), the quick ones first, until the first that fails; more than three
+times the usual processor time, or thirty times on the clock, is noticed too. Python is tested in a copy of a built
+package, C++ in a build of its own. Results are kept in the work folder as they come: what has one is not run again.
+judged.toml lists which faults change nothing that is promised, and why.
+
+exit code  0 every fault was noticed but the equivalent ones; 1 not so; 2 could not run
+"""
+
+import argparse
+import dataclasses
+import datetime
+import json
+import pathlib
+import sys
+import tomllib
+
+import parts
+import planting
+import random_report
+import workshop
+from mutants import ROOT
+from mutate import LEAST_LIMIT, TIMES_USUAL
+
+JUDGED = pathlib.Path(__file__).resolve().parent / "judged.toml"
+
+
+def parse_arguments():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("seed", nargs="?", type=int)
+    parser.add_argument("count", nargs="?", type=int, help="so many that compile")
+    parser.add_argument("folder", nargs="?", type=lambda text: text.strip("/"), help="below the project's")
+    parser.add_argument("--list", action="store_true", help="only print the faults; some may not compile")
+    parser.add_argument("--again", choices=["survivors", "all"], help="run these once more")
+    parser.add_argument("--work", type=pathlib.Path, default=ROOT / "build/mutations/random", help="copies and results")
+    parser.add_argument("--jobs", type=int, default=2, help="compilers at a time")
+    parser.add_argument("--python", default=sys.executable, help="has NumPy, and PyPI's VTK and PyVista")
+    parser.add_argument("--package", default=ROOT / "build/lib", help="folder with the built package below it")
+    parser.add_argument("--report", type=pathlib.Path, help="write the Markdown report of all results here")
+    arguments = parser.parse_args()
+    if arguments.folder is None and not arguments.report:
+        parser.error("SEED COUNT FOLDER, or --report")
+    return arguments
+
+
+class Judged:
+    """What was judged by hand, by a fault's text: whether it is equivalent, and why it is not noticed."""
+
+    def __init__(self, path=JUDGED):
+        rows = tomllib.loads(path.read_text()).get("fault", []) if path.exists() else []
+        self.rows = {tuple(row[name].strip() for name in ("file", "function", "old", "new")): row for row in rows}
+
+    def of(self, fault):
+        return self.rows.get((fault["file"], fault["function"], fault["old"].strip(), fault["new"].strip()), {})
+
+
+class Campaign:
+    """Plants faults, and keeps what came of them."""
+
+    def __init__(self, work):
+        work.mkdir(parents=True, exist_ok=True)
+        self.file = work / "results.json"
+        kept = json.loads(self.file.read_text()) if self.file.exists() else {}
+        self.results = kept.get("results", {})  # by the fault's key
+        self.runs = kept.get("runs", {})  # by folder and seed: keys of faults
+        self.usual = {}  # by test: seconds of processor time, and what it loads
+
+    def keep(self):
+        text = json.dumps({"results": self.results, "runs": self.runs}, indent=1)
+        self.file.with_suffix(".new").write_text(text)
+        self.file.with_suffix(".new").replace(self.file)
+
+    def measure(self, part):
+        """Runs each test without a fault. Raises BuildError if one does not pass."""
+        for test in part.names:
+            ran, facts = part.measure(test, 3000)
+            if ran.failure:
+                raise workshop.BuildError(f"{test} fails without a fault: {ran.failure}")
+            self.usual[test] = (ran.cpu, facts)
+            print(f"{test}: {ran.cpu:.1f} s", flush=True)
+
+    def order(self, part, file):
+        """The tests that can notice, the quick ones first, and last those that compare hashes."""
+        those = [test for test in part.names if part.concerns(self.usual[test][1], file)]
+        return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0]))
+
+    def run(self, part, fault):
+        """What came of a fault: `test` and `failure` are empty if it survived; None if it does not compile."""
+        result = {**dataclasses.asdict(fault), "test": "", "failure": "", "seconds": 0.0}
+        result["date"] = datetime.date.today().isoformat()
+        try:
+            part.plant(fault)
+            for test in self.order(part, fault.file):
+                ran = part.run(test, max(LEAST_LIMIT, TIMES_USUAL * self.usual[test][0]))
+                result["seconds"] = round(result["seconds"] + ran.seconds, 1)
+                if ran.failure:
+                    result.update(test=test, failure=ran.failure)
+                    break
+        except workshop.BuildError:
+            return None
+        finally:
+            part.heal(fault)
+        return result
+
+    def run_all(self, name, count, part, faults, again):
+        """Runs faults until `count` have compiled. `name`: of the run."""
+        chosen = []
+        for fault in faults:
+            if len(chosen) == count:
+                break
+            key, known = fault.key(), self.results.get(fault.key(), "none")
+            wanted = known == "none" or again == "all" or (again and known and not known["test"])
+            if wanted:
+                known = self.results[key] = self.run(part, fault)
+            if known is not None:
+                chosen.append(key)
+            if wanted:
+                self.runs[name] = max(chosen, self.runs.get(name, []), key=len)
+                self.keep()
+                say(len(chosen), known, fault)
+        self.runs[name] = chosen
+        self.keep()
+        return [self.results[key] for key in chosen]
+
+
+def say(number, result, fault):
+    if result is None:
+        print(f"   {fault.file}:{fault.line} does not compile", flush=True)
+        return
+    by = f"noticed by {result['test']}: {result['failure']}" if result["test"] else "SURVIVED"
+    print(f"{number:3} {fault.file}:{fault.line} {fault.kind}: {by} ({result['seconds']} s)", flush=True)
+    if not result["test"]:
+        print(f"    - {fault.old.strip()}\n    + {fault.new.strip()}", flush=True)
+
+
+def plant(arguments, campaign, judged):
+    """The exit code of a run."""
+    faults = planting.draw(ROOT, arguments.folder, arguments.seed)
+    if arguments.list:
+        for fault, _ in zip(faults, range(arguments.count)):
+            print(f"{fault.file}:{fault.line} {fault.function} {fault.kind}\n  - {fault.old}\n  + {fault.new}")
+        return 0
+    try:
+        part = parts.part_for(
+            arguments.folder, arguments.work, arguments.jobs, arguments.python, arguments.package)  # fmt: skip
+        campaign.measure(part)
+    except (workshop.BuildError, OSError) as error:
+        print(error)
+        return 2
+    name = f"{arguments.folder} {arguments.seed}"
+    results = campaign.run_all(name, arguments.count, part, faults, arguments.again)
+    counts = random_report.counts(results, judged)
+    print(f"{name}: {counts.said()}")
+    return 0 if counts.survived == 0 and counts.planted == arguments.count else 1
+
+
+def main():
+    arguments = parse_arguments()
+    campaign, judged = Campaign(arguments.work), Judged()
+    code = plant(arguments, campaign, judged) if arguments.folder else 0
+    if arguments.report:
+        arguments.report.write_text(random_report.markdown(campaign, judged))
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,304 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""random_mutants.py plants each kind of fault, sees what notices it, goes on where it was stopped, and reports."""
+
+import argparse
+import contextlib
+import io
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import textwrap
+import unittest
+
+import plant_cxx
+import plant_python
+import planting
+import random_mutants
+import random_report
+import workshop
+
+PYTHON = '''\
+"""Not code: 1 < 2."""
+from typing import TYPE_CHECKING, List
+
+LIMIT = 3
+
+
+def take(self, rows: List[int], most=LIMIT):
+    """Nor this: a and b."""
+    if TYPE_CHECKING:
+        self.never = 4
+    if most < 5 and rows:
+        self.kept = list(rows)
+    with self.lock:
+        self.left -= 1
+    for row in rows:
+        if row is None:
+            break
+        try:
+            self.put(row, most)
+        except ValueError as error:
+            self.error = error
+    if not rows:
+        raise KeyError("none of them")
+    return self.left + most
+'''
+CXX = """\
+#include <vector> // 1 < 2
+namespace n
+{
+constexpr int kMost = 3; /* a && b */
+struct Taken
+{
+  int left = 0;
+};
+int take(Taken& taken, const std::vector<int>& rows, int most)
+{
+  if (most < 5 && !rows.empty())
+    this->Kept = rows;
+  const std::lock_guard<std::mutex> lock(mutex);
+  put("a < b", most); // "
+  for (int row : rows)
+  {
+    if (row == 0)
+      break;
+    put(row, most);
+  }
+  if (rows.empty())
+    throw std::length_error("none; of them");
+  return taken.left + most;
+}
+}
+"""
+
+
+def planted(finder, text):
+    """(kind, the line before, the line after) of all faults; the lines without blanks around."""
+    found = set()
+    for begin, end, new, kind, _ in finder.sites(text):
+        first, last = text.rfind("\n", 0, begin) + 1, text.find("\n", end)
+        found.add((kind, text[first:last].strip(), (text[first:begin] + new + text[end:last]).strip()))
+    return found
+
+
+class PlacesTest(unittest.TestCase):
+    def test_every_kind_in_python(self):
+        found = planted(plant_python, PYTHON)
+        condition = "if most < 5 and rows:"
+        for kind, old, new in (
+            ("off by one", condition, "if most <= 5 and rows:"),
+            ("comparison flipped", condition, "if most >= 5 and rows:"),
+            ("and or or", condition, "if most < 5 or rows:"),
+            ("condition negated", condition, "if not (most < 5 and rows):"),
+            ("constant changed", condition, "if most < 6 and rows:"),
+            ("constant changed", "LIMIT = 3", "LIMIT = 4"),
+            ("assignment to a member removed", "self.kept = list(rows)", "pass"),
+            ("lock removed", "with self.lock:", "if True:"),
+            ("assignment to a member removed", "self.left -= 1", "pass"),
+            ("comparison flipped", "if row is None:", "if row is not None:"),
+            ("loop left", "break", "continue"),
+            ("arguments swapped", "self.put(row, most)", "self.put(most, row)"),
+            ("statement removed", "self.put(row, most)", "pass"),
+            ("early return", "self.put(row, most)", "return None"),
+            ("exception swallowed", "self.error = error", "pass"),
+            ("exception swallowed", 'raise KeyError("none of them")', "pass"),
+            ("operator changed", "return self.left + most", "return self.left - most"),
+        ):
+            self.assertIn((kind, old, new), found)
+        for word in ("Not code", "Nor this", "never", "TYPE_CHECKING", "List[int]"):
+            self.assertFalse([old for _, old, new in found if word in old and "most=LIMIT" not in old], word)
+
+    def test_every_kind_in_cxx(self):
+        found = planted(plant_cxx, CXX)
+        condition = "if (most < 5 && !rows.empty())"
+        lock = "const std::lock_guard<std::mutex> lock(mutex);"
+        for kind, old, new in (
+            ("off by one", condition, "if (most <= 5 && !rows.empty())"),
+            ("comparison flipped", condition, "if (most >= 5 && !rows.empty())"),
+            ("and or or", condition, "if (most < 5 || !rows.empty())"),
+            ("condition negated", condition, "if (!(most < 5 && !rows.empty()))"),
+            ("constant changed", condition, "if (most < 4 && !rows.empty())"),
+            ("assignment to a member removed", "this->Kept = rows;", ";"),
+            ("lock removed", lock, ";"),
+            ("arguments swapped", 'put("a < b", most); // "', 'put(most, "a < b"); // "'),
+            ("statement removed", "put(row, most);", ";"),
+            ("early return", "put(row, most);", "return;"),
+            ("loop left", "break;", "continue;"),
+            ("exception swallowed", 'throw std::length_error("none; of them");', ";"),
+            ("operator changed", "return taken.left + most;", "return taken.left - most;"),
+            ("early return", "return taken.left + most;", "return {};"),
+        ):
+            self.assertIn((kind, old, new), found)
+        for word in ("#include", "kMost", "int left", "namespace"):
+            self.assertFalse([old for _, old, _ in found if word in old], word)
+
+    def test_the_products_own_files_can_be_broken_and_changed_back(self):
+        for file in ("Filters/Python/_input.py", "Filters/Engine/Interface/OpenInput.cxx"):
+            text = (random_mutants.ROOT / file).read_text()
+            those = planting.faults(file, text)
+            self.assertGreater(len({fault.line for fault in those}), 50)
+            for fault in those[:: len(those) // 100]:
+                broken = fault.apply(text)
+                self.assertNotEqual(broken, text)
+                self.assertEqual(broken.replace(fault.new, fault.old), text.replace(fault.new, fault.old))
+
+    def test_what_a_seed_draws(self):
+        folder = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, folder)
+        (folder / "part").mkdir()
+        (folder / "part" / "take.py").write_text(PYTHON)
+        (folder / "part" / "take.cxx").write_text(CXX)
+
+        def drawn(seed):
+            return list(planting.draw(folder, "part", seed))
+
+        self.assertEqual(drawn(1), drawn(1))
+        self.assertNotEqual(drawn(1)[:5], drawn(2)[:5])
+        self.assertEqual(len({fault.key() for fault in drawn(1)}), len(drawn(1)))
+        before = {fault.key() for fault in drawn(1)}
+        (folder / "part" / "take.cxx").write_text("// a line above\n" + CXX)
+        self.assertEqual({fault.key() for fault in drawn(1)}, before)
+
+
+# What the campaign is run on: a module of a few lines, and a test that looks at half of it.
+MODULE = '''\
+def half(value):
+    steps = 0
+    while value > 1:
+        value //= 2
+        steps += 1
+    return steps
+
+
+def unseen(value):
+    return value + 1
+'''
+SCRIPT = '''\
+import sys, unittest
+sys.path.insert(0, %r)
+
+class HalfTest(unittest.TestCase):
+    def test_half(self):
+        import module
+        self.assertEqual([module.half(k) for k in (1, 2, 3, 8)], [0, 1, 1, 3])
+
+unittest.main()
+'''
+
+
+class Part:
+    """As those of parts.py, with a module below `root`; what has a comparison with >= "does not compile"."""
+
+    names = ["HalfTest"]
+
+    def __init__(self, root):
+        self.root = root
+        self.planted = []
+
+    def plant(self, fault):
+        self.planted.append(fault.key())
+        if ">= 1" in fault.new:
+            raise workshop.BuildError("as told")
+        (self.root / fault.file).write_text(fault.apply(MODULE))
+
+    def heal(self, fault):
+        (self.root / fault.file).write_text(MODULE)
+
+    def run(self, _test, limit):
+        assert limit >= random_mutants.LEAST_LIMIT
+        return workshop.execute([sys.executable, "-B", "script.py"], self.root, 1, {})
+
+    def measure(self, test, limit):
+        return self.run(test, limit), ["module.py"]
+
+    def concerns(self, facts, file):
+        return file.rpartition("/")[2] in facts
+
+
+class CampaignTest(unittest.TestCase):
+    def setUp(self):
+        self.root = pathlib.Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.root)
+        (self.root / "part").mkdir()
+        (self.root / "part" / "module.py").write_text(MODULE)
+        (self.root / "script.py").write_text(SCRIPT % str(self.root / "part"))
+        self.part = Part(self.root)
+        self.judged = random_mutants.Judged(self.root / "judged.toml")
+
+    def campaign(self, count, again=None):
+        campaign = random_mutants.Campaign(self.root / "work")
+        faults = planting.draw(self.root, "part", 1)
+        with contextlib.redirect_stdout(io.StringIO()):
+            campaign.measure(self.part)
+            results = campaign.run_all("part 1", count, self.part, faults, again)
+        return campaign, results
+
+    def test_what_is_noticed_and_what_is_not(self):
+        campaign, results = self.campaign(60)
+        self.assertGreater(len(results), 15)  # all that there are
+        self.assertLess(len(results), len(self.part.planted))  # some do not compile
+        for result in results:
+            self.assertEqual(bool(result["test"]), result["function"] == "half", result)
+        failures = {result["failure"] for result in results}
+        self.assertIn("test_half", failures)
+        self.assertTrue([failure for failure in failures if "time limit" in failure], failures)  # for ever
+        self.assertEqual((self.root / "part" / "module.py").read_text(), MODULE)
+        self.check_report(campaign, results)
+
+    def test_it_goes_on_where_it_was_stopped(self):
+        _, first = self.campaign(4)
+        begun = len(self.part.planted)
+        campaign, more = self.campaign(6)
+        self.assertEqual(more[:4], first)
+        self.assertEqual(len(set(self.part.planted)), len(self.part.planted))
+        self.assertGreaterEqual(len(self.part.planted), begun + 2)
+        self.part.planted.clear()
+        self.campaign(6, "survivors")
+        self.assertEqual(len(self.part.planted), sum(not result["test"] for result in more))
+        kept = json.loads((self.root / "work" / "results.json").read_text())
+        self.assertEqual(len(kept["runs"]["part 1"]), 6)
+
+    def check_report(self, campaign, results):
+        """It has what survived, and why."""
+        left = [result for result in results if not result["test"]]
+        row = '[[fault]]\nfile = "part/module.py"\nfunction = "unseen"\nold = "%s"\nnew = "%s"\n'
+        text = row % (left[0]["old"].strip(), left[0]["new"].strip()) + 'equivalent = true\nwhy = "nobody | calls it"\n'
+        (self.root / "judged.toml").write_text(text)
+        judged = random_mutants.Judged(self.root / "judged.toml")
+        counts = random_report.counts(results, judged)
+        self.assertEqual((counts.equivalent, counts.survived), (1, len(left) - 1))
+        lines = random_report.markdown(campaign, judged).splitlines()
+        share = 100 * counts.killed / (len(results) - 1)
+        self.assertIn(
+            f"| 1 | {len(results)} | {counts.killed} | 1 | {len(left) - 1} | {share:.1f} % |", lines)  # fmt: skip
+        self.assertEqual(sum("not looked at" in line for line in lines), len(left) - 1)
+        self.assertEqual(sum("nobody \\| calls it" in line for line in lines), 1)
+
+
+class JudgedTest(unittest.TestCase):
+    def test_each_fault_of_the_list_is_one_and_has_a_reason(self):
+        for key, row in random_mutants.Judged().rows.items():
+            file, function, old, new = key
+            path = random_mutants.ROOT / file
+            self.assertTrue(row["why"] and path.exists(), key)
+            those = planting.faults(file, path.read_text())
+            fits = [f for f in those if (f.function, f.old.strip(), f.new.strip()) == (function, old, new)]
+            self.assertTrue(fits, textwrap.shorten(f"not in the sources any more: {key}", 400))
+
+
+class CallTest(unittest.TestCase):
+    def test_what_is_said_of_a_folder_without_tests(self):
+        arguments = argparse.Namespace(folder="Data", work=pathlib.Path("nowhere"), jobs=1, python="", package="")
+        with self.assertRaises(workshop.BuildError):
+            random_mutants.parts.part_for(arguments.folder, arguments.work, 1, "", "")
+
+    def test_faults_of_each_folder_are_found(self):
+        for folder in ("Filters/Python", *(begin.rstrip("/") for begin in random_mutants.parts.TESTS)):
+            file = planting.files_of(random_mutants.ROOT, folder)[0]
+            self.assertTrue(planting.faults(file, (random_mutants.ROOT / file).read_text()), file)
+
+
+if __name__ == "__main__":
+    unittest.main()
