@@ -25,6 +25,7 @@ WORD = re.compile(r"\b(true|false|break|continue)\b")
 NUMBER = re.compile(r"(?<![\w.\"'])(\d+)(\.\d+)?(?![\w.xX'])")
 CONDITION = re.compile(r"\b(?:if|while) (?:constexpr )?\(")
 CALL = re.compile(r"\w\(")
+NOTHING_MORE = ("return", "return {}", "return nullptr", "return false", "return 0")  # is what {} gives
 LOCKS = re.compile(r"\b(?:lock_guard|unique_lock|scoped_lock)\b|\block\(\)")
 
 
@@ -135,7 +136,7 @@ def statements(text, code, begin, end):
             first, part = first + 5, part[5:]
         span = (first, at + 1)
         if part.startswith("return"):
-            if part != "return":
+            if part not in NOTHING_MORE:
                 yield (*span, "return {};", "early return")
             continue
         yield (*span, ";", removed(part))

@@ -1,0 +1,126 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every refusal of the arrays' package, word for word as Refusals.json has it, and none left out: what a module raises
+is said in one of them. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
+"""
+
+import json
+import os
+import pathlib
+import unittest
+import warnings
+
+import numpy as np
+
+from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NearestInterpolator, Raster, delaunay
+from arraysupport import SQUARE, cloud
+
+import literals  # (arraysupport has put its folder on the path)
+import test_input
+
+FILE = pathlib.Path(__file__).with_name("Refusals.json")
+MODULES = ("_arrays.py", "_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
+# What is raised to be caught again, with other words.
+INSIDE = (" is no number",)
+VALUES = np.arange(6.0)
+MADE = delaunay(SQUARE)
+MASKED = np.ma.masked_less(SQUARE, 2)
+PLACE = [[1, 1]]
+
+
+def plane_of_shape(xyz):
+    return xyz[:, :2]
+
+
+# By name: what is refused. Those of delaunay()'s own arguments are in test_input.py.
+CALLS = {
+    "raster of nothing": lambda: MADE.raster(),
+    "raster of both": lambda: MADE.raster(cell_size=1, shape=(1, 1)),
+    "cell_size 0": lambda: MADE.raster(cell_size=0),
+    "cell_size infinite": lambda: MADE.raster(cell_size=(1, np.inf)),
+    "cell_size of three": lambda: MADE.raster(cell_size=(1, 1, 1)),
+    "cell_size of text": lambda: MADE.raster(cell_size="5"),
+    "shape 0": lambda: MADE.raster(shape=(0, 5)),
+    "shape too large": lambda: MADE.raster(shape=(1, 2**31)),
+    "shape of parts": lambda: MADE.raster(shape=(1.5, 5)),
+    "shape and align": lambda: MADE.raster(shape=(1, 5), align=True),
+    "bounds that descend": lambda: MADE.raster(cell_size=1, bounds=(1, 0, 0, 1)),
+    "bounds of two": lambda: MADE.raster(cell_size=1, bounds=(0, 1)),
+    "too many cells": lambda: MADE.raster(cell_size=1e-12),
+    "cells that are not apart": lambda: MADE.raster(cell_size=1, bounds=(1e17, 1e17 + 64, 0, 1)),
+    "raster too wide": lambda: MADE.raster(shape=(8, 8), bounds=(0, 1, -1.7e308, 1.7e308)),
+    "raster without vertices": lambda: delaunay(np.full((3, 2), np.nan)).raster(shape=(1, 1)),
+    "spacing 0": lambda: Raster((0, 0), (0, 1), (1, 1)),
+    "spacing of one": lambda: Raster((0, 0), 1, (1, 1)),
+    "origin infinite": lambda: Raster((np.inf, 0), (1, 1), (1, 1)),
+    "origin of text": lambda: Raster(("a", 0), (1, 1), (1, 1)),
+    "negative shape": lambda: Raster((0, 0), (1, 1), (-1, 1)),
+    "method": lambda: MADE.interpolate(VALUES, PLACE, "cubic"),
+    "method that is none": lambda: MADE.interpolate(VALUES, PLACE, 1),
+    "too few values": lambda: MADE.interpolate(VALUES[:5], PLACE),
+    "values of text": lambda: MADE.interpolate(["a"] * 6, PLACE),
+    "masked values": lambda: MADE.interpolate(MASKED[:, 0], PLACE),
+    "masked places": lambda: MADE.interpolate(VALUES, MASKED),
+    "places in space": lambda: MADE.interpolate(VALUES, [[1, 1, 1]]),
+    "places of text": lambda: MADE.interpolate(VALUES, [["a", "b"]]),
+    "outside": lambda: MADE.interpolate(VALUES, PLACE, outside="far"),
+    "outside of two": lambda: MADE.interpolate(VALUES, PLACE, outside=[1, 2]),
+    "gradient by neighbours": lambda: MADE.interpolate(VALUES, PLACE, "natural", gradient=True),
+    "method without places": lambda: MADE.interpolate(VALUES, method="natural"),
+    "places to locate": lambda: MADE.locate([1, 1]),
+    "clip": lambda: MADE.voronoi("box"),
+    "rescaled triangulation": lambda: LinearInterpolator(MADE, VALUES, rescale=True),
+    "values of an interpolator": lambda: LinearInterpolator(SQUARE, VALUES[:5]),
+    "text of an interpolator": lambda: LinearInterpolator(SQUARE, ["a"] * 6),
+    "fill_value": lambda: LinearInterpolator(SQUARE, VALUES, [1, 2]),
+    "points of an interpolator in space": lambda: LinearInterpolator(cloud(1, 6, 3), VALUES),
+    "points of an interpolator of text": lambda: LinearInterpolator([["a", "b"]], [1]),
+    "arguments of an interpolator": lambda: LinearInterpolator(SQUARE, VALUES)(1, 2, 3),
+    "places of an interpolator": lambda: LinearInterpolator(SQUARE, VALUES)([1, 2, 3]),
+    "nearest with bounding points": lambda: NearestInterpolator(delaunay(SQUARE, bounding=True), VALUES),
+    "nearest to nowhere": lambda: NearestInterpolator(SQUARE, list("abcdef"))([[np.nan, 0], [0, 0]]),
+    "bounding in a plane": lambda: delaunay(SQUARE, bounding=True, plane="best_fit"),
+    "source's ids": lambda: delaunay(SQUARE, source_points=SQUARE[:3], lines=[[0, 3]]),
+    "plane of another shape": lambda: delaunay(SQUARE, plane=plane_of_shape),
+    "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), True)),
+}
+for k, (_, points, _) in enumerate(test_input.RefusedTest.POINTS):
+    CALLS["points %d" % k] = lambda points=points: delaunay(points)
+for k, (_, name, value, _) in enumerate(test_input.RefusedTest.KEYWORDS):
+    if name not in ("memory_limit", "no_such"):  # as much as is free; Python's own words
+        CALLS["%s %d" % (name, k)] = lambda name=name, value=value: delaunay(SQUARE, **{name: value})
+
+
+def refusal_of(call):
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DelaunayWarning)
+            call()
+    except (TypeError, ValueError, MemoryError) as error:
+        return "%s: %s" % (type(error).__name__, error)
+    return "taken"
+
+
+class RefusalsTest(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.found = {name: refusal_of(call) for name, call in CALLS.items()}
+        # NumPy's words, which differ between its versions
+        cls.found = {name: text for name, text in cls.found.items() if "inhomogeneous" not in text}
+        if os.environ.get("AHD_WRITE_HASHES") == "1":
+            FILE.write_text(json.dumps(cls.found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+
+    def test_they_are_those(self):
+        self.assertEqual(self.found, json.loads(FILE.read_text(encoding="utf-8")))
+        self.assertNotIn("taken", self.found.values())
+
+    def test_none_is_left_out(self):
+        said = "\n".join(self.found.values())
+        for name in MODULES:
+            for line, piece in literals.pieces_of_refusals(name):
+                self.assertTrue(piece in said or piece in INSIDE, (name, line, piece))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,159 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the class in Python says: messages word for word those of the compiled class, whichever of them a test sees;
+what it refuses, and how a run that fails ends.
+"""
+
+import ast
+import unittest
+import unittest.mock
+
+from classtests import Case, Filter, Said, Source, cloud, core, run_tests, tested_class
+
+import literals  # (classtests has put its folder on the path)
+
+Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+IN_PYTHON = hasattr(Filter, "_backend")
+# Where messages are made, and what in them is of VTK's form, or put together otherwise in C++.
+MODULES = {
+    "messages.py": ("WarningEvent", "Warning", "ErrorEvent", "ERROR", ": In ", ", line ", "\n\n", "bends"),
+    "raster_messages.py": ("HeightArrayName and ValidPointMaskArrayName are both \"", "ValidPointMaskArrayName is \"",
+                           " places from ", " is \""),
+}
+
+
+class MessagesTest(unittest.TestCase):
+    def test_they_are_those_of_the_compiled_class(self):
+        compiled = literals.said_in_cxx()
+        for name, others in MODULES.items():
+            tree = ast.parse((literals.PYTHON / "_vtk" / name).read_text(encoding="utf-8"))
+            pieces = list(literals.pieces_of(tree))
+            self.assertGreater(len(pieces), 50)
+            unknown = [row for row in pieces if row[1] not in compiled and row[1] not in others]
+            self.assertEqual(unknown, [], name)
+
+
+@unittest.skipUnless(IN_PYTHON, "VTK's wrappers have words of their own")
+class RefusalsTest(Case):
+    def rows(self):
+        """(what is called, with what, exception, text)"""
+        filter_, raster = Filter(), Interpolation()
+        package = Filter._backend.package
+        points = core.vtkIdList()
+        yield filter_.SetTransform, (5,), TypeError, (
+            "SetTransform argument 1: a vtkAbstractTransform of %s is required, not int" % package)
+        yield filter_.SetSourceData, (points,), TypeError, (
+            "SetSourceData argument 1: a vtkPolyData of %s is required, not vtkIdList" % package)
+        yield filter_.SetTolerance, ("much",), TypeError, "a float is required, not str"
+        yield filter_.SetTolerance, (None,), TypeError, "a float is required, not NoneType"
+        yield filter_.SetNmax, (2**31,), OverflowError, "value is out of range for int"
+        yield filter_.SetNmax, (-2**31 - 1,), OverflowError, "value is out of range for int"
+        yield filter_.SetMemoryLimit, (2**63,), OverflowError, "value is out of range for long long"
+        yield filter_.SetMemoryLimit, (-2**63 - 1,), OverflowError, "value is out of range for long long"
+        yield lambda: Filter(Nothing=1), (), AttributeError, "vtkAdaptiveHilbertDelaunay2D has no property Nothing"
+        yield raster.SetTriangulation, (points,), TypeError, (
+            "SetTriangulation argument 1: a vtkAdaptiveHilbertDelaunay2D is required, not vtkIdList")
+        yield raster.SetSourceData, (points,), TypeError, (
+            "SetSourceData argument 1: a vtkPolyData of %s is required, not vtkIdList" % package)
+        yield raster.SetPlacesData, (points,), TypeError, (
+            "SetPlacesData argument 1: a vtkDataSet of %s is required, not vtkIdList" % package)
+        yield raster.SetCellSize, (1.0, 2.0, 3.0), TypeError, "SetCellSize takes 2 numbers"
+        yield raster.SetBounds, ((1.0, 2.0),), TypeError, "SetBounds takes 4 numbers"
+        yield raster.SetDimensions, (1, 2.5), TypeError, "'float' object cannot be interpreted as an integer"
+        yield raster.SetHeightArrayName, (7,), TypeError, "string is required, not int"
+
+    def test_each_says_why_and_changes_nothing(self):
+        for call, given, error, text in self.rows():
+            owner = getattr(call, "__self__", None)
+            before = owner and (owner.GetMTime(), str(owner).partition("\n")[2])
+            with self.assertRaises(error, msg=text) as caught:
+                call(*given)
+            self.assertEqual(str(caught.exception), text)
+            self.assertEqual(owner and (owner.GetMTime(), str(owner).partition("\n")[2]), before, text)
+
+    def test_none_is_left_out(self):
+        said = [text for *_, text in self.rows()]
+        for name in ("filter.py", "interpolation.py", "settings.py", "raster_settings.py"):
+            for line, piece in literals.pieces_of_refusals("_vtk/" + name):
+                self.assertTrue([text for text in said if piece in text], (name, line, piece))
+
+    def test_the_ends_of_each_type_are_taken(self):
+        filter_ = Filter()
+        filter_.SetNmax(2**31 - 1)
+        filter_.SetMemoryLimit(2**63 - 1)
+        self.assertEqual((filter_.GetNmax(), filter_.GetMemoryLimit()), (2**31 - 1, 2**63 - 1))
+        filter_.SetNmax(-2**31)
+        filter_.SetMemoryLimit(-2**63)
+        self.assertEqual((filter_.GetNmax(), filter_.GetMemoryLimit()), (1, 0))
+
+
+class FailuresTest(Case):
+    """A run that fails says one thing, which the pipeline does not say again, and leaves empty outputs; the next one
+    is as if nothing had been."""
+
+    POINTS = [(0.1 * k, (0.7 * k) % 1.0, 0.0) for k in range(40)]
+
+    def ways(self):
+        """(algorithm, what makes it fail, what mends it)"""
+        algorithm = Filter()
+        algorithm.SetInputDataObject(cloud(self.POINTS))
+        yield algorithm, {"MemoryLimit": 1}, {"MemoryLimit": 0}
+        for given in ({"CellSize": (0.0, 1.0)}, {"CellSize": (1e-300, 1.0)}, {"CellSize": (1e-9, 1e-9)}):
+            algorithm = Interpolation()
+            algorithm.SetRasterSizeToByCellSize()
+            algorithm.SetInputDataObject(cloud(self.POINTS))
+            yield algorithm, given, {"CellSize": (0.5, 0.5)}
+
+    @unittest.skipUnless(IN_PYTHON, "the compiled class asks the system")
+    def test_memory_for_the_points_of_the_source(self):
+        from adaptivehilbertdelaunay._vtk import source
+
+        made = Source()
+        said = Said(made)
+        for precision, bytes_each in ((0, 16), (1, 28)):
+            made.SetOutputPointsPrecision(precision)
+            made.SetNumberOfPoints(4096)
+            for free, errors in ((4096 * bytes_each - 1024, 1), (4096 * bytes_each, 0)):
+                made.Modified()
+                with unittest.mock.patch.object(source.engine, "available_memory", lambda: free):
+                    self.assertEqual(made.GetExecutive().Update(), 1)
+                self.assertSaid(said, errors=errors)
+                self.assertEqual(made.GetOutput().GetNumberOfPoints(), 0 if errors else 4096)
+                if errors:
+                    self.assertEqual(said.errors, [
+                        "Making 4096 points takes %d KiB of memory, but there are %d KiB. No point was made. "
+                        "Make fewer." % (4 * bytes_each, free // 1024)])
+                del said.errors[:]
+
+    def test_each_is_told_once_and_forgotten(self):
+        for algorithm, bad, good in self.ways():
+            fresh = algorithm.NewInstance()
+            for name in ("RasterSize", "UseBounds"):
+                if hasattr(algorithm, "Get" + name):
+                    getattr(fresh, "Set" + name)(getattr(algorithm, "Get" + name)())
+            if algorithm.GetNumberOfInputPorts():
+                fresh.SetInputDataObject(algorithm.GetInputDataObject(0, 0))
+            self.give(fresh, good)
+            fresh.Update()
+            said = Said(algorithm)
+            for _ in range(2):
+                self.give(algorithm, bad)
+                del said.errors[:], said.warnings[:]
+                self.assertEqual(algorithm.GetExecutive().Update(), 1, bad)
+                self.assertSaid(said, errors=1)
+                self.assertEqual(algorithm.GetOutputDataObject(0).GetNumberOfPoints(), 0, bad)
+                del said.errors[:]
+                self.give(algorithm, good)
+                self.assertEqual(algorithm.GetExecutive().Update(), 1, bad)
+                self.assertSaid(said)
+                number = algorithm.GetOutputDataObject(0).GetNumberOfPoints()
+                self.assertEqual(number, fresh.GetOutputDataObject(0).GetNumberOfPoints(), bad)
+                self.assertGreater(number, 3)
+
+    @staticmethod
+    def give(algorithm, settings):
+        for name, value in settings.items():
+            getattr(algorithm, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
+
+
+if __name__ == "__main__":
+    run_tests()

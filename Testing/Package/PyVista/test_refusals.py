@@ -1,0 +1,99 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""mesh.adaptive: what each refusal says, word for word, and that none is left out."""
+
+import sys
+import unittest
+from pathlib import Path
+
+import numpy
+import pyvista
+
+import adaptivehilbertdelaunay.pyvista  # noqa: F401 (registers mesh.adaptive)
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+
+import literals  # noqa: E402
+
+POINTS = numpy.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (1, 2, 0), (3, 2, 0)], float)
+MESH = pyvista.PolyData(POINTS)
+CHOICES = {
+    "plane": "'xy', 'automatic', 'best_fit'", "duplicates": "'first', 'lowest_z', 'highest_z', 'mean_z'",
+    "crossings": "'leave_out', 'split'", "closed_lines": "'lines', 'loops'", "heights": "'own', 'surface'",
+    "fill_rule": "'orientation', 'even_odd'", "rim": "'automatic', 'convex_hull', 'trimmed'",
+}  # fmt: skip
+# (method, arguments, exception, text)
+ROWS = [
+    ("delaunay_2d", dict(arrays=["fate"]), ValueError,
+     "arrays: no 'fate'; there are 'status', 'rank', 'neighbors', 'regions', 'constraint_edges'"),
+    ("delaunay_2d", dict(threads=1.5), TypeError, "threads is to be a whole number, not 1.5"),
+    ("delaunay_2d", dict(threads=-1), ValueError, "threads is to be from 0 to 1024, not -1"),
+    ("delaunay_2d", dict(threads=1025), ValueError, "threads is to be from 0 to 1024, not 1025"),
+    ("delaunay_2d", dict(memory_limit=-1), ValueError,
+     "memory_limit is to be from 0 to 9223372036854775807, not -1"),
+    ("delaunay_2d", dict(memory_limit=2**63), ValueError,
+     "memory_limit is to be from 0 to 9223372036854775807, not 9223372036854775808"),
+    ("delaunay_2d", dict(edge_source=MESH, constraints=MESH), ValueError,
+     "edge_source refers to the mesh's points, constraints have their own: give one of them"),
+    ("to_raster", dict(), ValueError, "how large is the raster? Give cell_size, or shape=(rows, columns)"),
+    ("to_raster", dict(cell_size=1, shape=(2, 2)), ValueError,
+     "how large is the raster? Give cell_size, or shape=(rows, columns)"),
+    ("to_raster", dict(shape=(2, 2), align=True), ValueError,
+     "align: borders are laid on multiples of cell_size, but shape is given"),
+    ("to_raster", dict(cell_size=1, bounds=(0, 0, 0, 1)), ValueError, "bounds are to have an area, not (0, 0, 0, 1)"),
+    ("to_raster", dict(cell_size=1, bounds=(0, 1, 1, 1)), ValueError, "bounds are to have an area, not (0, 1, 1, 1)"),
+    ("to_raster", dict(cell_size=1, bounds=(1, 0, 0, 1)), ValueError,
+     "bounds are to be xmin, xmax, ymin, ymax, finite and ascending, not (1, 0, 0, 1)"),
+    ("to_raster", dict(cell_size=1, elevation=7), TypeError, "elevation is to be a name, a str, not 7"),
+    ("to_raster", dict(cell_size=1, colour=7), TypeError, "an unknown argument: 'colour'"),
+    ("to_raster", dict(cell_size=1, method="cubic"), ValueError,
+     "method='cubic': it is one of 'linear', 'natural', 'laplace', 'nearest'"),
+    ("to_raster", dict(cell_size=1, outside="far"), ValueError,
+     "outside='far': it is one of 'none', 'nearest'"),
+    ("voronoi_2d", dict(clip="box"), ValueError, "clip='box': it is one of 'hull', 'bounds'"),
+    ("sample", dict(places=pyvista.MultiBlock([MESH])), TypeError,
+     "places are one mesh or an array, not a MultiBlock: its combine() is one mesh"),
+    ("sample", dict(places=numpy.zeros((2, 4))), ValueError,
+     "places are a mesh or an array of shape (k, 2) or (k, 3), not (2, 4)"),
+    ("sample", dict(places=numpy.zeros(4)), ValueError,
+     "places are a mesh or an array of shape (k, 2) or (k, 3), not (4,)"),
+]
+ROWS += [("delaunay_2d", {name: "?"}, ValueError, "%s='?': it is one of %s" % row) for name, row in zip(
+    CHOICES, CHOICES.items())]  # fmt: skip
+OF_OTHERS = [  # (mesh, method, arguments, exception, text)
+    (pyvista.ImageData(dimensions=(3, 3, 1)), "delaunay_2d", {}, TypeError,
+     "a mesh with points of its own is needed, not ImageData; cast_to_structured_grid() or "
+     "cast_to_unstructured_grid() give it some"),
+    (MESH.cast_to_unstructured_grid(), "delaunay_2d", dict(inplace=True), TypeError,
+     "inplace: a pyvista.PolyData can be overwritten, not UnstructuredGrid"),
+]
+
+
+class RefusalsTest(unittest.TestCase):
+    def test_each_says_why(self):
+        for mesh, method, given, error, text in OF_OTHERS + [(MESH, *row) for row in ROWS]:
+            with self.assertRaises(error, msg=(method, given)) as caught:
+                getattr(mesh.adaptive, method)(**given)
+            self.assertEqual(str(caught.exception), text)
+        self.assertTrue(numpy.array_equal(MESH.points, POINTS))
+        self.assertEqual(MESH.array_names, [])
+
+    def test_none_is_left_out(self):
+        said = [row[-1] for row in OF_OTHERS + ROWS]
+        pieces = list(literals.pieces_of_refusals("pyvista.py"))
+        self.assertGreater(len(pieces), 10)
+        for line, piece in pieces:
+            self.assertTrue([text for text in said if piece in text], (line, piece))
+
+    def test_every_choice_is_taken(self):
+        for name, words in CHOICES.items():
+            for word in words.replace("'", "").split(", "):
+                self.assertEqual(MESH.adaptive.delaunay_2d(**{name: word}).n_cells, 6, (name, word))
+
+    def test_the_ends_of_ranges_are_taken(self):
+        for given in (dict(threads=0), dict(threads=1024), dict(memory_limit=0), dict(memory_limit=2**63 - 1)):
+            self.assertEqual(MESH.adaptive.delaunay_2d(**given).n_cells, 6, given)
+
+
+if __name__ == "__main__":
+    outcome = unittest.main(argv=sys.argv[:1], exit=False).result
+    sys.exit(not outcome.wasSuccessful())
