@@ -36,13 +36,24 @@ void InPieces(vtkIdType count, const vtkAHDContext& context, const Work& work)
   }
 }
 
-/// Copies the tuples [0, count) of `from` to `first` and following.
+/// Copies the tuples [0, count) of `from` to `first` and following. One by one where both arrays
+/// may lie component after component: of such, VTK 9.1 and 9.2 put ranges to where they come from.
 void CopyTuples(vtkAbstractArray* array, vtkIdType first, vtkIdType count, vtkAbstractArray* from,
   const vtkAHDContext& context)
 {
   InPieces(count, context,
     [&](vtkIdType begin, vtkIdType end)
-    { array->InsertTuples(first + begin, end - begin, begin, from); });
+    {
+      if (first == 0 || array->HasStandardMemoryLayout())
+      {
+        array->InsertTuples(first + begin, end - begin, begin, from);
+        return;
+      }
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        array->InsertTuple(first + i, i, from);
+      }
+    });
 }
 
 /// Is it one of whole numbers?

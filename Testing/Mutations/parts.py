@@ -48,7 +48,7 @@ TESTS = {
     "Filters/Engine/Interface/": Tests(
         ("EngineCInterface", "EngineJobHashes", "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
         (),
-        r"Engine\.(CInterface|Job\w+)|Package\.Arrays\..*",
+        r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
     ),
 }
 

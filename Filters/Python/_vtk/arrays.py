@@ -62,6 +62,16 @@ def new_array(kind, count, components=1, name=None):
     return made, view(made)
 
 
+def put_tuples(made, first, count, given):
+    """Copies the first tuples of an array to `first` and following of another. One by one where both may lie component
+    after component: of such, VTK 9.1 and 9.2 put ranges to where they come from."""
+    if first == 0 or made.HasStandardMemoryLayout():
+        made.InsertTuples(first, count, 0, given)
+        return
+    for i in range(count):
+        made.InsertTuple(first + i, i, given)
+
+
 def must_be_converted(points):
     """Are these vtkPoints neither floats nor doubles, point after point in memory?"""
     return bool(points and points.GetNumberOfPoints()) and not (

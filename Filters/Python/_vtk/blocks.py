@@ -5,7 +5,7 @@ import numpy
 
 from .. import _library as engine
 from . import messages
-from .arrays import (GHOSTS, BadCells, cells_of, ghost_marks, ids_of, new_array, remove_arrays_of_one_name,
+from .arrays import (GHOSTS, BadCells, cells_of, ghost_marks, ids_of, new_array, put_tuples, remove_arrays_of_one_name,
                      shallow)
 
 MOST_POINTS = 2**28 - 2
@@ -51,7 +51,7 @@ class Blocks:
         for block in self.blocks:
             count = block.GetNumberOfPoints()
             if count:
-                places.InsertTuples(begin, count, 0, block.GetPoints().GetData())
+                put_tuples(places, begin, count, block.GetPoints().GetData())
             begin += count
         points.SetData(places)
         merged.SetPoints(points)
@@ -97,7 +97,7 @@ class Blocks:
             made.SetNumberOfTuples(self.count)
             begin = 0
             for member in members:
-                made.InsertTuples(begin, member.GetNumberOfTuples(), 0, member)
+                put_tuples(made, begin, member.GetNumberOfTuples(), member)
                 begin += member.GetNumberOfTuples()
             index = all_.AddArray(made)
             uses = [part.IsArrayAnAttribute(self._index(part, made.GetName())) for part in data]

@@ -6,7 +6,7 @@ import math
 import numpy
 
 from .. import _library as engine
-from .arrays import GHOSTS, is_viewable, remove_arrays_of_one_name, view
+from .arrays import GHOSTS, is_viewable, put_tuples, remove_arrays_of_one_name, view
 
 
 def is_whole(backend, data):
@@ -51,7 +51,7 @@ class PointData:
         known = min(self.input_count, from_.GetNumberOfTuples())
         are_ids = from_ is data.GetGlobalIds() or from_ is data.GetPedigreeIds()
         if known:
-            made.InsertTuples(0, known, 0, from_)
+            put_tuples(made, 0, known, from_)
         self._clear(made, known, are_ids)
         if are_ids or made.GetName() == GHOSTS:
             return
@@ -86,7 +86,7 @@ class PointData:
             self._put(made, self.input_count, numpy.array(
                 [more.GetTuple(i) for i in range(many)]).reshape(many, more.GetNumberOfComponents()))
         elif many:
-            made.InsertTuples(self.input_count, many, 0, more)
+            put_tuples(made, self.input_count, many, more)
 
     def _put(self, made, first, values):
         """Rows of doubles, rounded where the array has whole numbers."""

@@ -102,6 +102,12 @@ class FailuresTest(Case):
             algorithm.SetRasterSizeToByCellSize()
             algorithm.SetInputDataObject(cloud(self.POINTS))
             yield algorithm, given, {"CellSize": (0.5, 0.5)}
+        for bounds in ((0.0, 0.0, 0.0, 1.0), (0.0, 1.0, 1.0, 1.0), (1.0, 0.0, 0.0, 1.0), (0.0, 1.0, 1.0, 0.0),
+                       (0.0, float("inf"), 0.0, 1.0), (0.0, 1.0, float("nan"), 1.0)):
+            algorithm = Interpolation()
+            algorithm.UseBoundsOn()
+            algorithm.SetInputDataObject(cloud(self.POINTS))
+            yield algorithm, {"Bounds": bounds}, {"Bounds": (0.0, 1.0, 0.0, 1.0)}
 
     @unittest.skipUnless(IN_PYTHON, "the compiled class asks the system")
     def test_memory_for_the_points_of_the_source(self):

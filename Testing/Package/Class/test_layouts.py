@@ -1,0 +1,163 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What comes out is the same however arrays lie in memory: component after component (VTK's SOA) or, as most do, tuple
+after tuple; for coordinates, arrays of points and of the source, of each kind of number and of one to three components.
+"""
+
+import itertools
+import unittest
+
+from classtests import (
+    Case, Filter, Said, array, blocks, cells_of, cloud, core, model, run_tests, source, tested_class, values_of,
+)  # fmt: skip
+from numbered import Random
+
+Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+KINDS = {"float64": "vtkDoubleArray", "float32": "vtkFloatArray", "int32": "vtkIntArray",
+         "uint8": "vtkUnsignedCharArray", "int16": "vtkShortArray"}  # fmt: skip
+COUNT, OWN = 41, 7
+
+
+def of_components(kind):
+    """A new array of this kind of number that lies component after component; None where VTK does not wrap it."""
+    try:
+        return core.vtkSOADataArrayTemplate[kind]()
+    except (AttributeError, KeyError):
+        return None
+
+
+def laid(data, kind):
+    """The same numbers, component after component."""
+    made = of_components(kind)
+    made.SetName(data.GetName())
+    made.SetNumberOfComponents(data.GetNumberOfComponents())
+    made.SetNumberOfTuples(data.GetNumberOfTuples())
+    for i in range(data.GetNumberOfTuples()):
+        made.SetTuple(i, data.GetTuple(i))
+    return made
+
+
+def places(count, seed):
+    random = Random(seed)
+    return [(random.unit(), random.unit(), random.unit()) for _ in range(count)]
+
+
+def numbers(count, components, kind, seed, apart):
+    random = Random(seed)
+    values = [random.unit() for _ in range(count * components)]
+    if not kind.startswith("float"):
+        values = [int(100 * value) for value in values]
+    data = array(KINDS[kind], "a", values, components)
+    return laid(data, kind) if apart else data
+
+
+def data_of(points, apart):
+    """A vtkPolyData of points whose coordinates lie so."""
+    data = cloud(points)
+    if apart:
+        data.GetPoints().SetData(laid(data.GetPoints().GetData(), "float64"))
+    return data
+
+
+def all_values(output):
+    """Of each array, by name."""
+    data = output.GetPointData()
+    found = {data.GetArrayName(i): values_of(data.GetAbstractArray(i)) for i in range(data.GetNumberOfArrays())}
+    return {name: [None if value != value else value for value in values] for name, values in found.items()}
+
+
+@unittest.skipUnless(of_components("float64") is not None, "this VTK does not wrap such arrays")
+class LayoutsTest(Case):
+    def given(self, kind, components, apart):
+        """Input and source. `apart`: of coordinates, the input's array, the source's."""
+        given = data_of(places(COUNT, 1), apart[0])
+        given.GetPointData().AddArray(numbers(COUNT, components, kind, 2, apart[1]))
+        lines = source(places(OWN, 3), lines=[tuple(range(OWN)), (0, 3, 6, 2)])
+        if apart[0]:
+            lines.GetPoints().SetData(laid(lines.GetPoints().GetData(), "float64"))
+        lines.GetPointData().AddArray(numbers(OWN, components, kind, 4, apart[2]))
+        return given, lines
+
+    def triangulated(self, kind, components, apart, heights):
+        given, lines = self.given(kind, components, apart)
+        algorithm = Filter()
+        algorithm.SetInputDataObject(given)
+        algorithm.SetSourceData(lines)
+        algorithm.SetSourceModeToCoordinates()
+        algorithm.SetCrossingModeToSplit()
+        algorithm.SetSourceHeights(heights)
+        Said(algorithm)  # of points outside
+        algorithm.Update()
+        output = algorithm.GetOutput()
+        self.assertGreater(output.GetNumberOfPoints(), COUNT + OWN)  # there are crossings
+        points = [output.GetPoint(i) for i in range(output.GetNumberOfPoints())]
+        return points, output.GetNumberOfCells(), all_values(output)
+
+    def interpolated(self, kind, components, apart, at):
+        given, _ = self.given(kind, components, apart)
+        algorithm = Interpolation()
+        algorithm.SetInputDataObject(given)
+        algorithm.SetDimensions(5, 3)
+        algorithm.SetGenerateGradients(True)
+        if at:
+            algorithm.SetPlacesData(data_of([(x, y, 0) for x, y, _ in places(11, 5)], apart[2]))
+        algorithm.Update()
+        return all_values(algorithm.GetOutputDataObject(0))
+
+    def check(self, made, options):
+        for kind, components in itertools.product(KINDS, (1, 2, 3)):
+            for option in options:
+                expected = made(kind, components, (False, False, False), option)
+                for apart in ((True, False, False), (False, True, False), (False, False, True), (True, True, True)):
+                    self.assertEqual(made(kind, components, apart, option), expected, (kind, components, option, apart))
+
+    def test_of_the_surface(self):
+        self.check(self.triangulated, (0, 1))
+
+    def test_of_values_between(self):
+        self.check(self.interpolated, (False, True))
+
+    def merged(self, kind, components, apart, _option):
+        """Blocks of different lengths."""
+        parts = []
+        for k, count in enumerate((11, 1, 7)):
+            parts.append(data_of(places(count, 6 + k), apart[0]))
+            parts[-1].GetPointData().AddArray(numbers(count, components, kind, 9 + k, apart[1 + k % 2]))
+        algorithm = Filter()
+        algorithm.SetInputDataObject(blocks(*parts))
+        algorithm.MergeBlocksOn()
+        algorithm.Update()
+        return algorithm.GetOutput().GetNumberOfCells(), all_values(algorithm.GetOutput())
+
+    def test_of_blocks(self):
+        self.check(self.merged, (0,))
+
+    def test_of_cells(self):
+        """Ids of 32 and of 64 bits, in arrays of several kinds."""
+        lines = source(places(OWN, 3))
+        expected = None
+        for kind in ("vtkTypeInt32Array", "vtkTypeInt64Array"):
+            ids, offsets = (getattr(core, kind)() for _ in range(2))
+            for to, values in ((ids, (0, 1, 2, 3, 4)), (offsets, (0, 2, 5))):
+                for value in values:
+                    to.InsertNextValue(value)
+            cells = model.vtkCellArray()
+            cells.SetData(offsets, ids)
+            lines.SetLines(cells)
+            algorithm = Filter()
+            algorithm.SetInputDataObject(data_of(places(COUNT, 1), False))
+            algorithm.SetSourceData(lines)
+            algorithm.SetSourceModeToCoordinates()
+            algorithm.GenerateConstraintEdgesOn()
+            algorithm.Update()
+            surface = algorithm.GetOutput()
+            found = values_of(surface.GetCellData().GetAbstractArray("ConstraintEdges"))
+            expected = expected or found
+            self.assertEqual(found, expected, kind)
+            self.assertGreater(sum(found), 0)
+        lines.SetLines(cells_of([(0, 1), (2, 3, 4)]))
+        algorithm.Update()
+        self.assertEqual(values_of(algorithm.GetOutput().GetCellData().GetAbstractArray("ConstraintEdges")), expected)
+
+
+if __name__ == "__main__":
+    run_tests()
