@@ -1,0 +1,133 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A job that is used again is as a new one: settings and arrays change at random, runs are cancelled, answers are
+asked for in any order; each is that of a job that never did anything else.
+"""
+
+import unittest
+
+import numpy as np
+
+from adaptivehilbertdelaunay import _library as library
+
+STEPS, SEEDS = 40, range(1, 9)
+SETTINGS = {
+    "plane": (0, 0, 1, 2), "split_crossings": (0, 1), "closed_lines": (0, 1), "cell_ids": (0, 1),
+    "source_heights": (0, 1), "fill_rule": (0, 1), "rim": (0, 1, 2), "duplicates": (0, 1, 2, 3), "bounding": (0, 0, 1),
+    "insertion_order": (0, 1, 2, 3), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40), "count_work": (0, 1),
+    "voronoi_clip": (0, 1), "tolerance": (0.0, 0.0, 0.02), "alpha": (0.0, 0.0, 0.3),
+    "maximum_edge_length": (0.0, 0.0, 0.2),
+    **dict.fromkeys(("want_neighbors", "want_order", "want_boxes", "want_voronoi", "want_regions", "want_curve",
+                     "want_constraint_edges", "want_point_status", "want_insertion_ranks"), (0, 1, 1)),
+}  # fmt: skip
+# Of the machine, of the moment, or of how the work was shared.
+OTHER_COUNTS = {"memory_estimate", "memory_allowed", "most_boxes", "most_crossings", "threads_used", "dispatch_target"}
+PLACES = np.random.default_rng(5).random((25, 2)) * 1.4 - 0.2
+
+
+def new_arrays(numbers):
+    """Arrays that may fit together."""
+    count, own = int(numbers.choice([0, 1, 3, 20, 151])), int(numbers.integers(0, 12))
+    dtype = numbers.choice([np.float32, np.float64])
+    points = numbers.random((count, int(numbers.integers(2, 4)))).astype(dtype)
+    if count > 9 and numbers.random() < 0.5:
+        points[5:9] = points[0]
+        points[7, 1] = np.nan
+    made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
+            "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]])}  # fmt: skip
+    if numbers.random() < 0.3:
+        made["skip"] = (numbers.random(count) < 0.2).astype(np.uint8)
+    if numbers.random() < 0.5:
+        made["source_points"] = numbers.random((own, 3))
+    for kind in ("line", "loop"):
+        if count and numbers.random() < 0.5:
+            made[kind + "_ids"] = numbers.integers(0, min(count, own + 1), 8)
+            made[kind + "_offsets"] = np.array([0, 3, 8])
+    return made
+
+
+def interpolated(job):
+    values = np.arange(job.count("points") * 2.0).reshape(-1, 2)
+    job.interpolate(values)
+    return [values]
+
+
+QUESTIONS = {
+    "locate": lambda job: list(job.locate(PLACES)),
+    "weights": lambda job: (job.sample_weights(PLACES, library.SAMPLE_NATURAL_NEIGHBOR), job.array("weights"))[1:],
+    "drawing": lambda job: list(job.draw_order().values()),
+    "at points": interpolated,
+    "counts": lambda job: [np.array([job.count(n) for n in library.names(library.COUNTS) if n not in OTHER_COUNTS
+                                     and not n.startswith("sampl")])],
+    "measures": lambda job: [np.array([job.measure(n) for n in library.names(library.MEASURES)
+                                       if not n.startswith("seconds")])],
+}  # fmt: skip
+QUESTIONS.update((name, lambda job, name=name: [job.array(name)]) for name in library.names(library.OUTPUT_ARRAYS)
+                 if not name.startswith("weight"))  # fmt: skip
+
+
+def sampled(job, method, fills):
+    values = np.sin(np.arange(job.count("points") * 2.0)).reshape(-1, 2)
+    found = job.sample(PLACES, [values], method=method, fills=fills, gradients=method == library.SAMPLE_LINEAR)
+    return [*found.values, *(slope for slope in found.gradients if slope is not None), found.mask]
+
+
+for method in range(4):
+    for fills in (False, True):
+        QUESTIONS["sampled %d %d" % (method, fills)] = (
+            lambda job, method=method, fills=fills: sampled(job, method, fills))  # fmt: skip
+
+
+def answer(job, question):
+    try:
+        return [np.array(part) for part in question(job)]
+    except library.EngineError as error:
+        return [np.array("%s: %s" % (type(error).__name__, error))]
+
+
+class AgainTest(unittest.TestCase):
+    def compare(self, used, fresh, name, about):
+        found, expected = (answer(job, QUESTIONS[name]) for job in (used, fresh))
+        self.assertEqual(len(found), len(expected), (name, *about))
+        for one, other in zip(found, expected):
+            self.assertEqual((one.shape, one.dtype, one.tobytes()), (other.shape, other.dtype, other.tobytes()),
+                             (name, one, other, *about))
+
+    def check_nothing_is_there(self, job):
+        for name in ("triangles", "locate", "counts", "sampled 0 0"):
+            self.assertIn("NotAvailable", str(answer(job, QUESTIONS[name])[0]))
+
+    def test_random_uses(self):
+        results = 0
+        for seed in SEEDS:
+            numbers = np.random.default_rng(seed)
+            used, settings, arrays = library.Job(), {"threads": 1}, new_arrays(numbers)
+            for step in range(STEPS):
+                for name in numbers.choice(list(SETTINGS), 4):
+                    settings[str(name)] = numbers.choice(SETTINGS[str(name)]).item()
+                if numbers.random() < 0.6:
+                    arrays = new_arrays(numbers)
+                fresh = library.Job()
+                is_cancelled = numbers.random() < 0.2
+                for job in (used, fresh):
+                    job.set(**settings)
+                    for name, array in arrays.items():
+                        job.set_array(name, array)
+                    if is_cancelled:
+                        job.cancel()  # the next call, which is the run
+                ends = [answer(job, lambda job: [np.array(job.run() is None)])[0].tolist() for job in (used, fresh)]
+                self.assertEqual(*ends, (seed, step))
+                if ends[0] is not True:
+                    self.check_nothing_is_there(used)
+                results += ends[0] is True
+                names = list(QUESTIONS)
+                numbers.shuffle(names)
+                for name in names[: int(numbers.choice([3, len(names)]))]:
+                    self.compare(used, fresh, name, (seed, step, settings))
+                if numbers.random() < 0.2:
+                    used.release(int(numbers.choice([0, 1 << 28])))
+                    self.check_nothing_is_there(used)
+        self.assertGreater(results, STEPS)
+
+
+if __name__ == "__main__":
+    unittest.main()
