@@ -150,8 +150,8 @@ def system_python():
 class CxxPart(workshop.Workshop):
     """A folder of C++: a copy of all sources and one build of it as users have it, the folder `source/build`."""
 
-    FOLDERS = ("Filters", "Plugin", "Testing", "Data")
-    FILES = ("CMakeLists.txt", "paraview.plugin", "pyproject.toml", "README.md")
+    FOLDERS = (*workshop.FOLDERS, "Plugin", "Testing")
+    FILES = (*workshop.FILES, "paraview.plugin", "pyproject.toml", "README.md")
 
     def __init__(self, folder, jobs, tests):
         super().__init__(folder, jobs, self.FOLDERS, self.FILES)
