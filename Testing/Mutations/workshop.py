@@ -124,6 +124,7 @@ def execute(command, folder, cpu_limit, environment, is_limited=True):
     """
 
     def limit():
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs ignore it
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_CPU, (int(cpu_limit), int(cpu_limit) + 5))
         if is_limited:
