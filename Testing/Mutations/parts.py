@@ -2,8 +2,8 @@
 """Which tests a part of the product has, and how a fault comes into what they run.
 
 A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and says which files it loads,
-`concerns` asks that for one of them; `run(test, limit)` runs it. `plant(fault)` puts a changed file in its place and
-builds, `heal(fault)` takes it out.
+`concerns` asks that for one of them; `run(test, limit)` runs it. `plant(fault)` changes a file of its copy and builds,
+`heal(fault)` changes it back: the sources may change meanwhile.
 """
 
 import dataclasses
@@ -117,7 +117,8 @@ class PythonPart:
         return not facts or str(self.path(file).relative_to(self.place)) in facts
 
     def plant(self, fault):
-        text = fault.apply((ROOT / fault.file).read_text())
+        self.before = self.path(fault.file).read_text()
+        text = fault.apply(self.before)
         try:
             compile(text, fault.file, "exec")
         except SyntaxError as error:
@@ -125,7 +126,7 @@ class PythonPart:
         self.path(fault.file).write_text(text)
 
     def heal(self, fault):
-        shutil.copyfile(ROOT / fault.file, self.path(fault.file))
+        self.path(fault.file).write_text(self.before)
 
 
 # For the interpreters of the tests: those that end tell what they loaded of the package.
@@ -195,8 +196,9 @@ class CxxPart(workshop.Workshop):
         return True
 
     def plant(self, fault):
-        (self.source / fault.file).write_text(fault.apply((ROOT / fault.file).read_text()))
+        self.before = (self.source / fault.file).read_text()
+        (self.source / fault.file).write_text(fault.apply(self.before))
         self.make()
 
     def heal(self, fault):
-        self.write(self.source / fault.file, (ROOT / fault.file).read_bytes())
+        (self.source / fault.file).write_text(self.before)
