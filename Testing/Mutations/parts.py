@@ -15,9 +15,9 @@ import subprocess
 import sys
 
 import workshop
-from mutants import ROOT
 
-PACKAGE = ROOT / "Testing/Package"
+ALL_FOLDERS = (*workshop.FOLDERS, "Plugin", "Testing")
+ALL_FILES = (*workshop.FILES, "paraview.plugin", "pyproject.toml", "README.md")
 PYTHON = "Filters/Python"
 BUILT_INTO = "_compiled.py"  # CMake writes into it
 
@@ -56,41 +56,45 @@ TESTS = {
 def part_for(folder, work, jobs, python, package):
     """The part that a folder of the product belongs to."""
     if folder == PYTHON or folder.startswith(PYTHON + "/"):
-        return PythonPart(work / "python", python, package)
+        return PythonPart(work / "python", jobs, python, package)
     fitting = [begin for begin in TESTS if (folder + "/").startswith(begin)]
     if not fitting:
         raise workshop.BuildError(f"{folder} is no folder of the product that has tests of its own")
     return CxxPart(work / "cxx", jobs, TESTS[max(fitting, key=len)])
 
 
-class PythonPart:
+class PythonPart(workshop.Workshop):
     """The Python package: a copy of a built one, with the modules of the sources, and its tests without a build.
 
     `python` has the VTK and PyVista of PyPI, or the tests that need them are left out. A test is run for a fault only
     where it loads the module.
     """
 
-    def __init__(self, folder, python, package):
-        self.folder = folder.resolve()
+    def __init__(self, folder, jobs, python, package):
+        super().__init__(folder, jobs, ALL_FOLDERS, ALL_FILES)
         self.python = python
+        self.tests_folder = self.source / "Testing/Package"
         self.place = self.folder / "package" / "adaptivehilbertdelaunay"
+        self.fill_package(package)
+        sys.path.insert(0, str(self.tests_folder))
+        import pairs
+
+        self.environment = pairs.suite_environment([str(self.folder / "package")])
+        scripts = [f"Arrays/{path.name}" for path in sorted((self.tests_folder / "Arrays").glob("test_*.py"))]
+        self.names = [*scripts, *(script for script in pairs.FOR_ALL + pairs.FOR_VTK if self.can_run(script))]
+
+    def fill_package(self, package):
         shutil.rmtree(self.folder / "package", ignore_errors=True)
         found = sorted(pathlib.Path(package).glob("**/adaptivehilbertdelaunay/libadaptivehilbertdelaunay.*"))
         if not found:
             raise workshop.BuildError(f"There is no built package below {package}")
         shutil.copytree(found[0].parent, self.place)
-        for path in (ROOT / PYTHON).rglob("*.py"):
+        for path in (self.source / PYTHON).rglob("*.py"):
             if path.name != BUILT_INTO:
-                target = self.place / path.relative_to(ROOT / PYTHON)
+                target = self.place / path.relative_to(self.source / PYTHON)
                 target.parent.mkdir(exist_ok=True)
                 shutil.copyfile(path, target)
         (self.folder / "package" / "sitecustomize.py").write_text(TELL_WHAT_IS_LOADED)
-        sys.path.insert(0, str(PACKAGE))
-        import pairs
-
-        self.environment = pairs.suite_environment([str(self.folder / "package")])
-        scripts = [f"Arrays/{path.name}" for path in sorted((PACKAGE / "Arrays").glob("test_*.py"))]
-        self.names = [*scripts, *(script for script in pairs.FOR_ALL + pairs.FOR_VTK if self.can_run(script))]
 
     def can_run(self, script):
         needed = "pyvista" if "pyvista" in script.lower() else "vtkmodules"
@@ -103,7 +107,7 @@ class PythonPart:
         loaded = self.folder / "loaded.txt"
         loaded.unlink(missing_ok=True)
         environment = {**self.environment, "AHD_TELL_LOADED": str(loaded)}
-        ran = workshop.execute([self.python, str(PACKAGE / test)], self.folder, limit, environment)
+        ran = workshop.execute([self.python, str(self.tests_folder / test)], self.folder, limit, environment)
         self.loaded = loaded.read_text().split() if loaded.exists() else []
         return ran
 
@@ -151,11 +155,8 @@ def system_python():
 class CxxPart(workshop.Workshop):
     """A folder of C++: a copy of all sources and one build of it as users have it, the folder `source/build`."""
 
-    FOLDERS = (*workshop.FOLDERS, "Plugin", "Testing")
-    FILES = (*workshop.FILES, "paraview.plugin", "pyproject.toml", "README.md")
-
     def __init__(self, folder, jobs, tests):
-        super().__init__(folder, jobs, self.FOLDERS, self.FILES)
+        super().__init__(folder, jobs, ALL_FOLDERS, ALL_FILES)
         self.wanted = tests
         self.build_folder = self.source / "build"
         command = ["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",

@@ -144,9 +144,8 @@ def say(number, result, fault):
 
 def plant(arguments, campaign, judged):
     """The exit code of a run."""
-    faults = planting.draw(ROOT, arguments.folder, arguments.seed)
     if arguments.list:
-        for fault, _ in zip(faults, range(arguments.count)):
+        for fault, _ in zip(planting.draw(ROOT, arguments.folder, arguments.seed), range(arguments.count)):
             print(f"{fault.file}:{fault.line} {fault.function} {fault.kind}\n  - {fault.old}\n  + {fault.new}")
         return 0
     try:
@@ -157,6 +156,7 @@ def plant(arguments, campaign, judged):
         print(error)
         return 2
     name = f"{arguments.folder} {arguments.seed}"
+    faults = planting.draw(part.source, arguments.folder, arguments.seed)
     results = campaign.run_all(name, arguments.count, part, faults, arguments.again)
     counts = random_report.counts(results, judged)
     print(f"{name}: {counts.said()}")

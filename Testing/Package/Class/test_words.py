@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the class in Python says: messages word for word those of the compiled class, whichever of them a test sees;
-what it refuses, and how a run that fails ends.
+what it refuses, how a run that fails ends, and what each port has.
 """
 
 import ast
@@ -84,6 +84,30 @@ class RefusalsTest(Case):
         filter_.SetNmax(-2**31)
         filter_.SetMemoryLimit(-2**63)
         self.assertEqual((filter_.GetNmax(), filter_.GetMemoryLimit()), (1, 0))
+
+
+class PortsTest(Case):
+    def test_each_port_has_its_own(self):
+        """And without a number it is port 0."""
+        filter_, raster = Filter(), Interpolation()
+        given = [cloud([(0, 0, 0), (1, 0, 0), (0, 1, 0)]) for _ in range(2)]
+        for algorithm in (filter_, raster):
+            for port, data in enumerate(given):
+                algorithm.SetInputDataObject(port, data)
+            self.assertIs(algorithm.GetInput(), given[0])
+            for port, data in enumerate(given):
+                self.assertIs(algorithm.GetInputDataObject(port, 0), data)
+        for port, data in enumerate(given):
+            self.assertIs(filter_.GetPolyDataInput(port), data)
+            self.assertIs(filter_.GetInput(port), data)
+        if IN_PYTHON:
+            self.assertIs(filter_.GetPolyDataInput(), given[0])
+        filter_.Update()
+        self.assertIs(filter_.GetOutput(), filter_.GetOutputDataObject(0))
+        for port in range(3):
+            self.assertIs(filter_.GetOutput(port), filter_.GetOutputDataObject(port))
+        empty = Filter()
+        self.assertEqual((empty.GetInput(), empty.GetPolyDataInput(0), empty.GetPolyDataInput(1)), (None,) * 3)
 
 
 class FailuresTest(Case):
