@@ -32,6 +32,58 @@ class MessagesTest(unittest.TestCase):
             self.assertEqual(unknown, [], name)
 
 
+class OfJob:
+    """What error_text() asks of a job that ended so."""
+
+    COUNTS = {"points": 40, "memory_estimate": 9 << 10, "memory_allowed": 5 << 10, "most_boxes": 77,
+              "most_crossings": 3}  # fmt: skip
+
+    def count(self, name):
+        return self.COUNTS[name]
+
+
+@unittest.skipUnless(IN_PYTHON, "the compiled class is tested in C++")
+class ErrorsTest(Case):
+    def test_what_memory_allowed(self):
+        from adaptivehilbertdelaunay import _library as engine
+        from adaptivehilbertdelaunay._vtk import messages
+
+        more = "Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow more."
+        box = ("The grid of 40 points has more than 77 boxes, and putting out more may take more memory than %s%d KiB. "
+               "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit "
+               "(in KiB) to allow more.")  # fmt: skip
+        for limit, status, text in (
+            (0, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9 KiB are needed."),
+            (4, engine.OUT_OF_MEMORY,
+             "Out of memory while triangulating 40 points; about 9 KiB are needed, and MemoryLimit allows 4."),
+            (9, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9 KiB are needed."),
+            (0, engine.MEMORY_LIMIT,
+             "Triangulating 40 points may take 9 KiB of memory, but there are 5 KiB. " + more),
+            (4, engine.MEMORY_LIMIT,
+             "Triangulating 40 points may take 9 KiB of memory, but MemoryLimit allows 4 KiB. " + more),
+            (0, engine.TOO_MANY_BOXES, box % ("there is, ", 5)),
+            (4, engine.TOO_MANY_BOXES, box % ("MemoryLimit allows, ", 4)),
+            (0, engine.CANCELLED, None),
+        ):  # fmt: skip
+            self.assertEqual(messages.error_text(status, OfJob(), {"MemoryLimit": limit}, ""), text)
+
+    def test_ranks(self):
+        """One says it, once."""
+        for rank, warned in ((0, 1), (1, 0)):
+            ranks = unittest.mock.Mock()
+            ranks.GetNumberOfProcesses.return_value, ranks.GetLocalProcessId.return_value = 3, rank
+            with unittest.mock.patch.object(Filter._backend, "controller", lambda ranks=ranks: ranks):
+                algorithm = Filter()
+                said = Said(algorithm)
+                algorithm.SetInputDataObject(cloud([(0, 0, 0), (1, 0, 0), (0, 1, 0)]))
+                for _ in range(2):
+                    algorithm.Modified()
+                    algorithm.Update()
+            self.assertEqual(said.warnings, warned * [
+                "There are 3 ranks, and each triangulates its own points only: the surfaces of the ranks do not join. "
+                "DistributePoints has an effect in the compiled class only."])
+
+
 @unittest.skipUnless(IN_PYTHON, "VTK's wrappers have words of their own")
 class RefusalsTest(Case):
     def rows(self):
