@@ -170,7 +170,7 @@ def failure_in(text, code):
     """Which test failed, and how, from what the program printed and how it ended; empty if none did."""
     if code == 0:
         return ""
-    failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)|^(?:FAIL|ERROR): (\w+)", text, re.MULTILINE)
+    failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)|^(?:FAIL|ERROR): (\w+) \(", text, re.MULTILINE)
     if code > 0 and failed:
         return "".join(failed[0])
     begun = re.findall(r"^\[ RUN      \] (\S+)", text, re.MULTILINE)
