@@ -176,10 +176,12 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
 {
   const ahd::ScopedFloatingPoint asTheEngine;
   vtkAHDDataSets data;
-  for (int port = 0; port < 3; ++port)
+  std::array<vtkSmartPointer<vtkPolyData>, 3> held; // observers may replace outputs
+  for (std::size_t port = 0; port < held.size(); ++port)
   {
     // null where it has blocks
-    data.Outputs[static_cast<std::size_t>(port)] = vtkPolyData::GetData(outputVector, port);
+    held[port] = vtkPolyData::GetData(outputVector, static_cast<int>(port));
+    data.Outputs[port] = held[port];
   }
   if (this->IsEmptyPiece(outputVector))
   {

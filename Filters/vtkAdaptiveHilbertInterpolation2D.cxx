@@ -249,7 +249,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
 {
   const ahd::ScopedFloatingPoint asTheEngine;
   vtkInformation* const info = outputs->GetInformationObject(0);
-  vtkDataObject* const output = vtkDataObject::GetData(info);
+  const vtkSmartPointer<vtkDataObject> output = vtkDataObject::GetData(info);
   // Errors return 1 as well, as they were told: see vtkAdaptiveHilbertDelaunay2D.
   this->ClearMeasures();
   if (this->IsDistributed())
@@ -257,6 +257,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
     return this->ExecuteOnRanks(inputs, info, output);
   }
   this->WarnAboutRanks();
+  this->MustDescribeAnew = false;
   bool isDone = false;
   if (!this->Triangulation)
   {
@@ -266,7 +267,11 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   {
     try
     {
-      isDone = this->Execute(inputs, info);
+      // Observers have the output, too: all is made in one of its own, and handed on in the end.
+      const auto made = vtkSmartPointer<vtkDataObject>::Take(output->NewInstance());
+      made->ShallowCopy(output);
+      isDone = this->Execute(inputs, info, made);
+      output->ShallowCopy(made);
     }
     catch (const std::bad_alloc&)
     {
@@ -280,7 +285,6 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   }
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
   const bool isBehind = isRaster && vtkAHDHasFiltersBehind(info);
-  this->MustDescribeAnew = isRaster && isDone && vtkAHDIsNotAnnounced(output, info);
   if (isBehind && this->MustDescribeAnew)
   {
     this->WarnOfOtherRaster();
@@ -331,7 +335,8 @@ int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataOb
   return 0;
 }
 
-bool vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, vtkInformation* info)
+bool vtkAdaptiveHilbertInterpolation2D::Execute(
+  vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output)
 {
   vtkAHDProgress progress(this);
   const vtkSmartPointer<vtkAdaptiveHilbertDelaunay2D> triangulation = this->Triangulation;
@@ -367,7 +372,7 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, v
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
   data.Told = isRaster && vtkAHDHasFiltersBehind(info) ? vtkAHDToldRaster(info)
                                                        : ahd::SampleRaster();
-  const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), vtkDataObject::GetData(info));
+  const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
   vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
   between.ReuseLimit = VTK_TYPE_INT64_MAX;
   vtkAHDSampleResult all;
@@ -387,6 +392,8 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(vtkInformationVector** inputs, v
     {
       return false;
     }
+    this->MustDescribeAnew = isRaster &&
+      (execution.CoversTold() || vtkAHDIsNotAnnounced(output, info));
     all.Add(execution.GetResult());
     this->SampleSeconds += execution.GetSeconds();
     AddCounts(execution.GetResult(), pieces.GetOutput(k));

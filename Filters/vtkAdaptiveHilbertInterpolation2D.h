@@ -315,7 +315,7 @@ private:
   void ReadSettings(vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const;
   void UpdateInputs();
   void Describe(vtkInformation* info, bool isRaster);
-  bool Execute(vtkInformationVector** inputs, vtkInformation* info);
+  bool Execute(vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output);
   void SayOutOfMemory();
   void WarnOfOtherRaster();
   int EndWithOtherRaster(bool isDone, vtkDataObject* output);

@@ -40,13 +40,19 @@ vtkSmartPointer<vtkPolyData> vtkAHDHeldCopy(vtkPointSet* data)
   }
   else
   {
+    copy->SetPoints(data->GetPoints());
     copy->GetPointData()->ShallowCopy(data->GetPointData());
   }
-  if (vtkPoints* const given = data->GetPoints())
+  vtkAHDOwnPoints(copy);
+  return copy;
+}
+
+void vtkAHDOwnPoints(vtkPointSet* copy)
+{
+  if (vtkPoints* const shared = copy ? copy->GetPoints() : nullptr)
   {
     vtkNew<vtkPoints> points;
-    points->SetData(given->GetData());
+    points->SetData(shared->GetData());
     copy->SetPoints(points);
   }
-  return copy;
 }

@@ -13,4 +13,7 @@ class vtkPolyData;
 /// share it (vtkBuffer). Null for null.
 vtkSmartPointer<vtkPolyData> vtkAHDHeldCopy(vtkPointSet* data);
 
+/// Gives a shallow copy, if there is one, a vtkPoints of its own, which shares the array.
+void vtkAHDOwnPoints(vtkPointSet* copy);
+
 #endif

@@ -87,7 +87,8 @@ void vtkAHDInput::Open(const vtkAHDContext& context)
 std::array<vtkDataArray*, 2> vtkAHDInput::FindBorrowed(const ahd::PointView& points) const
 {
   const ahd::PointView& opened = this->Request.points;
-  const bool arePlaces = points.doubles == opened.doubles && points.floats == opened.floats;
+  const bool arePlaces = !this->MustConvertPoints() && points.doubles == opened.doubles &&
+    points.floats == opened.floats;
   const bool areMarks = points.skip && points.skip == opened.skip;
   vtkDataArray* const marks = this->Marks;
   return { { arePlaces ? this->InputPoints.GetData() : nullptr, areMarks ? marks : nullptr } };

@@ -166,7 +166,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
   this->Raster = inputs.Raster
     ? *inputs.Raster
     : vtkAHDFindRaster(this->Settings, this->Wishes, inputs.Points, inputs.Source, this->Context);
-  vtkAHDCover(inputs.Told, this->Raster);
+  this->Covers = vtkAHDCover(inputs.Told, this->Raster);
   vtkAHDSayNoRaster(this->Filter, this->Wishes, this->Raster);
   this->Result.Places = this->Raster.Cells.columns * this->Raster.Cells.rows;
   return this->Raster.Fault == vtkAHDRasterFault::None ||

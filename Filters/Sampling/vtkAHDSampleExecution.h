@@ -83,6 +83,8 @@ public:
   const vtkAHDSampleMemory& GetMemory() const { return this->Memory; }
   bool HasTriangulated() const { return this->Triangulated; }
   double GetSeconds() const { return this->Seconds; }
+  /// Is the raster another than that of the points, as filters behind were told of more?
+  bool CoversTold() const { return this->Covers; }
 
 private:
   bool FindPlaces(const vtkAHDSampleInputs& inputs);
@@ -110,6 +112,7 @@ private:
   const bool MayKeep;
 
   vtkAHDRaster Raster;
+  bool Covers = false;                  // more than is its own
   std::unique_ptr<vtkAHDPlaces> Places; // null: the raster
   double BytesOfSampling = 0.0;
   vtkAHDReport Report; // of the triangulation

@@ -98,18 +98,22 @@ ahd::SampleRaster vtkAHDToldRaster(vtkInformation* info)
   return told;
 }
 
-void vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster)
+bool vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster)
 {
   if (raster.Fault == vtkAHDRasterFault::NoArea && told.columns > 0)
   {
     raster.Fault = vtkAHDRasterFault::None;
     raster.Cells = told;
+    return true;
   }
-  else if (raster.Fault == vtkAHDRasterFault::None)
+  if (raster.Fault != vtkAHDRasterFault::None)
   {
-    raster.Cells.columns = std::max(raster.Cells.columns, told.columns);
-    raster.Cells.rows = std::max(raster.Cells.rows, told.rows);
+    return false;
   }
+  const bool isLarger = told.columns > raster.Cells.columns || told.rows > raster.Cells.rows;
+  raster.Cells.columns = std::max(raster.Cells.columns, told.columns);
+  raster.Cells.rows = std::max(raster.Cells.rows, told.rows);
+  return isLarger;
 }
 
 bool vtkAHDIsLarger(const ahd::SampleRaster& cells, vtkTypeInt64 limit)

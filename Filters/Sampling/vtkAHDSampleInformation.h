@@ -29,8 +29,8 @@ ahd::SampleRaster vtkAHDToldRaster(vtkInformation* info);
 
 /// Filters for images read as many pixels as they were told of, whether or not these are there: so
 /// makes the raster at least that large. If no point says where it is to be, it is the one that
-/// they were told of.
-void vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster);
+/// they were told of. Returns whether it is another then.
+bool vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster);
 
 /// Do heights and mask of these cells alone take more memory than this limit in KiB, or, if that is
 /// 0, than there is?

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSamplePieces.h"
 
+#include "Input/vtkAHDHeldCopy.h"
+
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkPointSet.h"
 
 vtkAHDSamplePieces::vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* output)
 {
@@ -33,6 +36,7 @@ void vtkAHDSamplePieces::Add(vtkDataSet* places, vtkDataSet* output)
   {
     held.TakeReference(places->NewInstance());
     held->ShallowCopy(places);
+    vtkAHDOwnPoints(vtkPointSet::SafeDownCast(held));
   }
   this->Pieces.emplace_back(held, output);
 }

@@ -152,6 +152,35 @@ TEST(Observers, DoWhatTheyLikeToWhatIsTriangulated)
   }
 }
 
+/// Who takes outputs from the filter has what it makes of them.
+TEST(Observers, ReplaceOutputs)
+{
+  for (const bool interpolates : { false, true })
+  {
+    vtkNew<Delaunay> triangulation;
+    vtkNew<Interpolation> interpolation;
+    vtkAlgorithm* const filter = interpolates ? static_cast<vtkAlgorithm*>(interpolation)
+                                              : triangulation;
+    filter->SetInputDataObject(makeCloud(scatteredPoints(8000, 3)));
+    vtkSmartPointer<vtkDataSet> taken;
+    vtkNew<Meddler> watch;
+    watch->Do = [&]
+    {
+      taken = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+      for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+      {
+        const auto other = vtkSmartPointer<vtkDataObject>::Take(
+          filter->GetOutputDataObject(port)->NewInstance());
+        filter->GetExecutive()->SetOutputData(port, other);
+      }
+    };
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    filter->Update();
+    ASSERT_TRUE(taken);
+    EXPECT_EQ(taken->GetNumberOfPoints(), interpolates ? 65536 : 8000);
+  }
+}
+
 /// A transform that changes while it is used gives whatever it gives, and no more harm.
 TEST(Observers, ChangeATransformInPlace)
 {
@@ -249,6 +278,15 @@ TEST(Observers, DoWhatTheyLikeToWhatIsInterpolated)
         i.Of.Cloud = i.Of.Source = nullptr;
         i.Places = nullptr;
       } },
+    { "output emptied", [](Interpolated& i) { i.Filter->GetOutputDataObject(0)->Initialize(); } },
+    { "places replaced",
+      [](Interpolated& i)
+      {
+        if (auto* cloud = vtkPointSet::SafeDownCast(i.Places))
+        {
+          cloud->GetPoints()->SetData(makePoints(scatteredPoints(9))->GetData());
+        }
+      } },
     { "all emptied",
       [](Interpolated& i)
       {
@@ -264,7 +302,7 @@ TEST(Observers, DoWhatTheyLikeToWhatIsInterpolated)
     ASSERT_EQ(expected.size(), 6000u);
     for (const auto& act : acts)
     {
-      for (const double from : { 0.01, 0.3, 0.6, 0.9 })
+      for (const double from : { 0.01, 0.3, 0.6, 0.9, 0.97 })
       {
         SCOPED_TRACE(std::string(act.first) + " from " + std::to_string(from));
         Interpolated disturbed(placesOf(areImage));
@@ -272,6 +310,9 @@ TEST(Observers, DoWhatTheyLikeToWhatIsInterpolated)
         disturbed.Watch->Do = [&] { act.second(disturbed); };
         EXPECT_EQ(disturbed.Values(), expected);
         EXPECT_FALSE(disturbed.Watch->Do) << "it was not heard";
+        EXPECT_EQ(
+          vtkDataSet::SafeDownCast(disturbed.Filter->GetOutputDataObject(0))->GetNumberOfPoints(),
+          3000);
       }
     }
   }

@@ -7,6 +7,7 @@
 #include "SampleTestSupport.h"
 
 #include "vtkCellArray.h"
+#include "vtkIntArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <gtest/gtest.h>
@@ -120,6 +121,31 @@ TEST(InterpolationMoved, OfPointsWhoseArrayWasMoved)
   expectThePlane(sampler);
   expectThePlane(sampler);
   EXPECT_EQ(sampler->GetNumberOfTriangulations(), 4) << "where nothing moves, it is kept";
+}
+
+/// Of points that were converted a copy is kept, so it does not matter where they lie.
+TEST(InterpolationMoved, ConvertedPointsAreKept)
+{
+  auto cloud = makeCloud(scatteredPoints(500, 34));
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetNumberOfComponents(3);
+  numbers->SetNumberOfTuples(500);
+  for (vtkIdType i = 0; i < 500; ++i)
+  {
+    double p[3];
+    cloud->GetPoint(i, p);
+    numbers->SetTuple3(i, 1000 * p[0], 1000 * p[1], 1000 * p[2]);
+  }
+  cloud->GetPoints()->SetData(numbers);
+  WatchedInterpolation sampler;
+  sampler->SetInputData(cloud);
+  for (int size = 10; size < 13; ++size)
+  {
+    sampler->SetDimensions(size, size);
+    sampler->Update();
+    EXPECT_GT(sampler->GetNumberOfValidPlaces(), 0);
+  }
+  EXPECT_EQ(sampler->GetNumberOfTriangulations(), 1);
 }
 
 /// Marks, too, are read where they lie.

@@ -1,22 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The interpolation in VTK's pipeline: what filters behind are told, abort, threads, settings.
+#include "PipelineSupport.h"
 #include "ProgressWatch.h"
-#include "SampleTestSupport.h"
 
 #include "vtkDataObject.h"
 #include "vtkFloatArray.h"
-#include "vtkImageAlgorithm.h"
 #include "vtkInformation.h"
-#include "vtkInformationVector.h"
-#include "vtkObjectFactory.h"
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -28,56 +22,6 @@ namespace
 
 using namespace ahdtest;
 using Filter = vtkAdaptiveHilbertInterpolation2D;
-using Pipeline = vtkStreamingDemandDrivenPipeline;
-
-vtkSmartPointer<vtkPolyData> cloud(std::size_t count = 1000, double size = 1.0)
-{
-  std::vector<Xyz> points = scatteredPoints(count, 17);
-  for (Xyz& p : points)
-  {
-    p = { p[0] * size, p[1] * size, std::sin(5 * p[0]) };
-  }
-  return makeCloud(points);
-}
-
-/// An image filter as VTK's own: it makes its output by what it was told before.
-class Behind : public vtkImageAlgorithm
-{
-public:
-  static Behind* New() { VTK_STANDARD_NEW_BODY(Behind); }
-  vtkTypeMacro(Behind, vtkImageAlgorithm);
-  int Executed = 0;
-  bool HadAll = true;       ///< each time, all that it asked for
-  bool HadItsPlace = false; ///< the last time, origin and spacing that it was told
-
-protected:
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs) override
-  {
-    ++this->Executed;
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    auto* output = vtkImageData::GetData(info);
-    auto* input = vtkImageData::GetData(inputs[0]);
-    this->AllocateOutputData(output, info, info->Get(Pipeline::UPDATE_EXTENT()));
-    int wanted[6], there[6];
-    output->GetExtent(wanted);
-    input->GetExtent(there);
-    bool isThere = true;
-    for (int k = 0; k < 6; k += 2)
-    {
-      isThere = isThere &&
-        (wanted[k] > wanted[k + 1] || (there[k] <= wanted[k] && wanted[k + 1] <= there[k + 1]));
-    }
-    this->HadAll = this->HadAll && isThere &&
-      output->GetScalarType() ==
-        (input->GetPointData()->GetScalars() ? input->GetPointData()->GetScalars()->GetDataType()
-                                             : output->GetScalarType());
-    this->HadItsPlace = input->GetNumberOfPoints() == 0 ||
-      (std::equal(output->GetOrigin(), output->GetOrigin() + 3, input->GetOrigin()) &&
-        std::equal(output->GetSpacing(), output->GetSpacing() + 3, input->GetSpacing()));
-    return 1;
-  }
-};
 
 TEST(InterpolationPipeline, FiltersForImagesBehindAreToldTheRaster)
 {
@@ -145,189 +89,6 @@ TEST(InterpolationPipeline, FiltersBehindSurviveErrors)
   filter->SetCellSize(0.1, 0.1);
   behind->Update();
   EXPECT_EQ(behind->GetOutput()->GetNumberOfPoints(), 100);
-}
-
-/// Points that are others at each time.
-class Moving : public vtkPolyDataAlgorithm
-{
-public:
-  static Moving* New() { VTK_STANDARD_NEW_BODY(Moving); }
-  vtkTypeMacro(Moving, vtkPolyDataAlgorithm);
-  double EmptyAt = -1.0; ///< the time at which there are no points
-  double Begin = 0.0;    ///< where they begin, times the time
-
-protected:
-  Moving() { this->SetNumberOfInputPorts(0); }
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    const double times[] = { 0.0, 1.0, 2.0 }, range[] = { 0.0, 2.0 };
-    outputs->GetInformationObject(0)->Set(Pipeline::TIME_STEPS(), times, 3);
-    outputs->GetInformationObject(0)->Set(Pipeline::TIME_RANGE(), range, 2);
-    return 1;
-  }
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs) override
-  {
-    vtkInformation* const info = outputs->GetInformationObject(0);
-    const double time = info->Has(Pipeline::UPDATE_TIME_STEP())
-      ? info->Get(Pipeline::UPDATE_TIME_STEP())
-      : 0.0;
-    auto* output = vtkPolyData::GetData(outputs);
-    if (time != this->EmptyAt)
-    {
-      output->ShallowCopy(cloud(1000, 1.0 + time));
-      vtkPoints* const points = output->GetPoints();
-      for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-      {
-        double p[3];
-        points->GetPoint(i, p);
-        points->SetPoint(i, p[0] + this->Begin * time, p[1], p[2]);
-      }
-    }
-    output->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
-    return 1;
-  }
-};
-
-TEST(InterpolationPipeline, EachTimeHasItsRaster)
-{
-  vtkNew<Moving> moving;
-  WatchedInterpolation filter;
-  filter->SetInputConnection(moving->GetOutputPort());
-  filter->SetRasterSizeToByCellSize();
-  filter->SetCellSize(0.1, 0.1);
-  for (const double time : { 0.0, 2.0, 1.0, 0.0, 1.0 })
-  {
-    filter->UpdateTimeStep(time);
-    EXPECT_EQ(filter->GetNumberOfPlaces(), vtkIdType(100 * (1 + time) * (1 + time) + 0.5)) << time;
-  }
-}
-
-/// VTK asks for extents before there are data, and filters behind cannot be told of others then.
-/// All cells that they ask for are there.
-TEST(InterpolationPipeline, FiltersBehindHaveWhatTheyWereToldAtEachTime)
-{
-  vtkNew<Moving> moving;
-  WatchedInterpolation filter;
-  vtkNew<Behind> behind;
-  moving->EmptyAt = 1.5;
-  filter->SetInputConnection(moving->GetOutputPort());
-  filter->SetRasterSizeToByCellSize();
-  filter->SetCellSize(0.1, 0.1);
-  behind->SetInputConnection(filter->GetOutputPort());
-  const auto expect = [&](vtkIdType places, vtkIdType pixels)
-  {
-    EXPECT_EQ(filter->GetNumberOfPlaces(), places);
-    EXPECT_EQ(behind->GetOutput()->GetNumberOfPoints(), pixels);
-    EXPECT_TRUE(behind->HadAll);
-    EXPECT_TRUE(filter.Said->Errors.empty());
-    EXPECT_TRUE(filter.PipelineSaid->Errors.empty());
-  };
-  behind->UpdateTimeStep(1.0);
-  behind->Update();
-  expect(400, 400);
-  behind->UpdateTimeStep(2.0); // larger: those that it was told are a part of it
-  expect(900, 400);
-  behind->Update();
-  expect(900, 900);
-  behind->UpdateTimeStep(0.0); // smaller: cells beyond the points have no value
-  expect(900, 900);
-  EXPECT_LT(filter->GetNumberOfValidPlaces(), 101);
-  EXPECT_GT(filter->GetNumberOfValidPlaces(), 80);
-  behind->Update();
-  expect(100, 100);
-  behind->UpdateTimeStep(1.5); // nothing says where it is
-  expect(100, 100);
-  EXPECT_EQ(filter->GetNumberOfValidPlaces(), 0);
-  EXPECT_TRUE(behind->HadItsPlace);
-  filter->UseBoundsOn();
-  for (const double time : { 0.0, 2.0, 1.0 })
-  {
-    behind->UpdateTimeStep(time);
-    expect(100, 100);
-    EXPECT_TRUE(behind->HadItsPlace);
-  }
-}
-
-/// As many cells somewhere else: filters for images place them where they were told, which is said
-/// once, and are right from the next update on.
-TEST(InterpolationPipeline, AnotherPlaceIsSaidOnce)
-{
-  vtkNew<Moving> moving;
-  moving->Begin = 5.0;
-  WatchedInterpolation filter;
-  vtkNew<Behind> behind;
-  filter->SetInputConnection(moving->GetOutputPort());
-  behind->SetInputConnection(filter->GetOutputPort());
-  for (const double time : { 0.0, 1.0, 2.0 })
-  {
-    behind->UpdateTimeStep(time);
-    EXPECT_EQ(behind->HadItsPlace, time == 0.0);
-    EXPECT_EQ(filter.Said->Warnings.size(), time == 0.0 ? 0u : 1u);
-    behind->Update();
-    EXPECT_TRUE(behind->HadItsPlace);
-  }
-  ASSERT_EQ(filter.Said->Warnings.size(), 1u);
-  EXPECT_NE(filter.Said->Warnings[0].find("UseBounds"), std::string::npos);
-  WatchedInterpolation alone; // nobody was told anything
-  alone->SetInputConnection(moving->GetOutputPort());
-  for (const double time : { 0.0, 1.0, 2.0 })
-  {
-    alone->UpdateTimeStep(time);
-    EXPECT_EQ(alone->GetOutput()->GetBounds()[0] > 4.0, time > 0.0);
-  }
-  EXPECT_TRUE(alone.Said->Warnings.empty());
-}
-
-/// An executive whose memory nobody gets again when it is deleted, but is of no use: who follows a
-/// pointer to it ends there.
-class Tombstone : public vtkStreamingDemandDrivenPipeline
-{
-public:
-  static Tombstone* New() { VTK_STANDARD_NEW_BODY(Tombstone); }
-  vtkTypeMacro(Tombstone, vtkStreamingDemandDrivenPipeline);
-  static void* operator new(std::size_t size) { return std::malloc(size); }
-  static void operator delete(void* memory, std::size_t size) { std::memset(memory, 0xA5, size); }
-};
-
-/// VTK's list of consumers keeps those that were deleted while they were connected.
-TEST(InterpolationPipeline, FiltersBehindThatWereDeleted)
-{
-  for (const bool isAnotherThere : { false, true })
-  {
-    vtkNew<Moving> moving;
-    WatchedInterpolation filter;
-    filter->SetInputConnection(moving->GetOutputPort());
-    filter->SetRasterSizeToByCellSize();
-    filter->SetCellSize(0.1, 0.1);
-    {
-      vtkNew<Behind> behind;
-      vtkNew<Tombstone> executive;
-      behind->SetExecutive(executive);
-      behind->SetInputConnection(filter->GetOutputPort());
-      behind->UpdateTimeStep(2.0);
-      behind->Update();
-      EXPECT_EQ(behind->GetOutput()->GetNumberOfPoints(), 900);
-    }
-    vtkNew<Behind> another;
-    if (isAnotherThere)
-    {
-      another->SetInputConnection(filter->GetOutputPort());
-      another->Update();
-    }
-    for (const double time : { 1.0, 0.0 })
-    {
-      filter->UpdateTimeStep(time);
-      const vtkIdType own = time == 1.0 ? 400 : 100, before = time == 1.0 ? 900 : 400;
-      EXPECT_EQ(filter->GetNumberOfPlaces(), isAnotherThere ? before : own); // what it was told
-      filter->Update();
-      EXPECT_EQ(filter->GetNumberOfPlaces(), own);
-    }
-    filter->SetHeightArrayName("vtkValidPointMask"); // an error
-    filter->Update();
-    EXPECT_EQ(filter.Said->Errors.size(), 1u);
-    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
-  }
 }
 
 /// What comes to nothing though it was announced: those behind are not run, whatever they are, and
