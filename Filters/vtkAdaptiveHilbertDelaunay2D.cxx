@@ -15,6 +15,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Ranks/vtkAHDRankUpdates.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkDataObject.h"
@@ -59,6 +60,7 @@ vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   , Left(new vtkAHDLeftBehind)
   , Cache(new vtkAHDOutputCache)
   , OutputMemory(new vtkAHDOutputMemory)
+  , Updates(new vtkAHDRankUpdates)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -188,17 +190,21 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
     this->KeepFirstPieces(outputVector);
     return 1;
   }
-  vtkAHDProgress progress(this);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-  const vtkAHDContext context(progress, threads, *this->OutputMemory);
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
   {
     vtkDataObject* input = vtkDataObject::GetData(inputVector[0]);
     vtkDataObject* source = vtkDataObject::GetData(inputVector[1]);
-    this->IsDistributed() ? this->ExecuteOnRanks(input, source, outputVector, context)
-                          : this->Execute(input, source, data, context);
+    if (this->IsDistributed())
+    {
+      this->ExecuteOnRanks(input, source, outputVector);
+      return 1;
+    }
+    vtkAHDProgress progress(this);
+    ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
+    const vtkAHDContext context(progress, threads, *this->OutputMemory);
+    this->Execute(input, source, data, context);
   }
   catch (const std::bad_alloc&)
   {
@@ -387,15 +393,19 @@ void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)
 {
+  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()); // all types, as Set() is for the first
   if (port == 1)
   {
     // With both, the filter is not run for each block of a source.
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    if (this->IsDistributed())
+    {
+      info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // all hear of it
+    }
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
-  info->Remove(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()); // all types, as Set() is for the first
   if (this->IsDistributed())
   {
     // Whatever a rank has, it has to join the others.

@@ -38,6 +38,7 @@
 #include "vtkAdaptiveHilbertAlgorithm.h"
 #include "vtkSmartPointer.h" // for return values
 
+#include <array>
 #include <memory> // for std::unique_ptr
 
 namespace ahd
@@ -50,7 +51,10 @@ class vtkAHDLeftBehind;
 class vtkAHDOutputCache;
 class vtkAHDOutputMemory;
 class vtkAHDRankBlocks;
+class vtkAHDRankUpdates;
+class vtkAHDRanks;
 struct vtkAHDDataSets;
+struct vtkAHDRankResult;
 class vtkAbstractTransform;
 class vtkMultiProcessController;
 class vtkPointSet;
@@ -334,17 +338,17 @@ public:
    * that has all inputs and sources, appended in the order of the ranks. Off by default: each rank
    * its own points, with a warning where there are several. No effect with one rank.
    *
-   * All ranks have to execute, with the same settings. Each puts out the triangles that it owns, by
-   * place; with its points, which move to their owners with those point data arrays that all ranks
-   * have; and behind these the points of others that are corners, with vtkGhostType DUPLICATEPOINT.
-   * Layers of ghost cells, marked as well, are put out where the filters behind ask for them.
-   * The global ids "GlobalPointIds" number the points as appended, those of sources last;
-   * "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's cells are those of
-   * the rank's own points. Sources that are the same on all ranks count once where their points are
-   * added. What fails on one rank ends in one error on each. Settings that ranks have no method for
-   * have one rank triangulate all points and put out everything, if there is room on it; a warning
-   * names the first: Reference.md lists them. With MergeBlocks off, block k of all ranks is
-   * triangulated by itself, for each k.
+   * All ranks have to update alike, with the same settings: where one has to execute, all do. Each
+   * puts out the triangles that it owns, by place; with its points, which move to their owners with
+   * those point data arrays that all ranks have; and behind these the points of others that are
+   * corners, with vtkGhostType DUPLICATEPOINT. Layers of ghost cells, marked as well, are put out
+   * where the filters behind ask for them. The global ids "GlobalPointIds" number the points as
+   * appended, those of sources last; "GlobalCellIds" the triangles. Counts are of all ranks. Ids in
+   * the source's cells are those of the rank's own points. Sources that are the same on all ranks
+   * count once where their points are added. What fails on one rank ends in one error on each.
+   * Settings that ranks have no method for have one rank triangulate all points and put out
+   * everything, if there is room on it; a warning names the first: Reference.md lists them. With
+   * MergeBlocks off, block k of all ranks is triangulated by itself, for each k.
    */
   virtual void SetDistributePoints(bool distribute);
   vtkGetMacro(DistributePoints, bool);
@@ -378,6 +382,11 @@ public:
   /// When the filter or its Transform was changed last.
   vtkMTimeType GetMTime() override;
 
+  /// Across ranks, the pipeline of each is modified whenever that of one is: so all execute, or
+  /// none. Collective there.
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, int requestFromOutputPort, vtkMTimeType* mtime) override;
+
   /// Across ranks, the outputs have blocks where these are triangulated each by itself.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
@@ -388,6 +397,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void ClearMeasures() override;
@@ -434,6 +444,8 @@ private:
   vtkAdaptiveHilbertDelaunay2D(const vtkAdaptiveHilbertDelaunay2D&) = delete;
   void operator=(const vtkAdaptiveHilbertDelaunay2D&) = delete;
 
+  using RankSurfaces = std::array<vtkSmartPointer<vtkPolyData>, 3>; // the outputs, held
+
   void Execute(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data,
     const vtkAHDContext& context);
   bool IsDistributed() const;
@@ -441,15 +453,15 @@ private:
   void KeepFirstPieces(vtkInformationVector* outputs) const;
   void DescribePortsAnew();
   void MakeOutputs(vtkDataObject* input, vtkInformationVector* outputs) const;
-  void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputs,
-    const vtkAHDContext& context);
-  void ExecuteBlocksOnRanks(
-    const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs);
+  void ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputs);
+  void ExecuteBlocksOnRanks(vtkAHDRanks& ranks, const vtkAHDRankBlocks& blocks,
+    vtkDataObject* source, int levels, vtkInformationVector* outputs);
   void SayAbort(ahd::Status status);
   bool WarnOfInput(vtkDataObject* input);
-  void ExecuteOneOnRanks(vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data);
-  void TriangulateOnRanks(vtkAHDDataSets& data, const vtkAHDContext& context,
-    const vtkAHDSettings& settings, ahd::Status before);
+  void ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkDataObject* input, vtkDataObject* source,
+    int levels, const RankSurfaces& surfaces);
+  void WarnOnRanks(const vtkAHDSettings& settings, const vtkAHDRankResult& result);
+  void EndOnRanks(ahd::Status status, vtkAHDRankResult& result, const RankSurfaces& surfaces);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);
@@ -460,6 +472,7 @@ private:
   const std::unique_ptr<vtkAHDLeftBehind> Left;           // the last execution's triangulation
   const std::unique_ptr<vtkAHDOutputCache> Cache;         // the last execution's outputs
   const std::unique_ptr<vtkAHDOutputMemory> OutputMemory; // kept for the next execution
+  const std::unique_ptr<vtkAHDRankUpdates> Updates;       // agreed on by ranks
   bool WarnedAboutRanks = false;
   bool WarnedAboutOneRank = false;
 };

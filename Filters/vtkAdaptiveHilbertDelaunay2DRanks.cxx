@@ -9,10 +9,10 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDContext.h"
-#include "Pipeline/vtkAHDPieces.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Ranks/vtkAHDRankUpdates.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObjectTree.h"
@@ -31,9 +31,63 @@
 #include "vtkMultiProcessController.h"
 #endif
 
+#include <array>
+#include <cstdio>
+#include <memory>
 #include <new>
 #include <string>
 #include <vector>
+
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+namespace
+{
+/// The surfaces to be put out where there are no blocks, though there may have been some before.
+void MakeSurfaces(
+  vtkInformationVector* outputs, std::array<vtkSmartPointer<vtkPolyData>, 3>& surfaces)
+{
+  for (std::size_t port = 0; port < surfaces.size(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
+    if (!vtkPolyData::GetData(info))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+    }
+    surfaces[port] = vtkPolyData::GetData(info);
+  }
+}
+
+/// Blocks, one data object for each port.
+void PutOut(const std::vector<vtkSmartPointer<vtkDataObject>>& made, vtkInformationVector* outputs)
+{
+  for (std::size_t port = 0; port < made.size(); ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
+    vtkDataObject* now = vtkDataObject::GetData(info);
+    if (now && std::string(now->GetClassName()) == made[port]->GetClassName())
+    {
+      now->ShallowCopy(made[port]);
+    }
+    else
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), made[port]);
+    }
+  }
+}
+
+/// That there are so many on each rank, whatever was asked of it: so ranks that are asked for the
+/// same next have to execute, or have not, alike.
+void SetGhostLevels(vtkInformationVector* outputs, int levels)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    if (vtkDataObject* data = vtkDataObject::GetData(outputs, port))
+    {
+      data->GetInformation()->Set(vtkDataObject::DATA_NUMBER_OF_GHOST_LEVELS(), levels);
+    }
+  }
+}
+}
+#endif
 
 void vtkAdaptiveHilbertDelaunay2D::SetDistributePoints(bool distribute)
 {
@@ -73,85 +127,6 @@ bool vtkAdaptiveHilbertDelaunay2D::IsDistributed() const
 #endif
 }
 
-/// Across ranks, points of others would come twice with ghost levels. In one process all is needed
-/// whatever piece of the output is wanted: surfaces of pieces do not join.
-int vtkAdaptiveHilbertDelaunay2D::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  const int result = this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  for (int port = 0; port < 2 && this->IsDistributed(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      inputs[port]->GetInformationObject(i)->Set(
-        vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
-    }
-  }
-  for (int port = 0; port < 2 && vtkAHDIsOnlyProcess(this->Controller); ++port)
-  {
-    vtkAHDAskForAll(inputs[port]);
-  }
-  return result;
-}
-
-/// In one process the first piece of an output has all of it, and the others nothing. Is there
-/// nothing to be made, as others than the first are wanted?
-bool vtkAdaptiveHilbertDelaunay2D::IsEmptyPiece(vtkInformationVector* outputs) const
-{
-  const bool isMade[] = { true, this->GenerateInsertionCurve || this->GenerateBoxes,
-    this->GenerateVoronoi };
-  bool isEmpty = vtkAHDIsOnlyProcess(this->Controller);
-  for (int port = 0; port < 3; ++port)
-  {
-    isEmpty = isEmpty && (!isMade[port] || vtkAHDIsLaterPiece(outputs->GetInformationObject(port)));
-  }
-  return isEmpty;
-}
-
-/// Empties those outputs of which another piece than the first is wanted.
-void vtkAdaptiveHilbertDelaunay2D::KeepFirstPieces(vtkInformationVector* outputs) const
-{
-  for (int port = 0; port < 3 && vtkAHDIsOnlyProcess(this->Controller); ++port)
-  {
-    vtkInformation* const info = outputs->GetInformationObject(port);
-    if (vtkAHDIsLaterPiece(info))
-    {
-      vtkDataObject::GetData(info)->Initialize();
-    }
-  }
-}
-
-/// What ports take and give is asked for anew when it is needed next.
-void vtkAdaptiveHilbertDelaunay2D::DescribePortsAnew()
-{
-  this->GetInputPortInformation(0)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
-  for (int port = 0; port < this->GetNumberOfOutputPorts(); ++port)
-  {
-    this->GetOutputPortInformation(port)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
-  }
-}
-
-int vtkAdaptiveHilbertDelaunay2D::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  const int result = this->Superclass::FillOutputPortInformation(port, info);
-  if (this->IsDistributed() && !this->MergeBlocks)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // as MakeOutputs() makes them
-  }
-  return result;
-}
-
-vtkTypeBool vtkAdaptiveHilbertDelaunay2D::ProcessRequest(
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
-{
-  if (this->IsDistributed() && request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
-  {
-    this->MakeOutputs(vtkDataObject::GetData(inputs[0]), outputs);
-    return 1;
-  }
-  return this->Superclass::ProcessRequest(request, inputs, outputs);
-}
-
 /// Outputs of the type of the input, if that has blocks to be triangulated each by itself. Where
 /// there is no input, others may have blocks: outputs stay what they were.
 void vtkAdaptiveHilbertDelaunay2D::MakeOutputs(
@@ -174,107 +149,107 @@ void vtkAdaptiveHilbertDelaunay2D::MakeOutputs(
 }
 
 /// Execute() over ranks. None leaves before all have agreed on it.
-void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(vtkDataObject* input, vtkDataObject* source,
-  vtkInformationVector* outputs, const vtkAHDContext& context)
+void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(
+  vtkDataObject* input, vtkDataObject* source, vtkInformationVector* outputs)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
   this->Cache->Forget();
   this->ClearMeasures();
   vtkAHDRanks ranks(this->Controller);
   std::unique_ptr<vtkAHDRankBlocks> blocks;
-  try
+  vtkAHDRankResult result;
+  RankSurfaces surfaces;
+  const vtkSmartPointer<vtkDataObject> held[] = { input, source }; // observers may let go of them
+  int levels = this->GetOutputInformation(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  const ahd::Status status = ranks.Execute(
+    [&]
+    {
+      vtkAHDProgress progress(this);
+      ahd::Threads threads(1);
+      const vtkAHDContext context(progress, threads, *this->OutputMemory);
+      levels = ranks.FindMost(levels);
+      blocks = std::make_unique<vtkAHDRankBlocks>(ranks, context, input, this->MergeBlocks);
+      if (!blocks->HaveBlocks())
+      {
+        MakeSurfaces(outputs, surfaces);
+      }
+    });
+  if (status != ahd::Status::Ok)
   {
-    blocks.reset(new vtkAHDRankBlocks(ranks, context, input, this->MergeBlocks));
+    this->EndOnRanks(status, result, surfaces);
   }
-  catch (const vtkAHDStop& stop)
-  {
-    vtkAHDReport report;
-    report.Status = stop.Reason;
-    this->SayAbort(stop.Reason);
-    vtkAHDSayError(this, report);
-    return;
-  }
-  if (!blocks->GetDifference().empty())
+  else if (!blocks->GetDifference().empty())
   {
     vtkErrorMacro(<< blocks->GetDifference()
                   << ". Where MergeBlocks is off, block by block is triangulated over all ranks, "
                      "and each has to have the same ones, but for those that it lacks. Nothing was "
                      "computed. Switch MergeBlocks on for one surface of all, or DistributePoints "
                      "off: each rank then triangulates its own.");
-    return;
   }
-  if (blocks->HaveBlocks())
+  else if (blocks->HaveBlocks())
   {
-    this->WarnOfInput(input);
-    this->ExecuteBlocksOnRanks(*blocks, source, outputs);
-    return;
+    this->ExecuteBlocksOnRanks(ranks, *blocks, source, levels, outputs);
   }
-  vtkAHDDataSets data;
-  for (std::size_t port = 0; port < data.Outputs.size(); ++port)
+  else
   {
-    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
-    if (!vtkPolyData::GetData(info)) // it had blocks before
-    {
-      info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
-    }
-    data.Outputs[port] = vtkPolyData::GetData(info);
+    this->ExecuteOneOnRanks(ranks, input, source, levels, surfaces);
   }
-  this->ExecuteOneOnRanks(input, source, data);
+  SetGhostLevels(outputs, levels);
+  this->Updates->Settle();
 #else
   static_cast<void>(input);
   static_cast<void>(source);
   static_cast<void>(outputs);
-  static_cast<void>(context);
 #endif
 }
 
 /// Each block of all ranks by itself, in their order. The measures are those of the last.
-void vtkAdaptiveHilbertDelaunay2D::ExecuteBlocksOnRanks(
-  const vtkAHDRankBlocks& blocks, vtkDataObject* source, vtkInformationVector* outputs)
+void vtkAdaptiveHilbertDelaunay2D::ExecuteBlocksOnRanks(vtkAHDRanks& ranks,
+  const vtkAHDRankBlocks& blocks, vtkDataObject* source, int levels, vtkInformationVector* outputs)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
   std::vector<vtkSmartPointer<vtkDataObject>> made;
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    made.push_back(blocks.MakeOutput());
-  }
-  for (std::size_t k = 0; k < blocks.GetCount(); ++k)
-  {
-    vtkDataObject* block = blocks.GetBlock(k);
-    vtkAHDDataSets data;
-    std::vector<vtkSmartPointer<vtkPolyData>> parts;
-    for (std::size_t port = 0; port < made.size(); ++port)
+  std::vector<RankSurfaces> parts;
+  vtkAHDRankResult result;
+  ahd::Status status = ranks.Execute(
+    [&]
     {
-      parts.push_back(vtkSmartPointer<vtkPolyData>::New());
-      data.Outputs[port] = parts[port];
-      if (block)
+      this->WarnOfInput(blocks.GetInput());
+      parts.resize(blocks.GetCount());
+      for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
       {
-        parts[port]->GetFieldData()->PassData(block->GetFieldData()); // as the pipeline does
+        made.push_back(blocks.MakeOutput());
+        for (std::size_t k = 0; k < parts.size(); ++k)
+        {
+          const auto part = vtkSmartPointer<vtkPolyData>::New();
+          if (vtkDataObject* block = blocks.GetBlock(k))
+          {
+            part->GetFieldData()->PassData(block->GetFieldData()); // as the pipeline does
+          }
+          blocks.SetBlock(k, made.back(), part);
+          parts[k][static_cast<std::size_t>(port)] = part;
+        }
       }
-    }
-    this->ClearMeasures();
-    this->ExecuteOneOnRanks(block, source, data);
-    for (std::size_t port = 0; port < made.size(); ++port)
-    {
-      blocks.SetBlock(k, made[port], parts[port]);
-    }
-  }
-  for (std::size_t port = 0; port < made.size(); ++port)
+    });
+  for (std::size_t k = 0; k < parts.size() && status == ahd::Status::Ok; ++k)
   {
-    vtkInformation* info = outputs->GetInformationObject(static_cast<int>(port));
-    vtkDataObject* now = vtkDataObject::GetData(info);
-    if (now && std::string(now->GetClassName()) == made[port]->GetClassName())
-    {
-      now->ShallowCopy(made[port]);
-    }
-    else
-    {
-      info->Set(vtkDataObject::DATA_OBJECT(), made[port]);
-    }
+    this->ClearMeasures();
+    this->ExecuteOneOnRanks(ranks, blocks.GetBlock(k), source, levels, parts[k]);
+  }
+  if (status == ahd::Status::Ok)
+  {
+    status = ranks.Execute([&] { PutOut(made, outputs); });
+  }
+  if (status != ahd::Status::Ok)
+  {
+    this->EndOnRanks(status, result, RankSurfaces());
   }
 #else
+  static_cast<void>(ranks);
   static_cast<void>(blocks);
   static_cast<void>(source);
+  static_cast<void>(levels);
   static_cast<void>(outputs);
 #endif
 }
@@ -292,88 +267,120 @@ bool vtkAdaptiveHilbertDelaunay2D::WarnOfInput(vtkDataObject* input)
   return hasPoints;
 }
 
-/// `input` may be null, or nothing that has points.
-void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(
-  vtkDataObject* input, vtkDataObject* source, vtkAHDDataSets& data)
-{
-  vtkAHDSettings settings;
-  this->ReadSettings(settings);
-  settings.GhostLevels = this->GetOutputInformation(0)->Get(
-    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  vtkAHDProgress progress(this);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-  const vtkAHDContext context(progress, threads, *this->OutputMemory);
-  const bool hasPoints = this->WarnOfInput(input);
-  vtkNew<vtkPolyData> nothing;
-  std::unique_ptr<vtkAHDMergedBlocks> merged;
-  try
-  {
-    merged.reset(
-      new vtkAHDMergedBlocks(this, settings, hasPoints ? input : nothing.Get(), source, context));
-    data.Input = merged->GetInput();
-    data.Source = merged->GetSource();
-    data.InputBytes = merged->GetBytes();
-    merged->Warn();
-  }
-  catch (const std::bad_alloc&)
-  {
-    data.Input = nullptr;
-  }
-  ahd::Status before = ahd::Status::Ok;
-  if (!data.Input)
-  {
-    before = context.IsAborted()        ? ahd::Status::Cancelled
-      : merged && merged->AreCellsBad() ? ahd::Status::BadCells
-                                        : ahd::Status::OutOfMemory;
-  }
-  this->TriangulateOnRanks(data, context, settings, before);
-}
-
-/// `before`: why this rank has no input; Ok if it has.
-void vtkAdaptiveHilbertDelaunay2D::TriangulateOnRanks(vtkAHDDataSets& data,
-  const vtkAHDContext& context, const vtkAHDSettings& settings, ahd::Status before)
+/// `input` may be null, or nothing that has points. `levels`: of ghost cells, of all ranks.
+void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkDataObject* input,
+  vtkDataObject* source, int levels, const RankSurfaces& surfaces)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
   ++this->NumberOfTriangulations;
-  this->Left->TakeBack(*this->Workspace);
-  vtkAHDRanks ranks(this->Controller);
-  vtkAHDRankExecution execution(settings, ranks, context);
-  const vtkAHDReport report = execution.Run(data, before, *this->Workspace);
-  const vtkAHDRankExecution::Words& words = execution.GetWords();
-  this->MemoryEstimate = report.Estimate;
-  if (report.Status != ahd::Status::Ok)
-  {
-    if (!words.Error.empty())
+  vtkAHDRankResult result;
+  const ahd::Status status = ranks.Execute(
+    [&]
     {
-      vtkErrorMacro(<< words.Error);
+      vtkAHDSettings settings;
+      this->ReadSettings(settings);
+      settings.GhostLevels = levels;
+      vtkAHDProgress progress(this);
+      ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
+      const vtkAHDContext context(progress, threads, *this->OutputMemory);
+      const bool hasPoints = this->WarnOfInput(input);
+      vtkNew<vtkPolyData> nothing;
+      const vtkAHDMergedBlocks merged(
+        this, settings, hasPoints ? input : nothing.Get(), source, context);
+      std::array<vtkNew<vtkPolyData>, 3> outputs; // handed on in the end, as observers have theirs
+      vtkAHDDataSets own;
+      own.Input = merged.GetInput();
+      own.Source = merged.GetSource();
+      own.InputBytes = merged.GetBytes();
+      for (std::size_t k = 0; k < outputs.size(); ++k)
+      {
+        outputs[k]->GetFieldData()->ShallowCopy(surfaces[k]->GetFieldData());
+        own.Outputs[k] = outputs[k];
+      }
+      merged.Warn();
+      this->Left->TakeBack(*this->Workspace);
+      vtkAHDRankExecution(settings, ranks, context, result)
+        .Run(own, merged.GetStatus(context), *this->Workspace);
+      this->MemoryEstimate = result.Report.Estimate;
+      this->TakeMeasures(result.Report);
+      this->AddCounts(own.Outputs[0]);
+      for (std::size_t k = 0; k < outputs.size(); ++k)
+      {
+        surfaces[k]->ShallowCopy(outputs[k]);
+      }
+      if (ranks.GetOwn() == 0)
+      {
+        this->WarnOnRanks(settings, result);
+      }
+    });
+  if (status != ahd::Status::Ok)
+  {
+    this->EndOnRanks(status, result, surfaces);
+  }
+#else
+  static_cast<void>(ranks);
+  static_cast<void>(input);
+  static_cast<void>(source);
+  static_cast<void>(levels);
+  static_cast<void>(surfaces);
+#endif
+}
+
+void vtkAdaptiveHilbertDelaunay2D::WarnOnRanks(
+  const vtkAHDSettings& settings, const vtkAHDRankResult& result)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  vtkAHDSayWarnings(this, settings, result.Report);
+  for (const std::string& warning : result.Warnings)
+  {
+    vtkWarningMacro(<< warning);
+  }
+  if (!result.OneRank.empty() && !this->WarnedAboutOneRank)
+  {
+    this->WarnedAboutOneRank = true; // once, as some move such a setting step by step
+    vtkWarningMacro(<< result.OneRank);
+  }
+#else
+  static_cast<void>(settings);
+  static_cast<void>(result);
+#endif
+}
+
+/// Where ranks could not go on, which all have heard: each says it, with nothing put out.
+void vtkAdaptiveHilbertDelaunay2D::EndOnRanks(
+  ahd::Status status, vtkAHDRankResult& result, const RankSurfaces& surfaces)
+{
+#if VTK_MODULE_ENABLE_VTK_ParallelCore
+  for (const auto& output : surfaces)
+  {
+    if (output)
+    {
+      output->Initialize();
+    }
+  }
+  this->ClearMeasures();
+  this->MemoryEstimate = result.Report.Estimate;
+  result.Report.Status = status;
+  this->SayAbort(status);
+  try
+  {
+    if (result.Error.empty())
+    {
+      vtkAHDSayError(this, result.Report);
     }
     else
     {
-      this->SayAbort(report.Status);
-      vtkAHDSayError(this, report);
+      vtkErrorMacro(<< result.Error);
     }
-    return;
   }
-  this->TakeMeasures(report);
-  this->AddCounts(data.Outputs[0]);
-  if (ranks.GetOwn() == 0)
+  catch (const std::bad_alloc&)
   {
-    vtkAHDSayWarnings(this, settings, report);
-    for (const std::string& warning : words.Warnings)
-    {
-      vtkWarningMacro(<< warning);
-    }
-    if (!words.OneRank.empty() && !this->WarnedAboutOneRank)
-    {
-      this->WarnedAboutOneRank = true; // once, as some move such a setting step by step
-      vtkWarningMacro(<< words.OneRank);
-    }
+    std::fputs("vtkAdaptiveHilbertDelaunay2D: out of memory, nothing is put out.\n", stderr);
   }
 #else
-  static_cast<void>(data);
-  static_cast<void>(context);
-  static_cast<void>(settings);
-  static_cast<void>(before);
+  static_cast<void>(status);
+  static_cast<void>(result);
+  static_cast<void>(surfaces);
 #endif
 }
 

@@ -8,6 +8,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Ranks/vtkAHDRankUpdates.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleExecution.h"
 #include "Sampling/vtkAHDSampleInformation.h"
@@ -45,6 +46,7 @@ vtkAdaptiveHilbertInterpolation2D::vtkAdaptiveHilbertInterpolation2D()
   : Triangulation(vtkAdaptiveHilbertDelaunay2D::New())
   , NoValue(std::numeric_limits<double>::quiet_NaN())
   , Kept(new vtkAHDSampleMemoryKept)
+  , Updates(new vtkAHDRankUpdates)
 {
   this->SetNumberOfInputPorts(3);
 }
@@ -143,7 +145,8 @@ vtkMTimeType vtkAdaptiveHilbertInterpolation2D::GetMTime()
   if (this->IsDistributed() != this->HasPortsOfRanks)
   {
     this->HasPortsOfRanks = !this->HasPortsOfRanks;
-    for (const int port : { 0, 2 }) // FillInputPortInformation() says something else now
+    // FillInputPortInformation() says something else now
+    for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
     {
       this->GetInputPortInformation(port)->Remove(vtkAlgorithm::PORT_REQUIREMENTS_FILLED());
     }
@@ -168,6 +171,10 @@ int vtkAdaptiveHilbertInterpolation2D::FillInputPortInformation(int port, vtkInf
   {
     info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
     info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+    if (this->IsDistributed())
+    {
+      info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject"); // all hear of it
+    }
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
     return 1;
   }
@@ -197,11 +204,18 @@ int vtkAdaptiveHilbertInterpolation2D::RequestDataObject(
   vtkSmartPointer<vtkDataObject> wanted;
   if (inputs[1]->GetNumberOfInformationObjects() > 0)
   {
-    if (!places)
+    if (places)
+    {
+      wanted.TakeReference(places->NewInstance());
+    }
+    else if (this->IsDistributed())
+    {
+      wanted = vtkSmartPointer<vtkPolyData>::New(); // others wait to hear of it
+    }
+    else
     {
       return 0;
     }
-    wanted.TakeReference(places->NewInstance());
   }
   else if (this->OutputType == SURFACE)
   {
@@ -254,7 +268,9 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   this->ClearMeasures();
   if (this->IsDistributed())
   {
-    return this->ExecuteOnRanks(inputs, info, output);
+    const int result = this->ExecuteOnRanks(inputs, info, output);
+    this->Updates->Settle();
+    return result;
   }
   this->WarnAboutRanks();
   this->MustDescribeAnew = false;

@@ -56,6 +56,8 @@
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkPolyData;
+class vtkAHDRankUpdates;
+class vtkAHDRanks;
 struct vtkAHDRaster;
 struct vtkAHDSampleMemoryKept;
 struct vtkAHDSampleResult;
@@ -269,6 +271,11 @@ public:
   /// When the filter or Triangulation was changed last.
   vtkMTimeType GetMTime() override;
 
+  /// Across ranks, the pipeline of each is modified whenever that of one is: so all execute, or
+  /// none. Collective there.
+  int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs, int requestFromOutputPort, vtkMTimeType* mtime) override;
+
 protected:
   vtkAdaptiveHilbertInterpolation2D();
   ~vtkAdaptiveHilbertInterpolation2D() override;
@@ -326,13 +333,16 @@ private:
   bool IsDistributed() const;
   void AnnouncePieces(vtkInformation* info) const;
   void DescribeOnRanks(vtkInformation* info, bool isRaster);
-  vtkAHDRaster FindRasterOnRanks(
-    const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes, vtkInformation* info);
+  void UpdatePieces();
+  vtkAHDRaster FindRasterOnRanks(vtkAHDRanks& ranks, vtkInformation* info);
+  void ShareTimes(vtkInformationVector* outputs);
   void AskForPieces(vtkInformationVector** inputs);
   int ExecuteOnRanks(vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output);
+  int EndOnRanks(vtkDataObject* output);
   void WarnAboutRanks();
 
   const std::unique_ptr<vtkAHDSampleMemoryKept> Kept; // for the next execution
+  const std::unique_ptr<vtkAHDRankUpdates> Updates;   // agreed on by ranks
   bool WarnedAboutRanks = false;
   bool WarnedOfOtherRaster = false;
   bool HasPortsOfRanks = false;  // what FillInputPortInformation() said last

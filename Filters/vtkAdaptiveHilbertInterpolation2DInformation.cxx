@@ -13,6 +13,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Ranks/vtkAHDRankUpdates.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
 #include "Sampling/vtkAHDSampleColumns.h"
@@ -52,7 +53,9 @@ int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
   }
   if (this->IsDistributed())
   {
+    this->ShareTimes(outputs);
     this->DescribeOnRanks(info, isRaster);
+    this->Updates->Settle();
   }
   else if (this->Triangulation)
   {

@@ -10,6 +10,7 @@
 #include "Pipeline/vtkAHDProgress.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
+#include "Ranks/vtkAHDRankUpdates.h"
 #include "Sampling/vtkAHDSampleColumns.h"
 #include "Sampling/vtkAHDSampleInformation.h"
 #include "Sampling/vtkAHDSampleMessages.h"
@@ -66,55 +67,84 @@ void vtkAdaptiveHilbertInterpolation2D::AnnouncePieces(vtkInformation* info) con
 
 namespace
 {
-/// Points and constraints of one rank, each as one data set.
-struct RankInput
+/// What one rank works with in one execution.
+struct RankWork
 {
-  /// Throws nothing.
-  RankInput(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* points,
-    vtkDataObject* source, const vtkAHDContext& context, vtkAHDRankSampling::Inputs& inputs)
+  RankWork(vtkAlgorithm* filter, int threads)
+    : Progress(filter)
+    , Threads(vtkAHDThreadsToUse(threads))
+    , Context(this->Progress, this->Threads, this->NotKept)
   {
-    try
+  }
+
+  /// Points and constraints, each as one data set. REQUIRES: Settings.
+  void Take(vtkAlgorithm* filter, vtkDataObject* points, vtkDataObject* source)
+  {
+    const bool hasPoints = vtkPointSet::SafeDownCast(points) ||
+      vtkCompositeDataSet::SafeDownCast(points);
+    this->Merged.reset(new vtkAHDMergedBlocks(
+      filter, this->Settings, hasPoints ? points : this->Nothing.Get(), source, this->Context));
+    this->Given.Data.Input = this->Merged->GetInput();
+    this->Given.Data.Source = this->Merged->GetSource();
+    this->Given.Data.InputBytes = this->Merged->GetBytes();
+    this->Given.Before = this->Merged->GetStatus(this->Context);
+    if (filter && this->Given.Data.Input)
     {
-      const bool hasPoints = vtkPointSet::SafeDownCast(points) ||
-        vtkCompositeDataSet::SafeDownCast(points);
-      this->Merged.reset(new vtkAHDMergedBlocks(
-        filter, settings, hasPoints ? points : this->Nothing.Get(), source, context));
-      inputs.Data.Input = this->Merged->GetInput();
-      inputs.Data.Source = this->Merged->GetSource();
-      inputs.Data.InputBytes = this->Merged->GetBytes();
-    }
-    catch (const std::bad_alloc&)
-    {
-    }
-    if (!inputs.Data.Input)
-    {
-      const bool areBad = this->Merged && this->Merged->AreCellsBad();
-      inputs.Before = context.IsAborted() ? ahd::Status::Cancelled
-        : areBad                          ? ahd::Status::BadCells
-                                          : ahd::Status::OutOfMemory;
+      this->Merged->Warn();
+      if (points && !hasPoints)
+      {
+        vtkWarningWithObjectMacro(filter,
+          "A " << points->GetClassName()
+               << " has no points of its own: nothing was triangulated for it.");
+      }
     }
   }
 
-  void Warn(vtkObject* filter, vtkDataObject* points) const
+  /// Held, as observers may do what they like to what the pipeline has. May be null.
+  void TakePlaces(vtkDataObject* places)
   {
-    this->Merged->Warn();
-    if (points && !vtkPointSet::SafeDownCast(points) && !vtkCompositeDataSet::SafeDownCast(points))
+    if (places)
     {
-      vtkWarningWithObjectMacro(filter,
-        "A " << points->GetClassName()
-             << " has no points of its own: nothing was triangulated for it.");
+      this->Places.TakeReference(places->NewInstance());
+      this->Places->ShallowCopy(places);
+      this->Given.Places = this->Places;
     }
   }
 
+  /// The piece of the output that is wanted.
+  void ReadRequest(vtkInformation* info)
+  {
+    if (info->Has(Pipeline::UPDATE_EXTENT()))
+    {
+      info->Get(Pipeline::UPDATE_EXTENT(), this->Given.Extent.data());
+    }
+    if (info->Has(Pipeline::WHOLE_EXTENT()))
+    {
+      info->Get(Pipeline::WHOLE_EXTENT(), this->Given.Whole.data());
+    }
+    if (info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
+    {
+      this->Given.Piece = { { info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
+        info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
+        info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
+    }
+  }
+
+  vtkAHDProgress Progress;
+  ahd::Threads Threads;
+  vtkAHDOutputMemory NotKept;
+  const vtkAHDContext Context;
+  vtkAHDSettings Settings;
+  vtkAHDSampleSettings Wishes;
   vtkNew<vtkPolyData> Nothing;
+  vtkSmartPointer<vtkDataObject> Places;
   std::unique_ptr<vtkAHDMergedBlocks> Merged;
+  vtkAHDRankSampling::Inputs Given;
 };
 }
 
-/// Ranks ask each other, with their pieces of the inputs brought up to date: all ranks alike. Those
-/// that know the raster already take part in RequestData().
-vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
-  const vtkAHDSettings& settings, const vtkAHDSampleSettings& wishes, vtkInformation* info)
+/// Brings this rank's pieces of the inputs up to date.
+void vtkAdaptiveHilbertInterpolation2D::UpdatePieces()
 {
   vtkMultiProcessController* const controller = this->Triangulation->GetController();
   for (const int port : { 0, 2 })
@@ -136,34 +166,27 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
       from->GetProducer()->Update(from->GetIndex(), requests);
     }
   }
+}
+
+/// Ranks ask each other, with their pieces of the inputs: all ranks alike. Those that know the
+/// raster already take part in RequestData(). Throws as vtkAHDRankSampling::FindRaster().
+vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
+  vtkAHDRanks& ranks, vtkInformation* info)
+{
   vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress or errors
-  vtkAHDProgress progress(nobody);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  vtkAHDOutputMemory notKept;
-  const vtkAHDContext context(progress, threads, notKept);
-  vtkAHDRanks ranks(controller);
-  vtkAHDRankSampling::Inputs inputs;
+  RankWork work(nobody, this->Triangulation->GetNumberOfThreads());
+  this->ReadSettings(work.Settings, work.Wishes);
   const auto dataOf = [&](int port)
   {
     return this->GetNumberOfInputConnections(port) > 0 ? this->GetInputDataObject(port, 0)
                                                        : nullptr;
   };
-  const RankInput input(nullptr, settings, dataOf(0), dataOf(2), context, inputs);
-  try
-  {
-    vtkAHDRankSampling asking(nobody, settings, wishes, ranks, context);
-    const vtkAHDRaster raster = asking.FindRaster(inputs);
-    const vtkAHDSampleColumns::Kind scalars = asking.GetKindOfScalars();
-    vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
-    return raster;
-  }
-  catch (const vtkAHDStop&)
-  {
-  }
-  catch (const std::bad_alloc&)
-  {
-  }
-  return vtkAHDRaster();
+  work.Take(nullptr, dataOf(0), dataOf(2));
+  vtkAHDRankSampling asking(nobody, work.Settings, work.Wishes, ranks, work.Context);
+  const vtkAHDRaster raster = asking.FindRaster(work.Given);
+  const vtkAHDSampleColumns::Kind scalars = asking.GetKindOfScalars();
+  vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
+  return raster;
 }
 
 /// What is known before there are data.
@@ -174,10 +197,34 @@ void vtkAdaptiveHilbertInterpolation2D::DescribeOnRanks(vtkInformation* info, bo
     return;
   }
   const ahd::ScopedFloatingPoint asTheEngine;
-  vtkAHDSettings settings;
-  vtkAHDSampleSettings wishes;
-  this->ReadSettings(settings, wishes);
-  vtkAHDAnnounceRaster(this->FindRasterOnRanks(settings, wishes, info), info);
+  vtkAHDRaster raster; // none, where ranks cannot go on
+  this->UpdatePieces();
+  vtkAHDRanks ranks(this->Triangulation->GetController());
+  if (ranks.Execute([&] { raster = this->FindRasterOnRanks(ranks, info); }) != ahd::Status::Ok)
+  {
+    raster = vtkAHDRaster();
+  }
+  vtkAHDAnnounceRaster(raster, info);
+}
+
+int vtkAdaptiveHilbertInterpolation2D::ComputePipelineMTime(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs, int requestFromOutputPort,
+  vtkMTimeType* mtime)
+{
+  const int result = this->Superclass::ComputePipelineMTime(
+    request, inputs, outputs, requestFromOutputPort, mtime);
+  if (this->IsDistributed())
+  {
+    *mtime = this->Updates->FindMTime(
+      this->Triangulation->GetController(), this, *mtime, inputs, outputs);
+  }
+  return result;
+}
+
+/// Has ranks execute for the same times.
+void vtkAdaptiveHilbertInterpolation2D::ShareTimes(vtkInformationVector* outputs)
+{
+  vtkAHDRankUpdates::ShareTimes(this->Triangulation->GetController(), this, outputs);
 }
 
 /// Each rank takes its piece, whatever is asked of it: points of others would come twice. Where
@@ -201,59 +248,60 @@ void vtkAdaptiveHilbertInterpolation2D::AskForPieces(vtkInformationVector** inpu
 int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
   vtkInformationVector** inputs, vtkInformation* info, vtkDataObject* output)
 {
-  vtkAHDProgress progress(this);
-  ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
-  vtkAHDOutputMemory notKept;
-  const vtkAHDContext context(progress, threads, notKept);
-  vtkAHDSettings settings;
-  vtkAHDSampleSettings wishes;
-  this->ReadSettings(settings, wishes);
   vtkAHDRanks ranks(this->Triangulation->GetController());
-  vtkAHDRankSampling::Inputs given;
-  const RankInput input(this, settings, vtkDataObject::GetData(inputs[0]),
-    vtkDataObject::GetData(inputs[2]), context, given);
-  if (given.Data.Input)
-  {
-    input.Warn(this, vtkDataObject::GetData(inputs[0]));
-  }
-  given.Places = vtkDataObject::GetData(inputs[1]);
-  if (info->Has(Pipeline::UPDATE_EXTENT()))
-  {
-    info->Get(Pipeline::UPDATE_EXTENT(), given.Extent.data());
-  }
-  if (info->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    info->Get(Pipeline::WHOLE_EXTENT(), given.Whole.data());
-  }
-  if (info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()))
-  {
-    given.Piece = { { info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
-      info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()),
-      info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS()) } };
-  }
-  vtkAHDRankSampling execution(this, settings, wishes, ranks, context);
+  std::unique_ptr<RankWork> work;
   ++this->NumberOfTriangulations;
-  const bool isDone = execution.Run(given, output);
-  this->MemoryEstimate = execution.GetEstimate();
-  if (isDone)
+  ahd::Status status = ranks.Execute(
+    [&]
+    {
+      work = std::make_unique<RankWork>(this, this->Triangulation->GetNumberOfThreads());
+      this->ReadSettings(work->Settings, work->Wishes);
+      work->Take(this, vtkDataObject::GetData(inputs[0]), vtkDataObject::GetData(inputs[2]));
+      work->TakePlaces(vtkDataObject::GetData(inputs[1]));
+      work->ReadRequest(info);
+    });
+  if (status != ahd::Status::Ok)
   {
-    this->AddMeasures(execution.GetResult());
-    this->SampleSeconds = execution.GetSeconds();
-    AddCounts(execution.GetResult(), vtkDataSet::SafeDownCast(output));
+    return this->EndOnRanks(output);
   }
+  vtkAHDRankSampling execution(this, work->Settings, work->Wishes, ranks, work->Context);
+  const bool isDone = execution.Run(work->Given, output);
+  this->MemoryEstimate = execution.GetEstimate();
+  this->MustDescribeAnew = execution.IsOtherRaster();
 #if AHD_VTK_HAS_CHECK_ABORT
-  else if (execution.IsAborted())
+  if (execution.IsAborted())
   {
     this->SetAbortOutput(true); // so that all execute anew, as the one that was told to abort does
   }
 #endif
-  this->MustDescribeAnew = execution.IsOtherRaster();
-  const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
-  const bool fits = !isRaster || !vtkAHDHasFiltersBehind(info) ||
-    vtkAHDHasAllThatIsWanted(output, info);
-  const bool fitAll = ranks.agree(fits ? ahd::Status::Ok : ahd::Status::Cancelled) ==
-    ahd::Status::Ok;
+  bool fitAll = true;
+  status = ranks.Execute(
+    [&]
+    {
+      if (isDone)
+      {
+        this->AddMeasures(execution.GetResult());
+        this->SampleSeconds = execution.GetSeconds();
+        AddCounts(execution.GetResult(), vtkDataSet::SafeDownCast(output));
+      }
+      const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
+      fitAll = !ranks.IsAny(
+        isRaster && vtkAHDHasFiltersBehind(info) && !vtkAHDHasAllThatIsWanted(output, info));
+    });
+  if (status != ahd::Status::Ok)
+  {
+    return this->EndOnRanks(output);
+  }
   return fitAll ? 1 : this->EndWithOtherRaster(isDone, output);
+}
+
+/// Where memory ran out on a rank elsewhere than in steps that say more of it: the same on all.
+int vtkAdaptiveHilbertInterpolation2D::EndOnRanks(vtkDataObject* output)
+{
+  output->Initialize();
+  this->ClearCounts();
+  this->SayOutOfMemory();
+  return 1;
 }
 
 void vtkAdaptiveHilbertInterpolation2D::WarnAboutRanks()
@@ -275,15 +323,27 @@ void vtkAdaptiveHilbertInterpolation2D::WarnAboutRanks()
 
 #else
 
-vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
-  const vtkAHDSettings&, const vtkAHDSampleSettings&, vtkInformation*)
+void vtkAdaptiveHilbertInterpolation2D::UpdatePieces() {}
+vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(vtkAHDRanks&, vtkInformation*)
 {
   return vtkAHDRaster();
 }
+int vtkAdaptiveHilbertInterpolation2D::ComputePipelineMTime(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs, int requestFromOutputPort,
+  vtkMTimeType* mtime)
+{
+  return this->Superclass::ComputePipelineMTime(
+    request, inputs, outputs, requestFromOutputPort, mtime);
+}
+void vtkAdaptiveHilbertInterpolation2D::ShareTimes(vtkInformationVector*) {}
 void vtkAdaptiveHilbertInterpolation2D::DescribeOnRanks(vtkInformation*, bool) {}
 void vtkAdaptiveHilbertInterpolation2D::AskForPieces(vtkInformationVector**) {}
 int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
   vtkInformationVector**, vtkInformation*, vtkDataObject*)
+{
+  return 1;
+}
+int vtkAdaptiveHilbertInterpolation2D::EndOnRanks(vtkDataObject*)
 {
   return 1;
 }

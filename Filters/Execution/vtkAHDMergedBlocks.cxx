@@ -36,6 +36,17 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
     this->Input = this->Merge(vtkAHDBlocks(blocks), context);
   }
   auto* blocks = vtkCompositeDataSet::SafeDownCast(source);
+  if (source && !blocks && !this->Source)
+  {
+    this->Input = nullptr;
+    if (filter)
+    {
+      vtkErrorWithObjectMacro(filter,
+        "The source is a " << source->GetClassName()
+                           << ", but a vtkPolyData is needed, or blocks of these. Nothing was "
+                              "computed.");
+    }
+  }
   if (blocks && this->Input)
   {
     const auto kind = settings.SourceIdsAreOfInput ? vtkAHDBlocks::Kind::SourcesByIds
@@ -46,6 +57,14 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
       this->Input = nullptr; // a surface without its constraints is not what was asked for
     }
   }
+}
+
+ahd::Status vtkAHDMergedBlocks::GetStatus(const vtkAHDContext& context) const
+{
+  return this->Input      ? ahd::Status::Ok
+    : context.IsAborted() ? ahd::Status::Cancelled
+    : this->CellsAreBad   ? ahd::Status::BadCells
+                          : ahd::Status::OutOfMemory;
 }
 
 /// Null if that was aborted, or if there are too many points or there is no memory, which it says.

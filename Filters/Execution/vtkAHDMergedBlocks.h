@@ -2,6 +2,7 @@
 #ifndef vtkAHDMergedBlocks_h
 #define vtkAHDMergedBlocks_h
 
+#include "Engine/Result.h"
 #include "Input/vtkAHDBlocks.h"
 #include "vtkDataObject.h"
 #include "vtkPoints.h"
@@ -25,8 +26,8 @@ class vtkAHDMergedBlocks
 {
 public:
   /// Merges what has to be. Says in an error if there are too many points or too little memory, or
-  /// where offsets of cells lie; nothing without a filter.
-  /// `source` may be null. Throws std::bad_alloc.
+  /// where offsets of cells lie, or if the source is neither vtkPolyData nor blocks; nothing
+  /// without a filter. `source` may be null. Throws std::bad_alloc.
   vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
     vtkDataObject* source, const vtkAHDContext& context);
 
@@ -36,11 +37,11 @@ public:
   /// Lets a surface that has the points of GetInput() have those that were given instead.
   void HandOnPoints(vtkPolyData* surface) const;
 
+  /// Why there is no input: Ok if there is one.
+  ahd::Status GetStatus(const vtkAHDContext& context) const;
+
   /// Null if there is none.
   vtkPolyData* GetSource() const { return this->Source; }
-
-  /// Is there no input because offsets of a source's cells lie?
-  bool AreCellsBad() const { return this->CellsAreBad; }
 
   /// Those that merging has taken, at most.
   std::size_t GetBytes() const { return this->Bytes; }

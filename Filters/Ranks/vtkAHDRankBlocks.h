@@ -56,6 +56,8 @@ public:
   vtkAHDRankBlocks(
     vtkAHDRanks& ranks, const vtkAHDContext& context, vtkDataObject* input, bool areMerged);
 
+  /// Of this rank; may be null.
+  vtkDataObject* GetInput() const { return this->Input; }
   /// Are there any?
   bool HaveBlocks() const { return this->All.HasBlocks(); }
   /// What is different on two ranks, in a sentence; empty if nothing is.
@@ -75,7 +77,7 @@ private:
 
   void FindPaths(const vtkAHDBlockTree& tree, Path& path);
 
-  vtkDataObject* const Input;
+  const vtkSmartPointer<vtkDataObject> Input;
   vtkAHDBlockTree All;
   std::string Difference;
   std::vector<Path> Paths; // of all blocks

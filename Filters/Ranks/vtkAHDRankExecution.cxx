@@ -15,58 +15,35 @@
 #include <sstream>
 #include <utility>
 
-vtkAHDRankExecution::vtkAHDRankExecution(
-  const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDContext& context)
+vtkAHDRankExecution::vtkAHDRankExecution(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+  const vtkAHDContext& context, vtkAHDRankResult& result)
   : Settings(settings)
   , Ranks(ranks)
   , Context(context)
-{
-}
-
-vtkAHDReport vtkAHDRankExecution::Run(
-  const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace)
+  , Made(result)
+  , Report(result.Report)
 {
   this->Report.Status = ahd::Status::Ok;
-  try
-  {
-    this->CheckBefore(this->Ranks.agree(before));
-    this->Context.SetStages(
-      { 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
-    this->Context.NextStage();
-    this->Meet(data);
-    this->CompareSettings();
-    const char* setting = this->Facts.FindUnfit(this->Settings);
-    setting ? this->TriangulateOnOne(data, setting, workspace) : this->Triangulate(data);
-    this->WarnOfArrays();
-    vtkAHDSurface::WriteCrossings(this->Report.CrossingCells, data.Outputs[0]);
-  }
-  catch (const vtkAHDStop& stop)
-  {
-    this->Report.Status = stop.Reason;
-    for (vtkPolyData* output : data.Outputs)
-    {
-      output->Initialize();
-    }
-  }
-  return this->Report;
 }
 
-/// Stops all if one could not get what it has. The rank that could not has said why.
-void vtkAHDRankExecution::CheckBefore(ahd::Status status)
+void vtkAHDRankExecution::Run(
+  const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace)
 {
-  if (status != ahd::Status::Ok && status != ahd::Status::Cancelled)
-  {
-    this->StopAll(status,
-      "The blocks of a rank could not be merged, as they have too many points or there is too "
-      "little memory. Nothing was computed on any rank.");
-  }
-  this->Context.Check(status);
+  vtkAHDCheckBefore(before, this->Ranks, this->Context, this->Made.Error);
+  this->Context.SetStages({ 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
+  this->Context.NextStage();
+  this->Meet(data);
+  this->CompareSettings();
+  const char* setting = this->Facts.FindUnfit(this->Settings);
+  setting ? this->TriangulateOnOne(data, setting, workspace) : this->Triangulate(data);
+  this->WarnOfArrays();
+  vtkAHDSurface::WriteCrossings(this->Report.CrossingCells, data.Outputs[0]);
 }
 
 /// REQUIRES: to be called by all ranks alike.
 void vtkAHDRankExecution::StopAll(ahd::Status reason, const std::string& error)
 {
-  this->Said.Error = error;
+  this->Made.Error = error;
   throw vtkAHDStop{ reason };
 }
 
@@ -105,7 +82,7 @@ void vtkAHDRankExecution::TriangulateOnOne(
     this->StopAll(ahd::Status::OutOfMemory, refusal);
   }
   execution.Run(data, workspace, this->Report);
-  this->Said.OneRank = execution.GetWarning();
+  this->Made.OneRank = execution.GetWarning();
 }
 
 void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
@@ -155,7 +132,7 @@ void vtkAHDRankExecution::CheckPoints(
     count, chains.GetIdCount(), this->Settings.Insertion);
   if (block == std::size_t(-1))
   {
-    return; // too many points, which the engine says
+    throw vtkAHDStop{ ahd::Status::TooManyPoints };
   }
   constexpr std::size_t kPerId = 4 * sizeof(std::int64_t); // with offsets and cells
   // an id, a mark and a place in the plane; that in space becomes the output's
@@ -385,7 +362,7 @@ void vtkAHDRankExecution::WarnOfArrays()
   const std::string partial = this->Facts.GetPartialArrays();
   if (!partial.empty())
   {
-    this->Said.Warnings.push_back("Point data arrays that not all ranks have, of one type and with "
+    this->Made.Warnings.push_back("Point data arrays that not all ranks have, of one type and with "
                                   "one value for each point, are not passed on: " +
       partial + ".");
   }

@@ -17,6 +17,15 @@
 class vtkAHDRankRim;
 class vtkAHDRankSurface;
 
+/// What came of an execution over ranks: the same on all but for times and the estimate.
+struct vtkAHDRankResult
+{
+  vtkAHDReport Report;
+  std::string Error;                 ///< that all say, instead of what a status stands for
+  std::vector<std::string> Warnings; ///< for one rank to say
+  std::string OneRank;               ///< the same, if one rank has done it all; empty if not
+};
+
 /**
  * One execution over all ranks of a controller: each rank gives its points and constraints, and
  * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface. Where a
@@ -26,23 +35,14 @@ class vtkAHDRankExecution
 {
 public:
   /// Borrows all of them.
-  vtkAHDRankExecution(
-    const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDContext& context);
+  vtkAHDRankExecution(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
+    const vtkAHDContext& context, vtkAHDRankResult& result);
 
-  /// What all ranks say alike, beyond the report.
-  struct Words
-  {
-    std::string Error;                 ///< instead of what the report's Status stands for
-    std::vector<std::string> Warnings; ///< for one rank to say
-    std::string OneRank;               ///< the same, if one rank has done it all; empty if not
-  };
-
-  /// Triangulates, and fills the surface, which is empty unless Report::Status is Ok. Collective:
-  /// to be called by all ranks, also by those that have nothing (Input may be null), or that could
-  /// not get what they have (`before` is not Ok). All return the same status, words and counts. The
-  /// workspace is used where one rank has to do it all.
-  vtkAHDReport Run(const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace);
-  const Words& GetWords() const { return this->Said; }
+  /// Triangulates, and fills the surface. Collective: to be called by all ranks, also by those that
+  /// have nothing (Input may be null), or that could not get what they have (`before` is not Ok).
+  /// The workspace is used where one rank has to do it all. Throws vtkAHDStop and std::bad_alloc,
+  /// on one rank or on all. REQUIRES: to be called within vtkAHDRanks::Execute().
+  void Run(const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace);
 
 private:
   void Meet(const vtkAHDDataSets& data);
@@ -52,7 +52,6 @@ private:
   void Triangulate(const vtkAHDDataSets& data);
   void CheckMemory(std::size_t bytes, const char* what);
   void CheckPoints(const vtkAHDRankPoints& points, const vtkAHDRankChains& chains);
-  void CheckBefore(ahd::Status status);
   void CheckBorder(ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains);
   void MakeBlock(
     const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block);
@@ -70,9 +69,9 @@ private:
   const vtkAHDSettings& Settings;
   vtkAHDRanks& Ranks;
   const vtkAHDContext& Context;
+  vtkAHDRankResult& Made;
+  vtkAHDReport& Report; // in it
   vtkAHDAllFacts Facts;
-  vtkAHDReport Report;
-  Words Said;
   std::size_t Estimate = 0;      // bytes, of this rank, as far as it is known
   std::size_t BlockEstimate = 0; // without ghosts
 };

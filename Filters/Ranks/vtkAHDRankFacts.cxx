@@ -420,6 +420,19 @@ std::size_t vtkAHDAllFacts::CountOnHostOf(std::size_t rank) const
     [this, rank](const vtkAHDRankFacts& facts) { return facts.Host == this->Of[rank].Host; }));
 }
 
+void vtkAHDCheckBefore(
+  ahd::Status before, vtkAHDRanks& ranks, const vtkAHDContext& context, std::string& error)
+{
+  const ahd::Status status = ranks.agree(before);
+  if (status != ahd::Status::Ok && status != ahd::Status::Cancelled)
+  {
+    error =
+      "A rank could not take its input: its blocks could not be merged, its source is none or "
+      "damaged, or there is too little memory. Nothing was computed on any rank.";
+  }
+  context.Check(status);
+}
+
 void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkAHDRanks& ranks,
   const vtkAHDContext& context, vtkAHDAllFacts& facts)
 {

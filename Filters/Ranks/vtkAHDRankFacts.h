@@ -4,6 +4,7 @@
 
 #include "Engine/Core/Fingerprint.h"
 #include "Engine/Distribute/BlockBytes.h"
+#include "Engine/Result.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Ranks/vtkAHDArrayFacts.h"
 #include "vtkSmartPointer.h"
@@ -90,6 +91,11 @@ public:
   /// How many ranks are on the machine of this one.
   std::size_t CountOnHostOf(std::size_t rank) const;
 };
+
+/// Stops all if one could not get its input (`before`, if not Ok, is why; it has said so): then
+/// `error` is what all say. Collective; throws vtkAHDStop on all ranks.
+void vtkAHDCheckBefore(
+  ahd::Status before, vtkAHDRanks& ranks, const vtkAHDContext& context, std::string& error);
 
 /// Each rank hears what all have and want. Collective; throws vtkAHDStop on all ranks if one cannot
 /// go on.

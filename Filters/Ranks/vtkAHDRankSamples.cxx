@@ -14,12 +14,13 @@
 #include <algorithm>
 
 vtkAHDRankSamples::vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
-  const vtkAHDContext& context, bool asksForNearest)
+  const vtkAHDContext& context, bool asksForNearest, std::string& error)
   : Settings(settings)
   , LocalSettings(settings)
   , Ranks(ranks)
   , Context(context)
   , AsksForNearest(asksForNearest)
+  , Error(error)
 {
 }
 
@@ -27,7 +28,7 @@ vtkAHDRankSamples::~vtkAHDRankSamples() = default;
 
 void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
 {
-  this->Context.Check(this->Ranks.agree(before));
+  vtkAHDCheckBefore(before, this->Ranks, this->Context, this->Error);
   vtkAHDMeet(this->Settings, data, this->Ranks, this->Context, this->Facts);
   const std::string difference = this->Facts.FindDifference(this->Settings);
   if (!difference.empty())

@@ -28,9 +28,10 @@
 class vtkAHDRankSamples
 {
 public:
-  /// Borrows all of them. `asksForNearest`: the nearest vertices are wanted.
+  /// Borrows all of them. `asksForNearest`: the nearest vertices are wanted. `error` becomes what
+  /// all ranks say alike, instead of the words for the reason why they stop.
   vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
-    const vtkAHDContext& context, bool asksForNearest);
+    const vtkAHDContext& context, bool asksForNearest, std::string& error);
   ~vtkAHDRankSamples();
 
   /// Hears what all have, and moves points to where they are asked for. `before`: why this rank has
@@ -55,8 +56,6 @@ public:
   /// How many points all ranks have, those of sources included.
   std::size_t GetPoints() const { return this->Facts.GetPoints() + this->Facts.GetSourcePoints(); }
 
-  /// What all ranks say alike.
-  const std::string& GetError() const { return this->Error; } ///< instead of the reason's
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
@@ -81,7 +80,8 @@ private:
   vtkAHDRankChains Chains;
   bool ListsAll = false;
   vtkSmartPointer<vtkPolyData> Input, Source;
-  std::string Error, Warning;
+  std::string& Error;
+  std::string Warning;
 };
 
 #endif

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <new>
 #include <utility>
@@ -117,7 +118,8 @@ vtkAHDRankSampling::vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSetting
 /// Of the points of all. Throws vtkAHDStop on all ranks.
 ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
 {
-  this->Context.Check(this->Ranks.agree(inputs.Before));
+  std::string said; // by Run()
+  vtkAHDCheckBefore(inputs.Before, this->Ranks, this->Context, said);
   vtkAHDSettings settings = this->Settings;
   settings.Tolerance = 0.0; // of what is done to the points, that alone which says where they are
   settings.Split = settings.HeightsFromSurface = false;
@@ -177,8 +179,7 @@ vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs
   std::array<int, 6> made = { { 0, static_cast<int>(whole.Cells.columns) - 1, 0,
     static_cast<int>(whole.Cells.rows) - 1, 0, whole.Fault == vtkAHDRasterFault::None ? 0 : -1 } };
   const bool isAsTold = made == inputs.Whole;
-  this->OtherRaster = this->Ranks.agree(isAsTold ? ahd::Status::Ok : ahd::Status::Cancelled) !=
-    ahd::Status::Ok;
+  this->OtherRaster = this->Ranks.IsAny(!isAsTold);
   if (this->OtherRaster)
   {
     // What is asked for is a piece of another raster.
@@ -215,43 +216,9 @@ void vtkAHDRankSampling::FindOthers(const vtkAHDRaster& piece)
   std::vector<ahd::BlockBytes> all;
   this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(mine); });
   this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      std::vector<ahd::SampleRaster> before;
-      for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
-      {
-        before.push_back(ahd::BytesReader(all[rank]).read<ahd::SampleRaster>());
-        this->AddCommon(mine, before);
-      }
-    });
-}
-
-/// Adds what a piece and the last of others have in common, but what it has with others of these.
-void vtkAHDRankSampling::AddCommon(
-  const ahd::SampleRaster& mine, const std::vector<ahd::SampleRaster>& others)
-{
-  const auto has = [](const ahd::SampleRaster& piece, std::size_t column, std::size_t row)
+  for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
   {
-    return column >= piece.firstColumn && column < piece.firstColumn + piece.columns &&
-      row >= piece.firstRow && row < piece.firstRow + piece.rows;
-  };
-  const ahd::SampleRaster& last = others.back();
-  const std::size_t x0 = std::max(mine.firstColumn, last.firstColumn);
-  const std::size_t x1 = std::min(mine.firstColumn + mine.columns, last.firstColumn + last.columns);
-  const std::size_t y0 = std::max(mine.firstRow, last.firstRow);
-  const std::size_t y1 = std::min(mine.firstRow + mine.rows, last.firstRow + last.rows);
-  for (std::size_t y = y0; y < y1; ++y)
-  {
-    this->Context.StopIfAborted();
-    for (std::size_t x = x0; x < x1; ++x)
-    {
-      if (std::none_of(others.begin(), others.end() - 1,
-            [&](const ahd::SampleRaster& other) { return has(other, x, y); }))
-      {
-        this->CountedByOthers.push_back(mine.at(x - mine.firstColumn, y - mine.firstRow));
-      }
-    }
+    this->PiecesBefore.push_back(ahd::BytesReader(all[rank]).read<ahd::SampleRaster>());
   }
 }
 
@@ -278,78 +245,91 @@ std::vector<ahd::Bounds> vtkAHDRankSampling::BoxesOf(
 
 bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
 {
-  const bool asksForNearest = this->Wishes.IsNearest() || this->Wishes.NearestOutside;
-  vtkAHDRankSamples samples(this->Settings, this->Ranks, this->Context, asksForNearest);
-  try
-  {
-    this->MeetAll(inputs);
-    samples.Begin(inputs.Data, inputs.Before);
-    if (!vtkAHDAreNamesFit(this->Filter, this->Wishes)) // on all ranks alike
-    {
-      output->Initialize();
-      return false;
-    }
-    vtkAHDRaster piece;
-    if (!inputs.Places)
-    {
-      const vtkAHDRaster whole = this->MakeRaster(samples);
-      if (whole.Fault != vtkAHDRasterFault::None && whole.Fault != vtkAHDRasterFault::NoArea)
-      {
-        vtkAHDSayNoRaster(this->Filter, this->Wishes, whole);
-        output->Initialize();
-        return false;
-      }
-      piece = this->PieceOf(whole, inputs);
-      this->FindOthers(piece);
-    }
-    std::vector<ahd::Bounds> boxes;
-    this->Ranks.Together(this->Context,
-      [&]
-      {
-        if (!samples.IsWhole())
-        {
-          boxes = this->BoxesOf(inputs, piece);
-          for (const ahd::Bounds& box : boxes)
-          {
-            Grow(this->Wanted, box);
-          }
-        }
-      });
-    this->Result.Surface = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
-    samples.Take(boxes);
-    this->Interpolate(inputs, piece, samples, vtkDataSet::SafeDownCast(output));
-    return true;
-  }
-  catch (const vtkAHDStop& stop)
+  bool isDone = false;
+  const ahd::Status status = this->Ranks.Execute(
+    [&] { isDone = this->RunTogether(inputs, output); });
+  isDone = isDone && status == ahd::Status::Ok;
+  if (!isDone)
   {
     output->Initialize();
-    this->Aborted = stop.Reason == ahd::Status::Cancelled && this->Error.empty() &&
-      samples.GetError().empty();
-    const std::string& error = this->Error.empty() ? samples.GetError() : this->Error;
-    if (!error.empty())
-    {
-      vtkErrorWithObjectMacro(this->Filter, << error);
-    }
-    else if (stop.Reason == ahd::Status::OutOfMemory || stop.Reason == ahd::Status::TooManyPoints)
-    {
-      vtkErrorWithObjectMacro(
-        this->Filter, << (stop.Reason == ahd::Status::OutOfMemory
-                             ? "Out of memory on a rank while interpolating."
-                             : "A rank has too many points to be triangulated.")
-                      << " Nothing is put out.");
-    }
-    else if (stop.Reason == ahd::Status::BadCells)
-    {
-      vtkAHDSayBadCells(this->Filter, stop.CellsOf, stop.Cell);
-    }
-    return false;
+  }
+  try
+  {
+    this->SayError(status);
   }
   catch (const std::bad_alloc&)
   {
-    output->Initialize();
-    vtkErrorWithObjectMacro(this->Filter, "Out of memory. Nothing is put out.");
+    std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
+  }
+  return isDone;
+}
+
+/// What Execute() has returned, on all ranks alike.
+void vtkAHDRankSampling::SayError(ahd::Status status)
+{
+  this->Aborted = status == ahd::Status::Cancelled && this->Error.empty();
+  if (!this->Error.empty())
+  {
+    vtkErrorWithObjectMacro(this->Filter, << this->Error);
+  }
+  else if (status == ahd::Status::OutOfMemory)
+  {
+    vtkErrorWithObjectMacro(
+      this->Filter, "Out of memory on a rank while interpolating. Nothing is put out.");
+  }
+  else if (status == ahd::Status::TooManyPoints)
+  {
+    vtkErrorWithObjectMacro(
+      this->Filter, "A rank has too many points to be triangulated. Nothing is put out.");
+  }
+  else if (status == ahd::Status::BadCells)
+  {
+    vtkAHDSayBadCells(this->Filter, nullptr, {});
+  }
+}
+
+/// Returns false on all ranks if there is an error that each has said. Throws as FindRaster().
+bool vtkAHDRankSampling::RunTogether(const Inputs& inputs, vtkDataObject* output)
+{
+  const bool asksForNearest = this->Wishes.IsNearest() || this->Wishes.NearestOutside;
+  vtkAHDRankSamples samples(
+    this->Settings, this->Ranks, this->Context, asksForNearest, this->Error);
+  this->MeetAll(inputs);
+  samples.Begin(inputs.Data, inputs.Before);
+  if (!vtkAHDAreNamesFit(this->Filter, this->Wishes)) // on all ranks alike
+  {
     return false;
   }
+  vtkAHDRaster piece;
+  if (!inputs.Places)
+  {
+    const vtkAHDRaster whole = this->MakeRaster(samples);
+    if (whole.Fault != vtkAHDRasterFault::None && whole.Fault != vtkAHDRasterFault::NoArea)
+    {
+      vtkAHDSayNoRaster(this->Filter, this->Wishes, whole);
+      return false;
+    }
+    piece = this->PieceOf(whole, inputs);
+    this->FindOthers(piece);
+  }
+  std::vector<ahd::Bounds> boxes;
+  this->Ranks.Together(this->Context,
+    [&]
+    {
+      if (!samples.IsWhole())
+      {
+        boxes = this->BoxesOf(inputs, piece);
+        for (const ahd::Bounds& box : boxes)
+        {
+          Grow(this->Wanted, box);
+        }
+      }
+    });
+  const ahd::Bounds bounds = samples.IsWhole() ? ahd::Bounds() : samples.GetBounds();
+  samples.Take(boxes);
+  this->Result.Surface = bounds;
+  this->Interpolate(inputs, piece, samples, vtkDataSet::SafeDownCast(output));
+  return true;
 }
 
 /// Each rank by itself; then all hear how it went.
@@ -361,7 +341,7 @@ void vtkAHDRankSampling::Interpolate(const Inputs& inputs, const vtkAHDRaster& p
   local.Source = samples.GetSource();
   local.Places = vtkDataSet::SafeDownCast(inputs.Places);
   local.Raster = inputs.Places ? nullptr : &piece;
-  local.CountedByOthers = &this->CountedByOthers;
+  local.PiecesBefore = &this->PiecesBefore;
   vtkNew<vtkAlgorithm> speaker;
   vtkNew<Hearing> hearing;
   speaker->AddObserver(vtkCommand::ErrorEvent, hearing);
@@ -387,19 +367,9 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
   const vtkAHDSampleResult& mine = execution.GetResult();
   const Found found{ isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Places,
     this->Wanted, execution.GetSeconds() };
-  this->Context.Check(this->Ranks.agree(ahd::Status::Ok));
-  ahd::Status status = ahd::Status::Ok;
-  try
-  {
-    ahd::BytesWriter writer(own);
-    writer.write(found);
-    vtkAHDWriteText(writer, error);
-  }
-  catch (const std::bad_alloc&)
-  {
-    status = ahd::Status::OutOfMemory;
-  }
-  this->Context.Check(this->Ranks.agree(status));
+  ahd::BytesWriter writer(own); // not Together(): an abort is told with the rest
+  writer.write(found);
+  vtkAHDWriteText(writer, error);
   this->Context.Check(this->Ranks.gather(own, all));
   this->Ranks.Together(this->Context,
     [&]

@@ -43,11 +43,12 @@ public:
   };
 
   /// Fills this rank's output, and says errors, and on one rank warnings. Returns false on all
-  /// ranks if it came to nothing: then outputs are empty.
+  /// ranks if it came to nothing: then outputs are empty. Throws nothing.
   bool Run(const Inputs& inputs, vtkDataObject* output);
 
   /// The raster about the points of all, without the rest. Ranks that are in Run() take part.
-  /// Throws vtkAHDStop on all ranks.
+  /// Throws vtkAHDStop and std::bad_alloc, on one rank or on all. REQUIRES: to be called within
+  /// vtkAHDRanks::Execute().
   vtkAHDRaster FindRaster(const Inputs& inputs);
 
   /// Of the active scalars. REQUIRES: FindRaster().
@@ -80,12 +81,13 @@ private:
 
   Meeting Meet(const Inputs& inputs, Call call);
   void MeetAll(const Inputs& inputs);
+  bool RunTogether(const Inputs& inputs, vtkDataObject* output);
+  void SayError(ahd::Status status);
   ahd::Bounds FindBounds(const Inputs& inputs);
   void FindScalars(const vtkAHDAllFacts& facts);
   vtkAHDRaster MakeRaster(const vtkAHDRankSamples& samples);
   vtkAHDRaster PieceOf(const vtkAHDRaster& whole, const Inputs& inputs);
   void FindOthers(const vtkAHDRaster& piece);
-  void AddCommon(const ahd::SampleRaster& mine, const std::vector<ahd::SampleRaster>& others);
   std::vector<ahd::Bounds> BoxesOf(const Inputs& inputs, const vtkAHDRaster& piece) const;
   void Interpolate(const Inputs& inputs, const vtkAHDRaster& piece,
     const vtkAHDRankSamples& samples, vtkDataSet* output);
@@ -100,9 +102,9 @@ private:
   const vtkAHDSampleSettings& Wishes;
   vtkAHDRanks& Ranks;
   const vtkAHDContext& Context;
-  std::string Error;                       // that all say
-  std::vector<ahd::Point> CountedByOthers; // places of this rank's piece
-  ahd::Bounds Wanted;                      // around this rank's places
+  std::string Error;                           // that all say
+  std::vector<ahd::SampleRaster> PiecesBefore; // of the ranks before this one
+  ahd::Bounds Wanted;                          // around this rank's places
   vtkAHDSampleColumns::Kind Scalars;
   vtkAHDSampleResult Result;
   double Seconds = 0.0;

@@ -126,22 +126,20 @@ void vtkAHDRankSampling::MeetAll(const Inputs& inputs)
   while (!meeting.AreForData)
   {
     // Some had to ask what the raster is (after an abort, or as their settings are other ones).
-    try
-    {
-      if (meeting.Other == 0)
+    this->Ranks.Execute(
+      [&]
       {
-        this->FindBounds(inputs);
-      }
-    }
-    catch (const vtkAHDStop&)
-    {
-    }
+        if (meeting.Other == 0)
+        {
+          this->FindBounds(inputs);
+        }
+      });
     meeting = this->Meet(inputs, Call::Data);
   }
   if (meeting.AreUnfit)
   {
-    this->Error = "Places of several blocks are interpolated on one rank only. Nothing was "
-                  "computed. Merge the blocks before (Merge Blocks).";
+    this->Error = "Over ranks, places have to be a data set without blocks. Nothing was computed. "
+                  "Merge blocks before (Merge Blocks).";
     throw vtkAHDStop{ ahd::Status::Cancelled };
   }
   if (meeting.Other > 0)

@@ -34,12 +34,37 @@ vtkAHDRanks::vtkAHDRanks(vtkMultiProcessController* controller)
 {
 }
 
+/// The largest of all. Statuses are twice their number, so that who asks IsAny() hears of them.
+int vtkAHDRanks::Reduce(int own)
+{
+  int all = own;
+  this->Controller->AllReduce(&own, &all, 1, vtkCommunicator::MAX_OP);
+  this->Agreed = static_cast<ahd::Status>(all / 2);
+  return all;
+}
+
 ahd::Status vtkAHDRanks::agree(ahd::Status own)
 {
-  const int said = static_cast<int>(own);
-  int all = said;
-  this->Controller->AllReduce(&said, &all, 1, vtkCommunicator::MAX_OP);
-  return static_cast<ahd::Status>(all);
+  this->Reduce(2 * static_cast<int>(own));
+  return this->Agreed;
+}
+
+bool vtkAHDRanks::IsAny(bool own)
+{
+  const bool isAny = this->Reduce(own ? 1 : 0) == 1;
+  if (this->Agreed != ahd::Status::Ok)
+  {
+    throw vtkAHDStop{ this->Agreed };
+  }
+  return isAny;
+}
+
+int vtkAHDRanks::FindMost(int own)
+{
+  this->IsAny(false); // may all go on?
+  int most = own;
+  this->Controller->AllReduce(&own, &most, 1, vtkCommunicator::MAX_OP);
+  return most;
 }
 
 ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all)

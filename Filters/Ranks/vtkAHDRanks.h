@@ -4,25 +4,26 @@
 
 #include "Engine/Distribute/BlockTransport.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "vtkMultiProcessController.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstddef>
 #include <new>
 #include <vector>
 
-class vtkMultiProcessController;
-
 /**
  * The ranks of a controller, as the engine's transport between blocks: block k is rank k. All
  * functions but the counts are collective.
  *
- * What fails on one rank is agreed on by all before any waits for what will not come. A controller
- * that cannot send is not dealt with: MPI ends the program then.
+ * What fails on one rank is agreed on by all before any waits for what will not come: all that
+ * ranks do together is done in Execute(), and each collective begins with an agreement. A
+ * controller that cannot send is not dealt with: MPI ends the program then.
  */
 class vtkAHDRanks : public ahd::BlockTransport
 {
 public:
-  /// Borrows it.
+  /// Holds it.
   explicit vtkAHDRanks(vtkMultiProcessController* controller);
 
   std::size_t GetOwn() const { return this->Own; }
@@ -36,7 +37,39 @@ public:
   void Swap(
     std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes);
 
+  /// Does what all ranks do together. Returns the same on all: Ok, or why a rank could not go on.
+  /// `work` communicates, through this object alone, and may throw vtkAHDStop and std::bad_alloc
+  /// wherever it is, on one rank or on all: those that go on hear of it where they agree next, at
+  /// the latest in the end. Between two of these calls nothing throws: who does not come to the
+  /// second is waited for. One within another is for ranks that go on whatever came of it.
+  template <typename Work>
+  ahd::Status Execute(const Work& work)
+  {
+    ahd::Status own = ahd::Status::Ok;
+    this->Agreed = ahd::Status::Ok;
+    try
+    {
+      work();
+    }
+    catch (const vtkAHDStop& stop)
+    {
+      own = stop.Reason;
+    }
+    catch (const std::bad_alloc&)
+    {
+      own = ahd::Status::OutOfMemory;
+    }
+    const ahd::Status status = this->Agreed != ahd::Status::Ok ? this->Agreed : this->agree(own);
+    this->Agreed = ahd::Status::Ok;
+    return status;
+  }
+
+  /// REQUIRES: where that is not Ok, all ranks end the work that they are in: see Execute().
   ahd::Status agree(ahd::Status own) override;
+  /// Is it so on a rank? Throws vtkAHDStop on all if one cannot go on.
+  bool IsAny(bool own);
+  /// The largest of all. Throws as well.
+  int FindMost(int own);
   ahd::Status gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all) override;
   ahd::Status exchange(
     std::vector<ahd::BlockMessage>& out, std::vector<ahd::BlockMessage>& in) override;
@@ -69,14 +102,16 @@ private:
     }
   }
 
+  int Reduce(int own);
   void ExchangeSizes(
     const std::vector<const ahd::BlockBytes*>& to, std::vector<vtkTypeUInt64>& sizes);
   void Send(std::size_t rank, const void* from, std::size_t bytes);
   void Receive(std::size_t rank, void* to, std::size_t bytes);
 
-  vtkMultiProcessController* const Controller;
+  const vtkSmartPointer<vtkMultiProcessController> Controller;
   const std::size_t Own;
   const std::size_t Count;
+  ahd::Status Agreed = ahd::Status::Ok; // what all have said last
 };
 
 #endif

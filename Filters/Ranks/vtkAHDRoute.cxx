@@ -90,14 +90,6 @@ void Gather(const void* from, const Index* numbers, std::size_t count, std::size
     });
 }
 
-void StopUnless(bool isGoing)
-{
-  if (!isGoing)
-  {
-    throw vtkAHDStop{ ahd::Status::Cancelled };
-  }
-}
-
 /// Tuple k of `from` becomes tuple numbers[k] of `to`.
 void Scatter(
   const Bytes* from, const Index* numbers, std::size_t count, std::size_t width, void* to)
@@ -253,29 +245,37 @@ std::size_t vtkAHDRoute::CountFrom(std::size_t rank) const
   return end - this->FirstOf[rank];
 }
 
-/// Calls work(begin, end) for stretches of [0, count), and asks between them whether to abort; then
-/// the rest is left out, and this returns false.
+/// Calls work(begin, end) for stretches of [0, count), and asks between them whether to abort;
+/// where that is so, or observers run out of memory, the rest is left out. Nothing is done unless
+/// `status` is Ok. Throws nothing.
 template <typename Work>
-bool vtkAHDRoute::Try(std::size_t count, const Work& work) const
+void vtkAHDRoute::Try(std::size_t count, ahd::Status& status, const Work& work) const
 {
-  for (std::size_t begin = 0; begin < count; begin += kAsk)
+  try
   {
-    if (this->Context.IsAborted())
+    for (std::size_t begin = 0; begin < count && status == ahd::Status::Ok; begin += kAsk)
     {
-      return false;
+      this->Context.StopIfAborted();
+      work(begin, std::min(count, begin + kAsk));
     }
-    work(begin, std::min(count, begin + kAsk));
   }
-  return true;
+  catch (const vtkAHDStop& stop)
+  {
+    status = stop.Reason;
+  }
+  catch (const std::bad_alloc&)
+  {
+    status = ahd::Status::OutOfMemory;
+  }
 }
 
-/// Moves tuples, packed by pack(), to `to`. Ranks go on sending where one is to abort, as others
+/// Moves tuples, packed by pack(), to `to`. Ranks go on sending where one cannot go on, as others
 /// wait for it: they agree on it in the end.
 void vtkAHDRoute::Carry(std::size_t width, void* to, const Pack& pack)
 {
   ahd::Buffer<unsigned char> out, in;
   const std::size_t most = std::max<std::size_t>(1, kPiece / width);
-  bool isGoing = true;
+  ahd::Status status = ahd::Status::Ok;
   this->Ranks.Together(this->Context,
     [&]
     {
@@ -297,22 +297,19 @@ void vtkAHDRoute::Carry(std::size_t width, void* to, const Pack& pack)
       unsigned char* const end = isInOrder ? static_cast<unsigned char*>(to) + first * width
                                            : in.data();
       unsigned char* const packed = isOwn ? end : out.data();
-      isGoing = isGoing &&
-        this->Try(going,
-          [&](std::size_t k, std::size_t last)
-          { pack(tuples.data() + done + k, last - k, packed + k * width); });
+      this->Try(going, status,
+        [&](std::size_t k, std::size_t last)
+        { pack(tuples.data() + done + k, last - k, packed + k * width); });
       if (!isOwn)
       {
         this->Ranks.Swap(partner, packed, going * width, end, arriving * width);
       }
-      isGoing = isGoing &&
-        (isInOrder ||
-          this->Try(arriving,
-            [&](std::size_t k, std::size_t last)
-            { Scatter(end + k * width, this->Places.data() + first + k, last - k, width, to); }));
+      this->Try(isInOrder ? 0 : arriving, status,
+        [&](std::size_t k, std::size_t last)
+        { Scatter(end + k * width, this->Places.data() + first + k, last - k, width, to); });
     }
   }
-  this->Ranks.Together(this->Context, [&] { StopUnless(isGoing); });
+  this->Context.Check(this->Ranks.agree(status));
 }
 
 void vtkAHDRoute::Move(const void* from, std::size_t width, void* to)

@@ -112,7 +112,7 @@ private:
   void TellCounts();
   std::size_t CountFrom(std::size_t rank) const;
   template <typename Work>
-  bool Try(std::size_t count, const Work& work) const;
+  void Try(std::size_t count, ahd::Status& status, const Work& work) const;
   void Carry(std::size_t width, void* to, const Pack& pack);
   void Send(Messages& out, Messages& in);
   void MoveStrings(vtkAbstractArray* from, vtkAbstractArray* to, std::size_t first);

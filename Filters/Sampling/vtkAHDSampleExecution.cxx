@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDMessages.h"
+#include "Sampling/vtkAHDCommonPlaces.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 #include "Sampling/vtkAHDSampleBounds.h"
 #include "Sampling/vtkAHDSampleInformation.h"
@@ -198,6 +199,18 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
     this->Memory.Places = double(cells.columns) * double(cells.rows);
     this->BytesOfSampling = this->EstimateSurface() +
       vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(cells));
+    if (inputs.PiecesBefore)
+    {
+      this->CommonPlaces = vtkAHDFindCommonPlaces(
+        cells, *inputs.PiecesBefore, this->Context, nullptr);
+      const auto again = [&](std::size_t count)
+      {
+        const ahd::PointView view(static_cast<const double*>(nullptr), count, 2);
+        return double(count) * double(sizeof(ahd::Point)) +
+          vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(view));
+      };
+      this->BytesOfSampling += again(this->CommonPlaces) - again(0); // tables are there once
+    }
     return;
   }
   if (!inputs.Pieces || inputs.Piece > 0)
@@ -329,7 +342,7 @@ void vtkAHDSampleExecution::TakeSurface(
     return;
   }
   this->Context.NextStage();
-  if (!inputs.CountedByOthers)
+  if (!inputs.PiecesBefore)
   {
     vtkAHDSayWarnings(this->Filter, this->Settings, this->Report);
   }
@@ -372,9 +385,9 @@ void vtkAHDSampleExecution::Interpolate(
     output->GetPointData()->AddArray(sampling.GetMask());
   }
   this->CountPlaces(places, sampling.GetReport(), surface);
-  if (inputs.CountedByOthers)
+  if (this->CommonPlaces > 0)
   {
-    this->TakeFromCounts(*inputs.CountedByOthers, inputs, surface, heights.data(), data);
+    this->TakeFromCounts(inputs, surface, heights.data(), data);
   }
   this->Seconds = Now() - begun;
   if (inputs.SaysArrays)
@@ -383,15 +396,13 @@ void vtkAHDSampleExecution::Interpolate(
   }
 }
 
-/// What became of these places is not to count.
-void vtkAHDSampleExecution::TakeFromCounts(const std::vector<ahd::Point>& places,
-  const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, const double* heights,
-  vtkPointData* data)
+/// What became of places that ranks before have is not to count.
+void vtkAHDSampleExecution::TakeFromCounts(const vtkAHDSampleInputs& inputs,
+  vtkAHDSampledSurface& surface, const double* heights, vtkPointData* data)
 {
-  if (places.empty())
-  {
-    return;
-  }
+  std::vector<ahd::Point> places;
+  places.reserve(this->CommonPlaces);
+  vtkAHDFindCommonPlaces(this->Raster.Cells, *inputs.PiecesBefore, this->Context, &places);
   vtkAHDSampleColumns columns(
     this->Wishes, inputs.Points->GetPointData(), data, surface.GetPoints().points().count);
   vtkAHDSampling sampling(

@@ -46,8 +46,8 @@ struct vtkAHDSampleInputs
 
   // One of several ranks: then nobody is warned.
   const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it
-  /// Null, or places of the piece that are not to count.
-  const std::vector<ahd::Point>* CountedByOthers = nullptr;
+  /// Null, or the pieces of the ranks before: places that are in these, too, are not to count.
+  const std::vector<ahd::SampleRaster>* PiecesBefore = nullptr;
 };
 
 /// What an execution leaves to the next one.
@@ -96,8 +96,8 @@ private:
   void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void Interpolate(
     const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output);
-  void TakeFromCounts(const std::vector<ahd::Point>& places, const vtkAHDSampleInputs& inputs,
-    vtkAHDSampledSurface& surface, const double* heights, vtkPointData* data);
+  void TakeFromCounts(const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface,
+    const double* heights, vtkPointData* data);
   void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void CountPlaces(const ahd::SamplePlaces& places, const ahd::SampleReport& counts,
     vtkAHDSampledSurface& surface);
@@ -115,7 +115,8 @@ private:
   bool Covers = false;                  // more than is its own
   std::unique_ptr<vtkAHDPlaces> Places; // null: the raster
   double BytesOfSampling = 0.0;
-  vtkAHDReport Report; // of the triangulation
+  std::size_t CommonPlaces = 0; // that ranks before have, too
+  vtkAHDReport Report;          // of the triangulation
   vtkAHDSampleResult Result;
   vtkAHDSampleMemory Memory;
   bool IsKept = false; // the surface is there: that of the execution before, or borrowed

@@ -143,18 +143,21 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
   const vtkAHDContext context(progress, threads, outputs);
   const vtkAHDSettings settings;
   vtkAHDRanks ranks(controller);
-  vtkAHDRankExecution execution(settings, ranks, context);
+  vtkAHDRankResult result;
   vtkAHDDataSets data;
   data.Input = input;
   data.Outputs = { { output, order, cells } };
   ahd::Workspace workspace;
-  const vtkAHDReport report = execution.Run(data, ahd::Status::Ok, workspace);
+  const ahd::Status status = ranks.Execute(
+    [&] {
+      vtkAHDRankExecution(settings, ranks, context, result).Run(data, ahd::Status::Ok, workspace);
+    });
   const double ended = now();
   std::vector<double> stages = progress.GetStages();
   stages.push_back(ended);
-  if (report.Status != ahd::Status::Ok || stages.size() != Taken::kBytes)
+  if (status != ahd::Status::Ok || stages.size() != Taken::kBytes)
   {
-    std::fprintf(stderr, "failed: %s\n", execution.GetWords().Error.c_str());
+    std::fprintf(stderr, "failed: %s\n", result.Error.c_str());
     std::exit(1);
   }
   taken.of[Taken::kAll] = ended - begun;
@@ -162,7 +165,7 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
   {
     taken.of[std::size_t(stage)] = stages[std::size_t(stage)] - stages[std::size_t(stage - 1)];
   }
-  taken.triangles = (long long)report.Triangles;
+  taken.triangles = (long long)result.Report.Triangles;
   taken.of[Taken::kBytes] = memory("VmHWM:") - held -
     1024.0 * double(output->GetActualMemorySize());
   return taken;

@@ -351,6 +351,22 @@ def try_images_behind():
         check(count == 0 and errors == 1, "after an error: %r" % ((count, errors),))
 
 
+def try_whole():
+    """Where each rank is asked for the whole raster, a place counts once, and what finding that out takes is estimated."""
+    made = pieces(uniform(300), RANKS)
+
+    def on_ranks():
+        sampler = make_sampler(made[RANK], {}, {"Dimensions": (400, 400)}, True)
+        sampler.Update()
+        return sampler.GetMemoryEstimate(), sampler.GetNumberOfPlaces(), sampler.GetOutput().GetNumberOfPoints()
+
+    found = on_all_ranks("whole", on_ranks)
+    for rank, (estimate, places, points) in enumerate(found or ()):
+        check(places == points == 160000, "rank %d: %d places, %d points" % (rank, places, points))
+        more = 1024 * (estimate - found[0][0])
+        check(rank == 0 or more > 24 * places, "rank %d: %d bytes for places that others have, too" % (rank, more))
+
+
 def try_surface():
     """A surface as input counts as its points, which one rank says."""
     made = pieces(uniform(300), RANKS)
@@ -407,7 +423,7 @@ for case, (what, said_then) in failures_together().items():
 for case, (what, *given) in {
     "again": (try_again, {}), "again by cell size": (try_again, {"RasterSize": 1, "CellSize": (0.07, 0.05)}),
     "image": (try_places_of_an_image,), "other inputs": (try_other_inputs,), "time": (try_time,),
-    "images behind": (try_images_behind,), "surface": (try_surface,),
+    "images behind": (try_images_behind,), "surface": (try_surface,), "whole": (try_whole,),
 }.items():
     if WANTED in case:
         attempt(case, what, *given)

@@ -162,6 +162,11 @@ void ahdtest::memory::begin(std::size_t number, bool andAllLater)
   watching = true;
 }
 
+std::size_t ahdtest::memory::count()
+{
+  return asked;
+}
+
 std::size_t ahdtest::memory::end()
 {
   watching = false;

@@ -16,6 +16,8 @@ namespace memory
 {
 /// The allocation of this number fails, from 1; 0: none. With `andAllLater` those after it, too.
 void begin(std::size_t failAt, bool andAllLater);
+/// How many allocations have been asked for since.
+std::size_t count();
 /// Returns how many allocations were asked for.
 std::size_t end();
 /// Blocks of operator new that are in use, whoever asked for them.
