@@ -186,9 +186,6 @@ class _Driver(VTKPythonAlgorithmBase):
             self._worker.Update()
         else:
             self._update_piece(outInfo.GetInformationObject(0))
-        interrupts = sys.modules.get(PACKAGE + "._vtk.interrupts")
-        if interrupts is not None and interrupts.is_under_way():  # Ctrl-C has ended it
-            return 0
         for port in range(self.GetNumberOfOutputPorts()):
             made = self._worker.GetOutputDataObject(port)
             vtkDataObject.GetData(outInfo, port).ShallowCopy(made)

@@ -14,14 +14,14 @@ import threading
 _under_way = []  # what is to arrive: one at most
 
 
-def _asker():
-    """The frame that called VTK, from which these requests come; None if no code in Python did."""
-    frame, found = sys._getframe(1), None
+def _asker(frame):
+    """The frame that called VTK, from which the request comes that this frame works on; None if no code in Python
+    did."""
     while frame is not None:
-        if frame.f_code.co_name == "ProcessRequest":  # VTK's, which C++ calls
-            found = frame
+        if frame.f_code.co_name == "ProcessRequest" and "vtkself" in frame.f_code.co_varnames:  # what C++ calls
+            return frame.f_back
         frame = frame.f_back
-    return found and found.f_back
+    return None
 
 
 def _is_below(frame, other):
@@ -32,10 +32,12 @@ def _is_below(frame, other):
 
 
 class _Arrival:
-    """An exception on its way to a frame. The pipeline need not tell of what an exception tells."""
+    """An exception on its way to a frame; where that works on a request itself, as a filter in Python does that asks
+    others, VTK loses what is raised, and it goes on to the frame that this request comes from. The pipeline need not
+    tell of what an exception tells."""
 
     def __init__(self, raised, asker):
-        self.raised, self.asker, self.failed = raised.with_traceback(None), asker, []
+        self.raised, self.asker, self.failed = raised, asker, []
         _under_way.append(self)
         self._go_on()
 
@@ -58,8 +60,12 @@ class _Arrival:
         if frame is not self.asker and _is_below(frame, self.asker):
             self._go_on()
             return False
-        self._end()
-        raise self.raised
+        self.asker = _asker(frame)
+        if self.asker is None:
+            self._end()
+        else:
+            self._go_on()
+        raise self.raised.with_traceback(None)
 
     def _end(self):
         _under_way.remove(self)
@@ -85,8 +91,9 @@ def ends_by_ctrl_c(request):
         except Exception:
             raise
         except BaseException as raised:
-            asker, done = _asker(), 0
-            if asker is not None and threading.current_thread() is threading.main_thread():
+            asker, done = _asker(sys._getframe()), 0
+            is_main = threading.current_thread() is threading.main_thread()
+            if asker is not None and is_main and not is_under_way():
                 _Arrival(raised, asker)
         return _under_way[0].fail(self) if is_under_way() else done
 

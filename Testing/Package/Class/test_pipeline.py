@@ -425,6 +425,43 @@ class InterruptsTest(Case):
         triangulation.Update()
         self.assertGreater(triangulation.GetOutput().GetNumberOfCells(), 900)
 
+    def test_a_filter_in_python_that_asks_others(self):
+        """It hears it first, and its request fails; then whoever asked it does."""
+        base, heard, algorithm, test = vtk("util.vtkAlgorithm").VTKPythonAlgorithmBase, [], self.make(Filter), self
+
+        class Asks(base):
+            def __init__(self):
+                base.__init__(self, nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+
+            def RequestData(self, _request, _inputs, outputs):
+                try:
+                    algorithm.Update()
+                except KeyboardInterrupt:
+                    heard.append(1)
+                    raise
+                model.vtkPolyData.GetData(outputs, 0).ShallowCopy(algorithm.GetOutput())
+                return 1
+
+        def ProcessRequest():  # not VTK's
+            with test.assertRaises(KeyboardInterrupt):
+                algorithm.Update()
+            return "caught"
+
+        asks, runs = silent(Asks()), []
+        after = behind(asks)
+        after.AddObserver("StartEvent", lambda _caller, _event: runs.append(1))
+        ends = self.interrupted(algorithm)
+        with self.assertRaises(KeyboardInterrupt):
+            after.Update()
+        self.assertEqual((heard, runs), ([1], []))
+        ends()
+        asks.Modified()
+        after.Update()
+        self.assertGreater(after.GetOutputDataObject(0).GetNumberOfCells(), 30000)
+        algorithm.Modified()
+        self.interrupted(algorithm)
+        self.assertEqual(ProcessRequest(), "caught")
+
     def test_another_exception_of_the_handler(self):
         class Enough(BaseException):
             pass
