@@ -35,18 +35,38 @@ def place(data):
     return numbers.ctypes.data if numbers.size else 0, numbers.nbytes
 
 
-def shallow(backend, given, with_cells=False):
-    """The same points and point data, in an object of its own, that keeps them whatever others do to the given one;
-    with cells a copy of a vtkPolyData. None of None."""
+def held(backend, given):
+    """The same points and data, and the same cells but those of a vtkPolyData that has none, in objects of its own that
+    share the arrays: whatever is done to the other's objects meanwhile, this has all arrays that it had. None of
+    None."""
     if given is None:
         return None
-    made = backend.vtkPolyData()
-    if with_cells:
-        made.ShallowCopy(given)
-    else:
-        made.SetPoints(given.GetPoints())
-        made.GetPointData().ShallowCopy(given.GetPointData())
+    made = given.NewInstance()
+    made.ShallowCopy(given)
+    if given.IsA("vtkPointSet"):
+        _have_own_points(backend, made, given)
+    for kind in ("Verts", "Lines", "Polys", "Strips") if given.IsA("vtkPolyData") else ():
+        cells, own = getattr(given, "Get" + kind)(), None
+        if cells.GetNumberOfCells() > 0:  # else it may be an empty one that all share
+            own = backend.vtkCellArray()
+            own.ShallowCopy(cells)
+        getattr(made, "Set" + kind)(own)
     return made
+
+
+def held_points(backend, given):
+    """Points and point data of a vtkPointSet as a vtkPolyData, as held() has them."""
+    made = backend.vtkPolyData()
+    made.GetPointData().ShallowCopy(given.GetPointData())
+    _have_own_points(backend, made, given)
+    return made
+
+
+def _have_own_points(backend, made, given):
+    if given.GetPoints() is not None:
+        points = backend.vtkPoints()
+        points.SetData(given.GetPoints().GetData())
+        made.SetPoints(points)
 
 
 def new_array(kind, count, components=1, name=None):

@@ -5,8 +5,8 @@ import numpy
 
 from .. import _library as engine
 from . import messages
-from .arrays import (GHOSTS, BadCells, cells_of, ghost_marks, ids_of, new_array, put_tuples, remove_arrays_of_one_name,
-                     shallow)
+from .arrays import (GHOSTS, BadCells, cells_of, ghost_marks, held, held_points, ids_of, new_array, put_tuples,
+                     remove_arrays_of_one_name)
 
 MOST_POINTS = 2**28 - 2
 
@@ -144,8 +144,8 @@ class Merged:
     def __init__(self, backend, speaker, values, given, source):
         self.backend, self.speaker, self.limit = backend, speaker, values["MemoryLimit"]
         self.given, self.given_source, self.bytes = given, source, 0
-        self.input = shallow(backend, given) if isinstance(given, backend.vtkPointSet) else None
-        self.source = shallow(backend, source, True) if isinstance(source, backend.vtkPolyData) else None
+        self.input = held_points(backend, given) if isinstance(given, backend.vtkPointSet) else None
+        self.source = held(backend, source) if isinstance(source, backend.vtkPolyData) else None
         if isinstance(given, backend.vtkCompositeDataSet):
             self.input = self._merge(Blocks(backend, given))
         if isinstance(source, backend.vtkCompositeDataSet) and self.input is not None:
@@ -172,6 +172,13 @@ class Merged:
             "Merging blocks of %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed." % (
                 blocks.count, needed, "MemoryLimit allows " if self.limit else "there are ", limit))
         return None
+
+    def hand_on_points(self, surface):
+        """Gives a surface that has the points which were held those of the input, if they still are these."""
+        is_one = isinstance(self.given, self.backend.vtkPointSet) and surface.GetPoints() is self.input.GetPoints()
+        points = self.given.GetPoints() if is_one else None
+        if points is not None and points.GetData() is self.input.GetPoints().GetData():
+            surface.SetPoints(points)
 
     def warn(self):
         """Of blocks that are left out."""

@@ -96,6 +96,7 @@ class _Executions:
         vtk, speaker = self._backend, messages.Speaker(self._backend, self)
         merged = Merged(vtk, speaker, self._values, given, source)
         if merged.input is not None and self._pass_on(merged, made):
+            merged.hand_on_points(made[0])
             return
         self._clear_measures()
         self._warn_about_ranks(speaker)
@@ -114,6 +115,7 @@ class _Executions:
         self._job.release(min(self._values["ReuseLimit"] * 1024, 2**62))
         if self._values["KeepTriangulation"]:
             self._cache.keep(merged.input, made)
+        merged.hand_on_points(made[0])
 
     def _pass_on(self, merged, made):
         """What the last execution made, if that was of the same."""

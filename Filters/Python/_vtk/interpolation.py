@@ -5,6 +5,7 @@ import contextlib
 
 from .. import _library as engine
 from . import messages, python_class, raster, raster_messages, raster_settings, settings
+from .arrays import held
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
@@ -293,17 +294,17 @@ class _Executions:
         return True
 
     def _pieces(self, places, made):
-        """(places, output) of each block of places, or of the only one; places are None for a raster."""
+        """(places, output) of each block of places, or of the only one; places are held, and None for a raster."""
         vtk = self._backend
         if not isinstance(places, vtk.vtkCompositeDataSet):
-            return [(places, made)]
+            return [(held(vtk, places), made)]
         made.CopyStructure(places)
         pieces, each = [], places.NewIterator()
         each.InitTraversal()
         while not each.IsDoneWithTraversal():
             block = each.GetCurrentDataObject()
             if isinstance(block, vtk.vtkDataSet):
-                pieces.append((block, block.NewInstance()))
+                pieces.append((held(vtk, block), block.NewInstance()))
                 made.SetDataSet(each, pieces[-1][1])
             each.GoToNextItem()
         return pieces

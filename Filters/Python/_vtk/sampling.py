@@ -7,7 +7,7 @@ import numpy
 
 from .. import _library as engine
 from . import cache
-from .arrays import coordinates, ghost_marks, shallow
+from .arrays import coordinates, ghost_marks, held, held_points
 from .execution import SKIPPED, Execution, let_go, threads_to_use
 from .outputs import Surface
 from .raster import box_of
@@ -32,7 +32,7 @@ class SampledSurface:
         self.backend, self.job, self.values = backend, job, values
         self.settings, self.known = times_of(backend, triangulation), None
         self.held = self.places = None
-        self.given, self.source = shallow(backend, given), shallow(backend, source, True)
+        self.given, self.source = held_points(backend, given), held(backend, source)
         asked = types.SimpleNamespace(_job=job, _values=values, _transform=triangulation.GetTransform())
         self.execution = Execution(backend, asked, self.given, self.source, bytes_before)
         self.transform = self.execution.transform
@@ -131,7 +131,7 @@ def area_of(backend, triangulation, values, given, source):
         return box_of(points, skipped_of(given, len(points)))
     # Of what is done to the points, that alone which says where they are.
     asked._values.update(Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
-    only_points = shallow(backend, source)
+    only_points = source and held_points(backend, source)
     execution = Execution(backend, asked, given, only_points)
     execution.triangulate(None, 0)
     return box_of(asked._job.array("plane_points"), skipped_of(given, asked._job.count("points")))

@@ -4,9 +4,8 @@ input, its outputs and their memory."""
 
 import functools
 import random
-import unittest
 
-from classtests import (IN_PYTHON, Case, Filter, Random, Said, array, blocks, cells_of, cloud, core, model, run_tests,
+from classtests import (Case, Filter, Random, Said, array, blocks, cells_of, cloud, core, model, run_tests,
                         source, tested_class, vtk)
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
@@ -25,6 +24,11 @@ def square():
     outer = [(-9, -9, 1), (10**6, -9, 2), (10**6, 10**6, 3), (-9, 10**6, 4)]
     inner = [(4e5, 4e5, 5), (5e5, 4e5, 6), (5e5, 5e5, 7)]
     return source(outer + inner, lines=[(4, 5), (5, 6, 4)], polygons=[(0, 1, 2, 3), (4, 5, 6)])
+
+
+def with_source(algorithm, lines):
+    algorithm.SetInputDataObject(algorithm.GetNumberOfInputPorts() - 1, lines)
+    return algorithm
 
 
 def numbers_of(data):
@@ -248,7 +252,6 @@ def number(algorithm):
 
 
 class EditsTest(Case):
-    @unittest.skipUnless(IN_PYTHON, "the compiled class passes them on")
     def test_outputs_that_their_owner_edits_are_not_passed_on(self):
         given = cloud(scattered(COUNT - 1) + [(*scattered(1)[0][:2], 50)])
         settings = {"DuplicatePolicy": 3, "GenerateFate": True}
@@ -282,17 +285,39 @@ class ObserversTest(Case):
         self.assertGreater(len(seen), 5)
         return [] if algorithm.GetOutputDataObject(0).IsA("vtkCompositeDataSet") else outputs(algorithm)
 
-    @unittest.skipUnless(IN_PYTHON, "the compiled class reads what is gone")
     def test_input(self):
         for make in (triangulation, interpolation):
             expected = updated(make(), cloud(scattered(20000)))
-            for change in (lambda given: given.Initialize(), lambda given: given.SetPoints(None)):
+            for change in (lambda given: given.Initialize(), lambda given: given.SetPoints(None),
+                           lambda given: given.GetPoints().SetData(cloud(scattered(9)).GetPoints().GetData())):
                 given = cloud(scattered(20000))
                 with_arrays(given, given)
                 again = cloud(scattered(20000))
                 self.assertTrue(self.watched(make, again, lambda _: change(again)) == expected)
 
-    @unittest.skipUnless(IN_PYTHON, "the compiled class calls a transform that is gone")
+    def test_source(self):
+        expected = updated(triangulation(SourceMode=1), cloud(scattered(20000)), square())
+        for change in (lambda lines: lines.GetPoints().SetData(cloud(scattered(3)).GetPoints().GetData()),
+                       lambda lines: lines.GetLines().ShallowCopy(cells_of([(0, 1)])),
+                       lambda lines: lines.GetPolys().ShallowCopy(cells_of([(0, 1, 5)]))):
+            lines = square()
+            found = self.watched(lambda **settings: with_source(triangulation(**settings), lines),
+                                 cloud(scattered(20000)), lambda _: change(lines), SourceMode=1)
+            self.assertTrue(found == expected)
+
+    def test_places(self):
+        def at(places):
+            algorithm = interpolation()
+            algorithm.SetInputDataObject(1, places)
+            return algorithm
+
+        expected = updated(at(cloud(scattered(50, 2))), cloud(scattered(20000)))
+        for change in (lambda places: places.Initialize(), lambda places: places.GetPoints().SetData(
+                cloud(scattered(9)).GetPoints().GetData())):
+            places = cloud(scattered(50, 2))
+            found = self.watched(lambda: at(places), cloud(scattered(20000)), lambda _: change(places))
+            self.assertTrue(found == expected)
+
     def test_transform(self):
         def bent():
             made = vtk("vtkCommonTransforms").vtkThinPlateSplineTransform()
@@ -338,7 +363,6 @@ class ObserversTest(Case):
         found = self.watched(interpolation, given, lambda algorithm: algorithm.SetTriangulation(Filter()))
         self.assertTrue(found == updated(interpolation(), given))
 
-    @unittest.skipUnless(IN_PYTHON, "the compiled class asks it again")
     def test_triangulation_that_goes_between_two_blocks_of_places(self):
         for change in (lambda algorithm: None, lambda algorithm: algorithm.SetTriangulation(None)):
             algorithm = interpolation()
