@@ -82,41 +82,46 @@ class Blocks:
         return max(0, getattr(block, "Get" + kind)().GetNumberOfCells())
 
     def _merge_point_data(self, all_):
-        """The arrays that all blocks have, by name, type and number of components, with a value for each point."""
+        """The arrays that all blocks have, by name, type and number of components, with a value for each point: in the
+        order of their names, as VTK has them (vtkDataSetAttributes::FieldList). Those without a name one by one."""
         marked = any(ghost_marks(block)[0] is not None for block in self.blocks)
         data = [self._usable(block, marked) for block in self.blocks]
-        if not data:
-            return
-        for i in range(data[0].GetNumberOfArrays()):
-            members = self._everywhere(data, data[0].GetAbstractArray(i))
-            if members is None:
-                continue
-            made = members[0].NewInstance()
-            made.SetName(members[0].GetName())
-            made.SetNumberOfComponents(members[0].GetNumberOfComponents())
-            made.SetNumberOfTuples(self.count)
-            begin = 0
-            for member in members:
-                put_tuples(made, begin, member.GetNumberOfTuples(), member)
-                begin += member.GetNumberOfTuples()
-            index = all_.AddArray(made)
-            uses = [part.IsArrayAnAttribute(self._index(part, made.GetName())) for part in data]
-            if uses[0] >= 0 and uses.count(uses[0]) == len(uses):
-                all_.SetActiveAttribute(index, uses[0])
+        by_name = [self._by_name(part) for part in data]
+        for name in sorted(set.intersection(*map(set, by_name))) if data else ():
+            for members in zip(*(arrays[name] for arrays in by_name)):
+                if len({(member.GetDataType(), member.GetNumberOfComponents()) for member in members}) == 1:
+                    index = all_.AddArray(self._appended(members))
+                    for kind in range(all_.NUM_ATTRIBUTES):
+                        if all(part.GetAbstractAttribute(kind) is member for part, member in zip(data, members)):
+                            all_.SetActiveAttribute(index, kind)
 
     @staticmethod
-    def _index(data, name):
-        return next(i for i in range(data.GetNumberOfArrays()) if data.GetArrayName(i) == name)
+    def _by_name(data):
+        found = {}
+        for i in range(data.GetNumberOfArrays()):
+            found.setdefault(data.GetArrayName(i) or "", []).append(data.GetAbstractArray(i))
+        return found
 
-    @staticmethod
-    def _everywhere(data, first):
-        """The array of this name in each, if all have it and are alike."""
-        if not first.GetName():
-            return None
-        members = [part.GetAbstractArray(first.GetName()) for part in data]
-        alike = all(member is not None and member.GetDataType() == first.GetDataType()
-                    and member.GetNumberOfComponents() == first.GetNumberOfComponents() for member in members)
-        return members if alike else None
+    def _appended(self, members):
+        """One array of these, which are alike, with what is said of them."""
+        first = members[0]
+        made = self.backend.vtkAbstractArray.CreateArray(first.GetDataType())
+        made.SetName(first.GetName())
+        made.SetNumberOfComponents(first.GetNumberOfComponents())
+        for c in range(first.GetNumberOfComponents()):
+            name = next(filter(None, (member.GetComponentName(c) for member in members)), None)
+            if name:
+                made.SetComponentName(c, name)
+        if first.HasInformation():
+            made.CopyInformation(first.GetInformation(), 1)
+        if made.IsA("vtkDataArray"):
+            made.SetLookupTable(next(filter(None, (member.GetLookupTable() for member in members)), None))
+        made.SetNumberOfTuples(self.count)
+        begin = 0
+        for member in members:
+            put_tuples(made, begin, member.GetNumberOfTuples(), member)
+            begin += member.GetNumberOfTuples()
+        return made
 
     def _usable(self, block, marked):
         """The block's arrays that have a value for each point; ghost marks of its own, or those of no ghost."""

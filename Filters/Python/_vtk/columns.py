@@ -42,12 +42,12 @@ class Column:
         self.name, self.given, self.made, self.slopes = name, given, None, None
         self.components = given.GetNumberOfComponents() if given is not None else 1
 
-    def numbers(self):
-        """A row for each point, as doubles."""
+    def numbers(self, count):
+        """A row for each of so many points, as doubles; the array may have more."""
         data = self.given
         if is_viewable(data):
-            return numpy.ascontiguousarray(view(data), numpy.float64).reshape(-1, self.components)
-        rows = [data.GetTuple(i) for i in range(data.GetNumberOfTuples())]
+            return numpy.ascontiguousarray(view(data)[:count], numpy.float64).reshape(-1, self.components)
+        rows = [data.GetTuple(i) for i in range(count)]
         return numpy.array(rows, numpy.float64).reshape(-1, self.components)
 
 
@@ -142,7 +142,7 @@ class Columns:
 
     def interpolate(self, job, places, heights, fills):
         """Fills the columns, each by weights; the mask. engine.EngineError, MemoryError."""
-        numbers = [heights.reshape(-1, 1)] + [column.numbers() for column in self.columns[1:]]
+        numbers = [heights.reshape(-1, 1)] + [column.numbers(self.points) for column in self.columns[1:]]
         sampled = job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes)
         for column, found, slopes in zip(self.columns, sampled.values, sampled.gradients):
             column.made = self._written(column, found)

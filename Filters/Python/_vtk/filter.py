@@ -64,7 +64,7 @@ class _Executions:
         vtk = self._backend
         made = [vtk.vtkPolyData.GetData(outputs, port) for port in range(3)]
         later = self._later_pieces(outputs)
-        if all(later):
+        if not self._is_wanted(later):
             return 1
         given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
                  for port in range(2)]
@@ -85,12 +85,14 @@ class _Executions:
 
     def _later_pieces(self, outputs):
         """Of each output, whether it is empty: in one process the first piece has all, and the others nothing."""
-        if not self._is_alone(self.GetController()):
-            return [False] * 3
+        is_alone = self._is_alone(self.GetController())
+        return [is_alone and self._is_later_piece(outputs.GetInformationObject(port)) for port in range(3)]
+
+    def _is_wanted(self, later):
+        """Is there an output that is made and not empty?"""
         values = self._values
         is_made = True, values["GenerateInsertionCurve"] or values["GenerateBoxes"], values["GenerateVoronoi"]
-        return [not made or self._is_later_piece(outputs.GetInformationObject(port))
-                for port, made in enumerate(is_made)]
+        return any(made and not empty for made, empty in zip(is_made, later))
 
     def _execute(self, given, source, made):
         vtk, speaker = self._backend, messages.Speaker(self._backend, self)

@@ -8,7 +8,7 @@ import sys
 import threading
 
 from classtests import (Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
-                        triangles, vtk)
+                        triangles, values_of, vtk)
 
 execution = vtk("vtkCommonExecutionModel")
 
@@ -125,6 +125,41 @@ class PipelineTest(Case):
         algorithm.MergeBlocksOff()
         algorithm.Update()
         self.assertIsInstance(algorithm.GetOutputDataObject(0), model.vtkMultiBlockDataSet)
+
+    def test_arrays_of_merged_blocks(self):
+        """In the order of their names, with what is said of them; those without a name one by one."""
+        attributes, table, members = model.vtkDataSetAttributes, core.vtkLookupTable(), []
+        for k in range(2):
+            block = cloud(scattered(30, k))
+            data = block.GetPointData()
+            for kind, name, width in (
+                    ("vtkDoubleArray", "z", 1), ("vtkFloatArray", "b", 3), ("vtkIntArray", None, 1),
+                    ("vtkDoubleArray", "a", 1), ("vtkIntArray", None, 2),
+                    ("vtkIntArray" if k else "vtkLongArray", "c", 1)):
+                data.AddArray(array(kind, name, [k] * 30 * width, width))
+            data.GetArray("b").SetComponentName(1, "north")
+            data.GetArray("b").SetLookupTable(table)
+            data.SetActiveAttribute("b", attributes.VECTORS)
+            data.SetActiveAttribute("az"[k], attributes.SCALARS)
+            members.append(block)
+        data = run(blocks(*members), MergeBlocks=True)[0].GetOutput().GetPointData()
+        self.assertEqual([data.GetArrayName(i) for i in range(data.GetNumberOfArrays())], [None, None, "a", "b", "z"])
+        for i in range(5):
+            width = data.GetArray(i).GetNumberOfComponents()
+            self.assertEqual(values_of(data.GetArray(i)), 30 * width * [0] + 30 * width * [1])
+        self.assertEqual([data.GetArray("b").GetComponentName(c) for c in range(3)], [None, "north", None])
+        self.assertIs(data.GetArray("b").GetLookupTable(), table)
+        self.assertEqual([data.GetAbstractAttribute(kind) and data.GetAbstractAttribute(kind).GetName() for kind in (
+            attributes.SCALARS, attributes.VECTORS)], [None, "b"])
+
+    def test_field_data_of_the_input(self):
+        """Are those of each output, be it made or not."""
+        given = cloud(scattered(30))
+        given.GetFieldData().AddArray(array("vtkIntArray", "survey", [7]))
+        for settings in ({}, {"GenerateVoronoi": True}, {"GenerateBoxes": True}):
+            algorithm, _ = run(given, **settings)
+            for port in range(3):
+                self.assertTrue(algorithm.GetOutput(port).GetFieldData().HasArray("survey"), (settings, port))
 
     def test_best_fitting_plane(self):
         points = [(x, y, 2 * x + y) for x, y, _ in scattered(40)]

@@ -7,7 +7,7 @@ import json
 import unittest
 
 from classtests import (FOLDER, IN_PYTHON, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source,
-                        tested_class, vtk, write_rows)
+                        tested_class, values_of, vtk, write_rows)
 from inputs import full, square
 from rastercases import CASES, image, wanted_places
 from test_cases import masked, of_array, of_attributes
@@ -106,6 +106,26 @@ class InterpolationTest(Case):
             with self.subTest(name):
                 self.assertEqual(row, expected[name])
                 self.assertTrue(row["again"])
+
+    def test_arrays_with_more_values_than_points(self):
+        """The first are those of the points, as in VTK's own filters."""
+        given, longer = cloud(square()), cloud(square())
+        for data, more in ((given, 0), (longer, 3)):
+            data.GetPointData().AddArray(array("vtkDoubleArray", "depth", range(data.GetNumberOfPoints() + more)))
+        for method in range(4):
+            found = []
+            for data in (given, longer):
+                algorithm = Interpolation()
+                said = Said(algorithm)
+                algorithm.SetMethod(method)
+                algorithm.SetNoValue(-1)
+                algorithm.SetDimensions(4, 3)
+                algorithm.SetInputData(data)
+                algorithm.Update()
+                self.assertSaid(said)
+                found.append(values_of(algorithm.GetOutput().GetPointData().GetArray("depth")))
+            self.assertEqual(len(found[0]), 12)
+            self.assertEqual(*found)
 
     def test_methods_defaults_and_ranges(self):
         found = json.dumps(described(Interpolation), default=lambda thing: thing.GetClassName())

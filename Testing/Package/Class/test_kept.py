@@ -141,6 +141,14 @@ class ChangesTest(Case):
         self.assertLikeNew(interpolation, given, lines, algorithm, "")
         self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
 
+    def test_whole_numbers_are_kept(self):
+        """Points of which a copy is read."""
+        given, algorithm = cloud(scattered(), core.VTK_INT), interpolation()
+        for change in (lambda: None, lambda: None, lambda: given.GetPoints().SetPoint(COUNT - 1, 5, 5, 5)):
+            change()
+            self.assertTrue(updated(algorithm, given) == updated(interpolation(), given))
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), 2)
+
     def test_what_was_given_first_is_changed(self):
         """While its equal is there in its place."""
         for with_source in (False, True):
