@@ -31,10 +31,14 @@ __all__ = ["install", "installed", "suspended", "uninstall"]  # original and vtk
 
 MODULE = ".vtkFiltersCore"  # that has the class, in each VTK
 
+if "uninstall" in globals():  # importlib.reload()
+    uninstall()  # noqa: F821
+
 _replaced = {}  # by VTK, "vtkmodules" or "cvista": its own class, and the one in its place
 _wanted = [False]  # is the original to be replaced where a VTK is imported from now on?
+_in_place = {}  # by VTK: is it the one in its place that modules have?
 _places = {}  # by VTK: (names of a module, name) where a class was put
-_askers = {"original": [], "vtkDelaunay2D": []}  # names of modules that have asked for these
+_askers = globals().get("_askers") or {"original": [], "vtkDelaunay2D": []}  # names of modules that asked for these
 
 
 def _pass_field_data(given, made):
@@ -177,11 +181,14 @@ def _is_one_of(names, among):
 
 def _replace(package, installs):
     """Puts this VTK's class, or the one in its place, where a loaded module holds the other under a name: where it did
-    so before, and in modules that cannot have the other from here."""
+    so before, unless the module has put another one there since, and in modules that cannot have the other from
+    here."""
     original, ours = _pair(package)
     old, new = (original, ours) if installs else (ours, original)
     askers = _askers["original" if installs else "vtkDelaunay2D"]
     before, now = _places.get(package, ()), []
+    has = new if _in_place.get(package) == installs else old  # what a name has where a class was put
+    _in_place[package] = installs
     for module in list(sys.modules.values()):
         try:  # past __getattribute__: a look at a lazy module must not load it
             names = object.__getattribute__(module, "__dict__")
@@ -189,13 +196,13 @@ def _replace(package, installs):
             continue
         if names is globals():
             continue
-        put = {name for others, name in before if others is names}
+        put = {name for others, name in before if others is names and names.get(name) is has}
         is_asker = _is_one_of(names, askers)
         for name, value in list(names.items()):
             if value is old and (name in put or not is_asker):
                 names[name] = new
                 put.add(name)
-        now += [(names, name) for name in put if names.get(name) is new]
+        now += [(names, name) for name in put]
     _places[package] = now
 
 

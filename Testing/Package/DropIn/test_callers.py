@@ -175,6 +175,38 @@ class NamesTest(unittest.TestCase):
             drop_in.install()
             del sys.modules["user"]
 
+    def test_a_name_that_is_given_the_other_class_keeps_it(self):
+        """Though a class was put there before."""
+        user = types.ModuleType("user")
+        sys.modules["user"] = user
+        try:
+            exec("from vtkmodules.vtkFiltersCore import vtkDelaunay2D as one, vtkDelaunay2D as two\n"
+                 "from adaptivehilbertdelaunay import drop_in\n"
+                 "drop_in.uninstall()\n"
+                 "drop_in.install()\n"
+                 "one = drop_in.original\n", vars(user))
+            for change in (drop_in.install, drop_in.uninstall, drop_in.install, drop_in.install):
+                change()
+                expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
+                self.assertEqual((user.one, user.two), (drop_in.original, expected))
+        finally:
+            drop_in.install()
+            del sys.modules["user"]
+
+    def test_it_is_loaded_again(self):
+        done = subprocess.run([sys.executable, "-c", (
+            "from vtkmodules import vtkFiltersCore\n"
+            "known = [vtkFiltersCore.vtkDelaunay2D]\n"
+            "import importlib, adaptivehilbertdelaunay.drop_in as drop_in\n"
+            "mine = drop_in.original\n"
+            "importlib.reload(drop_in)\n"
+            "assert drop_in.original is known[0] and mine is known[0]\n"
+            "assert vtkFiltersCore.vtkDelaunay2D is drop_in.vtkDelaunay2D is not known[0]\n"
+            "drop_in.uninstall()\n"
+            "assert vtkFiltersCore.vtkDelaunay2D is known[0]\n")],
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        self.assertEqual((done.returncode, done.stdout), (0, ""))
+
     def test_what_a_block_gives_stays(self):
         user = types.ModuleType("user")
         sys.modules["user"] = user
