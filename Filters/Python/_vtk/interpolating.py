@@ -123,8 +123,9 @@ class Interpolating:
         try:
             filter_._values["NumberOfTriangulations"] += 1
             filter_._surface.make(_Stage(filter_, 0.0, TRIANGULATION), self.bytes_behind, may_keep)
-        except engine.OutOfMemory as error:
-            filter_._values["NumberOfTriangulations"] -= error.status == engine.MEMORY_LIMIT  # nothing was done
+        except engine.EngineError as error:
+            nothing_was_done = error.status in (engine.MEMORY_LIMIT, engine.BAD_ARRAY)
+            filter_._values["NumberOfTriangulations"] -= nothing_was_done
             raise
         self.is_triangulated = True
         for text in filter_._surface.execution.warnings():

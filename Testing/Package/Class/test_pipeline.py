@@ -250,6 +250,8 @@ class BadCellsTest(Case):
         self.assertEqual(said.errors, ["The %s of %s are damaged: the offsets of %s, but offsets must ascend from 0 to "
                                        "the number of point ids, 4. Nothing was computed." % (*what, part)])
         self.assertEqual((algorithm.GetOutputDataObject(0).GetNumberOfPoints(), said.pipeline), (0, []))
+        if algorithm.IsA("vtkAdaptiveHilbertInterpolation2D"):
+            self.assertEqual(algorithm.GetNumberOfTriangulations(), 0)
 
     def test_lines_and_polygons(self):
         for offsets, part in LIES.items():
