@@ -107,8 +107,9 @@ class Interpolating:
         filter_, source = self.algorithm, self.source
         kept, adds = filter_._surface, source is not None and self.values["SourceMode"]
         self.points = self.given.GetNumberOfPoints() + (source.GetNumberOfPoints() if adds else 0)
-        may_keep = self.values["KeepTriangulation"] or not self.is_last or not self.is_first
-        self.is_kept = bool(may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source))
+        may_keep = self.values["KeepTriangulation"] or not self.is_last
+        self.is_kept = not self.is_first or bool(  # all pieces are of one surface, whatever observers do meanwhile
+            may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source))
         self.bytes_behind = self._estimate_behind()
         if self.is_kept:
             self.is_triangulated = True

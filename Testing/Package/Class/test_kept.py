@@ -372,11 +372,23 @@ class ObserversTest(Case):
         self.assertTrue(found == updated(interpolation(), given))
 
     def test_triangulation_that_goes_between_two_blocks_of_places(self):
-        for change in (lambda algorithm: None, lambda algorithm: algorithm.SetTriangulation(None)):
-            algorithm = interpolation()
+        def stretched():
+            made = vtk("vtkCommonTransforms").vtkTransform()
+            made.Scale(2, 1, 1)
+            return made
+
+        expected = None
+        for change in (lambda algorithm: None, lambda algorithm: algorithm.SetTriangulation(None),
+                       lambda algorithm: algorithm.GetTriangulation().SetTransform(stretched()),
+                       lambda algorithm: algorithm.GetTriangulation().SetMaximumEdgeLength(1e-9)):
+            algorithm = interpolation(ProjectionPlaneMode=1, Transform=vtk("vtkCommonTransforms").vtkTransform(), Rim=1)
             algorithm.SetInputDataObject(1, blocks(cloud(scattered(50, 2)), cloud(scattered(70, 3))))
             self.watched(lambda: algorithm, cloud(scattered(20000)), change)
             self.assertEqual((algorithm.GetNumberOfPlaces(), algorithm.GetNumberOfValidPlaces()), (120, 120))
+            found = [contents(algorithm.GetOutputDataObject(0).GetBlock(k)) for k in range(2)]
+            self.assertTrue(found == (expected or found))
+            self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
+            expected = found
 
 
 class SeriesTest(Case):
