@@ -169,6 +169,11 @@ class _Driver(VTKPythonAlgorithmBase):
         info.Copy(self._worker.GetOutputPortInformation(port), 1)
         return 1
 
+    def ProcessRequest(self, *given):
+        """Ctrl-C that ends the worker ends the request, and the next update runs."""
+        request, interrupts = VTKPythonAlgorithmBase.ProcessRequest, sys.modules.get(PACKAGE + "._vtk.interrupts")
+        return (interrupts.ends_by_ctrl_c(request) if interrupts else request)(self, *given)
+
     def RequestInformation(self, request, inInfo, outInfo):
         """A source says whether it makes pieces; a filter passes on what its input says."""
         if not self._inputs:
