@@ -53,7 +53,6 @@ def sliced_points(count=600):
     return Sliced()
 
 
-@unittest.skipUnless(IN_PYTHON, "the compiled class triangulates each piece")
 class PiecesTest(Case):
     """In one process what is put out is made of all points, whatever piece of it is wanted."""
 
@@ -119,6 +118,7 @@ class PiecesTest(Case):
             self.assertEqual((algorithm.GetNumberOfTriangulations(), algorithm.GetNumberOfPointsInserted()), (1, 600))
         self.assertEqual(points.runs, 1)
 
+    @unittest.skipUnless(IN_PYTHON, "the compiled class takes controllers of VTK's only")
     def test_several_ranks_have_pieces_of_their_own(self):
         class Ranks:
             def GetNumberOfProcesses(self):
@@ -229,7 +229,6 @@ LIES = {
     (-1, 2, 4): "number 0 among them are -1 and 2", (7, 7, 4): "number 0 among them are 7 and 7"}
 
 
-@unittest.skipUnless(IN_PYTHON, "the compiled class crashes")
 class BadCellsTest(Case):
     """Offsets of cells that lie are one error, which says where."""
 
