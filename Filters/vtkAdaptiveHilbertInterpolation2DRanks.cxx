@@ -168,8 +168,8 @@ void vtkAdaptiveHilbertInterpolation2D::UpdatePieces()
   }
 }
 
-/// Ranks ask each other, with their pieces of the inputs: all ranks alike. Those that know the
-/// raster already take part in RequestData(). Throws as vtkAHDRankSampling::FindRaster().
+/// Ranks ask each other, with their pieces of the inputs: all ranks alike. Throws as
+/// vtkAHDRankSampling::FindRaster().
 vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   vtkAHDRanks& ranks, vtkInformation* info)
 {
@@ -182,6 +182,7 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
                                                        : nullptr;
   };
   work.Take(nullptr, dataOf(0), dataOf(2));
+  work.Given.Places = dataOf(1);
   vtkAHDRankSampling asking(nobody, work.Settings, work.Wishes, ranks, work.Context);
   const vtkAHDRaster raster = asking.FindRaster(work.Given);
   const vtkAHDSampleColumns::Kind scalars = asking.GetKindOfScalars();
@@ -189,22 +190,28 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   return raster;
 }
 
-/// What is known before there are data.
+/// What is known before there are data. Where one rank has a raster, all take part: those that have
+/// places hear there, as the others do, that this is not the same.
 void vtkAdaptiveHilbertInterpolation2D::DescribeOnRanks(vtkInformation* info, bool isRaster)
 {
-  if (!isRaster)
+  const ahd::ScopedFloatingPoint asTheEngine;
+  vtkAHDRaster raster; // none, where ranks cannot go on
+  vtkAHDRanks ranks(this->Triangulation->GetController());
+  bool isAny = false;
+  ranks.Execute([&] { isAny = ranks.IsAny(isRaster); });
+  if (!isAny)
   {
     return;
   }
-  const ahd::ScopedFloatingPoint asTheEngine;
-  vtkAHDRaster raster; // none, where ranks cannot go on
   this->UpdatePieces();
-  vtkAHDRanks ranks(this->Triangulation->GetController());
   if (ranks.Execute([&] { raster = this->FindRasterOnRanks(ranks, info); }) != ahd::Status::Ok)
   {
     raster = vtkAHDRaster();
   }
-  vtkAHDAnnounceRaster(raster, info);
+  if (isRaster)
+  {
+    vtkAHDAnnounceRaster(raster, info);
+  }
 }
 
 int vtkAdaptiveHilbertInterpolation2D::ComputePipelineMTime(vtkInformation* request,

@@ -46,9 +46,8 @@ public:
   /// ranks if it came to nothing: then outputs are empty. Throws nothing.
   bool Run(const Inputs& inputs, vtkDataObject* output);
 
-  /// The raster about the points of all, without the rest. Ranks that are in Run() take part.
-  /// Throws vtkAHDStop and std::bad_alloc, on one rank or on all. REQUIRES: to be called within
-  /// vtkAHDRanks::Execute().
+  /// The raster about the points of all, without the rest. Throws vtkAHDStop and std::bad_alloc, on
+  /// one rank or on all. REQUIRES: to be called within vtkAHDRanks::Execute().
   vtkAHDRaster FindRaster(const Inputs& inputs);
 
   /// Of the active scalars. REQUIRES: FindRaster().
@@ -64,22 +63,15 @@ public:
   vtkTypeInt64 GetEstimate() const { return this->Estimate; }
 
 private:
-  /// What ranks come together for.
-  enum class Call
-  {
-    Raster,
-    Data,
-  };
   /// What they hear of each other.
   struct Meeting
   {
-    bool AreForData = true;
     bool AreUnfit = false;            // places on one of them
     std::size_t Other = 0;            // a rank that wants other things than rank 0
     const char* Difference = nullptr; // what
   };
 
-  Meeting Meet(const Inputs& inputs, Call call);
+  Meeting Meet(const Inputs& inputs);
   void MeetAll(const Inputs& inputs);
   bool RunTogether(const Inputs& inputs, vtkDataObject* output);
   void SayError(ahd::Status status);

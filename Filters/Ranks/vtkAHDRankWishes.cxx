@@ -56,41 +56,35 @@ std::vector<std::pair<const char*, double>> NumbersOf(
 }
 }
 
-vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs, Call call)
+vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs)
 {
   struct Head
   {
-    std::uint64_t IsForRaster, AreUnfit, IsSurface;
+    std::uint64_t AreUnfit, IsSurface;
   };
   const bool hasPlaces = inputs.Places != nullptr;
   std::vector<std::pair<const char*, double>> numbers;
   ahd::BlockBytes own;
   std::vector<ahd::BlockBytes> all;
-  ahd::Status status = ahd::Status::Ok;
-  try // not Together(), which stops at an abort: where some are in the other call, all go on
-  {
-    numbers = NumbersOf(this->Wishes, hasPlaces);
-    ahd::BytesWriter writer(own);
-    writer.write(Head{ call == Call::Raster, hasPlaces && !vtkDataSet::SafeDownCast(inputs.Places),
-      !inputs.Data.Source && IsOfSurface(inputs.Data.Input) });
-    for (const auto& number : numbers)
+  this->Ranks.Together(this->Context,
+    [&]
     {
-      writer.write(number.second);
-    }
-    vtkAHDWriteText(writer, this->Wishes.Heights);
-    vtkAHDWriteText(writer, this->Wishes.Mask);
-  }
-  catch (const std::bad_alloc&)
-  {
-    status = ahd::Status::OutOfMemory;
-  }
-  this->Context.Check(this->Ranks.agree(status));
+      numbers = NumbersOf(this->Wishes, hasPlaces);
+      ahd::BytesWriter writer(own);
+      writer.write(Head{ hasPlaces && !vtkDataSet::SafeDownCast(inputs.Places),
+        !inputs.Data.Source && IsOfSurface(inputs.Data.Input) });
+      for (const auto& number : numbers)
+      {
+        writer.write(number.second);
+      }
+      vtkAHDWriteText(writer, this->Wishes.Heights);
+      vtkAHDWriteText(writer, this->Wishes.Mask);
+    });
   this->Context.Check(this->Ranks.gather(own, all));
   Meeting meeting;
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
     const auto head = ahd::BytesReader(all[rank]).read<Head>();
-    meeting.AreForData = meeting.AreForData && head.IsForRaster == 0;
     meeting.AreUnfit = meeting.AreUnfit || head.AreUnfit != 0;
     this->HaveSurface = this->HaveSurface || head.IsSurface != 0;
     const auto begin = static_cast<std::ptrdiff_t>(sizeof(Head));
@@ -118,24 +112,11 @@ vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs, Call 
   return meeting;
 }
 
-/// Until all are where data are asked for. Stops all if they do not want the same, or have places
-/// in blocks, of which others may have others.
+/// Stops all if they do not want the same, or have places in blocks, of which others may have
+/// others.
 void vtkAHDRankSampling::MeetAll(const Inputs& inputs)
 {
-  Meeting meeting = this->Meet(inputs, Call::Data);
-  while (!meeting.AreForData)
-  {
-    // Some had to ask what the raster is (after an abort, or as their settings are other ones).
-    this->Ranks.Execute(
-      [&]
-      {
-        if (meeting.Other == 0)
-        {
-          this->FindBounds(inputs);
-        }
-      });
-    meeting = this->Meet(inputs, Call::Data);
-  }
+  const Meeting meeting = this->Meet(inputs);
   if (meeting.AreUnfit)
   {
     this->Error = "Over ranks, places have to be a data set without blocks. Nothing was computed. "
@@ -154,7 +135,7 @@ void vtkAHDRankSampling::MeetAll(const Inputs& inputs)
 
 vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
 {
-  if (this->Meet(inputs, Call::Raster).Other > 0)
+  if (this->Meet(inputs).Other > 0)
   {
     throw vtkAHDStop{ ahd::Status::Cancelled }; // which Run() says
   }

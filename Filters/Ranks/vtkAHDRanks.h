@@ -41,7 +41,7 @@ public:
   /// `work` communicates, through this object alone, and may throw vtkAHDStop and std::bad_alloc
   /// wherever it is, on one rank or on all: those that go on hear of it where they agree next, at
   /// the latest in the end. Between two of these calls nothing throws: who does not come to the
-  /// second is waited for. One within another is for ranks that go on whatever came of it.
+  /// second is waited for. They do not nest.
   template <typename Work>
   ahd::Status Execute(const Work& work)
   {

@@ -352,7 +352,7 @@ def try_images_behind():
 
 
 def try_whole():
-    """Where each rank is asked for the whole raster, a place counts once, and what finding that out takes is estimated."""
+    """Where each rank is asked for the whole raster, a place counts once, and what that takes is estimated."""
     made = pieces(uniform(300), RANKS)
 
     def on_ranks():
