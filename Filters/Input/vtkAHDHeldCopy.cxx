@@ -3,6 +3,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
@@ -10,6 +11,19 @@
 
 namespace
 {
+/// Points that leave the time of their array alone: vtkPoints::Modified(), which SetData() calls,
+/// is the array's, too, so that all others who have the array would run again.
+class SharingPoints : public vtkPoints
+{
+public:
+  static SharingPoints* New() { VTK_STANDARD_NEW_BODY(SharingPoints); }
+  vtkTypeMacro(SharingPoints, vtkPoints);
+  void Modified() override { this->vtkObject::Modified(); }
+
+protected:
+  SharingPoints() = default;
+};
+
 /// Null for no cells: there VTK hands out an empty array that all share.
 vtkSmartPointer<vtkCellArray> CopyOf(vtkCellArray* cells)
 {
@@ -51,7 +65,7 @@ void vtkAHDOwnPoints(vtkPointSet* copy)
 {
   if (vtkPoints* const shared = copy ? copy->GetPoints() : nullptr)
   {
-    vtkNew<vtkPoints> points;
+    vtkNew<SharingPoints> points;
     points->SetData(shared->GetData());
     copy->SetPoints(points);
   }

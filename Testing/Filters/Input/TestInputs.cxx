@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What the filter takes: every vtkPointSet, every type of number, points marked to be left out.
+#include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 
+#include "vtkAdaptiveHilbertInterpolation2D.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
@@ -169,4 +171,30 @@ TEST(Inputs, BlocksThatHaveNoPointsOfTheirOwnAreTold)
     EXPECT_EQ(surface->GetNumberOfCells(), 0) << "block " << block;
   }
   EXPECT_EQ(trianglesOf(vtkPolyData::SafeDownCast(made->GetBlock(3))), triangulate(points));
+}
+
+/// An array whose time changed has all others who have it run again.
+TEST(Inputs, TimesOfWhatIsReadStay)
+{
+  auto cloud = makeCloud(scatteredPoints(50));
+  auto source = makeSource({ { 0, 1 } }, {}, { { 0.1, 0.2, 0 }, { 0.8, 0.7, 0 } });
+  const auto times = [&]
+  {
+    return std::vector<vtkMTimeType>{ cloud->GetMTime(), cloud->GetPoints()->GetMTime(),
+      cloud->GetPoints()->GetData()->GetMTime(), source->GetMTime(),
+      source->GetPoints()->GetData()->GetMTime() };
+  };
+  const auto before = times();
+  WatchedFilter filter;
+  filter->SetInputData(cloud);
+  filter->SetSourceData(source);
+  filter->SetSourceModeToCoordinates();
+  filter->Update();
+  EXPECT_EQ(times(), before);
+  vtkNew<vtkAdaptiveHilbertInterpolation2D> values;
+  values->SetInputData(cloud);
+  values->SetSourceData(source);
+  values->SetDimensions(4, 4);
+  values->Update();
+  EXPECT_EQ(times(), before);
 }
