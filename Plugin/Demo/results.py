@@ -27,12 +27,12 @@ class Folder:
                     "with --output" % path)
 
     def is_own(self, path):
-        return self.is_ours or self.known().get(os.path.basename(path)) == state(path)
+        return self.is_ours or self.known().get(os.path.basename(path), ()) == state(path)
 
     def remove(self, paths):
         """Removes those that the demo wrote."""
         for path in paths:
-            if os.path.isfile(path) and self.is_own(path):
+            if (os.path.isfile(path) or os.path.islink(path)) and self.is_own(path):
                 os.remove(path)
 
     def add(self, path):
@@ -47,15 +47,15 @@ class Folder:
         try:
             with open(self.list, encoding="utf-8") as file:
                 known = json.load(file)
-        except (OSError, ValueError):
+        except (OSError, ValueError, RecursionError):
             return {}
         return known if isinstance(known, dict) else {}
 
 
 def state(path):
-    """What tells whether a file was changed; None if there is none."""
+    """What tells whether a file was changed; None if there is none. A link is not the file that it leads to."""
     try:
-        there = os.stat(path)
+        there = os.lstat(path)
     except OSError:
         return None
     return [there.st_size, there.st_mtime_ns]

@@ -267,6 +267,18 @@ class WholeRuns(InFolder):
         with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
             self.run_demo(path, "--own-output")
 
+    def test_links_and_lists_that_lie(self):
+        """Nothing is written through a link that somebody else has put there, wherever it leads to."""
+        path = self.write_text("line.csv", "0,0,1\n1,1,2\n2,2,3\n")
+        os.symlink(self.path("nowhere.vtp"), self.path("line.vtp"))
+        for known in ("", "[" * 100_000, "{}", '{"line.vtp": null, "../x": [1, 2], "a\\u0000": 3}', "[1]"):
+            self.write_text(results.LIST, known)
+            with self.assertRaisesRegex(InputError, "line.vtp is there"):
+                self.run_demo(path)
+        with self.assertRaisesRegex(InputError, "no triangle, so no picture"):
+            self.run_demo(path, "--own-output")
+        self.assertFalse(os.path.islink(self.path("line.vtp")) or os.path.exists(self.path("nowhere.vtp")))
+
     def test_where_memory_is_short_one_line_says_so(self):
         words = ["demo.py", "--output", self.folder, self.write_text("square.csv", "0,0,1\n1,0,2\n0,1,2\n")]
         said = io.StringIO()
