@@ -185,11 +185,6 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
     held[port] = vtkPolyData::GetData(outputVector, static_cast<int>(port));
     data.Outputs[port] = held[port];
   }
-  if (this->IsEmptyPiece(outputVector))
-  {
-    this->KeepFirstPieces(outputVector);
-    return 1;
-  }
   // Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more, run
   // this filter again with every Update(), and keep the filters behind it at their last output.
   try
@@ -201,16 +196,21 @@ int vtkAdaptiveHilbertDelaunay2D::RequestData(
       this->ExecuteOnRanks(input, source, outputVector);
       return 1;
     }
-    vtkAHDProgress progress(this);
-    ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
-    const vtkAHDContext context(progress, threads, *this->OutputMemory);
-    this->Execute(input, source, data, context);
+    const vtkMTimeType settings = this->GetMTime();
+    if (!this->IsEmptyPiece(outputVector) || !this->Cache->KnowsEmpty(settings))
+    {
+      vtkAHDProgress progress(this);
+      ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));
+      const vtkAHDContext context(progress, threads, *this->OutputMemory);
+      this->Execute(input, source, data, context);
+      this->Cache->KeepEmpty(data, settings);
+    }
+    this->KeepFirstPieces(outputVector);
   }
   catch (const std::bad_alloc&)
   {
     this->EndWithoutMemory(data);
   }
-  this->KeepFirstPieces(outputVector);
   return 1;
 }
 

@@ -4,13 +4,17 @@
 // give, and, where there are several ranks, whether any of them has to execute.
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
+#include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDPieces.h"
 #include "Ranks/vtkAHDRankUpdates.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cstddef>
 
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
 #include "vtkMultiProcessController.h"
@@ -79,15 +83,17 @@ bool vtkAdaptiveHilbertDelaunay2D::IsEmptyPiece(vtkInformationVector* outputs) c
   return isEmpty;
 }
 
-/// Empties those outputs of which another piece than the first is wanted.
+/// Empties those outputs of which another piece than the first is wanted, but for their arrays:
+/// writers of pieces say by the last one which there are.
 void vtkAdaptiveHilbertDelaunay2D::KeepFirstPieces(vtkInformationVector* outputs) const
 {
   for (int port = 0; port < 3 && vtkAHDIsOnlyProcess(this->Controller); ++port)
   {
     vtkInformation* const info = outputs->GetInformationObject(port);
-    if (vtkAHDIsLaterPiece(info))
+    vtkPolyData* const output = vtkPolyData::GetData(info);
+    if (output && vtkAHDIsLaterPiece(info))
     {
-      vtkDataObject::GetData(info)->Initialize();
+      this->Cache->GiveEmpty(static_cast<std::size_t>(port), output);
     }
   }
 }

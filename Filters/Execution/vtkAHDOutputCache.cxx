@@ -49,6 +49,19 @@ void ShareAll(vtkPolyData* from, vtkPolyData* to)
   to->GetCellData()->ShallowCopy(from->GetCellData());
 }
 
+/// Gives `to` the arrays of `from`, without a value, and no points or cells.
+void MakeEmpty(vtkPolyData* from, vtkPolyData* to)
+{
+  to->Initialize();
+  vtkNew<vtkPoints> points;
+  points->SetDataType(from->GetPoints() ? from->GetPoints()->GetDataType() : VTK_FLOAT);
+  to->SetPoints(points);
+  to->GetPointData()->CopyAllOn();
+  to->GetPointData()->CopyAllocate(from->GetPointData(), 1);
+  to->GetCellData()->CopyAllOn();
+  to->GetCellData()->CopyAllocate(from->GetCellData(), 1);
+}
+
 /// All arrays of a data set; null where it has none.
 std::vector<vtkAbstractArray*> ArraysOf(vtkPolyData* set)
 {
@@ -277,4 +290,22 @@ void vtkAHDOutputCache::LetGo()
   {
     kept->Initialize();
   }
+}
+
+void vtkAHDOutputCache::KeepEmpty(const vtkAHDDataSets& data, vtkMTimeType settings)
+{
+  this->EmptyOf = 0;
+  for (std::size_t port = 0; port < data.Outputs.size(); ++port)
+  {
+    if (data.Outputs[port])
+    {
+      MakeEmpty(data.Outputs[port], this->Empty[port]);
+    }
+  }
+  this->EmptyOf = settings;
+}
+
+void vtkAHDOutputCache::GiveEmpty(std::size_t port, vtkPolyData* output) const
+{
+  MakeEmpty(this->Empty[port], output);
 }

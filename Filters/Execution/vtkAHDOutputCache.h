@@ -47,8 +47,17 @@ public:
   /// REQUIRES: Fits() said so.
   void PassOn(const vtkAHDDataSets& data) const;
 
-  /// Lets go of everything.
+  /// Lets go of everything, but of what GiveEmpty() gives.
   void Forget();
+
+  /// Keeps which arrays the outputs have, without their values. `settings`: as Fits() takes it.
+  void KeepEmpty(const vtkAHDDataSets& data, vtkMTimeType settings);
+
+  /// Are outputs without a point known for these settings?
+  bool KnowsEmpty(vtkMTimeType settings) const { return this->EmptyOf == settings; }
+
+  /// Makes this output one without a point, that has the arrays of the one that was kept.
+  void GiveEmpty(std::size_t port, vtkPolyData* output) const;
 
 private:
   /// An array of the outputs, as it is known again.
@@ -77,6 +86,9 @@ private:
   std::vector<ahd::Fingerprint> AtTheTime; // of what is kept
   std::array<vtkNew<vtkPolyData>, 3> Data; // without data of the input
   std::vector<Known> Outputs;              // their arrays, when they were kept
+
+  std::array<vtkNew<vtkPolyData>, 3> Empty; // the outputs without a point
+  vtkMTimeType EmptyOf = 0;                 // the settings that these were made with
 };
 
 #endif

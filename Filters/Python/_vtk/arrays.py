@@ -69,6 +69,18 @@ def _have_own_points(backend, made, given):
         made.SetPoints(points)
 
 
+def without_points(backend, given):
+    """A vtkPolyData with the arrays of this one, but no points, cells and values."""
+    made, points = backend.vtkPolyData(), backend.vtkPoints()
+    if given.GetPoints() is not None:
+        points.SetDataType(given.GetPoints().GetDataType())
+    made.SetPoints(points)
+    for to, data in ((made.GetPointData(), given.GetPointData()), (made.GetCellData(), given.GetCellData())):
+        to.CopyAllOn()
+        to.CopyAllocate(data, 1)
+    return made
+
+
 def new_array(kind, count, components=1, name=None):
     """A VTK array of this class and a view of its numbers, to be written. MemoryError."""
     made = kind()

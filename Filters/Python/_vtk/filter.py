@@ -5,7 +5,7 @@ import itertools
 
 from .. import _library as engine
 from . import messages, settings
-from .arrays import coordinates, ghost_marks, new_array
+from .arrays import coordinates, ghost_marks, new_array, without_points
 from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
@@ -63,13 +63,16 @@ class _Executions:
         """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
         vtk = self._backend
         made = [vtk.vtkPolyData.GetData(outputs, port) for port in range(3)]
-        later = self._later_pieces(outputs)
-        if not self._is_wanted(later):
+        later, time = self._later_pieces(outputs), self.GetMTime()
+        if not self._is_wanted(later) and self._empty_of == time:
+            self._give_empty(made, later)
             return 1
         given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
                  for port in range(2)]
         try:
             self._execute(*given, made)
+            self._empty, self._empty_of = [without_points(vtk, output) for output in made], time
+            self._give_empty(made, later)
         except engine.EngineError as error:
             self._end(made, error.status, str(error))
         except MemoryError:
@@ -79,9 +82,13 @@ class _Executions:
             raise
         finally:
             let_go(self._job)
-        for output in itertools.compress(made, later):  # others than the first piece
-            output.Initialize()
         return 1
+
+    def _give_empty(self, made, later):
+        """Empties others than the first piece, but for their arrays: writers of pieces say by the last one which there
+        are."""
+        for output, empty in itertools.compress(zip(made, self._empty), later):
+            output.ShallowCopy(without_points(self._backend, empty))
 
     def _later_pieces(self, outputs):
         """Of each output, whether it is empty: in one process the first piece has all, and the others nothing."""
@@ -279,6 +286,7 @@ def make_class(backend):
         self._warned_about_ranks = False
         self._job = engine.Job()
         self._cache = OutputCache(backend)
+        self._empty, self._empty_of = [], None  # the last outputs without a point, and the time of their settings
 
     members = dict(settings.all_methods(), __doc__=ABOUT,
                    ComputeBestFittingPlane=staticmethod(_plane_computer(backend)))

@@ -5,7 +5,9 @@
 #include "SampleTestSupport.h"
 
 #include "vtkAlgorithmOutput.h"
+#include "vtkCellData.h"
 #include "vtkDataObject.h"
+#include "vtkElevationFilter.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyDataAlgorithm.h"
@@ -207,6 +209,34 @@ TEST(Pieces, FirstPieceIsTheWholeTriangulation)
   }
   EXPECT_EQ(points->Executed, 1);
   EXPECT_TRUE(filter.Said->Warnings.empty());
+}
+
+/// Writers of pieces say by the last piece which arrays there are.
+TEST(Pieces, OthersHaveTheArraysOfTheFirst)
+{
+  vtkNew<Pieces> points;
+  vtkNew<vtkElevationFilter> withData;
+  withData->SetInputConnection(points->GetOutputPort());
+  WatchedFilter filter;
+  filter->SetInputConnection(withData->GetOutputPort());
+  filter->GeneratePointStatusOn();
+  filter->GenerateConstraintEdgesOn();
+  for (const int piece : { 1, 0, 1 })
+  {
+    filter->UpdatePiece(piece, 2, 0);
+    vtkPolyData* const surface = filter->GetOutput();
+    EXPECT_EQ(surface->GetNumberOfPoints(), piece == 0 ? 600 : 0);
+    ASSERT_TRUE(surface->GetPoints());
+    EXPECT_EQ(surface->GetPoints()->GetDataType(), VTK_DOUBLE);
+    EXPECT_EQ(surface->GetPointData()->GetNumberOfArrays(), 2);
+    ASSERT_TRUE(surface->GetPointData()->GetScalars());
+    EXPECT_EQ(surface->GetPointData()->GetScalars()->GetNumberOfTuples(), piece == 0 ? 600 : 0);
+    EXPECT_TRUE(surface->GetCellData()->HasArray("ConstraintEdges"));
+  }
+  filter->GenerateConstraintEdgesOff();
+  filter->UpdatePiece(1, 2, 0); // with other settings
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(filter->GetOutput()->GetCellData()->HasArray("ConstraintEdges"));
 }
 
 /// Another piece than the first costs nothing, and leaves the measures alone.
