@@ -32,7 +32,6 @@ struct PlaneFit
 };
 
 /// Returns false if the work is to be cancelled; throws std::bad_alloc. `fit` is to be new.
-/// REQUIRES: points.stride is 3.
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
 
 /// fitPlane() in steps, for points of which others have parts: the plane of all, bit for bit as if
@@ -43,7 +42,7 @@ class PlaneFitting
 {
 public:
   /// Of the own part, which it borrows, and may be empty. `areDoubles`: do the coordinates of all
-  /// parts count as doubles? Else all are floats. REQUIRES: points.stride is 3.
+  /// parts count as doubles? Else all are floats.
   PlaneFitting(const PointView& points, bool areDoubles);
   ~PlaneFitting();
 

@@ -90,7 +90,8 @@ PlaneBlock PlanePlaces::readAll(const double* rows) const
 /// Where points lie from the mean, scaled; 0 for those that do not count, and behind the last one.
 PlaneBlock PlanePlaces::read(std::size_t begin, std::size_t end) const
 {
-  const bool isWhole = points.doubles && !points.isFlat && end - begin == kSumLanes;
+  const bool areRows = points.doubles && points.stride == 3 && !points.isFlat;
+  const bool isWhole = areRows && end - begin == kSumLanes;
   PlaneBlock block = isWhole ? readAll(points.doubles + 3 * begin) : readSome(begin, end);
   SumTerms odd; // 0 for points that count
   for (std::size_t lane = 0; lane < kSumLanes; ++lane)

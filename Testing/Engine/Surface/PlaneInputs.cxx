@@ -58,6 +58,27 @@ TEST(Plane, PointsOnALineHaveThePlaneClosestToZ)
   }
 }
 
+TEST(Plane, PointsThatLieApartHaveTheSamePlane)
+{
+  Maker maker(10);
+  for (const std::size_t stride : { std::size_t(4), std::size_t(6) })
+  {
+    std::vector<Xyz> points;
+    std::vector<double> apart;
+    for (int i = 0; i < 101; ++i)
+    {
+      points.push_back(maker.vector(3));
+      apart.insert(apart.end(), points.back().begin(), points.back().end());
+      apart.resize(apart.size() + stride - 3, 1e9);
+    }
+    PointView view(apart.data(), points.size(), stride);
+    Plane plane;
+    ASSERT_EQ(plane.fit(view, Context()), Status::Ok);
+    EXPECT_EQ(plane.normal(), fit(points).normal()) << stride;
+    EXPECT_EQ(plane.project(points[0]), fit(points).project(points[0])) << stride;
+  }
+}
+
 TEST(Plane, ThinBandsHaveTheirOwnPlane)
 {
   // A band a millionth as wide as long and a thousandth of that thick, at 45 degrees; the numbers
