@@ -18,11 +18,14 @@ set(ahd_fuzz_export "${CMAKE_CURRENT_BINARY_DIR}/export")
 file(WRITE "${ahd_fuzz_export}/AdaptiveHilbertDelaunayFiltersModule.h"
   "#define ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT\n")
 
-file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtkA*.cxx"
+include("${ahd_root_dir}/Filters/Distributions/Sources.cmake")
+file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtk*.cxx"
   "${ahd_root_dir}/Filters/Input/*.cxx" "${ahd_root_dir}/Filters/Output/*.cxx"
-  "${ahd_root_dir}/Filters/Pipeline/*.cxx" "${ahd_root_dir}/Filters/Execution/*.cxx")
-add_library(ahd_fuzz_filter STATIC ${ahd_fuzz_filter_sources})
+  "${ahd_root_dir}/Filters/Pipeline/*.cxx" "${ahd_root_dir}/Filters/Execution/*.cxx"
+  "${ahd_root_dir}/Filters/Sampling/*.cxx")
+add_library(ahd_fuzz_filter STATIC ${ahd_fuzz_filter_sources} ${ahd_distribution_sources})
 target_compile_features(ahd_fuzz_filter PUBLIC cxx_std_17)
+set_target_properties(ahd_fuzz_filter PROPERTIES POSITION_INDEPENDENT_CODE ON)
 # of VTK's classes, which are not watched, the type is not to be had in all of the program
 target_compile_options(ahd_fuzz_filter PRIVATE
   ${ahd_fuzz_watched} -fno-sanitize=vptr ${ahd_distribution_options}
@@ -34,3 +37,8 @@ target_link_libraries(ahd_fuzz_filter PUBLIC
 
 ahd_add_fuzz_target(FilterFuzz FilterFuzz.cxx FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
 target_link_libraries(FilterFuzz PRIVATE ahd_fuzz_filter)
+
+ahd_add_fuzz_target(LifetimeFuzz
+  LifetimeFuzz.cxx LifetimeData.cxx LifetimeSteps.cxx LifetimeWorld.cxx FilterCase.cxx FilterArrays.cxx
+  FilterJudge.cxx)
+target_link_libraries(LifetimeFuzz PRIVATE ahd_fuzz_filter)

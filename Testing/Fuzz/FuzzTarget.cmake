@@ -37,6 +37,7 @@ add_library(ahd_fuzz_engine STATIC ${ahd_engine_sources})
 set_source_files_properties("${ahd_fuzz_engine_dir}/Interface/ahd.cxx" PROPERTIES
   COMPILE_DEFINITIONS "AHD_VERSION=\"${ahd_engine_version}\"")
 target_compile_features(ahd_fuzz_engine PUBLIC cxx_std_17)
+set_target_properties(ahd_fuzz_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(ahd_fuzz_engine PRIVATE
   ${ahd_fuzz_watched} ${ahd_engine_options} -Wno-ignored-optimization-argument)
 target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_fuzz_engine_dir}")

@@ -42,3 +42,17 @@ endfunction ()
 ahd_add_fuzz_test(Engine engine 25 20)
 ahd_add_fuzz_test(Constraints constraints 20 20)
 ahd_add_fuzz_test(Filter filter 15 20)
+
+# Sequences by number, after those of the corpus: each run is the same.
+find_package(Python3 COMPONENTS Interpreter)
+if (Python3_Interpreter_FOUND)
+  add_test(NAME Fuzz.Lifetimes
+    COMMAND "${Python3_EXECUTABLE}" "${CMAKE_CURRENT_SOURCE_DIR}/../Package/Lifetimes/lifetimes.py" program --quick
+      --program "${ahd_fuzz_folder}/build/LifetimeFuzz")
+  set_tests_properties(Fuzz.Lifetimes PROPERTIES
+    LABELS fuzz TIMEOUT 3600 FIXTURES_REQUIRED ahd_fuzz_targets ENVIRONMENT "PYTHONDONTWRITEBYTECODE=1")
+endif ()
+if (AHD_LONG_TESTS)
+  add_test(NAME FuzzLong.Lifetimes COMMAND ${ahd_fuzz_command} --built --target lifetime --minutes 20)
+  set_tests_properties(FuzzLong.Lifetimes PROPERTIES LABELS long TIMEOUT 2400 FIXTURES_REQUIRED ahd_fuzz_targets)
+endif ()

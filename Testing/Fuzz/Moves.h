@@ -2,6 +2,7 @@
 #ifndef ahd_Moves_h
 #define ahd_Moves_h
 
+#include "Dice.h"
 #include "FuzzCase.h"
 
 #include <cstddef>
@@ -12,22 +13,6 @@ namespace ahd
 {
 namespace fuzz
 {
-
-/// The mutator's source of chance.
-class Dice
-{
-public:
-  explicit Dice(unsigned seed)
-    : engine_(seed)
-  {
-  }
-  /// One of 0 to n - 1. REQUIRES: n > 0.
-  std::size_t below(std::size_t n) { return std::size_t(engine_() >> 16) % n; }
-  std::uint64_t bits() { return engine_(); }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 /// Adds, removes or moves points: one unit in the last place, onto a line or circle of others, into
 /// their rows and columns, to other exponents, all of them onto a lattice, mirrored, turned.

@@ -14,7 +14,7 @@ Builds the fuzz targets with clang and the address and undefined-behaviour sanit
 Data/Corpus, then goes on with mutations of it.
 
 --minutes N     for how long, all targets together (default: 60); --seconds N likewise
---target NAME   engine, constraints or filter; can be repeated (default: all that were built)
+--target NAME   engine, constraints, filter or lifetime; can be repeated (default: all that were built)
 --folder DIR    where to build and keep what is found (default: build/fuzz)
 --seed N        begin with this random number (default: another one each time)
 --small         fuzz an engine that does for a few points what it else does for tens of thousands: shares
@@ -78,6 +78,8 @@ fuzz() {
   mkdir -p "$folder/corpus/$name" "$folder/found/$name" "$seeds"
   if [ "$name" = filter ]; then
     longest=1024
+  elif [ "$name" = lifetime ]; then
+    longest=256
   else
     "$folder/$variant/FuzzSeeds" "$root/Data/Corpus" "$seeds"
   fi
@@ -107,7 +109,7 @@ minimise() {
 [ -n "$built" ] || build "$@"
 [ "$mode" != build ] || exit 0
 if [ ${#targets[@]} -eq 0 ]; then
-  for name in engine constraints filter; do
+  for name in engine constraints filter lifetime; do
     [ ! -x "$(program "$name")" ] || targets+=("$name")
   done
 fi
