@@ -18,7 +18,7 @@ set(ahd_fuzz_command
 
 add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build -- -DVTK_DIR=${VTK_DIR})
 set_tests_properties(Fuzz.Build PROPERTIES
-  LABELS fuzz TIMEOUT 900 PROCESSORS 2 FIXTURES_SETUP ahd_fuzz_targets)
+  LABELS fuzz TIMEOUT 1800 PROCESSORS 2 FIXTURES_SETUP ahd_fuzz_targets)
 
 # ahd_add_fuzz_test(<test> <target's name for fuzz.sh> <seconds> <minutes of the long test>)
 function (ahd_add_fuzz_test test target seconds minutes)
