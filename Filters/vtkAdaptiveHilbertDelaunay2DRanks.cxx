@@ -243,6 +243,10 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteBlocksOnRanks(vtkAHDRanks& ranks,
   }
   if (status != ahd::Status::Ok)
   {
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      vtkDataObject::GetData(outputs, port)->Initialize(); // on some ranks all may be there
+    }
     this->EndOnRanks(status, result, RankSurfaces());
   }
 #else
