@@ -122,7 +122,7 @@ if [ -n "$own_vtk" ]; then
   export LD_LIBRARY_PATH=$libraries
   # what does not know this VTK runs once, with the rest
   run_ctest "VTK $version" "$build/with-vtk${version/./}" \
-    -E '^(Engine|Determinism|Fuzz|Benchmark|Demo|Lint|Package\.(Arrays|C[A-Z]|Engine|Mended|Pair|PipInstall))' \
+    -E '^(Engine|Determinism|Fuzz|Benchmark|Demo|Lint|Mutations|Package\.(Arrays|C[A-Z]|Engine|Lifetimes|Mended|Pair|PipInstall))' \
     ${ctest_options[@]+"${ctest_options[@]}"}
   unset LD_LIBRARY_PATH
 fi
