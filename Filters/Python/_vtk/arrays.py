@@ -63,12 +63,9 @@ def held_points(backend, given):
 
 
 def _have_own_points(backend, made, given):
-    """With an array of their own on the same memory: SetData() makes an array newer, and all who have it run again."""
     if given.GetPoints() is not None:
-        data, points = given.GetPoints().GetData(), backend.vtkPoints()
-        own = data.NewInstance()
-        own.ShallowCopy(data)
-        points.SetData(own)
+        points = backend.vtkPoints()
+        points.SetData(given.GetPoints().GetData())
         made.SetPoints(points)
 
 

@@ -150,7 +150,6 @@ class Merged:
         self.backend, self.speaker, self.limit = backend, speaker, values["MemoryLimit"]
         self.given, self.given_source, self.bytes = given, source, 0
         self.input = held_points(backend, given) if isinstance(given, backend.vtkPointSet) else None
-        self.data = given.GetPoints().GetData() if self.input is not None and given.GetPoints() else None
         self.source = held(backend, source) if isinstance(source, backend.vtkPolyData) else None
         if isinstance(given, backend.vtkCompositeDataSet):
             self.input = self._merge(Blocks(backend, given))
@@ -183,7 +182,7 @@ class Merged:
         """Gives a surface that has the points which were held those of the input, if they still are these."""
         is_one = isinstance(self.given, self.backend.vtkPointSet) and surface.GetPoints() is self.input.GetPoints()
         points = self.given.GetPoints() if is_one else None
-        if points is not None and points.GetData() is self.data:
+        if points is not None and points.GetData() is self.input.GetPoints().GetData():
             surface.SetPoints(points)
 
     def warn(self):

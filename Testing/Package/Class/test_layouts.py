@@ -110,22 +110,6 @@ class LayoutsTest(Case):
                 for apart in ((True, False, False), (False, True, False), (False, False, True), (True, True, True)):
                     self.assertEqual(made(kind, components, apart, option), expected, (kind, components, option, apart))
 
-    def test_times_of_what_is_read_stay(self):
-        """An array whose time changed has all others who have it run again."""
-        for apart in ((False,) * 3, (True,) * 3):
-            given, lines = self.given("float64", 1, apart)
-            read = [given, given.GetPoints(), given.GetPoints().GetData(), lines, lines.GetPoints().GetData()]
-            times = [thing.GetMTime() for thing in read]
-            surface, values = Filter(), Interpolation()
-            for algorithm in (surface, values):
-                Said(algorithm)
-                algorithm.SetInputDataObject(given)
-                algorithm.SetSourceData(lines)
-                algorithm.Update()
-                self.assertEqual([thing.GetMTime() for thing in read], times)
-                points = algorithm is surface and surface.GetOutput().GetPoints()
-                self.assertTrue(not points or points.GetData() is given.GetPoints().GetData())
-
     def test_of_the_surface(self):
         self.check(self.triangulated, (0, 1))
 
