@@ -368,7 +368,8 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
   settings.Transform = settings.FitPlane ? nullptr : this->Transform;
   settings.TransformIsMissing = this->ProjectionPlaneMode == VTK_SET_TRANSFORM_PLANE &&
     !this->Transform;
-  settings.Trim = this->Rim == TRIMMED || (this->Rim == AUTOMATIC && settings.IsProjected());
+  settings.TrimIfRounded = this->Rim == AUTOMATIC && settings.IsProjected();
+  settings.Trim = this->Rim == TRIMMED || settings.TrimIfRounded;
   settings.Tolerance = this->Tolerance;
   settings.Bounding = this->BoundingTriangulation != 0;
   settings.Offset = this->Offset;

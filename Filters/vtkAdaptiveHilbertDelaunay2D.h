@@ -248,9 +248,10 @@ public:
   /// plane. TRIMMED: triangles with an angle above 153 degrees (exactly: 180 less the arc tangent
   /// of 1/2) go if their longest edge lies on the rim, then those behind; in a fitted plane these
   /// are slivers along a rim that is straight in space, and stand as walls. AUTOMATIC, the default:
-  /// CONVEX_HULL in x, y, else TRIMMED. Constraints stay edges. Nothing goes with Alpha,
-  /// MaximumEdgeLength or a bounding triangulation. A warning where a point is left without a
-  /// triangle, or a tenth of the area goes.
+  /// CONVEX_HULL in x, y, and in the fitted plane of points that all have one z, x or y; else
+  /// TRIMMED. Constraints stay edges. Nothing goes with Alpha, MaximumEdgeLength or a bounding
+  /// triangulation. A warning where a point is left without a triangle, or a tenth of the area
+  /// goes.
   vtkSetClampMacro(Rim, int, AUTOMATIC, TRIMMED);
   vtkGetMacro(Rim, int);
   void SetRimToAutomatic() { this->SetRim(AUTOMATIC); }
@@ -266,8 +267,9 @@ public:
   ///@}
 
   /// The plane with the least sum of squared distances of the finite points, as a vtkTransform that
-  /// turns and shifts it to z = 0; up is where the normal's largest component is positive. The
-  /// caller owns what is returned; null without input or memory.
+  /// turns and shifts it to z = 0; up is where the normal's largest component is positive. Points
+  /// that all have one z, x or y keep the two other coordinates, to the bit. The caller owns what
+  /// is returned; null without input or memory.
   static VTK_NEWINSTANCE vtkAbstractTransform* ComputeBestFittingPlane(vtkPointSet* input);
 
   ///@{

@@ -33,7 +33,7 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   {
     bytes += ahd::constraintMemoryEstimate(count, this->Known.Segments + 2 * this->Known.Crossings);
   }
-  if (this->Settings.TrimsRim())
+  if (this->Settings.MayTrimRim())
   {
     bytes += ahd::trimMemoryEstimate(count);
   }

@@ -126,10 +126,10 @@ std::vector<double> vtkAHDExecution::FirstStages() const
   return {
     0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
       weight(settings.HeightsFromSurface, 1.5) +
-      weight(settings.Split && this->Known.Segments > 0, 2.0),                 // Prepare
-    1.0,                                                                       // MakeTriangles
-    weight(settings.GenerateVoronoi, 3.0),                                     // Voronoi cells
-    weight(this->Known.Segments > 0, 0.6) + weight(settings.TrimsRim(), 0.05), // Constrain
+      weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
+    1.0,                                                                         // MakeTriangles
+    weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
+    weight(this->Known.Segments > 0, 0.6) + weight(settings.MayTrimRim(), 0.05), // Constrain
   };
 }
 
@@ -216,7 +216,7 @@ void vtkAHDExecution::Constrain(Results& results)
     this->Context.Check(ahd::constrain(std::move(results.Triangulation),
       results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation));
   }
-  if (this->Settings.TrimsRim())
+  if (this->Settings.TrimsRim(results.Points.plane()))
   {
     this->Context.Check(
       ahd::trim(std::move(results.Triangulation), this->Context, results.Triangulation));

@@ -4,16 +4,12 @@
 
 #include "Engine/Constraints.h"
 #include "Engine/Options.h"
+#include "Engine/Surface/Plane.h"
 #include "Engine/Surface/Selection.h"
 #include "Engine/Voronoi/Voronoi.h"
 #include "vtkAbstractTransform.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
-
-namespace ahd
-{
-class Plane;
-}
 
 /// What a filter is asked for, as it was when the execution began: its settings, in the engine's
 /// words where it has them. Whoever has a copy holds what it names, but for the plane.
@@ -36,7 +32,8 @@ struct vtkAHDSettings
   bool ShowMeans = false; ///< of z, at duplicates
   bool Bounding = false;
   double Offset = 1.0;
-  bool Trim = false; ///< the rim, where nothing else bounds the surface
+  bool Trim = false;          ///< the rim, where nothing else bounds the surface
+  bool TrimIfRounded = false; ///< with Trim: not where a fitted plane is that of two coordinates
   bool GeneratePointStatus = false;
   bool GenerateInsertionRank = false;
   bool GenerateInsertionCurve = false;
@@ -54,8 +51,14 @@ struct vtkAHDSettings
   bool IsProjected() const { return this->FitPlane || this->Transform; }
   /// Is there to be a bounding triangulation?
   bool AddsBounding() const { return this->Bounding && !this->IsProjected(); }
-  /// Is the rim to be trimmed?
-  bool TrimsRim() const { return this->Trim && !this->LimitsSize() && !this->AddsBounding(); }
+  /// May the rim have to be trimmed? The plane says whether it does.
+  bool MayTrimRim() const { return this->Trim && !this->LimitsSize() && !this->AddsBounding(); }
+  /// Is the rim to be trimmed? `plane`: where one is fitted, that.
+  bool TrimsRim(const ahd::Plane& plane) const
+  {
+    const bool isRounded = !this->FitPlane || !plane.isOfCoordinates();
+    return this->MayTrimRim() && (isRounded || !this->TrimIfRounded);
+  }
   /// Is anything of the second output asked for?
   bool WantsOrder() const { return this->GenerateInsertionCurve || this->Insertion.keepBoxes; }
   /// Are triangles to be left out for their size?

@@ -86,13 +86,14 @@ def delaunay(
     source_heights : {'own', 'surface'}, default 'own'
         'surface': z of the source points, where they lie on the triangulation of the others, is interpolated there.
     plane : {'xy', 'best_fit'}, (4, 4) array or function, default 'xy'
-        Where to triangulate: x and y; the plane of least squares of distances; x and y after the matrix is applied to
-        (x, y, z, 1); x and y of what the function gives. It is called with (k, 3) float64, k at most 2**14, which it
-        changes in place or returns anew: the place in the plane and the height above it. Exactness is for the numbers
-        in that plane, in float64.
+        Where to triangulate: x and y; the plane of least squares of distances (of points that all have one z, or one
+        x or y, the two other coordinates as they are); x and y after the matrix is applied to (x, y, z, 1); x and y of
+        what the function gives. It is called with (k, 3) float64, k at most 2**14, which it changes in place or returns
+        anew: the place in the plane and the height above it. Exactness is for the numbers in that plane, in float64.
     rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
         'trimmed': without the flat triangles (an angle above 153.4 degrees) along the hull. 'automatic': the convex
-        hull in the plane 'xy', else trimmed. Nothing is trimmed with alpha, maximum_edge_length or bounding.
+        hull in the plane 'xy', and in 'best_fit' of points that all have one z, x or y; else trimmed. Nothing is
+        trimmed with alpha, maximum_edge_length or bounding.
     duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
         Which of several points at one place is the vertex: that of smallest id; of lowest or highest finite z; of
         smallest id, moved to the mean of all that have a finite z.

@@ -217,7 +217,8 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
         them; "automatic": x and y if all z are the same, else the best fitting one. The points stay where they are.
     rim : {"automatic", "convex_hull", "trimmed"}
         How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it;
-        "automatic": to the hull in x, y, else trimmed, as these would stand as walls.
+        "automatic": to the hull in x, y, and in the best fitting plane of points that all have one z, x or y; else
+        trimmed, as these would stand as walls.
     duplicates : {"first", "lowest_z", "highest_z", "mean_z"}
         Which of several points at one place in the plane is in the surface: the one of smallest id, that of lowest or
         highest z, the one of smallest id at the mean of all z.

@@ -189,7 +189,7 @@ void vtkAHDRankExecution::CheckBorder(
 /// Refuses layers of ghosts that take more than there is.
 void vtkAHDRankExecution::CheckGhosts(std::size_t cells)
 {
-  if (this->Facts.GetGhostLevels() > 0 || this->Settings.TrimsRim())
+  if (this->Facts.GetGhostLevels() > 0 || this->Settings.MayTrimRim())
   {
     this->CheckMemory(this->BlockEstimate +
         vtkAHDRankSurface::EstimateGhostBytes(cells, this->Settings, this->Facts),

@@ -111,7 +111,7 @@ std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHD
     { "AlphaVerts", settings.Limits.vertices },
     { "MaximumEdgeLength", settings.Limits.maximumEdgeLength },
     { "ProjectionPlaneMode", settings.FitPlane },
-    { "Rim", settings.Trim },
+    { "Rim", settings.Trim + 2.0 * settings.TrimIfRounded },
     { "Tolerance", settings.Tolerance },
     { "DuplicatePolicy", double(insertion.representative) + 10.0 * settings.ShowMeans },
     { "BoundingTriangulation", settings.Bounding },
@@ -311,7 +311,7 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
     { settings.GenerateNeighbors, "GenerateNeighbors" },
     { settings.GenerateVoronoi, "GenerateVoronoi" },
     { settings.Limits.alpha > 0.0, "Alpha" },
-    { settings.TrimsRim() && hasSegments,
+    { settings.MayTrimRim() && hasSegments,
       "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
       "constraints," },
     { settings.Tolerance > 0.0, "Tolerance" },

@@ -49,7 +49,7 @@ void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
   this->Setting = unfit             ? unfit
     : this->Settings.FitPlane       ? "the plane that fits all points best"
     : this->Settings.AddsBounding() ? "BoundingTriangulation"
-    : this->Settings.TrimsRim()     ? "Rim Trimmed"
+    : this->Settings.MayTrimRim()   ? "Rim Trimmed"
                                     : nullptr;
   if (this->IsWhole())
   {

@@ -73,13 +73,13 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
   }
   const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) + kId +
     (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
-  const bool hasPlaces = settings.LimitsSize() || settings.TrimsRim();
+  const bool hasPlaces = settings.LimitsSize() || settings.MayTrimRim();
   // a pair of numbers for each duplicate, as a vector grows, a mean, and the vertex of each point
   perPoint += settings.ShowMeans
     ? 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) + sizeof(ahd::Index)
     : 0;
   perPoint += (hasPlaces ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0) +
-    (settings.TrimsRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
+    (settings.MayTrimRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
 }
 
@@ -234,15 +234,16 @@ void vtkAHDRankSurface::MakeStatus()
 void vtkAHDRankSurface::Select()
 {
   const bool isLimited = this->Settings.Limits.maximumEdgeLength > 0.0;
+  const bool trims = this->Settings.TrimsRim(this->Points.GetPrepared().plane());
   this->Ranks.Together(this->Context,
     [&]
     {
       this->ReadTriangles();
-      if (this->Facts.GetGhostLevels() > 0 || this->Settings.TrimsRim())
+      if (this->Facts.GetGhostLevels() > 0 || trims)
       {
         this->ReadAround();
       }
-      if (isLimited || this->Settings.TrimsRim())
+      if (isLimited || trims)
       {
         this->ListPlaces();
       }
@@ -252,7 +253,7 @@ void vtkAHDRankSurface::Select()
         this->KeepShort(this->Around);
       }
     });
-  if (this->Settings.TrimsRim())
+  if (trims)
   {
     this->Rim.Trim(this->Cells, this->Around);
   }

@@ -189,7 +189,7 @@ void Job::setStages()
       (constrains ? weight(IntSetting::SplitCrossings, 2.0) : 0.0),
     1.0, //
     weight(IntSetting::WantVoronoi, 3.0),
-    (constrains ? 0.6 : 0.0) + (settings.trimsRim() ? 0.05 : 0.0),
+    (constrains ? 0.6 : 0.0) + (settings.mayTrimRim() ? 0.05 : 0.0),
     0.15 + (settings.limitsSize() ? 1.5 : 0.0) + (settings.showsMeans() ? 0.2 : 0.0),
     arraysWeight,                         //
     weight(IntSetting::WantVoronoi, 0.5), //
@@ -272,7 +272,7 @@ void Job::constrain(JobResult& made, const Context& context)
     check(ahd::constrain(std::move(triangulation), made.points.constraints(), settings.fillRule(),
       context, triangulation));
   }
-  if (settings.trimsRim())
+  if (settings.trimsRim(made.points.plane()))
   {
     check(trim(std::move(triangulation), context, triangulation));
   }

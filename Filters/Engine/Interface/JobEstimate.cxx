@@ -50,7 +50,7 @@ std::size_t Job::estimate(const JobSizes& sizes) const
   {
     bytes += constraintMemoryEstimate(count, sizes.segments + 2 * sizes.crossings);
   }
-  bytes += settings.trimsRim() ? trimMemoryEstimate(count) : 0;
+  bytes += settings.mayTrimRim() ? trimMemoryEstimate(count) : 0;
   bytes += count > asked.points.count ? 3 * sizeof(double) * count : 0; // where they are in space
   return before + std::max(toSplit, bytes + estimateTables(sizes) + estimateArrays(sizes));
 }

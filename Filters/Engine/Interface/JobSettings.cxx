@@ -197,11 +197,18 @@ bool JobSettings::limitsSize() const
   return (*this)[DoubleSetting::Alpha] > 0.0 || (*this)[DoubleSetting::MaximumEdgeLength] > 0.0;
 }
 
-bool JobSettings::trimsRim() const
+bool JobSettings::mayTrimRim() const
 {
   const std::int64_t rim = (*this)[IntSetting::Rim];
   return (rim == AHD_RIM_TRIMMED || (rim == AHD_RIM_AUTOMATIC && isProjected())) && !limitsSize() &&
     !addsBounding();
+}
+
+bool JobSettings::trimsRim(const Plane& plane) const
+{
+  const bool isRounded = (*this)[IntSetting::Plane] != AHD_PLANE_BEST_FIT ||
+    !plane.isOfCoordinates();
+  return mayTrimRim() && (isRounded || (*this)[IntSetting::Rim] == AHD_RIM_TRIMMED);
 }
 
 } // namespace ahd

@@ -4,6 +4,7 @@
 
 #include "../Constraints.h"
 #include "../Options.h"
+#include "../Surface/Plane.h"
 #include "../Surface/Selection.h"
 #include "../Voronoi/Voronoi.h"
 
@@ -97,7 +98,10 @@ public:
   bool isProjected() const { return is(IntSetting::Plane); }
   bool addsBounding() const { return is(IntSetting::Bounding) && !isProjected(); }
   bool limitsSize() const;
-  bool trimsRim() const;
+  /// May the rim have to be trimmed? The plane says whether it does.
+  bool mayTrimRim() const;
+  /// Is the rim to be trimmed? `plane`: where one is fitted, that.
+  bool trimsRim(const Plane& plane) const;
   /// May ahd_draw_order() be called?
   bool drawsOrder() const { return is(IntSetting::WantBoxes) || is(IntSetting::WantCurve); }
 

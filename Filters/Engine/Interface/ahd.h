@@ -165,7 +165,8 @@ enum
 enum
 {
   AHD_PLANE_XY = 0,
-  AHD_PLANE_BEST_FIT = 1, /* least squares of distances; see plane_matrix */
+  AHD_PLANE_BEST_FIT = 1, /* least squares of distances; see plane_matrix. Of points that have a
+                             coordinate in common the other two, as they are: x, y; y, z; z, x */
   AHD_PLANE_MATRIX = 2,   /* x, y of the points that the array matrix has moved */
   AHD_PLANE_CALLBACK = 3  /* x, y of the points that ahd_set_projection() has moved */
 };
@@ -173,7 +174,8 @@ enum
 /* rim: of a surface; nothing is trimmed with alpha, maximum_edge_length or bounding */
 enum
 {
-  AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, trimmed in any other plane */
+  AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, and in AHD_PLANE_BEST_FIT of points that
+                              have a coordinate in common; trimmed in any other plane */
   AHD_RIM_CONVEX_HULL = 1, /* the triangles cover the convex hull */
   AHD_RIM_TRIMMED = 2      /* less the flat ones (an angle above 153.4 degrees) along it */
 };

@@ -31,6 +31,7 @@ void Plane::take(const PlaneFit& fit)
   origin_ = fit.origin;
   height_ = fit.height;
   shrink_ = fit.shrink;
+  isOfCoordinates_ = fit.isOfCoordinates;
   orient(fit.normal);
 }
 

@@ -29,7 +29,8 @@ struct PlaneFit;
 /// along z.
 ///
 /// The plane's origin is a point close by from which the distances of all points are exact, with as
-/// few digits as do; it is the coordinates' own origin where that is near.
+/// few digits as do; it is the coordinates' own origin where that is near, and with
+/// isOfCoordinates().
 class Plane
 {
 public:
@@ -43,6 +44,10 @@ public:
   const Vector3& firstAxis() const { return axes_[0]; }
   const Vector3& secondAxis() const { return axes_[1]; }
   const Vector3& normal() const { return axes_[2]; }
+
+  /// Have all points that it was fitted to one z, or one x or y and are on no line? Then the two
+  /// other coordinates are the place of every point in the plane, not rounded: x, y; y, z; or z, x.
+  bool isOfCoordinates() const { return isOfCoordinates_; }
 
   /// Where the point lies along the two axes, and its height above the plane. All three are NaN or
   /// infinite if one of its coordinates is.
@@ -64,6 +69,7 @@ private:
   Matrix3 axes_ = { { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   Vector3 origin_ = { { 0, 0, 0 } };
   double height_ = 0.0; ///< of the plane above the origin, along the normal
+  bool isOfCoordinates_ = true;
   double shrink_ = 1.0; ///< a power of two that keeps sums of huge coordinates finite
 };
 

@@ -13,13 +13,14 @@
 namespace ahd
 {
 
-/// The largest magnitude of a coordinate.
-double PlaneFitting::Work::largestMagnitude() const
+/// The largest magnitude of a coordinate; `varies`: but for those that all points have in common.
+double PlaneFitting::Work::largestMagnitude(bool varies) const
 {
   double largest = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    largest = std::max({ largest, -around_.low[k], around_.high[k] });
+    const bool counts = !varies || around_.low[k] < around_.high[k];
+    largest = counts ? std::max({ largest, -around_.low[k], around_.high[k] }) : largest;
   }
   return largest;
 }
@@ -108,7 +109,7 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
     return unitAxis(2);
   }
   // A width that the rounding of the coordinates alone would make is none.
-  const double rounding = 2 * (largestMagnitude() * places_.factors[0]) * places_.factors[1] *
+  const double rounding = 2 * (largestMagnitude(true) * places_.factors[0]) * places_.factors[1] *
     precision_;
   if (std::sqrt(std::max(0.0, spread[by[1]][by[1]])) <= rounding + 0x1p-50)
   {
@@ -118,6 +119,24 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
     return perpendicular(unitAxis(isSteep ? 1 : 2), line);
   }
   return axes_[by[2]];
+}
+
+/// Where the plane is that of a coordinate which all points have in common, it is so exactly: then
+/// no place in it has to be rounded.
+void PlaneFitting::Work::takeCommonCoordinate()
+{
+  fit_.isOfCoordinates = false;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    // else the points are on a line, and this is another of its planes
+    if (around_.low[k] == around_.high[k] && std::fabs(fit_.normal[k]) > 0.5)
+    {
+      fit_ = PlaneFit();
+      fit_.normal = unitAxis(k);
+      fit_.height = around_.low[k];
+      return;
+    }
+  }
 }
 
 /// Into the system of the spread's eigenvectors.
@@ -190,7 +209,8 @@ void PlaneFitting::Work::goOn()
   fit_.normal = chooseNormal(spread);
   fit_.origin = places_.origin;
   fit_.height = dot(fit_.normal, places_.mean) / places_.factors[0] / places_.factors[1];
-  fit_.shrink = largestMagnitude() > 0x1p1000 ? 0x1p-32 : 1.0;
+  fit_.shrink = largestMagnitude(false) > 0x1p1000 ? 0x1p-32 : 1.0;
+  takeCommonCoordinate();
   step_ = Step::Done;
 }
 

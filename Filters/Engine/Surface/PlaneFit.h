@@ -29,6 +29,10 @@ struct PlaneFit
 
   /// A power of two; what has been multiplied with it can be added up.
   double shrink = 1.0;
+
+  /// Is the plane that of a coordinate which all points have in common? Then the normal is its axis
+  /// and the origin 0.
+  bool isOfCoordinates = true;
 };
 
 /// Returns false if the work is to be cancelled; throws std::bad_alloc. `fit` is to be new.

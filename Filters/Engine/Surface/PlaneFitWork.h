@@ -79,7 +79,8 @@ private:
   void turnAxes(Matrix3& spread);
   Vector3 reachOfExtent() const;
   Vector3 chooseNormal(const Matrix3& spread) const;
-  double largestMagnitude() const;
+  void takeCommonCoordinate();
+  double largestMagnitude(bool varies) const;
 
   PlanePlaces places_;
   const double precision_; ///< of the coordinates

@@ -419,6 +419,14 @@ static void test_rims(void)
   CHECK(ahd_counted(job, "bare_vertices") == 0);
   CHECK_OK(job, ahd_measure(job, "trimmed_area", &area));
   CHECK(area > 0.0002 && area < 0.0003);
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_BEST_FIT)); /* all z are the same */
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "trimmed_triangles") == 1);
+  CHECK_OK(job, ahd_set_int(job, "rim", AHD_RIM_AUTOMATIC));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(ahd_counted(job, "triangles") == 3 && ahd_counted(job, "trimmed_triangles") == 0);
+  CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_XY));
+  CHECK_OK(job, ahd_set_int(job, "rim", AHD_RIM_TRIMMED));
   CHECK_OK(job, ahd_set_int(job, "bounding", 1));
   CHECK_OK(job, ahd_set_double(job, "offset", 2.0));
   CHECK_OK(job, ahd_run(job));

@@ -27,7 +27,44 @@ TEST(Plane, PointsWithoutAPlaneHaveOne)
   EXPECT_EQ(fit({ { { 1, 2, 3 } } }).normal(), (Xyz{ { 0, 0, 1 } }));
   EXPECT_EQ(fit(std::vector<Xyz>(9, { { 0.1, 0.2, 0.3 } })).normal(), (Xyz{ { 0, 0, 1 } }));
   EXPECT_EQ(fit(std::vector<Xyz>(9, { { 0.1, 0.2, 0.3 } })).project({ { 0.1, 0.2, 0.3 } }),
-    (Xyz{ { 0, 0, 0 } }));
+    (Xyz{ { 0.1, 0.2, 0 } }));
+}
+
+TEST(Plane, PointsWithACoordinateInCommonKeepTheOthers)
+{
+  Maker maker(11);
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (const double common : { 0.0, 0.1, -12.3, 6e6, 1e300 })
+    {
+      std::vector<Xyz> points(200);
+      for (Xyz& p : points)
+      {
+        p = { { maker.fraction() * 1e-3, maker.fraction() + 5e5, maker.fraction() * 7 } };
+        p[k] = common;
+      }
+      std::vector<Xyz> more = points; // of what does not count
+      more.push_back({ { 1, 2, 3 } });
+      more.push_back({ { kNaN, 2, 3 } });
+      std::vector<unsigned char> marks(more.size(), 0);
+      marks[points.size()] = 1;
+      PointView view(more[0].data(), more.size(), 3);
+      view.skip = marks.data();
+      Plane plane;
+      ASSERT_EQ(plane.fit(view, Context()), Status::Ok);
+      EXPECT_TRUE(plane.isOfCoordinates());
+      EXPECT_EQ(plane.normal(), unitAxis(k));
+      expectFrame(plane);
+      for (const Xyz& p : points)
+      {
+        ASSERT_EQ(plane.project(p), (Xyz{ { p[(k + 1) % 3], p[(k + 2) % 3], 0 } })) << k;
+      }
+      points[0][k] = common == 0.0 ? 1e-9 : std::nextafter(common, 0.0);
+      EXPECT_FALSE(fit(points).isOfCoordinates()) << common;
+    }
+  }
+  // On a line there are other planes, too: the rule for lines says which.
+  EXPECT_FALSE(fit({ { { 0, 1, 0 } }, { { 2, 1, 1 } }, { { 4, 1, 2 } } }).isOfCoordinates());
 }
 
 TEST(Plane, PointsOnALineHaveThePlaneClosestToZ)

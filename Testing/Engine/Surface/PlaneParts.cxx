@@ -48,6 +48,7 @@ Plane fitParts(const std::vector<PointView>& parts, bool areDoubles)
   {
     EXPECT_TRUE(fitting->isDone());
     EXPECT_EQ(fitting->fit().normal, fittings[0]->fit().normal);
+    EXPECT_EQ(fitting->fit().isOfCoordinates, fittings[0]->fit().isOfCoordinates);
     plane.take(fitting->fit());
   }
   return plane;

@@ -296,10 +296,38 @@ TEST(Rim, ArraysAndDiagramFitTheTriangles)
   EXPECT_TRUE(std::is_sorted(status.begin(), status.end()));
 }
 
+TEST(Rim, PointsWithACoordinateInCommonKeepTheirHull)
+{
+  std::vector<Xyz> points = scatteredPoints(2000);
+  for (Xyz& p : points)
+  {
+    p[2] = 7.25;
+  }
+  WatchedFilter plane;
+  plane->SetInputData(makeCloud(points));
+  plane->Update();
+  const std::vector<Triangle> whole = trianglesOf(plane->GetOutput());
+  for (std::size_t turn = 0; turn < 3; ++turn)
+  {
+    SCOPED_TRACE(turn);
+    std::vector<Xyz> turned = points;
+    for (Xyz& p : turned)
+    {
+      std::rotate(p.begin(), p.begin() + std::ptrdiff_t(turn), p.end());
+    }
+    Fitted filter(turned);
+    filter.Count();
+    EXPECT_EQ(trianglesOf(filter->GetOutput()), whole);
+    EXPECT_EQ(filter->GetNumberOfTrimmedTriangles(), 0);
+    filter->SetRimToTrimmed();
+    EXPECT_LT(filter.Count(), vtkIdType(whole.size()));
+  }
+}
+
 TEST(Rim, WhatGoesIsSaid)
 {
   Fitted three({ { 0, 0, 0 }, { 10, 0, 1 }, { 5, 0.5, 3 } });
-  Fitted flat({ { 0, 0, 0 }, { 10, 0, 0 }, { 5, 0.5, 0 } });
+  Fitted flat({ { 0, 0, 0 }, { 10, 0, 10 }, { 5, 0.5, 5 } });
   EXPECT_EQ(three.Count(), 1) << "not flat in its plane";
   EXPECT_TRUE(three.Said->Warnings.empty());
   EXPECT_EQ(flat.Count(), 0);
@@ -317,6 +345,7 @@ TEST(Rim, WhatGoesIsSaid)
   for (Xyz& p : strip)
   {
     p[0] *= 300;
+    p[2] = p[0];
   }
   Fitted thin(strip);
   EXPECT_GT(thin.Count(), 0);

@@ -171,6 +171,16 @@ class PlaneTest(KeywordTest):
         homogeneous = np.column_stack((wall, np.ones(200)))
         np.testing.assert_allclose(homogeneous @ made.plane_matrix.T[:, :3], made.plane_points, atol=1e-12)
 
+    def test_points_of_one_z_x_or_y_are_their_own_plane(self):
+        flat = cloud(22, 2000) + [5e5, 6e6]
+        whole = delaunay(flat)
+        for k in range(3):
+            points = np.insert(flat, k, 0.1, axis=1)
+            made = delaunay(points, plane="best_fit")
+            np.testing.assert_array_equal(made.plane_points, np.insert(points[:, [k - 2, k - 1]], 2, 0, axis=1))
+            self.assertEqual(len(made.triangles), len(whole.triangles))
+            self.assertGreater(delaunay(points, plane="best_fit", rim="trimmed").counts["trimmed_triangles"], 0)
+
     def test_matrix(self):
         points = cloud(24, 100, 3)
         swap = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 0], [0, 0, 0, 1]])

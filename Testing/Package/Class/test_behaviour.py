@@ -169,6 +169,19 @@ class PipelineTest(Case):
             self.assertAlmostEqual(plane.TransformPoint(point)[2], 0, delta=1e-6)
         self.assertIsNone(Filter.ComputeBestFittingPlane(None))
 
+    def test_points_of_one_z_x_or_y_are_their_own_plane(self):
+        points = [(x + 1e6, y, 7.25) for x, y, _ in scattered(400)]
+        plain = Filter()
+        plain.SetInputDataObject(cloud(points))
+        plain.Update()
+        for turn in range(3):
+            algorithm = Filter()
+            algorithm.SetInputDataObject(cloud([(p + p)[turn:turn + 3] for p in points]))
+            algorithm.SetProjectionPlaneMode(2)
+            algorithm.Update()
+            self.assertEqual(triangles(algorithm.GetOutput()), triangles(plain.GetOutput()), turn)
+            self.assertEqual(algorithm.GetNumberOfTrimmedTriangles(), 0)
+
     def test_errors_are_said_once_and_reach_the_filters_behind(self):
         algorithm, said = run(cloud(scattered(500)))
         behind = Filter()

@@ -432,6 +432,13 @@ class OriginalTest(unittest.TestCase):
         wall = cloud([turn.TransformPoint(point) for point in wide(9, height=10)])
         self.compare(wall, ProjectionPlaneMode=2)
 
+    def test_flat_points_in_their_best_fitting_plane(self):
+        """As PyVista's delaunay_2d asks for it: nothing is trimmed."""
+        numbers = random.Random(10)
+        flat = cloud([(numbers.random(), numbers.random(), 5.0) for _ in range(2000)])
+        surface = run(drop_in.vtkDelaunay2D, flat, ProjectionPlaneMode=2).GetOutput()
+        self.assertEqual(cells(surface, "Polys"), cells(run(drop_in.vtkDelaunay2D, flat).GetOutput(), "Polys"))
+
     def test_alpha(self):
         for seed in range(3):
             for alpha in (10.0, 30.0, 60.0, 200.0):
