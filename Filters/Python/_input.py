@@ -304,6 +304,13 @@ class Request:
         source = self.arrays.get("source_points")
         return max(int(array.shape[1]) for array in (self.points, source) if array is not None)
 
+    @property
+    def z(self) -> np.ndarray:
+        """(n,) float64: of all points that were given, those of source_points behind the others."""
+        given = [array for array in (self.points, self.arrays.get("source_points")) if array is not None]
+        made = [array[:, 2] if array.shape[1] == 3 else np.zeros(len(array)) for array in given]
+        return np.concatenate(made).astype(np.float64)
+
     def _take_chains(self, given: Mapping[str, Any]) -> None:
         source = self.arrays.get("source_points")
         count, whose = (len(self.points), "") if source is None else (len(source), " in source_points")

@@ -66,7 +66,7 @@ FIXED_DTYPES: Dict[str, Any] = {
     name: np.float64
     for name in (
         "plane_points", "plane_matrix", "box_bounds", "voronoi_points", "surface_weights", "crossing_fractions",
-        "points", "vertex_bounds", "weights",
+        "points", "heights", "vertex_bounds", "weights",
     )  # fmt: skip
 }
 FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32, weight_offsets=np.int64)

@@ -170,7 +170,8 @@ class NearestInterpolator(_Interpolator):
     points, rescale, threads
         As in `LinearInterpolator`.
     values : (n, ...) array of any type
-        One row for each point. What comes out has the same type.
+        One row for each point. What comes out has the same type: rows as they are, of several points at one place that
+        of the one that stands for the vertex.
 
     Raises
     ------
@@ -191,12 +192,11 @@ class NearestInterpolator(_Interpolator):
         self._start(points, values, rescale, threads)
         if self.triangulation.counts["added_points"]:
             raise ValueError("the triangulation has points that were added, which have no values")
-        self._ids = np.arange(len(self.values), dtype=np.float64)
 
     def __call__(self, *args: Any) -> np.ndarray:
         """Values at places: ``f(x, y)``, ``f((x, y))`` or ``f(places)``."""
         places = self._places(args)
-        ids = self.triangulation.interpolate(self._ids, places.reshape(-1, 2), self._method)
+        ids = self.triangulation._nearest_ids(places.reshape(-1, 2))
         has = ids == ids
         if has.all():
             rows = self.values[ids.astype(np.intp)]

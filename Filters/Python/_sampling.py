@@ -147,7 +147,9 @@ class Sampled(Made):
         values : (m,) or (m, ...) array of numbers
             One row for each point that was given: `points` and then, if there are any, `source_points`. NaN may be
             among them: with 'linear' all of a triangle that has one is NaN, with 'natural' and 'laplace' it is left
-            out and the other neighbours count for more.
+            out and the other neighbours count for more. Of several points at one place the row of the one that stands
+            for the vertex counts (`point_status`). With duplicates='mean_z' a column that is the z of the points as
+            they were given becomes that of `points`, the means among them; any other is not averaged.
         at : (..., 2) array of real numbers or Raster, optional
             Places in the plane of the triangulation, in the unit of the points, anywhere; at those with NaN there is no
             value.
@@ -216,7 +218,8 @@ class Sampled(Made):
         Returns
         -------
         Weights
-            `offsets`, `points` and `weights`; of ids of `points`, those that were added included.
+            `offsets`, `points` and `weights`; of ids of `points`, those that were added included. For heights multiply
+            with the z of `points`, which has the means of duplicates='mean_z'.
 
         Raises
         ------
@@ -257,7 +260,7 @@ class Sampled(Made):
         given = _numbers_of(values, self._given_points, "biufc")
         if not isinstance(outside, str):
             check_outside("outside", outside, " or 'nearest'", given.dtype.kind)
-        rows = self._for_points(given) if self._counts["added_points"] else given
+        rows = self._for_points(given) if self._counts["added_points"] or self._moves_points else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
         with self._locked():
@@ -267,6 +270,14 @@ class Sampled(Made):
             made[found.mask == 0] = outside
         made = made.reshape(shape + given.shape[1:])
         return (made, _slopes(found.gradients[0], dtype).reshape(made.shape + (2,))) if gradient else made
+
+    def _nearest_ids(self, places: np.ndarray) -> np.ndarray:
+        """The id of the point nearest to each place, (k, 2); NaN where there is none."""
+        ids = np.arange(self._counts["points"], dtype=np.float64)[:, None]
+        with self._locked():
+            found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, False, False, None)
+        made: np.ndarray = found.values[0].reshape(-1)
+        return made
 
     @property
     def _given_points(self) -> int:
@@ -278,9 +289,28 @@ class Sampled(Made):
         made = np.full((self._counts["points"],) + given.shape[1:], np.nan, dtype)
         made[: len(given)] = given
         if made.size:
+            rows = made.reshape(len(made), -1)
             with self._locked():
-                self._engine().interpolate(made.reshape(len(made), -1).view(np.float64))
+                self._engine().interpolate(rows.view(np.float64))
+            self._show_means(given, rows)
         return made
+
+    @property
+    def _moves_points(self) -> bool:
+        """Does duplicates='mean_z' give points another z than they were given?"""
+        settings, counts = self._request.settings, self._counts
+        return bool(settings["duplicates"] == library.DUPLICATES_MEAN_Z and counts["duplicates"])
+
+    def _show_means(self, given: np.ndarray, rows: np.ndarray) -> None:
+        """Where columns of values are the z of the points, they become that of `points`, which follows `duplicates`."""
+        if not self._moves_points or self._request.columns < 3:
+            return
+        z, columns = self._request.z[:, None], given.reshape(len(given), -1)
+        areZ = ((columns == z) | ((columns != columns) & (z != z))).all(axis=0)
+        bounding = slice(len(given), len(rows) - self._counts["split_crossings"])
+        for column in np.flatnonzero(areZ):
+            rows[:, column] = self.points[:, 2]
+            rows[bounding, column] = np.nan
 
     def _sampled(
         self,

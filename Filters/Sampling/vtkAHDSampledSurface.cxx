@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSampledSurface.h"
 
-#include "Engine/Surface/Means.h"
 #include "Execution/vtkAHDFingerprint.h"
 #include "Output/vtkAHDSurface.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -255,36 +254,11 @@ vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
 ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
   const vtkAHDSettings& settings, const vtkAHDContext& context)
 {
-  const ahd::PreparedInput& points = this->GetPoints();
-  const ahd::PointView& places = points.points();
-  ahd::UninitialisedVector<double> heights;
-  heights.resize(places.count);
-  context.ForRange(places.count,
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        heights[i] = places.z(i);
-      }
-    });
-  ahd::Triangulation& triangulation = this->GetTriangulation();
   const bool showsMeans = this->Lent ? this->Lent->ShowMeans : settings.ShowMeans;
-  if (!showsMeans || triangulation.report().duplicates == 0)
-  {
-    return heights;
-  }
-  std::vector<ahd::Mean> means;
-  context.Check(ahd::findMeans(triangulation, points.firstCrossing(), places, context, means));
-  for (const ahd::Mean& mean : means)
-  {
-    heights[mean.id] = mean.position[2];
-  }
-  // Crossings lie between the means at the ends of their segments.
-  std::size_t id = points.firstCrossing();
-  for (const ahd::CrossingOrigin& crossing : points.crossings())
-  {
-    heights[id++] = ahd::interpolate(crossing, [&](ahd::Index end) { return heights[end]; });
-  }
+  ahd::UninitialisedVector<double> heights;
+  heights.resize(this->GetPoints().points().count);
+  context.Check(ahd::findHeights(
+    this->GetPoints(), this->GetTriangulation(), showsMeans, context, heights.data()));
   return heights;
 }
 

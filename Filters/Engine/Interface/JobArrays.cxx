@@ -79,8 +79,13 @@ Status writePoints(JobResult& m, const Target& to)
     }
   };
   auto* const floats = static_cast<float*>(to.out);
-  return forEach(points.count, to.context,
+  const Status status = forEach(points.count, to.context,
     [&](std::size_t i) { to.type == AHD_FLOAT32 ? write(floats, i) : write(to.doubles(), i); });
+  if (status == Status::Ok && to.type == AHD_FLOAT64)
+  {
+    m.space->writeMeans(to.doubles());
+  }
+  return status;
 }
 
 Status writePlanePoints(JobResult& m, const Target& to)
@@ -92,6 +97,11 @@ Status writePlanePoints(JobResult& m, const Target& to)
       const std::array<double, 3> p = points.place(i);
       std::copy(p.begin(), p.end(), to.doubles() + 3 * i);
     });
+}
+
+Status writeHeights(JobResult& m, const Target& to)
+{
+  return findHeights(m.points, m.triangulation, m.settings.showsMeans(), to.context, to.doubles());
 }
 
 Status writePlaneMatrix(JobResult& m, const Target& to)
@@ -301,6 +311,7 @@ constexpr Row kRows[] = {
   { "regions", kId, 1, cellCount, writeRegionIds, kArrays, lacksNothing },
   { "points", kReal, 3, pointCount, writePoints, kCells, lacksNothing },
   { "plane_points", kDouble, 3, pointCount, writePlanePoints, kCells, lacksNothing },
+  { "heights", kDouble, 1, pointCount, writeHeights, kCells, lacksNothing },
   { "plane_matrix", kDouble, 4, [](const JobResult&) { return std::size_t(4); }, writePlaneMatrix,
     kCells, lacksMatrix },
   { "point_status", kId, 1, pointCount, writeStatus, kArrays, lacksNothing },

@@ -3,10 +3,10 @@
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
-#include "../Surface/Means.h"
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace ahd
 {
@@ -135,12 +135,22 @@ Status SpacePoints::showMeans(
                   : void(doubles_[at] = mean.position[k]);
         }
       }
-      if (!isFloat)
+      if (isFloat)
       {
-        interpolateAtCrossings(points, doubles_.data(), 3, points.isProjected() ? 0 : 2);
+        rounded_ = std::move(means);
+        return true;
       }
+      interpolateAtCrossings(points, doubles_.data(), 3, points.isProjected() ? 0 : 2);
       return true;
     });
+}
+
+void SpacePoints::writeMeans(double* xyz) const
+{
+  for (const Mean& mean : rounded_)
+  {
+    std::copy(mean.position.begin(), mean.position.end(), xyz + 3 * std::size_t(mean.id));
+  }
 }
 
 } // namespace ahd

@@ -6,6 +6,7 @@
 #include "../Points/Points.h"
 #include "../Prepare/Prepare.h"
 #include "../Result.h"
+#include "../Surface/Means.h"
 #include "../Triangulation/Triangulation.h"
 
 #include <vector>
@@ -32,6 +33,10 @@ public:
 
   const PointView& view() const { return view_; }
 
+  /// The same points as doubles: the means as they are, which a view of floats has rounded. `xyz`:
+  /// where view() was written to.
+  void writeMeans(double* xyz) const;
+
 private:
   template <typename Number>
   bool copy(std::vector<Number>& to, const Context& context);
@@ -39,6 +44,7 @@ private:
   PointView view_;
   std::vector<double> doubles_;
   std::vector<float> floats_;
+  std::vector<Mean> rounded_; ///< means, where floats_ has them
 };
 
 /// Replaces `columns` values of points that lie between others by what linear interpolation gives.

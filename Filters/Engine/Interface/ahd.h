@@ -390,6 +390,9 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *                                             where the cell is no triangle
  *   points              real     (points, 3)  in space
  *   plane_points        float64  (points, 3)  in the plane, and the height above it
+ *   heights             float64  (points)     that height as the surface has it: with
+ *                                             AHD_DUPLICATES_MEAN_Z the means, and what lies
+ *                                             between them
  *   plane_matrix        float64  (4, 4)       takes points there; but for AHD_PLANE_CALLBACK
  *   point_status        id       (points)     its own id if the point stands for a vertex, that of
  *                                             the point that does, or AHD_POINT_...

@@ -73,7 +73,9 @@ typedef struct ahd_places
   uint64_t columns, rows;
 } ahd_places;
 
-/* Numbers to interpolate: `columns` for each output point, row by row; NaN is legal. */
+/* Numbers to interpolate: `columns` for each output point, row by row; NaN is legal. Of several
+ * points at one place those of the one that stands for the vertex count, whatever they are: heights
+ * that follow "duplicates" are the array heights, or z of points. */
 typedef struct ahd_sampled
 {
   const double* values;

@@ -223,6 +223,14 @@ private:
 /// used.
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
+/// How high each point of the surface lies above the plane: as it was prepared; with `means`, at a
+/// place of several points the mean of all that have a finite z (Means.h), as the height of the one
+/// that stands for the vertex, and at crossings what lies between those. `triangulation`: of these
+/// points; makes the tables it needs. `heights`: one number for each. Returns Ok, Cancelled or
+/// OutOfMemory.
+Status findHeights(const PreparedInput& points, Triangulation& triangulation, bool means,
+  const Context& context, double* heights);
+
 /// A cell whose offsets do not ascend, or are not among the ids there are.
 struct BadCell
 {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The step of a preparation that lays the points of the source on the surface of the input.
+// Heights: the step of a preparation that lays the points of the source on the surface of the
+// input, and those that the surface has.
 #include "Preparation.h"
 
+#include "../Core/Border.h"
 #include "../Core/Loops.h"
 #include "../Surface/Means.h"
 #include "../Triangulate.h"
@@ -199,6 +201,45 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
   out_.outside_ = static_cast<std::size_t>(std::count_if(
     places.begin(), places.end(), [](const SurfacePlace& place) { return !place.isInside(); }));
   return all ? Status::Ok : Status::Cancelled;
+}
+
+Status findHeights(const PreparedInput& points, Triangulation& triangulation, bool means,
+  const Context& context, double* heights)
+{
+  const PointView& places = points.points();
+  std::vector<Mean> found;
+  const Status status = means
+    ? findMeans(triangulation, points.firstCrossing(), places, context, found)
+    : Status::Ok;
+  if (status != Status::Ok)
+  {
+    return status;
+  }
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      const bool all = inChunksOf(places.count, ticker,
+        [&](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            heights[i] = places.z(i);
+          }
+        });
+      for (const Mean& mean : found)
+      {
+        heights[mean.id] = mean.position[2];
+      }
+      std::size_t crossing = points.firstCrossing();
+      for (const CrossingOrigin& origin : points.crossings())
+      {
+        const double between = interpolate(origin, [&](Index end) { return heights[end]; });
+        heights[crossing] = found.empty() ? heights[crossing] : between;
+        ++crossing;
+      }
+      return all;
+    });
 }
 
 } // namespace ahd

@@ -114,9 +114,9 @@ class Columns:
 
     def estimate_bytes(self, points, places):
         """Upper estimate of what all below allocates; a float."""
-        per_point, per_place = 32.0, 2.0  # places in the plane and heights, mask
+        per_point, per_place = 8.0, 2.0  # heights, mask
         if self.is_nearest:
-            per_point, per_place = 40.0, 2.0 + 26.0  # ids
+            per_point, per_place = 16.0, 2.0 + 26.0  # ids
         for column in self.columns:
             data, width = column.given, column.components
             if self.is_nearest:

@@ -13,9 +13,6 @@ from .outputs import Surface
 from .raster import box_of
 
 
-MEAN_Z = 3
-
-
 def times_of(backend, triangulation):
     """When what says how to triangulate was changed last: the filter with the settings itself, and its transform. The
     later of the two alone would hide a change of the other."""
@@ -73,12 +70,8 @@ class SampledSurface:
         return self.job.array("plane_points")
 
     def heights(self):
-        """Of each point above the plane of the triangulation."""
-        points = self.plane_points()
-        if self.values["DuplicatePolicy"] == MEAN_Z and self.job.count("duplicates"):
-            in_space = self.job.array("points")  # with the means
-            points = self.move(in_space) if self.execution.found.is_projected else in_space
-        return numpy.ascontiguousarray(points[:, 2])
+        """Of each point above the plane of the triangulation, by DuplicatePolicy."""
+        return self.job.array("heights")
 
     def bounds(self):
         """The box of all points that are finite and not skipped, in the plane; None without any."""

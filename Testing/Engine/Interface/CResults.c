@@ -202,6 +202,9 @@ static void test_points(void)
   CHECK(numbers == 3 * kSquareCount && memcmp(points + 12, means, sizeof(means)) == 0);
   CHECK(points[17] == 8);
   free(points);
+  points = ahd_read_doubles(job, "heights", &numbers);
+  CHECK(numbers == kSquareCount && points[4] == 6 && points[5] == 8);
+  free(points);
   CHECK_OK(job, ahd_get_array(job, "points", AHD_FLOAT32, floats, 3 * kSquareCount));
   CHECK(floats[14] == 6);
   CHECK_OK(job, ahd_set_int(job, "duplicates", AHD_DUPLICATES_FIRST));

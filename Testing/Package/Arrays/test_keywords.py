@@ -246,6 +246,7 @@ class PointTest(KeywordTest):
                 made = delaunay(self.HEIGHTS, duplicates=rule)
                 self.assertEqual(set(made.triangles[0]), {vertex, 1, 2}, rule)
                 self.assertEqual(made.points[vertex, 2], height)
+                self.assertEqual(made.interpolate(self.HEIGHTS[:, 2], [[0, 0]]), height)
                 self.assertEqual(made.point_status.tolist(), [vertex, 1, 2] + [vertex] * 3)
 
     def test_tolerance(self):

@@ -9,7 +9,7 @@ import warnings
 
 import numpy as np
 
-from adaptivehilbertdelaunay import DelaunayWarning, delaunay
+from adaptivehilbertdelaunay import DelaunayWarning, NearestInterpolator, delaunay
 from arraysupport import cloud
 
 TURN = np.array([[0.6, 0, 0.8, 3], [0, 1, 0, -2], [-0.8, 0, 0.6, 1], [0, 0, 0, 1]])
@@ -89,6 +89,41 @@ class SpaceTest(unittest.TestCase):
             self.assertTrue(np.array_equal(made.points[rest], points[rest], equal_nan=True))
             if others:
                 self.assertTrue(np.array_equal(made.points[len(points) :], more["source_points"]))
+
+    def test_values_that_are_z_follow_the_means(self):
+        """In every plane, with points that are added, and with columns that are something else."""
+        for dtype, plane, others in itertools.product((np.float64, np.float32), ("xy", "best_fit"), (False, True)):
+            points = flat(np.repeat(cloud(5, 20, 3, dtype), 5, axis=0))
+            points[:, 2] += np.arange(100) % 5
+            points[7, 2] = np.nan
+            more = {}
+            if plane == "best_fit":  # places of several points have one place in the plane if they are the same
+                points[:, :] = points[np.arange(100) // 5 * 5]
+            if others:
+                source = cloud(7, 4, 3, dtype)
+                more = {"source_points": source, "lines": [[0, 1], [2, 3]], "crossings": "split"}
+            made = delaunay(points, duplicates="mean_z", plane=plane, **more)
+            z = np.concatenate([points[:, 2], source[:, 2]]) if others else points[:, 2]
+            vertices = np.unique(made.point_status[made.point_status >= 0])
+            places = made.plane_points[vertices, :2]
+            np.testing.assert_array_equal(made.interpolate(z, places), made.points[vertices, 2])
+            np.testing.assert_array_equal(made.interpolate(z), made.points[:, 2])
+            both = np.column_stack([z, 2 * z + 1j])
+            found = made.interpolate(both, places)
+            np.testing.assert_array_equal(found[:, 0], made.points[vertices, 2])
+            own = vertices[vertices < len(z)]
+            np.testing.assert_array_equal(found[vertices < len(z), 1], (2 * z + 1j)[own])
+        few = np.array([(0, 0, 0), (4, 0, 0), (0, 4, 0), (1, 1, 1), (1, 1, 1), (1, 1, 2)], np.float32)
+        made = delaunay(few, duplicates="mean_z")
+        self.assertEqual(made.points[3, 2], 4 / 3)  # not rounded to float32
+        self.assertEqual(made.interpolate(few[:, 2], [1, 1]), 4 / 3)
+        numbered = np.column_stack([few[:, :2], np.arange(6)])  # z are ids
+        nearest = NearestInterpolator(delaunay(numbered, duplicates="mean_z"), list("abcdef"))
+        self.assertEqual(nearest(1, 1), "d")
+        bounded = delaunay(few, duplicates="mean_z", bounding=True)
+        found = bounded.interpolate(few[:, 2])
+        np.testing.assert_array_equal(found[:6], bounded.points[:6, 2])
+        self.assertTrue(np.isnan(found[6:]).all())
 
     def test_most_are_stacked_or_on_one_line(self):
         for share, stacked in ((0.0, 0), (0.3, 0), (0.8, 1), (1.0, 1)):

@@ -107,6 +107,18 @@ class InterpolationTest(Case):
                 self.assertEqual(row, expected[name])
                 self.assertTrue(row["again"])
 
+    def test_means_are_not_rounded_to_the_type_of_the_points(self):
+        identity = vtk("vtkCommonTransforms").vtkTransform()
+        for number, transform in ((core.VTK_FLOAT, None), (core.VTK_DOUBLE, None), (core.VTK_FLOAT, identity)):
+            algorithm = Interpolation()
+            algorithm.GetTriangulation().SetDuplicatePolicy(3)
+            algorithm.GetTriangulation().SetTransform(transform)
+            algorithm.SetInputDataObject(cloud([(0, 0, 0), (0, 0, 0), (0, 0, 1), (3, 0, 0), (0, 3, 0)], number))
+            algorithm.SetPlacesData(cloud([(0, 0, 0)]))
+            algorithm.Update()
+            heights = values_of(algorithm.GetOutputDataObject(0).GetPointData().GetArray("Elevation"))
+            self.assertEqual(list(heights), [1 / 3])
+
     def test_arrays_with_more_values_than_points(self):
         """The first are those of the points, as in VTK's own filters."""
         given, longer = cloud(square()), cloud(square())
