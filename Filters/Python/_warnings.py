@@ -70,6 +70,11 @@ def _of_rim(counts: Counts, area: float) -> Iterator[str]:
 
 
 def _of_constraints(counts: Counts, split: bool) -> Iterator[str]:
+    if counts["source_points"] and not counts["segments"]:
+        yield (
+            "The source_points constrain nothing: there are no segments, lines or loops of two points or more. "
+            "They are points like the others."
+        )
     if counts["points_off_surface"]:
         yield "%d of %d source points lie outside the surface and keep their own z (see `source_heights`)." % (
             counts["points_off_surface"], counts["source_points"])  # fmt: skip
@@ -83,6 +88,13 @@ def _of_constraints(counts: Counts, split: bool) -> Iterator[str]:
             % (counts["segments_crossing"], what, counts["first_crossing_cell"], counts["first_crossed_cell"], loops)
         )
         loops = ""
+    bent = counts["bent_segments"]
+    if bent:
+        words = ("segment bends", "it") if bent == 1 else ("segments bend", "them")
+        yield (
+            "%d %s by rounding, led through a point that is not exactly on %s; the first is in chain %d (segments come "
+            "before lines, lines before loops)." % (bent, *words, counts["first_bent_cell"])
+        )
     if counts["segments_without_vertex"] and counts["delaunay_triangles"]:
         yield (
             "%d%s are no constraints, since an end of theirs is a point that is not finite, is skipped or lies beyond "

@@ -135,6 +135,12 @@ class ConstraintTest(KeywordTest):
         self.assertEqual(flat.points.shape, (7, 2))
         np.testing.assert_array_equal(flat.points[:6], SQUARE)
 
+    def test_segments_that_bend_are_told(self):
+        points = cloud(31, 40) * [1, 1e-15] + [0, 1]  # some doubles high
+        with self.assertWarnsRegex(DelaunayWarning, "by rounding, led through a point that is not exactly on") as told:
+            made = delaunay(points, segments=np.arange(40).reshape(-1, 2), crossings="split")
+        self.assertTrue(str(told.warning).startswith("%d segment" % made.counts["bent_segments"]))
+
     def test_source_points(self):
         points = np.array([[0, 0, 0], [8, 0, 8], [8, 8, 8], [0, 8, 0]], np.float32)
         places = np.array([[2, 1, 50], [6, 1, 50], [4, 7, 50]], float)
