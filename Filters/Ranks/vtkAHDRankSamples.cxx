@@ -176,6 +176,9 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   this->MoveNeeded(ids, owners);
   this->Points.reset();
   this->Ranks.Together(this->Context, [&] { this->MakeSource(ids); });
+  const auto first = static_cast<std::int64_t>(this->Facts.GetPoints());
+  this->AddedPoints = static_cast<std::size_t>(
+    ids.end() - std::lower_bound(ids.begin(), ids.end(), first));
   this->LocalSettings.AddSourcePoints = false; // they are among the others
   this->LocalSettings.HeightsFromSurface = false;
   this->LocalSettings.SourceIdsAreOfInput = true;

@@ -56,6 +56,9 @@ public:
   /// How many points all ranks have, those of sources included.
   std::size_t GetPoints() const { return this->Facts.GetPoints() + this->Facts.GetSourcePoints(); }
 
+  /// How many of the last points of the input are those of sources.
+  std::size_t GetAddedPoints() const { return this->AddedPoints; }
+
   const std::string& GetWarning() const { return this->Warning; }
 
 private:
@@ -79,6 +82,7 @@ private:
   std::unique_ptr<vtkAHDRankPart> Part;
   vtkAHDRankChains Chains;
   bool ListsAll = false;
+  std::size_t AddedPoints = 0;
   vtkSmartPointer<vtkPolyData> Input, Source;
   std::string& Error;
   std::string Warning;

@@ -95,6 +95,31 @@ void Grow(ahd::Bounds& box, const ahd::Bounds& other)
         std::min(box.ymin, other.ymin), std::max(box.ymax, other.ymax) };
 }
 
+void Write(ahd::BytesWriter& writer, const std::vector<vtkAHDMissingValues>& all)
+{
+  writer.write(std::uint64_t(all.size()));
+  for (const vtkAHDMissingValues& one : all)
+  {
+    vtkAHDWriteText(writer, one.Name);
+    writer.write(std::uint64_t(one.Places));
+    writer.write(std::uint64_t(one.OfPoints + 2 * one.OfAdded));
+  }
+}
+
+std::vector<vtkAHDMissingValues> ReadMissing(ahd::BytesReader& reader)
+{
+  std::vector<vtkAHDMissingValues> all(static_cast<std::size_t>(reader.read<std::uint64_t>()));
+  for (vtkAHDMissingValues& one : all)
+  {
+    one.Name = vtkAHDReadText(reader);
+    one.Places = static_cast<std::size_t>(reader.read<std::uint64_t>());
+    const auto of = reader.read<std::uint64_t>();
+    one.OfPoints = (of & 1) != 0;
+    one.OfAdded = (of & 2) != 0;
+  }
+  return all;
+}
+
 void Add(const ahd::SampleReport& more, ahd::SampleReport& sum)
 {
   sum.valued += more.valued;
@@ -339,6 +364,7 @@ void vtkAHDRankSampling::Interpolate(const Inputs& inputs, const vtkAHDRaster& p
   vtkAHDSampleInputs local;
   local.Points = samples.GetInput();
   local.Source = samples.GetSource();
+  local.AddedPoints = samples.GetAddedPoints();
   local.Places = vtkDataSet::SafeDownCast(inputs.Places);
   local.Raster = inputs.Places ? nullptr : &piece;
   local.PiecesBefore = &this->PiecesBefore;
@@ -370,6 +396,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
   ahd::BytesWriter writer(own); // not Together(): an abort is told with the rest
   writer.write(found);
   vtkAHDWriteText(writer, error);
+  Write(writer, mine.Missing);
   this->Context.Check(this->Ranks.gather(own, all));
   this->Ranks.Together(this->Context,
     [&]
@@ -386,6 +413,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
         }
         this->Aborted = this->Aborted || one.IsAborted != 0;
         Add(one.Counts, this->Result.Counts);
+        this->Result.AddMissing(ReadMissing(reader));
         this->Result.Places += static_cast<std::size_t>(one.Places);
         Grow(this->Result.Wanted, one.Wanted);
         this->Seconds = std::max(this->Seconds, one.Seconds);

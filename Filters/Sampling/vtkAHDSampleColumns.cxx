@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSampleColumns.h"
 
+#include "Engine/Triangulation/Triangulation.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Sampling/vtkAHDSampleCopies.h"
@@ -14,6 +15,7 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstring>
 
@@ -39,6 +41,17 @@ bool Fits(vtkAbstractArray* array, std::size_t points)
   return vtkArrayDownCast<vtkDataArray>(array) && name && *name != '\0' &&
     array->GetNumberOfComponents() > 0 &&
     array->GetNumberOfTuples() >= static_cast<vtkIdType>(points);
+}
+
+/// Is one of a point's numbers NaN?
+bool HasNaN(vtkDataArray* array, std::size_t point)
+{
+  bool isNaN = false;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    isNaN = isNaN || std::isnan(array->GetComponent(static_cast<vtkIdType>(point), c));
+  }
+  return isNaN;
 }
 
 /// Does the array of this name name the points?
@@ -224,6 +237,62 @@ void vtkAHDSampleColumns::Open(
   }
 }
 
+void vtkAHDSampleColumns::CountMissing(const char* mask, const vtkAHDContext& context)
+{
+  for (vtkAHDSampleColumn& column : this->Columns)
+  {
+    std::atomic<std::size_t> missing{ 0 };
+    const std::size_t width = column.Components;
+    const double* const numbers = column.Results;
+    context.ForRange(static_cast<std::size_t>(column.Out->GetNumberOfTuples()),
+      [&](std::size_t begin, std::size_t end)
+      {
+        missing += static_cast<std::size_t>(
+          std::count_if(numbers + begin * width, numbers + end * width,
+            [&](const double& number)
+            { return std::isnan(number) && mask[std::size_t(&number - numbers) / width] != 0; }));
+      });
+    column.Missing = missing;
+  }
+}
+
+std::size_t vtkAHDSampleColumns::CountMissingOf(const std::string& name) const
+{
+  const auto found = std::find_if(this->Columns.begin(), this->Columns.end(),
+    [&name](const vtkAHDSampleColumn& column)
+    { return column.From ? column.Name == name : name.empty(); });
+  return found == this->Columns.end() ? 0 : found->Missing;
+}
+
+std::vector<vtkAHDMissingValues> vtkAHDSampleColumns::FindMissing(const double* heights,
+  const ahd::Triangulation& surface, std::size_t firstAdded, const vtkAHDContext& context) const
+{
+  constexpr std::size_t kPiece = std::size_t(1) << 14;
+  std::vector<vtkAHDMissingValues> all;
+  for (const vtkAHDSampleColumn& column : this->Columns)
+  {
+    vtkAHDMissingValues missing;
+    missing.Name = column.From ? column.Name : std::string();
+    missing.Places = column.Missing;
+    const int type = column.From ? column.From->GetDataType() : VTK_DOUBLE;
+    const bool mayBeNaN = type == VTK_FLOAT || type == VTK_DOUBLE;
+    const std::size_t vertices = mayBeNaN ? surface.vertexCount() : 0;
+    for (std::size_t vertex = 0; vertex < vertices && !missing.OfAdded; ++vertex)
+    {
+      vertex % kPiece == 0 ? context.StopIfAborted() : void();
+      const std::size_t point = surface.pointOf(static_cast<ahd::Index>(vertex));
+      const bool mayTell = !missing.OfPoints || point >= firstAdded;
+      if (mayTell && (column.From ? HasNaN(column.From, point) : std::isnan(heights[point])))
+      {
+        missing.OfPoints = true;
+        missing.OfAdded = point >= firstAdded;
+      }
+    }
+    all.push_back(missing);
+  }
+  return all;
+}
+
 void vtkAHDSampleColumns::Finish(const vtkAHDContext& context)
 {
   for (vtkAHDSampleColumn& column : this->Columns)
@@ -250,8 +319,10 @@ std::size_t vtkAHDSampleColumns::Gather(
   for (vtkAHDSampleColumn& column : this->Columns)
   {
     const vtkAHDGathered gathered{ ids, places, this->Settings.NoValue };
-    column.Out = column.From ? vtkAHDGather(column.From, gathered, context, missing)
-                             : vtkAHDGatherHeights(heights, gathered, context, missing);
+    column.Missing = 0;
+    column.Out = column.From ? vtkAHDGather(column.From, gathered, context, column.Missing)
+                             : vtkAHDGatherHeights(heights, gathered, context, column.Missing);
+    missing += column.Missing;
   }
   return missing;
 }

@@ -18,6 +18,11 @@ class vtkAbstractArray;
 class vtkDataSetAttributes;
 class vtkPointData;
 
+namespace ahd
+{
+class Triangulation;
+}
+
 /// One array to interpolate: of the points, and of the places.
 struct vtkAHDSampleColumn
 {
@@ -32,6 +37,16 @@ struct vtkAHDSampleColumn
   vtkSmartPointer<vtkDataArray> OutGradient; ///< null: none is wanted
   double* Results = nullptr;
   double* Gradients = nullptr;
+  std::size_t Missing = 0; ///< values at places on the surface that are NaN
+};
+
+/// What is missing of an array.
+struct vtkAHDMissingValues
+{
+  std::string Name;       ///< empty: the heights
+  std::size_t Places = 0; ///< values at places on the surface that are none
+  bool OfPoints = false;  ///< the array has NaN at vertices
+  bool OfAdded = false;   ///< at such that were added, of the source for example
 };
 
 /**
@@ -77,6 +92,18 @@ public:
 
   /// For the engine; after Open(). Good as long as this object.
   const std::vector<ahd::SampleArray>& GetArrays() const { return this->Arrays; }
+
+  /// Counts the values that are missing at places whose mask is 1. After the engine has written
+  /// values, before Finish(); Gather() counts, too.
+  void CountMissing(const char* mask, const vtkAHDContext& context);
+
+  /// How many that were, of the array of this name; empty: of the heights.
+  std::size_t CountMissingOf(const std::string& name) const;
+
+  /// Of all arrays, the heights first. `firstAdded`: points from this number on were added to the
+  /// input. Throws vtkAHDStop and std::bad_alloc.
+  std::vector<vtkAHDMissingValues> FindMissing(const double* heights,
+    const ahd::Triangulation& surface, std::size_t firstAdded, const vtkAHDContext& context) const;
 
   /// Makes the arrays what they are to be: their type, and NoValue in place of NaN.
   void Finish(const vtkAHDContext& context);

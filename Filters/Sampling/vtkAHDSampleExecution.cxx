@@ -385,6 +385,7 @@ void vtkAHDSampleExecution::Interpolate(
     output->GetPointData()->AddArray(sampling.GetMask());
   }
   this->CountPlaces(places, sampling.GetReport(), surface);
+  this->FindMissing(columns, inputs, surface, heights.data());
   if (this->CommonPlaces > 0)
   {
     this->TakeFromCounts(inputs, surface, heights.data(), data);
@@ -393,6 +394,22 @@ void vtkAHDSampleExecution::Interpolate(
   if (inputs.SaysArrays)
   {
     vtkAHDSayArrayWarnings(this->Filter, this->Wishes, columns);
+  }
+}
+
+/// What is missing of the arrays, where something is.
+void vtkAHDSampleExecution::FindMissing(const vtkAHDSampleColumns& columns,
+  const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, const double* heights)
+{
+  const ahd::SampleReport& counts = this->Result.Counts;
+  if (counts.withoutValue + counts.leftOut > 0)
+  {
+    const ahd::PreparedInput& points = surface.GetPoints();
+    const std::size_t added = inputs.Surface
+      ? static_cast<std::size_t>(vtkAHDCountAddedPoints(inputs.Surface))
+      : points.addedCount() + inputs.AddedPoints;
+    this->Result.Missing = columns.FindMissing(
+      heights, surface.GetTriangulation(), points.points().count - added, this->Context);
   }
 }
 
@@ -416,6 +433,10 @@ void vtkAHDSampleExecution::TakeFromCounts(const vtkAHDSampleInputs& inputs,
   counts.withoutValue -= others.withoutValue;
   counts.leftOut -= others.leftOut;
   this->Result.Places -= places.size();
+  for (vtkAHDMissingValues& missing : this->Result.Missing)
+  {
+    missing.Places -= columns.CountMissingOf(missing.Name);
+  }
 }
 
 void vtkAHDSampleExecution::CountPlaces(

@@ -45,6 +45,7 @@ struct vtkAHDSampleInputs
     Told; ///< what filters behind were told of the raster and ask for; empty: nothing
 
   // One of several ranks: then nobody is warned.
+  std::size_t AddedPoints = 0;          ///< the last of Points, which are those of sources
   const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it
   /// Null, or the pieces of the ranks before: places that are in these, too, are not to count.
   const std::vector<ahd::SampleRaster>* PiecesBefore = nullptr;
@@ -96,6 +97,8 @@ private:
   void TakeSurface(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);
   void Interpolate(
     const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output);
+  void FindMissing(const vtkAHDSampleColumns& columns, const vtkAHDSampleInputs& inputs,
+    vtkAHDSampledSurface& surface, const double* heights);
   void TakeFromCounts(const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface,
     const double* heights, vtkPointData* data);
   void Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept);

@@ -67,20 +67,53 @@ void WarnOfPlaces(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
   }
 }
 
-void WarnOfValues(vtkAlgorithm* filter, const ahd::SampleReport& counts)
+/// The names of those that are counted by `isOne`, with `begin` before them and a full stop behind;
+/// empty without any.
+template <typename IsOne>
+std::string ListOf(
+  const vtkAHDSampleResult& result, const std::string& begin, const IsOne& isOne, bool hasCounts)
 {
+  std::vector<std::string> names;
+  for (const vtkAHDMissingValues& missing : result.Missing)
+  {
+    if (isOne(missing))
+    {
+      const std::string count = hasCounts ? std::to_string(missing.Places) : std::string();
+      names.push_back(missing.Name.empty() ? count + (hasCounts ? " heights" : "heights")
+                                           : count + (hasCounts ? " of " : "") + missing.Name);
+    }
+  }
+  return names.empty() ? std::string() : begin + InWords(names) + ".";
+}
+
+void WarnOfValues(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
+{
+  const ahd::SampleReport& counts = result.Counts;
+  const std::string added = ListOf(
+    result, " Points that were added (of the source, for example) lack ",
+    [](const vtkAHDMissingValues& missing) { return missing.OfAdded; }, false);
   if (counts.withoutValue > 0)
   {
+    const bool areHeights = !result.Missing.empty() && result.Missing.front().Name.empty() &&
+      result.Missing.front().Places > 0;
     vtkWarningWithObjectMacro(filter,
       "" << counts.withoutValue
-         << " values at places on the surface are none, since values of points are NaN.");
+         << " values at places on the surface are none, since values of points are NaN"
+         << ListOf(
+              result, ": ", [](const vtkAHDMissingValues& missing) { return missing.Places > 0; },
+              true)
+         << (areHeights ? "" : " No height is missing.") << added);
   }
   if (counts.leftOut > 0)
   {
     vtkWarningWithObjectMacro(filter,
       "" << counts.leftOut
          << " values at places are interpolated without some of their natural neighbours, whose "
-            "values are NaN.");
+            "values are NaN"
+         << ListOf(
+              result, ": ", [](const vtkAHDMissingValues& missing) { return missing.OfPoints; },
+              false)
+         << added);
   }
 }
 }
@@ -222,6 +255,7 @@ void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
   this->Counts.withoutValue += more.Counts.withoutValue;
   this->Counts.leftOut += more.Counts.leftOut;
   this->Places += more.Places;
+  this->AddMissing(more.Missing);
   this->Triangles = more.Triangles;
   this->Surface = IsNowhere(this->Surface) ? more.Surface : this->Surface;
   ahd::Bounds& all = this->Wanted;
@@ -236,8 +270,25 @@ void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
   all.ymax = std::max(all.ymax, more.Wanted.ymax);
 }
 
+void vtkAHDSampleResult::AddMissing(const std::vector<vtkAHDMissingValues>& more)
+{
+  for (const vtkAHDMissingValues& one : more)
+  {
+    const auto found = std::find_if(this->Missing.begin(), this->Missing.end(),
+      [&one](const vtkAHDMissingValues& other) { return other.Name == one.Name; });
+    if (found == this->Missing.end())
+    {
+      this->Missing.push_back(one);
+      continue;
+    }
+    found->Places += one.Places;
+    found->OfPoints = found->OfPoints || one.OfPoints;
+    found->OfAdded = found->OfAdded || one.OfAdded;
+  }
+}
+
 void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
 {
   WarnOfPlaces(filter, result);
-  WarnOfValues(filter, result.Counts);
+  WarnOfValues(filter, result);
 }

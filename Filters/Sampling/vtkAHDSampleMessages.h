@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 class vtkAlgorithm;
 
@@ -47,8 +48,12 @@ struct vtkAHDSampleResult
   ahd::Bounds Surface;       ///< of the vertices
   ahd::Bounds Wanted;        ///< of the places, where none has a value
 
+  /// Of all arrays, the heights first, where values are none or neighbours were left out.
+  std::vector<vtkAHDMissingValues> Missing;
+
   /// Adds what other places on the same surface came to.
   void Add(const vtkAHDSampleResult& more);
+  void AddMissing(const std::vector<vtkAHDMissingValues>& more);
 };
 
 /// Warns of arrays that are passed over, and of gradients that there are none of.

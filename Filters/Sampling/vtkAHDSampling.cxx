@@ -52,6 +52,10 @@ void vtkAHDSampling::Interpolate(
   const std::vector<ahd::SampleArray>& arrays = columns.GetArrays();
   this->Context.Check(sampler.values(
     places, arrays.data(), arrays.size(), BytesOf(this->Mask), this->Report, this->Context));
+  if (this->Report.withoutValue > 0)
+  {
+    columns.CountMissing(this->Mask->GetPointer(0), this->Context);
+  }
   if (this->Settings.NearestOutside && this->Report.outside > 0)
   {
     this->FillOutside(places, arrays);

@@ -2,6 +2,7 @@
 """Which arrays are interpolated, and what comes of them: Filters/Sampling/vtkAHDSampleColumns.cxx."""
 
 import math
+import typing
 
 import numpy
 
@@ -35,11 +36,26 @@ def in_memory(backend, data):
     return copy
 
 
+class Missing(typing.NamedTuple):
+    """What is missing of an array. `name`: empty for the heights; `places`: values at places on the surface that
+    are none; `of_points`: has it NaN at vertices, `of_added`: at such that were added, of the source for example?"""
+
+    name: str
+    places: int
+    of_points: bool
+    of_added: bool
+
+    def and_others(self, other):
+        return Missing(self.name, self.places + other.places, self.of_points or other.of_points,
+                       self.of_added or other.of_added)
+
+
 class Column:
-    """One array to interpolate. `given`: it; None: the heights. `made`, `slopes`: what came of it."""
+    """One array to interpolate. `given`: it; None: the heights. `made`, `slopes`: what came of it; `missing`: how many
+    values at places on the surface are none."""
 
     def __init__(self, name, given=None):
-        self.name, self.given, self.made, self.slopes = name, given, None, None
+        self.name, self.given, self.made, self.slopes, self.missing = name, given, None, None, 0
         self.components = given.GetNumberOfComponents() if given is not None else 1
 
     def numbers(self, count):
@@ -145,6 +161,8 @@ class Columns:
         numbers = [heights.reshape(-1, 1)] + [column.numbers(self.points) for column in self.columns[1:]]
         sampled = job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes)
         for column, found, slopes in zip(self.columns, sampled.values, sampled.gradients):
+            if job.count("sampled_without_value"):
+                column.missing = int(numpy.isnan(found[sampled.mask == 1]).sum())
             column.made = self._written(column, found)
             if self.makes_slopes and column.components == 1 and column.name:
                 column.slopes = self._written(column, slopes)
@@ -172,9 +190,24 @@ class Columns:
                 column.made = self._gathered_bits(column.given, ids, found)
                 continue
             given = column.given if column.given is None else in_memory(self.backend, column.given)
-            column.made, odd = self._gathered(given, heights if given is None else view(given), ids, found)
-            missing += odd
+            column.made, column.missing = self._gathered(
+                given, heights if given is None else view(given), ids, found)
+            missing += column.missing
         return sampled.mask, missing
+
+    def find_missing(self, job, heights, first_added):
+        """A Missing for each array that may have NaN, the heights first. Points from number `first_added` on were added
+        to the input."""
+        vertices, found = job.array("point_of_vertex", numpy.int64), []
+        added = vertices >= first_added
+        for column in self.columns:
+            if column.given is not None and is_whole(self.backend, column.given):
+                continue
+            numbers = heights if column.given is None else column.numbers(self.points)
+            odd = numpy.isnan(numbers.reshape(self.points, -1)[vertices]).any(axis=1)
+            name = column.name if column.given is not None else ""
+            found.append(Missing(name, column.missing, bool(odd.any()), bool((odd & added).any())))
+        return found
 
     def _gathered(self, given, numbers, ids, found):
         vtk, count = self.backend, len(ids)

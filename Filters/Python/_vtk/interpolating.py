@@ -12,7 +12,7 @@ from . import messages, raster, raster_messages
 from .arrays import GHOSTS, new_array, view
 from .columns import NEAREST, Columns
 from .execution import Progress, threads_to_use
-from .sampling import SampledSurface, area_of, points_of
+from .sampling import SampledSurface, area_of, count_added, points_of
 
 HIDDENPOINT = 2  # of vtkDataSetAttributes
 TRIANGULATION = 0.7  # how much of the time it takes, about
@@ -167,7 +167,12 @@ class Interpolating:
             xy = numpy.ascontiguousarray(surface.move(points_of(self.backend, self.places))[:, :2], numpy.float64)
         columns = Columns(self.backend, self.wishes, self.given.GetPointData(), surface.point_data(),
                           self.job.count("points"))
-        mask = self._sample(columns, surface.heights(), xy, found)
+        heights = surface.heights()
+        mask = self._sample(columns, heights, xy, found)
+        found.missing = []
+        if found.without_value + found.left_out:
+            first_added = self.job.count("points") - count_added(self.backend, self.job, self.given)
+            found.missing = columns.find_missing(self.job, heights, first_added)
         if self.places is not None:
             made.ShallowCopy(self.places)
         elif self.wishes["OutputType"]:

@@ -87,12 +87,25 @@ def together(found, more):
     boxes = [box for box in (found.wanted, more.wanted) if box is not None]
     wanted = tuple(end(box[k] for box in boxes) for k, end in enumerate((min, max, min, max))) if boxes else None
     return types.SimpleNamespace(
-        triangles=more.triangles, wanted=wanted, surface=found.surface or more.surface, **counts)
+        triangles=more.triangles, wanted=wanted, surface=found.surface or more.surface,
+        missing=_missing_together(found.missing + more.missing), **counts)
+
+
+def _missing_together(all_missing):
+    """One for each name."""
+    made = {}
+    for one in all_missing:
+        made[one.name] = made[one.name].and_others(one) if one.name in made else one
+    return list(made.values())
+
+
+def _of_missing(begin, each):
+    return begin + _names(each) + "." if each else ""
 
 
 def of_places(found):
     """Of places and values, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles,
-    wanted and surface, the boxes of the places and of the points."""
+    wanted and surface, the boxes of the places and of the points, and missing, of which arrays values are."""
     if found.not_finite:
         yield "%d of %d places have no value, since their x or y is NaN or infinite." % (
             found.not_finite, found.places)
@@ -100,8 +113,15 @@ def of_places(found):
         triangles = " of %d triangles" % found.triangles if found.triangles else ""
         yield "None of %d places is on the surface%s. Places: %s; points: %s." % (
             found.places, triangles, _box(found.wanted), _box(found.surface))
+    missing = found.missing
+    added = _of_missing(" Points that were added (of the source, for example) lack ", [
+        one.name or "heights" for one in missing if one.of_added])
     if found.without_value:
-        yield "%d values at places on the surface are none, since values of points are NaN." % found.without_value
+        names = [str(one.places) + (" of " + one.name if one.name else " heights") for one in missing if one.places]
+        no_height = "" if any(one.places and not one.name for one in missing) else " No height is missing."
+        yield "%d values at places on the surface are none, since values of points are NaN%s%s%s" % (
+            found.without_value, _of_missing(": ", names), no_height, added)
     if found.left_out:
-        yield ("%d values at places are interpolated without some of their natural neighbours, whose values are NaN."
-               % found.left_out)
+        names = [one.name or "heights" for one in missing if one.of_points]
+        yield ("%d values at places are interpolated without some of their natural neighbours, whose values are NaN"
+               "%s%s" % (found.left_out, _of_missing(": ", names), added))

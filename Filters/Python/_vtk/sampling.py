@@ -139,6 +139,15 @@ def is_surface(backend, given):
         count.GetNumberOfValues() == 1 and count.GetValue(0) == given.GetNumberOfPolys()))
 
 
+def count_added(backend, job, given):
+    """How many of the last points were added: to a surface where that was made, else here."""
+    if not is_surface(backend, given):
+        return job.count("added_points")
+    array = given.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
+    added = array.GetValue(0) if array is not None and array.GetNumberOfValues() == 1 else 0
+    return added if 0 < added < given.GetNumberOfPoints() else 0
+
+
 def points_of(backend, places):
     """The points of a vtkDataSet: (k, 3)."""
     if places.IsA("vtkPointSet"):

@@ -124,6 +124,9 @@ def compare(found, expected):
     check(not any(part["errors"] for part in found), "errors: %r" % [part["errors"] for part in found])
     check(not expected["errors"], "errors of one rank: %r" % expected["errors"])
     check(not any(part["warnings"] for part in found[1:]), "other ranks warn too")
+    told = [[text for text in part["warnings"] if "places on the surface are none" in text]
+            for part in (found[0], expected)]
+    check(told[0] == told[1], "what is missing: %r, not %r" % tuple(told))
     seen, first = set(), 0
     for part in found:
         check(part["class"] == expected["class"], part["class"])

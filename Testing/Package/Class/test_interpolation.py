@@ -6,8 +6,8 @@ writes the file anew."""
 import json
 import unittest
 
-from classtests import (FOLDER, IN_PYTHON, WRITES, Case, Filter, Said, array, cloud, core, model, run_tests, source,
-                        tested_class, values_of, vtk, write_rows)
+from classtests import (FOLDER, IN_PYTHON, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests,
+                        source, tested_class, values_of, vtk, write_rows)
 from inputs import full, square
 from rastercases import CASES, image, wanted_places
 from test_cases import masked, of_array, of_attributes
@@ -118,6 +118,52 @@ class InterpolationTest(Case):
             algorithm.Update()
             heights = values_of(algorithm.GetOutputDataObject(0).GetPointData().GetArray("Elevation"))
             self.assertEqual(list(heights), [1 / 3])
+
+    def test_what_is_missing_is_named_and_why(self):
+        given = cloud([(0, 0, 0), (8, 0, 1), (8, 8, 2), (0, 8, 3), (1, 1, 5), (7, 7, 4)])
+        nan = float("nan")
+        for name, values in (("depth", [1.0] * 6), ("salt", [1.0, 1.0, 1.0, 1.0, nan, 1.0])):
+            given.GetPointData().AddArray(array("vtkDoubleArray", name, values))
+        shore = source([(4, 2, 0), (4, 6, 0)], lines=[(0, 1)])
+        places = cloud([(2, 1, 0), (5, 4, 0), (7.5, 7, 0), (0.5, 0.5, 0)])
+        added = " Points that were added (of the source, for example) lack depth, salt."
+        none = "values at places on the surface are none, since values of points are NaN"
+        left = "values at places are interpolated without some of their natural neighbours, whose values are NaN"
+
+        def check(wanted, begin=none, **settings):
+            """`wanted`: with a count of each of the arrays that have a name."""
+            algorithm = Interpolation()
+            algorithm.GetTriangulation().SetSourceMode(1)
+            found = Said(algorithm)
+            set_all(algorithm, settings)
+            algorithm.SetInputDataObject(given)
+            algorithm.SetPlacesData(places)
+            algorithm.Update()
+            self.assertEqual(found.errors, [])
+            data = algorithm.GetOutputDataObject(0).GetPointData()
+            counts = [sum(value != value for value in values_of(data.GetArray(name)))
+                      for name in ("Elevation", "depth", "salt")]
+            some = [count for count in counts if count]
+            every = sum(some) or algorithm.GetNumberOfPlacesWithNeighborsLeftOut()
+            self.assertGreater(every, 0)
+            wanted = "%d %s%s" % (every, begin, wanted % tuple(some))
+            self.assertEqual([text for text in found.warnings if "values at places" in text], [wanted])
+
+        check(": %d of salt. No height is missing.")
+        algorithm = Interpolation()
+        algorithm.SetInputDataObject(given)
+        algorithm.SetInputDataObject(1, blocks(
+            cloud([(2, 1, 0), (7.5, 7, 0)]), cloud([(7.4, 7, 0)]), cloud([(0.5, 0.5, 0)])))
+        said = Said(algorithm)
+        algorithm.Update()
+        self.assertEqual(said.warnings, ["2 " + none + ": 2 of salt. No height is missing."])
+        check(": %d of salt. No height is missing.", Method=3)
+        check(": salt.", left, Method=1)
+        check(": %d of depth, %d of salt. No height is missing." + added, SourceData=shore)
+        check(": depth, salt." + added, left, SourceData=shore, Method=1)
+        given.GetPoints().SetPoint(4, 1, 1, nan)
+        given.GetPoints().Modified()
+        check(": %d heights, %d of salt.")
 
     def test_arrays_with_more_values_than_points(self):
         """The first are those of the points, as in VTK's own filters."""
