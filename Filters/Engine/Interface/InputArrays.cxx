@@ -52,10 +52,9 @@ std::string quoted(InputArray array)
 bool isTooLarge(const ahd_array& array)
 {
   constexpr double kMost = 0x1p62;
-  constexpr double kMostNumbers = 0x1p48; // what is estimated for them stays a number
   const auto span = [](std::int64_t count, std::int64_t stride)
   { return double(count) * (stride < 0 ? -double(stride) : double(stride)); };
-  return double(array.rows) * double(array.columns) > kMostNumbers ||
+  return double(array.rows) * double(array.columns) > double(kMostNumbers) ||
     span(array.rows, array.row_stride) + span(array.columns, array.column_stride) > kMost;
 }
 
@@ -65,7 +64,7 @@ std::string faultOf(const Row& row, const ahd_array& array)
   if ((bitOf(array.type) & row.types) == 0 || array.columns < row.leastColumns ||
     array.columns > row.mostColumns)
   {
-    return "is to be " + std::string(row.wanted) + ", not of type " + std::to_string(array.type) +
+    return "must be " + std::string(row.wanted) + ", not of type " + std::to_string(array.type) +
       " with " + std::to_string(array.columns) + " columns.";
   }
   if (array.rows < 0 || isTooLarge(array))
@@ -74,7 +73,7 @@ std::string faultOf(const Row& row, const ahd_array& array)
   }
   if (row.leastColumns == 4 && array.rows != 4)
   {
-    return "is to have 4 rows, not " + std::to_string(array.rows) + ".";
+    return "must have 4 rows, not " + std::to_string(array.rows) + ".";
   }
   return array.rows > 0 && !array.data ? "has rows, but its data is null." : std::string();
 }

@@ -34,7 +34,7 @@ struct Places
   std::int64_t* ids;
   std::int64_t* cells; ///< may be null
 };
-void locate(Job& job, const double* xy, std::size_t count, const Places& out);
+void locate(Job& job, const double* xy, std::uint64_t given, const Places& out);
 
 } // namespace ahd
 

@@ -173,11 +173,15 @@ void interpolate(Job& job, std::int32_t where, double* values, std::int32_t colu
       "Values are interpolated at AHD_AT_SURFACE, AHD_AT_CROSSINGS or both, not " +
         std::to_string(where) + ".");
   }
-  if (columns < 0 || (columns > 0 && !values))
+  if (columns < 0)
   {
-    refuse(
-      AHD_BAD_ARRAY, "The values are null, or their columns are " + std::to_string(columns) + ".");
+    refuse(AHD_BAD_ARRAY, "The values have " + std::to_string(columns) + " columns.");
   }
+  if (columns > 0 && !values)
+  {
+    refuse(AHD_BAD_ARRAY, "The pointer to the values is null.");
+  }
+  checkColumns(static_cast<std::uint64_t>(columns), "columns");
   const ScopedFloatingPoint asAssumed;
   if ((where & AHD_AT_SURFACE) != 0)
   {
@@ -189,13 +193,16 @@ void interpolate(Job& job, std::int32_t where, double* values, std::int32_t colu
   }
 }
 
-void locate(Job& job, const double* xy, std::size_t count, const Places& out)
+void locate(Job& job, const double* xy, std::uint64_t given, const Places& out)
 {
   JobResult& made = job.result();
-  if (count > 0 && (!xy || !out.kinds || !out.ids))
+  if (given > 0 && (!xy || !out.kinds || !out.ids))
   {
-    refuse(AHD_BAD_ARRAY, "The places, or where their kinds or ids are to be written, are null.");
+    const char* const which = !xy ? "places" : !out.kinds ? "kinds" : "ids";
+    refuse(AHD_BAD_ARRAY, "The pointer to the " + std::string(which) + " is null.");
   }
+  checkCount(given, "places");
+  const auto count = static_cast<std::size_t>(given);
   job.withThreads(
     [&](const Context& context)
     {

@@ -18,20 +18,6 @@ namespace ahd
 namespace
 {
 
-// What is estimated stays a number.
-constexpr std::size_t kMostPlaces = std::size_t(1) << 48;
-constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
-
-void checkColumns(std::uint64_t columns)
-{
-  if (columns > kMostColumns)
-  {
-    refuse(AHD_BAD_VALUE,
-      std::to_string(columns) + " columns are too many to interpolate at a time: at most " +
-        std::to_string(kMostColumns) + ".");
-  }
-}
-
 SamplePlaces placesOf(const ahd_places& given)
 {
   if (given.xy || given.count > 0)
@@ -41,10 +27,7 @@ SamplePlaces placesOf(const ahd_places& given)
       refuse(
         AHD_BAD_ARRAY, "There are " + std::to_string(given.count) + " places, but xy is null.");
     }
-    if (given.count > kMostPlaces)
-    {
-      refuse(AHD_BAD_ARRAY, std::to_string(given.count) + " places are beyond all memory.");
-    }
+    checkCount(given.count, "places");
     return SamplePlaces(PointView(given.xy, static_cast<std::size_t>(given.count), 2));
   }
   for (int k = 0; k < 2; ++k)
@@ -53,10 +36,10 @@ SamplePlaces placesOf(const ahd_places& given)
       given.spacing[k] == 0.0)
     {
       refuse(AHD_BAD_VALUE,
-        "A raster is to have a finite origin, and a spacing that is finite and not 0.");
+        "A raster must have a finite origin, and a spacing that is finite and not 0.");
     }
   }
-  if (given.rows > 0 && given.columns > kMostPlaces / given.rows)
+  if (given.rows > 0 && given.columns > kMostNumbers / given.rows)
   {
     refuse(AHD_MEMORY_LIMIT,
       "A raster of " + std::to_string(given.columns) + " x " + std::to_string(given.rows) +
@@ -197,7 +180,7 @@ void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask
   for (const SampleArray& array : arrays)
   {
     components += array.components;
-    checkColumns(components);
+    checkColumns(components, "columns");
   }
   run(estimate(components, mask != nullptr),
     [&](const Sampler& sampler, SampleReport& report, const Context& context)
@@ -236,14 +219,15 @@ void Sampling::weights()
 }
 
 std::vector<SampleArray> arraysOf(
-  const ahd_sampled* given, std::size_t count, const Sampling& sampling, bool hasPoints)
+  const ahd_sampled* given, std::uint64_t count, const Sampling& sampling, bool hasPoints)
 {
   if (count > 0 && !given)
   {
     refuse(AHD_BAD_ARRAY, "The arrays to interpolate are null.");
   }
-  std::vector<SampleArray> arrays(count);
-  for (std::size_t k = 0; k < count; ++k)
+  checkColumns(count, "arrays");
+  std::vector<SampleArray> arrays(static_cast<std::size_t>(count));
+  for (std::size_t k = 0; k < arrays.size(); ++k)
   {
     const ahd_sampled& array = given[k];
     const std::string name = "Array " + std::to_string(k) + " of those to interpolate ";
@@ -260,7 +244,7 @@ std::vector<SampleArray> arraysOf(
     {
       refuse(AHD_BAD_VALUE,
         name +
-          "is to have gradients: there are none but with \"sample_method\" "
+          "has a place for gradients: there are none but with \"sample_method\" "
           "AHD_SAMPLE_LINEAR.");
     }
     arrays[k] = { array.values, static_cast<std::size_t>(array.columns), array.out,
@@ -271,7 +255,7 @@ std::vector<SampleArray> arraysOf(
 
 } // namespace
 
-void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::size_t count,
+void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::uint64_t count,
   std::uint8_t* mask)
 {
   Sampling sampling(job, places);
@@ -286,7 +270,7 @@ void weigh(Job& job, const ahd_places& places)
 void estimateSample(Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes)
 {
   const Sampling sampling(job, places);
-  checkColumns(columns);
+  checkColumns(columns, "columns");
   const std::size_t estimate = sampling.estimate(static_cast<std::size_t>(columns), false);
   bytes = estimate;
   sampling.checkMemory(estimate);

@@ -42,7 +42,7 @@ struct JobSampling
 };
 
 // Calls of ahd_sample.h; what cannot be done is refused.
-void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::size_t count,
+void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::uint64_t count,
   std::uint8_t* mask);
 void weigh(Job& job, const ahd_places& places);
 /// Writes the estimate, and refuses if it is more than is allowed.

@@ -143,7 +143,7 @@ void checkCells(const CellsView& cells, InputArray offsetArray, const Context& c
     refuse(AHD_BAD_ARRAY,
       "\"" + std::string(InputArrays::name(std::size_t(offsetArray))) + "\" has " +
         std::to_string(bad.begin) + " and " + std::to_string(bad.end) + " for chain " +
-        std::to_string(bad.cell) + ": they are to ascend from 0 to the " + std::to_string(bad.ids) +
+        std::to_string(bad.cell) + ": they must ascend from 0 to the " + std::to_string(bad.ids) +
         " ids.");
   }
   check(status);

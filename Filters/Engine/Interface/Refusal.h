@@ -5,6 +5,7 @@
 #include "../Result.h"
 #include "ahd.h"
 
+#include <cstdint>
 #include <string>
 #include <utility>
 
@@ -21,6 +22,31 @@ struct Refusal
 [[noreturn]] inline void refuse(ahd_status status, std::string text)
 {
   throw Refusal{ status, std::move(text) };
+}
+
+// What is estimated for so many stays a number.
+constexpr std::uint64_t kMostNumbers = std::uint64_t(1) << 48;
+constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
+
+/// Refuses a count that no memory has room for: a caller's -1, or what was never set. `what`: in
+/// plural.
+inline void checkCount(std::uint64_t count, const char* what)
+{
+  if (count > kMostNumbers)
+  {
+    refuse(AHD_BAD_ARRAY, std::to_string(count) + " " + what + " are beyond all memory.");
+  }
+}
+
+/// The same of what lies side by side for each point or place.
+inline void checkColumns(std::uint64_t count, const char* what)
+{
+  if (count > kMostColumns)
+  {
+    refuse(AHD_BAD_VALUE,
+      std::to_string(count) + " " + what + " are too many to interpolate at a time: at most " +
+        std::to_string(kMostColumns) + ".");
+  }
 }
 
 /// Refuses unless Ok. What has a number in its text is refused where the number is known.

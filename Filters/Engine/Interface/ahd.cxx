@@ -280,10 +280,7 @@ ahd_status ahd_interpolate(ahd_job* job, int32_t where, double* values, int32_t 
 ahd_status ahd_locate(
   ahd_job* job, const double* xy, uint64_t count, int32_t* kinds, int64_t* ids, int64_t* cells)
 {
-  return call(job,
-    [=](ahd::Job& own) {
-      ahd::locate(own, xy, static_cast<std::size_t>(count), { kinds, ids, cells });
-    });
+  return call(job, [=](ahd::Job& own) { ahd::locate(own, xy, count, { kinds, ids, cells }); });
 }
 
 ahd_status ahd_sample(
@@ -293,7 +290,7 @@ ahd_status ahd_sample(
     [=](ahd::Job& own)
     {
       mustHave(places, "places");
-      ahd::sample(own, *places, arrays, static_cast<std::size_t>(count), mask);
+      ahd::sample(own, *places, arrays, count, mask);
     });
 }
 
@@ -361,6 +358,11 @@ uint64_t ahd_available_memory(void)
 
 void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2])
 {
+  out[0] = out[1] = 0;
+  if (count > ahd::kMostNumbers || (count > 0 && !bytes))
+  {
+    return;
+  }
   const auto* const begin = static_cast<const unsigned char*>(bytes);
   const std::size_t words = static_cast<std::size_t>(count) / ahd::FingerprintSum::kWord;
   ahd::FingerprintSum sum;

@@ -31,10 +31,11 @@
  *
  * Threads. A job is for one thread at a time; several jobs may be at work in several threads. Only
  * ahd_cancel() may be called while another call of the same job is at work: from another thread or
- * from a callback. Other calls from a callback return AHD_BUSY. No state outlives the jobs, but
- * what the processor can do, which is looked up once.
+ * from a callback. Other calls from a callback return AHD_BUSY. A callback must return: where
+ * longjmp() leaves it, its call never ends, the job stays busy and must not be freed. No state
+ * outlives the jobs, but what the processor can do, which is looked up once.
  *
- * Memory. Arrays given to ahd_set_array() are looked at where they are: they are to stay,
+ * Memory. Arrays given to ahd_set_array() are looked at where they are: they must stay,
  * unchanged, until another one takes their place or the job is freed. Floats and doubles are not
  * copied if their rows are a whole number of numbers apart and have their numbers side by side.
  * Results are written into the caller's memory.
@@ -417,7 +418,7 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *                                             first those split, then those left out; to 1000
  *   left_out            id       (o, 4)       cell and segment left out, cell and segment crossed
  *
- * order, insertion_ranks, box_... and voronoi_... are to be asked for by their want_... before the
+ * order, insertion_ranks, box_... and voronoi_... must be asked for by their want_... before the
  * run. Cancelled and failed writes may be called again.
  *
  * `columns`: 1 for a list. `out` has room for `capacity` numbers (not bytes), as many as there are
@@ -491,7 +492,7 @@ AHD_API const char* ahd_status_name(ahd_status status);
 AHD_API uint32_t ahd_processors(void);
 /* Bytes that this process can still get without swapping. */
 AHD_API uint64_t ahd_available_memory(void);
-/* 128 bits that differ, in practice always, where the bytes or `kind` do. Never both 0. */
+/* 128 bits that differ, in practice, where bytes or `kind` do; 0, 0 for null or absurd counts. */
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
 
 #include "ahd_sample.h" /* values between the points, at any places or on a raster */

@@ -84,6 +84,7 @@ static void test_square(void)
   CHECK_OK(job, ahd_locate(job, xy, 5, kinds, ids, NULL));
   CHECK_OK(job, ahd_locate(job, NULL, 0, NULL, NULL, NULL));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_locate(job, NULL, 1, kinds, ids, NULL));
+  CHECK_SAYS(job, "The pointer to the places is null.");
   ahd_job_free(job);
 }
 
@@ -259,7 +260,9 @@ static void test_constraints(void)
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_interpolate(job, 0, values, 2));
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_interpolate(job, 4, values, 2));
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_interpolate(job, AHD_AT_CROSSINGS, NULL, 2));
+  CHECK_SAYS(job, "The pointer to the values is null.");
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_interpolate(job, AHD_AT_CROSSINGS, values, -1));
+  CHECK_SAYS(job, "The values have -1 columns.");
   CHECK_OK(job, ahd_interpolate(job, AHD_AT_CROSSINGS, NULL, 0));
   { /* 32 bits, an id that is none, with offsets of either type */
     ahd_array ids = { short_ids, AHD_INT32, 1, 6, 4, 4 };

@@ -90,6 +90,47 @@ static void test_no_result(void)
   ahd_job_free(job);
 }
 
+/* Counts that no memory has: a caller's -1. Nothing is read or written. */
+static void test_absurd_counts(void)
+{
+  static const double triangle[] = { 0, 0, 1, 0, 0, 1 };
+  static const uint64_t absurd[] = { (UINT64_C(1) << 48) + 1, UINT64_MAX / 2 + 1, UINT64_MAX };
+  ahd_job* job = ahd_job_of(triangle, 3, 2);
+  int k;
+  CHECK_OK(job, ahd_run(job));
+  for (k = 0; k < 3; ++k)
+  {
+    double value = 7;
+    int32_t kind = 7;
+    int64_t id = 7;
+    uint64_t bytes = 7, print[2] = { 7, 7 };
+    ahd_places places = { triangle, 1, { 0, 0 }, { 1, 1 }, 0, 0 };
+    ahd_sampled array = { triangle, 1, &value, NULL };
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_locate(job, triangle, absurd[k], &kind, &id, NULL));
+    CHECK_SAYS(job, "places are beyond all memory");
+    CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample(job, &places, &array, absurd[k], NULL));
+    CHECK_SAYS(job, "arrays are too many");
+    CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample_estimate(job, &places, absurd[k], &bytes));
+    places.count = absurd[k];
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample(job, &places, &array, 1, NULL));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_estimate(job, &places, 1, &bytes));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_weights(job, &places));
+    places.xy = NULL;
+    places.count = 0;
+    places.columns = places.rows = absurd[k];
+    CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_sample(job, &places, &array, 1, NULL));
+    CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_sample_weights(job, &places));
+    CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_get_array(job, "triangles", AHD_INT32, NULL, absurd[k]));
+    ahd_fingerprint(triangle, absurd[k], 0, print);
+    CHECK(print[0] == 0 && print[1] == 0);
+    CHECK(value == 7 && kind == 7 && id == 7 && bytes == 7);
+  }
+  CHECK_STATUS(
+    job, AHD_BAD_VALUE, ahd_interpolate(job, AHD_AT_SURFACE, (double*)triangle, INT32_MAX));
+  CHECK_SAYS(job, "2147483647 columns are too many");
+  ahd_job_free(job);
+}
+
 /* A job with everything in it that takes time. */
 static ahd_job* busy_job(double* xy, int64_t* chain)
 {
@@ -372,6 +413,8 @@ static void test_fingerprint(void)
     ahd_fingerprint(bytes, 39, 1, b);
     CHECK(memcmp(a, b, sizeof(a)) != 0);
   }
+  ahd_fingerprint(NULL, 8, 0, a);
+  CHECK(a[0] == 0 && a[1] == 0);
   ahd_fingerprint(NULL, 0, 0, a);
   CHECK(a[0] != 0 || a[1] != 0);
 }
@@ -386,4 +429,5 @@ void test_trouble(void)
   test_crossings();
   test_threads();
   test_fingerprint();
+  test_absurd_counts();
 }
