@@ -35,38 +35,84 @@ def place(data):
     return numbers.ctypes.data if numbers.size else 0, numbers.nbytes
 
 
+class HeldPoints:
+    """The array that vtkPoints had. No vtkPoints of its own: vtkPoints::SetData() makes the array newer, so that all
+    who have it run again. Nor an array of its own on the same memory, which would not know when that is given away."""
+
+    def __init__(self, points):
+        self._data = points.GetData()
+
+    def GetData(self):
+        return self._data
+
+    def GetNumberOfPoints(self):
+        return self._data.GetNumberOfTuples()
+
+    def GetDataType(self):
+        return self._data.GetDataType()
+
+
+class Held:
+    """A data set in objects of its own that share the arrays: whatever is done to the other's objects meanwhile, this
+    has all arrays that it had. Has the methods of `data`, which is without points where these are in an array of
+    their own. `owner`: the data set itself, for those who are given its points; None where it is not to be held."""
+
+    def __init__(self, backend, data, given):
+        self._backend, self._data = backend, data
+        self._has_points = given.IsA("vtkPointSet")
+        points = given.GetPoints() if self._has_points else None
+        self._points = points if points is None or isinstance(points, HeldPoints) else HeldPoints(points)
+        self._owner = None if isinstance(given, Held) else given
+        if self._has_points and data.GetPoints() is not None:
+            data.SetPoints(None)
+
+    def __getattr__(self, name):
+        return getattr(self._data, name)
+
+    def GetPoints(self):
+        return self._points
+
+    def GetNumberOfPoints(self):
+        if not self._has_points:
+            return self._data.GetNumberOfPoints()
+        return self._points.GetNumberOfPoints() if self._points else 0
+
+    def put_into(self, taker):
+        """All of it into a data set of the same class."""
+        taker.ShallowCopy(self._data)
+        self.give_points(taker)
+
+    def give_points(self, taker):
+        """To a vtkPointSet; the very vtkPoints of the owner, if these still have the array that was held."""
+        if self._points is None:
+            return
+        points = self._owner.GetPoints() if self._owner is not None else None
+        if points is None or points.GetData() is not self._points.GetData():
+            points = self._backend.vtkPoints()
+            points.SetData(self._points.GetData())
+        taker.SetPoints(points)
+
+
 def held(backend, given):
-    """The same points and data, and the same cells but those of a vtkPolyData that has none, in objects of its own that
-    share the arrays: whatever is done to the other's objects meanwhile, this has all arrays that it had. None of
-    None."""
+    """The same points and data, and the same cells but those of a vtkPolyData that has none. None of None."""
     if given is None:
         return None
     made = given.NewInstance()
-    made.ShallowCopy(given)
-    if given.IsA("vtkPointSet"):
-        _have_own_points(backend, made, given)
+    made.ShallowCopy(given._data if isinstance(given, Held) else given)
     for kind in ("Verts", "Lines", "Polys", "Strips") if given.IsA("vtkPolyData") else ():
         cells, own = getattr(given, "Get" + kind)(), None
         if cells.GetNumberOfCells() > 0:  # else it may be an empty one that all share
             own = backend.vtkCellArray()
             own.ShallowCopy(cells)
         getattr(made, "Set" + kind)(own)
-    return made
+    return Held(backend, made, given)
 
 
 def held_points(backend, given):
-    """Points and point data of a vtkPointSet as a vtkPolyData, as held() has them."""
+    """Points and point data of a vtkPointSet as a vtkPolyData."""
     made = backend.vtkPolyData()
     made.GetPointData().ShallowCopy(given.GetPointData())
-    _have_own_points(backend, made, given)
-    return made
-
-
-def _have_own_points(backend, made, given):
-    if given.GetPoints() is not None:
-        points = backend.vtkPoints()
-        points.SetData(given.GetPoints().GetData())
-        made.SetPoints(points)
+    return Held(backend, made, given)
 
 
 def without_points(backend, given):
@@ -111,7 +157,7 @@ def must_be_converted(points):
 
 
 def coordinates(backend, points):
-    """Of vtkPoints or None: (n, 3), where they lie if they are floats or doubles."""
+    """Of vtkPoints, HeldPoints or None: (n, 3), where they lie if they are floats or doubles."""
     if points is None or points.GetNumberOfPoints() == 0:
         return numpy.empty((0, 3))
     data = points.GetData()

@@ -152,9 +152,10 @@ class Merged:
         self.input = held_points(backend, given) if isinstance(given, backend.vtkPointSet) else None
         self.source = held(backend, source) if isinstance(source, backend.vtkPolyData) else None
         if isinstance(given, backend.vtkCompositeDataSet):
-            self.input = self._merge(Blocks(backend, given))
+            merged = self._merge(Blocks(backend, given))
+            self.input = merged and held_points(backend, merged)
         if isinstance(source, backend.vtkCompositeDataSet) and self.input is not None:
-            self.source = self._merge(Blocks(backend, source, True, values["SourceMode"] == 0))
+            self.source = held(backend, self._merge(Blocks(backend, source, True, values["SourceMode"] == 0)))
             if self.source is None:
                 self.input = None  # a surface without its constraints is not what was asked for
 
@@ -179,11 +180,9 @@ class Merged:
         return None
 
     def hand_on_points(self, surface):
-        """Gives a surface that has the points which were held those of the input, if they still are these."""
-        is_one = isinstance(self.given, self.backend.vtkPointSet) and surface.GetPoints() is self.input.GetPoints()
-        points = self.given.GetPoints() if is_one else None
-        if points is not None and points.GetData() is self.input.GetPoints().GetData():
-            surface.SetPoints(points)
+        """Gives a surface that has no points of its own those of the input."""
+        if surface.GetPoints() is None:
+            self.input.give_points(surface)
 
     def warn(self):
         """Of blocks that are left out."""

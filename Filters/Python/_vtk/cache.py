@@ -123,7 +123,9 @@ class OutputCache:
             return False
 
     def keep(self, given, outputs):
-        if self.now is None or outputs[0].GetNumberOfPoints() != given.GetNumberOfPoints():
+        """For the next execution. The surface has no points where they are the input's."""
+        own_points = outputs[0].GetPoints()
+        if self.now is None or own_points and own_points.GetNumberOfPoints() != given.GetNumberOfPoints():
             return
         kept = []
         for output in outputs:
@@ -137,9 +139,6 @@ class OutputCache:
         for i in range(own.GetNumberOfArrays() - 1, -1, -1):
             if _is_among(own.GetAbstractArray(i), theirs):
                 own.RemoveArray(i)
-        self.own_points = outputs[0].GetPoints() is not given.GetPoints()
-        if not self.own_points:
-            kept[0].SetPoints(None)
         Diagram(self.backend, kept[2]).leave_only_ids()  # the rest of its data is that of the points
         try:
             self.contents, self.kept, self.at_the_time = _contents(kept), kept, self.now
@@ -147,11 +146,10 @@ class OutputCache:
             pass
 
     def pass_on(self, given, outputs):
-        """Fills the outputs anew, with the point data of this input. REQUIRES: fits() said so."""
+        """Fills the outputs anew, with the point data of this input; without points where they are the input's.
+        REQUIRES: fits() said so."""
         for kept, output in zip(self.kept, outputs):
             _share(kept, output)
-        if not self.own_points:
-            outputs[0].SetPoints(given.GetPoints())
         data = outputs[0].GetPointData()
         data.Initialize()
         data.PassData(given.GetPointData())
@@ -164,4 +162,4 @@ class OutputCache:
             outputs[0].GetFieldData().AddArray(made)
         diagram = Diagram(self.backend, outputs[2])
         if diagram.is_written():
-            diagram.write_data(outputs[0])
+            diagram.write_data(data, given.GetNumberOfPoints())

@@ -174,7 +174,7 @@ class Interpolating:
             first_added = self.job.count("points") - count_added(self.backend, self.job, self.given)
             found.missing = columns.find_missing(self.job, heights, first_added)
         if self.places is not None:
-            made.ShallowCopy(self.places)
+            self.places.put_into(made)
         elif self.wishes["OutputType"]:
             self._write_surface(made, view(columns.heights()), mask == 1)
         elif self.count:

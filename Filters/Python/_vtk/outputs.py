@@ -19,19 +19,19 @@ class Surface:
         self.backend, self.job, self.values, self.output = backend, job, values, output
 
     def write_points(self, given, source):
-        """The input's own points and data, unless points were added or moved to means."""
+        """Data, and points where some were added or moved to means: else they are the input's, and none are set."""
         if self.job.count("added_points") > 0:
             self._set_points(numpy.float64)
             own = source if source and self.values["SourceMode"] and source.GetNumberOfPoints() else None
             PointData(self.backend, self.job, given, own, self.job.count("points")).write(self.output.GetPointData())
             return
-        self.output.SetPoints(given.GetPoints())
+        self.output.SetPoints(None)
         self.output.GetPointData().PassData(given.GetPointData())
         if self.values["DuplicatePolicy"] == 3 and self.job.count("duplicates"):
             now = coordinates(self.backend, given.GetPoints())
             self._set_points(now.dtype)
             if numpy.array_equal(view(self.output.GetPoints().GetData()), now, equal_nan=True):
-                self.output.SetPoints(given.GetPoints())
+                self.output.SetPoints(None)
 
     def _set_points(self, number):
         kind = self.backend.vtkFloatArray if number == numpy.float32 else self.backend.vtkDoubleArray
@@ -137,7 +137,7 @@ class Diagram:
         self.output.SetPolys(polygons)
         made[2].SetName(IDS_NAME)
         self.output.GetCellData().AddArray(made[2])
-        self.write_data(surface)
+        self.write_data(surface.GetPointData(), job.count("points"))
 
     def is_written(self):
         return bool(self.output.GetCellData().HasArray(IDS_NAME))
@@ -149,15 +149,15 @@ class Diagram:
         if sites is not None:
             data.AddArray(sites)
 
-    def write_data(self, surface):
-        """The point data of the surface, of each cell that of its point."""
+    def write_data(self, points, points_count):
+        """The point data of the surface, which has so many points; of each cell that of its point."""
         vtk = self.backend
         given = vtk.vtkPointData()  # what there is of every point
-        given.ShallowCopy(surface.GetPointData())
+        given.ShallowCopy(points)
         given.RemoveArray(IDS_NAME)
         remove_arrays_of_one_name(given)
         for i in range(given.GetNumberOfArrays() - 1, -1, -1):
-            if given.GetAbstractArray(i).GetNumberOfTuples() < surface.GetNumberOfPoints():
+            if given.GetAbstractArray(i).GetNumberOfTuples() < points_count:
                 given.RemoveArray(i)
         data = self.output.GetCellData()
         sites = data.GetAbstractArray(IDS_NAME)

@@ -110,6 +110,48 @@ class LayoutsTest(Case):
                 for apart in ((True, False, False), (False, True, False), (False, False, True), (True, True, True)):
                     self.assertEqual(made(kind, components, apart, option), expected, (kind, components, option, apart))
 
+    def test_times_of_what_is_read_stay(self):
+        """An array whose time changed has all others who have it run again."""
+        for apart in ((False,) * 3, (True,) * 3):
+            given, lines = self.given("float64", 1, apart)
+            at = cloud(places(COUNT, 5))
+            read = [made for data in (given, lines, at) for made in (
+                data, data.GetPoints(), data.GetPoints().GetData(), data.GetPointData(), data.GetLines())]
+            times = [thing.GetMTime() for thing in read]
+            surface, in_blocks, values, at_places = Filter(), Filter(), Interpolation(), Interpolation()
+            at_places.SetInputDataObject(1, at)
+            for algorithm in (surface, in_blocks, values, at_places):
+                Said(algorithm)
+                algorithm.SetInputDataObject(0, blocks(given) if algorithm is in_blocks else given)
+                algorithm.SetInputDataObject(1 if isinstance(algorithm, Filter) else 2, lines)
+                for _ in range(3):  # the last passes on what was kept
+                    algorithm.Update()
+                    self.assertEqual([thing.GetMTime() for thing in read], times)
+                    algorithm.Modified()
+            self.assertIs(surface.GetOutput().GetPoints().GetData(), given.GetPoints().GetData())
+            self.assertIs(at_places.GetOutput().GetPoints().GetData(), at.GetPoints().GetData())
+
+    def test_an_array_that_is_replaced_meanwhile(self):
+        """Outputs have the points that there were when the execution began, whatever an observer gives the input."""
+        for is_surface in (True, False):
+            given, at = cloud(places(COUNT, 6)), cloud(places(COUNT, 7))
+            read = given if is_surface else at
+            data = read.GetPoints().GetData()
+            algorithm = Filter() if is_surface else Interpolation()
+            algorithm.SetInputDataObject(0, given)
+            if not is_surface:
+                algorithm.SetInputDataObject(1, at)
+
+            def replace(*_):
+                if 0 < algorithm.GetProgress() < 1:  # at 0 it has not begun, at 1 the outputs are handed on
+                    read.GetPoints().SetData(cloud(places(3, 8)).GetPoints().GetData())
+
+            algorithm.AddObserver("ProgressEvent", replace)
+            algorithm.Update()
+            self.assertIsNot(read.GetPoints().GetData(), data)
+            self.assertIs(algorithm.GetOutput().GetPoints().GetData(), data)
+            self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), COUNT)
+
     def test_of_the_surface(self):
         self.check(self.triangulated, (0, 1))
 
