@@ -114,6 +114,8 @@ class LinearInterpolator(_Interpolator):
     Notes
     -----
     Several threads may call one object. It can be pickled. Python's other threads go on meanwhile, and Ctrl-C works.
+    Points that are all on one line, which scipy's refuses, are warned of, and have values on that line between the
+    outermost; a single point has its own at its place.
 
     Examples
     --------

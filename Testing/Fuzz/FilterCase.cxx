@@ -300,6 +300,8 @@ void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) c
   filter->SetProjectionPlaneMode(head_[kModes] >> 5 & 3);
   filter->SetMergeBlocks(bit(kModes, 7));
   filter->SetRim(head_[kOffset] % 3);
+  filter->SetClosedLines(bit(kThreadCount, 2));
+  filter->SetSourceHeights(bit(kThreadCount, 3));
   filter->SetGenerateFate(bit(kExtras, 0));
   filter->SetGenerateConstraintEdges(bit(kExtras, 1));
   filter->SetGenerateRegionIds(bit(kExtras, 2));

@@ -39,7 +39,7 @@ enum FilterByte : std::size_t
   kOffset,     ///< likewise
   kLimit,      ///< InsertionLimit
   kMemory,     ///< 0, or MemoryLimit as a number
-  kThreadCount, ///< NumberOfThreads
+  kThreadCount, ///< bits 0-1 NumberOfThreads; 2 closed lines; 3 source heights
   kAbortAt,     ///< a first execution is aborted at this progress event; 0: there is none
   kChange,      ///< what is changed between executions
   kMultiply,    ///< from 224 on: the points 4, 16, 64 times, side by side

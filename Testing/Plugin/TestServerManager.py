@@ -62,11 +62,6 @@ def test_everything_is_in_the_panel():
         check_equal(sm.GetProperty(name).GetPanelVisibility(), "default", "panel_visibility of " + name)
 
 
-def choices(proxy, name):
-    domain = proxy.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
-    return {domain.GetEntryValue(i): domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())}
-
-
 def test_choices():
     expected = {
         "InsertionOrder": ["Adaptive Hilbert", "Multi-grid", "Regular grid", "As given"],
@@ -79,9 +74,11 @@ def test_choices():
         "ProjectionPlaneMode": ["XY Plane", "Transform Plane", "Best-Fitting Plane"],
         "DuplicatePolicy": ["First", "Lowest z", "Highest z", "Mean z"],
         "VoronoiClip": ["Hull", "Bounds"],
+        "Rim": ["Automatic", "Convex Hull", "Trimmed"],
     }
     for name, texts in expected.items():
         check_equal(choices(sm, name), dict(enumerate(texts)), "choices of " + name)
+    check_equal(with_choices(sm), set(expected), "properties with choices")
 
 
 def test_it_has_what_delaunay_2d_has():

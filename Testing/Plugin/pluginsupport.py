@@ -260,6 +260,16 @@ def properties(of):
     return found
 
 
+def choices(proxy, name):
+    domain = proxy.GetProperty(name).FindDomain("vtkSMEnumerationDomain")
+    return {domain.GetEntryValue(i): domain.GetEntryText(i) for i in range(domain.GetNumberOfEntries())}
+
+
+def with_choices(proxy):
+    """The names of the properties that have choices."""
+    return {name for name, item in properties(proxy).items() if item.FindDomain("vtkSMEnumerationDomain")}
+
+
 def measures(proxy):
     """The measures of the last run, as ParaView shows them: the update itself must fetch them."""
     proxy.UpdatePipeline()

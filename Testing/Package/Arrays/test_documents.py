@@ -4,6 +4,7 @@
 import doctest
 import inspect
 import os
+import re
 import typing
 import unittest
 
@@ -67,6 +68,18 @@ class DocumentTest(unittest.TestCase):
         for name, found in self.public():
             if name.startswith("Triangulation."):
                 self.assertRegex(text, "`%s[(`]" % name.split(".")[1])
+
+    def test_the_headers_name_all_that_the_library_knows_by_name(self):
+        folder = os.path.join(ROOT, "Filters", "Engine", "Interface")
+        text = ""
+        for header in ("ahd.h", "ahd_sample.h"):
+            with open(os.path.join(folder, header), encoding="utf-8") as file:
+                text += file.read()
+        for kind in range(6):
+            names = _interface.names(kind)
+            self.assertGreater(len(names), 3)
+            missing = [name for name in names if not re.search(r"\b%s\b" % name, text)]
+            self.assertEqual(missing, [], kind)
 
     def test_it_says_that_it_is_typed(self):
         folder = os.path.dirname(adaptivehilbertdelaunay.__file__)

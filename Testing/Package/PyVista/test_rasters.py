@@ -4,7 +4,10 @@
 import contextlib
 import inspect
 import math
+import pathlib
+import re
 import sys
+import textwrap
 import unittest
 import warnings
 
@@ -16,6 +19,7 @@ from adaptivehilbertdelaunay import DelaunayWarning
 if not hasattr(pyvista, "register_dataset_accessor") or "found" not in sys.argv:
     import adaptivehilbertdelaunay.pyvista  # noqa: F401 (with "found" PyVista finds it by its entry point)
 
+README = pathlib.Path(__file__).resolve().parents[3] / "Filters" / "Python" / "README.md"
 SLOPE = (0.5, -0.25, 3.0)  # of x, of y, at the origin
 
 
@@ -226,6 +230,21 @@ class SampleTest(Case):
         with self.warns("1 of 2"):
             mesh = slope()
             mesh.adaptive.sample(numpy.array([(1.0, 1.0), (math.nan, 1.0)]))
+
+
+class ReadmeTest(unittest.TestCase):
+    def test_what_it_shows_runs(self):
+        """Without a warning: what PyVista deprecates, its next version refuses."""
+        text = README.read_text(encoding="utf-8").partition("## PyVista: mesh.adaptive")[2]
+        shown = re.search(r"(?m)^( {4}import pyvista.*\n(?:(?: {4}.*)?\n)+)", text).group(1)
+        self.assertIn("pyvista.Line(", shown)
+        mesh = slope()
+        coastline = pyvista.PolyData(mesh.points[:3], lines=[3, 0, 1, 2])
+        names = dict(mesh=mesh, coastline=coastline, start=(1, 1, 0), end=(99, 99, 0))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            exec(compile(textwrap.dedent(shown), str(README), "exec"), names)
+        self.assertEqual(names["profile"].n_points, 501)
 
 
 class FoundTest(unittest.TestCase):

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The Reference names every setting, measure and array of the classes and every property of ParaView's panel, as these
+themselves list them; the fuzzer of the filter sets every setting.
+"""
+
+import re
+import unittest
+import xml.etree.ElementTree
+
+from classtests import FOLDER, Filter, Source, cloud, run_tests, source, tested_class, vtk
+
+ROOT = FOLDER.parents[2]
+REFERENCE = (ROOT / "Plugin" / "Documentation" / "Reference.md").read_text(encoding="utf-8")
+Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+BASES = vtk("vtkCommonExecutionModel").vtkPolyDataAlgorithm, vtk("vtkCommonExecutionModel").vtkDataSetAlgorithm
+# Of a property of ParaView that is none of a class: how the panel shows others, and the inputs.
+OF_PANEL = {"Input", "Surface", "Voronoi", "Values"}
+# What the fuzzer has no use for: several ranks, and settings without effect.
+NOT_FUZZED = {"Controller", "DistributePoints", "RandomPointInsertion", "UseHilbertSorter", "GeneratePointStatus"}
+
+
+def members(kind, start):
+    """What follows `start` in the names of the methods that the class has and VTK's do not."""
+    names = {name[len(start):] for name in dir(kind) if re.match(start + "[A-Z]", name) and not any(
+        hasattr(base, name) for base in BASES)}  # fmt: skip
+    return {name for name in names if not re.search("(M(ax|in)Value|Input|Output|(In|Out)putData)$", name)}
+
+
+def is_named(name):
+    """In code or in quotes, by itself."""
+    return re.search(r"`[^`\n]*\b%s\b[^`\n]*`|\"%s\"" % (name, name), REFERENCE) is not None
+
+
+def names_of(data):
+    return {data.GetArrayName(i) for i in range(data.GetNumberOfArrays())}
+
+
+def all_arrays():
+    """The names of all arrays of an execution with everything on."""
+    points = [(0, 0, 0), (4, 0, 1), (4, 4, 2), (0, 4, 3), (1, 2, 4), (3, 1, 5), (1, 2, 6)]
+    made = []
+    for algorithm in (Filter(), Interpolation()):
+        given = cloud(points)
+        for name in members(type(algorithm), "Set"):
+            if name.startswith("Generate"):
+                getattr(algorithm, "Set" + name)(True)
+        algorithm.SetInputDataObject(given)
+        algorithm.SetSourceData(source(points, lines=[(0, 2), (1, 3)]))
+        algorithm.AddObserver("WarningEvent", lambda *_: None)
+        algorithm.Update()
+        made += [algorithm.GetOutputDataObject(port) for port in range(algorithm.GetNumberOfOutputPorts())]
+    assert all(output.GetNumberOfPoints() for output in made)
+    return set().union(*(
+        names_of(data) for output in made for data in (
+            output.GetPointData(), output.GetCellData(), output.GetFieldData())))
+
+
+class ReferenceTest(unittest.TestCase):
+    def check(self, names, least):
+        self.assertGreaterEqual(len(names), least)
+        self.assertEqual(sorted(name for name in names if not is_named(name)), [])
+
+    def test_settings_and_measures(self):
+        for kind, least in ((Filter, 55), (Interpolation, 20), (Source, 4)):
+            self.check(members(kind, "Get"), least)
+
+    def test_arrays(self):
+        names = {name[:-len("Gradient")] if name.endswith("Gradient") else name for name in all_arrays()}
+        self.assertLessEqual({"Fate", "Neighbors", "Crossings", "Level", "OriginalPointIds", "Elevation"}, names)
+        self.check(names | {"Gradient"}, 30)
+
+    def test_properties_of_the_panel(self):
+        tree = xml.etree.ElementTree.parse(ROOT / "Plugin" / "AdaptiveHilbertDelaunay.xml")
+        found = set()
+        for group in tree.getroot().iter("ProxyGroup"):
+            for proxy in group if group.get("name") in ("filters", "sources") else ():
+                found |= {item.get("name") for item in proxy if item.tag.endswith("Property")}
+        self.check(found - OF_PANEL, 60)
+
+    def test_the_fuzzer_sets_them(self):
+        text = (ROOT / "Testing" / "Fuzz" / "FilterCase.cxx").read_text(encoding="utf-8")
+        settings = members(Filter, "Set") & members(Filter, "Get")
+        self.assertGreater(len(settings), 35)
+        self.assertEqual(sorted(
+            name for name in settings - NOT_FUZZED if not re.search(r"\bSet%s\b" % name, text)), [])
+
+
+if __name__ == "__main__":
+    run_tests()
