@@ -158,11 +158,12 @@ void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
 
 void vtkAHDReadArrays(vtkPointSet* input, vtkAHDRankFacts& facts)
 {
-  if (!input || input->GetNumberOfPoints() == 0)
+  if (!input)
   {
     return;
   }
-  facts.AreFloats = input->GetPoints()->GetDataType() == VTK_FLOAT;
+  facts.AreFloats = input->GetNumberOfPoints() > 0 &&
+    input->GetPoints()->GetDataType() == VTK_FLOAT;
   vtkNew<vtkPointData> data;
   data->ShallowCopy(input->GetPointData());
   vtkAHDRemoveArraysOfOneName(data);
@@ -328,26 +329,36 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
   return nullptr;
 }
 
+std::vector<const vtkAHDRankFacts*> vtkAHDAllFacts::GetThoseWithData() const
+{
+  std::vector<const vtkAHDRankFacts*> some;
+  const bool areEmpty = this->GetPoints() == 0;
+  for (const vtkAHDRankFacts& facts : this->Of)
+  {
+    if (areEmpty ? !facts.Arrays.empty() : facts.Points > 0)
+    {
+      some.push_back(&facts);
+    }
+  }
+  return some;
+}
+
 std::vector<vtkAHDArrayFacts> vtkAHDAllFacts::GetArrays() const
 {
   std::vector<vtkAHDArrayFacts> common;
   bool isFirst = true;
-  for (const vtkAHDRankFacts& facts : this->Of)
+  for (const vtkAHDRankFacts* facts : this->GetThoseWithData())
   {
-    if (facts.Points == 0)
-    {
-      continue;
-    }
     if (isFirst)
     {
-      common = facts.Arrays;
+      common = facts->Arrays;
       isFirst = false;
     }
     std::vector<vtkAHDArrayFacts> both;
     for (vtkAHDArrayFacts array : common)
     {
-      const auto found = std::find(facts.Arrays.begin(), facts.Arrays.end(), array);
-      if (found != facts.Arrays.end())
+      const auto found = std::find(facts->Arrays.begin(), facts->Arrays.end(), array);
+      if (found != facts->Arrays.end())
       {
         array.Attribute = array.Attribute == found->Attribute ? array.Attribute : -1;
         both.push_back(array);
@@ -386,10 +397,10 @@ std::string vtkAHDAllFacts::GetPartialArrays() const
 {
   const std::vector<vtkAHDArrayFacts> common = this->GetArrays();
   std::set<std::string> names;
-  for (const vtkAHDRankFacts& facts : this->Of)
+  for (const vtkAHDRankFacts* facts : this->GetThoseWithData())
   {
-    names.insert(facts.OtherArrays.begin(), facts.OtherArrays.end());
-    for (const vtkAHDArrayFacts& array : facts.Arrays)
+    names.insert(facts->OtherArrays.begin(), facts->OtherArrays.end());
+    for (const vtkAHDArrayFacts& array : facts->Arrays)
     {
       if (!IsNamed(common, array.Name))
       {

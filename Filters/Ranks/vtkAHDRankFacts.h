@@ -76,7 +76,8 @@ public:
   /// The first setting that ranks have no method for: one of them has to triangulate all points.
   /// Null if there is none.
   const char* FindUnfit(const vtkAHDSettings& settings) const;
-  /// The arrays that all ranks with points have, in the order of the first of these.
+  /// The arrays that all ranks with points have, in the order of the first of these; where there is
+  /// no point on any rank, those that all ranks with arrays have.
   std::vector<vtkAHDArrayFacts> GetArrays() const;
   /// The points of a rank's input with these arrays; empty ones where there are no points. `input`
   /// may be null.
@@ -90,6 +91,9 @@ public:
   bool CountsSource(std::size_t rank) const { return rank == 0 || !this->IsOneSource(); }
   /// How many ranks are on the machine of this one.
   std::size_t CountOnHostOf(std::size_t rank) const;
+
+private:
+  std::vector<const vtkAHDRankFacts*> GetThoseWithData() const; ///< whose arrays count
 };
 
 /// Stops all if one could not get its input (`before`, if not Ok, is why; it has said so): then

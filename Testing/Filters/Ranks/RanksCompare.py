@@ -104,7 +104,7 @@ def appended(made, settings):
     """All pieces as one rank would have them."""
     numbers = {piece.number for piece in made if piece.points}
     whole = Piece([], "float" if numbers == {"float"} else "double")
-    full = [piece for piece in made if piece.points]
+    full = [piece for piece in made if piece.points] or [piece for piece in made if piece.arrays]
     common = [name for name in (full[0].arrays if full else ())
               if all(name in piece.arrays and piece.arrays[name][0] == full[0].arrays[name][0] for piece in full)]
     for name in common:

@@ -11,9 +11,10 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
 import RanksCompare
 from RanksCompare import (
-    COUNTS, RANK, RANKS, WANTED, appended, attempt, check, finish, make_filter, on_all_ranks, read, Said, try_failure,
+    COUNTS, RANK, RANKS, WANTED, appended, attempt, check, finish, make_filter, make_input, on_all_ranks, read, Said,
+    try_failure,
 )
-from rankcases import gathered_cases, pieces, uniform
+from rankcases import Piece, gathered_cases, pieces, uniform
 
 MORE_COUNTS = ["NumberOfPointsBeyondLimit", "NumberOfMergedPoints", "NumberOfBentConstraints",
                "NumberOfTrimmedTriangles", "NP", "NR", "MemoryEstimate", "SortSeconds", "NumberOfThreadsUsed"]
@@ -193,6 +194,24 @@ def failures():
     }
 
 
+def try_no_points(settings):
+    """Where no rank has a point, the arrays of the input come out as on one; a rank with no arrays has no say."""
+    given = Piece([])
+    given.arrays = {"Text": ("text", []), "Float": ("float", []), "Long": ("long", [])}
+    expected = arrays_of(make_input(given).GetPointData()), "Float", []
+
+    def run_empty():
+        algorithm = make_filter(given if RANK < RANKS - 1 else Piece([]), settings, True)
+        said = Said(algorithm)
+        algorithm.Update()
+        data = algorithm.GetOutput().GetPointData()
+        return arrays_of(data), data.GetScalars() and data.GetScalars().GetName(), said.errors
+
+    for arrays, scalars, errors in on_all_ranks("no points", run_empty) or ():
+        found = {name: array for name, array in arrays.items() if name not in ("vtkGhostType", "GlobalPointIds")}
+        check((found, scalars, errors) == expected, "%r, %r, %r" % (found, scalars, errors))
+
+
 for name, (made, settings, setting) in gathered_cases(RANKS).items():
     if WANTED in name:
         attempt(name, try_case, made, settings, setting)
@@ -200,7 +219,8 @@ for name, (work, words) in failures().items():
     if WANTED in name:
         attempt(name, try_failure, name, work, words)
 for name, work in (("other host", (try_hosts, 600, False)), ("first host", (try_hosts, 10 ** 5, True)),
-                   ("again", (try_again,)), ("unfit marks", (try_unfit_marks,))):
+                   ("again", (try_again,)), ("unfit marks", (try_unfit_marks,)), ("no points", (try_no_points, {})),
+                   ("no points, gathered", (try_no_points, {"GenerateVoronoi": True}))):
     if WANTED in name:
         attempt(name, *work)
 finish()

@@ -34,6 +34,24 @@ def nearest(points, place):
 
 
 class FewPointsTest(Case):
+    def test_active_attributes_of_empty_arrays(self):
+        """Arrays without a value are the attributes that they were, in each piece."""
+        for name in ("none", "two", "three"):
+            given = made_of(SETS[name])
+            given.GetPointData().SetActiveScalars("a0")
+            ids = array("vtkIdTypeArray", "ids", range(len(SETS[name])))
+            given.GetPointData().SetGlobalIds(ids)
+            for piece in (1, 0, 1):
+                for algorithm in (Filter(), Interpolation()):
+                    Said(algorithm)
+                    algorithm.SetInputDataObject(given)
+                    algorithm.UpdatePiece(piece, 2, 0)
+                    data = algorithm.GetOutputDataObject(0).GetPointData()
+                    active = {data.GetArrayName(i): data.IsArrayAnAttribute(i) for i in range(data.GetNumberOfArrays())
+                              if data.IsArrayAnAttribute(i) >= 0}
+                    expected = {"a0": 0, "ids": 5} if isinstance(algorithm, Filter) else {"a0": 0}
+                    self.assertEqual(active, expected, (name, piece))
+
     def test_surfaces(self):
         for name, points in SETS.items():
             algorithm = Filter()
