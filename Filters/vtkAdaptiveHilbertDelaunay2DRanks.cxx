@@ -183,7 +183,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(
   {
     vtkErrorMacro(<< blocks->GetDifference()
                   << ". Where MergeBlocks is off, block by block is triangulated over all ranks, "
-                     "and each has to have the same ones, but for those that it lacks. Nothing was "
+                     "and each must have the same ones, but for those that it lacks. Nothing was "
                      "computed. Switch MergeBlocks on for one surface of all, or DistributePoints "
                      "off: each rank then triangulates its own.");
   }

@@ -277,7 +277,8 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   bool isDone = false;
   if (!this->Triangulation)
   {
-    vtkErrorMacro("Triangulation is null: nothing says how to triangulate.");
+    vtkErrorMacro("Triangulation is null: nothing says how to triangulate. Give it a "
+                  "vtkAdaptiveHilbertDelaunay2D.");
   }
   else
   {

@@ -138,16 +138,20 @@ void vtkAHDMergedBlocks::WarnOfInput() const
     if (all.GetNumberOfOthers() > 0)
     {
       vtkWarningWithObjectMacro(this->Filter,
-        "" << all.GetNumberOfOthers() << " blocks have no points of their own (the first is a "
-           << all.GetFirstOther() << "): they were left out.");
+        "" << all.GetNumberOfOthers()
+           << (all.GetNumberOfOthers() == 1
+                  ? " block has no points of its own and was left out; it is a "
+                  : " blocks have no points of their own and were left out; the first is a ")
+           << all.GetFirstOther() << ".");
     }
     if (all.GetNumberOfUnfitMarks() > 0)
     {
       vtkWarningWithObjectMacro(this->Filter,
         "In "
-          << all.GetNumberOfUnfitMarks() << " blocks the point data array "
+          << all.GetNumberOfUnfitMarks()
+          << (all.GetNumberOfUnfitMarks() == 1 ? " block" : " blocks") << " the point data array "
           << vtkDataSetAttributes::GhostArrayName()
-          << " does not have one value for each of the points, or not of type unsigned char, so "
+          << " does not have one value for each of the points, or is not of type unsigned char, so "
              "none of these points was skipped.");
     }
   }
@@ -168,8 +172,11 @@ void vtkAHDMergedBlocks::WarnOfSource() const
     if (all.GetNumberOfOthers() > 0)
     {
       vtkWarningWithObjectMacro(this->Filter,
-        "" << all.GetNumberOfOthers() << " blocks of the source are no vtkPolyData (the first is a "
-           << all.GetFirstOther() << "): they were left out.");
+        "" << all.GetNumberOfOthers()
+           << (all.GetNumberOfOthers() == 1
+                  ? " block of the source is no vtkPolyData and was left out; it is a "
+                  : " blocks of the source are no vtkPolyData and were left out; the first is a ")
+           << all.GetFirstOther() << ".");
     }
   }
 }

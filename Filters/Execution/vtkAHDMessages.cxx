@@ -76,9 +76,10 @@ void WarnOfPoints(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vt
   if (report.MarksAreUnfit)
   {
     vtkWarningWithObjectMacro(filter,
-      "The point data array " << vtkDataSetAttributes::GhostArrayName()
-                              << " does not have one value for each of the " << report.InputPoints
-                              << " points, or not of type unsigned char, so no point was skipped.");
+      "The point data array "
+        << vtkDataSetAttributes::GhostArrayName() << " does not have one value for each of the "
+        << report.InputPoints
+        << " points, or is not of type unsigned char, so no point was skipped.");
   }
   if (report.Counts.notFinite > 0)
   {
@@ -150,9 +151,9 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
   if (report.Counts.triangles > 0 && report.Cells == 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "None of " << report.Counts.triangles
-                 << " triangles is put out, and nothing else: Alpha, its switches and "
-                    "MaximumEdgeLength leave nothing.");
+      "Nothing is put out: Alpha, its switches and MaximumEdgeLength leave none of "
+        << report.Counts.triangles << (report.Counts.triangles == 1 ? " triangle" : " triangles")
+        << ", no line and no vertex. Larger numbers keep more, and 0 is no limit.");
   }
   if (report.MayBeEmptiedByLoops)
   {
@@ -190,7 +191,8 @@ void WarnOfRim(vtkAlgorithm* filter, const vtkAHDReport& report)
     "" << (isEmpty ? "There is no triangle left: trimming" : "Trimming") << " the rim took "
        << (isEmpty ? "all " : "") << counts.trimmed << " of " << counts.triangles + counts.trimmed
        << " triangles away, " << percent << " % of the area in the plane, and left "
-       << counts.bareVertices << " points without a triangle. Rim Convex Hull keeps them all.");
+       << counts.bareVertices << (counts.bareVertices == 1 ? " point" : " points")
+       << " without a triangle. Set Rim to Convex Hull to keep them all.");
 }
 
 /// "1 point, 2 vertices"; nothing of what there is none of.
@@ -216,8 +218,8 @@ void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
   if (found.Points + found.Strips > 0 && report.Constraints.segments == 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "The source constrains nothing: it has no line and no polygon of two points or more. Found "
-        << (found.Strips > 0 ? "(strips are ignored): " : ": ") << InWords(found) << ".");
+      "The source constrains nothing: it has no line and no polygon of two points or more. Found"
+        << (found.Strips > 0 ? " (strips are ignored): " : ": ") << InWords(found) << ".");
   }
   else if (found.Strips > 0)
   {

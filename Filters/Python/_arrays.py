@@ -64,7 +64,7 @@ def delaunay(
         coordinates do not lie side by side); other types are converted to float64. A point whose x or y is NaN or
         infinite is no vertex, and a warning counts them. Do not change arrays while the triangulation is in use.
     segments : (m, 2) array of int, optional
-        Pairs of ids that are to be edges. A segment that passes through points becomes several edges.
+        Pairs of ids that become edges. A segment that passes through points becomes several edges.
     lines : sequence of sequences of int, or (c, w) array, optional
         Open chains of ids, such as breaklines: each pair of successive ones is a segment. A flat sequence is one line.
     loops : sequence of sequences of int, or (c, w) array, optional
@@ -183,13 +183,13 @@ def delaunay(
     chains = {"segments": segments, "lines": lines, "loops": loops}
     dtype = np.dtype(id_dtype)
     if dtype not in (np.int32, np.int64) or not dtype.isnative:
-        raise TypeError("id_dtype is to be numpy.int32 or numpy.int64, not %s" % dtype)
+        raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
     wanted = (want,) if isinstance(want, str) else tuple(want)
     for name in wanted:
         if name not in WANTED:
             raise ValueError("want: %r is none of %s" % (name, ", ".join(map(repr, WANTED))))
     if progress is not None and not callable(progress):
-        raise TypeError("progress is to be a function, not %r" % (progress,))
+        raise TypeError("progress must be a function, not %r" % (progress,))
     request = Request(points, skip, source_points, chains, plane, given)
     made = Triangulation(request, dtype, wanted, progress)
     warn(made.counts, made.measures["trimmed_area"], crossings == "split")

@@ -72,7 +72,7 @@ _NAMES_HERE = {"line_ids": "segments or lines", "loop_ids": "loops", "skip": "ma
 
 def _refused(name: str, value: Any, wanted: str) -> str:
     text = repr(value)
-    return "%s is to be %s, not %s" % (name, wanted, text if len(text) <= 60 else text[:57] + "...")
+    return "%s must be %s, not %s" % (name, wanted, text if len(text) <= 60 else text[:57] + "...")
 
 
 def _choice(name: str, value: Any) -> int:
@@ -104,8 +104,9 @@ def _whole(name: str, value: Any) -> int:
     return number
 
 
-def _real(name: str, value: Any) -> float:
-    least, most = REAL[name]
+def real_of(name: str, value: Any, limits: Optional[Tuple[float, float]] = None) -> float:
+    """A number within limits, those of this keyword if none are given. TypeError, ValueError."""
+    least, most = limits or REAL[name]
     wanted = "a number from %g to %g" % (least, most)
     if isinstance(value, (str, bytes, bool, np.bool_)):
         raise TypeError(_refused(name, value, wanted))
@@ -125,7 +126,7 @@ def settings_of(given: Mapping[str, Any]) -> Dict[str, Union[int, float]]:
     made: Dict[str, Union[int, float]] = {}
     for name, value in given.items():
         convert: Callable[[str, Any], Union[int, float]] = (
-            _choice if name in CHOICES else _flag if name in FLAGS else _whole if name in WHOLE else _real
+            _choice if name in CHOICES else _flag if name in FLAGS else _whole if name in WHOLE else real_of
         )
         made[_NAMES_IN_C.get(name, name)] = convert(name, value)
     return made
@@ -143,9 +144,10 @@ def points_of(name: str, given: Any) -> np.ndarray:
     if points.size == 0 and points.ndim == 1:
         points = points.reshape(0, 2)
     if points.ndim != 2 or points.shape[1] not in (2, 3):
-        raise ValueError("%s are to be of shape (n, 2) or (n, 3), not %s" % (name, points.shape))
+        hint = ": take its transpose, .T" if points.ndim == 2 and len(points) in (2, 3) else ""
+        raise ValueError("%s must be of shape (n, 2) or (n, 3), not %s%s" % (name, points.shape, hint))
     if points.dtype.kind not in "biuf" and points.size:
-        raise TypeError("%s are to be real numbers, not of type %s" % (name, points.dtype))
+        raise TypeError("%s must be real numbers, not of type %s" % (name, points.dtype))
     isReady = points.dtype in (np.float32, np.float64) and points.dtype.isnative and points.flags.aligned
     return points if isReady else np.array(points, np.float64)
 
@@ -156,25 +158,38 @@ def skip_of(given: Any, count: int) -> np.ndarray:
         raise TypeError("skip is a masked array, whose mask would be lost")
     marks = np.asarray(given)
     if marks.shape != (count,):
-        raise ValueError("skip is to have one value for each of %d points, not the shape %s" % (count, marks.shape))
+        raise ValueError("skip must have one value for each of %d points, not the shape %s" % (count, marks.shape))
     if marks.dtype == np.bool_:
         return marks.view(np.uint8)
     if marks.dtype == np.uint8:
         return marks
     if marks.size == 0:
         return np.zeros(0, np.uint8)
-    raise TypeError("skip is to be of type bool or uint8, not %s" % marks.dtype)
+    raise TypeError("skip must be of type bool or uint8, not %s" % marks.dtype)
 
 
-def _ids(name: str, given: Any) -> np.ndarray:
+_CHAINS = "a chain of ids of points, rows of an array, or a sequence of chains"
+
+
+def _no_ids(name: str, wanted: str) -> ValueError:
+    return ValueError("%s must be %s; coordinates go to source_points" % (name, wanted))
+
+
+def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
     """int32 or int64 of any shape."""
     if isinstance(given, np.ma.MaskedArray):
         raise TypeError("%s: a masked array, whose mask would be lost" % name)
-    ids = np.asarray(given)
+    try:
+        ids = np.asarray(given)
+    except ValueError:  # lists of unlike lengths
+        raise _no_ids(name, wanted) from None
     if ids.size == 0:
         return ids.astype(np.int64)
+    if ids.dtype == object:  # of these an older NumPy makes one
+        raise _no_ids(name, wanted)
     if ids.dtype.kind not in "iu":
-        raise TypeError("%s are to be whole numbers, the ids of points, not of type %s" % (name, ids.dtype))
+        hint = ": coordinates go to source_points" if ids.dtype.kind == "f" else ""
+        raise TypeError("%s must be whole numbers, the ids of points, not of type %s%s" % (name, ids.dtype, hint))
     if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and ids.max() > 2**63 - 1:
         raise ValueError("%s: %d is no point" % (name, ids.max()))
     isReady = ids.dtype in (np.int32, np.int64) and ids.dtype.isnative and ids.flags.aligned
@@ -192,17 +207,17 @@ def chains_of(name: str, given: Any) -> Chains:
     if ids.ndim == 1:
         return ids, np.array([0, len(ids)], np.int64) if len(ids) else np.zeros(1, np.int64)
     if ids.ndim != 2:
-        raise ValueError("%s are to be a chain of ids, rows of an array, or a sequence of chains" % name)
+        raise _no_ids(name, _CHAINS)
     return (ids, None) if ids.shape[1] > 1 else _joined(list(ids))
 
 
 def segments_of(name: str, given: Any) -> Chains:
     """(m, 2)."""
-    ids = _ids(name, given)
+    ids = _ids(name, given, "pairs of ids of points, of shape (m, 2)")
     if ids.ndim == 1 and ids.size == 0:
         ids = ids.reshape(0, 2)
     if ids.ndim != 2 or ids.shape[1] != 2:
-        raise ValueError("%s are to be of shape (m, 2), not %s" % (name, ids.shape))
+        raise ValueError("%s must be of shape (m, 2), not %s" % (name, ids.shape))
     return ids, None
 
 

@@ -9,7 +9,7 @@ import numpy as np
 
 from ._arrays import delaunay
 from ._raster import real_numbers, unmasked
-from ._sampling import check_outside
+from ._sampling import check_outside, check_rows
 from ._triangulation import Triangulation
 
 
@@ -27,11 +27,8 @@ class _Interpolator:
             points = self._own(points, rescale)
             points = delaunay(points, threads=threads)
         self.triangulation: Triangulation = points
-        given = points.counts["input_points"] + points.counts["source_points"]
         self.values = np.array(unmasked("values", values))
-        if self.values.ndim < 1 or len(self.values) != given:
-            raise ValueError("values are to have a row for each of %d points, not the shape %s" % (
-                given, self.values.shape))  # fmt: skip
+        check_rows(self.values, points.counts)
         self.values.flags.writeable = False
 
     def _own(self, points: Any, rescale: bool) -> np.ndarray:
@@ -40,9 +37,9 @@ class _Interpolator:
             points = np.stack(np.broadcast_arrays(*(unmasked("points", one) for one in points)), axis=-1)
         given = unmasked("points", points)
         if given.ndim != 2 or given.shape[1] != 2:
-            raise ValueError("points are to be of shape (n, 2), not %s" % (given.shape,))
+            raise ValueError("points must be of shape (n, 2), not %s" % (given.shape,))
         if given.dtype.kind not in "biuf" and given.size:
-            raise TypeError("points are to be real numbers, not of type %s" % given.dtype)
+            raise TypeError("points must be real numbers, not of type %s" % given.dtype)
         own = np.array(given, np.float64)
         if rescale and len(own):
             known = own[np.isfinite(own).all(axis=1)]
@@ -69,7 +66,7 @@ class _Interpolator:
         else:
             raise TypeError("places are x and y, or one array of shape (..., 2), not %d arguments" % len(args))
         if places.ndim < 1 or places.shape[-1] != 2:
-            raise ValueError("places are to be of shape (..., 2), not %s" % (places.shape,))
+            raise ValueError("places must be of shape (..., 2), not %s" % (places.shape,))
         if self._origin.any() or (self._scale != 1).any():
             places = (places - self._origin) / self._scale
         return places
@@ -134,7 +131,7 @@ class LinearInterpolator(_Interpolator):
     ) -> None:
         self._start(points, values, rescale, threads)
         if self.values.dtype.kind not in "biufc":
-            raise TypeError("values are to be numbers, not of type %s" % self.values.dtype)
+            raise TypeError("values must be numbers, not of type %s" % self.values.dtype)
         check_outside("fill_value", fill_value, "", self.values.dtype.kind)
         self.fill_value = fill_value
 

@@ -52,7 +52,7 @@ class Raster:
             pair = pair_of(name, getattr(self, name))
             if not all(map(math.isfinite, pair)) or (name == "spacing" and 0 in pair):
                 wanted = "finite" if name == "origin" else "finite and not 0"
-                raise ValueError("%s is to be %s, not %r" % (name, wanted, pair))
+                raise ValueError("%s must be %s, not %r" % (name, wanted, pair))
             object.__setattr__(self, name, pair)
         object.__setattr__(self, "shape", shape_of(self.shape, 0))
 
@@ -97,7 +97,7 @@ def real_numbers(name: str, given: Any) -> np.ndarray:
     """The same of real numbers, as float64. TypeError."""
     found = unmasked(name, given)
     if found.dtype.kind not in "biuf" and found.size:
-        raise TypeError("%s are to be real numbers, not of type %s" % (name, found.dtype))
+        raise TypeError("%s must be real numbers, not of type %s" % (name, found.dtype))
     return found.astype(np.float64, copy=False)
 
 
@@ -113,7 +113,7 @@ def pair_of(name: str, given: Any) -> Tuple[float, float]:
     try:
         first, second = (number_of(number) for number in given)
     except (TypeError, ValueError):
-        raise TypeError("%s is to be two numbers, x and y, not %r" % (name, given)) from None
+        raise TypeError("%s must be two numbers, x and y, not %r" % (name, given)) from None
     return first, second
 
 
@@ -122,9 +122,9 @@ def shape_of(given: Any, least: int) -> Tuple[int, int]:
     try:
         rows, columns = (operator.index(number) for number in given)
     except (TypeError, ValueError):
-        raise TypeError("shape is to be two whole numbers, rows and columns, not %r" % (given,)) from None
+        raise TypeError("shape must be two whole numbers, rows and columns, not %r" % (given,)) from None
     if not (least <= rows <= MOST and least <= columns <= MOST):
-        raise ValueError("shape is to be rows and columns, each from %d to %d, not %r" % (least, MOST, given))
+        raise ValueError("shape must be rows and columns, each from %d to %d, not %r" % (least, MOST, given))
     return rows, columns
 
 
@@ -134,9 +134,9 @@ def size_of(given: Any) -> Tuple[float, float]:
     try:
         size = (number_of(given),) * 2 if isOne else pair_of("cell_size", given)
     except (TypeError, ValueError):
-        raise TypeError("cell_size is to be one number or two numbers, x and y, not %r" % (given,)) from None
+        raise TypeError("cell_size must be one number or two numbers, x and y, not %r" % (given,)) from None
     if not all(0 < number < math.inf for number in size):
-        raise ValueError("cell_size is to be greater than 0 and finite, not %r" % (given,))
+        raise ValueError("cell_size must be greater than 0 and finite, not %r" % (given,))
     return size
 
 
@@ -145,9 +145,9 @@ def bounds_of(given: Any) -> Tuple[float, float, float, float]:
     try:
         xmin, xmax, ymin, ymax = (number_of(number) for number in given)
     except (TypeError, ValueError):
-        raise TypeError("bounds are to be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
+        raise TypeError("bounds must be four numbers: xmin, xmax, ymin, ymax; not %r" % (given,)) from None
     if not (xmin <= xmax and ymin <= ymax and all(map(math.isfinite, (xmin, xmax, ymin, ymax)))):
-        raise ValueError("bounds are to be xmin, xmax, ymin, ymax, finite and ascending, not %r" % (given,))
+        raise ValueError("bounds must be xmin, xmax, ymin, ymax, finite and ascending, not %r" % (given,))
     return xmin, xmax, ymin, ymax
 
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, NamedTuple, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
@@ -29,9 +29,9 @@ class Weights(NamedTuple):
 
 def method_of(given: Any) -> int:
     if not isinstance(given, str):
-        raise TypeError("method is to be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
+        raise TypeError("method must be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
     if given not in METHODS:
-        raise ValueError("method is to be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
+        raise ValueError("method must be one of %s, not %r" % (", ".join(map(repr, METHODS)), given))
     return METHODS.index(given)
 
 
@@ -42,7 +42,7 @@ def places_of(given: Any) -> Tuple[Union[Raster, np.ndarray], Tuple[int, ...]]:
     places = unmasked("places", given)
     if places.ndim < 1 or places.shape[-1] != 2:
         if places.shape != (0,):
-            raise ValueError("places are to be of shape (k, 2) or (..., 2), or a Raster, not %s" % (places.shape,))
+            raise ValueError("places must be of shape (k, 2) or (..., 2), or a Raster, not %s" % (places.shape,))
         places = places.reshape(0, 2)
     return np.ascontiguousarray(real_numbers("places", places)).reshape(-1, 2), places.shape[:-1]
 
@@ -52,15 +52,23 @@ def check_outside(name: str, given: Any, also: str, kind: str) -> None:
     isWord = isinstance(given, (str, bytes))
     found = np.asarray(None if isWord else given)
     if found.ndim != 0 or found.dtype.kind not in ("biufc" if kind == "c" else "biuf"):
-        raise TypeError("%s is to be a number%s, not %r" % (name, also, given))
+        raise TypeError("%s must be a number%s, not %r" % (name, also, given))
 
 
-def _numbers_of(values: Any, count: int, kinds: str) -> np.ndarray:
-    given = unmasked("values", values)
+def check_rows(given: np.ndarray, counts: Mapping[str, int]) -> None:
+    """Has it a row for each point of the input and of a source? ValueError."""
+    count, added = counts["input_points"] + counts["source_points"], counts["source_points"]
     if given.ndim < 1 or len(given) != count:
-        raise ValueError("values are to have a row for each of %d points, not the shape %s" % (count, given.shape))
+        last = ", the last %d of which are those of source_points" % added if added else ""
+        raise ValueError("values must have a row for each of %d points%s, not the shape %s" % (
+            count, last, given.shape))  # fmt: skip
+
+
+def _numbers_of(values: Any, counts: Mapping[str, int], kinds: str) -> np.ndarray:
+    given = unmasked("values", values)
+    check_rows(given, counts)
     if given.dtype.kind not in kinds:
-        raise TypeError("values are to be real numbers, not of type %s" % given.dtype)
+        raise TypeError("values must be real numbers, not of type %s" % given.dtype)
     return given
 
 
@@ -89,7 +97,7 @@ class Sampled(Made):
             cells but for rounding counts as that.
         shape : (rows, columns) of int, from 1 to 2**31 - 1
             How many cells there are; they fill the bounds, and a side of length 0 has one row. One of both,
-            `cell_size` or `shape`, is to be given.
+            `cell_size` or `shape`, must be given.
         bounds : (xmin, xmax, ymin, ymax) of float, default: those of the vertices, in the plane of the triangulation
             What is covered.
         align : bool, default False
@@ -122,7 +130,7 @@ class Sampled(Made):
             with self._locked():
                 box = self._engine().array("vertex_bounds")
             if np.isnan(box).any():
-                raise ValueError("there are no vertices: bounds are to be given")
+                raise ValueError("there are no vertices: bounds must be given")
             bounds = box.ravel().tolist()
         return raster_over(bounds, cell_size, shape, align)
 
@@ -201,7 +209,7 @@ class Sampled(Made):
         if at is None:
             if method != "linear" or gradient or np.ndim(outside) or not _is_nan(outside):
                 raise ValueError("method, outside and gradient are for values at places: give these as `at`")
-            return self._for_points(_numbers_of(values, self._given_points, "biuf"))
+            return self._for_points(_numbers_of(values, self._counts, "biuf"))
         return self._at(values, at, method, outside, gradient, progress)
 
     def weights(self, at: Any, method: str = "linear") -> Weights:
@@ -255,9 +263,9 @@ class Sampled(Made):
         if gradient and chosen != library.SAMPLE_LINEAR:
             raise ValueError("there are gradients with the method 'linear' only")
         if isinstance(outside, str) and outside != "nearest":
-            raise ValueError("outside is to be a number or 'nearest', not %r" % (outside,))
+            raise ValueError("outside must be a number or 'nearest', not %r" % (outside,))
         places, shape = places_of(at)
-        given = _numbers_of(values, self._given_points, "biufc")
+        given = _numbers_of(values, self._counts, "biufc")
         if not isinstance(outside, str):
             check_outside("outside", outside, " or 'nearest'", given.dtype.kind)
         rows = self._for_points(given) if self._counts["added_points"] or self._moves_points else given
@@ -278,10 +286,6 @@ class Sampled(Made):
             found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, False, False, None)
         made: np.ndarray = found.values[0].reshape(-1)
         return made
-
-    @property
-    def _given_points(self) -> int:
-        return self._counts["input_points"] + self._counts["source_points"]
 
     def _for_points(self, given: np.ndarray) -> np.ndarray:
         """The values with those of points that were added, and of those that lie on a surface."""

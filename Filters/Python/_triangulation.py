@@ -326,7 +326,7 @@ class Triangulation(Sampled):
         number = self._request.settings["voronoi_clip"]
         if clip is not None:
             if clip not in CHOICES["voronoi_clip"]:
-                raise ValueError("clip is to be 'hull' or 'bounds', not %r" % (clip,))
+                raise ValueError("clip must be 'hull' or 'bounds', not %r" % (clip,))
             number = CHOICES["voronoi_clip"].index(clip)
         made: Voronoi = self._made("voronoi %d" % number, lambda: self._make_voronoi(int(number)))
         return made
@@ -363,7 +363,7 @@ class Triangulation(Sampled):
         """
         given = unmasked("places", places)
         if given.ndim != 2 or given.shape[1] != 2:
-            raise ValueError("places are to be of shape (k, 2), not %s" % (given.shape,))
+            raise ValueError("places must be of shape (k, 2), not %s" % (given.shape,))
         places = real_numbers("places", given)
         with self._locked():
             job = self._for_places()

@@ -17,6 +17,11 @@ class DelaunayWarning(UserWarning):
     """
 
 
+def _number(count: int, one: str) -> str:
+    """"1 point", "2 points"."""
+    return "%d %s%s" % (count, one, "" if count == 1 else "s")
+
+
 def _of_points(counts: Counts, where: str) -> Iterator[str]:
     points = counts["points"]
     if counts["not_finite"]:
@@ -55,17 +60,20 @@ def _of_no_triangle(counts: Counts) -> Iterator[str]:
         yield "There is no triangle, because the loops keep none of the %d triangles (see `fill_rule`)." % (
             counts["delaunay_triangles"])  # fmt: skip
     elif counts["kept_triangles"] and counts["cells"] == 0:
-        yield "None of %d triangles is left, and nothing else: alpha and maximum_edge_length leave nothing." % (
-            counts["kept_triangles"])  # fmt: skip
+        yield (
+            "Nothing is left: alpha and maximum_edge_length leave none of %s, no line and no vertex. Larger numbers "
+            "keep more." % _number(counts["kept_triangles"], "triangle")
+        )
 
 
 def _of_rim(counts: Counts, area: float) -> Iterator[str]:
     trimmed = counts["trimmed_triangles"]
     if counts["bare_vertices"] or area > 0.1:
         yield (
-            "Trimming the rim took %d of %d triangles away, %.0f %% of the area in the plane, and left %d points "
-            "without a triangle. rim='convex_hull' keeps them all."
-            % (trimmed, trimmed + counts["kept_triangles"], 100 * min(1.0, max(0.0, area)), counts["bare_vertices"])
+            "Trimming the rim took %d of %d triangles away, %.0f %% of the area in the plane, and left %s without a "
+            "triangle. rim='convex_hull' keeps them all."
+            % (trimmed, trimmed + counts["kept_triangles"], 100 * min(1.0, max(0.0, area)),
+               _number(counts["bare_vertices"], "point"))
         )
 
 
@@ -80,7 +88,11 @@ def _of_constraints(counts: Counts, split: bool) -> Iterator[str]:
             counts["points_off_surface"], counts["source_points"])  # fmt: skip
     what = " segments or pieces of segments" if split else " of %d segments" % counts["segments"]
     unfilled = counts["unfilled_loops"]
-    loops = " %d loops bound nothing, since a segment is missing." % unfilled if unfilled else ""
+    loops = (
+        " %s nothing, since a segment is missing." % ("1 loop bounds" if unfilled == 1 else "%d loops bound" % unfilled)
+        if unfilled
+        else ""
+    )
     if counts["segments_crossing"]:
         yield (
             "%d%s were left out, since they cross others that come before them; the first is in chain %d and crosses "

@@ -17,6 +17,7 @@ import pyvista
 
 from . import _raster, _vtk
 from ._names import by_any_name, value_of
+from ._input import REAL, real_of
 from ._warnings import DelaunayWarning, _depth
 
 __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
@@ -94,9 +95,12 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
         fits = plane != "xy" and not flat
         algorithm.SetProjectionPlaneMode(2 if fits else 0)
     else:
+        if not (hasattr(plane, "IsA") and plane.IsA("vtkAbstractTransform")):
+            raise TypeError("plane must be one of %s, or a vtkAbstractTransform, not %r" % (
+                ", ".join(map(repr, PLANES)), plane))
         algorithm.SetProjectionPlaneMode(1)
         algorithm.SetTransform(plane)
-    algorithm.SetTolerance(tol)
+    algorithm.SetTolerance(real_of("tol", tol, REAL["tolerance"]))
     algorithm.SetDuplicatePolicy(_number_of(duplicates, DUPLICATES, "duplicates"))
     algorithm.SetNumberOfThreads(_whole(threads, "threads", 1024))
     algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
@@ -110,9 +114,9 @@ def _whole(value, argument, most):
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError("%s is to be a whole number, not %r" % (argument, value)) from None
+        raise TypeError("%s must be a whole number, not %r" % (argument, value)) from None
     if not 0 <= number <= most:
-        raise ValueError("%s is to be from 0 to %d, not %r" % (argument, most, value))
+        raise ValueError("%s must be from 0 to %d, not %r" % (argument, most, value))
     return number
 
 
@@ -134,7 +138,8 @@ def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constrain
                    closed_lines="loops", fill_rule="even_odd", heights="own", rim="automatic", alpha=0.0,
                    maximum_edge_length=0.0):
     """What the surface is bound by and reaches to. The constraints go to a port of `to_constrain`."""
-    _set(algorithm, Alpha=alpha, AlphaLines=0, AlphaVerts=0, MaximumEdgeLength=maximum_edge_length,
+    _set(algorithm, Alpha=real_of("alpha", alpha), AlphaLines=0, AlphaVerts=0,
+         MaximumEdgeLength=real_of("maximum_edge_length", maximum_edge_length),
          CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
          ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
          FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
@@ -143,6 +148,11 @@ def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constrain
         raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
     if constraints is not None:
         algorithm.SetSourceModeToCoordinates()
+    for argument, given in (("edge_source", edge_source), ("constraints", constraints)):
+        if given is not None and not (hasattr(given, "IsA") and (
+                given.IsA("vtkPolyData") or given.IsA("vtkCompositeDataSet"))):
+            raise TypeError("%s must be a pyvista.PolyData, or a MultiBlock of these, not %s" % (
+                argument, type(given).__name__))
     if edge_source is not None or constraints is not None:
         to_constrain.SetInputDataObject(port, constraints if edge_source is None else edge_source)
 
@@ -248,7 +258,7 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
     algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
-    _set(algorithm, Offset=offset, BoundingTriangulation=int(bool(bound)), **_arrays_to_add(arrays))
+    _set(algorithm, Offset=real_of("offset", offset), BoundingTriangulation=int(bool(bound)), **_arrays_to_add(arrays))
     _bound_surface(algorithm, 1, algorithm, edge_source=edge_source, constraints=constraints, crossings=crossings,
                    closed_lines=closed_lines, fill_rule=fill_rule, heights=heights, rim=rim, alpha=alpha,
                    maximum_edge_length=maximum_edge_length)
@@ -298,7 +308,7 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     if unknown:
         raise TypeError("an unknown argument: %r" % unknown[0])
     if not isinstance(elevation, str):
-        raise TypeError("elevation is to be a name, a str, not %r" % (elevation,))
+        raise TypeError("elevation must be a name, a str, not %r" % (elevation,))
     triangulation, _ = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
     triangulation.SetInputDataObject(None)
     package = _vtk.package_of(mesh)
@@ -330,7 +340,7 @@ def _raster_settings(cell_size, shape, bounds, align):
         given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 else bounds  # of those of a mesh, without its z
         xmin, xmax, ymin, ymax = made["Bounds"] = _raster.bounds_of(given)
         if xmin == xmax or ymin == ymax:
-            raise ValueError("bounds are to have an area, not %r" % (bounds,))
+            raise ValueError("bounds must have an area, not %r" % (bounds,))
     return made
 
 

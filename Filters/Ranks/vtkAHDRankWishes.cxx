@@ -119,7 +119,7 @@ void vtkAHDRankSampling::MeetAll(const Inputs& inputs)
   const Meeting meeting = this->Meet(inputs);
   if (meeting.AreUnfit)
   {
-    this->Error = "Over ranks, places have to be a data set without blocks. Nothing was computed. "
+    this->Error = "Over ranks, places must be a data set without blocks. Nothing was computed. "
                   "Merge blocks before (Merge Blocks).";
     throw vtkAHDStop{ ahd::Status::Cancelled };
   }

@@ -131,7 +131,7 @@ void vtkAHDSayNoRaster(
     case vtkAHDRasterFault::CellSize:
       vtkErrorWithObjectMacro(filter,
         "CellSize is " << size
-                       << ", but both numbers have to be greater than 0 and finite. Nothing was "
+                       << ", but both numbers must be greater than 0 and finite. Nothing was "
                           "computed.");
       return;
     case vtkAHDRasterFault::Bounds:
@@ -139,7 +139,7 @@ void vtkAHDSayNoRaster(
         "Bounds are x " << InWords(settings.Bounds[0]) << " to " << InWords(settings.Bounds[1])
                         << ", y " << InWords(settings.Bounds[2]) << " to "
                         << InWords(settings.Bounds[3])
-                        << ", but they have to be finite, the first of each two below the second. "
+                        << ", but they must be finite, the first of each two below the second. "
                            "Nothing was computed.");
       return;
     case vtkAHDRasterFault::TooMany:

@@ -13,6 +13,8 @@ import xml.etree.ElementTree as tree
 import numpy as np
 from adaptivehilbertdelaunay import delaunay
 
+if len(sys.argv) != 3:
+    sys.exit("usage: python3 arrays.py <soundings.csv> <coastline.vtp>")
 soundings = np.loadtxt(sys.argv[1], delimiter=",", skiprows=1)  # x, y, elevation
 piece = tree.parse(sys.argv[2]).find("PolyData/Piece")
 

@@ -13,6 +13,8 @@ import pyvista
 
 import adaptivehilbertdelaunay.pyvista  # noqa: F401 (PyVista from 0.48 on finds an installed package by itself)
 
+if not 3 <= len(sys.argv) <= 4:
+    sys.exit("usage: python bay_pyvista.py <soundings.csv> <coastline.vtp> [<picture.png>]")
 table, shores, *picture = sys.argv[1:]
 
 # %% Points and outlines. PyVista's own reader for the one, NumPy for the other.

@@ -13,6 +13,8 @@ import sys
 
 from paraview.simple import *
 
+if len(sys.argv) != 5:
+    sys.exit("usage: pvpython coastline.py <AdaptiveHilbertDelaunay.so> <soundings.csv> <coastline.vtp> <picture.png>")
 plugin, table, coastline, picture = sys.argv[1:]
 
 LoadPlugin(plugin, remote=False, ns=globals())

@@ -12,6 +12,8 @@ import sys
 
 from paraview.simple import *
 
+if len(sys.argv) < 2:
+    sys.exit("usage: pvpython insertion.py <AdaptiveHilbertDelaunay.so> [folder for the pictures]")
 plugin = sys.argv[1]
 folder = sys.argv[2] if len(sys.argv) > 2 else "."
 

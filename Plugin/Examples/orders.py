@@ -12,6 +12,8 @@ import sys
 
 from paraview.simple import *
 
+if len(sys.argv) < 2:
+    sys.exit("usage: pvbatch orders.py <AdaptiveHilbertDelaunay.so> [number of points]")
 plugin = sys.argv[1]
 count = int(sys.argv[2]) if len(sys.argv) > 2 else 50000
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Soundings and a coastline become a raster, a profile and a picture, in ParaView's Python.
 
-    pvpython raster.py <AdaptiveHilbertDelaunay.so> <soundings.csv> <coastline.vtp> <raster.vti> <picture.png>
+    pvpython raster.py <AdaptiveHilbertDelaunay.so> <points.csv> <coastline.vtp> <out.vti> <out.png>
 
 The soundings are a table with columns x, y and elevation; Data/Bay of the sources has such files.
 """
@@ -11,6 +11,8 @@ import sys
 from paraview import servermanager
 from paraview.simple import *
 
+if len(sys.argv) != 6:
+    sys.exit("usage: pvpython raster.py <AdaptiveHilbertDelaunay.so> <points.csv> <coastline.vtp> <out.vti> <out.png>")
 plugin, soundings, coastline, raster, picture = sys.argv[1:]
 LoadPlugin(plugin, remote=False, ns=globals())
 

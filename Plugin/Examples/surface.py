@@ -10,6 +10,8 @@ import sys
 
 from paraview.simple import *
 
+if len(sys.argv) != 4:
+    sys.exit("usage: pvpython surface.py <AdaptiveHilbertDelaunay.so> <table.csv> <picture.png>")
 plugin, table, picture = sys.argv[1:]
 
 # Makes AdaptiveHilbertDelaunay2D known here. With a remote server: once more with remote=True.

@@ -174,6 +174,20 @@ class Examples(unittest.TestCase):
             stderr=subprocess.PIPE, text=True, check=False)  # fmt: skip
         self.assertTrue(run.returncode == 1 and run.stderr.startswith("usage: "), run.stderr)
 
+    def test_without_arguments(self):
+        """One line says what is missing, as the text at the top does: no traceback."""
+        for name in sorted(os.listdir(EXAMPLES)):
+            path = os.path.join(EXAMPLES, name)
+            if not name.endswith(".py") or name == "pipeline.py":  # whose one argument may be left out
+                continue
+            with open(path, encoding="utf-8") as file:
+                text = file.read()
+            usage = re.search(r'sys\.exit\("usage: (.*)"\)\n', text)
+            self.assertTrue(usage and usage.group(1) in text.split('"""')[1], name)
+        run = subprocess.run([sys.executable, os.path.join(EXAMPLES, "arrays.py")], stderr=subprocess.PIPE, text=True,
+                             check=False)  # fmt: skip
+        self.assertEqual((run.returncode, run.stderr[:25]), (1, "usage: python3 arrays.py "))
+
     def test_volumes_of_flat_triangles(self):
         """What lies at the level is not above it."""
         with open(os.path.join(self.folder, "flat.csv"), "w", encoding="ascii") as file:

@@ -190,12 +190,14 @@ class Merged:
         if isinstance(self.given, vtk.vtkCompositeDataSet):
             blocks = Blocks(vtk, self.given)
             if blocks.others:
-                self.speaker.warn("%d blocks have no points of their own (the first is a %s): they were left out." % (
-                    blocks.others, blocks.first_other))
+                self.speaker.warn("%d %s %s." % (
+                    blocks.others, "block has no points of its own and was left out; it is a" if blocks.others == 1 else
+                    "blocks have no points of their own and were left out; the first is a", blocks.first_other))
             if blocks.unfit_marks:
                 self.speaker.warn(
-                    "In %d blocks the point data array vtkGhostType does not have one value for each of the points, or "
-                    "not of type unsigned char, so none of these points was skipped." % blocks.unfit_marks)
+                    "In %d block%s the point data array vtkGhostType does not have one value for each of the points, "
+                    "or is not of type unsigned char, so none of these points was skipped." % (
+                        blocks.unfit_marks, "" if blocks.unfit_marks == 1 else "s"))
         elif not isinstance(self.given, vtk.vtkPointSet):
             # A block of a composite data set: their types are not looked at by the pipeline.
             self.speaker.warn("A %s has no points of its own: nothing was triangulated for it." % (
@@ -203,5 +205,7 @@ class Merged:
         if isinstance(self.given_source, vtk.vtkCompositeDataSet):
             blocks = Blocks(vtk, self.given_source, True)
             if blocks.others:
-                self.speaker.warn("%d blocks of the source are no vtkPolyData (the first is a %s): they were left out."
-                                  % (blocks.others, blocks.first_other))
+                self.speaker.warn("%d %s %s." % (
+                    blocks.others, "block of the source is no vtkPolyData and was left out; it is a"
+                    if blocks.others == 1 else
+                    "blocks of the source are no vtkPolyData and were left out; the first is a", blocks.first_other))

@@ -245,7 +245,8 @@ class _Executions:
         self._clear_measures()
         is_done = False
         if self._triangulation is None:
-            speaker.error("Triangulation is null: nothing says how to triangulate.")
+            speaker.error("Triangulation is null: nothing says how to triangulate. Give it a "
+                          "vtkAdaptiveHilbertDelaunay2D.")
         else:
             try:
                 is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)

@@ -112,8 +112,8 @@ def _of_plane(_job, values, found):
 def _of_points(job, _values, found):
     points = job.count("points")
     if found.marks_are_unfit:
-        yield ("The point data array vtkGhostType does not have one value for each of the %d points, or not of type "
-               "unsigned char, so no point was skipped." % found.input_points)
+        yield ("The point data array vtkGhostType does not have one value for each of the %d points, or is not of "
+               "type unsigned char, so no point was skipped." % found.input_points)
     if job.count("not_finite"):
         yield "%d of %d points were left out, since %s; the first is point %d." % (
             job.count("not_finite"), points, "they have no finite place in the plane of the triangulation"
@@ -142,8 +142,9 @@ def _of_cells(job, values, found):
     if found.diagram_in_plane:
         yield "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to the points."
     if triangles and not found.cells:
-        yield ("None of %d triangles is put out, and nothing else: Alpha, its switches and MaximumEdgeLength leave "
-               "nothing." % triangles)
+        yield ("Nothing is put out: Alpha, its switches and MaximumEdgeLength leave none of %d %s, no line and no "
+               "vertex. Larger numbers keep more, and 0 is no limit." % (
+                   triangles, "triangle" if triangles == 1 else "triangles"))
     if delaunay == 0 and job.count("inserted") + job.count("not_finite") > 0:
         yield _of_no_triangle(job, found)
     looked = not found.is_projected and values["DuplicatePolicy"] == 0 and not job.count("beyond_limit")
@@ -163,10 +164,10 @@ def _of_rim(job, _values, _found):
         return
     triangles, trimmed = job.count("kept_triangles"), job.count("trimmed_triangles")
     part = min(1.0, max(0.0, area)) if area == area else 0.0  # NaN where areas are beyond all doubles
-    yield ("%s the rim took %s%d of %d triangles away, %d %% of the area in the plane, and left %d points without a "
-           "triangle. Rim Convex Hull keeps them all." % (
+    yield ("%s the rim took %s%d of %d triangles away, %d %% of the area in the plane, and left %d %s without a "
+           "triangle. Set Rim to Convex Hull to keep them all." % (
                "Trimming" if triangles else "There is no triangle left: trimming", "" if triangles else "all ", trimmed,
-               triangles + trimmed, int(100.0 * part + 0.5), bare))
+               triangles + trimmed, int(100.0 * part + 0.5), bare, "point" if bare == 1 else "points"))
 
 
 def _in_words(found):
@@ -178,8 +179,8 @@ def _in_words(found):
 def _of_source(job, _values, found):
     strips = found.source_strips
     if found.source_points + strips > 0 and job.count("segments") == 0:
-        yield "The source constrains nothing: it has no line and no polygon of two points or more. Found %s%s." % (
-            "(strips are ignored): " if strips else ": ", _in_words(found))
+        yield "The source constrains nothing: it has no line and no polygon of two points or more. Found%s: %s." % (
+            " (strips are ignored)" if strips else "", _in_words(found))
     elif strips:
         yield "%d triangle strip%s of the source %s ignored: lines and polygons constrain." % (
             strips, "" if strips == 1 else "s", "is" if strips == 1 else "are")

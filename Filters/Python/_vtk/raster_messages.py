@@ -23,9 +23,9 @@ def of_raster(fault, values):
     """Why there is no raster; None where only points are missing."""
     size = "%.9g, %.9g" % values["CellSize"]
     if fault.kind == raster.CELL_SIZE:
-        return "CellSize is %s, but both numbers have to be greater than 0 and finite. Nothing was computed." % size
+        return "CellSize is %s, but both numbers must be greater than 0 and finite. Nothing was computed." % size
     if fault.kind == raster.BOUNDS:
-        return ("Bounds are %s, but they have to be finite, the first of each two below the second. Nothing was "
+        return ("Bounds are %s, but they must be finite, the first of each two below the second. Nothing was "
                 "computed." % _box(values["Bounds"]))
     if fault.kind == raster.TOO_MANY:
         return ("With a CellSize of %s the raster would have %.9g x %.9g cells, but 2147483647 along x and y are the "

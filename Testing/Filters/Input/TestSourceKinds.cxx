@@ -154,7 +154,7 @@ TEST(SourceKinds, BlocksThatAreNoPolygonalDataAreCounted)
   map->SetBlock(5, image);
   MapFilter filter(map);
   filter->Update();
-  EXPECT_TRUE(contains(onlyWarning(filter), "1 blocks of the source are no vtkPolyData"));
+  EXPECT_TRUE(contains(onlyWarning(filter), "1 block of the source is no vtkPolyData"));
   EXPECT_EQ(filter->GetNumberOfAddedPoints(), 12);
 }
 
@@ -277,7 +277,7 @@ TEST(SourceKinds, WhatConstrainsNothingIsNamed)
   onlyPoints->Update();
   std::string said = onlyWarning(onlyPoints);
   EXPECT_TRUE(contains(said, "constrains nothing")) << said;
-  EXPECT_TRUE(contains(said, "5 points")) << said;
+  EXPECT_TRUE(contains(said, "Found: 5 points.")) << said;
   EXPECT_FALSE(contains(said, "strip")) << said;
 
   auto strips = makeCloud(ringOf(0.5, 2));

@@ -8,11 +8,14 @@ import re
 import typing
 import unittest
 
+import numpy as np
+
 import adaptivehilbertdelaunay
 from adaptivehilbertdelaunay import (
     _arrays, _calls, _held, _input, _interface, _interpolators, _library, _raster, _results, _sampling,
     _triangulation, _warnings,
 )  # fmt: skip
+from adaptivehilbertdelaunay import DelaunayWarning, LinearInterpolator, NaturalNeighborInterpolator
 from arraysupport import ROOT
 
 MODULES = (
@@ -68,6 +71,17 @@ class DocumentTest(unittest.TestCase):
         for name, found in self.public():
             if name.startswith("Triangulation."):
                 self.assertRegex(text, "`%s[(`]" % name.split(".")[1])
+
+    def test_interpolators_of_collinear_points(self):
+        """Are warned of and have values on their line, as the docstring says; scipy's refuses such points."""
+        self.assertIn("all on one line", LinearInterpolator.__doc__)
+        for kind in (LinearInterpolator, NaturalNeighborInterpolator):
+            with self.assertWarnsRegex(DelaunayWarning, "all distinct points are collinear"):
+                f = kind([[0, 0], [2, 2], [6, 6]], [0, 10, 50])
+            np.testing.assert_array_equal(f([[1, 1], [4, 4], [7, 7], [1, 2]]), [5, 30, np.nan, np.nan])
+            with self.assertWarnsRegex(DelaunayWarning, "fewer than three"):
+                one = kind([[3, 4]], [7])
+            np.testing.assert_array_equal(one([[3, 4], [3, 5]]), [7, np.nan])
 
     def test_the_headers_name_all_that_the_library_knows_by_name(self):
         folder = os.path.join(ROOT, "Filters", "Engine", "Interface")

@@ -296,7 +296,7 @@ class NamesTest(unittest.TestCase):
         self.assertEqual(own.points.shape, (201, 3))
         with self.assertRaisesRegex(TypeError, "unexpected keyword argument 'edges'"):
             delaunay(points, edges=1)
-        with self.assertRaisesRegex(ValueError, "maximum_edge_length is to be a number from 0 to inf, not -1"):
+        with self.assertRaisesRegex(ValueError, "maximum_edge_length must be a number from 0 to inf, not -1"):
             delaunay(points, max_edge_length=-1)
 
 

@@ -244,7 +244,8 @@ class ChangedTest(unittest.TestCase):
                     twins = [pickle.loads(pickle.dumps(made)), copy.deepcopy(made)]
                     for one in (made, *twins):
                         self.noticed(one, name)
-                        self.assertRaises(RuntimeError, one.interpolate, np.zeros(made._given_points), [[0.5, 0.5]])
+                        rows = made.counts["input_points"] + made.counts["source_points"]
+                        self.assertRaises(RuntimeError, one.interpolate, np.zeros(rows), [[0.5, 0.5]])
 
     def test_of_two_chains_in_one(self):
         """Copied, so that nothing can change."""

@@ -44,9 +44,9 @@ class PlacesTest(unittest.TestCase):
         made = delaunay(points)
         for outside in ([1, 2], np.array([1.0]), None, 1j):
             for at in (points,) if outside is not None else (points, [[9.0, 9.0]]):
-                with self.assertRaisesRegex(TypeError, "outside is to be a number or 'nearest'"):
+                with self.assertRaisesRegex(TypeError, "outside must be a number or 'nearest'"):
                     made.interpolate(points[:, 0], at, outside=outside)
-            with self.assertRaisesRegex(TypeError, "fill_value is to be a number"):
+            with self.assertRaisesRegex(TypeError, "fill_value must be a number"):
                 LinearInterpolator(points, points[:, 0], outside)
         self.assertEqual(made.interpolate(points[:, 0] + 0j, [9, 9], outside=1j), 1j)
         self.assertEqual(made.interpolate(points[:, 0], [9, 9], outside=np.float32(2)), 2)
@@ -57,9 +57,9 @@ class PlacesTest(unittest.TestCase):
             made = kind(points, points)
             self.assertEqual(made([]).shape, (0, 2))
             for places in ([[1j, 0]], [["a", "b"]]):
-                with self.assertRaisesRegex(TypeError, "places are to be real numbers"):
+                with self.assertRaisesRegex(TypeError, "places must be real numbers"):
                     made(places)
-            with self.assertRaisesRegex(TypeError, "places are to be real numbers"):
+            with self.assertRaisesRegex(TypeError, "places must be real numbers"):
                 made(1j, 0)
             self.assertFalse(pickle.loads(pickle.dumps(made)).values.flags.writeable)
 
@@ -68,7 +68,7 @@ class PlacesTest(unittest.TestCase):
         for more in ({"shape": 5}, {"shape": (2,)}, {"shape": ("a", 1)}, {"shape": (2**40, 1)}, {"cell_size": "5"},
                      {"cell_size": "a"}, {"cell_size": 1j}, {"cell_size": (1, "2")},
                      {"cell_size": 1, "bounds": 5}, {"cell_size": 1, "bounds": "0123"}):  # fmt: skip
-            with self.assertRaisesRegex((TypeError, ValueError), "(shape|cell_size|bounds) (is|are) to be", msg=more):
+            with self.assertRaisesRegex((TypeError, ValueError), "(shape|cell_size|bounds) must be", msg=more):
                 made.raster(**more)
 
     def test_a_line_of_points(self):

@@ -3,9 +3,11 @@
 is said in one of them. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
 """
 
+import ast
 import json
 import os
 import pathlib
+import re
 import unittest
 import warnings
 
@@ -21,8 +23,10 @@ FILE = pathlib.Path(__file__).with_name("Refusals.json")
 MODULES = ("_arrays.py", "_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
 # What is raised to be caught again, with other words.
 INSIDE = (" is no number",)
+NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
 VALUES = np.arange(6.0)
 MADE = delaunay(SQUARE)
+WITH_SOURCE = delaunay(SQUARE, source_points=SQUARE[:2] + 0.5)
 MASKED = np.ma.masked_less(SQUARE, 2)
 PLACE = [[1, 1]]
 
@@ -81,6 +85,12 @@ CALLS = {
     "bounding in a plane": lambda: delaunay(SQUARE, bounding=True, plane="best_fit"),
     "source's ids": lambda: delaunay(SQUARE, source_points=SQUARE[:3], lines=[[0, 3]]),
     "plane of another shape": lambda: delaunay(SQUARE, plane=plane_of_shape),
+    "points across": lambda: delaunay(np.zeros((2, 9))),
+    "loops of coordinates": lambda: delaunay(SQUARE, loops=[SQUARE[:3].tolist(), SQUARE[:4].tolist()]),
+    "a loop of coordinates": lambda: delaunay(SQUARE, loops=SQUARE),
+    "ragged segments": lambda: delaunay(SQUARE, segments=[[0, 1], [2]]),
+    "values without those of the source": lambda: WITH_SOURCE.interpolate(VALUES, PLACE),
+    "values of an interpolator with a source": lambda: LinearInterpolator(WITH_SOURCE, VALUES),
     "a masked skip": lambda: delaunay(SQUARE, skip=np.ma.masked_equal(np.zeros(6, bool), True)),
 }
 for k, (_, points, _) in enumerate(test_input.RefusedTest.POINTS):
@@ -114,6 +124,14 @@ class RefusalsTest(unittest.TestCase):
     def test_they_are_those(self):
         self.assertEqual(self.found, json.loads(FILE.read_text(encoding="utf-8")))
         self.assertNotIn("taken", self.found.values())
+
+    def test_they_say_must(self):
+        """Of what callers do, in Python and in C++: neither "is to be" nor "has to be"."""
+        found = [text for text in literals.said_in_cxx().split("\0") if NOT_MUST.search(text)]
+        for path in sorted(literals.PYTHON.rglob("*.py")):
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            found += [(path.name, line, text) for line, text in literals.pieces_of(tree) if NOT_MUST.search(text)]
+        self.assertEqual(found, [])
 
     def test_none_is_left_out(self):
         said = "\n".join(self.found.values())

@@ -315,6 +315,10 @@ def source_of_nothing():
 
 
 @case
+def source_of_points():
+    return cloud(square()), dict(SourceData=source(square()))
+
+
 def source_of_points_and_strips():
     given = source(square(), verts=[(0,), (1, 2)], strips=[(0, 1, 2, 3)])
     return cloud(square()), dict(SourceData=given)

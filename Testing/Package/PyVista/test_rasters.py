@@ -141,13 +141,13 @@ class RasterTest(Case):
 
     def test_arguments_that_are_none(self):
         no_size = "how large is the raster? Give cell_size, or shape=(rows, columns)"
-        sizes = "cell_size is to be one number or two numbers, x and y"
-        positive = "cell_size is to be greater than 0 and finite"
-        two = "shape is to be two whole numbers, rows and columns"
-        each = "shape is to be rows and columns, each from 1 to 2147483647"
-        area = "bounds are to have an area,"
-        four, ascending = "bounds are to be four numbers: xmin, xmax, ymin, ymax;", (
-            "bounds are to be xmin, xmax, ymin, ymax, finite and ascending,")
+        sizes = "cell_size must be one number or two numbers, x and y"
+        positive = "cell_size must be greater than 0 and finite"
+        two = "shape must be two whole numbers, rows and columns"
+        each = "shape must be rows and columns, each from 1 to 2147483647"
+        area = "bounds must have an area,"
+        four, ascending = "bounds must be four numbers: xmin, xmax, ymin, ymax;", (
+            "bounds must be xmin, xmax, ymin, ymax, finite and ascending,")
         for kind, text, more in (
                 (ValueError, no_size, {}), (ValueError, no_size, {"cell_size": 1.0, "shape": (2, 2)}),
                 (ValueError, positive + ", not 0.0", {"cell_size": 0.0}),
@@ -170,9 +170,9 @@ class RasterTest(Case):
                 (ValueError, "method='cubic': it is one of 'linear', 'natural', 'laplace', 'nearest'",
                  {"cell_size": 1.0, "method": "cubic"}),
                 (ValueError, "outside='far': it is one of 'none', 'nearest'", {"cell_size": 1.0, "outside": "far"}),
-                (TypeError, "elevation is to be a name, a str, not None", {"cell_size": 1.0, "elevation": None}),
-                (ValueError, "threads is to be from 0 to 1024, not -1", {"cell_size": 1.0, "threads": -1}),
-                (ValueError, "memory_limit is to be from 0 to 9223372036854775807, not -1",
+                (TypeError, "elevation must be a name, a str, not None", {"cell_size": 1.0, "elevation": None}),
+                (ValueError, "threads must be from 0 to 1024, not -1", {"cell_size": 1.0, "threads": -1}),
+                (ValueError, "memory_limit must be from 0 to 9223372036854775807, not -1",
                  {"cell_size": 1.0, "memory_limit": -1}),
                 (TypeError, "an unknown argument: 'unknown'", {"cell_size": 1.0, "unknown": 1})):
             with self.assertRaises(kind, msg=more) as caught:
