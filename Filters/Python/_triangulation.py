@@ -31,6 +31,9 @@ def _view(array: np.ndarray) -> np.ndarray:
     return frozen(array.view())
 
 
+_NAMES_OF_SCIPY = {"simplices": "triangles", "find_simplex": "locate(places).triangle", "convex_hull": "hull"}
+
+
 class Triangulation(Sampled):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
@@ -387,6 +390,12 @@ class Triangulation(Sampled):
         return MappingProxyType(self._measures)
 
     # --- as an object ---
+
+    def __getattr__(self, name: str) -> Any:
+        """Of what there is none: what scipy.spatial.Delaunay calls otherwise is named."""
+        if name in _NAMES_OF_SCIPY:
+            raise AttributeError("a Triangulation has no %s: see %s" % (name, _NAMES_OF_SCIPY[name]))
+        return object.__getattribute__(self, name)
 
     def __repr__(self) -> str:
         if "triangles" not in self.__dict__.get("_cached", ()):

@@ -85,6 +85,7 @@ CALLS = {
     "bounding in a plane": lambda: delaunay(SQUARE, bounding=True, plane="best_fit"),
     "source's ids": lambda: delaunay(SQUARE, source_points=SQUARE[:3], lines=[[0, 3]]),
     "plane of another shape": lambda: delaunay(SQUARE, plane=plane_of_shape),
+    "what scipy calls otherwise": lambda: MADE.simplices,
     "points across": lambda: delaunay(np.zeros((2, 9))),
     "loops of coordinates": lambda: delaunay(SQUARE, loops=[SQUARE[:3].tolist(), SQUARE[:4].tolist()]),
     "a loop of coordinates": lambda: delaunay(SQUARE, loops=SQUARE),
@@ -105,7 +106,7 @@ def refusal_of(call):
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", DelaunayWarning)
             call()
-    except (TypeError, ValueError, MemoryError) as error:
+    except (AttributeError, TypeError, ValueError, MemoryError) as error:
         return "%s: %s" % (type(error).__name__, error)
     return "taken"
 
