@@ -16,6 +16,7 @@ Constrainer::Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Tic
   , ticker_(ticker)
   , walk_(mesh, ticker)
   , cavity_(mesh, ticker)
+  , rows_(mesh, ticker)
   , users_(ticker)
   , loopEdges_(ticker)
 {
@@ -70,8 +71,8 @@ bool Constrainer::insertChain(std::size_t chain, const InCurveOrder& curve)
   for (std::size_t i = 0; i < segments; ++i, ++segment_)
   {
     const std::int64_t* const to = i + 1 == count ? ids : ids + i + 1;
-    const Outcome outcome = curve.isEdge(place + i) ? useEdge(ids[i], *to)
-                                                    : insertSegment(ids + i, *to);
+    const bool isMade = curve.isEdge(place + i) || (!isLoop_ && curve.isRow(place + i));
+    const Outcome outcome = isMade ? useEdge(ids[i], *to) : insertSegment(ids + i, *to);
     if (outcome == Outcome::Cancelled || !ticker_.step())
     {
       return false;
@@ -161,7 +162,7 @@ Index Constrainer::vertexOf(std::int64_t id) const
   return std::uint64_t(id) < points_ ? rankOf_[id] : kNoIndex;
 }
 
-/// The segment is an edge already.
+/// The segment is an edge already, or no loop's and a row of edges.
 Constrainer::Outcome Constrainer::useEdge(std::int64_t fromId, std::int64_t toId)
 {
   if (isLoop_)
@@ -186,6 +187,7 @@ Constrainer::Outcome Constrainer::insertSegment(const std::int64_t* fromId, std:
     ++report_.points;
     return Outcome::IsPoint;
   }
+  walk_.passRows(isLoop_ ? nullptr : &rows_); // each edge of a loop counts
   switch (walk_.walk(from, to))
   {
     case SegmentWalk::Outcome::Blocked:
@@ -218,7 +220,7 @@ std::pair<std::size_t, std::size_t> Constrainer::find(std::uint64_t segment) con
 /// segment is in one.
 bool Constrainer::makeEdges(bool isForward)
 {
-  for (const SegmentWalk::Piece& piece : walk_.pieces())
+  for (const WalkPiece& piece : walk_.pieces())
   {
     Mesh::Halfedge edge = piece.edge;
     if (edge == kNoIndex)
@@ -235,7 +237,8 @@ bool Constrainer::makeEdges(bool isForward)
       return false;
     }
   }
-  return true;
+  const std::vector<WalkPiece>& pieces = walk_.pieces();
+  return rows_.remember(pieces.data(), pieces.data() + pieces.size());
 }
 
 bool Constrainer::markEdge(Mesh::Halfedge h, bool isForward)

@@ -5,8 +5,10 @@
 #include "../Constraints.h"
 #include "CavityFiller.h"
 #include "ConstrainedMesh.h"
+#include "EdgeRows.h"
 #include "EdgeTable.h"
 #include "Regions.h"
+
 #include "SegmentWalk.h"
 
 #include <utility>
@@ -63,6 +65,7 @@ private:
   Ticker& ticker_;
   SegmentWalk walk_;
   CavityFiller cavity_;
+  EdgeRows rows_;
   EdgeTable<std::uint64_t> users_; ///< of an edge, the first segment in order that uses it; not of
                                    ///< edges that no segment crosses
   LoopEdges loopEdges_;

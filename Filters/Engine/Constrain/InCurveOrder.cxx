@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 namespace ahd
 {
@@ -129,7 +131,7 @@ void InCurveOrder::divide(const std::uint32_t* blockEnds, std::size_t blocks, un
   constexpr std::size_t kPerThread = 4;
   const std::size_t count = tasksFor(
     threadsOf(ticker_), segments_.size(), kPerThread, kLeastInTerritory);
-  territories_.resize(count + 1);
+  territories_.resize(count + 2);
   for (std::size_t k = 1; k <= count; ++k)
   {
     const std::uint32_t wanted = static_cast<std::uint32_t>(
@@ -169,43 +171,46 @@ void InCurveOrder::prefetch(const Segment* segment, const Segment* end) const
   }
 }
 
-void InCurveOrder::remember(Mesh::Halfedge h, Territory& territory) const
-{
-  const Mesh::Slot slot = Mesh::slotOf(h);
-  const std::uint32_t* const data = mesh_.data() + slot;
-  territory.replaced.push_back({ slot, { data[0], data[1], data[2] },
-    { mesh_.twin(slot), mesh_.twin(slot + 1), mesh_.twin(slot + 2) } });
-}
-
 /// What was walked becomes edges.
 bool InCurveOrder::makeEdges(Work& work, Territory& territory)
 {
-  for (const SegmentWalk::Piece& piece : work.walk.pieces())
+  const std::vector<WalkPiece>& pieces = work.walk.pieces();
+  bool isNewRow = true;
+  for (const WalkPiece& piece : pieces)
   {
     Mesh::Halfedge edge = piece.edge;
     if (edge == kNoIndex)
     {
       const Mesh::Halfedge* const crossed = work.walk.crossed().data() + piece.begin;
-      const std::size_t count = piece.end - piece.begin;
-      remember(crossed[0], territory);
-      for (std::size_t i = 0; i != count; ++i)
-      {
-        remember(mesh_.twin(crossed[i]), territory);
-      }
-      if (!work.cavity.fill(piece.from, piece.to, crossed, count))
+      if (!work.cavity.fill(piece.from, piece.to, crossed, piece.end - piece.begin))
       {
         return false;
       }
       edge = work.cavity.made();
     }
-    if (!mesh_.isConstrained(edge))
+    if (mesh_.isConstrained(edge))
     {
-      mesh_.constrain(edge);
-      mesh_.constrain(mesh_.twin(edge));
-      ++territory.edges;
+      isNewRow = true;
+      continue;
+    }
+    mesh_.constrain(edge);
+    mesh_.constrain(mesh_.twin(edge));
+    ++territory.edges;
+    if (piece.edge != kNoIndex && !work.isLate)
+    {
+      isNewRow = true;
+    }
+    else if (isNewRow)
+    {
+      territory.made.push_back({ piece.from, piece.to });
+      isNewRow = false;
+    }
+    else
+    {
+      territory.made.back().to = piece.to;
     }
   }
-  return true;
+  return work.rows.remember(pieces.data(), pieces.data() + pieces.size());
 }
 
 InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, Territory& territory)
@@ -214,6 +219,8 @@ InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, T
   {
     case SegmentWalk::Outcome::Beyond:
       return Outcome::Beyond;
+    case SegmentWalk::Outcome::Long:
+      return Outcome::Long;
     case SegmentWalk::Outcome::Blocked:
       return Outcome::Crosses;
     case SegmentWalk::Outcome::Cancelled:
@@ -221,28 +228,21 @@ InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, T
     default:
       break;
   }
-  const std::size_t replaced = work.walk.crossed().size() + work.walk.pieces().size();
-  if (replaced > work.budget)
-  {
-    return Outcome::GaveUp;
-  }
-  work.budget -= replaced;
-  became_[segment.place] = work.walk.pieces().size() == 1 ? kEdge : kRow;
+  const std::vector<WalkPiece>& pieces = work.walk.pieces();
+  became_[segment.place] = pieces.size() == 1 && !work.rows.isRow(pieces[0]) ? kEdge : kRow;
   return makeEdges(work, territory) ? Outcome::Done : Outcome::Cancelled;
 }
 
-/// Segments [begin, end), but for those that leave the walk's territory or cross others. Returns
-/// false if the caller wants to cancel.
+/// Segments [begin, end), but for those that leave the walk's territory, are long or cross others.
+/// Returns false if the caller wants to cancel.
 bool InCurveOrder::insert(
   const Segment* begin, const Segment* end, Work& work, Territory& territory, Ticker& ticker)
 {
-  work.budget = kReplacedAtLeast;
   const auto mostCrossing = [begin](const Segment* now)
   { return kCrossingAtLeast + static_cast<std::size_t>(now - begin) / kMostCrossing; };
   for (const Segment* now = begin; now != end && !gaveUp_.load(std::memory_order_relaxed); ++now)
   {
     const Segment& segment = *now;
-    work.budget += kMostReplaced;
     prefetch(now, end);
     const bool isOwn = work.walk.isOwn(segment.to);
     if (!isOwn || areInMesh(segment))
@@ -255,15 +255,12 @@ bool InCurveOrder::insert(
         case Outcome::Beyond:
           territory.left.push_back(segment);
           break;
+        case Outcome::Long:
+          territory.late.push_back(segment);
+          break;
         case Outcome::Crosses:
           territory.crossing.push_back(segment);
-          if (territory.crossing.size() <= mostCrossing(now))
-          {
-            break;
-          }
-          [[fallthrough]];
-        case Outcome::GaveUp:
-          gaveUp_ = true;
+          gaveUp_ = gaveUp_ || territory.crossing.size() > mostCrossing(now);
           break;
         default:
           return false;
@@ -277,13 +274,14 @@ bool InCurveOrder::insert(
   return true;
 }
 
-/// Territory by territory, and then what leaves these.
+/// Territory by territory, then what leaves these, then what is long.
 bool InCurveOrder::insertSorted()
 {
-  const std::size_t count = territories_.size() - 1;
+  const std::size_t count = territories_.size() - 2;
   const auto insertOwn = [&](std::size_t k, Ticker& ticker)
   {
     Work work(mesh_, ticker);
+    work.walk.crossAtMost(kMostInOrder);
     if (count > 1)
     {
       work.walk.limitTo(territories_[k].firstVertex, territories_[k + 1].firstVertex);
@@ -294,18 +292,78 @@ bool InCurveOrder::insertSorted()
       segments_.data() + territories_[k + 1].begin, work, own, ticker);
     territories_[k].edges = own.edges;
     territories_[k].left = std::move(own.left);
+    territories_[k].late = std::move(own.late);
     territories_[k].crossing = std::move(own.crossing);
-    territories_[k].replaced = std::move(own.replaced);
+    territories_[k].made = std::move(own.made);
     return done;
   };
-  if (!inParallel(ticker_, count, insertOwn))
+  return inParallel(ticker_, count, insertOwn) && insertLeft() && insertLate();
+}
+
+bool InCurveOrder::insertLeft()
+{
+  std::vector<Segment> left;
+  Work work(mesh_, ticker_);
+  work.walk.crossAtMost(kMostInOrder);
+  return gather(&Territory::left, left) &&
+    insert(
+      left.data(), left.data() + left.size(), work, territories_[territories_.size() - 2], ticker_);
+}
+
+bool InCurveOrder::insertLate()
+{
+  std::vector<Segment> late;
+  Work work(mesh_, ticker_);
+  work.isLate = true;
+  return gather(&Territory::late, late) && inRounds(late) &&
+    insert(late.data(), late.data() + late.size(), work, territories_.back(), ticker_);
+}
+
+/// The round of a segment, from the last one on: half of all are in round 0, a quarter in round 1,
+/// and so on.
+unsigned InCurveOrder::roundOf(const Segment& segment)
+{
+  std::uint64_t bits = (segment.place + std::uint64_t(1)) * 0x9E3779B97F4A7C15u;
+  bits = (bits ^ bits >> 30) * 0xBF58476D1CE4E5B9u;
+  bits ^= bits >> 27;
+  unsigned round = 0;
+  while (round + 1 != kRounds && (bits >> round & 1) != 0)
+  {
+    ++round;
+  }
+  return round;
+}
+
+/// The first round first, each in the order that they had.
+bool InCurveOrder::inRounds(std::vector<Segment>& segments) const
+{
+  std::size_t begins[kRounds + 1] = {};
+  const auto count = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      ++begins[kRounds - roundOf(segments[i])];
+    }
+  };
+  std::vector<Segment> ordered(segments.size());
+  const auto place = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t i = a; i != b; ++i)
+    {
+      ordered[begins[kRounds - 1 - roundOf(segments[i])]++] = segments[i];
+    }
+  };
+  if (!inChunks(0, segments.size(), ticker_, count))
   {
     return false;
   }
-  std::vector<Segment> left;
-  Work work(mesh_, ticker_);
-  return gather(&Territory::left, left) &&
-    insert(left.data(), left.data() + left.size(), work, territories_.back(), ticker_);
+  std::partial_sum(begins, begins + kRounds, begins);
+  if (!inChunks(0, segments.size(), ticker_, place))
+  {
+    return false;
+  }
+  segments = std::move(ordered);
+  return true;
 }
 
 /// Moves all territories' segments of one kind into one list.
@@ -323,44 +381,6 @@ bool InCurveOrder::gather(std::vector<Segment> Territory::*kind, std::vector<Seg
     some = {};
   }
   return true;
-}
-
-/// The last one first; then no constraint is left.
-bool InCurveOrder::undo()
-{
-  const auto restore = [this](const Replaced& old)
-  {
-    for (std::uint32_t e = 0; e != 3; ++e)
-    {
-      mesh_.data()[old.slot + e] = old.corners[e];
-      mesh_.link(old.slot + e, old.twins[e]);
-    }
-    mesh_.setCorners(old.slot);
-  };
-  for (auto territory = territories_.rbegin(); territory != territories_.rend(); ++territory)
-  {
-    const std::vector<Replaced>& replaced = territory->replaced;
-    const auto some = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t i = a; i != b; ++i)
-      {
-        restore(replaced[replaced.size() - 1 - i]);
-      }
-    };
-    if (!inChunks(0, replaced.size(), ticker_, some))
-    {
-      return false;
-    }
-  }
-  territories_.clear();
-  return inChunks(0, mesh_.triangles(), ticker_,
-    [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t k = a; k != b; ++k)
-      {
-        mesh_.marks(Mesh::slotOfTriangle(k)) = 0;
-      }
-    });
 }
 
 bool InCurveOrder::insertAll(const ConstraintView& constraints)
@@ -390,7 +410,6 @@ bool InCurveOrder::insertAll(const ConstraintView& constraints)
   if (gaveUp_)
   {
     became_.reset();
-    edges_ = 0;
     return undo();
   }
   territories_.clear();

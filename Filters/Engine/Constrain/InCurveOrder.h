@@ -6,7 +6,9 @@
 #include "../Core/Buffer.h"
 #include "CavityFiller.h"
 #include "ConstrainedMesh.h"
+#include "EdgeRows.h"
 #include "EdgeTable.h"
+
 #include "SegmentWalk.h"
 
 #include <atomic>
@@ -19,13 +21,20 @@ namespace ahd
 
 struct Share;
 
-/// Makes all segments edges that cross no other, along the curve on which vertices are numbered:
-/// they are then close in memory, and threads can share them. Of these the order does not matter.
-/// Of those that cross one another it does: they are left to be inserted in the order given.
+/// Makes all segments edges that cross no other. Of these the order does not matter. Of those that
+/// cross one another it does: they are left to be inserted in the order given.
 ///
-/// Which ones these are is seen at the end. Whatever came first along the curve is an edge then,
-/// and what crosses that is not. So the latter are walked once more, and the segments of the edges
-/// that they cross taken out again.
+/// Those that cross few edges come along the curve on which vertices are numbered: they are then
+/// close in memory, and threads can share them. Long ones come afterwards, in rounds: half of them
+/// in the last one, drawn at random, a quarter in the one before, and so on, each along the curve.
+/// In order they might each undo what the one before made; at random, n vertices and k segments
+/// take n log n + n log^2 k steps, expected (P. K. Agarwal, L. Arge, K. Yi, "I/O-efficient
+/// construction of constrained Delaunay triangulations", 2005; rounds: N. Amenta, S. Choi, G. Rote,
+/// "Incremental constructions con BRIO", 2003).
+///
+/// Which ones cross is seen at the end. Whatever came first is an edge then, and what crosses that
+/// is not. So the latter are walked once more, and the segments of the edges that they cross taken
+/// out again.
 ///
 /// Each task has a territory, some successive vertices, and inserts the segments of which all
 /// vertices of all crossed triangles lie there. What it changes are triangles with three vertices
@@ -49,32 +58,33 @@ public:
   bool insertAll(const ConstraintView& constraints);
 
   /// Is the segment that begins at this place among the ids one edge, and a constraint that no
-  /// other segment crosses? Otherwise it is still to be looked at.
+  /// other segment crosses?
   bool isEdge(std::size_t place) const { return !became_.empty() && became_[place] == kEdge; }
+  /// Or a row of such edges? If neither, it is still to be looked at.
+  bool isRow(std::size_t place) const { return !became_.empty() && became_[place] == kRow; }
 
   /// How many edges are constraints now.
   std::size_t edges() const { return edges_; }
 
-  /// Bytes for each segment, at most. What is to be undone grows by doubling, and so do lists of
-  /// those that cross, and of edges; all is given back but for a byte for each id.
+  /// Bytes for each segment, at most. Lists of segments grow by doubling, and so do those of edges;
+  /// all is given back but for a byte for each id.
   static constexpr std::size_t bytesPerSegment()
   {
     constexpr std::size_t kGrown = 3; // while it is copied
-    constexpr std::size_t kReplaced = kMostReplaced + kReplacedAtLeast / kLeastInTerritory;
-    return sizeof(Segment) + 2 + kGrown * (4 * sizeof(Segment) + sizeof(Replaced) * kReplaced) +
+    return sizeof(Segment) + 2 + kGrown * (4 * sizeof(Segment) + 2 * sizeof(Made)) +
       8 * 2 * sizeof(Edges::Edge) * 2 / kMostCrossing;
   }
   /// And for few of them.
   static constexpr std::size_t bytesAtLeast()
   {
-    return 3 * sizeof(Replaced) * kReplacedAtLeast + 16 * sizeof(Edges::Edge) * kCrossingAtLeast;
+    return 16 * sizeof(Edges::Edge) * kCrossingAtLeast;
   }
 
 private:
-  /// So many triangles may be replaced, or edges flipped, for each segment so far, and so many more
-  /// in each territory: where there are more, segments are long, and it is given up.
-  static constexpr std::size_t kMostReplaced = 6, kReplacedAtLeast = std::size_t(1) << 10;
+  /// What crosses more edges is long.
+  static constexpr std::size_t kMostInOrder = 32;
   static constexpr std::size_t kLeastInTerritory = std::size_t(1) << 10; ///< segments
+  static constexpr unsigned kRounds = 24;
 
   /// One of so many segments may cross others, or be crossed, and so many more: else it is given
   /// up, as too many are left to the end.
@@ -87,6 +97,13 @@ private:
     kEdge,
     kRow ///< of edges, as vertices lie on it
   };
+  /// What is known of an edge.
+  enum : std::uint8_t
+  {
+    kFound,
+    kListed, ///< to be taken out
+    kShared  ///< but other segments use it
+  };
   using Edges = EdgeTable<std::uint8_t>;
 
   struct Segment
@@ -95,23 +112,23 @@ private:
     std::uint32_t place; ///< among all ids
   };
 
-  /// A triangle as it was.
-  struct Replaced
+  /// An edge that was made a constraint, or a row of them. Not those that were edges before any
+  /// long one came: there are many, and few triangles hang on them.
+  struct Made
   {
-    Mesh::Slot slot;
-    std::uint32_t corners[3];
-    Mesh::Halfedge twins[3];
+    Index from, to;
   };
 
   /// Some successive vertices, and the segments that begin there.
   struct Territory
   {
     Index firstVertex = 0;
-    std::size_t begin = 0;          ///< its first segment
-    std::size_t edges = 0;          ///< that became constraints
-    std::vector<Segment> left;      ///< to the end
-    std::vector<Segment> crossing;  ///< what was an edge when they came
-    std::vector<Replaced> replaced; ///< in this order
+    std::size_t begin = 0;         ///< its first segment
+    std::size_t edges = 0;         ///< that became constraints
+    std::vector<Segment> left;     ///< as they leave it
+    std::vector<Segment> late;     ///< as they are long
+    std::vector<Segment> crossing; ///< what was an edge when they came
+    std::vector<Made> made;        ///< in this order
   };
 
   /// What inserts the segments of a territory.
@@ -120,19 +137,35 @@ private:
     Work(ConstrainedMesh& mesh, Ticker& ticker)
       : walk(mesh, ticker)
       , cavity(mesh, ticker)
+      , rows(mesh, ticker)
     {
+      walk.passRows(&rows);
     }
     SegmentWalk walk;
     CavityFiller cavity;
-    std::size_t budget = 0; ///< so many triangles may still be replaced
+    EdgeRows rows;
+    bool isLate = false; ///< long ones come
+  };
+
+  /// What looks for edges in rows of edges.
+  struct Uses
+  {
+    Uses(ConstrainedMesh& mesh, Ticker& ticker)
+      : walk(mesh, ticker)
+      , without(mesh, ticker)
+    {
+      walk.passRows(&without);
+    }
+    SegmentWalk walk;
+    EdgeRows without; ///< those without any
   };
 
   enum class Outcome
   {
     Done,
     Beyond,  ///< it leaves the territory
+    Long,    ///< for later
     Crosses, ///< another segment
-    GaveUp,
     Cancelled
   };
 
@@ -148,24 +181,32 @@ private:
   void divide(const std::uint32_t* blockEnds, std::size_t blocks, unsigned shift);
   void prefetch(const Segment* segment, const Segment* end) const;
   bool insertSorted();
+  bool insertLeft();
+  bool insertLate();
+  static unsigned roundOf(const Segment& segment);
+  bool inRounds(std::vector<Segment>& segments) const;
   bool gather(std::vector<Segment> Territory::*kind, std::vector<Segment>& all);
   bool insert(
     const Segment* begin, const Segment* end, Work& work, Territory& territory, Ticker& ticker);
   Outcome insert(const Segment& segment, Work& work, Territory& territory);
   bool makeEdges(Work& work, Territory& territory);
-  void remember(Mesh::Halfedge h, Territory& territory) const;
-  bool undo();
 
   // Those that cross (InCurveOrderCrossed.cxx).
   bool takeOutCrossed();
   bool findCrossedEdges(const std::vector<Segment>& crossing, Edges& edges);
   template <typename Visit>
   bool eachEdge(const Segment& segment, SegmentWalk& walk, Visit visit) const;
+  template <typename Visit>
+  bool eachOf(const Edges& edges, const Segment& segment, Uses& uses, Visit visit) const;
   bool findUsers(const Edges& edges, std::vector<Segment>& users);
-  bool setConstraint(
-    Index u, Index v, bool isOn, SegmentWalk& walk, std::vector<Mesh::Halfedge>& suspects);
-  bool makeDelaunay(std::vector<Mesh::Halfedge>& suspects);
-  bool takeOut(const std::vector<Segment>& crossed);
+  bool findEdges(const std::vector<Segment>& segments, Edges& edges, std::vector<Made>& list);
+  bool findShared(Edges& edges);
+  bool release(const std::vector<Made>& list, const Edges* edges);
+  void takeMark(Mesh::Halfedge edge);
+  bool releaseRest();
+  bool makeDelaunay(CavityFiller& cavity);
+  bool takeOut(std::vector<Segment>& crossed);
+  bool undo();
   std::size_t mostCrossed() const
   {
     return kCrossingAtLeast + 2 * segments_.size() / kMostCrossing;
@@ -176,9 +217,10 @@ private:
   std::size_t points_;
   Ticker& ticker_;
   ConstraintView constraints_;
-  Buffer<std::uint8_t> became_;        ///< by place; empty if nothing became an edge
-  Buffer<Segment> segments_;           ///< along the curve
-  std::vector<Territory> territories_; ///< and one more, for what is left to the end
+  Buffer<std::uint8_t> became_;          ///< by place; empty if nothing became an edge
+  Buffer<Segment> segments_;             ///< along the curve
+  std::vector<Territory> territories_;   ///< and two more, for what they leave and what is late
+  std::vector<Mesh::Halfedge> suspects_; ///< edges that need not be locally Delaunay
   std::atomic<bool> gaveUp_{ false };
   std::size_t edges_ = 0;
 };

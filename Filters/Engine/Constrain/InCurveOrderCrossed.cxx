@@ -7,6 +7,7 @@
 #include "../Core/Tasks.h"
 #include "../Predicates/Predicates.h"
 
+#include <numeric>
 #include <utility>
 
 namespace ahd
@@ -32,7 +33,7 @@ bool InCurveOrder::findCrossedEdges(const std::vector<Segment>& crossing, Edges&
           gaveUp_ = true;
           return true;
         }
-        if (edges.add(mesh_.origin(h), mesh_.destination(h), 0) == nullptr)
+        if (edges.add(mesh_.origin(h), mesh_.destination(h), kFound) == nullptr)
         {
           return false;
         }
@@ -60,12 +61,50 @@ bool InCurveOrder::eachEdge(const Segment& segment, SegmentWalk& walk, Visit vis
     {
       return false;
     }
-    for (const SegmentWalk::Piece& piece : walk.pieces())
+    for (const WalkPiece& piece : walk.pieces())
     {
       visit(piece.from, piece.to);
     }
   }
   return true;
+}
+
+/// Calls visit(u, v) for those of the edges that the segment became and no other is known to use.
+template <typename Visit>
+bool InCurveOrder::eachOf(const Edges& edges, const Segment& segment, Uses& uses, Visit visit) const
+{
+  const auto isOne = [&](Index u, Index v)
+  {
+    const std::uint8_t* const use = edges.find(u, v);
+    return use != nullptr && *use != kShared;
+  };
+  if (became_[segment.place] != kRow)
+  {
+    if (became_[segment.place] == kEdge && isOne(segment.from, segment.to))
+    {
+      visit(segment.from, segment.to);
+    }
+    return true;
+  }
+  if (uses.walk.walk(segment.from, segment.to) != SegmentWalk::Outcome::Free)
+  {
+    return false;
+  }
+  const std::vector<WalkPiece>& pieces = uses.walk.pieces();
+  const WalkPiece* without = pieces.data();
+  for (const WalkPiece& piece : pieces)
+  {
+    if (!uses.without.isRow(piece) && isOne(piece.from, piece.to))
+    {
+      visit(piece.from, piece.to);
+      if (!uses.without.remember(without, &piece))
+      {
+        return false;
+      }
+      without = &piece + 1;
+    }
+  }
+  return uses.without.remember(without, pieces.data() + pieces.size());
 }
 
 /// The segments that became any of these edges.
@@ -75,25 +114,28 @@ bool InCurveOrder::findUsers(const Edges& edges, std::vector<Segment>& users)
   const std::size_t most = mostCrossed();
   const std::size_t tasks = tasksFor(threadsOf(ticker_), segments_.size(), 1, kLeastTask);
   std::vector<std::vector<Segment>> found(tasks);
+  std::vector<std::size_t> uses(tasks);
   const auto look = [&](std::size_t task, Ticker& own)
   {
-    SegmentWalk walk(mesh_, own);
+    Uses known(mesh_, own);
     const Share share(segments_.size(), task, tasks);
     std::vector<Segment> mine;
-    for (std::size_t i = share.begin; i != share.end && mine.size() <= most; ++i)
+    std::size_t count = 0;
+    for (std::size_t i = share.begin; i != share.end && count <= most; ++i)
     {
-      bool isUser = false;
-      const auto see = [&](Index u, Index v) { isUser |= edges.find(u, v) != nullptr; };
-      if (!eachEdge(segments_[i], walk, see) || !own.step())
+      const std::size_t before = count;
+      const auto see = [&](Index, Index) { ++count; };
+      if (!eachOf(edges, segments_[i], known, see) || !own.step())
       {
         return false;
       }
-      if (isUser)
+      if (count != before)
       {
         mine.push_back(segments_[i]);
       }
     }
     found[task] = std::move(mine);
+    uses[task] = count;
     return true;
   };
   if (!inParallel(ticker_, tasks, look))
@@ -108,61 +150,88 @@ bool InCurveOrder::findUsers(const Edges& edges, std::vector<Segment>& users)
       return false;
     }
   }
-  gaveUp_ = gaveUp_ || users.size() > most;
+  gaveUp_ = gaveUp_ || std::accumulate(uses.begin(), uses.end(), std::size_t(0)) > most;
   return true;
 }
 
-/// Takes the constraint off the edge between two vertices, or puts it on. `suspects`: gets edges
-/// that need not be locally Delaunay then.
-bool InCurveOrder::setConstraint(
-  Index u, Index v, bool isOn, SegmentWalk& walk, std::vector<Mesh::Halfedge>& suspects)
+/// The edges of these segments, which become nothing: each once, in their order.
+bool InCurveOrder::findEdges(
+  const std::vector<Segment>& segments, Edges& edges, std::vector<Made>& list)
 {
-  if (walk.walk(u, v) != SegmentWalk::Outcome::Free || !ticker_.step())
+  SegmentWalk walk(mesh_, ticker_);
+  bool done = true;
+  std::size_t most = mostCrossed();
+  const auto add = [&](Index u, Index v)
   {
-    return false;
-  }
-  const Mesh::Halfedge edge = walk.pieces().front().edge;
-  if (mesh_.isConstrained(edge) == isOn)
+    std::uint8_t* const use = done ? edges.add(u, v, kFound) : nullptr;
+    done = use != nullptr;
+    if (done && *use == kFound)
+    {
+      *use = kListed;
+      list.push_back({ u, v });
+    }
+  };
+  for (const Segment& segment : segments)
   {
-    return true;
+    if (!eachEdge(segment, walk, add) || !done || !ticker_.step())
+    {
+      return false;
+    }
+    const std::size_t count = became_[segment.place] == kRow ? walk.pieces().size() : 1;
+    became_[segment.place] = kNothing;
+    gaveUp_ = gaveUp_ || count > most;
+    if (gaveUp_)
+    {
+      return true;
+    }
+    most -= count;
   }
-  if (isOn)
-  {
-    mesh_.constrain(edge);
-    mesh_.constrain(mesh_.twin(edge));
-    ++edges_;
-    return true;
-  }
-  mesh_.release(edge);
-  mesh_.release(mesh_.twin(edge));
-  --edges_;
-  suspects.push_back(edge);
   return true;
 }
 
-/// Flips edges until all are locally Delaunay, if these are the only ones that need not be. What is
-/// flipped needs not be remembered: nothing is in conflict with a triangle that was there before
-/// all segments, so both were made by a segment, in slots that are remembered since.
-bool InCurveOrder::makeDelaunay(std::vector<Mesh::Halfedge>& suspects)
+/// Finds out which of the edges other segments use.
+bool InCurveOrder::findShared(Edges& edges)
 {
-  CavityFiller cavity(mesh_, ticker_);
-  std::size_t most = kReplacedAtLeast + segments_.size() * kMostReplaced;
-  while (!suspects.empty())
+  std::vector<Segment> others;
+  if (!findUsers(edges, others) || gaveUp_)
   {
-    const Mesh::Halfedge h = suspects.back(), g = mesh_.twin(h);
-    suspects.pop_back();
+    return gaveUp_;
+  }
+  Uses uses(mesh_, ticker_);
+  bool done = true;
+  const auto share = [&](Index u, Index v)
+  {
+    std::uint8_t* const use = done ? edges.add(u, v, kFound) : nullptr;
+    done = use != nullptr;
+    if (done)
+    {
+      *use = kShared;
+    }
+  };
+  for (const Segment& other : others)
+  {
+    if (!eachOf(edges, other, uses, share) || !done || !ticker_.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Flips edges until all are locally Delaunay, if the suspects are the only ones that need not be.
+bool InCurveOrder::makeDelaunay(CavityFiller& cavity)
+{
+  while (!suspects_.empty())
+  {
+    const Mesh::Halfedge h = suspects_.back(), g = mesh_.twin(h);
+    suspects_.pop_back();
     const Mesh::Slot first = Mesh::slotOf(h), second = Mesh::slotOf(g);
     if (!mesh_.isConstrained(h) && !mesh_.isGhost(first) && !mesh_.isGhost(second) &&
       inConflict(mesh_.at(mesh_.apex(h)), mesh_.at(mesh_.origin(h)), mesh_.at(mesh_.destination(h)),
         mesh_.at(mesh_.apex(g))))
     {
-      if (most-- == 0)
-      {
-        gaveUp_ = true;
-        return true;
-      }
       cavity.flip(h);
-      suspects.insert(suspects.end(), { first, first + 2, second, second + 2 });
+      suspects_.insert(suspects_.end(), { first, first + 2, second, second + 2 });
     }
     if (!ticker_.step())
     {
@@ -172,52 +241,87 @@ bool InCurveOrder::makeDelaunay(std::vector<Mesh::Halfedge>& suspects)
   return true;
 }
 
-/// These segments become nothing, and the mesh is as if they had never come.
-bool InCurveOrder::takeOut(const std::vector<Segment>& crossed)
+/// The edge is no constraint any more, and need not be locally Delaunay.
+void InCurveOrder::takeMark(Mesh::Halfedge edge)
 {
-  SegmentWalk along(mesh_, ticker_), walk(mesh_, ticker_);
-  std::vector<Mesh::Halfedge> suspects;
-  Edges taken(ticker_);
-  std::size_t count = 0;
-  if (!taken.begin(crossed.size()))
+  mesh_.release(edge);
+  mesh_.release(mesh_.twin(edge));
+  --edges_;
+  suspects_.push_back(edge);
+}
+
+/// These edges are no constraints any more, and the mesh is as if they had never been: the last one
+/// first, so that each flips as few edges as it crossed when it came. `edges`: but for those that
+/// others share.
+bool InCurveOrder::release(const std::vector<Made>& list, const Edges* edges)
+{
+  SegmentWalk walk(mesh_, ticker_);
+  CavityFiller cavity(mesh_, ticker_);
+  for (auto made = list.rbegin(); made != list.rend(); ++made)
   {
-    return false;
-  }
-  bool done = true;
-  const auto takeOff = [&](Index u, Index v)
-  {
-    ++count;
-    done = done && taken.add(u, v, 0) != nullptr && setConstraint(u, v, false, walk, suspects);
-  };
-  for (const Segment& segment : crossed)
-  {
-    if (!eachEdge(segment, along, takeOff) || !done)
+    if (edges != nullptr && *edges->find(made->from, made->to) == kShared)
+    {
+      continue;
+    }
+    if (walk.walk(made->from, made->to) != SegmentWalk::Outcome::Free || !ticker_.step())
     {
       return false;
     }
-    became_[segment.place] = kNothing;
-    if (count > mostCrossed())
+    for (const WalkPiece& piece : walk.pieces())
     {
-      gaveUp_ = true;
-      return true;
+      takeMark(piece.edge);
     }
-  }
-  // Others may be the same edges.
-  std::vector<Segment> others;
-  if (!findUsers(taken, others))
-  {
-    return false;
-  }
-  const auto putBack = [&](Index u, Index v)
-  { done = done && setConstraint(u, v, true, walk, suspects); };
-  for (const Segment& segment : others)
-  {
-    if (!eachEdge(segment, along, putBack) || !done)
+    if (!makeDelaunay(cavity))
     {
       return false;
     }
   }
-  return gaveUp_ || makeDelaunay(suspects);
+  return true;
+}
+
+/// No edge is a constraint any more.
+bool InCurveOrder::releaseRest()
+{
+  CavityFiller cavity(mesh_, ticker_);
+  for (std::size_t k = 0; k < mesh_.triangles(); ++k)
+  {
+    const Mesh::Halfedge first = Mesh::slotOfTriangle(k);
+    for (Mesh::Halfedge h = first; h != first + 3 && mesh_.marks(first) != 0; ++h)
+    {
+      if (mesh_.isConstrained(h))
+      {
+        takeMark(h);
+      }
+    }
+    if (!makeDelaunay(cavity) || !ticker_.step())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// These segments become nothing.
+bool InCurveOrder::takeOut(std::vector<Segment>& crossed)
+{
+  Edges edges(ticker_);
+  std::vector<Made> list;
+  return edges.begin(crossed.size()) && inRounds(crossed) && findEdges(crossed, edges, list) &&
+    (gaveUp_ || findShared(edges)) && (gaveUp_ || release(list, &edges));
+}
+
+/// All become nothing.
+bool InCurveOrder::undo()
+{
+  for (auto territory = territories_.rbegin(); territory != territories_.rend(); ++territory)
+  {
+    if (!release(territory->made, nullptr))
+    {
+      return false;
+    }
+    territory->made = {};
+  }
+  return releaseRest();
 }
 
 bool InCurveOrder::takeOutCrossed()

@@ -182,6 +182,10 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
         return Outcome::Blocked;
       }
     }
+    if (crossed_.size() == mostCrossed_)
+    {
+      return Outcome::Long;
+    }
     crossed_.push_back(h);
     //       left             the twin runs from left to right; ahead of it is the apex
     //      / ^   \           .
@@ -269,7 +273,9 @@ SegmentWalk::Outcome SegmentWalk::walkFrom(Index from, Index end, WayOut way)
   {
     if (way.edge != kNoIndex)
     {
-      pieces_.push_back({ from, mesh_.destination(way.edge), way.edge, 0, 0 });
+      const Index next = rows_ == nullptr ? mesh_.destination(way.edge)
+                                          : rows_->ahead(from, way.edge, end);
+      pieces_.push_back({ from, next, way.edge, 0, 0 });
     }
     else if (const Outcome outcome = cross(from, end, way.crossed); outcome != Outcome::Free)
     {

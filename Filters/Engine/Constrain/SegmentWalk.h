@@ -3,6 +3,7 @@
 #define ahd_SegmentWalk_h
 
 #include "ConstrainedMesh.h"
+#include "EdgeRows.h"
 #include "Fans.h"
 
 #include <vector>
@@ -15,18 +16,12 @@ namespace ahd
 class SegmentWalk
 {
 public:
-  struct Piece
-  {
-    Index from, to;
-    Mesh::Halfedge edge;    ///< from -> to where that is an edge, else kNoIndex
-    std::size_t begin, end; ///< else the edges it crosses, as places in crossed()
-  };
-
   enum class Outcome
   {
     Free,    ///< pieces() and crossed() say where it runs
     Blocked, ///< it crosses the constraint edge blockedBy(), on its way from a before any other
     Beyond,  ///< it may leave the territory
+    Long,    ///< it crosses more edges than it may
     Cancelled
   };
 
@@ -46,6 +41,12 @@ public:
   }
   bool isOwn(Index v) const { return v - firstOwn_ < owns_; }
 
+  /// From now on no more than so many edges are crossed.
+  void crossAtMost(std::size_t edges) { mostCrossed_ = edges; }
+
+  /// From now on rows that are remembered there are passed as one piece; null: edge by edge.
+  void passRows(const EdgeRows* rows) { rows_ = rows; }
+
   /// REQUIRES: two different vertices of the mesh, both in the territory. Throws std::bad_alloc.
   /// Where one end has very many neighbours, the cost goes with those of the other end. For a
   /// vertex within the segment with very many neighbours some are remembered: m segments through it
@@ -56,8 +57,9 @@ public:
   /// Cancelled. REQUIRES: no territory.
   Outcome walkAcross(Index a, Index b);
 
-  /// Along the segment, from start(), which is one of its ends.
-  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// Along the segment, from start(), which is one of its ends. The edges that are crossed are
+  /// places in crossed().
+  const std::vector<WalkPiece>& pieces() const { return pieces_; }
   Index start() const { return start_; }
   /// Of each crossed edge the half-edge on the side one comes from; it runs from right to left.
   const std::vector<Mesh::Halfedge>& crossed() const { return crossed_; }
@@ -94,10 +96,12 @@ private:
   const ConstrainedMesh& mesh_;
   Ticker& ticker_;
   Fans fans_;
-  std::vector<Piece> pieces_;
+  std::vector<WalkPiece> pieces_;
   std::vector<Mesh::Halfedge> crossed_;
   Mesh::Halfedge blockedBy_ = kNoIndex;
   bool goesOn_ = false; ///< across what blocks it
+  std::size_t mostCrossed_ = std::size_t(-1);
+  const EdgeRows* rows_ = nullptr;
   Index start_ = kNoIndex;
   Index firstOwn_ = 0;
   Index owns_ = kNoIndex; ///< all vertices

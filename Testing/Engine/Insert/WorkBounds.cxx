@@ -8,6 +8,7 @@
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
+#include "Listeners.h"
 #include "Places.h"
 
 #include "Crossings/Crossings.h"
@@ -302,25 +303,6 @@ TEST(WorkBounds, WhatIsNotBounded)
 
 // ------------------------------------------------------------------------------- what comes after
 
-/// Counts the askings of each phase, at least one per 2^14 steps.
-class Counter : public Progress
-{
-public:
-  bool advance(Phase phase, double) override
-  {
-    ++askings_[std::size_t(phase)];
-    return true;
-  }
-  /// Upper limit of the steps taken.
-  double steps(Phase phase) const
-  {
-    return double(askings_[std::size_t(phase)] + 1) * double(kStepsPerAsking);
-  }
-
-private:
-  std::size_t askings_[kPhases] = {};
-};
-
 /// What several threads leave for one in the end is reached from near it: along slivers it may be
 /// far from anywhere else.
 TEST(WorkBounds, PointsThatWaitedForOneThread)
@@ -332,7 +314,7 @@ TEST(WorkBounds, PointsThatWaitedForOneThread)
     const std::vector<Point> points = makePoints(distribution, n, 1);
     for (const unsigned threads : { 2, 5 })
     {
-      Counter counter;
+      StepCounter counter;
       ThreadExecutor executor(threads);
       Engine engine;
       ASSERT_EQ(engine.run(viewOf(points), Options(), &counter, &executor), Status::Ok);
@@ -354,7 +336,7 @@ TEST(WorkBounds, Constraints)
     { "nearly collinear", nearlyCollinearLines(n) }, { "nested", nestedLoops(60) } };
   for (const auto& [name, given] : cases)
   {
-    Counter counter;
+    StepCounter counter;
     Helpers helpers;
     helpers.progress = &counter;
     Engine engine;
@@ -386,7 +368,7 @@ TEST(WorkBounds, SegmentsThroughAHub)
 {
   const std::size_t n = 4000;
   const ConstraintCase given = diameters(n);
-  Counter counter;
+  StepCounter counter;
   Engine engine;
   ASSERT_EQ(engine.run(given.view(), Options(), nullptr), Status::Ok);
   ASSERT_EQ(engine.constrain(given.constraints.view(), FillRule::EvenOdd, &counter), Status::Ok);
@@ -403,7 +385,7 @@ TEST(WorkBounds, Crossings)
     { "random", randomSegments(n, n / 100) } };
   for (const auto& [name, given] : cases)
   {
-    Counter counter;
+    StepCounter counter;
     SplitConstraints split;
     const ConstraintView chains = given.constraints.view();
     ASSERT_EQ(splitAtCrossings(given.view(), chains, &counter, split), Status::Ok);
@@ -425,7 +407,7 @@ TEST(WorkBounds, Voronoi)
     ASSERT_EQ(engine.made.makePointMap({}), Status::Ok);
     for (const VoronoiClip clip : { VoronoiClip::Hull, VoronoiClip::Bounds })
     {
-      Counter counter;
+      StepCounter counter;
       VoronoiCells cells;
       ASSERT_EQ(voronoiCells(engine.made, clip, cells, { &counter, nullptr }), Status::Ok);
       EXPECT_LE(counter.steps(Phase::Outputs), 100.0 * double(n)) << nameOf(d);

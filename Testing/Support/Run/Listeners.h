@@ -50,6 +50,25 @@ private:
   double fraction_ = 0.0;
 };
 
+/// Counts the askings of each phase, at least one per 2^14 steps.
+class StepCounter : public Progress
+{
+public:
+  bool advance(Phase phase, double) override
+  {
+    ++askings_[std::size_t(phase)];
+    return true;
+  }
+  /// Upper limit of the steps taken.
+  double steps(Phase phase) const
+  {
+    return double(askings_[std::size_t(phase)] + 1) * double(kStepsPerAsking);
+  }
+
+private:
+  std::size_t askings_[kPhases] = {};
+};
+
 } // namespace test
 } // namespace ahd
 
