@@ -13,16 +13,27 @@
 namespace ahd
 {
 
-/// The largest magnitude of a coordinate; `varies`: but for those that all points have in common.
-double PlaneFitting::Work::largestMagnitude(bool varies) const
+double PlaneFitting::Work::largestMagnitude() const
 {
-  double largest = 0.0;
+  return std::max({ magnitude(0), magnitude(1), magnitude(2) });
+}
+
+/// How wide points on a line may be along this axis because their coordinates are rounded: as the
+/// largest is. Points that have a coordinate in common lie in a plane as it is, so of these no more
+/// is taken for a line than the rounding along the axis can make.
+double PlaneFitting::Work::roundingAlong(const Vector3& axis) const
+{
+  double largest = 0.0, along = 0.0;
+  bool isFlat = false;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    const bool counts = !varies || around_.low[k] < around_.high[k];
-    largest = counts ? std::max({ largest, -around_.low[k], around_.high[k] }) : largest;
+    const bool isCommon = around_.low[k] == around_.high[k];
+    const double most = isCommon ? 0.0 : (magnitude(k) * places_.factors[0]) * places_.factors[1];
+    isFlat = isFlat || isCommon;
+    largest = std::max(largest, most);
+    along += std::fabs(axis[k]) * most;
   }
-  return largest;
+  return 2 * (isFlat ? along : largest) * precision_;
 }
 
 /// p - origin is exact for all points: where the origin is not zero, all p are three times as large
@@ -109,8 +120,7 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
     return unitAxis(2);
   }
   // A width that the rounding of the coordinates alone would make is none.
-  const double rounding = 2 * (largestMagnitude(true) * places_.factors[0]) * places_.factors[1] *
-    precision_;
+  const double rounding = roundingAlong(axes_[by[1]]);
   if (std::sqrt(std::max(0.0, spread[by[1]][by[1]])) <= rounding + 0x1p-50)
   {
     const Vector3& line = axes_[by[0]];
@@ -209,7 +219,7 @@ void PlaneFitting::Work::goOn()
   fit_.normal = chooseNormal(spread);
   fit_.origin = places_.origin;
   fit_.height = dot(fit_.normal, places_.mean) / places_.factors[0] / places_.factors[1];
-  fit_.shrink = largestMagnitude(false) > 0x1p1000 ? 0x1p-32 : 1.0;
+  fit_.shrink = largestMagnitude() > 0x1p1000 ? 0x1p-32 : 1.0;
   takeCommonCoordinate();
   step_ = Step::Done;
 }

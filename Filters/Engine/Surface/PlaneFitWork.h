@@ -80,7 +80,9 @@ private:
   Vector3 reachOfExtent() const;
   Vector3 chooseNormal(const Matrix3& spread) const;
   void takeCommonCoordinate();
-  double largestMagnitude(bool varies) const;
+  double magnitude(std::size_t k) const { return std::max(-around_.low[k], around_.high[k]); }
+  double largestMagnitude() const;
+  double roundingAlong(const Vector3& axis) const;
 
   PlanePlaces places_;
   const double precision_; ///< of the coordinates

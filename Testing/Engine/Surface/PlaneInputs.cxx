@@ -63,6 +63,16 @@ TEST(Plane, PointsWithACoordinateInCommonKeepTheOthers)
       EXPECT_FALSE(fit(points).isOfCoordinates()) << common;
     }
   }
+  // The y of a low wall far north are coarse; its z are not.
+  std::vector<float> wall;
+  for (int i = 0; i < 600; ++i)
+  {
+    wall.insert(wall.end(), { 5e5F, 6e6F + float(i / 3), 0.25F * float(i % 3) });
+  }
+  Plane low;
+  ASSERT_EQ(low.fit(PointView(wall.data(), 600, 3), Context()), Status::Ok);
+  EXPECT_TRUE(low.isOfCoordinates());
+  EXPECT_EQ(low.normal(), unitAxis(0));
   // On a line there are other planes, too: the rule for lines says which.
   EXPECT_FALSE(fit({ { { 0, 1, 0 } }, { { 2, 1, 1 } }, { { 4, 1, 2 } } }).isOfCoordinates());
 }
