@@ -8,7 +8,7 @@ from typing import Any, Callable, Mapping, NamedTuple, Optional, Sequence, Tuple
 import numpy as np
 
 from . import _library as library
-from ._made import Made
+from ._made import Made, frozen
 from ._raster import Raster, raster_over, real_numbers, unmasked
 
 #: In the order of the header's numbers.
@@ -209,7 +209,8 @@ class Sampled(Made):
         if at is None:
             if method != "linear" or gradient or np.ndim(outside) or not _is_nan(outside):
                 raise ValueError("method, outside and gradient are for values at places: give these as `at`")
-            return self._for_points(_numbers_of(values, self._counts, "biuf"))
+            given = _numbers_of(values, self._counts, "biuf")
+            return self._for_points(given, self._columns_of_z(given))
         return self._at(values, at, method, outside, gradient, progress)
 
     def weights(self, at: Any, method: str = "linear") -> Weights:
@@ -268,7 +269,8 @@ class Sampled(Made):
         given = _numbers_of(values, self._counts, "biufc")
         if not isinstance(outside, str):
             check_outside("outside", outside, " or 'nearest'", given.dtype.kind)
-        rows = self._for_points(given) if self._counts["added_points"] or self._moves_points else given
+        ofZ = self._columns_of_z(given)
+        rows = self._for_points(given, ofZ) if self._counts["added_points"] or len(ofZ) else given
         dtype = np.dtype(np.complex128 if given.dtype.kind == "c" else np.float64)
         flat = np.ascontiguousarray(rows, dtype).reshape(len(rows), _product(given.shape[1:]))
         with self._locked():
@@ -281,14 +283,15 @@ class Sampled(Made):
 
     def _nearest_ids(self, places: np.ndarray) -> np.ndarray:
         """The id of the point nearest to each place, (k, 2); NaN where there is none."""
-        ids = np.arange(self._counts["points"], dtype=np.float64)[:, None]
+        ids = self._made("ids", lambda: np.arange(self._counts["points"], dtype=np.float64)[:, None])
         with self._locked():
             found = self._sampled(np.ascontiguousarray(places), ids, library.SAMPLE_NEAREST, False, False, None)
         made: np.ndarray = found.values[0].reshape(-1)
         return made
 
-    def _for_points(self, given: np.ndarray) -> np.ndarray:
-        """The values with those of points that were added, and of those that lie on a surface."""
+    def _for_points(self, given: np.ndarray, ofZ: np.ndarray) -> np.ndarray:
+        """The values with those of points that were added, and of those that lie on a surface; the columns `ofZ` are
+        that of `points`, which follows `duplicates`."""
         dtype = np.complex128 if given.dtype.kind == "c" else np.float64
         made = np.full((self._counts["points"],) + given.shape[1:], np.nan, dtype)
         made[: len(given)] = given
@@ -296,25 +299,29 @@ class Sampled(Made):
             rows = made.reshape(len(made), -1)
             with self._locked():
                 self._engine().interpolate(rows.view(np.float64))
-            self._show_means(given, rows)
+            bounding = slice(len(given), len(rows) - self._counts["split_crossings"])
+            for column in ofZ:
+                rows[:, column] = self.points[:, 2]
+                rows[bounding, column] = np.nan
         return made
 
-    @property
-    def _moves_points(self) -> bool:
-        """Does duplicates='mean_z' give points another z than they were given?"""
-        settings, counts = self._request.settings, self._counts
-        return bool(settings["duplicates"] == library.DUPLICATES_MEAN_Z and counts["duplicates"])
+    def _columns_of_z(self, given: np.ndarray) -> np.ndarray:
+        """Which columns of values are the z of the points as they were given, where duplicates='mean_z' gives points
+        another one."""
+        request = self._request
+        moves = request.settings["duplicates"] == library.DUPLICATES_MEAN_Z and self._counts["duplicates"]
+        if not moves or request.columns < 3 or not given.size:
+            return np.arange(0)
+        z, columns = self._made("given_z", self._given_z)[:, None], given.reshape(len(given), -1)
+        found = np.arange(columns.shape[1])
+        for most in (64, len(z)):  # a few points tell most others apart
+            some, own = columns[:most, found], z[:most]
+            found = found[((some == own) | ((some != some) & (own != own))).all(axis=0)]
+        return found
 
-    def _show_means(self, given: np.ndarray, rows: np.ndarray) -> None:
-        """Where columns of values are the z of the points, they become that of `points`, which follows `duplicates`."""
-        if not self._moves_points or self._request.columns < 3:
-            return
-        z, columns = self._request.z[:, None], given.reshape(len(given), -1)
-        areZ = ((columns == z) | ((columns != columns) & (z != z))).all(axis=0)
-        bounding = slice(len(given), len(rows) - self._counts["split_crossings"])
-        for column in np.flatnonzero(areZ):
-            rows[:, column] = self.points[:, 2]
-            rows[bounding, column] = np.nan
+    def _given_z(self) -> np.ndarray:
+        self._check_input()
+        return frozen(self._request.z)
 
     def _sampled(
         self,

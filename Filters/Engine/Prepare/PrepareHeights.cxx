@@ -227,6 +227,10 @@ Status findHeights(const PreparedInput& points, Triangulation& triangulation, bo
             heights[i] = places.z(i);
           }
         });
+      if (!all || found.empty())
+      {
+        return all;
+      }
       for (const Mean& mean : found)
       {
         heights[mean.id] = mean.position[2];
@@ -234,11 +238,9 @@ Status findHeights(const PreparedInput& points, Triangulation& triangulation, bo
       std::size_t crossing = points.firstCrossing();
       for (const CrossingOrigin& origin : points.crossings())
       {
-        const double between = interpolate(origin, [&](Index end) { return heights[end]; });
-        heights[crossing] = found.empty() ? heights[crossing] : between;
-        ++crossing;
+        heights[crossing++] = interpolate(origin, [&](Index end) { return heights[end]; });
       }
-      return all;
+      return true;
     });
 }
 

@@ -2,6 +2,7 @@
 """Places, rasters and numbers that interpolation takes, and those that it refuses with one clear error."""
 
 import pickle
+import tracemalloc
 import unittest
 import warnings
 
@@ -95,6 +96,14 @@ class SourceTest(unittest.TestCase):
             self.assertRaises(ValueError, kind, made, values[:300])
             self.assertEqual(len(pickle.loads(pickle.dumps(kind(made, values))).values), 305)
         self.assertRaisesRegex(ValueError, "points that were added", NearestInterpolator, made, values)
+
+    def test_the_nearest_point_is_found_without_work_for_all(self):
+        f = NearestInterpolator(cloud(6, 20000), np.arange(20000))
+        expected = f(0.5, 0.5)
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        self.assertEqual(f(0.5, 0.5), expected)
+        self.assertLess(tracemalloc.get_traced_memory()[1], 8 * 20000)
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@ what was given, and from another triangulation.
 """
 
 import itertools
+import tracemalloc
 import unittest
 import warnings
 
@@ -124,6 +125,18 @@ class SpaceTest(unittest.TestCase):
         found = bounded.interpolate(few[:, 2])
         np.testing.assert_array_equal(found[:6], bounded.points[:6, 2])
         self.assertTrue(np.isnan(found[6:]).all())
+
+    def test_other_values_are_no_work_for_all_points(self):
+        points = np.repeat(cloud(5, 10000, 3), 2, axis=0)
+        made, z, others = delaunay(points, duplicates="mean_z"), points[:, 2].copy(), np.arange(20000.0)
+        expected = made.interpolate(others, [0.5, 0.5])
+        tracemalloc.start()
+        self.addCleanup(tracemalloc.stop)
+        self.assertEqual(made.interpolate(others, [0.5, 0.5]), expected)
+        self.assertLess(tracemalloc.get_traced_memory()[1], 8 * 20000)
+        points += 1  # nor are these read again
+        self.assertEqual(made.interpolate(others, [0.5, 0.5]), expected)
+        self.assertRaisesRegex(RuntimeError, "points were changed", made.interpolate, z, [0.5, 0.5])
 
     def test_most_are_stacked_or_on_one_line(self):
         for share, stacked in ((0.0, 0), (0.3, 0), (0.8, 1), (1.0, 1)):
