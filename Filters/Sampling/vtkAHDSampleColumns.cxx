@@ -265,7 +265,8 @@ std::size_t vtkAHDSampleColumns::CountMissingOf(const std::string& name) const
 }
 
 std::vector<vtkAHDMissingValues> vtkAHDSampleColumns::FindMissing(const double* heights,
-  const ahd::Triangulation& surface, std::size_t firstAdded, const vtkAHDContext& context) const
+  const ahd::Triangulation& surface, const vtkAHDAddedPoints& added,
+  const vtkAHDContext& context) const
 {
   constexpr std::size_t kPiece = std::size_t(1) << 14;
   std::vector<vtkAHDMissingValues> all;
@@ -281,11 +282,12 @@ std::vector<vtkAHDMissingValues> vtkAHDSampleColumns::FindMissing(const double* 
     {
       vertex % kPiece == 0 ? context.StopIfAborted() : void();
       const std::size_t point = surface.pointOf(static_cast<ahd::Index>(vertex));
-      const bool mayTell = !missing.OfPoints || point >= firstAdded;
-      if (mayTell && (column.From ? HasNaN(column.From, point) : std::isnan(heights[point])))
+      const bool isAdded = point >= added.First && point < added.End;
+      if ((!missing.OfPoints || isAdded) &&
+        (column.From ? HasNaN(column.From, point) : std::isnan(heights[point])))
       {
         missing.OfPoints = true;
-        missing.OfAdded = point >= firstAdded;
+        missing.OfAdded = isAdded;
       }
     }
     all.push_back(missing);

@@ -49,6 +49,14 @@ struct vtkAHDMissingValues
   bool OfAdded = false;   ///< at such that were added, of the source for example
 };
 
+/// The points from `First` to before `End`, which were added to the input; but for crossings, whose
+/// values are made of those of others.
+struct vtkAHDAddedPoints
+{
+  std::size_t First;
+  std::size_t End;
+};
+
 /**
  * The arrays of one execution: which are interpolated, their numbers as the engine wants them, and
  * the arrays that come of it.
@@ -100,10 +108,10 @@ public:
   /// How many that were, of the array of this name; empty: of the heights.
   std::size_t CountMissingOf(const std::string& name) const;
 
-  /// Of all arrays, the heights first. `firstAdded`: points from this number on were added to the
-  /// input. Throws vtkAHDStop and std::bad_alloc.
+  /// Of all arrays, the heights first. Throws vtkAHDStop and std::bad_alloc.
   std::vector<vtkAHDMissingValues> FindMissing(const double* heights,
-    const ahd::Triangulation& surface, std::size_t firstAdded, const vtkAHDContext& context) const;
+    const ahd::Triangulation& surface, const vtkAHDAddedPoints& added,
+    const vtkAHDContext& context) const;
 
   /// Makes the arrays what they are to be: their type, and NoValue in place of NaN.
   void Finish(const vtkAHDContext& context);

@@ -408,8 +408,8 @@ void vtkAHDSampleExecution::FindMissing(const vtkAHDSampleColumns& columns,
     const std::size_t added = inputs.Surface
       ? static_cast<std::size_t>(vtkAHDCountAddedPoints(inputs.Surface))
       : points.addedCount() + inputs.AddedPoints;
-    this->Result.Missing = columns.FindMissing(
-      heights, surface.GetTriangulation(), points.points().count - added, this->Context);
+    this->Result.Missing = columns.FindMissing(heights, surface.GetTriangulation(),
+      { points.points().count - added, points.firstCrossing() }, this->Context);
   }
 }
 

@@ -79,7 +79,8 @@ std::string ListOf(
     if (isOne(missing))
     {
       const std::string count = hasCounts ? std::to_string(missing.Places) : std::string();
-      names.push_back(missing.Name.empty() ? count + (hasCounts ? " heights" : "heights")
+      const std::string heights = missing.Places == 1 && hasCounts ? "height" : "heights";
+      names.push_back(missing.Name.empty() ? count + (hasCounts ? " " : "") + heights
                                            : count + (hasCounts ? " of " : "") + missing.Name);
     }
   }
@@ -89,9 +90,7 @@ std::string ListOf(
 void WarnOfValues(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
 {
   const ahd::SampleReport& counts = result.Counts;
-  const std::string added = ListOf(
-    result, " Points that were added (of the source, for example) lack ",
-    [](const vtkAHDMissingValues& missing) { return missing.OfAdded; }, false);
+  const std::string lack = " Points that were added (of the source, for example) lack ";
   if (counts.withoutValue > 0)
   {
     const bool areHeights = !result.Missing.empty() && result.Missing.front().Name.empty() &&
@@ -102,7 +101,12 @@ void WarnOfValues(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
          << ListOf(
               result, ": ", [](const vtkAHDMissingValues& missing) { return missing.Places > 0; },
               true)
-         << (areHeights ? "" : " No height is missing.") << added);
+         << (areHeights ? "" : " No height is missing.")
+         << ListOf(
+              result, lack,
+              [](const vtkAHDMissingValues& missing)
+              { return missing.OfAdded && missing.Places > 0; },
+              false));
   }
   if (counts.leftOut > 0)
   {
@@ -113,7 +117,9 @@ void WarnOfValues(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
          << ListOf(
               result, ": ", [](const vtkAHDMissingValues& missing) { return missing.OfPoints; },
               false)
-         << added);
+         << ListOf(
+              result, lack, [](const vtkAHDMissingValues& missing) { return missing.OfAdded; },
+              false));
   }
 }
 }

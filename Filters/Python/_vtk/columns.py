@@ -197,9 +197,9 @@ class Columns:
 
     def find_missing(self, job, heights, first_added):
         """A Missing for each array that may have NaN, the heights first. Points from number `first_added` on were added
-        to the input."""
+        to the input; the crossings among them have values that are made of those of others."""
         vertices, found = job.array("point_of_vertex", numpy.int64), []
-        added = vertices >= first_added
+        added = (vertices >= first_added) & (vertices < self.points - job.count("split_crossings"))
         for column in self.columns:
             if column.given is not None and is_whole(self.backend, column.given):
                 continue

@@ -48,6 +48,7 @@ class Interpolating:
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
         self.triangulation, self.values, self.wishes, self.speaker = *asked, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
+        self.added_before = count_added(self.backend, merged.given)
         self.places, self.cells, self.count, self.points = places, None, 0, 0
         self.is_kept = self.is_triangulated = False
         self.bytes_behind = 0
@@ -171,8 +172,8 @@ class Interpolating:
         mask = self._sample(columns, heights, xy, found)
         found.missing = []
         if found.without_value + found.left_out:
-            first_added = self.job.count("points") - count_added(self.backend, self.job, self.given)
-            found.missing = columns.find_missing(self.job, heights, first_added)
+            added = self.added_before + self.job.count("added_points")
+            found.missing = columns.find_missing(self.job, heights, self.job.count("points") - added)
         if self.places is not None:
             self.places.put_into(made)
         elif self.wishes["OutputType"]:

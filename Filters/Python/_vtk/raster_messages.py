@@ -113,15 +113,16 @@ def of_places(found):
         triangles = " of %d triangles" % found.triangles if found.triangles else ""
         yield "None of %d places is on the surface%s. Places: %s; points: %s." % (
             found.places, triangles, _box(found.wanted), _box(found.surface))
-    missing = found.missing
-    added = _of_missing(" Points that were added (of the source, for example) lack ", [
-        one.name or "heights" for one in missing if one.of_added])
+    lack, missing = " Points that were added (of the source, for example) lack ", found.missing
     if found.without_value:
-        names = [str(one.places) + (" of " + one.name if one.name else " heights") for one in missing if one.places]
+        heights = " height" if any(one.places == 1 and not one.name for one in missing) else " heights"
+        names = [str(one.places) + (" of " + one.name if one.name else heights) for one in missing if one.places]
         no_height = "" if any(one.places and not one.name for one in missing) else " No height is missing."
+        added = _of_missing(lack, [one.name or "heights" for one in missing if one.of_added and one.places])
         yield "%d values at places on the surface are none, since values of points are NaN%s%s%s" % (
             found.without_value, _of_missing(": ", names), no_height, added)
     if found.left_out:
         names = [one.name or "heights" for one in missing if one.of_points]
+        added = _of_missing(lack, [one.name or "heights" for one in missing if one.of_added])
         yield ("%d values at places are interpolated without some of their natural neighbours, whose values are NaN"
                "%s%s" % (found.left_out, _of_missing(": ", names), added))

@@ -139,10 +139,10 @@ def is_surface(backend, given):
         count.GetNumberOfValues() == 1 and count.GetValue(0) == given.GetNumberOfPolys()))
 
 
-def count_added(backend, job, given):
-    """How many of the last points were added: to a surface where that was made, else here."""
+def count_added(backend, given):
+    """How many of the last points of a surface were added where that was made; 0 of what is none."""
     if not is_surface(backend, given):
-        return job.count("added_points")
+        return 0
     array = given.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
     added = array.GetValue(0) if array is not None and array.GetNumberOfValues() == 1 else 0
     return added if 0 < added < given.GetNumberOfPoints() else 0

@@ -126,14 +126,13 @@ class InterpolationTest(Case):
             given.GetPointData().AddArray(array("vtkDoubleArray", name, values))
         shore = source([(4, 2, 0), (4, 6, 0)], lines=[(0, 1)])
         places = cloud([(2, 1, 0), (5, 4, 0), (7.5, 7, 0), (0.5, 0.5, 0)])
-        added = " Points that were added (of the source, for example) lack depth, salt."
+        added = " Points that were added (of the source, for example) lack %s."
         none = "values at places on the surface are none, since values of points are NaN"
         left = "values at places are interpolated without some of their natural neighbours, whose values are NaN"
 
-        def check(wanted, begin=none, **settings):
+        def check(wanted, begin=none, given=given, places=places, **settings):
             """`wanted`: with a count of each of the arrays that have a name."""
             algorithm = Interpolation()
-            algorithm.GetTriangulation().SetSourceMode(1)
             found = Said(algorithm)
             set_all(algorithm, settings)
             algorithm.SetInputDataObject(given)
@@ -159,11 +158,25 @@ class InterpolationTest(Case):
         self.assertEqual(said.warnings, ["2 " + none + ": 2 of salt. No height is missing."])
         check(": %d of salt. No height is missing.", Method=3)
         check(": salt.", left, Method=1)
-        check(": %d of depth, %d of salt. No height is missing." + added, SourceData=shore)
-        check(": depth, salt." + added, left, SourceData=shore, Method=1)
+        lacking = added % "depth, salt"
+        made = {"Triangulation.SourceMode": 1, "SourceData": shore}
+        check(": %d of depth, %d of salt. No height is missing." + lacking, **made)
+        check(": depth, salt." + lacking, left, Method=1, **made)
+        only = dict(places=cloud([(1, 1, 0)]))
+        check(": %d of salt. No height is missing." + added % "salt", **only, **made)  # depth is there
+        surface = Filter()
+        surface.SetSourceMode(1)
+        surface.SetInputDataObject(given)
+        surface.SetSourceData(shore)
+        surface.Update()
+        check(": %d of depth, %d of salt. No height is missing." + lacking, given=surface.GetOutput())
+        across = source([(0, 0, 0), (8, 0, 1), (8, 8, 2), (0, 8, 3), (1, 1, 5)], lines=[(0, 4, 2), (1, 3)])
+        check(": %d of salt. No height is missing.", SourceData=across,  # the crossing's are those of its ends
+              **{"Triangulation.CrossingMode": 1})
         given.GetPoints().SetPoint(4, 1, 1, nan)
         given.GetPoints().Modified()
         check(": %d heights, %d of salt.")
+        check(": %d height, %d of salt.", **only)
 
     def test_arrays_with_more_values_than_points(self):
         """The first are those of the points, as in VTK's own filters."""
