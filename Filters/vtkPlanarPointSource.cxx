@@ -5,6 +5,7 @@
 #include "Engine/Core/FloatingPoint.h"
 #include "Engine/Core/Memory.h"
 #include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDMemoryWords.h"
 #include "Pipeline/vtkAHDProgress.h"
 
 #include "vtkCellArray.h"
@@ -124,9 +125,9 @@ bool vtkPlanarPointSource::FitsInMemory()
   const vtkTypeInt64 available = static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
   if (needed > available)
   {
-    vtkErrorMacro("Making " << this->NumberOfPoints << " points takes " << needed
-                            << " KiB of memory, but there are " << available
-                            << " KiB. No point was made. Make fewer.");
+    vtkErrorMacro("Making " << this->NumberOfPoints << " points takes " << vtkAHDNeeded(needed)
+                            << " of memory, but " << vtkAHDButAllowed(available, false)
+                            << ". No point was made. Make fewer.");
   }
   return needed <= available;
 }

@@ -260,26 +260,33 @@ Status triangulate(const PointView& points, const Options& options, Workspace& w
   return status;
 }
 
-std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& options)
+std::size_t triangulatedMemoryEstimate(std::size_t pointCount, const Options& options)
 {
   if (pointCount > kMaximumPoints)
   {
     return std::size_t(-1);
   }
   // Bytes per point (Algorithm.md, "Memory"): a location, an id, a place in the sequence, another
-  // where threads insert while an order is kept, what it takes to make an order that has no
-  // formula or to choose among duplicates, a piece of memory that is first for sorting and then
-  // holds two triangles, and what the extraction takes.
+  // where threads insert while an order is kept, a piece of memory that is first for sorting and
+  // then holds two triangles, and what the extraction takes.
   constexpr std::size_t kSlots = std::max(
     2 * sizeof(std::uint32_t) * Mesh::kSlotSize, kRankScratchPerPoint);
   constexpr std::size_t kSmall = std::size_t(1) << 20;
   const std::size_t kept = options.keepOrder && !needsSequence(options) ? sizeof(Index) : 0;
+  return kSmall +
+    pointCount * (sizeof(Point) + 2 * sizeof(Index) + kept + kSlots + kExtractBytesPerPoint);
+}
+
+std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& options)
+{
+  if (pointCount > kMaximumPoints)
+  {
+    return std::size_t(-1);
+  }
+  // What it takes to make an order that has no formula or to choose among duplicates.
   const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
   const std::size_t chosen = options.representative == Representative::FirstId ? 0 : sizeof(Index);
-  return kSmall +
-    pointCount *
-    (sizeof(Point) + 2 * sizeof(Index) + kept + std::max(made, chosen) + kSlots +
-      kExtractBytesPerPoint);
+  return triangulatedMemoryEstimate(pointCount, options) + pointCount * std::max(made, chosen);
 }
 
 } // namespace ahd

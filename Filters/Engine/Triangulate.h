@@ -90,6 +90,10 @@ Status trim(Triangulation&& whole, const Context& context, Triangulation& out);
 /// more than kMaximumPoints.
 std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& options);
 
+/// The same of what is held when the triangulation is there, and of what
+/// writeTriangles() takes besides.
+std::size_t triangulatedMemoryEstimate(std::size_t pointCount, const Options& options);
+
 /// Upper estimate of what constrain() takes on top of it for so many segments.
 /// Not counted, as nobody knows before: up to 300 bytes for each triangle that
 /// one segment crosses, and up to 350 for each vertex that one passes; a few,

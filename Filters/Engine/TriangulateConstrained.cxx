@@ -139,13 +139,13 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
   // Per point: a vertex for each id, a triangle for each vertex, two marks, and a queue of two
   // triangles.
   constexpr std::size_t kPerPoint = 4 + 4 + 2 + 8;
-  // Per edge: a place in each of two tables that are at least a quarter full, or less while they
-  // are copied.
-  constexpr std::size_t kPerEdge = 2 * 6 * sizeof(LoopEdges::Edge);
+  // Per edge: four places in the table of loops' edges, which has room for them from the beginning,
+  // and six in that of edges that cross, which holds the smaller one while it grows.
+  constexpr std::size_t kPerEdge = (4 + 6) * sizeof(LoopEdges::Edge);
   // Per segment: a row of the report, an edge of a loop, the beginning of a chain, what says of its
   // ids that they begin edges.
   constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8 + 2;
-  const std::size_t inOrder = 3 * std::min(segmentCount, pointCount) * kPerEdge +
+  const std::size_t inOrder = std::min(segmentCount, 3 * pointCount) * kPerEdge +
     segmentCount * kPerSegment;
   const std::size_t alongCurve = segmentCount * InCurveOrder::bytesPerSegment() +
     InCurveOrder::bytesAtLeast();

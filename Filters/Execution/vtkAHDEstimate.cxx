@@ -4,92 +4,58 @@
 #include "Execution/vtkAHDExecution.h"
 
 #include "Engine/Core/Memory.h"
-#include "Engine/Crossings/Crossings.h"
-#include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
-#include "Output/vtkAHDSurface.h"
-#include "Output/vtkAHDVoronoi.h"
 
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 
 #include <algorithm>
 
-/// Crossings are known once they are split, boxes once the points are sorted.
+namespace
+{
+/// What is wished for, in the engine's words.
+ahd::RunWishes WishesOf(const vtkAHDSettings& settings, const ahd::Options& options)
+{
+  ahd::RunWishes wishes;
+  wishes.options = options;
+  wishes.alpha = settings.Limits.alpha > 0.0;
+  wishes.maximumEdgeLength = settings.Limits.maximumEdgeLength > 0.0;
+  wishes.trimsRim = settings.MayTrimRim();
+  wishes.showsMeans = settings.ShowMeans;
+  wishes.samples = settings.Samples;
+  wishes.pointStatus = settings.GeneratePointStatus;
+  wishes.insertionRanks = settings.GenerateInsertionRank;
+  wishes.neighbors = settings.GenerateNeighbors;
+  wishes.regions = settings.GenerateRegionIds;
+  wishes.constraintEdges = settings.GenerateConstraintEdges;
+  wishes.voronoi = settings.GenerateVoronoi;
+  wishes.curve = settings.GenerateInsertionCurve;
+  return wishes;
+}
+}
+
 std::size_t vtkAHDExecution::EstimateBytes() const
 {
-  const std::size_t count = this->Known.Points;
-  std::size_t before = this->BytesBefore + this->Input.EstimateBytes() +
-    ahd::preparationMemoryEstimate(this->Input.GetRequest());
-  std::size_t bytes = ahd::triangulationMemoryEstimate(count, this->Options);
-  std::size_t toSplit = 0; // what is given back before the triangulation
-  if (this->Known.Crossings > 0)
-  {
-    before += count * (3 * sizeof(double) + 1) +
-      this->Known.Crossings * sizeof(ahd::CrossingOrigin);
-    toSplit = ahd::splitMemoryEstimate(0, this->Known.Crossings);
-  }
-  if (this->Known.Segments > 0)
-  {
-    bytes += ahd::constraintMemoryEstimate(count, this->Known.Segments + 2 * this->Known.Crossings);
-  }
-  if (this->Settings.MayTrimRim())
-  {
-    bytes += ahd::trimMemoryEstimate(count);
-  }
-  return before + std::max(toSplit, bytes + this->EstimateTables() + this->EstimateOutputs());
+  ahd::RunWishes wishes = WishesOf(this->Settings, this->Options);
+  wishes.perAddedPoint = vtkAHDPointOutput::EstimateBytesPerPoint(this->Input.GetInput());
+  // The polygons of the Voronoi diagram have a copy of the point data.
+  vtkPointData* const data = this->Input.GetInput()->GetPointData();
+  const std::size_t copied = this->Settings.GenerateVoronoi ? data->GetActualMemorySize() : 0;
+  return this->BytesBefore + this->BytesBehind + this->Input.EstimateBytes() + 1024 * copied +
+    ahd::runMemoryEstimate(this->Input.GetRequest(), wishes, this->Known);
 }
 
-/// What is made of a triangulation to be looked up in it.
-std::size_t vtkAHDExecution::EstimateTables() const
-{
-  const vtkAHDSettings& settings = this->Settings;
-  const std::size_t count = this->Known.Points;
-  const bool looksUp = settings.Samples || settings.LimitsSize() || settings.GenerateNeighbors ||
-    settings.GenerateRegionIds || settings.GenerateConstraintEdges || settings.GenerateVoronoi ||
-    settings.ShowMeans || settings.HeightsFromSurface || this->Known.Crossings > 0;
-  // where one of several points stands for a vertex: the vertex of each point, twice
-  const bool chooses = settings.Insertion.representative != ahd::Representative::FirstId;
-  return (chooses ? 2 * sizeof(ahd::Index) * count : 0) +
-    (looksUp ? ahd::tableMemoryEstimate(count) : 0) +
-    (settings.LimitsSize() ? ahd::selectionMemoryEstimate(count) : 0) +
-    (settings.GenerateVoronoi ? ahd::voronoiMemoryEstimate(count) : 0);
-}
-
-/// What is left behind at most, the tables of an interpolation and the points included.
+/// What is left behind at most: the triangulation, the tables of an interpolation, and copies of
+/// points.
 std::size_t vtkAHDExecution::EstimateLeft() const
 {
-  const std::size_t count = this->Known.Points;
-  return this->EstimateBytes() - this->EstimateOutputs() + ahd::tableMemoryEstimate(count) +
-    (3 * sizeof(double) + 1) * count;
-}
-
-std::size_t vtkAHDExecution::EstimateOutputs() const
-{
-  const vtkAHDSettings& settings = this->Settings;
-  const std::size_t count = this->Known.Points;
-  std::size_t bytes = this->BytesBehind +
-    (settings.Samples ? vtkAHDSurface::EstimateMeanBytes(count, settings)
-                      : vtkAHDSurface::EstimateBytes(count, settings));
-  if (count > this->Input.GetRequest().points.count)
-  {
-    bytes += vtkAHDPointOutput::EstimateBytes(this->Input.GetInput(), count);
-  }
-  if (settings.GenerateVoronoi)
-  {
-    // The polygons have a copy of the point data.
-    bytes += vtkAHDVoronoi::EstimateBytes(count) +
-      1024 *
-        static_cast<std::size_t>(this->Input.GetInput()->GetPointData()->GetActualMemorySize());
-  }
-  if (settings.WantsOrder())
-  {
-    const std::size_t limit = this->Options.insertionLimit;
-    const std::size_t inserted = limit > 0 ? std::min(limit, count) : count;
-    bytes += vtkAHDOrderOutput::EstimateBytes(settings.GenerateInsertionCurve ? inserted : 0) +
-      vtkAHDOrderOutput::EstimateBoxBytes(this->Known.Boxes);
-  }
-  return bytes;
+  const std::size_t count = this->Known.points;
+  const bool isConstrained = this->Known.segments > 0 || this->Settings.MayTrimRim();
+  return this->BytesBefore + this->Input.EstimateBytes() +
+    ahd::preparedMemoryEstimate(this->Input.GetRequest()) +
+    ahd::triangulatedMemoryEstimate(count, this->Options) + ahd::tableMemoryEstimate(count) +
+    (isConstrained ? ahd::constraintMemoryEstimate(count, 0) : 0) +
+    (this->Settings.LimitsSize() ? 2 * count : 0) + (3 * sizeof(double) + 1) * count;
 }
 
 void vtkAHDExecution::UpdateEstimate()
@@ -100,7 +66,7 @@ void vtkAHDExecution::UpdateEstimate()
 /// Are there not too many points, and is there memory for it all, as far as that is known before?
 bool vtkAHDExecution::FitsInMemory()
 {
-  if (this->Known.Points > ahd::kMaximumPoints)
+  if (this->Known.points > ahd::kMaximumPoints)
   {
     this->Report.Status = ahd::Status::TooManyPoints;
     return false;
@@ -132,25 +98,23 @@ bool vtkAHDExecution::FitsInMemory()
     this->Report.Status = ahd::Status::OutOfMemory;
     return false;
   }
-  const std::size_t left = (static_cast<std::size_t>(this->Report.Limit) + 1) * 1024 - 1 - bytes;
-  this->Report.MostBoxes = left / vtkAHDOrderOutput::EstimateBoxBytes(1);
+  this->Report.MostBoxes = ahd::mostThatFit(
+    ahd::kTooManyBoxes, [this](std::size_t count) { return this->Fits(0, count); });
   this->Options.mostBoxes = this->Report.MostBoxes;
-  this->Report.MostCrossings = this->FindMostCrossings();
+  // How many there is memory for, and for all that comes of them.
+  this->Report.MostCrossings = ahd::mostThatFit(
+    ahd::kMaximumPoints + 1, [this](std::size_t count) { return this->Fits(count, 0); });
   return true;
 }
 
-/// How many crossings there is memory for, and for all that comes of them.
-std::size_t vtkAHDExecution::FindMostCrossings()
+/// Would there be memory with so many crossings and boxes?
+bool vtkAHDExecution::Fits(std::size_t crossings, std::size_t boxes)
 {
-  const Sizes known = this->Known;
-  std::size_t most = 0, tooMany = ahd::kMaximumPoints + 1;
-  while (tooMany - most > 1)
-  {
-    this->Known.Crossings = most + (tooMany - most) / 2;
-    this->Known.Points = known.Points + this->Known.Crossings;
-    const bool fits = this->EstimateBytes() / 1024 <= static_cast<std::size_t>(this->Report.Limit);
-    (fits ? most : tooMany) = this->Known.Crossings;
-  }
+  const ahd::RunSizes known = this->Known;
+  this->Known.crossings = crossings;
+  this->Known.points += crossings;
+  this->Known.boxes = boxes;
+  const std::size_t bytes = this->EstimateBytes();
   this->Known = known;
-  return most;
+  return bytes / 1024 <= static_cast<std::size_t>(this->Report.Limit);
 }

@@ -25,13 +25,13 @@ vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& in
   , BytesBefore(bytesBefore)
   , Options(settings.Insertion)
 {
-  this->Known.Points = ahd::expectedPoints(input.GetRequest());
-  this->Known.Segments = ahd::segmentsOf(input.GetRequest());
+  this->Known.points = ahd::expectedPoints(input.GetRequest());
+  this->Known.segments = ahd::segmentsOf(input.GetRequest());
 }
 
 vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left)
 {
-  this->Report.Points = this->Known.Points;
+  this->Report.Points = this->Known.points;
   if (!this->FitsInMemory())
   {
     return this->Report;
@@ -64,7 +64,7 @@ vtkAHDReport vtkAHDExecution::Triangulate(
   vtkAHDTriangulated& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
 {
   this->BytesBehind = bytesBehind;
-  this->Report.Points = this->Known.Points;
+  this->Report.Points = this->Known.points;
   if (!this->FitsInMemory())
   {
     return this->Report;
@@ -126,10 +126,10 @@ std::vector<double> vtkAHDExecution::FirstStages() const
   return {
     0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
       weight(settings.HeightsFromSurface, 1.5) +
-      weight(settings.Split && this->Known.Segments > 0, 2.0),                   // Prepare
+      weight(settings.Split && this->Known.segments > 0, 2.0),                   // Prepare
     1.0,                                                                         // MakeTriangles
     weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
-    weight(this->Known.Segments > 0, 0.6) + weight(settings.MayTrimRim(), 0.05), // Constrain
+    weight(this->Known.segments > 0, 0.6) + weight(settings.MayTrimRim(), 0.05), // Constrain
   };
 }
 
@@ -161,13 +161,13 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
   const ahd::Status status = ahd::prepare(request, this->Context, points);
   if (status == ahd::Status::TooManyCrossings)
   {
-    this->Known.Crossings = this->Report.MostCrossings + 1;
-    this->Known.Points += this->Known.Crossings;
+    this->Known.crossings = this->Report.MostCrossings + 1;
+    this->Known.points += this->Known.crossings;
     this->UpdateEstimate();
   }
   this->Context.Check(status);
-  this->Known.Points = this->Report.Points = points.points().count;
-  this->Known.Crossings = points.crossings().size();
+  this->Known.points = this->Report.Points = points.points().count;
+  this->Known.crossings = points.crossings().size();
   this->UpdateEstimate();
 }
 
@@ -177,7 +177,7 @@ void vtkAHDExecution::MakeTriangles(Results& results)
   ahd::Triangulation& triangulation = results.Triangulation;
   const ahd::Status status = ahd::triangulate(
     results.Points.points(), this->Options, this->Workspace, this->Context, triangulation);
-  this->Known.Boxes = status == ahd::Status::TooManyBoxes ? this->Report.MostBoxes + 1
+  this->Known.boxes = status == ahd::Status::TooManyBoxes ? this->Report.MostBoxes + 1
                                                           : triangulation.boxes().size();
   this->UpdateEstimate();
   this->Context.Check(status);

@@ -2,6 +2,7 @@
 #ifndef vtkAHDExecution_h
 #define vtkAHDExecution_h
 
+#include "Engine/RunMemory.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDReport.h"
 #include "Input/vtkAHDInput.h"
@@ -67,15 +68,6 @@ public:
   std::size_t EstimateBytes() const;
 
 private:
-  /// What is known of what the execution has to deal with.
-  struct Sizes
-  {
-    std::size_t Points = 0;
-    std::size_t Segments = 0;
-    std::size_t Crossings = 0;
-    std::size_t Boxes = 0;
-  };
-
   /// The values on the way from the input to the outputs.
   struct Results : vtkAHDTriangulated
   {
@@ -87,7 +79,7 @@ private:
   void Try(const Steps& steps);
   void MakeSurface(Results& results);
   bool FitsInMemory();
-  std::size_t FindMostCrossings();
+  bool Fits(std::size_t crossings, std::size_t boxes);
   std::vector<double> FirstStages() const;
   void SetStages() const;
   void MakeTriangles(Results& results);
@@ -102,8 +94,6 @@ private:
   std::size_t EstimateLeft() const;
   void GiveBack(Results& results);
   void KeepOutputMemory(std::size_t held) const;
-  std::size_t EstimateTables() const;
-  std::size_t EstimateOutputs() const;
   void UpdateEstimate();
 
   const vtkAHDSettings& Settings;
@@ -113,7 +103,7 @@ private:
   const std::size_t BytesBefore;
   std::size_t BytesBehind = 0;
   ahd::Options Options;
-  Sizes Known;
+  ahd::RunSizes Known; // of what the execution has to deal with
   vtkAHDReport Report;
 };
 

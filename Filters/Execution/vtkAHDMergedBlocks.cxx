@@ -6,6 +6,7 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Input/vtkAHDHeldCopy.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDMemoryWords.h"
 #include "Pipeline/vtkAHDSettings.h"
 
 #include "vtkAlgorithm.h"
@@ -108,10 +109,10 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
     return nullptr;
   }
   vtkErrorWithObjectMacro(this->Filter,
-    "Merging blocks of " << blocks.GetCount() << " points may take " << needed
-                         << " KiB of memory, but "
-                         << (this->Limit > 0 ? "MemoryLimit allows " : "there are ") << limit
-                         << " KiB. Nothing was computed.");
+    "Merging blocks of " << blocks.GetCount() << " points may take " << vtkAHDNeeded(needed)
+                         << " of memory, but " << vtkAHDButAllowed(limit, this->Limit > 0)
+                         << ". Nothing was computed. Take fewer or smaller blocks, "
+                         << vtkAHDOrSetLimit(needed));
   return nullptr;
 }
 

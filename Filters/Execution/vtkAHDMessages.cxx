@@ -2,6 +2,7 @@
 #include "Execution/vtkAHDMessages.h"
 
 #include "Execution/vtkAHDReport.h"
+#include "Pipeline/vtkAHDMemoryWords.h"
 #include "Pipeline/vtkAHDSettings.h"
 
 #include "vtkAlgorithm.h"
@@ -17,20 +18,22 @@ void SayTooManyBoxes(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
     "The grid of " << report.Points << " points has more than " << report.MostBoxes
-                   << " boxes, and putting out more may take more memory than "
-                   << (report.IsLimited ? "MemoryLimit allows, " : "there is, ") << report.Limit
-                   << " KiB. Nothing was computed. Switch GenerateBoxes off, take fewer points or "
-                      "a larger Nmax, or set MemoryLimit (in KiB) to allow more.");
+                   << " boxes. Putting out more may take more than "
+                   << vtkAHDNeeded(report.Estimate) << " of memory, but "
+                   << vtkAHDButAllowed(report.Limit, report.IsLimited)
+                   << ". Nothing was computed. Switch GenerateBoxes off, take fewer points or a "
+                      "larger Nmax, "
+                   << vtkAHDOrSetLimit(report.Estimate));
 }
 
 void SayRefused(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
-    "Triangulating " << report.Points << " points may take " << report.Estimate
-                     << " KiB of memory, but "
-                     << (report.IsLimited ? "MemoryLimit allows " : "there are ") << report.Limit
-                     << " KiB. Nothing was computed. Take fewer points, or set MemoryLimit (in "
-                        "KiB) to allow more.");
+    "Triangulating " << report.Points << " points may take " << vtkAHDNeeded(report.Estimate)
+                     << " of memory, but " << vtkAHDButAllowed(report.Limit, report.IsLimited)
+                     << ". Nothing was computed. Take fewer points, switch off outputs that are "
+                        "not needed, "
+                     << vtkAHDOrSetLimit(report.Estimate));
 }
 
 void SayTooManyCrossings(vtkAlgorithm* filter, const vtkAHDReport& report)
@@ -38,11 +41,10 @@ void SayTooManyCrossings(vtkAlgorithm* filter, const vtkAHDReport& report)
   vtkErrorWithObjectMacro(filter,
     "The lines and polygons of the source cross in more than "
       << report.MostCrossings << " places. Splitting them there and triangulating " << report.Points
-      << " points and the crossings may take more than " << report.Estimate
-      << " KiB of memory, but " << (report.IsLimited ? "MemoryLimit allows " : "there are ")
-      << report.Limit
-      << " KiB. Nothing was computed. Take fewer lines, switch CrossingMode to Leave Out, or set "
-         "MemoryLimit (in KiB) to allow more.");
+      << " points and the crossings may take more than " << vtkAHDNeeded(report.Estimate)
+      << " of memory, but " << vtkAHDButAllowed(report.Limit, report.IsLimited)
+      << ". Nothing was computed. Take fewer lines, switch CrossingMode to Leave Out, "
+      << vtkAHDOrSetLimit(report.Estimate));
 }
 
 void SayOutOfMemory(vtkAlgorithm* filter, const vtkAHDReport& report)
@@ -50,9 +52,9 @@ void SayOutOfMemory(vtkAlgorithm* filter, const vtkAHDReport& report)
   const bool isLimited = report.IsLimited && report.Estimate > report.Limit;
   vtkErrorWithObjectMacro(filter,
     "Out of memory while triangulating "
-      << report.Points << " points; about " << report.Estimate << " KiB are needed"
-      << (isLimited ? ", and MemoryLimit allows " + std::to_string(report.Limit) : std::string())
-      << ".");
+      << report.Points << " points; about " << vtkAHDNeeded(report.Estimate) << " are needed"
+      << (isLimited ? ", and " + vtkAHDButAllowed(report.Limit, true) : std::string())
+      << ". Take fewer points, or switch off outputs that are not needed.");
 }
 
 void WarnOfPlane(vtkAlgorithm* filter, const vtkAHDSettings& settings)

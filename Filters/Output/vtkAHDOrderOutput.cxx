@@ -63,20 +63,6 @@ void WriteCells(const ahd::DrawnOrder& drawn, vtkPolyData* output, const vtkAHDC
 }
 }
 
-std::size_t vtkAHDOrderOutput::EstimateBytes(std::size_t pointCount)
-{
-  const std::size_t perPoint = 3 * sizeof(double) + 2 * sizeof(vtkIdType) // point and point data
-    + sizeof(vtkTypeInt64);                                               // its place in the curve
-  return pointCount * perPoint + 1024;                                    // and the ends
-}
-
-std::size_t vtkAHDOrderOutput::EstimateBoxBytes(std::size_t boxCount)
-{
-  const std::size_t perCorner = 3 * sizeof(double) + 2 * sizeof(vtkIdType) + sizeof(vtkTypeInt64);
-  const std::size_t perCell = sizeof(vtkTypeInt64) + sizeof(int) + sizeof(vtkIdType);
-  return boxCount * (2 * sizeof(ahd::GridBox) + ahd::kBoxCorners * perCorner + perCell);
-}
-
 void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   vtkPolyData* output, const vtkAHDContext& context)
 {

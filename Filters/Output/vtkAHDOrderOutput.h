@@ -24,12 +24,6 @@ namespace vtkAHDOrderOutput
 /// curve, the points were triangulated with Options::keepOrder.
 void Write(ahd::Triangulation& triangulation, bool withCurve, vtkPolyData* output,
   const vtkAHDContext& context);
-
-/// Upper estimate of the bytes that Write() allocates for so many inserted points and no boxes.
-std::size_t EstimateBytes(std::size_t pointCount);
-
-/// Upper estimate of the bytes that so many boxes take beyond this, the engine's included.
-std::size_t EstimateBoxBytes(std::size_t boxCount);
 }
 
 #endif

@@ -162,9 +162,9 @@ vtkAHDPointOutput::vtkAHDPointOutput(
 {
 }
 
-std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t pointCount)
+std::size_t vtkAHDPointOutput::EstimateBytesPerPoint(vtkPointSet* input)
 {
-  std::size_t perPoint = 3 * sizeof(double);
+  std::size_t perPoint = 0;
   vtkPointData* data = input->GetPointData();
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
@@ -173,7 +173,12 @@ std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t poi
     const int bytes = array->IsNumeric() ? array->GetDataTypeSize() : 32; // an empty string
     perPoint += static_cast<std::size_t>(components) * static_cast<std::size_t>(std::max(1, bytes));
   }
-  return pointCount * perPoint;
+  return perPoint;
+}
+
+std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t pointCount)
+{
+  return pointCount * (3 * sizeof(double) + EstimateBytesPerPoint(input));
 }
 
 void vtkAHDPointOutput::Write(vtkPolyData* output, const vtkAHDContext& context) const

@@ -38,6 +38,9 @@ public:
   /// Upper estimate of the bytes that Write() allocates for so many points.
   static std::size_t EstimateBytes(vtkPointSet* input, std::size_t pointCount);
 
+  /// Of these, those of the point data of one point.
+  static std::size_t EstimateBytesPerPoint(vtkPointSet* input);
+
 private:
   void WritePoints(vtkPolyData* output, const vtkAHDContext& context) const;
   void WriteData(vtkPointData* output, const vtkAHDContext& context) const;

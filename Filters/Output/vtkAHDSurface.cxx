@@ -74,26 +74,6 @@ vtkSmartPointer<Array> MakeArray(
 }
 }
 
-std::size_t vtkAHDSurface::EstimateBytes(std::size_t pointCount, const vtkAHDSettings& settings)
-{
-  const auto if_ = [](bool wanted, std::size_t bytes) { return wanted ? bytes : 0; };
-  constexpr std::size_t kId = sizeof(vtkIdType);
-  const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) // corners and offset
-    + if_(settings.GenerateNeighbors, 3 * kId) + if_(settings.GenerateRegionIds, kId) +
-    if_(settings.GenerateConstraintEdges, 1);
-  const std::size_t perPoint = if_(settings.GeneratePointStatus, kId) +
-    if_(settings.GenerateInsertionRank, kId);
-  return pointCount * (2 * perTriangle + perPoint) + EstimateMeanBytes(pointCount, settings);
-}
-
-std::size_t vtkAHDSurface::EstimateMeanBytes(std::size_t pointCount, const vtkAHDSettings& settings)
-{
-  // a pair of numbers for each duplicate, as a vector grows, a mean, and the copy of the points
-  constexpr std::size_t kPerPoint = 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) +
-    3 * sizeof(double);
-  return settings.ShowMeans ? pointCount * kPerPoint : 0;
-}
-
 void vtkAHDSurface::WritePoints(const vtkAHDInput& input, const ahd::PreparedInput& points) const
 {
   if (points.addedCount() > 0)

@@ -60,13 +60,6 @@ public:
   static void WriteCrossings(
     const std::vector<std::array<std::int64_t, 2>>& cells, vtkPolyData* output);
 
-  /// Upper estimate of the bytes that points in so many numbers take here, beyond
-  /// vtkAHDPointOutput's.
-  static std::size_t EstimateBytes(std::size_t pointCount, const vtkAHDSettings& settings);
-
-  /// Of these, the bytes that ShowMeans() takes.
-  static std::size_t EstimateMeanBytes(std::size_t pointCount, const vtkAHDSettings& settings);
-
 private:
   void WriteTriangles(ahd::Triangulation& triangulation);
   void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection);

@@ -133,19 +133,24 @@ void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
     DropData(output);
     return;
   }
-  vtkNew<vtkIdList> from;
-  vtkNew<vtkIdList> to;
-  from->SetNumberOfIds(count);
-  to->SetNumberOfIds(count);
-  for (vtkIdType k = 0; k < count; ++k)
-  {
-    from->SetId(k, ids->GetValue(k));
-    to->SetId(k, k);
-  }
   data->Initialize();
   data->CopyFieldOff(vtkDataSetAttributes::GhostArrayName()); // its bits mean others for cells
   data->CopyAllocate(pointData, count);
-  data->CopyData(pointData, from, to);
+  constexpr vtkIdType kBlock = 1 << 16; // lists of all would take 16 bytes a cell
+  vtkNew<vtkIdList> from;
+  vtkNew<vtkIdList> to;
+  for (vtkIdType begin = 0; begin < count; begin += kBlock)
+  {
+    const vtkIdType some = std::min(kBlock, count - begin);
+    from->SetNumberOfIds(some);
+    to->SetNumberOfIds(some);
+    for (vtkIdType k = 0; k < some; ++k)
+    {
+      from->SetId(k, ids->GetValue(begin + k));
+      to->SetId(k, begin + k);
+    }
+    data->CopyData(pointData, from, to);
+  }
   data->AddArray(original);
 }
 
@@ -162,9 +167,4 @@ bool vtkAHDVoronoi::MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output)
   back->TransformPoints(output->GetPoints(), moved);
   output->SetPoints(moved);
   return true;
-}
-
-std::size_t vtkAHDVoronoi::EstimateBytes(std::size_t pointCount)
-{
-  return pointCount * sizeof(vtkIdType); // the cells are the engine's
 }

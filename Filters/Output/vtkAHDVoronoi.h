@@ -35,9 +35,6 @@ void WriteData(vtkPolyData* surface, vtkPolyData* output);
 /// Moves the polygons from the plane z = 0 to where `toPlane` takes points from. Returns false, and
 /// moves nothing, if the transform has no inverse.
 bool MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output);
-
-/// Upper estimate of the bytes that Write() allocates for so many points, their data not counted.
-std::size_t EstimateBytes(std::size_t pointCount);
 }
 
 #endif

@@ -92,7 +92,8 @@ def _flag(name: str, value: Any) -> int:
 
 def _whole(name: str, value: Any) -> int:
     least, most = WHOLE[name]
-    wanted = "a whole number from %d to %d" % (least, most)
+    of = " of bytes (2 GB are 2_000_000_000)" if name == "memory_limit" else ""
+    wanted = "a whole number%s from %d to %d" % (of, least, most)
     if isinstance(value, (bool, np.bool_)):
         raise TypeError(_refused(name, value, wanted))
     try:

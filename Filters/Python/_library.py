@@ -290,19 +290,19 @@ class Job:
         self._call(C.ahd_get_array, name.encode(), TYPES[out.dtype], out.ctypes.data, out.size, arrays=(out,))
         return out
 
-    def draw_order(self, dtype: Any = np.int32) -> Dict[str, np.ndarray]:
-        """The insertion order as it is drawn: arrays xyz, ranks, ids, levels, counts as in ahd_drawing."""
-        points, cells = self.count("drawn_points"), self.count("drawn_cells")
-        made = {
-            "xyz": np.empty((points, 3)),
-            "ranks": np.empty(points, dtype),
-            "ids": np.empty(points, dtype),
-            "levels": np.empty(cells, np.int32),
-            "counts": np.empty(cells, dtype),
-        }
-        drawing = Drawing(*(array.ctypes.data for array in made.values()))
-        self._call(C.ahd_draw_order, TYPES[np.dtype(dtype)], drawing)
-        return made
+    def draw_order(self, xyz: np.ndarray, ranks: np.ndarray, ids: np.ndarray, levels: np.ndarray, counts: np.ndarray
+                   ) -> None:
+        """Writes the insertion order as it is drawn into these arrays: see ahd_drawing. They are C-contiguous, and as
+        large as the counts drawn_points and drawn_cells say; ids are int32 or int64."""
+        arrays = (xyz, ranks, ids, levels, counts)
+        sizes = (3 * self.count("drawn_points"), *2 * (self.count("drawn_points"),), *2 * (self.count("drawn_cells"),))
+        types = (np.float64, ids.dtype, ids.dtype, np.int32, ids.dtype)
+        for name, array, size, dtype in zip(("xyz", "ranks", "ids", "levels", "counts"), arrays, sizes, types):
+            if not array.flags.c_contiguous or array.dtype != dtype or array.size != size:
+                raise BadInput("%s: %d numbers of type %s are wanted" % (name, size, np.dtype(dtype).str), BAD_ARRAY)
+            _check_writeable(name, array)
+        drawing = Drawing(*(array.ctypes.data for array in arrays))
+        self._call(C.ahd_draw_order, TYPES[ids.dtype], drawing, arrays=arrays)
 
     def interpolate(self, values: np.ndarray, where: int = AT_SURFACE | AT_CROSSINGS) -> None:
         """Point data of points that lie between others, in place: `values` has one row of float64 for each
@@ -312,6 +312,13 @@ class Job:
             raise BadInput("values: one row of float64 for each of %d points" % self.count("points"), BAD_ARRAY)
         _check_writeable("values", values)
         self._call(C.ahd_interpolate, where, values.ctypes.data, columns, arrays=(values,))
+
+    def to_plane(self, xyz: np.ndarray) -> None:
+        """Moves points, (k, 3) float64, C-contiguous, in place to where they lie in the plane: see ahd_to_plane."""
+        if xyz.dtype != np.float64 or not xyz.flags.c_contiguous or xyz.shape[1:] != (3,):
+            raise BadInput("points: of shape %s, not (k, 3) float64" % (xyz.shape,), BAD_ARRAY)
+        _check_writeable("points", xyz)
+        self._call(C.ahd_to_plane, xyz.ctypes.data, len(xyz), arrays=(xyz,))
 
     def locate(self, places: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Where places, (k, 2), lie in the plane: kinds (k,) int32, ids (k, 3) int64, cells (k,) int64; see
@@ -344,11 +351,12 @@ class Job:
         method: int = SAMPLE_LINEAR,
         fills: bool = False,
         gradients: bool = False,
+        make: Optional[Callable[[int], Tuple[List[np.ndarray], List[Any], np.ndarray]]] = None,
     ) -> Samples:
         """Values at places, (k, 2) in the plane, or on a raster: see ahd_sample. `values`: arrays with one row of
         float64 for each output point, C-contiguous. `method`: SAMPLE_...; `fills`: places outside have the values of
         the nearest vertex; `gradients`: with SAMPLE_LINEAR the slopes too. Memory is asked for when the library has
-        said that it is enough."""
+        said that it is enough: of make(places), which returns Samples to be filled."""
         at, count, owners = _places_of(places)
         values = tuple(values)
         for array in values:
@@ -358,9 +366,12 @@ class Job:
         numbers = sum(columns)
         with self._sampling(method, fills, count * (8 * numbers * (3 if gradients else 1) + 1)):
             self._check(C.ahd_sample_estimate(self._handle, at, numbers, ctypes.c_uint64()))
-            out = [np.empty((count, n)) for n in columns]
-            slopes = [np.empty((count, 2 * n)) if gradients else None for n in columns]
-            mask = np.empty(count, np.uint8)
+            if make is not None:
+                out, slopes, mask = make(count)
+            else:
+                out = [np.empty((count, n)) for n in columns]
+                slopes = [np.empty((count, 2 * n)) if gradients else None for n in columns]
+                mask = np.empty(count, np.uint8)
             arrays = (Sampled * len(columns))(
                 *(
                     (array.ctypes.data, n, to.ctypes.data, None if slope is None else slope.ctypes.data)
@@ -370,6 +381,14 @@ class Job:
             self._call(C.ahd_sample, at, arrays, len(columns), mask.ctypes.data, arrays=(*owners, *values))
         self.hasTables = True
         return Samples(out, slopes, mask)
+
+    def sample_estimate_before(self, points: int, places: Union[int, Raster], columns: int, fills: bool) -> int:
+        """Upper estimate of what sampling takes on a triangulation of so many points with its tables, at so many places
+        or on a raster: see ahd_sample_estimate_before."""
+        bytes_ = ctypes.c_uint64()
+        at = _places_of(places)[0] if isinstance(places, Raster) else Places(None, places)
+        self._check(C.ahd_sample_estimate_before(self._handle, points, at, columns, fills, bytes_))
+        return bytes_.value
 
     def sample_weights(self, places: Union[np.ndarray, Raster], method: int = SAMPLE_LINEAR) -> None:
         """Makes the arrays weight_offsets, weight_points and weights: see ahd_sample_weights."""

@@ -10,6 +10,7 @@ import importlib
 import inspect
 import math
 import operator
+import re
 import warnings
 
 import numpy
@@ -55,7 +56,6 @@ class _Messages:
 
         def keep(_caller, event, text):
             self._said.append((event, text.split("): ", 1)[-1].strip()))
-
         keep.CallDataType = core.VTK_STRING
         for event in ("WarningEvent", "ErrorEvent"):
             algorithm.AddObserver(event, keep)
@@ -63,9 +63,15 @@ class _Messages:
     def tell(self):
         for event, text in self._said:
             if event == "ErrorEvent":
-                raise (MemoryError if "memory" in text else RuntimeError)(text)
+                raise MemoryError(_with_keyword(text)) if "memory" in text else RuntimeError(text)
         for _, text in self._said:
             warnings.warn(text, DelaunayWarning, stacklevel=_depth())
+
+
+def _with_keyword(text):
+    """Of `memory_limit`, in bytes, in place of the filter's MemoryLimit, in KiB."""
+    text = text.replace("MemoryLimit of Triangulation", "memory_limit").replace("MemoryLimit", "memory_limit")
+    return re.sub(r"(\d+) or more \(KiB\)", lambda found: "%d or more (bytes)" % (1024 * int(found[1])), text)
 
 
 def _is_flat(mesh):
@@ -114,7 +120,8 @@ def _whole(value, argument, most):
     try:
         number = operator.index(value)
     except TypeError:
-        raise TypeError("%s must be a whole number, not %r" % (argument, value)) from None
+        wanted = "number of bytes" if argument == "memory_limit" else "number"
+        raise TypeError("%s must be a whole %s, not %r" % (argument, wanted, value)) from None
     if not 0 <= number <= most:
         raise ValueError("%s must be from 0 to %d, not %r" % (argument, most, value))
     return number

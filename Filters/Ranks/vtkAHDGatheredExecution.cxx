@@ -4,6 +4,7 @@
 #include "Engine/Core/Memory.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDMemoryWords.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -168,14 +169,14 @@ std::string vtkAHDGatheredExecution::Refuse(
 {
   std::ostringstream error;
   error << this->Setting << " is computed on one rank, with the points of all. That "
-        << (rank == this->Host ? "" : "they are sent there ") << "may take " << needed
-        << " KiB of memory on rank " << rank << ", for "
+        << (rank == this->Host ? "" : "they are sent there ") << "may take " << vtkAHDNeeded(needed)
+        << " of memory on rank " << rank << ", for "
         << (rank == this->Host ? this->Facts.GetPoints() + this->Facts.GetSourcePoints()
                                : static_cast<std::size_t>(this->Facts.Of[rank].Points))
-        << " points, but " << (room.IsByUser ? "MemoryLimit allows " : "there are ")
-        << (rank == this->Host ? room.Limit : room.Share)
-        << " KiB. Nothing is put out. Take fewer points, reset that setting, or set MemoryLimit "
-           "(in KiB, of each rank) to allow more.";
+        << " points, but "
+        << vtkAHDButAllowed(rank == this->Host ? room.Limit : room.Share, room.IsByUser)
+        << ". Nothing is put out. Take fewer points, reset that setting, "
+        << vtkAHDOrSetLimit(needed, true);
   return error.str();
 }
 

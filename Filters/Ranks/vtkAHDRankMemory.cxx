@@ -3,6 +3,7 @@
 
 #include "Engine/Core/Memory.h"
 #include "Engine/Distribute/BlockBytes.h"
+#include "Pipeline/vtkAHDMemoryWords.h"
 
 #include <cstdint>
 #include <sstream>
@@ -31,10 +32,10 @@ std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFa
     {
       std::ostringstream error;
       error << work.Doing << " " << work.Points << " points on " << all.size() << " ranks may take "
-            << needed << " KiB of memory on rank " << k << work.Share << ", but "
-            << (isByUser ? "MemoryLimit allows " : "there are ") << limit
-            << " KiB. Nothing is put out. Take fewer points or more ranks, or set MemoryLimit (in "
-               "KiB, of each rank) to allow more.";
+            << vtkAHDNeeded(needed) << " of memory on rank " << k << work.Share << ", but "
+            << vtkAHDButAllowed(limit, isByUser)
+            << ". Nothing is put out. Take fewer points or more ranks, "
+            << vtkAHDOrSetLimit(needed, true);
       return error.str();
     }
   }

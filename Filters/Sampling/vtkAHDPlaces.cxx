@@ -21,7 +21,9 @@ vtkAHDPlaces::vtkAHDPlaces(vtkDataSet* places)
 std::size_t vtkAHDPlaces::EstimateBytes(bool isProjected) const
 {
   const std::size_t copy = 3 * sizeof(double) * this->Count;
-  return (this->View ? this->View->EstimateBytes() : 0) + (!this->View || isProjected ? copy : 0);
+  const std::size_t inPython = 2 * sizeof(double) * this->Count; // x and y in a copy, always
+  return inPython + (this->View ? this->View->EstimateBytes() : 0) +
+    (!this->View || isProjected ? copy : 0);
 }
 
 ahd::PointView vtkAHDPlaces::Open(

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSampleMessages.h"
 
+#include "Pipeline/vtkAHDMemoryWords.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkDataSetAttributes.h"
 
@@ -200,24 +202,24 @@ bool vtkAHDAreNamesFit(vtkAlgorithm* filter, const vtkAHDSampleSettings& setting
 
 void vtkAHDSayMemory(vtkAlgorithm* filter, const vtkAHDSampleMemory& memory, bool isRefused)
 {
-  const std::string limit = memory.IsLimited ? "MemoryLimit of Triangulation allows "
-                                             : "there are ";
   const std::string places = memory.Places < 0.0 ? "the places of a raster"
                                                  : InWords(memory.Places) + " places";
   if (isRefused)
   {
     vtkErrorWithObjectMacro(filter,
       "Interpolating at " << places << " from " << memory.Points << " points may take "
-                          << memory.Estimate << " KiB of memory, but " << limit << memory.Limit
-                          << " KiB. Nothing was computed. Take a larger CellSize, smaller "
-                             "Dimensions, fewer places or points, or set MemoryLimit (in KiB) to "
-                             "allow more.");
+                          << vtkAHDNeeded(memory.Estimate) << " of memory, but "
+                          << vtkAHDButAllowed(memory.Limit, memory.IsLimited, "of Triangulation ")
+                          << ". Nothing was computed. Take a larger CellSize, smaller Dimensions, "
+                             "fewer places or points, "
+                          << vtkAHDOrSetLimit(memory.Estimate));
     return;
   }
   vtkErrorWithObjectMacro(filter,
     "Out of memory while interpolating at " << places << " from " << memory.Points
-                                            << " points; about " << memory.Estimate
-                                            << " KiB are needed.");
+                                            << " points; about " << vtkAHDNeeded(memory.Estimate)
+                                            << " are needed. Take a larger CellSize, smaller "
+                                               "Dimensions, fewer places or points.");
 }
 
 void vtkAHDSayArrayWarnings(

@@ -14,19 +14,14 @@
 namespace ahd
 {
 
-const PointView& JobResult::spacePoints(const Context& context)
+PointView JobResult::spacePoints(SpacePoints& made, const Context& context)
 {
-  if (!space)
+  check(made.make(input.points, input.sourcePoints, points, context));
+  if (settings.showsMeans() && triangulation.report().duplicates > 0)
   {
-    auto made = std::make_unique<SpacePoints>();
-    check(made->make(input.points, input.sourcePoints, points, context));
-    if (settings.showsMeans() && triangulation.report().duplicates > 0)
-    {
-      check(made->showMeans(points, triangulation, context));
-    }
-    space = std::move(made);
+    check(made.showMeans(points, triangulation, context));
   }
-  return space->view();
+  return made.view();
 }
 
 void Job::setProjection(ahd_projection projection, void* user)
@@ -133,6 +128,11 @@ JobSizes Job::expected(const InputRequest& request) const
   return sizes;
 }
 
+const char* Job::whoAllows() const
+{
+  return settings.is(IntSetting::MemoryLimit) ? "\"memory_limit\" allows" : "there are";
+}
+
 /// Refuses if there may not be memory for it all, as far as that is known before.
 void Job::checkMemory()
 {
@@ -150,26 +150,35 @@ void Job::checkMemory()
   {
     refuse(AHD_MEMORY_LIMIT,
       "Triangulating " + std::to_string(sizes_.points) + " points may take " +
-        std::to_string(sizes_.estimate) + " bytes of memory, but " +
-        (limit > 0 ? "\"memory_limit\" allows " : "there are ") + std::to_string(sizes_.allowed) +
-        ".");
+        butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
+        ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
   }
-  sizes_.mostBoxes = (sizes_.allowed - sizes_.estimate) / boxBytes(1);
+  sizes_.mostBoxes = mostBoxes();
   sizes_.mostCrossings = mostCrossings();
+}
+
+std::size_t Job::mostBoxes() const
+{
+  return mostThatFit(kTooManyBoxes,
+    [this](std::size_t count)
+    {
+      JobSizes sizes = sizes_;
+      sizes.boxes = count;
+      return estimate(sizes) <= sizes_.allowed;
+    });
 }
 
 /// How many crossings there is memory for, and for all that comes of them.
 std::size_t Job::mostCrossings() const
 {
-  std::size_t most = 0, tooMany = kMaximumPoints + 1;
-  while (tooMany - most > 1)
-  {
-    JobSizes sizes = sizes_;
-    sizes.crossings = most + (tooMany - most) / 2;
-    sizes.points += sizes.crossings;
-    (estimate(sizes) <= sizes_.allowed ? most : tooMany) = sizes.crossings;
-  }
-  return most;
+  return mostThatFit(kMaximumPoints + 1,
+    [this](std::size_t count)
+    {
+      JobSizes sizes = sizes_;
+      sizes.crossings = count;
+      sizes.points += count;
+      return estimate(sizes) <= sizes_.allowed;
+    });
 }
 
 /// Their weights are about their times, measured with 10^6 points: that of a plain triangulation is
@@ -223,8 +232,8 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
     refuse(AHD_TOO_MANY_CROSSINGS,
       "Segments cross in more than " + std::to_string(sizes_.mostCrossings) +
         " places. Splitting them there and triangulating may take more than " +
-        std::to_string(sizes_.estimate) + " bytes of memory, and " +
-        std::to_string(sizes_.allowed) + " are allowed.");
+        butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
+        ". Take fewer segments, leave out those that cross, " + orSetLimit(sizes_.estimate));
   }
   check(status);
   sizes_.points = made.points.points().count;
@@ -247,7 +256,10 @@ void Job::triangulate(JobResult& made, const Context& context)
   {
     refuse(AHD_TOO_MANY_BOXES,
       "The grid has more than " + std::to_string(sizes_.mostBoxes) +
-        " boxes, and memory is allowed for no more.");
+        " boxes. Keeping more may take more than " +
+        butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
+        ". Ask for no boxes, take fewer points or a larger \"nmax\", " +
+        orSetLimit(sizes_.estimate));
   }
   check(status);
   check(findOddPoints(points, context, made.oddPoints));
@@ -286,8 +298,9 @@ void Job::select(JobResult& made, const Context& context)
   {
     return;
   }
+  SpacePoints space;
   PointsToMeasure measured;
-  measured.inSpace = made.spacePoints(context);
+  measured.inSpace = made.spacePoints(space, context);
   measured.merged = &made.points.merged();
   check(selectBySize(made.triangulation, settings.limits(), measured, context, made.selection));
   made.isSelected = true;
@@ -327,6 +340,28 @@ void Job::fitPlane(double* matrix)
       check(plane.fit(input.points, context));
     });
   writeMatrix(plane, matrix);
+}
+
+void Job::toPlane(double* xyz, std::size_t count)
+{
+  JobResult& made = result();
+  const std::int64_t plane = made.settings[IntSetting::Plane];
+  if (plane == AHD_PLANE_CALLBACK)
+  {
+    refuse(AHD_NOT_AVAILABLE, "With AHD_PLANE_CALLBACK it is for the caller to move points.");
+  }
+  if (plane == AHD_PLANE_MATRIX)
+  {
+    const PointView points(static_cast<const double*>(xyz), count, 3);
+    MatrixProjection(made.matrix).project(points, xyz, Context());
+  }
+  const ScopedFloatingPoint asAssumed;
+  for (std::size_t i = 0; plane == AHD_PLANE_BEST_FIT && i < count; ++i)
+  {
+    const double* const p = xyz + 3 * i;
+    const Vector3 moved = made.points.plane().project({ { p[0], p[1], p[2] } });
+    std::copy(moved.begin(), moved.end(), xyz + 3 * i);
+  }
 }
 
 void writeMatrix(const Plane& plane, double* matrix)

@@ -4,6 +4,7 @@
 
 #include "../Core/Threads.h"
 #include "../Prepare/Prepare.h"
+#include "../RunMemory.h"
 #include "../Surface/Selection.h"
 #include "../Triangulate.h"
 #include "../Voronoi/Voronoi.h"
@@ -32,8 +33,7 @@ struct JobResult
   PreparedInput points;
   Triangulation triangulation;
   VoronoiCells voronoi;
-  std::unique_ptr<SpacePoints> space; ///< made when first wanted
-  bool isSelected = false;            ///< else `selection` stands for all triangles
+  bool isSelected = false; ///< else `selection` stands for all triangles
   Selection selection;
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
   std::size_t delaunayTriangles = 0;
@@ -50,26 +50,20 @@ struct JobResult
   {
     return selection.vertices.size() + selection.lines.size() / 2 + triangleCount();
   }
-  /// Makes them. Refuses if that is cancelled.
-  const PointView& spacePoints(const Context& context);
+  /// Where the points are in space; `made` has them if they are not the input's. Refuses if that is
+  /// cancelled.
+  PointView spacePoints(SpacePoints& made, const Context& context);
 };
 
 /// What is known of a run, whether it succeeds or not.
-struct JobSizes
+struct JobSizes : RunSizes
 {
-  std::size_t points = 0;
-  std::size_t segments = 0;
-  std::size_t crossings = 0;
-  std::size_t boxes = 0;
   std::size_t estimate = 0; ///< bytes
   std::size_t allowed = 0;  ///< bytes
   std::size_t mostBoxes = 0;
   std::size_t mostCrossings = 0;
   unsigned threadsUsed = 0;
 };
-
-/// Upper estimate of the bytes that so many boxes take, drawn and kept.
-std::size_t boxBytes(std::size_t boxes);
 
 /// Row by row, what takes points to the plane and their height above it.
 void writeMatrix(const Plane& plane, double* matrix);
@@ -103,6 +97,8 @@ public:
   std::size_t keptBytes() const { return workspace_.bytes(); }
   void release(std::size_t most);
   void fitPlane(double* matrix);
+  /// Moves points to where they lie in the plane of the result.
+  void toPlane(double* xyz, std::size_t count);
 
   /// Refuses if there is none.
   JobResult& result();
@@ -137,6 +133,7 @@ private:
   InputRequest request() const;
   JobSizes expected(const InputRequest& request) const;
   void checkMemory();
+  std::size_t mostBoxes() const;
   std::size_t mostCrossings() const;
   void setStages();
   void prepare(JobResult& made, InputRequest& request, const Context& context);
@@ -145,8 +142,8 @@ private:
   void select(JobResult& made, const Context& context);
   void findStacks(JobResult& made, const Context& context);
   std::size_t estimate(const JobSizes& sizes) const;
-  std::size_t estimateTables(const JobSizes& sizes) const;
-  std::size_t estimateArrays(const JobSizes& sizes) const;
+  RunWishes wishes() const;
+  const char* whoAllows() const;
 
   ahd_projection projection_ = nullptr;
   void* projectionUser_ = nullptr;

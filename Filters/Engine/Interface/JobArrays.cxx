@@ -68,7 +68,14 @@ Status writeRegionIds(JobResult& m, const Target& to)
 
 Status writePoints(JobResult& m, const Target& to)
 {
-  const PointView& points = m.spacePoints(to.context);
+  auto* const floats = static_cast<float*>(to.out);
+  const bool asFloats = to.type == AHD_FLOAT32;
+  SpacePoints space(asFloats ? nullptr : to.doubles(), asFloats ? floats : nullptr);
+  const PointView points = m.spacePoints(space, to.context);
+  if (asFloats ? points.floats == floats : points.doubles == to.doubles())
+  {
+    return Status::Ok; // they were made there
+  }
   const auto write = [&points](auto* xyz, std::size_t i)
   {
     using Number = std::remove_pointer_t<decltype(xyz)>;
@@ -78,12 +85,11 @@ Status writePoints(JobResult& m, const Target& to)
       xyz[3 * i + k] = static_cast<Number>(p[k]);
     }
   };
-  auto* const floats = static_cast<float*>(to.out);
   const Status status = forEach(points.count, to.context,
-    [&](std::size_t i) { to.type == AHD_FLOAT32 ? write(floats, i) : write(to.doubles(), i); });
-  if (status == Status::Ok && to.type == AHD_FLOAT64)
+    [&](std::size_t i) { asFloats ? write(floats, i) : write(to.doubles(), i); });
+  if (status == Status::Ok && !asFloats)
   {
-    m.space->writeMeans(to.doubles());
+    space.writeMeans(to.doubles());
   }
   return status;
 }

@@ -53,6 +53,13 @@ SamplePlaces placesOf(const ahd_places& given)
   return SamplePlaces(raster);
 }
 
+std::size_t estimateOf(
+  std::size_t points, const SamplePlaces& places, std::size_t components, bool fills)
+{
+  return sampleMemoryEstimate(points, places, components) +
+    (fills ? fillOutsideMemoryEstimate(points, places.count(), components) : 0);
+}
+
 /// One call: what is asked for, held against the memory there is.
 class Sampling
 {
@@ -96,23 +103,25 @@ std::size_t Sampling::estimate(std::size_t components, bool hasMask) const
   const std::size_t points = made_.points.points().count, places = places_.count();
   return static_cast<std::size_t>(job_.settings[IntSetting::OtherMemory]) +
     (kept_.hasTables ? 0 : tableMemoryEstimate(points)) +
-    sampleMemoryEstimate(points, places_, components) +
-    (fills_ ? fillOutsideMemoryEstimate(points, places, components) + (hasMask ? 0 : places) : 0);
+    estimateOf(points, places_, components, fills_) + (fills_ && !hasMask ? places : 0);
 }
 
 /// With a limit, what the run took counts, too.
 void Sampling::checkMemory(std::size_t bytes) const
 {
   const auto limit = static_cast<std::size_t>(job_.settings[IntSetting::MemoryLimit]);
+  const SampleWeights& before = kept_.weights; // stay until others are there
   const std::size_t held = job_.sizes().estimate -
-    static_cast<std::size_t>(made_.settings[IntSetting::OtherMemory]);
+    static_cast<std::size_t>(made_.settings[IntSetting::OtherMemory]) + before.offsets.bytes() +
+    before.points.bytes() + before.weights.bytes();
   const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemory();
   if (bytes > allowed)
   {
     refuse(AHD_MEMORY_LIMIT,
-      "Values at " + std::to_string(places_.count()) + " places may take " + std::to_string(bytes) +
-        " bytes of memory besides the triangulation, but " +
-        (limit > 0 ? "\"memory_limit\" leaves " : "there are ") + std::to_string(allowed) + ".");
+      "Values at " + std::to_string(places_.count()) + " places may take " +
+        butAllowed(bytes, allowed, limit > 0 ? "\"memory_limit\" leaves" : "there are",
+          " besides the triangulation") +
+        ". Take fewer places or columns at a time, " + orSetLimit(held + bytes));
   }
 }
 
@@ -265,6 +274,29 @@ void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::
 void weigh(Job& job, const ahd_places& places)
 {
   Sampling(job, places).weights();
+}
+
+std::uint64_t samplingEstimate(
+  std::uint64_t points, const ahd_places& places, std::uint64_t columns, bool fills)
+{
+  checkColumns(columns, "columns");
+  if (points > kMaximumPoints)
+  {
+    refuse(AHD_BAD_VALUE, std::to_string(points) + " points are more than can be triangulated.");
+  }
+  const auto most = [](std::uint64_t count)
+  { return static_cast<std::size_t>(std::min<std::uint64_t>(count, kMostNumbers)); };
+  const auto count = static_cast<std::size_t>(points),
+             components = static_cast<std::size_t>(columns);
+  if (places.count > 0)
+  {
+    const PointView given(static_cast<const double*>(nullptr), most(places.count), 2);
+    return estimateOf(count, SamplePlaces(given), components, fills);
+  }
+  SampleRaster raster;
+  raster.columns = most(places.columns);
+  raster.rows = most(places.rows);
+  return estimateOf(count, SamplePlaces(raster), components, fills);
 }
 
 void estimateSample(Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes)

@@ -49,6 +49,10 @@ void weigh(Job& job, const ahd_places& places);
 void estimateSample(
   Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes);
 
+/// What sampling takes of so many points, the tables not counted.
+std::uint64_t samplingEstimate(
+  std::uint64_t points, const ahd_places& places, std::uint64_t columns, bool fills);
+
 } // namespace ahd
 
 #endif

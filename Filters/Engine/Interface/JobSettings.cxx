@@ -56,11 +56,13 @@ constexpr Row<std::int64_t> kInts[] = {
   { "want_constraint_edges", 0, 0, 1 },
   { "want_regions", 0, 0, 1 },
   { "want_neighbors", 0, 0, 1 },
+  { "want_samples", 0, 0, 1 },
   { "sample_method", AHD_SAMPLE_LINEAR, 0, AHD_SAMPLE_NEAREST },
   { "sample_outside", AHD_OUTSIDE_NO_VALUE, 0, AHD_OUTSIDE_NEAREST_VERTEX },
   { "threads", 0, 0, 1024 },
   { "memory_limit", 0, 0, kHuge },
   { "other_memory", 0, 0, kHuge },
+  { "other_memory_per_point", 0, 0, std::numeric_limits<std::int32_t>::max() },
 };
 
 // in the order of DoubleSetting

@@ -48,13 +48,15 @@ enum class IntSetting : std::size_t
   WantConstraintEdges,
   WantRegions,
   WantNeighbors,
+  WantSamples,
   SampleMethod,
   SampleOutside,
   Threads,
   MemoryLimit,
-  OtherMemory
+  OtherMemory,
+  OtherMemoryPerPoint
 };
-constexpr std::size_t kIntSettings = std::size_t(IntSetting::OtherMemory) + 1;
+constexpr std::size_t kIntSettings = std::size_t(IntSetting::OtherMemoryPerPoint) + 1;
 
 enum class DoubleSetting : std::size_t
 {

@@ -2,9 +2,11 @@
 #ifndef ahd_Refusal_h
 #define ahd_Refusal_h
 
+#include "../Core/SizeInWords.h"
 #include "../Result.h"
 #include "ahd.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -47,6 +49,20 @@ inline void checkColumns(std::uint64_t count, const char* what)
       std::to_string(count) + " " + what + " are too many to interpolate at a time: at most " +
         std::to_string(kMostColumns) + ".");
   }
+}
+
+/// What refusals say of memory: "7.63 MB of memory, but "memory_limit" allows 7.47 MB".
+inline std::string butAllowed(
+  std::size_t needed, std::size_t allowed, const char* who, const char* besides = "")
+{
+  return sizeInWords(needed, Rounded::Up) + " of memory" + besides + ", but " + who + " " +
+    sizeInWords(allowed, Rounded::Down);
+}
+
+/// The way out.
+inline std::string orSetLimit(std::size_t needed)
+{
+  return "or set \"memory_limit\" to " + std::to_string(needed) + " or more (bytes).";
 }
 
 /// Refuses unless Ok. What has a number in its text is refused where the number is known.

@@ -64,7 +64,7 @@ Status SpacePoints::make(const PointView& input, const PointView& source,
     {
       const std::size_t count = points.points().count, own = points.inputCount();
       const bool isMoved = points.isProjected();
-      doubles_.resize(3 * count);
+      double* const to = doubles_.take(3 * count);
       Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
       const bool all = inChunksOf(count, ticker,
         [&](std::size_t begin, std::size_t end)
@@ -74,24 +74,25 @@ Status SpacePoints::make(const PointView& input, const PointView& source,
             const std::array<double, 3> p = isMoved && i < own ? input.place(i)
               : isMoved && i < own + source.count              ? source.place(i - own)
                                                                : points.place(i);
-            std::copy(p.begin(), p.end(), doubles_.data() + 3 * i);
+            std::copy(p.begin(), p.end(), to + 3 * i);
           }
         });
       if (isMoved && all)
       {
-        interpolateAtSurface(points, doubles_.data(), 3);
-        interpolateAtCrossings(points, doubles_.data(), 3, 0);
+        interpolateAtSurface(points, to, 3);
+        interpolateAtCrossings(points, to, 3, 0);
       }
-      view_ = PointView(doubles_.data(), count, 3);
+      view_ = PointView(to, count, 3);
+      isCopy_ = true;
       return all;
     });
 }
 
 /// Lets the points be a copy, with z.
 template <typename Number>
-bool SpacePoints::copy(std::vector<Number>& to, const Context& context)
+bool SpacePoints::copy(Room<Number>& room, const Context& context)
 {
-  to.resize(3 * view_.count);
+  Number* const to = room.take(3 * view_.count);
   Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
   const bool all = inChunksOf(view_.count, ticker,
     [&](std::size_t begin, std::size_t end)
@@ -105,7 +106,8 @@ bool SpacePoints::copy(std::vector<Number>& to, const Context& context)
         }
       }
     });
-  view_ = PointView(to.data(), view_.count, 3);
+  view_ = PointView(to, view_.count, 3);
+  isCopy_ = true;
   return all;
 }
 
@@ -122,7 +124,7 @@ Status SpacePoints::showMeans(
     [&]
     {
       const bool isFloat = view_.floats != nullptr;
-      if (doubles_.empty() && !(isFloat ? copy(floats_, context) : copy(doubles_, context)))
+      if (!isCopy_ && !(isFloat ? copy(floats_, context) : copy(doubles_, context)))
       {
         return false;
       }
@@ -131,8 +133,8 @@ Status SpacePoints::showMeans(
         for (std::size_t k = 0; k < 3; ++k)
         {
           const std::size_t at = 3 * std::size_t(mean.id) + k;
-          isFloat ? void(floats_[at] = static_cast<float>(mean.position[k]))
-                  : void(doubles_[at] = mean.position[k]);
+          isFloat ? void(floats_.numbers[at] = static_cast<float>(mean.position[k]))
+                  : void(doubles_.numbers[at] = mean.position[k]);
         }
       }
       if (isFloat)
@@ -140,7 +142,7 @@ Status SpacePoints::showMeans(
         rounded_ = std::move(means);
         return true;
       }
-      interpolateAtCrossings(points, doubles_.data(), 3, points.isProjected() ? 0 : 2);
+      interpolateAtCrossings(points, doubles_.numbers, 3, points.isProjected() ? 0 : 2);
       return true;
     });
 }

@@ -23,6 +23,16 @@ namespace ahd
 class SpacePoints
 {
 public:
+  /// Copies of either type lie there, where it is not null; else in memory of its own. REQUIRES:
+  /// room for three numbers a point.
+  explicit SpacePoints(double* doubles = nullptr, float* floats = nullptr)
+    : doubles_{ doubles, {} }
+    , floats_{ floats, {} }
+  {
+  }
+  SpacePoints(const SpacePoints&) = delete;
+  SpacePoints& operator=(const SpacePoints&) = delete;
+
   /// `input` and `source`: as they were prepared. Makes the tables of the triangulation that it
   /// needs. Returns Ok, Cancelled or OutOfMemory; unless Ok, this is not to be used.
   Status make(const PointView& input, const PointView& source, const PreparedInput& points,
@@ -39,11 +49,25 @@ public:
 
 private:
   template <typename Number>
-  bool copy(std::vector<Number>& to, const Context& context);
+  struct Room
+  {
+    Number* numbers;
+    std::vector<Number> own;
+
+    Number* take(std::size_t count)
+    {
+      own.resize(numbers ? 0 : count);
+      return numbers ? numbers : numbers = own.data();
+    }
+  };
+
+  template <typename Number>
+  bool copy(Room<Number>& room, const Context& context);
 
   PointView view_;
-  std::vector<double> doubles_;
-  std::vector<float> floats_;
+  bool isCopy_ = false;
+  Room<double> doubles_;
+  Room<float> floats_;
   std::vector<Mean> rounded_; ///< means, where floats_ has them
 };
 

@@ -214,6 +214,16 @@ ahd_status ahd_release(ahd_job* job, uint64_t most)
   return call(job, [=](ahd::Job& own) { own.release(static_cast<std::size_t>(most)); });
 }
 
+ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count)
+{
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      mustHave(xyz, "xyz");
+      own.toPlane(xyz, static_cast<std::size_t>(count));
+    });
+}
+
 ahd_status ahd_fit_plane(ahd_job* job, double matrix[16])
 {
   return call(job,
@@ -303,6 +313,18 @@ ahd_status ahd_sample_estimate(
       mustHave(places, "places");
       mustHave(bytes, "bytes");
       ahd::estimateSample(own, *places, columns, *bytes);
+    });
+}
+
+ahd_status ahd_sample_estimate_before(ahd_job* job, uint64_t points, const ahd_places* places,
+  uint64_t columns, int32_t fills, uint64_t* bytes)
+{
+  return call(job,
+    [=](ahd::Job&)
+    {
+      mustHave(places, "places");
+      mustHave(bytes, "bytes");
+      *bytes = ahd::samplingEstimate(points, *places, columns, fills != 0);
     });
 }
 

@@ -239,11 +239,13 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   want_curve       0         0, 1: draw the curve in ahd_draw_order(), and keep the order
  *   want_point_status, want_insertion_ranks (keeps the order), want_constraint_edges,
  *   want_regions, want_neighbors
- *                    0         0, 1: announce these arrays, for estimate and progress; but for the
- *                              ranks they can be had without
+ *                    0         0, 1: announce these (for estimate, progress; ranks: to have them)
+ *   want_samples     0         0, 1: announce values between points, in place of triangles
  *   threads          0         0 to 1024; 0: one for each processor the process may run on
  *   memory_limit     0         bytes, 0 to 2^62; 0: what the process can get without swapping
  *   other_memory     0         bytes, 0 to 2^62, that the caller takes: added to the estimate
+ *   other_memory_per_point
+ *                    0         bytes, 0 to 2^31 - 1: the same of each point, where some are added
  * double
  *   tolerance            0     0 to 1: merge points within this part of the diagonal of all
  *   offset               1     0.75 to 1.7e308: how far out bounding points lie, in diagonals
@@ -391,9 +393,7 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *                                             where the cell is no triangle
  *   points              real     (points, 3)  in space
  *   plane_points        float64  (points, 3)  in the plane, and the height above it
- *   heights             float64  (points)     that height as the surface has it: with
- *                                             AHD_DUPLICATES_MEAN_Z the means, and what lies
- *                                             between them
+ *   heights             float64  (points)     the surface's: AHD_DUPLICATES_MEAN_Z has its say
  *   plane_matrix        float64  (4, 4)       takes points there; but for AHD_PLANE_CALLBACK
  *   point_status        id       (points)     its own id if the point stands for a vertex, that of
  *                                             the point that does, or AHD_POINT_...

@@ -84,6 +84,11 @@ typedef struct ahd_sampled
   double* gradients; /* null; with AHD_SAMPLE_LINEAR x and y slope of each of them */
 } ahd_sampled;
 
+/* Moves `count` points, (x, y, z) each, in place: to where they lie in the plane of the result, and
+ * their height above it, to the bit as points of a source are. AHD_NOT_AVAILABLE: also with
+ * AHD_PLANE_CALLBACK, which the caller knows. AHD_BAD_ARRAY if xyz is null. */
+AHD_API ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count);
+
 /* Interpolates `count` arrays. `mask`: null, or 1 for each place that has a value of its own, else
  * 0. The fraction that a callback hears of is that of this call. Refused, before anything is
  * written, is what may take more memory than memory_limit or the process can get; a cancelled or
@@ -98,8 +103,15 @@ AHD_API ahd_status ahd_sample(
 AHD_API ahd_status ahd_sample_estimate(
   ahd_job* job, const ahd_places* places, uint64_t columns, uint64_t* bytes);
 
+/* The same before there is a result, for so many points: what sampling takes beyond the
+ * triangulation and its tables (want_samples). `fills`: whether places outside have the values of
+ * the nearest vertex, by another method than AHD_SAMPLE_NEAREST, which has one column. Places are
+ * counted, and not looked at. AHD_BAD_VALUE, AHD_BAD_ARRAY. */
+AHD_API ahd_status ahd_sample_estimate_before(ahd_job* job, uint64_t points,
+  const ahd_places* places, uint64_t columns, int32_t fills, uint64_t* bytes);
+
 /* Makes the arrays weight_... and weights, for who interpolates himself. sample_outside has no say
- * in them. Those of the last call are kept until these are there. */
+ * in them. Those of the last call are kept until these are there, and count until then. */
 AHD_API ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places);
 
 #endif

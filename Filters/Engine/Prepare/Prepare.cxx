@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ahd
 {
@@ -18,6 +19,8 @@ namespace
 /// mergeWithin's, for each point: as it is sorted and as it is kept, with its chains, what it is
 /// merged into, and the marks and pairs that stay.
 constexpr std::size_t kBytesToMerge = 80;
+/// Of these the marks and pairs.
+constexpr std::size_t kBytesMerged = sizeof(MergedPoint) + 1;
 
 bool isProjected(const InputRequest& request)
 {
@@ -214,29 +217,25 @@ std::size_t segmentsOf(const InputRequest& request)
 
 std::size_t preparationMemoryEstimate(const InputRequest& request)
 {
+  const std::size_t segments = segmentsOf(request);
+  const std::size_t chains = request.lines.cells + request.polygons.cells;
+  const bool orders = request.closedLinesAreLoops && segments > 0;
+  return preparedMemoryEstimate(request) +
+    (orders ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
+    (request.split && segments > 0 ? splitMemoryEstimate(segments, 0) : 0) +
+    (request.tolerance > 0.0 ? expectedPoints(request) * (kBytesToMerge - kBytesMerged) : 0);
+}
+
+std::size_t preparedMemoryEstimate(const InputRequest& request)
+{
   const std::size_t count = expectedPoints(request);
   const std::size_t segments = segmentsOf(request);
-  std::size_t bytes = 0;
-  if (count > request.points.count || isProjected(request))
-  {
-    bytes += count * (3 * sizeof(double) + 1);
-  }
-  if (segments > 0)
-  {
-    const std::size_t chains = request.lines.cells + request.polygons.cells;
-    bytes += (segments + chains) * sizeof(std::int64_t) +
-      (request.closedLinesAreLoops ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
-      (request.split ? splitMemoryEstimate(segments, 0) : 0);
-  }
-  if (request.heightsFromSurface)
-  {
-    bytes += request.sourcePoints.count * sizeof(SurfacePlace);
-  }
-  if (request.tolerance > 0.0)
-  {
-    bytes += count * kBytesToMerge;
-  }
-  return bytes;
+  const std::size_t chains = request.lines.cells + request.polygons.cells;
+  const bool areCopied = count > request.points.count || isProjected(request);
+  return (areCopied ? count * (3 * sizeof(double) + 1) : 0) +
+    (segments > 0 ? (segments + chains) * sizeof(std::int64_t) : 0) +
+    (request.heightsFromSurface ? request.sourcePoints.count * sizeof(SurfacePlace) : 0) +
+    (request.tolerance > 0.0 ? count * kBytesMerged : 0);
 }
 
 Status findBadCell(const CellsView& cells, const Context& context, BadCell& bad)

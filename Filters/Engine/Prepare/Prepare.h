@@ -255,6 +255,9 @@ std::size_t segmentsOf(const InputRequest& request);
 /// triangulation of the input with its tables (heightsFromSurface), which it gives back.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
+/// The same of what is left of it for the triangulation.
+std::size_t preparedMemoryEstimate(const InputRequest& request);
+
 /// What is worth a warning.
 struct OddPoints
 {

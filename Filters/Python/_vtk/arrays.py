@@ -210,6 +210,20 @@ def ids_of(backend, cells, what):
     return found
 
 
+def bytes_to_convert(backend, cells):
+    """What the compiled class takes for a copy of these cells: it reads ids and offsets where they lie if both have 32
+    bits or both 64."""
+    if cells is None or cells.GetNumberOfConnectivityIds() == 0 or cells.GetNumberOfCells() <= 0:
+        return 0
+    parts = ((cells.GetConnectivityArray(), cells.GetNumberOfConnectivityIds()),
+             (cells.GetOffsetsArray(), cells.GetNumberOfCells() + 1))
+    kinds = [data.GetDataType() if is_viewable(data) else None for data, _ in parts]
+    if kinds == [backend.VTK_INT, backend.VTK_INT]:
+        return 0
+    wide = backend.VTK_LONG_LONG, backend.VTK_ID_TYPE
+    return sum(8 * count for kind, (_, count) in zip(kinds, parts) if kind not in wide)
+
+
 def cells_of(backend, offsets, ids):
     """A vtkCellArray of these whole numbers. MemoryError."""
     made, parts = backend.vtkCellArray(), []
@@ -239,6 +253,14 @@ def replace_array(data, made):
     data.AddArray(made)
 
 
+def write_series(write, first, step):
+    """first, first + step, ..., without a copy of all."""
+    block = 1 << 16
+    for begin in range(0, len(write), block):
+        part = write[begin:begin + block]
+        part[:] = numpy.arange(first + step * begin, first + step * (begin + len(part)), step, part.dtype)
+
+
 def id_list(backend, numbers):
     """A vtkIdList of these, filled by VTK."""
     made = backend.vtkIdList()
@@ -250,7 +272,7 @@ def cell_array(backend, ids, size):
     """A vtkCellArray of cells with `size` points each, of a VTK array of ids of 32 bits."""
     count = ids.GetNumberOfTuples() * ids.GetNumberOfComponents() // size
     offsets, write = new_array(backend.vtkTypeInt32Array, count + 1)
-    write[:] = numpy.arange(0, size * count + 1, size, dtype=numpy.int32) if size else 0
+    write_series(write, 0, size)
     ids.SetNumberOfComponents(1)
     made = backend.vtkCellArray()
     made.SetData(offsets, ids)

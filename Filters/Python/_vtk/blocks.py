@@ -175,8 +175,10 @@ class Merged:
         except MemoryError:
             pass
         self.speaker.error(
-            "Merging blocks of %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed." % (
-                blocks.count, needed, "MemoryLimit allows " if self.limit else "there are ", limit))
+            "Merging blocks of %d points may take %s of memory, but %s. Nothing was computed. Take fewer or smaller "
+            "blocks, %s" % (
+                blocks.count, messages.needed_in_words(needed), messages.but_allowed(limit, self.limit > 0),
+                messages.or_set_limit(needed)))
         return None
 
     def hand_on_points(self, surface):

@@ -50,6 +50,12 @@ class Missing(typing.NamedTuple):
                        self.of_added or other.of_added)
 
 
+def blocks_of(count):
+    """Slices of so many rows, one after the other: what is computed of one of them takes little memory."""
+    block = 1 << 14
+    return (slice(begin, begin + block) for begin in range(0, count, block))
+
+
 class Column:
     """One array to interpolate. `given`: it; None: the heights. `made`, `slopes`: what came of it; `missing`: how many
     values at places on the surface are none."""
@@ -63,8 +69,10 @@ class Column:
         data = self.given
         if is_viewable(data):
             return numpy.ascontiguousarray(view(data)[:count], numpy.float64).reshape(-1, self.components)
-        rows = [data.GetTuple(i) for i in range(count)]
-        return numpy.array(rows, numpy.float64).reshape(-1, self.components)
+        rows = numpy.empty((count, self.components))
+        for i in range(count):
+            rows[i] = data.GetTuple(i)
+        return rows
 
 
 class Columns:
@@ -129,103 +137,147 @@ class Columns:
         return self.backend.VTK_DOUBLE, 1
 
     def estimate_bytes(self, points, places):
-        """Upper estimate of what all below allocates; a float."""
-        per_point, per_place = 8.0, 2.0  # heights, mask
+        """Upper estimate of what all below allocates, as the compiled class's (vtkAHDSampleColumns::EstimateBytes)."""
+        per_point, per_place, copied = 8, self._output_per_place(), 0  # heights
         if self.is_nearest:
-            per_point, per_place = 16.0, 2.0 + 26.0  # ids
+            per_point, per_place = per_point + 8, per_place + 8  # ids
         for column in self.columns:
             data, width = column.given, column.components
             if self.is_nearest:
-                per_place += width * (max(1, data.GetDataTypeSize()) if data is not None else 8) * 2.0
+                is_copied = data is not None and data.GetDataType() != self.backend.VTK_BIT and not is_viewable(data)
+                copied = max(copied, self._bytes_per_place(column)) if is_copied else copied
                 continue
-            per_point += 8.0 * width if data is not None and data.GetDataType() != self.backend.VTK_DOUBLE else 0.0
-            of_float = data is not None and data.GetDataType() == self.backend.VTK_FLOAT
-            per_place += (33.0 if of_float else 25.0) * (width + (2 if self.makes_slopes and width == 1 else 0))
-            per_place += 16.0 * width if self.makes_slopes and width > 1 else 0.0  # made, but not put out
-        return per_point * points + per_place * places
+            is_double = data is None or (data.GetDataType() == self.backend.VTK_DOUBLE and is_viewable(data))
+            per_point += 0 if is_double else 8 * width
+            per_place += 8 * self._numbers_per_place(column) if self._is_float(column) else 0
+        return (per_point + copied) * points + per_place * places
 
     def output_bytes(self, places):
         """Those of it that the arrays have which are put out, mask included."""
-        per_place = 1.0
-        for column in self.columns:
-            data, width = column.given, column.components
-            if self.is_nearest:
-                per_place += width * (max(1, data.GetDataTypeSize()) if data is not None else 8)
-            else:
-                number = 4.0 if data is not None and data.GetDataType() == self.backend.VTK_FLOAT else 8.0
-                per_place += number * (width + (2 if self.makes_slopes and width == 1 else 0))
-        return per_place * places
+        return self._output_per_place() * places
+
+    def _output_per_place(self):
+        return 1 + sum(map(self._bytes_per_place, self.columns))
+
+    def _is_float(self, column):
+        return column.given is not None and column.given.GetDataType() == self.backend.VTK_FLOAT
+
+    def _has_slopes(self, column):
+        return self.makes_slopes and column.components == 1
+
+    def _numbers_per_place(self, column):
+        return column.components + 2 * self._has_slopes(column)
+
+    def _bytes_per_place(self, column):
+        """What is put out of a column."""
+        of_type = max(1, column.given.GetDataTypeSize()) if column.given is not None else 8
+        size = of_type if self.is_nearest else 4 if self._is_float(column) else 8
+        return size * self._numbers_per_place(column)
 
     def interpolate(self, job, places, heights, fills):
-        """Fills the columns, each by weights; the mask. engine.EngineError, MemoryError."""
+        """Fills the columns, each by weights; the mask, a vtkCharArray. engine.EngineError, MemoryError."""
         numbers = [heights.reshape(-1, 1)] + [column.numbers(self.points) for column in self.columns[1:]]
-        sampled = job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes)
-        for column, found, slopes in zip(self.columns, sampled.values, sampled.gradients):
-            if job.count("sampled_without_value"):
-                column.missing = int(numpy.isnan(found[sampled.mask == 1]).sum())
-            column.made = self._written(column, found)
-            if self.makes_slopes and column.components == 1 and column.name:
-                column.slopes = self._written(column, slopes)
-        return sampled.mask
+        mask = None
 
-    def _written(self, column, numbers):
-        """As a VTK array, with NoValue in place of NaN."""
-        vtk, none = self.backend, self.values["NoValue"]
-        if not math.isnan(none):
-            numbers = numpy.where(numpy.isnan(numbers), none, numbers)
-        single = column.given is not None and column.given.GetDataType() == vtk.VTK_FLOAT
-        made, write = new_array(vtk.vtkFloatArray if single else vtk.vtkDoubleArray, len(numbers), numbers.shape[1])
-        write[...] = (as_floats(numbers) if single else numbers).reshape(write.shape)
-        return made
+        def make(count):
+            nonlocal mask
+            values, slopes = [], []
+            for column in self.columns:
+                column.made, write = self._new_doubles(count, column.components)
+                values.append(write)
+                has_slopes = self._has_slopes(column) and column.name
+                column.slopes, write = self._new_doubles(count, 2) if has_slopes else (None, None)
+                slopes.append(write)
+            mask, write = new_array(self.backend.vtkCharArray, count)
+            return values, slopes, write.view(numpy.uint8)
+
+        job.sample(places, numbers, method=self.values["Method"], fills=fills, gradients=self.makes_slopes, make=make)
+        del numbers
+        for column in self.columns:
+            if job.count("sampled_without_value"):
+                found, valid = view(column.made), view(mask)
+                column.missing = sum(int(numpy.isnan(found[part][valid[part] == 1]).sum())
+                                     for part in blocks_of(len(found)))
+            column.made = self._finished(column, column.made)
+            column.slopes = column.slopes and self._finished(column, column.slopes)
+        return mask
+
+    def _new_doubles(self, count, components):
+        made, write = new_array(self.backend.vtkDoubleArray, count, components)
+        return made, write.reshape(count, components)
+
+    def _finished(self, column, made):
+        """With NoValue in place of NaN, and as floats where the column is of these."""
+        none, numbers = self.values["NoValue"], view(made)
+        single, floats = self._is_float(column), None
+        if single:
+            floats, write = new_array(self.backend.vtkFloatArray, len(numbers), made.GetNumberOfComponents())
+        for part in blocks_of(len(numbers)):
+            if not math.isnan(none):
+                some = numbers[part]
+                some[numpy.isnan(some)] = none
+            if single:
+                write[part] = as_floats(numbers[part])
+        return floats if single else made
 
     def gather(self, job, places, heights):
-        """Fills the columns, each place with the values of its nearest point as they are; the mask, and the number of
-        values that are NaN."""
-        sampled = job.sample(places, [numpy.arange(len(heights), dtype=float)], method=NEAREST)
-        ids = sampled.values[0].reshape(-1)
-        found, missing = ~numpy.isnan(ids), 0
-        ids = numpy.where(found, ids, 0).astype(numpy.int64)
+        """Fills the columns, each place with the values of its nearest point as they are; the mask, a vtkCharArray, and
+        the number of values that are NaN."""
+        mask = None
+
+        def make(count):
+            nonlocal mask
+            mask, write = new_array(self.backend.vtkCharArray, count)
+            return [numpy.empty((count, 1))], [None], write.view(numpy.uint8)
+
+        sampled = job.sample(places, [numpy.arange(len(heights), dtype=float)], method=NEAREST, make=make)
+        ids, missing = sampled.values[0].reshape(-1), 0
         for column in self.columns:
             if column.given is not None and column.given.GetDataType() == self.backend.VTK_BIT:
-                column.made = self._gathered_bits(column.given, ids, found)
+                found = ~numpy.isnan(ids)
+                column.made = self._gathered_bits(column.given, numpy.where(found, ids, 0).astype(numpy.int64), found)
                 continue
             given = column.given if column.given is None else in_memory(self.backend, column.given)
-            column.made, column.missing = self._gathered(
-                given, heights if given is None else view(given), ids, found)
+            column.made, column.missing = self._gathered(given, heights if given is None else view(given), ids)
             missing += column.missing
-        return sampled.mask, missing
+        return mask, missing
 
     def find_missing(self, job, heights, first_added):
         """A Missing for each array that may have NaN, the heights first. Points from number `first_added` on were added
         to the input; the crossings among them have values that are made of those of others."""
-        vertices, found = job.array("point_of_vertex", numpy.int64), []
-        added = (vertices >= first_added) & (vertices < self.points - job.count("split_crossings"))
+        vertices, found = job.array("point_of_vertex"), []
+        first_crossing = self.points - job.count("split_crossings")
         for column in self.columns:
             if column.given is not None and is_whole(self.backend, column.given):
                 continue
-            numbers = heights if column.given is None else column.numbers(self.points)
-            odd = numpy.isnan(numbers.reshape(self.points, -1)[vertices]).any(axis=1)
-            name = column.name if column.given is not None else ""
-            found.append(Missing(name, column.missing, bool(odd.any()), bool((odd & added).any())))
+            numbers = (heights if column.given is None else column.numbers(self.points)).reshape(self.points, -1)
+            of_points = of_added = False
+            for part in blocks_of(len(vertices)):
+                odd = numpy.isnan(numbers[vertices[part]]).any(axis=1)
+                of_points = of_points or bool(odd.any())
+                added = (vertices[part] >= first_added) & (vertices[part] < first_crossing)
+                of_added = of_added or bool((odd & added).any())
+            found.append(Missing(column.name if column.given is not None else "", column.missing, of_points, of_added))
         return found
 
-    def _gathered(self, given, numbers, ids, found):
-        vtk, count = self.backend, len(ids)
+    def _gathered(self, given, numbers, nearest):
+        """`nearest`: ids as doubles, NaN where there is none."""
+        vtk, count = self.backend, len(nearest)
         kind = given.NewInstance() if given is not None else vtk.vtkDoubleArray()
         made, write = new_array(lambda: kind, count, given.GetNumberOfComponents() if given is not None else 1)
-        if not count or not len(numbers):
-            write[...] = 0
-        else:
-            write[...] = numbers[ids]
-        if given is not None and is_whole(vtk, given):
-            write[~found] = 0
-            return made, 0
-        none = self.values["NoValue"]
-        none = as_floats(numpy.array(none)) if write.dtype == numpy.float32 else none
-        odd = numpy.isnan(write) & (found if write.ndim == 1 else found[:, None])
-        write[odd] = none
-        write[~found] = none
-        return made, int(odd.sum())
+        isWhole, none = given is not None and is_whole(vtk, given), self.values["NoValue"]
+        none = 0 if isWhole else as_floats(numpy.array(none)) if write.dtype == numpy.float32 else none
+        missing = 0
+        for part in blocks_of(count):
+            found, some = ~numpy.isnan(nearest[part]), write[part]
+            ids = numpy.where(found, nearest[part], 0).astype(numpy.int64)
+            some[...] = numbers[ids] if len(numbers) else 0
+            if not isWhole:
+                odd = numpy.isnan(some) & (found if some.ndim == 1 else found[:, None])
+                some[odd] = none
+                missing += int(odd.sum())
+            some[~found] = none
+        return made, missing
 
     def _gathered_bits(self, given, ids, found):
         made = self.backend.vtkDataArray.CreateDataArray(given.GetDataType())

@@ -9,8 +9,8 @@ import numpy
 
 from .. import _library as engine
 from . import messages
-from .arrays import coordinates, ghost_marks, ids_of, must_be_converted
-from .outputs import Diagram, Surface, estimate_bytes, plane_transform, write_order
+from .arrays import bytes_to_convert, coordinates, ghost_marks, ids_of, must_be_converted
+from .outputs import Diagram, Surface, bytes_per_added_point, plane_transform, write_order
 
 SKIPPED = 1 | 2  # vtkDataSetAttributes' DUPLICATEPOINT and HIDDENPOINT
 STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
@@ -101,11 +101,32 @@ class Execution:
     def triangulate(self, progress, other_memory):
         """Without outputs, for one who interpolates: `other_memory`, in bytes, is his. engine.EngineError."""
         self._give_settings()
-        self.job.set(other_memory=min(int(other_memory), MOST_BYTES))
+        self.announce(other_memory)
         self._give_input()
         self.job.set_progress(progress)
         self.job.run()
         self.found.cells = self.job.count("triangles")
+
+    def announce(self, other_memory):
+        """Values between the points, for which so many bytes are taken."""
+        other = self._other_memory() + int(other_memory)
+        self.job.set(want_samples=True, other_memory=min(other, MOST_BYTES))
+
+    def announce_all(self):
+        """For an estimate of the whole, without outputs."""
+        self._give_settings()
+        self._give_input()
+        self.announce(0)
+
+    def expected_points(self):
+        source = self.source if self.values["SourceMode"] else None
+        return self.found.input_points + (source.GetNumberOfPoints() if source else 0) + 8 * self.found.adds_bounding
+
+    def bytes_to_find_places(self):
+        """For where the points lie in the plane, a copy if they do not lie there or others come to them."""
+        count = self.expected_points()
+        copied = self.found.is_projected or count > self.found.input_points
+        return self.bytes_before + self._bytes_converted() + 25 * count * copied
 
     def _give_settings(self):
         values = self.values
@@ -118,17 +139,20 @@ class Execution:
             source_heights=values["SourceHeights"] if values["SourceMode"] else 0,
             threads=threads_to_use(self.backend, values["NumberOfThreads"]),
             memory_limit=min(limit * 1024 + 1023, MOST_BYTES) if limit else 0,
-            other_memory=self._other_memory())
+            other_memory=self._other_memory(), other_memory_per_point=bytes_per_added_point(self.given))
 
     def _other_memory(self):
-        """Bytes that VTK's arrays take."""
-        values, source = self.values, self.source
-        added = source.GetNumberOfPoints() if source and values["SourceMode"] else 0
-        bounding = 8 if self.found.adds_bounding else 0
-        converted = sum(24 * points.GetNumberOfPoints() for points in (
-            self.given.GetPoints(), source.GetPoints() if added else None) if must_be_converted(points))
-        return self.bytes_before + converted + estimate_bytes(
-            values, self.found.input_points + added + bounding, self.given, added, bounding)
+        """Bytes that VTK's arrays take, beyond those that the job knows of."""
+        # The polygons of the Voronoi diagram have a copy of the point data.
+        copied = self.given.GetPointData().GetActualMemorySize() if self.values["GenerateVoronoi"] else 0
+        return self.bytes_before + self._bytes_converted() + 1024 * copied
+
+    def _bytes_converted(self):
+        source = self.source if self.values["SourceMode"] else None
+        cells = (self.source.GetLines(), self.source.GetPolys()) if self.source else ()
+        return sum(24 * points.GetNumberOfPoints() for points in (
+            self.given.GetPoints(), source.GetPoints() if source else None) if must_be_converted(points)) + sum(
+                bytes_to_convert(self.backend, some) for some in cells)
 
     def _give_input(self):
         vtk, job = self.backend, self.job

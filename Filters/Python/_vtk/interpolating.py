@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One execution of vtkAdaptiveHilbertInterpolation2D: Filters/Sampling/vtkAHDSampleExecution.cxx."""
 
+import math
 import time
 import types
 
@@ -9,10 +10,11 @@ import numpy
 from .. import _library as engine
 from .._raster import Raster
 from . import messages, raster, raster_messages
-from .arrays import GHOSTS, new_array, view
-from .columns import NEAREST, Columns
-from .execution import Progress, threads_to_use
-from .sampling import SampledSurface, area_of, count_added, points_of
+from .arrays import GHOSTS, must_be_converted, new_array, view
+from .blocks import MOST_POINTS
+from .columns import NEAREST, Columns, blocks_of
+from .execution import Execution, Progress, threads_to_use
+from .sampling import SampledSurface, area_of, count_added
 
 HIDDENPOINT = 2  # of vtkDataSetAttributes
 TRIANGULATION = 0.7  # how much of the time it takes, about
@@ -41,10 +43,10 @@ class _Stage(Progress):
 class Interpolating:
     """Of a filter. `asked`: the filter with the settings of the triangulation, these, and those of the interpolation,
     as they were when the execution began; `merged`: the points and constraints; `places`: of one piece, None for a
-    raster. The triangulation is kept until the last piece is done. `counts`: how many places each piece has; the first
-    piece answers for the memory of all."""
+    raster. The triangulation is kept until the last piece is done. `pieces`: the places of all, if they are several;
+    the first piece answers for the memory of all."""
 
-    def __init__(self, algorithm, asked, merged, places, speaker, is_first=True, is_last=True, counts=()):
+    def __init__(self, algorithm, asked, merged, places, speaker, is_first=True, is_last=True, pieces=()):
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
         self.triangulation, self.values, self.wishes, self.speaker = *asked, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
@@ -53,7 +55,7 @@ class Interpolating:
         self.is_kept = self.is_triangulated = False
         self.bytes_behind = 0
         self.is_first, self.is_last = is_first, is_last
-        self.counts = counts if is_first else ()
+        self.pieces = pieces if is_first else ()
 
     def run(self, made):
         """Fills the output; returns what the places came to, which warnings are said of. Stopped."""
@@ -81,6 +83,7 @@ class Interpolating:
             if self.wishes["UseBounds"]:
                 self.cells = raster.make_raster_within(self.wishes, self.wishes["Bounds"])
             else:
+                self._check_memory_to_find_places()
                 self.cells = raster.make_raster(self.wishes, area_of(
                     self.backend, self.triangulation, self.values, self.given, self.source))
         except raster.Fault as fault:
@@ -89,19 +92,57 @@ class Interpolating:
             self.cells = raster.NONE
         self.count = self.cells.count()
 
+    def _check_memory_to_find_places(self):
+        """The copy that the compiled class takes to find out where the raster lies. Stopped."""
+        asked = Execution(self.backend, self._asked(), self.given, self.source, self.bytes_before)
+        limit = self.values["MemoryLimit"]
+        allowed = limit or engine.available_memory() // 1024
+        if asked.bytes_to_find_places() // 1024 <= allowed:
+            return
+        asked.announce_all()
+        columns, rows = self.wishes["Dimensions"]
+        places = "the places of a raster" if self.wishes["RasterSize"] == 1 else "%.9g places" % (columns * rows)
+        estimate = asked.job.estimate() // 1024
+        raise Stopped(raster_messages.of_memory(
+            places, asked.expected_points(), estimate, allowed, limit > 0, True), estimate)
+
+    def _asked(self):
+        """What an execution asks of a filter, with a job of its own."""
+        return types.SimpleNamespace(
+            _job=engine.Job(), _values=dict(self.values), _transform=self.triangulation.GetTransform())
+
     def _estimate_behind(self):
-        """Bytes that interpolating takes: columns and output, places, and the engine's own."""
+        """Bytes that interpolating takes, as the compiled class's (vtkAHDSampleExecution::EstimateSampling): columns
+        and output, places, and the engine's own."""
         data = self.given.GetPointData()
         columns = Columns(self.backend, self.wishes, data, data, self.given.GetNumberOfPoints())
-        numbers = 1 if self.wishes["Method"] == NEAREST else columns.components()
-        count = max(self.counts, default=self.count)
-        others = columns.output_bytes(sum(self.counts) - count) if self.counts else 0
-        own = 16384 + 256 * numbers + self.points * (14 + 8 * numbers) * (1 + self.wishes["Outside"])
-        if self.places is not None:
-            places = count * 64 + min(count, 1 << 22) * 32
-        else:
-            places = count * 33 * self.wishes["OutputType"] + 8 * (self.cells.columns + self.cells.rows)
-        return columns.estimate_bytes(self.points, count) + places + own + count * self.wishes["Outside"] + others
+        if self.places is None:
+            return 25 * self.count * self.wishes["OutputType"] + self._estimate_at(columns, self._raster(), self.count)
+        if not self.pieces:
+            return self._estimate_of(columns, self.places)
+        outputs = [columns.output_bytes(piece.GetNumberOfPoints()) for piece in self.pieces]
+        return sum(outputs) + max(
+            self._estimate_of(columns, piece) - output for piece, output in zip(self.pieces, outputs))
+
+    def _estimate_of(self, columns, places):
+        """Of one piece: its places in the plane, and x and y of these."""
+        count = places.GetNumberOfPoints()
+        lie = places.IsA("vtkPointSet")
+        copies = (lie and must_be_converted(places.GetPoints())) + (not lie or self._is_projected())
+        return (24 * copies + 16) * count + self._estimate_at(columns, count, count)
+
+    def _estimate_at(self, columns, places, count):
+        is_nearest = self.wishes["Method"] == NEAREST
+        return columns.estimate_bytes(self.points, count) + self.job.sample_estimate_before(
+            min(self.points, MOST_POINTS), places, 1 if is_nearest else columns.components(),
+            self.wishes["Outside"] == 1 and not is_nearest)
+
+    def _raster(self):
+        return Raster(self.cells.origin, self.cells.spacing, (self.cells.rows, self.cells.columns))
+
+    def _is_projected(self):
+        mode = self.values["ProjectionPlaneMode"]
+        return mode == 2 or (mode == 1 and self.triangulation.GetTransform() is not None)
 
     def _take_surface(self):
         """The surface that was kept, or a new one in its place. engine.EngineError."""
@@ -136,24 +177,24 @@ class Interpolating:
     def _check_memory(self, kept):
         """Is there enough for interpolating on a surface that is there?"""
         limit = self.values["MemoryLimit"]
-        self.job.set(other_memory=0, memory_limit=0)
         allowed = limit or engine.available_memory() // 1024
-        if (self.bytes_behind + (kept.estimate if limit else 0)) // 1024 > allowed:
+        if (kept.estimate(self.bytes_behind) if limit else self.bytes_behind) // 1024 > allowed:
             raise Stopped(*self._memory_is_short(True))
 
     def _memory(self):
         """KiB, of all."""
         kept = self.algorithm._surface
-        if kept is not None and self.is_triangulated:
-            return int(kept.estimate + self.bytes_behind) // 1024
+        if self.is_kept and kept is not None:
+            return int(kept.estimate(self.bytes_behind)) // 1024
         return self.job.count("memory_estimate") // 1024
 
     def _memory_is_short(self, is_refused):
         limit = self.values["MemoryLimit"]
         allowed = limit or (engine.available_memory() if self.is_kept else self.job.count("memory_allowed")) // 1024
         estimate = self._memory()
+        count = sum(piece.GetNumberOfPoints() for piece in self.pieces) or self.count
         return raster_messages.of_memory(
-            sum(self.counts) or self.count, self.points, estimate, allowed, limit > 0, is_refused), estimate
+            "%.9g places" % count, self.points, estimate, allowed, limit > 0, is_refused), estimate
 
     def _what_went_wrong(self, error):
         """Text and estimate, for Stopped."""
@@ -165,7 +206,7 @@ class Interpolating:
         started, surface = time.monotonic(), self.algorithm._surface
         xy, found = None, types.SimpleNamespace()
         if self.places is not None:
-            xy = numpy.ascontiguousarray(surface.move(points_of(self.backend, self.places))[:, :2], numpy.float64)
+            xy = surface.places_in_plane(self.places)
         columns = Columns(self.backend, self.wishes, self.given.GetPointData(), surface.point_data(),
                           self.job.count("points"))
         heights = surface.heights()
@@ -177,7 +218,7 @@ class Interpolating:
         if self.places is not None:
             self.places.put_into(made)
         elif self.wishes["OutputType"]:
-            self._write_surface(made, view(columns.heights()), mask == 1)
+            self._write_surface(made, view(columns.heights()), view(mask))
         elif self.count:
             made.SetExtent(0, self.cells.columns - 1, 0, self.cells.rows - 1, 0, 0)
             made.SetOrigin(*self.cells.origin, 0.0)
@@ -196,7 +237,7 @@ class Interpolating:
     def _sample(self, columns, heights, xy, found):
         job, missing, places = self.job, None, xy
         if xy is None:
-            places = Raster(self.cells.origin, self.cells.spacing, (self.cells.rows, self.cells.columns))
+            places = self._raster()
         job.set(memory_limit=0, other_memory=0,  # as all of it was looked at before
                 threads=threads_to_use(self.backend, self.values["NumberOfThreads"]))
         first = 0.0 if self.is_kept else TRIANGULATION
@@ -214,30 +255,33 @@ class Interpolating:
         found.triangles = count("kept_triangles")
         return mask
 
-    def _write_surface(self, made, heights, has_value):
+    def _write_surface(self, made, heights, mask):
         """Points at their heights; those without one are hidden, at the lowest height."""
-        vtk, cells = self.backend, self.cells
-        shown = has_value & numpy.isfinite(heights)
-        lowest = float(heights[shown].min()) + 0.0 if shown.any() else 0.0
+        vtk, cells, lowest = self.backend, self.cells, math.inf
+        for part in blocks_of(self.count):
+            shown = heights[part][(mask[part] == 1) & numpy.isfinite(heights[part])]
+            lowest = min(lowest, float(shown.min())) if shown.size else lowest
+        lowest = lowest + 0.0 if math.isfinite(lowest) else 0.0
         data, xyz = new_array(vtk.vtkDoubleArray, self.count, 3)
         grid = xyz.reshape(cells.rows, cells.columns, 3)
         grid[..., 0], grid[..., 1] = cells.axis(0), cells.axis(1)[:, None]
-        xyz[:, 2] = numpy.where(shown, heights, lowest)
+        hidden, write = new_array(vtk.vtkUnsignedCharArray, self.count, 1, GHOSTS)
+        for part in blocks_of(self.count):
+            shown = (mask[part] == 1) & numpy.isfinite(heights[part])
+            xyz[part, 2] = numpy.where(shown, heights[part], lowest)
+            write[part] = numpy.where(shown, 0, HIDDENPOINT)
         points = vtk.vtkPoints()
         points.SetData(data)
         made.SetExtent(0, cells.columns - 1, 0, cells.rows - 1, 0, 0)
         made.SetPoints(points)
-        hidden, write = new_array(vtk.vtkUnsignedCharArray, self.count, 1, GHOSTS)
-        write[:] = numpy.where(shown, 0, HIDDENPOINT)
         made.GetPointData().AddArray(hidden)
 
     def _add_mask(self, data, mask):
         name = self.wishes["ValidPointMaskArrayName"]
         if name:
-            made, write = new_array(self.backend.vtkCharArray, len(mask), 1, name)
-            write[:] = mask
+            mask.SetName(name)
             data.RemoveArray(name)
-            data.AddArray(made)
+            data.AddArray(mask)
 
     def _take_measures(self, made, found, seconds):
         counts = dict(

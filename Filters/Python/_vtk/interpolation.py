@@ -277,11 +277,11 @@ class _Executions:
             speaker.warn("The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
                          "anew by the settings of Triangulation: its own triangles count in the compiled class only.")
         pieces, found = self._pieces(places, made), None
-        counts = [piece.GetNumberOfPoints() for piece, _ in pieces] if len(pieces) > 1 else ()
+        all_places = [piece for piece, _ in pieces] if isinstance(places, self._backend.vtkCompositeDataSet) else ()
         try:
             for k, (piece, output) in enumerate(pieces):
                 more = Interpolating(
-                    self, asked, merged, piece, speaker, k == 0, k + 1 == len(pieces), counts).run(output)
+                    self, asked, merged, piece, speaker, k == 0, k + 1 == len(pieces), all_places).run(output)
                 found = raster_messages.together(found, more)
         except Stopped as stopped:
             self._let_go()

@@ -45,8 +45,29 @@ class Silence:
     error = warn
 
 
-def kibibytes(count):
-    return count // 1024
+def size_in_words(size, up):
+    """Bytes as a person writes them, with three digits at most, rounded up or down: Engine/Core/SizeInWords.h."""
+    part, decimals, unit = 1, 0, 0
+    while size // part + (up and size % part > 0) >= 1000:
+        part, unit = part * 10, unit + (decimals == 0)
+        decimals = decimals - 1 if decimals else 2
+    number = size // part + (up and size % part > 0)
+    number = ("%.2f" % (number / 10**decimals)).rstrip("0").rstrip(".")
+    return "%s %s" % (number, "byte" if size == 1 else ("bytes", "KB", "MB", "GB", "TB", "PB", "EB")[unit])
+
+
+def needed_in_words(kibibytes):
+    return size_in_words(1024 * min(kibibytes, 2**53), True)
+
+
+def but_allowed(kibibytes, is_limited, of=""):
+    return ("MemoryLimit %sallows " % of if is_limited else "there are ") + size_in_words(
+        1024 * min(kibibytes, 2**53), False)
+
+
+def or_set_limit(kibibytes):
+    """The way out."""
+    return "or set MemoryLimit to %d or more (KiB)." % kibibytes
 
 
 def error_text(status, job, values, more):
@@ -59,31 +80,29 @@ def error_text(status, job, values, more):
     if status > engine.TOO_MANY_CROSSINGS:
         return "%s. Nothing is put out." % more
     points, limited = job.count("points"), values["MemoryLimit"] > 0
-    needed = kibibytes(job.count("memory_estimate"))
-    allowed = values["MemoryLimit"] if limited else kibibytes(job.count("memory_allowed"))
+    needed = job.count("memory_estimate") // 1024
+    allowed = values["MemoryLimit"] if limited else job.count("memory_allowed") // 1024
+    of_memory = "%s of memory, but %s. Nothing was computed." % (needed_in_words(needed), but_allowed(allowed, limited))
     if status == engine.TOO_MANY_POINTS:
         return too_many_points(points)
     if status == engine.TOO_MANY_BOXES:
         return (
-            "The grid of %d points has more than %d boxes, and putting out more may take more memory than %s%d KiB. "
-            "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit "
-            "(in KiB) to allow more." % (
-                points, job.count("most_boxes"), "MemoryLimit allows, " if limited else "there is, ", allowed))
+            "The grid of %d points has more than %d boxes. Putting out more may take more than %s Switch GenerateBoxes "
+            "off, take fewer points or a larger Nmax, %s" % (
+                points, job.count("most_boxes"), of_memory, or_set_limit(needed)))
     if status == engine.TOO_MANY_CROSSINGS:
         return (
             "The lines and polygons of the source cross in more than %d places. Splitting them there and triangulating "
-            "%d points and the crossings may take more than %d KiB of memory, but %s%d KiB. Nothing was computed. Take "
-            "fewer lines, switch CrossingMode to Leave Out, or set MemoryLimit (in KiB) to allow more." % (
-                job.count("most_crossings"), points - job.count("most_crossings") - 1, needed,
-                "MemoryLimit allows " if limited else "there are ", allowed))
+            "%d points and the crossings may take more than %s Take fewer lines, switch CrossingMode to Leave Out, %s"
+            % (job.count("most_crossings"), points - job.count("most_crossings") - 1, of_memory, or_set_limit(needed)))
     if status == engine.MEMORY_LIMIT:
         return (
-            "Triangulating %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed. Take fewer points, "
-            "or set MemoryLimit (in KiB) to allow more." % (
-                points, needed, "MemoryLimit allows " if limited else "there are ", allowed))
+            "Triangulating %d points may take %s Take fewer points, switch off outputs that are not needed, %s" % (
+                points, of_memory, or_set_limit(needed)))
     if status == engine.OUT_OF_MEMORY:
-        also = ", and MemoryLimit allows %d" % allowed if limited and needed > allowed else ""
-        return "Out of memory while triangulating %d points; about %d KiB are needed%s." % (points, needed, also)
+        also = ", and " + but_allowed(allowed, True) if limited and needed > allowed else ""
+        return ("Out of memory while triangulating %d points; about %s are needed%s. Take fewer points, or switch off "
+                "outputs that are not needed." % (points, needed_in_words(needed), also))
     raise ValueError(status)
 
 

@@ -6,7 +6,7 @@ import math
 import numpy
 
 from .arrays import (GHOSTS, cell_array, coordinates, id_list, new_array, remove_arrays_of_one_name, replace_array,
-                     view)
+                     view, write_series)
 from .pointdata import PointData
 
 IDS_NAME = "OriginalPointIds"
@@ -30,7 +30,7 @@ class Surface:
         if self.values["DuplicatePolicy"] == 3 and self.job.count("duplicates"):
             now = coordinates(self.backend, given.GetPoints())
             self._set_points(now.dtype)
-            if numpy.array_equal(view(self.output.GetPoints().GetData()), now, equal_nan=True):
+            if _are_equal(view(self.output.GetPoints().GetData()), now):
                 self.output.SetPoints(None)
 
     def _set_points(self, number):
@@ -85,30 +85,48 @@ class Surface:
             fields.RemoveArray("Crossings")  # the input's
 
 
+def _are_equal(some, others):
+    """Are these arrays, of as many rows? NaN is equal to NaN. Without tables as large as they are."""
+    block = 1 << 14
+    return all(numpy.array_equal(some[k:k + block], others[k:k + block], equal_nan=True)
+               for k in range(0, len(some), block))
+
+
 def write_order(backend, job, output):
     """Output port 1: the curve, and the boxes behind it."""
-    drawn = job.draw_order(numpy.int64)
     points, ids = backend.vtkPoints(), backend.vtkIdTypeArray
-    for title, kind, data, name in (
-            (None, backend.vtkDoubleArray, None, "xyz"),
-            ("InsertionRank", ids, output.GetPointData(), "ranks"), (IDS_NAME, ids, output.GetPointData(), "ids"),
-            ("Level", backend.vtkIntArray, output.GetCellData(), "levels"),
-            ("Count", ids, output.GetCellData(), "counts")):
-        numbers = drawn[name]
-        made, write = new_array(kind, len(numbers), 3 if title is None else 1, title)
-        write[...] = numbers
+    drawn_points, drawn_cells, written = job.count("drawn_points"), job.count("drawn_cells"), []
+    for title, kind, data, count in (
+            (None, backend.vtkDoubleArray, None, drawn_points),
+            ("InsertionRank", ids, output.GetPointData(), drawn_points),
+            (IDS_NAME, ids, output.GetPointData(), drawn_points),
+            ("Level", backend.vtkIntArray, output.GetCellData(), drawn_cells),
+            ("Count", ids, output.GetCellData(), drawn_cells)):
+        made, write = new_array(kind, count, 3 if title is None else 1, title)
+        written.append(write)
         points.SetData(made) if data is None else data.AddArray(made)
+    job.draw_order(*written)
     output.SetPoints(points)
     boxes = job.count("boxes")
-    curves, passed = job.count("drawn_cells") - boxes, job.count("drawn_points") - 4 * boxes
+    curves, passed = drawn_cells - boxes, drawn_points - 4 * boxes
 
     def series(cells, corners, first):
         made, write = new_array(backend.vtkTypeInt32Array, cells * corners)
-        write[:] = numpy.arange(first, first + cells * corners, dtype=numpy.int32)
+        write_series(write, first, 1)
         return cell_array(backend, made, corners) if cells else backend.vtkCellArray()
 
     output.SetLines(series(curves, passed, 0))
     output.SetPolys(series(boxes, 4, passed))
+
+
+def _write_in_plane(job, xyz):
+    """The corners of Voronoi cells, which have x and y, at z = 0. They are written to the end of the room for three
+    numbers each, and moved to their places from the first one on: no copy of all is made."""
+    count, flat, block = len(xyz), xyz.reshape(-1), 1 << 14
+    xy = job.array("voronoi_points", out=flat[count:].reshape(count, 2))
+    for begin in range(0, count, block):
+        part = xy[begin:begin + block].copy()
+        xyz[begin:begin + block, :2], xyz[begin:begin + block, 2] = part, 0.0
 
 
 class Diagram:
@@ -119,9 +137,9 @@ class Diagram:
 
     def write(self, job, surface):
         vtk = self.backend
-        corners = job.array("voronoi_points")
-        xyz, write = new_array(vtk.vtkDoubleArray, len(corners), 3)
-        write[:, :2], write[:, 2:] = corners.reshape(-1, 2), 0.0
+        xyz, write = new_array(vtk.vtkDoubleArray, job.array_shape("voronoi_points")[0], 3)
+        if len(write):
+            _write_in_plane(job, write)
         points = vtk.vtkPoints()
         points.SetData(xyz)
         self.output.SetPoints(points)
@@ -165,8 +183,10 @@ class Diagram:
         data.Initialize()
         data.CopyFieldOff(GHOSTS)  # its bits mean others for cells
         data.CopyAllocate(given, count)
-        if count and given.GetNumberOfArrays():
-            data.CopyData(given, id_list(vtk, view(sites)), id_list(vtk, numpy.arange(count)))
+        block = 1 << 16  # lists of all would take 16 bytes a cell, and more while they are made
+        for begin in range(0, count if given.GetNumberOfArrays() else 0, block):
+            end = min(count, begin + block)
+            data.CopyData(given, id_list(vtk, view(sites)[begin:end]), id_list(vtk, numpy.arange(begin, end)))
         data.AddArray(sites)
 
     def move_back(self, to_plane):
@@ -204,22 +224,11 @@ def plane_transform(backend, matrix):
     return made
 
 
-def estimate_bytes(values, count, given, expects_added, adds_bounding):
-    """Of VTK's outputs, beyond the arrays that the job estimates."""
-    data = given.GetPointData()
-    total = count * 2 * 4 + 1024  # offsets of the triangles
-    if expects_added or adds_bounding:
-        per_point = 24
-        for i in range(data.GetNumberOfArrays()):
-            member = data.GetAbstractArray(i)
-            size = member.GetDataTypeSize() if member.IsNumeric() else 32  # an empty string
-            per_point += max(1, member.GetNumberOfComponents()) * max(1, size)
-        total += count * per_point
-    if values["DuplicatePolicy"] == 3:
-        total += count * 24
-    if values["GenerateVoronoi"]:
-        total += count * (2 * 3 * 8 + 2 * 2 * 8 + 8 * 8) + 1024 * data.GetActualMemorySize()
-    if values["GenerateInsertionCurve"] or values["GenerateBoxes"]:
-        limit = values["InsertionLimit"]
-        total += (min(limit, count) if limit else count) * (3 * 8 + 2 * 8 + 4)
+def bytes_per_added_point(given):
+    """Of point data, where points are added."""
+    data, total = given.GetPointData(), 0
+    for i in range(data.GetNumberOfArrays()):
+        member = data.GetAbstractArray(i)
+        size = member.GetDataTypeSize() if member.IsNumeric() else 32  # an empty string
+        total += max(1, member.GetNumberOfComponents()) * max(1, size)
     return total

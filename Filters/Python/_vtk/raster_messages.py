@@ -4,7 +4,7 @@
 
 import types
 
-from . import raster
+from . import messages, raster
 from .arrays import GHOSTS
 from .columns import GRADIENT
 
@@ -56,14 +56,15 @@ def of_names(values):
 
 
 def of_memory(places, points, estimate, limit, is_limited, is_refused):
-    """KiB that are too many, or that were not enough."""
+    """KiB that are too many, or that were not enough. `places`: in words."""
     if not is_refused:
-        return "Out of memory while interpolating at %.9g places from %d points; about %d KiB are needed." % (
-            places, points, estimate)
-    return (
-        "Interpolating at %.9g places from %d points may take %d KiB of memory, but %s%d KiB. Nothing was computed. "
-        "Take a larger CellSize, smaller Dimensions, fewer places or points, or set MemoryLimit (in KiB) to allow more."
-        % (places, points, estimate, "MemoryLimit of Triangulation allows " if is_limited else "there are ", limit))
+        return ("Out of memory while interpolating at %s from %d points; about %s are needed. Take a larger "
+                "CellSize, smaller Dimensions, fewer places or points." % (
+                    places, points, messages.needed_in_words(estimate)))
+    return ("Interpolating at %s from %d points may take %s of memory, but %s. Nothing was computed. Take a "
+            "larger CellSize, smaller Dimensions, fewer places or points, %s" % (
+                places, points, messages.needed_in_words(estimate),
+                messages.but_allowed(limit, is_limited, "of Triangulation "), messages.or_set_limit(estimate)))
 
 
 def of_arrays(values, columns):

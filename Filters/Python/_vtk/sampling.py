@@ -8,7 +8,8 @@ import numpy
 from .. import _library as engine
 from . import cache
 from .arrays import coordinates, ghost_marks, held, held_points
-from .execution import SKIPPED, Execution, let_go, threads_to_use
+from .columns import blocks_of
+from .execution import SKIPPED, Execution, let_go
 from .outputs import Surface
 from .raster import box_of
 
@@ -40,8 +41,12 @@ class SampledSurface:
         self.held = cache.Inputs(self.given, self.source) if is_kept else None
         self.known = self.held and self.held.fingerprints()
         self.places = self.known and self.held.places()
-        self.execution.triangulate(progress, bytes_behind + self.execution.bytes_before)
-        self.estimate = self.job.count("memory_estimate") - bytes_behind
+        self.execution.triangulate(progress, bytes_behind)
+
+    def estimate(self, bytes_behind):
+        """Bytes, as if it were made anew and so many more were taken."""
+        self.execution.announce(bytes_behind)
+        return self.job.estimate()
 
     def is_of(self, triangulation, given, source):
         """Is it the surface of these, with these settings, and what its job reads still what it was?"""
@@ -77,27 +82,24 @@ class SampledSurface:
         """The box of all points that are finite and not skipped, in the plane; None without any."""
         return box_of(self.plane_points(), skipped_of(self.given, self.job.count("points")))
 
-    def move(self, xyz):
-        """Places, (k, 3), as they lie in the plane, and their height above it."""
-        if not self.execution.found.is_projected:
-            return xyz
-        moved = numpy.array(xyz, numpy.float64)
-        if self.transform is not None:
-            self.execution._project(moved) if len(moved) else None
-            return moved
-        return self._in_best_plane(moved) if len(moved) else moved
+    def places_in_plane(self, places):
+        """x and y of the points of a vtkDataSet, where they lie in the plane: (k, 2)."""
+        is_computed = not places.IsA("vtkPointSet")
+        there = None if is_computed else coordinates(self.backend, places.GetPoints())
+        xy = numpy.empty((places.GetNumberOfPoints(), 2))
+        for part in blocks_of(len(xy)):
+            rows = range(*part.indices(len(xy)))
+            xyz = numpy.array([places.GetPoint(i) for i in rows] if is_computed else there[part], numpy.float64)
+            self._move(xyz)
+            xy[part] = xyz[:, :2]
+        return xy
 
-    def _in_best_plane(self, xyz):
-        """To the bit where the triangulation would have them, which the matrix of the plane does not give: as points of
-        a source, which have no say in the plane."""
-        job = engine.Job()
-        job.set_array("points", coordinates(self.backend, self.given.GetPoints()))
-        job.set_array("skip", ghost_marks(self.given)[0])
-        job.set_array("source_points", xyz)
-        job.set(plane=engine.PLANE_BEST_FIT, skip_mask=SKIPPED, insertion_limit=1,
-                threads=threads_to_use(self.backend, self.values["NumberOfThreads"]))
-        job.run()
-        return job.array("plane_points")[self.given.GetNumberOfPoints():]
+    def _move(self, xyz):
+        """Points, in place to where they lie in the plane."""
+        if self.transform is not None:
+            self.execution._project(xyz)
+        elif self.execution.found.is_projected:
+            self.job.to_plane(xyz)
 
     def give_back(self):
         """Lets go of the input. The job keeps its memory."""
@@ -123,7 +125,7 @@ def area_of(backend, triangulation, values, given, source):
         points = coordinates(backend, given.GetPoints())
         return box_of(points, skipped_of(given, len(points)))
     # Of what is done to the points, that alone which says where they are.
-    asked._values.update(Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
+    asked._values.update(MemoryLimit=0, Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
     only_points = source and held_points(backend, source)
     execution = Execution(backend, asked, given, only_points)
     execution.triangulate(None, 0)
@@ -146,11 +148,3 @@ def count_added(backend, given):
     array = given.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
     added = array.GetValue(0) if array is not None and array.GetNumberOfValues() == 1 else 0
     return added if 0 < added < given.GetNumberOfPoints() else 0
-
-
-def points_of(backend, places):
-    """The points of a vtkDataSet: (k, 3)."""
-    if places.IsA("vtkPointSet"):
-        return coordinates(backend, places.GetPoints())
-    count = places.GetNumberOfPoints()
-    return numpy.array([places.GetPoint(i) for i in range(count)], numpy.float64).reshape(count, 3)

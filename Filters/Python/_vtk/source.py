@@ -7,7 +7,7 @@ from .. import _library as engine
 from . import settings
 from .arrays import new_array
 from .execution import Progress
-from .messages import Speaker
+from .messages import Speaker, but_allowed, needed_in_words
 from .planar import PlanarPoints
 from .vtkclass import build
 
@@ -33,8 +33,8 @@ class _Making:
         single = self._values["OutputPointsPrecision"] == 0
         needed, available = count * (16 if single else 28) // 1024, engine.available_memory() // 1024
         if needed > available:
-            say("Making %d points takes %d KiB of memory, but there are %d KiB. No point was made. Make fewer." % (
-                count, needed, available))
+            say("Making %d points takes %s of memory, but %s. No point was made. Make fewer." % (
+                count, needed_in_words(needed), but_allowed(available, False)))
             return 1
         try:
             if not self._make(output, count, single):

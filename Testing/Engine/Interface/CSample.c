@@ -315,6 +315,64 @@ static void test_memory(void)
   ahd_job_free(job);
 }
 
+/* The same before there is a result; and counts alone matter of places. */
+static void test_memory_before(void)
+{
+  ahd_job* job = ahd_job_new();
+  ahd_places raster = { NULL, 0, { 0, 0 }, { 1, 1 }, 2, 2 },
+             places = { NULL, 100, { 0 }, { 0 }, 0, 0 };
+  uint64_t one = 0, two = 0, filled = 0;
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_sample_estimate_before(NULL, 9, &raster, 1, 0, &one));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_estimate_before(job, 9, NULL, 1, 0, &one));
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_sample_estimate_before(job, 9, &raster, 1, 0, NULL));
+  CHECK_STATUS(
+    job, AHD_BAD_VALUE, ahd_sample_estimate_before(job, 9, &raster, UINT64_MAX, 0, &one));
+  CHECK_STATUS(
+    job, AHD_BAD_VALUE, ahd_sample_estimate_before(job, UINT64_MAX, &raster, 1, 0, &one));
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 0, &one));
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 2, 0, &two));
+  CHECK(two >= one + 8 * 1000 && two < one + 8 * 1000 + 1000);
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 1, &filled));
+  CHECK(filled > one + 8 * 1000);
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &places, 1, 0, &two));
+  CHECK(two > one + 16 * 100);
+  raster.columns = raster.rows = UINT64_MAX;
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 0, &two));
+  CHECK(two > one);
+  ahd_job_free(job);
+}
+
+/* Points go where those of the input went. */
+static void test_to_plane(void)
+{
+  static const double wall[] = { 5, 0, 0, 5, 8, 0, 5, 8, 8, 6, 0, 8, 5, 3, 4 };
+  static const double turn[] = { 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
+  const ahd_array matrix = { turn, AHD_FLOAT64, 4, 4, 32, 8 };
+  ahd_job* job = ahd_job_of(wall, 5, 3);
+  int32_t plane, i;
+  double moved[15], there[15], heights[5];
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_to_plane(NULL, moved, 1));
+  CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_to_plane(job, moved, 1));
+  CHECK_OK(job, ahd_set_array(job, "matrix", &matrix));
+  for (plane = AHD_PLANE_XY; plane <= AHD_PLANE_MATRIX; ++plane)
+  {
+    memcpy(moved, wall, sizeof(wall));
+    CHECK_OK(job, ahd_set_int(job, "plane", plane));
+    CHECK_OK(job, ahd_run(job));
+    CHECK_OK(job, ahd_to_plane(job, moved, 5));
+    CHECK_OK(job, ahd_get_array(job, "plane_points", AHD_FLOAT64, there, 15));
+    CHECK_OK(job, ahd_get_array(job, "heights", AHD_FLOAT64, heights, 5));
+    CHECK(memcmp(moved, there, sizeof(moved)) == 0);
+    CHECK((memcmp(moved, wall, sizeof(moved)) == 0) == (plane == AHD_PLANE_XY));
+    for (i = 0; i < 5; ++i)
+    {
+      CHECK(heights[i] == there[3 * i + 2]);
+    }
+  }
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_to_plane(job, NULL, 1));
+  ahd_job_free(job);
+}
+
 typedef struct counter
 {
   int calls, last_call;
@@ -330,8 +388,8 @@ static int32_t count_calls(void* user, int32_t phase, double fraction)
   return ++own->calls == own->last_call;
 }
 
-/* What the callback hears of one call; cancelled at any of them, it can be made again, with the same
- * bytes, and changed no count. */
+/* What the callback hears of one call; cancelled at any of them, it can be made again, with the
+ * same bytes, and changed no count. */
 static void test_progress(void)
 {
   enum
@@ -430,6 +488,8 @@ void test_sample(void)
   test_between_arrays();
   test_refused();
   test_memory();
+  test_memory_before();
+  test_to_plane();
   test_progress();
   test_threads();
 }

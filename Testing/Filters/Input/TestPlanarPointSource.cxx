@@ -446,7 +446,7 @@ TEST(PlanarPointSource, TooLittleMemoryIsAnErrorAndNoMore)
   }
   ASSERT_EQ(said->Errors.size(), 1u);
   const std::string& text = said->Errors[0];
-  EXPECT_NE(text.find("Making 536870912 points takes 14680064 KiB"), std::string::npos) << text;
+  EXPECT_NE(text.find("Making 536870912 points takes 15.1 GB"), std::string::npos) << text;
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 0);
 
   source->SetNumberOfPoints(1000);

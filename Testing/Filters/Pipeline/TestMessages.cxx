@@ -173,7 +173,7 @@ TEST(Messages, TooLittleMemoryIsRefusedBeforeTheWork)
   filter->SetMemoryLimit(100);
   filter->Update();
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_TRUE(contains(filter.Said->Errors[0], "MemoryLimit allows 100 KiB"))
+  EXPECT_TRUE(contains(filter.Said->Errors[0], "MemoryLimit allows 102 KB"))
     << filter.Said->Errors[0];
   EXPECT_TRUE(contains(filter.Said->Errors[0], "10000 points")) << filter.Said->Errors[0];
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);

@@ -368,7 +368,7 @@ def failures_together():
     return {
         "different rules": (with_(FillRule=int(last)), "FillRule is not the same"),
         "different planes": (with_(Rim=1, **({"Transform": True} if last else {})), "Transform is not the same"),
-        "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1 KiB"),
+        "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_(MemoryLimit=int(last)), "may take"),
         "abort": (with_(prepare=abort), None),
     }

@@ -183,11 +183,11 @@ def failures():
 
     return {
         "a limit on all": (with_(GenerateVoronoi=True, MemoryLimit=400), "GenerateVoronoi is computed on one rank"),
-        "the limit's figure": (with_(Alpha=0.1, MemoryLimit=400), "MemoryLimit allows 400 KiB"),
+        "the limit's figure": (with_(Alpha=0.1, MemoryLimit=400), "MemoryLimit allows 409 KB"),
         "a limit where it is sent": (with_(GenerateNeighbors=True, MemoryLimit=int(last)),
                                      "they are sent there may take"),
         "too many boxes": (with_(GenerateBoxes=True, Nmax=1, MemoryLimit=3000),
-                           "more memory than MemoryLimit allows, 3000 KiB"),
+                           "of memory, but MemoryLimit allows 3.07 MB"),
         "abort at the beginning": (with_(abort_at(RANKS - 1, 0.0), GenerateVoronoi=True, Tolerance=0.01), None),
         "abort in the middle": (with_(abort_at(0, 0.4), GenerateVoronoi=True), None),
         "different orders": (with_(InsertionLimit=20, Nmax=50 + int(last)), "Nmax is not the same"),

@@ -26,6 +26,15 @@ def cloud(seed, count=200, columns=2, dtype=np.float64):
     return np.random.default_rng(seed).random((count, columns)).astype(dtype)
 
 
+def drawn_by(job, dtype):
+    """The arrays of Job.draw_order(), by name."""
+    points, cells = job.count("drawn_points"), job.count("drawn_cells")
+    made = {"xyz": np.empty((points, 3)), "ranks": np.empty(points, dtype), "ids": np.empty(points, dtype),
+            "levels": np.empty(cells, np.int32), "counts": np.empty(cells, dtype)}  # fmt: skip
+    job.draw_order(**made)
+    return made
+
+
 def lattice(side):
     """Many cocircular points, and collinear ones on the hull."""
     x, y = np.meshgrid(np.arange(side), np.arange(side))

@@ -8,6 +8,7 @@ import unittest
 import numpy as np
 
 from adaptivehilbertdelaunay import _library as library
+from arraysupport import drawn_by
 
 STEPS, SEEDS = 40, range(1, 9)
 SETTINGS = {
@@ -54,7 +55,7 @@ def interpolated(job):
 QUESTIONS = {
     "locate": lambda job: list(job.locate(PLACES)),
     "weights": lambda job: (job.sample_weights(PLACES, library.SAMPLE_NATURAL_NEIGHBOR), job.array("weights"))[1:],
-    "drawing": lambda job: list(job.draw_order().values()),
+    "drawing": lambda job: list(drawn_by(job, np.int32).values()),
     "at points": interpolated,
     "counts": lambda job: [np.array([job.count(n) for n in library.names(library.COUNTS) if n not in OTHER_COUNTS
                                      and not n.startswith("sampl")])],

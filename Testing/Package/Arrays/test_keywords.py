@@ -452,7 +452,7 @@ class OutputTest(KeywordTest):
         self.assertEqual(seen, [(1, 60_000_000)] * 5)
         made = delaunay(points, loops=[loop], threads=1)
         made._request.settings["memory_limit"] = 1000
-        with self.assertRaisesRegex(MemoryError, "allows 1000"):
+        with self.assertRaisesRegex(MemoryError, "allows 1 KB"):
             made.hull
 
     def test_too_many_crossings(self):

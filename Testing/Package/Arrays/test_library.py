@@ -13,7 +13,7 @@ import adaptivehilbertdelaunay
 import numpy as np
 from adaptivehilbertdelaunay import _interface, delaunay
 from adaptivehilbertdelaunay import _library as library
-from arraysupport import ROOT, SQUARE, cloud
+from arraysupport import ROOT, SQUARE, cloud, drawn_by
 
 INTERFACE = os.path.join(ROOT, "Filters", "Engine", "Interface")
 
@@ -85,7 +85,7 @@ class HeaderTest(unittest.TestCase):
             "first_cell": "for VTK's cells",
             "alpha_triangles": "kinds are arrays of their own", "alpha_lines": "", "alpha_vertices": "",
             "want_curve": "for VTK's drawing",
-            "other_memory": "for VTK's arrays",
+            "other_memory": "for VTK's arrays", "other_memory_per_point": "",
             "sample_method": "Triangulation.interpolate", "sample_outside": "",
         }  # fmt: skip
         names = {"split_crossings": "crossings", "closed_lines": "closed_lines_are_loops"}
@@ -257,7 +257,7 @@ class JobTest(unittest.TestCase):
         job.set_array("points", cloud(74, 300))
         job.run()
         for dtype in (np.int32, np.int64):
-            drawn = job.draw_order(dtype)
+            drawn = drawn_by(job, dtype)
             boxes = job.count("boxes")
             self.assertEqual(drawn["xyz"].shape, (300 + 4 * boxes, 3))
             np.testing.assert_array_equal(drawn["ids"][:300], job.array("order"))
@@ -266,9 +266,33 @@ class JobTest(unittest.TestCase):
             self.assertEqual(drawn["counts"].dtype, dtype)
         job.set(want_curve=0)
         job.run()
-        alone = job.draw_order(np.int32)
+        alone = drawn_by(job, np.int32)
         np.testing.assert_array_equal(alone["xyz"], drawn["xyz"][300:])
         self.assertEqual((set(alone["ids"]), set(alone["ranks"]), len(alone["levels"])), ({-1}, {-1}, boxes))
+
+    def test_the_drawing_s_arrays_are_looked_at(self):
+        job = self.job
+        job.set(want_curve=1)
+        job.set_array("points", cloud(74, 300))
+        job.run()
+        for name, given in (
+                ("xyz", np.empty((299, 3))), ("ranks", np.empty(300, np.int64)), ("ids", np.empty(600, np.int32)[::2]),
+                ("levels", np.empty(1, np.int64)), ("counts", np.empty(2, np.int32))):
+            arrays = dict(drawn_by(job, np.int32), **{name: given})
+            self.refuse(library.BAD_ARRAY, "%s: [0-9]+ numbers of type" % name,
+                        lambda arrays=arrays: job.draw_order(**arrays))
+
+    def test_to_plane(self):
+        points, job = cloud(75, 50, 3), self.job
+        job.set_array("points", points)
+        job.set(plane=library.PLANE_BEST_FIT)
+        job.run()
+        moved = points.copy()
+        job.to_plane(moved)
+        np.testing.assert_array_equal(moved, job.array("plane_points"))
+        np.testing.assert_array_equal(moved[:, 2], job.array("heights"))
+        for given in (moved[:, :2], moved.astype(np.float32), moved[::2]):
+            self.refuse(library.BAD_ARRAY, "points: of shape", lambda given=given: job.to_plane(given))
 
     def test_fit_plane(self):
         points = cloud(75, 50, 3)

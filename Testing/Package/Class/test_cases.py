@@ -67,7 +67,8 @@ def of_output(data):
 
 def masked(text):
     """Without sizes of memory, which another layout of it changes."""
-    return re.sub(r"\d+ (KiB|boxes|places)", r"# \1", text)
+    text = re.sub(r"[\d.]+ (bytes|KB|MB|GB|TB|PB|EB)\b", "# bytes", text)
+    return re.sub(r"\d+ (boxes|places|or more)", r"# \1", text)
 
 
 def record(given, settings):

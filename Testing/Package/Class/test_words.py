@@ -48,21 +48,24 @@ class ErrorsTest(Case):
         from adaptivehilbertdelaunay import _library as engine
         from adaptivehilbertdelaunay._vtk import messages
 
-        more = "Nothing was computed. Take fewer points, or set MemoryLimit (in KiB) to allow more."
-        box = ("The grid of 40 points has more than 77 boxes, and putting out more may take more memory than %s%d KiB. "
-               "Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set MemoryLimit "
-               "(in KiB) to allow more.")  # fmt: skip
+        fewer = " Take fewer points, or switch off outputs that are not needed."
+        more = (". Nothing was computed. Take fewer points, switch off outputs that are not needed, or set MemoryLimit "
+                "to 9 or more (KiB).")  # fmt: skip
+        box = ("The grid of 40 points has more than 77 boxes. Putting out more may take more than 9.22 KB of memory, "
+               "but %s. Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set "
+               "MemoryLimit to 9 or more (KiB).")  # fmt: skip
         for limit, status, text in (
-            (0, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9 KiB are needed."),
+            (0, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9.22 KB are needed." + fewer),
             (4, engine.OUT_OF_MEMORY,
-             "Out of memory while triangulating 40 points; about 9 KiB are needed, and MemoryLimit allows 4."),
-            (9, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9 KiB are needed."),
+             "Out of memory while triangulating 40 points; about 9.22 KB are needed, and MemoryLimit allows "
+             "4.09 KB." + fewer),
+            (9, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9.22 KB are needed." + fewer),
             (0, engine.MEMORY_LIMIT,
-             "Triangulating 40 points may take 9 KiB of memory, but there are 5 KiB. " + more),
+             "Triangulating 40 points may take 9.22 KB of memory, but there are 5.12 KB" + more),
             (4, engine.MEMORY_LIMIT,
-             "Triangulating 40 points may take 9 KiB of memory, but MemoryLimit allows 4 KiB. " + more),
-            (0, engine.TOO_MANY_BOXES, box % ("there is, ", 5)),
-            (4, engine.TOO_MANY_BOXES, box % ("MemoryLimit allows, ", 4)),
+             "Triangulating 40 points may take 9.22 KB of memory, but MemoryLimit allows 4.09 KB" + more),
+            (0, engine.TOO_MANY_BOXES, box % "there are 5.12 KB"),
+            (4, engine.TOO_MANY_BOXES, box % "MemoryLimit allows 4.09 KB"),
             (0, engine.CANCELLED, None),
         ):  # fmt: skip
             self.assertEqual(messages.error_text(status, OfJob(), {"MemoryLimit": limit}, ""), text)
@@ -202,8 +205,8 @@ class FailuresTest(Case):
                 self.assertEqual(made.GetOutput().GetNumberOfPoints(), 0 if errors else 4096)
                 if errors:
                     self.assertEqual(said.errors, [
-                        "Making 4096 points takes %d KiB of memory, but there are %d KiB. No point was made. "
-                        "Make fewer." % (4 * bytes_each, free // 1024)])
+                        "Making 4096 points takes %s of memory, but there are %s. No point was made. Make fewer." % (
+                            ("65.6 KB", "64.5 KB") if bytes_each == 16 else ("115 KB", "113 KB"))])
                 del said.errors[:]
 
     def test_each_is_told_once_and_forgotten(self):

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RunMemory.h"
+
+#include "Crossings/Crossings.h"
+#include "Prepare/Prepare.h"
+#include "Surface/Means.h"
+#include "Surface/OrderDrawing.h"
+#include "Surface/Selection.h"
+#include "Triangulate.h"
+#include "Voronoi/Voronoi.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace ahd
+{
+namespace
+{
+
+constexpr std::size_t kId = sizeof(std::int64_t), kPlace = 3 * sizeof(double);
+
+/// The numbers of triangles in their slots, and new memory for their keys where thousands have
+/// their lowest corners near to each other, or where the locations have not given way to them.
+constexpr std::size_t kNumbers = 8 + 16;
+/// Corners, which need no numbers, and the keys.
+constexpr std::size_t kCorners = 24 + 16;
+/// All tables, as they are kept: numbers, corners, flags, neighbours, a half-edge of each vertex, a
+/// vertex of each point.
+constexpr std::size_t kTables = 8 + 24 + 2 + 24 + 4 + 4;
+/// Of these, those that constraints leave.
+constexpr std::size_t kTablesBehindConstraints = 8 + 2 + 4;
+
+/// Cells of the Voronoi diagram where all points are on the hull, which are the largest: of each
+/// point three corners, six numbers of corners, an offset and a site. And what is written of them.
+constexpr std::size_t kVoronoiCells = 3 * kPlace + 6 * 4 + 4 + 4;
+constexpr std::size_t kVoronoiWritten = 3 * kPlace + 6 * 4 + 4 + kId;
+
+constexpr std::size_t kBoxKept = 2 * sizeof(GridBox); ///< in a list that grows by doubling
+
+/// A pair for each duplicate, and a mean for each place that has some: most where each place has
+/// one.
+constexpr std::size_t kMeans = (8 + sizeof(Mean)) / 2;
+
+/// Of one run. All are bytes, upper estimates.
+class Estimate
+{
+public:
+  Estimate(const InputRequest& request, const RunWishes& wishes, const RunSizes& sizes)
+    : request_(request)
+    , wishes_(wishes)
+    , sizes_(sizes)
+    , hasMarks_(sizes.segments > 0 || wishes.trimsRim)
+    , adds_(sizes.points > request.points.count)
+  {
+  }
+
+  std::size_t most() const
+  {
+    const std::size_t shown = held() + constrained() + inSpace();
+    const std::size_t steps[] = { prepared() + triangulating(), held() + constraining(),
+      shown + selecting(), shown + written() + writing(), held() + makingVoronoi() };
+    return std::max(preparing(), *std::max_element(std::begin(steps), std::end(steps)));
+  }
+
+private:
+  std::size_t perPoint(bool is, std::size_t bytes) const { return is ? sizes_.points * bytes : 0; }
+  bool selects() const { return wishes_.alpha || wishes_.maximumEdgeLength; }
+  bool writesCells() const { return !wishes_.samples; }
+  bool keepsTables() const { return wishes_.voronoi && sizes_.segments == 0; }
+
+  std::size_t preparing() const;
+  std::size_t prepared() const;
+  std::size_t triangulating() const;
+  std::size_t held() const;
+  std::size_t constrained() const;
+  std::size_t inSpace() const;
+  std::size_t constraining() const;
+  std::size_t makingVoronoi() const;
+  std::size_t selecting() const;
+  std::size_t written() const;
+  std::size_t writing() const;
+  std::size_t orderDrawn() const;
+
+  const InputRequest& request_;
+  const RunWishes& wishes_;
+  const RunSizes& sizes_;
+  const bool hasMarks_; // of constraints, or of what is dropped
+  const bool adds_;     // points
+};
+
+std::size_t Estimate::preparing() const
+{
+  std::size_t bytes = preparationMemoryEstimate(request_);
+  if (sizes_.crossings > 0)
+  {
+    bytes = prepared() + std::max(bytes, splitMemoryEstimate(0, sizes_.crossings));
+  }
+  if (request_.heightsFromSurface && request_.sourcePoints.count > 0)
+  {
+    const std::size_t own = request_.points.count;
+    bytes += triangulationMemoryEstimate(own, wishes_.options) + tableMemoryEstimate(own) +
+      (wishes_.showsMeans ? own * kMeans : 0);
+  }
+  return bytes;
+}
+
+/// What is left of that.
+std::size_t Estimate::prepared() const
+{
+  std::size_t bytes = preparedMemoryEstimate(request_);
+  if (sizes_.crossings > 0)
+  {
+    bytes += sizes_.points * (kPlace + 1) +
+      sizes_.crossings * (sizeof(CrossingOrigin) + 2 * kId + 2 * kId); // cells, ids
+  }
+  return bytes;
+}
+
+std::size_t Estimate::triangulating() const
+{
+  // where one of several points stands for a vertex: the vertex of each point, twice
+  const bool chooses = wishes_.options.representative != Representative::FirstId;
+  return triangulationMemoryEstimate(sizes_.points, wishes_.options) +
+    perPoint(chooses, 2 * sizeof(Index)) + sizes_.boxes * kBoxKept;
+}
+
+/// From when there are triangles until the end.
+std::size_t Estimate::held() const
+{
+  return prepared() + triangulatedMemoryEstimate(sizes_.points, wishes_.options) +
+    sizes_.boxes * kBoxKept + perPoint(keepsTables(), kTables) +
+    perPoint(wishes_.voronoi, kVoronoiCells);
+}
+
+/// From when there are constraints: tables that stay, marks, a slot of each vertex. Or a vertex of
+/// each point, for means.
+std::size_t Estimate::constrained() const
+{
+  return perPoint(hasMarks_, 4 + 2) +
+    perPoint(!keepsTables() && (wishes_.voronoi || hasMarks_), kTablesBehindConstraints) +
+    perPoint(!keepsTables() && wishes_.showsMeans, 4);
+}
+
+/// Where points lie that are not the input's own.
+std::size_t Estimate::inSpace() const
+{
+  return perPoint(adds_ || (wishes_.showsMeans && (writesCells() || selects())), kPlace);
+}
+
+/// Trimming, and averaging, take less than what is held when cells are written.
+std::size_t Estimate::constraining() const
+{
+  const std::size_t segments = sizes_.segments + 2 * sizes_.crossings;
+  return segments == 0 ? 0 : constraintMemoryEstimate(sizes_.points, segments);
+}
+
+/// The cells and the tables are in held().
+std::size_t Estimate::makingVoronoi() const
+{
+  const std::size_t cells = sizes_.points * kVoronoiCells;
+  return wishes_.voronoi ? voronoiMemoryEstimate(sizes_.points) - cells +
+      perPoint(sizes_.segments > 0, kTables - kTablesBehindConstraints)
+                         : 0;
+}
+
+std::size_t Estimate::selecting() const
+{
+  if (!wishes_.alpha)
+  {
+    return perPoint(wishes_.maximumEdgeLength, 2 + kCorners + (hasMarks_ ? kNumbers : 0));
+  }
+  // Where the plane is x, y, of the places in space z alone is read.
+  const bool isUpright = !request_.fitPlane && !request_.projection;
+  return selectionMemoryEstimate(sizes_.points) - perPoint(isUpright, 2 * sizeof(double)) +
+    sizes_.points * kNumbers;
+}
+
+/// What is put out. Memory of arrays is rounded up by a sixteenth at most
+/// (vtkAHDOutputMemory::GetCapacity).
+std::size_t Estimate::written() const
+{
+  std::size_t bytes = perPoint(wishes_.pointStatus, kId) + perPoint(wishes_.insertionRanks, kId) +
+    perPoint(wishes_.voronoi, kVoronoiWritten) + orderDrawn();
+  if (writesCells())
+  {
+    // Corners and offsets of two triangles a point; of lines in place of all of them there are
+    // three.
+    const std::size_t rows = wishes_.alpha ? 3 : 2;
+    bytes += sizes_.points *
+      ((wishes_.alpha ? 3 * (2 + 1) : 2 * (3 + 1)) * sizeof(std::int32_t) +
+        rows *
+          ((wishes_.neighbors ? 3 * kId : 0) + (wishes_.regions ? kId : 0) +
+            (wishes_.constraintEdges ? 1 : 0)));
+  }
+  return bytes + bytes / 16 + 4096 + perPoint(adds_, wishes_.perAddedPoint);
+}
+
+/// The selection, and what is taken while arrays are written.
+std::size_t Estimate::writing() const
+{
+  // By corners alone, where these are there and numbers are not; else with a place among those
+  // that are left. A byte for each triangle, the ends of lines.
+  const bool byCorners = wishes_.maximumEdgeLength && !wishes_.alpha;
+  const std::size_t ends = wishes_.alpha ? 24 : 0, places = byCorners && !hasMarks_ ? 0 : 8;
+  // a set of each slot, and three numbers for each set
+  constexpr std::size_t kRegions = 8 + 2 * 12;
+  const bool looksUp = wishes_.neighbors ||
+    (hasMarks_ && (wishes_.regions || wishes_.constraintEdges || byCorners));
+  if (wishes_.samples) // all tables are made, but for what there is already
+  {
+    return perPoint(selects(), 2) + perPoint(true, kTables);
+  }
+  return perPoint(selects(), 2 + ends + places) + perPoint(byCorners, 24) +
+    (wishes_.alpha ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
+    perPoint(hasMarks_ && wishes_.regions, kRegions);
+}
+
+std::size_t Estimate::orderDrawn() const
+{
+  if (!wishes_.curve && !wishes_.options.keepBoxes)
+  {
+    return 0;
+  }
+  const std::size_t limit = wishes_.options.insertionLimit;
+  const std::size_t inserted = limit > 0 ? std::min(limit, sizes_.points) : sizes_.points;
+  constexpr std::size_t kPerCorner = kPlace + 3 * kId, kPerCell = 2 * kId + sizeof(int);
+  return (wishes_.curve ? inserted * (kPlace + 3 * kId) : 0) + 1024 +
+    sizes_.boxes * (kBoxCorners * kPerCorner + kPerCell);
+}
+
+} // namespace
+
+std::size_t runMemoryEstimate(
+  const InputRequest& request, const RunWishes& wishes, const RunSizes& sizes)
+{
+  return sizes.points > kMaximumPoints ? std::size_t(-1) / 2
+                                       : Estimate(request, wishes, sizes).most();
+}
+
+} // namespace ahd

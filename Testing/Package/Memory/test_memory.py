@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Estimates of memory, from both sides: what is taken is no more, and not much less, for every feature and at every
+door. Both classes estimate the same, and refuse the same."""
+
+import unittest
+
+from memorycases import CLASSES, FEATURES, SAMPLINGS, of_arrays, of_class, of_sampler, warm
+
+SMALL = 1 << 17  # bytes: data sets, tables of names
+
+
+class MemoryTest(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        warm()
+
+    def assertHolds(self, of, door, taken):
+        what = "%s, %s: %d estimated, %d taken" % (of.name, door, taken.estimate, taken.most)
+        self.assertEqual(taken.said, [], what)
+        self.assertLessEqual(taken.most, taken.estimate + SMALL, what)
+        self.assertLessEqual(taken.estimate, of.most * taken.most, what)
+
+    def compare(self, cases, measure):
+        for of in cases:
+            with self.subTest(of.name):
+                taken = {door: measure(of, door) for door in CLASSES}
+                for door, found in taken.items():
+                    self.assertHolds(of, door, found)
+                self.assertEqual(taken["in Python"].estimate, taken["compiled"].estimate, of.name)
+
+    def test_each_output_of_the_classes(self):
+        self.compare(FEATURES, of_class)
+
+    def test_each_interpolation(self):
+        self.compare(SAMPLINGS, of_sampler)
+
+    def test_each_array(self):
+        for of in FEATURES:
+            if of.keywords is not None:
+                with self.subTest(of.name):
+                    taken = of_arrays(of)
+                    what = "%s: %d estimated, %d taken" % (of.name, taken.estimate, taken.most)
+                    self.assertLessEqual(taken.most, taken.estimate + SMALL, what)
+                    self.assertLessEqual(taken.estimate, max(2, of.most) * taken.most, what)
+
+    def test_limits(self):
+        """What is estimated is enough, and one KiB less is not."""
+        for of, measure in [(of, of_class) for of in FEATURES[::6]] + [(of, of_sampler) for of in SAMPLINGS[::4]]:
+            needed = measure(of, "compiled").estimate // 1024
+            for door in CLASSES:
+                with self.subTest("%s, %s" % (of.name, door)):
+                    self.assertEqual(measure(of, door, needed).said, [])
+                    self.assertEqual(measure(of, door, needed - 1).said, ["error"])
+
+
+if __name__ == "__main__":
+    unittest.main()
