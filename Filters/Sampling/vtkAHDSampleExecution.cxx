@@ -322,11 +322,11 @@ void vtkAHDSampleExecution::TakeSurface(
   }
   kept.Surface = std::make_unique<vtkAHDSampledSurface>(
     this->Settings, inputs.Points, inputs.Source, inputs.Surface, this->Context);
-  this->Triangulated = true;
   vtkAHDExecution execution(
     this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, inputs.InputBytes);
   this->Report = kept.Surface->Make(execution,
     static_cast<std::size_t>(std::min(this->BytesOfSampling, 0x1p60)), this->StagesBehind(points));
+  this->Triangulated = this->Report.Status != ahd::Status::BadCells && !this->Report.IsRefused;
   if (this->Report.Status != ahd::Status::Ok)
   {
     return;

@@ -254,6 +254,7 @@ class BadCellsTest(Case):
             self.assertEqual(algorithm.GetNumberOfTriangulations(), 0)
 
     def test_lines_and_polygons(self):
+        good = cloud(self.SQUARE)
         for offsets, part in LIES.items():
             for kind in ("vtkTypeInt64Array", "vtkTypeInt32Array"):
                 for what, port, in_blocks in (("lines", "Lines", False), ("polygons", "Polys", False),
@@ -262,11 +263,11 @@ class BadCellsTest(Case):
                     getattr(bad, "Set" + port)(self.cells(offsets, kind))
                     given = blocks(source(self.SQUARE, lines=[(0, 1)]), bad) if in_blocks else bad
                     whose = "a block of the source" if in_blocks else "the source"
-                    for make, place in ((Filter, 1), (Interpolation, 2)):
+                    for make, *others in ((Filter, given), (Interpolation, None, given), (Interpolation, good, given)):
                         algorithm = make()
                         said = Said(algorithm)
-                        algorithm.SetInputDataObject(0, cloud(self.SQUARE))
-                        algorithm.SetInputDataObject(place, given)
+                        for port, data in enumerate((good, *others)):
+                            algorithm.SetInputDataObject(port, data)
                         self.assertDamaged(algorithm, said, part, (what, whose))
 
     def test_good_cells_after_bad_ones(self):
@@ -287,8 +288,7 @@ class BadCellsTest(Case):
         algorithm.SetInputData(cloud(self.SQUARE))
         algorithm.SetInputDataObject(1, blocks(late, other))
         algorithm.Update()
-        self.assertEqual(algorithm.GetNumberOfConstraintEdges(), 2)
-        self.assertEqual(algorithm.GetNumberOfConstraintsLeftOut(), 0)
+        self.assertEqual((algorithm.GetNumberOfConstraintEdges(), algorithm.GetNumberOfConstraintsLeftOut()), (2, 0))
 
 
 @unittest.skipUnless(IN_PYTHON and hasattr(signal, "pthread_kill"), "the compiled class does not hear it")
