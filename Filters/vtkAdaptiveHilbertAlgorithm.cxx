@@ -1,101 +1,176 @@
 // SPDX-License-Identifier: BSD-3-Clause
+// Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
-#include "Execution/vtkAHDReport.h"
-#include "Pipeline/vtkAHDSettings.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace
+{
+/// Sets it to the nearest of these values; NaN has none and changes nothing.
+void SetClamped(vtkObject* owner, double& setting, double value, double least, double most)
+{
+  const double nearest = std::min(std::max(value, least), most);
+  if (!std::isnan(value) && nearest != setting)
+  {
+    setting = nearest;
+    owner->Modified();
+  }
+}
+}
 
 vtkAdaptiveHilbertAlgorithm::vtkAdaptiveHilbertAlgorithm() = default;
 vtkAdaptiveHilbertAlgorithm::~vtkAdaptiveHilbertAlgorithm() = default;
 
-void vtkAdaptiveHilbertAlgorithm::ReadSettings(vtkAHDSettings& settings) const
+void vtkAdaptiveHilbertAlgorithm::SetMaximumEdgeLength(double value)
 {
-  ahd::Options& options = settings.Insertion;
-  options.order = static_cast<ahd::InsertionOrder>(this->InsertionOrder);
-  options.controlPoints = static_cast<ahd::ControlPoints>(this->ControlPoints);
-  options.geneRotation = this->GeneRotation;
-  options.nmax = this->Nmax;
-  options.countWork = this->CountWork;
-  options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
-  options.keepBoxes = this->GenerateBoxes;
-  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve;
-  settings.GeneratePointStatus = this->GeneratePointStatus;
-  settings.GenerateInsertionRank = this->GenerateInsertionRank;
-  settings.GenerateInsertionCurve = this->GenerateInsertionCurve;
-  settings.GenerateConstraintEdges = this->GenerateConstraintEdges;
-  settings.GenerateRegionIds = this->GenerateRegionIds;
-  settings.GenerateNeighbors = this->GenerateNeighbors;
-  settings.MemoryLimit = this->MemoryLimit;
-  settings.ReuseLimit = this->ReuseLimit;
+  SetClamped(this, this->MaximumEdgeLength, value, 0.0, VTK_DOUBLE_MAX);
 }
 
-void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const vtkAHDReport& report)
+void vtkAdaptiveHilbertAlgorithm::SetAlpha(double value)
 {
-  using Phase = ahd::Phase;
-  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.Counts.inserted);
-  this->NumberOfDuplicates = static_cast<vtkIdType>(report.Counts.duplicates);
-  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.Counts.notFinite);
-  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.Counts.skipped - report.MergedPoints);
-  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.Counts.beyondLimit);
-  this->NumberOfTriangles = static_cast<vtkIdType>(report.Triangles);
-  this->NP = this->CountWork ? report.Counts.np() : -1.0;
-  this->NR = this->CountWork ? report.Counts.nr() : -1.0;
-  this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
-  this->InsertSeconds = report.SecondsOf(Phase::Insert);
-  this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
-  this->NumberOfThreadsUsed = report.ThreadsUsed;
+  SetClamped(this, this->Alpha, value, 0.0, VTK_DOUBLE_MAX);
+}
+
+void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)
+{
+  SetClamped(this, this->Tolerance, value, 0.0, 1.0);
+}
+
+void vtkAdaptiveHilbertAlgorithm::SetOffset(double value)
+{
+  SetClamped(this, this->Offset, value, 0.75, VTK_DOUBLE_MAX);
 }
 
 void vtkAdaptiveHilbertAlgorithm::ClearMeasures()
 {
+  this->NumberOfThreadsUsed = 0;
+  this->MemoryEstimate = 0;
+  this->NumberOfTriangles = 0;
   this->NumberOfPointsInserted = 0;
   this->NumberOfDuplicates = 0;
+  this->NumberOfMergedPoints = 0;
+  this->NumberOfAddedPoints = 0;
   this->NumberOfRejectedPoints = 0;
   this->NumberOfSkippedPoints = 0;
   this->NumberOfPointsBeyondLimit = 0;
-  this->NumberOfTriangles = 0;
+  this->NumberOfConstraintEdges = 0;
+  this->NumberOfCrossings = 0;
+  this->NumberOfBentConstraints = 0;
+  this->NumberOfConstraintsLeftOut = 0;
+  this->NumberOfUnfilledLoops = 0;
+  this->NumberOfTrimmedTriangles = 0;
   this->NP = -1.0;
   this->NR = -1.0;
   this->SortSeconds = 0.0;
   this->InsertSeconds = 0.0;
+  this->ConstrainSeconds = 0.0;
   this->OutputSeconds = 0.0;
-  this->NumberOfThreadsUsed = 0;
-  this->MemoryEstimate = 0;
+}
+
+void vtkAdaptiveHilbertAlgorithm::ClearSeconds()
+{
+  this->SortSeconds = 0.0;
+  this->InsertSeconds = 0.0;
+  this->ConstrainSeconds = 0.0;
+  this->OutputSeconds = 0.0;
+}
+
+void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
+{
+  const std::pair<const char*, vtkIdType> counts[] = {
+    { "NumberOfTriangles", this->NumberOfTriangles },
+    { "NumberOfPointsInserted", this->NumberOfPointsInserted },
+    { "NumberOfDuplicates", this->NumberOfDuplicates },
+    { "NumberOfMergedPoints", this->NumberOfMergedPoints },
+    { "NumberOfAddedPoints", this->NumberOfAddedPoints },
+    { "NumberOfRejectedPoints", this->NumberOfRejectedPoints },
+    { "NumberOfSkippedPoints", this->NumberOfSkippedPoints },
+    { "NumberOfPointsBeyondLimit", this->NumberOfPointsBeyondLimit },
+    { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
+    { "NumberOfCrossings", this->NumberOfCrossings },
+    { "NumberOfBentConstraints", this->NumberOfBentConstraints },
+    { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
+    { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
+    { "NumberOfTrimmedTriangles", this->NumberOfTrimmedTriangles },
+  };
+  for (const auto& count : counts)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetName(count.first);
+    array->InsertNextValue(count.second);
+    data->AddArray(array);
+  }
 }
 
 void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "InsertionOrder: " << this->InsertionOrder << "\n";
-  os << indent << "Nmax: " << this->Nmax << "\n";
-  os << indent << "ControlPoints: " << this->ControlPoints << "\n";
-  os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
-  os << indent << "RandomPointInsertion: " << (this->RandomPointInsertion ? "On\n" : "Off\n");
-  os << indent << "UseHilbertSorter: " << (this->UseHilbertSorter ? "On\n" : "Off\n");
-  os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
-  os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
+  os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
+  os << indent << "SourceMode: " << this->SourceMode << "\n";
+  os << indent << "SourceHeights: " << this->SourceHeights << "\n";
+  os << indent << "ClosedLines: " << this->ClosedLines << "\n";
+  os << indent << "FillRule: " << this->FillRule << "\n";
+  os << indent << "CrossingMode: " << this->CrossingMode << "\n";
+  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
+  os << indent << "Alpha: " << this->Alpha << "\n";
+  os << indent << "AlphaTris: " << (this->AlphaTris ? "On\n" : "Off\n");
+  os << indent << "AlphaLines: " << (this->AlphaLines ? "On\n" : "Off\n");
+  os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On\n" : "Off\n");
+  os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
+  os << indent << "Rim: " << this->Rim << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << "\n";
   os << indent << "GeneratePointStatus: " << (this->GeneratePointStatus ? "On\n" : "Off\n");
   os << indent << "GenerateConstraintEdges: " << (this->GenerateConstraintEdges ? "On\n" : "Off\n");
   os << indent << "GenerateRegionIds: " << (this->GenerateRegionIds ? "On\n" : "Off\n");
   os << indent << "GenerateNeighbors: " << (this->GenerateNeighbors ? "On\n" : "Off\n");
+  os << indent << "GenerateVoronoi: " << (this->GenerateVoronoi ? "On\n" : "Off\n");
+  os << indent << "VoronoiClip: " << this->VoronoiClip << "\n";
+  os << indent << "InsertionOrder: " << this->InsertionOrder << "\n";
+  os << indent << "Nmax: " << this->Nmax << "\n";
+  os << indent << "ControlPoints: " << this->ControlPoints << "\n";
+  os << indent << "GeneRotation: " << (this->GeneRotation ? "On\n" : "Off\n");
+  os << indent << "InsertionLimit: " << this->InsertionLimit << "\n";
   os << indent << "GenerateInsertionRank: " << (this->GenerateInsertionRank ? "On\n" : "Off\n");
   os << indent << "GenerateInsertionCurve: " << (this->GenerateInsertionCurve ? "On\n" : "Off\n");
   os << indent << "GenerateBoxes: " << (this->GenerateBoxes ? "On\n" : "Off\n");
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Offset: " << this->Offset << "\n";
+  os << indent << "BoundingTriangulation: " << (this->BoundingTriangulation ? "On\n" : "Off\n");
+  os << indent << "RandomPointInsertion: " << (this->RandomPointInsertion ? "On\n" : "Off\n");
+  os << indent << "UseHilbertSorter: " << (this->UseHilbertSorter ? "On\n" : "Off\n");
   os << indent << "NumberOfThreads: " << this->NumberOfThreads << "\n";
-  os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
+  os << indent << "DistributePoints: " << (this->DistributePoints ? "On\n" : "Off\n");
   os << indent << "KeepTriangulation: " << (this->KeepTriangulation ? "On\n" : "Off\n");
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "ReuseLimit: " << this->ReuseLimit << "\n";
+  os << indent << "CountWork: " << (this->CountWork ? "On\n" : "Off\n");
+  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
+  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
+  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
+  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
   os << indent << "NumberOfPointsInserted: " << this->NumberOfPointsInserted << "\n";
   os << indent << "NumberOfDuplicates: " << this->NumberOfDuplicates << "\n";
+  os << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n";
+  os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
   os << indent << "NumberOfRejectedPoints: " << this->NumberOfRejectedPoints << "\n";
   os << indent << "NumberOfSkippedPoints: " << this->NumberOfSkippedPoints << "\n";
   os << indent << "NumberOfPointsBeyondLimit: " << this->NumberOfPointsBeyondLimit << "\n";
-  os << indent << "NumberOfTriangles: " << this->NumberOfTriangles << "\n";
+  os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";
+  os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
+  os << indent << "NumberOfBentConstraints: " << this->NumberOfBentConstraints << "\n";
+  os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
+  os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";
+  os << indent << "NumberOfTrimmedTriangles: " << this->NumberOfTrimmedTriangles << "\n";
   os << indent << "NP: " << this->NP << "\n";
   os << indent << "NR: " << this->NR << "\n";
   os << indent << "SortSeconds: " << this->SortSeconds << "\n";
   os << indent << "InsertSeconds: " << this->InsertSeconds << "\n";
+  os << indent << "ConstrainSeconds: " << this->ConstrainSeconds << "\n";
   os << indent << "OutputSeconds: " << this->OutputSeconds << "\n";
-  os << indent << "NumberOfThreadsUsed: " << this->NumberOfThreadsUsed << "\n";
-  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
-  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
 }

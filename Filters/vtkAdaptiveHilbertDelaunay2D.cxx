@@ -40,18 +40,6 @@
 #include <new>
 #include <utility>
 
-namespace
-{
-/// Sets it to the nearest of these values; NaN has none and changes nothing. Returns whether it is
-/// another now.
-bool SetClamped(double& setting, double value, double least, double most)
-{
-  const double before = setting;
-  setting = std::isnan(value) ? before : std::min(std::max(value, least), most);
-  return setting != before;
-}
-}
-
 vtkStandardNewMacro(vtkAdaptiveHilbertDelaunay2D);
 vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransform);
 
@@ -90,39 +78,6 @@ vtkPolyData* vtkAdaptiveHilbertDelaunay2D::GetSource()
   return this->GetNumberOfInputConnections(1) > 0
     ? vtkPolyData::SafeDownCast(this->GetInputDataObject(1, 0))
     : nullptr;
-}
-
-void vtkAdaptiveHilbertDelaunay2D::SetAlpha(double alpha)
-{
-  if (SetClamped(this->Alpha, alpha, this->GetAlphaMinValue(), this->GetAlphaMaxValue()))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertDelaunay2D::SetMaximumEdgeLength(double length)
-{
-  if (SetClamped(this->MaximumEdgeLength, length, 0.0, VTK_DOUBLE_MAX))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertDelaunay2D::SetTolerance(double tolerance)
-{
-  if (SetClamped(
-        this->Tolerance, tolerance, this->GetToleranceMinValue(), this->GetToleranceMaxValue()))
-  {
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertDelaunay2D::SetOffset(double offset)
-{
-  if (SetClamped(this->Offset, offset, this->GetOffsetMinValue(), this->GetOffsetMaxValue()))
-  {
-    this->Modified();
-  }
 }
 
 vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkPointSet* input)
@@ -285,10 +240,7 @@ bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
   }
   this->Cache->PassOn(data);
   this->Left->TakeBackUnlessOf(data.Input, *this->Workspace);
-  this->SortSeconds = 0.0;
-  this->InsertSeconds = 0.0;
-  this->OutputSeconds = 0.0;
-  this->ConstrainSeconds = 0.0;
+  this->ClearSeconds();
   return true;
 }
 
@@ -310,7 +262,7 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
     return;
   }
   this->TakeMeasures(report);
-  this->AddCounts(data.Outputs[0]);
+  this->AddCounts(data.Outputs[0]->GetFieldData());
   vtkAHDSayWarnings(this, settings, report);
   if (this->KeepTriangulation)
   {
@@ -318,37 +270,30 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   }
 }
 
-/// Field data, with the names of the Get methods.
-void vtkAdaptiveHilbertDelaunay2D::AddCounts(vtkPolyData* surface) const
+void vtkAdaptiveHilbertDelaunay2D::ReadInsertion(vtkAHDSettings& settings) const
 {
-  const std::pair<const char*, vtkIdType> counts[] = {
-    { "NumberOfPointsInserted", this->NumberOfPointsInserted },
-    { "NumberOfDuplicates", this->NumberOfDuplicates },
-    { "NumberOfRejectedPoints", this->NumberOfRejectedPoints },
-    { "NumberOfSkippedPoints", this->NumberOfSkippedPoints },
-    { "NumberOfPointsBeyondLimit", this->NumberOfPointsBeyondLimit },
-    { "NumberOfTriangles", this->NumberOfTriangles },
-    { "NumberOfMergedPoints", this->NumberOfMergedPoints },
-    { "NumberOfAddedPoints", this->NumberOfAddedPoints },
-    { "NumberOfConstraintEdges", this->NumberOfConstraintEdges },
-    { "NumberOfCrossings", this->NumberOfCrossings },
-    { "NumberOfBentConstraints", this->NumberOfBentConstraints },
-    { "NumberOfConstraintsLeftOut", this->NumberOfConstraintsLeftOut },
-    { "NumberOfUnfilledLoops", this->NumberOfUnfilledLoops },
-    { "NumberOfTrimmedTriangles", this->NumberOfTrimmedTriangles },
-  };
-  for (const auto& count : counts)
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(count.first);
-    array->InsertNextValue(count.second);
-    surface->GetFieldData()->AddArray(array);
-  }
+  ahd::Options& options = settings.Insertion;
+  options.order = static_cast<ahd::InsertionOrder>(this->InsertionOrder);
+  options.controlPoints = static_cast<ahd::ControlPoints>(this->ControlPoints);
+  options.geneRotation = this->GeneRotation;
+  options.nmax = this->Nmax;
+  options.countWork = this->CountWork;
+  options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
+  options.keepBoxes = this->GenerateBoxes;
+  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve;
+  settings.GeneratePointStatus = this->GeneratePointStatus;
+  settings.GenerateInsertionRank = this->GenerateInsertionRank;
+  settings.GenerateInsertionCurve = this->GenerateInsertionCurve;
+  settings.GenerateConstraintEdges = this->GenerateConstraintEdges;
+  settings.GenerateRegionIds = this->GenerateRegionIds;
+  settings.GenerateNeighbors = this->GenerateNeighbors;
+  settings.MemoryLimit = this->MemoryLimit;
+  settings.ReuseLimit = this->ReuseLimit;
 }
 
 void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
 {
-  this->Superclass::ReadSettings(settings);
+  this->ReadInsertion(settings);
   settings.Insertion.representative = this->DuplicatePolicy == LOWEST_Z
     ? ahd::Representative::LowestZ
     : this->DuplicatePolicy == HIGHEST_Z ? ahd::Representative::HighestZ
@@ -377,7 +322,19 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
 
 void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
 {
-  this->Superclass::TakeMeasures(report);
+  using Phase = ahd::Phase;
+  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.Counts.inserted);
+  this->NumberOfDuplicates = static_cast<vtkIdType>(report.Counts.duplicates);
+  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.Counts.notFinite);
+  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.Counts.skipped - report.MergedPoints);
+  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.Counts.beyondLimit);
+  this->NumberOfTriangles = static_cast<vtkIdType>(report.Triangles);
+  this->NP = this->CountWork ? report.Counts.np() : -1.0;
+  this->NR = this->CountWork ? report.Counts.nr() : -1.0;
+  this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
+  this->InsertSeconds = report.SecondsOf(Phase::Insert);
+  this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
+  this->NumberOfThreadsUsed = report.ThreadsUsed;
   const ahd::ConstraintReport& constraints = report.Constraints;
   this->NumberOfMergedPoints = static_cast<vtkIdType>(report.MergedPoints);
   this->NumberOfAddedPoints = static_cast<vtkIdType>(report.AddedPoints);
@@ -389,7 +346,7 @@ void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
     constraints.withoutVertex + constraints.crossing);
   this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
   this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(report.Counts.trimmed);
-  this->ConstrainSeconds = report.SecondsOf(ahd::Phase::Split, ahd::Phase::Constrain);
+  this->ConstrainSeconds = report.SecondsOf(Phase::Split, Phase::Constrain);
 }
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)
@@ -426,52 +383,9 @@ int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformat
   return 1;
 }
 
-void vtkAdaptiveHilbertDelaunay2D::ClearMeasures()
-{
-  this->Superclass::ClearMeasures();
-  this->NumberOfMergedPoints = 0;
-  this->NumberOfAddedPoints = 0;
-  this->NumberOfConstraintEdges = 0;
-  this->NumberOfCrossings = 0;
-  this->NumberOfBentConstraints = 0;
-  this->NumberOfConstraintsLeftOut = 0;
-  this->NumberOfUnfilledLoops = 0;
-  this->NumberOfTrimmedTriangles = 0;
-  this->ConstrainSeconds = 0.0;
-}
-
 void vtkAdaptiveHilbertDelaunay2D::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "SourceMode: " << this->SourceMode << "\n";
-  os << indent << "CrossingMode: " << this->CrossingMode << "\n";
-  os << indent << "ClosedLines: " << this->ClosedLines << "\n";
-  os << indent << "SourceHeights: " << this->SourceHeights << "\n";
-  os << indent << "FillRule: " << this->FillRule << "\n";
-  os << indent << "Alpha: " << this->Alpha << "\n";
-  os << indent << "AlphaTris: " << (this->AlphaTris ? "On\n" : "Off\n");
-  os << indent << "AlphaLines: " << (this->AlphaLines ? "On\n" : "Off\n");
-  os << indent << "AlphaVerts: " << (this->AlphaVerts ? "On\n" : "Off\n");
-  os << indent << "MaximumEdgeLength: " << this->MaximumEdgeLength << "\n";
-  os << indent << "ProjectionPlaneMode: " << this->ProjectionPlaneMode << "\n";
-  os << indent << "Rim: " << this->Rim << "\n";
   os << indent << "Transform: " << this->Transform << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "DuplicatePolicy: " << this->DuplicatePolicy << "\n";
-  os << indent << "Offset: " << this->Offset << "\n";
-  os << indent << "BoundingTriangulation: " << (this->BoundingTriangulation ? "On\n" : "Off\n");
-  os << indent << "MergeBlocks: " << (this->MergeBlocks ? "On\n" : "Off\n");
-  os << indent << "GenerateVoronoi: " << (this->GenerateVoronoi ? "On\n" : "Off\n");
-  os << indent << "VoronoiClip: " << this->VoronoiClip << "\n";
-  os << indent << "DistributePoints: " << (this->DistributePoints ? "On\n" : "Off\n");
   os << indent << "Controller: " << this->Controller << "\n";
-  os << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n";
-  os << indent << "NumberOfAddedPoints: " << this->NumberOfAddedPoints << "\n";
-  os << indent << "NumberOfConstraintEdges: " << this->NumberOfConstraintEdges << "\n";
-  os << indent << "NumberOfCrossings: " << this->NumberOfCrossings << "\n";
-  os << indent << "NumberOfBentConstraints: " << this->NumberOfBentConstraints << "\n";
-  os << indent << "NumberOfConstraintsLeftOut: " << this->NumberOfConstraintsLeftOut << "\n";
-  os << indent << "NumberOfUnfilledLoops: " << this->NumberOfUnfilledLoops << "\n";
-  os << indent << "NumberOfTrimmedTriangles: " << this->NumberOfTrimmedTriangles << "\n";
-  os << indent << "ConstrainSeconds: " << this->ConstrainSeconds << "\n";
 }

@@ -307,7 +307,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkData
         .Run(own, merged.GetStatus(context), *this->Workspace);
       this->MemoryEstimate = result.Report.Estimate;
       this->TakeMeasures(result.Report);
-      this->AddCounts(own.Outputs[0]);
+      this->AddCounts(own.Outputs[0]->GetFieldData());
       for (std::size_t k = 0; k < outputs.size(); ++k)
       {
         surfaces[k]->ShallowCopy(outputs[k]);

@@ -33,8 +33,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
-#include <limits>
 #include <new>
 #include <utility>
 
@@ -44,7 +42,6 @@ vtkCxxSetObjectMacro(
 
 vtkAdaptiveHilbertInterpolation2D::vtkAdaptiveHilbertInterpolation2D()
   : Triangulation(vtkAdaptiveHilbertDelaunay2D::New())
-  , NoValue(std::numeric_limits<double>::quiet_NaN())
   , Kept(new vtkAHDSampleMemoryKept)
   , Updates(new vtkAHDRankUpdates)
 {
@@ -88,49 +85,6 @@ vtkPolyData* vtkAdaptiveHilbertInterpolation2D::GetSource()
   return this->GetNumberOfInputConnections(2) > 0
     ? vtkPolyData::SafeDownCast(this->GetInputDataObject(2, 0))
     : nullptr;
-}
-
-void vtkAdaptiveHilbertInterpolation2D::SetDimensions(int columns, int rows)
-{
-  const int wished[2] = { std::max(1, columns), std::max(1, rows) };
-  if (wished[0] != this->Dimensions[0] || wished[1] != this->Dimensions[1])
-  {
-    std::copy(wished, wished + 2, this->Dimensions);
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertInterpolation2D::SetDimensions(const int dimensions[2])
-{
-  this->SetDimensions(dimensions[0], dimensions[1]);
-}
-
-void vtkAdaptiveHilbertInterpolation2D::SetNoValue(double value)
-{
-  // NaN is not equal to itself, but it is no other setting either.
-  if (std::memcmp(&value, &this->NoValue, sizeof value) != 0)
-  {
-    this->NoValue = value;
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertInterpolation2D::SetHeightArrayName(const std::string& name)
-{
-  if (name != this->HeightArrayName)
-  {
-    this->HeightArrayName = name;
-    this->Modified();
-  }
-}
-
-void vtkAdaptiveHilbertInterpolation2D::SetValidPointMaskArrayName(const std::string& name)
-{
-  if (name != this->ValidPointMaskArrayName)
-  {
-    this->ValidPointMaskArrayName = name;
-    this->Modified();
-  }
 }
 
 /// In RequestData() it would be too early to be modified: the pipeline then takes all for up to
@@ -420,21 +374,12 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   return true;
 }
 
-void vtkAdaptiveHilbertInterpolation2D::ClearMeasures()
-{
-  this->ClearCounts();
-  this->MemoryEstimate = 0;
-}
-
+/// All but the estimate.
 void vtkAdaptiveHilbertInterpolation2D::ClearCounts()
 {
-  this->NumberOfPlaces = 0;
-  this->NumberOfValidPlaces = 0;
-  this->NumberOfPlacesOutside = 0;
-  this->NumberOfNotFinitePlaces = 0;
-  this->NumberOfPlacesWithoutValue = 0;
-  this->NumberOfPlacesWithNeighborsLeftOut = 0;
-  this->SampleSeconds = 0.0;
+  const vtkTypeInt64 estimate = this->MemoryEstimate;
+  this->ClearMeasures();
+  this->MemoryEstimate = estimate;
 }
 
 void vtkAdaptiveHilbertInterpolation2D::AddMeasures(const vtkAHDSampleResult& result)
@@ -473,28 +418,4 @@ void vtkAdaptiveHilbertInterpolation2D::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Triangulation: " << this->Triangulation << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "RasterSize: " << this->RasterSize << "\n";
-  os << indent << "Dimensions: " << this->Dimensions[0] << ", " << this->Dimensions[1] << "\n";
-  os << indent << "CellSize: " << this->CellSize[0] << ", " << this->CellSize[1] << "\n";
-  os << indent << "AlignToCellSize: " << (this->AlignToCellSize ? "On\n" : "Off\n");
-  os << indent << "UseBounds: " << (this->UseBounds ? "On\n" : "Off\n");
-  os << indent << "Bounds: " << this->Bounds[0] << ", " << this->Bounds[1] << ", "
-     << this->Bounds[2] << ", " << this->Bounds[3] << "\n";
-  os << indent << "OutputType: " << this->OutputType << "\n";
-  os << indent << "Outside: " << this->Outside << "\n";
-  os << indent << "NoValue: " << this->NoValue << "\n";
-  os << indent << "GenerateGradients: " << (this->GenerateGradients ? "On\n" : "Off\n");
-  os << indent << "HeightArrayName: " << this->HeightArrayName << "\n";
-  os << indent << "ValidPointMaskArrayName: " << this->ValidPointMaskArrayName << "\n";
-  os << indent << "NumberOfPlaces: " << this->NumberOfPlaces << "\n";
-  os << indent << "NumberOfValidPlaces: " << this->NumberOfValidPlaces << "\n";
-  os << indent << "NumberOfPlacesOutside: " << this->NumberOfPlacesOutside << "\n";
-  os << indent << "NumberOfNotFinitePlaces: " << this->NumberOfNotFinitePlaces << "\n";
-  os << indent << "NumberOfPlacesWithoutValue: " << this->NumberOfPlacesWithoutValue << "\n";
-  os << indent << "NumberOfPlacesWithNeighborsLeftOut: " << this->NumberOfPlacesWithNeighborsLeftOut
-     << "\n";
-  os << indent << "SampleSeconds: " << this->SampleSeconds << "\n";
-  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
-  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
 }

@@ -49,10 +49,9 @@
 #define vtkAdaptiveHilbertInterpolation2D_h
 
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
-#include "vtkDataSetAlgorithm.h"
+#include "vtkAdaptiveHilbertInterpolationAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
-#include <string> // for names of arrays
 
 class vtkAdaptiveHilbertDelaunay2D;
 class vtkPolyData;
@@ -65,42 +64,12 @@ struct vtkAHDSampleSettings;
 struct vtkAHDSettings;
 
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertInterpolation2D
-  : public vtkDataSetAlgorithm
+  : public vtkAdaptiveHilbertInterpolationAlgorithm
 {
 public:
   static vtkAdaptiveHilbertInterpolation2D* New();
-  vtkTypeMacro(vtkAdaptiveHilbertInterpolation2D, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkAdaptiveHilbertInterpolation2D, vtkAdaptiveHilbertInterpolationAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  /// The values of Method.
-  enum Methods
-  {
-    LINEAR = 0,           ///< linear in each triangle
-    NATURAL_NEIGHBOR = 1, ///< Sibson's natural neighbours: smooth but at the points
-    LAPLACE = 2,          ///< the same neighbours with Laplace's weights
-    NEAREST = 3           ///< the value of the nearest vertex
-  };
-
-  /// The values of RasterSize.
-  enum RasterSizes
-  {
-    BY_DIMENSIONS = 0, ///< so many cells
-    BY_CELL_SIZE = 1   ///< cells of this size
-  };
-
-  /// The values of OutputType.
-  enum OutputTypes
-  {
-    IMAGE = 0,  ///< vtkImageData
-    SURFACE = 1 ///< vtkStructuredGrid, its points at their heights
-  };
-
-  /// The values of Outside.
-  enum OutsideValues
-  {
-    NO_VALUE = 0,      ///< none
-    NEAREST_VERTEX = 1 ///< that of the nearest vertex
-  };
 
   ///@{
   /// How the points are triangulated: a filter of which the settings count, threads, memory and
@@ -127,147 +96,6 @@ public:
   vtkPolyData* GetSource();
   ///@}
 
-  ///@{
-  /// How values are interpolated. LINEAR, the default: in the triangle. NATURAL_NEIGHBOR: Sibson's
-  /// natural neighbours, which is smooth but at the points; LAPLACE: the same neighbours, sooner
-  /// found and less smooth; both end at constraints, as at the rim. NEAREST: the nearest vertex, on
-  /// the whole plane, of several the one of smallest x, then y. Collinear points: linear between
-  /// neighbours on their line.
-  vtkSetClampMacro(Method, int, LINEAR, NEAREST);
-  vtkGetMacro(Method, int);
-  void SetMethodToLinear() { this->SetMethod(LINEAR); }
-  void SetMethodToNaturalNeighbor() { this->SetMethod(NATURAL_NEIGHBOR); }
-  void SetMethodToLaplace() { this->SetMethod(LAPLACE); }
-  void SetMethodToNearest() { this->SetMethod(NEAREST); }
-  ///@}
-
-  ///@{
-  /// What says how many cells the raster has. BY_DIMENSIONS, the default: Dimensions, and the cells
-  /// fill its area. BY_CELL_SIZE: CellSize.
-  vtkSetClampMacro(RasterSize, int, BY_DIMENSIONS, BY_CELL_SIZE);
-  vtkGetMacro(RasterSize, int);
-  void SetRasterSizeToByDimensions() { this->SetRasterSize(BY_DIMENSIONS); }
-  void SetRasterSizeToByCellSize() { this->SetRasterSize(BY_CELL_SIZE); }
-  ///@}
-
-  ///@{
-  /// The number of cells along x and y, from 1 to 2^31 - 1 each; default 256, 256. Used by
-  /// BY_DIMENSIONS.
-  virtual void SetDimensions(int columns, int rows);
-  void SetDimensions(const int dimensions[2]) VTK_SIZEHINT(2);
-  vtkGetVector2Macro(Dimensions, int);
-  ///@}
-
-  ///@{
-  /// The size of a cell along x and y, in the unit of the points; default 1, 1. Any but a positive
-  /// finite one is an error of the execution. Used by BY_CELL_SIZE: as many cells as cover the
-  /// area, at least one. Whether the last one is needed is judged by the numbers as they are
-  /// written in decimal (15 digits): 100 cells of 0.1 cover 0 to 10.
-  vtkSetVector2Macro(CellSize, double);
-  vtkGetVector2Macro(CellSize, double);
-  ///@}
-
-  ///@{
-  /// Lay the borders between cells on multiples of CellSize, as GDAL's -tap does: the area's lower
-  /// bounds are rounded down, the upper ones up. Off by default: the raster begins at the lower
-  /// bounds. Used by BY_CELL_SIZE.
-  vtkSetMacro(AlignToCellSize, bool);
-  vtkGetMacro(AlignToCellSize, bool);
-  vtkBooleanMacro(AlignToCellSize, bool);
-  ///@}
-
-  ///@{
-  /// The raster's area: with UseBounds it is Bounds, as xmin, xmax, ymin, ymax (default 0, 1, 0,
-  /// 1); bounds that are not finite or of which the lower is not below the upper are an error of
-  /// the execution. Off, the default: the bounding box of all points that are triangulated, in the
-  /// plane of the triangulation; a side of length 0 makes one cell, as long as the other side's
-  /// (or 1).
-  vtkSetMacro(UseBounds, bool);
-  vtkGetMacro(UseBounds, bool);
-  vtkBooleanMacro(UseBounds, bool);
-  vtkSetVector4Macro(Bounds, double);
-  vtkGetVector4Macro(Bounds, double);
-  ///@}
-
-  ///@{
-  /// What is put out without places. IMAGE, the default, or SURFACE.
-  vtkSetClampMacro(OutputType, int, IMAGE, SURFACE);
-  vtkGetMacro(OutputType, int);
-  void SetOutputTypeToImage() { this->SetOutputType(IMAGE); }
-  void SetOutputTypeToSurface() { this->SetOutputType(SURFACE); }
-  ///@}
-
-  ///@{
-  /// What places outside of the surface get. NO_VALUE, the default, or NEAREST_VERTEX: the value of
-  /// the nearest vertex; the mask is 0 there all the same, and so are the counts.
-  vtkSetClampMacro(Outside, int, NO_VALUE, NEAREST_VERTEX);
-  vtkGetMacro(Outside, int);
-  void SetOutsideToNoValue() { this->SetOutside(NO_VALUE); }
-  void SetOutsideToNearestVertex() { this->SetOutside(NEAREST_VERTEX); }
-  ///@}
-
-  ///@{
-  /// What arrays of floating-point numbers have where there is no value; default NaN. Arrays of
-  /// whole numbers (NEAREST) have 0 there.
-  virtual void SetNoValue(double value);
-  vtkGetMacro(NoValue, double);
-  ///@}
-
-  ///@{
-  /// Add the slopes of the heights and of each interpolated array of one component: an array of two
-  /// components, d/dx and d/dy, with the name of the array and "Gradient" behind it. LINEAR alone
-  /// has them, with other methods there is a warning. On an edge and at a vertex they are those of
-  /// one of its triangles. Off by default.
-  vtkSetMacro(GenerateGradients, bool);
-  vtkGetMacro(GenerateGradients, bool);
-  vtkBooleanMacro(GenerateGradients, bool);
-  ///@}
-
-  ///@{
-  /// The name of the array of heights (vtkDoubleArray): z of the points, or their height above the
-  /// plane of the triangulation. Default "Elevation"; an array of the input of that name is passed
-  /// over, with a warning. Empty: no such array. The name of the mask, or "vtkGhostType", is an
-  /// error of the execution.
-  virtual void SetHeightArrayName(const std::string& name);
-  virtual std::string GetHeightArrayName() { return this->HeightArrayName; }
-  ///@}
-
-  ///@{
-  /// The name of the mask (vtkCharArray): 1 for places on the surface (NEAREST: for all with finite
-  /// x and y), 0 for others. Default "vtkValidPointMask", as vtkProbeFilter has it. Empty: no mask.
-  /// The name of the heights or of their gradients, or "vtkGhostType", is an error of the
-  /// execution.
-  virtual void SetValidPointMaskArrayName(const std::string& name);
-  virtual std::string GetValidPointMaskArrayName() { return this->ValidPointMaskArrayName; }
-  ///@}
-
-  ///@{
-  /**
-   * Of the last execution; 0 if it was aborted or ended in an error. All places, which are those
-   * with a value (on the surface), outside of it, and with an x or y that is not finite. Values
-   * (one for each component of an array at a valid place) that are NaN, because those of points
-   * are; values from which neighbours with NaN were left out. Also field data of these names.
-   * Wall-clock seconds of the interpolation, the triangulation excluded.
-   */
-  vtkGetMacro(NumberOfPlaces, vtkIdType);
-  vtkGetMacro(NumberOfValidPlaces, vtkIdType);
-  vtkGetMacro(NumberOfPlacesOutside, vtkIdType);
-  vtkGetMacro(NumberOfNotFinitePlaces, vtkIdType);
-  vtkGetMacro(NumberOfPlacesWithoutValue, vtkIdType);
-  vtkGetMacro(NumberOfPlacesWithNeighborsLeftOut, vtkIdType);
-  vtkGetMacro(SampleSeconds, double);
-  ///@}
-
-  ///@{
-  /// Upper estimate, in kibibytes, of the memory that the last execution needed beyond its inputs,
-  /// or was refused: what the MemoryLimit of Triangulation is compared with. How often this filter
-  /// has triangulated: it keeps the triangulation for the next execution with the same points,
-  /// constraints and Triangulation, whatever the raster and method, where KeepTriangulation is on
-  /// and ReuseLimit is large enough. It stays 0 on a surface whose own triangulation is there.
-  vtkGetMacro(MemoryEstimate, vtkTypeInt64);
-  vtkGetMacro(NumberOfTriangulations, int);
-  ///@}
-
   /// When the filter or Triangulation was changed last.
   vtkMTimeType GetMTime() override;
 
@@ -287,33 +115,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  // Settings.
   vtkAdaptiveHilbertDelaunay2D* Triangulation = nullptr;
-  int Method = LINEAR;
-  int RasterSize = BY_DIMENSIONS;
-  int Dimensions[2] = { 256, 256 };
-  double CellSize[2] = { 1.0, 1.0 };
-  bool AlignToCellSize = false;
-  bool UseBounds = false;
-  double Bounds[4] = { 0.0, 1.0, 0.0, 1.0 };
-  int OutputType = IMAGE;
-  int Outside = NO_VALUE;
-  double NoValue;
-  bool GenerateGradients = false;
-  std::string HeightArrayName = "Elevation";
-  std::string ValidPointMaskArrayName = "vtkValidPointMask";
-
-  // Measures of the last execution.
-  vtkIdType NumberOfPlaces = 0;
-  vtkIdType NumberOfValidPlaces = 0;
-  vtkIdType NumberOfPlacesOutside = 0;
-  vtkIdType NumberOfNotFinitePlaces = 0;
-  vtkIdType NumberOfPlacesWithoutValue = 0;
-  vtkIdType NumberOfPlacesWithNeighborsLeftOut = 0;
-  double SampleSeconds = 0.0;
-  vtkTypeInt64 MemoryEstimate = 0;
-
-  int NumberOfTriangulations = 0; // of all executions
 
 private:
   vtkAdaptiveHilbertInterpolation2D(const vtkAdaptiveHilbertInterpolation2D&) = delete;
@@ -326,7 +128,6 @@ private:
   void SayOutOfMemory();
   void WarnOfOtherRaster();
   int EndWithOtherRaster(bool isDone, vtkDataObject* output);
-  void ClearMeasures();
   void ClearCounts();
   void AddMeasures(const vtkAHDSampleResult& result);
   static void AddCounts(const vtkAHDSampleResult& result, vtkDataSet* output);

@@ -45,6 +45,7 @@ _CLASSES = (
     "vtkAdaptiveHilbertAlgorithm",
     "vtkAdaptiveHilbertDelaunay2D",
     "vtkAdaptiveHilbertInterpolation2D",
+    "vtkAdaptiveHilbertInterpolationAlgorithm",
     "vtkPlanarPointSource",
 )
 

@@ -6,6 +6,7 @@ import io
 import json
 import pathlib
 import shutil
+import sys
 import tempfile
 import unittest
 
@@ -127,6 +128,23 @@ class ComplaintsTest(unittest.TestCase):
             said = lint.check_python(self.root)
             self.assertTrue(said and all(line.startswith("Plugin/bad.py:1:") for line in said), said)
             self.assertIn(complaint, said[0])
+
+    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
+    def test_made(self):
+        """A row that was changed by hand where it is made, or in its table without making the rest of it."""
+        settings, template = pathlib.Path("Filters/Settings"), pathlib.Path("Plugin/AdaptiveHilbertDelaunay.xml.in")
+        shutil.copytree(lint.ROOT / settings, self.root / settings)
+        (self.root / "Plugin").mkdir()
+        shutil.copy(lint.ROOT / template, self.root / template)
+        made = [line.split(":")[0] for line in lint.check_made(self.root)]
+        self.assertIn("Filters/vtkAdaptiveHilbertAlgorithm.h", made)
+        for name in made:
+            (self.root / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(lint.ROOT / name, self.root / name)
+        self.assertEqual(lint.check_made(self.root), [])
+        table = self.root / settings / "delaunay.toml"
+        table.write_text(table.read_text(encoding="utf-8").replace("most = 1024", "most = 1025"), encoding="utf-8")
+        self.assertEqual(len(lint.check_made(self.root)), 4)  # panel, header, class in Python, list of tests
 
     def test_shell(self):
         self.need("shellcheck")

@@ -157,7 +157,7 @@ def test_an_input_made_from_the_surface_itself():
 def test_counts_are_in_the_field_data():
     surface = lattice(Source=source("counted", ring(0.3), loops=[range(8)]))
     found = measures(surface)
-    for name in CONSTRAINT_COUNTS:
+    for name in COUNTS:
         array = surface.FieldData[name]
         check(array, "no array %s in the field data" % name)
         check_equal(array.GetRange(0), (found[name], found[name]), "field data " + name)

@@ -9,8 +9,10 @@ CTest sets the environment (see CMakeLists.txt):
 
 import glob
 import hashlib
+import json
 import math
 import os
+import pathlib
 import random
 import subprocess
 import sys
@@ -20,123 +22,25 @@ PLUGIN_CONF = os.environ["AHD_PLUGIN_CONF"]
 SCRATCH = os.environ["AHD_SCRATCH"]
 IS_PYTHON = PLUGIN.endswith(".py")
 
-SETTINGS = [
-    "SourceMode",
-    "CrossingMode",
-    "ClosedLines",
-    "SourceHeights",
-    "FillRule",
-    "MaximumEdgeLength",
-    "Alpha",
-    "AlphaTris",
-    "AlphaLines",
-    "AlphaVerts",
-    "ProjectionPlaneMode",
-    "Rim",
-    "Tolerance",
-    "DuplicatePolicy",
-    "MergeBlocks",
-    "DistributePoints",
-    "GenerateConstraintEdges",
-    "GenerateRegionIds",
-    "GenerateNeighbors",
-    "GenerateVoronoi",
-    "VoronoiClip",
-    "Offset",
-    "BoundingTriangulation",
-    "RandomPointInsertion",
-    "UseHilbertSorter",
-    "InsertionOrder",
-    "Nmax",
-    "ControlPoints",
-    "GeneRotation",
-    "CountWork",
-    "GeneratePointStatus",
-    "InsertionLimit",
-    "GenerateInsertionRank",
-    "GenerateInsertionCurve",
-    "GenerateBoxes",
-    "MemoryLimit",
-    "NumberOfThreads",
-    "ReuseLimit",
-    "KeepTriangulation",
-]
-COUNTS = [
-    "NumberOfTriangles",
-    "NumberOfPointsInserted",
-    "NumberOfDuplicates",
-    "NumberOfRejectedPoints",
-    "NumberOfSkippedPoints",
-    "NumberOfPointsBeyondLimit",
-]
-CONSTRAINT_COUNTS = [
-    "NumberOfMergedPoints",
-    "NumberOfAddedPoints",
-    "NumberOfConstraintEdges",
-    "NumberOfCrossings",
-    "NumberOfBentConstraints",
-    "NumberOfConstraintsLeftOut",
-    "NumberOfUnfilledLoops",
-    "NumberOfTrimmedTriangles",
-]
+TABLE = json.loads(
+    (pathlib.Path(__file__).resolve().parents[1] / "Support" / "settings.json").read_text(encoding="utf-8")
+)
+
+
+def names_of(table, kind, only=lambda row: row["panel"] != "none"):
+    return [name for name, row in TABLE[table][kind].items() if only(row)]
+
+
+# What the panel has: settings, measures, and those of these that count something.
+SETTINGS = names_of("delaunay", "settings")
+MEASURES = names_of("delaunay", "measures", lambda row: True)
+COUNTS = names_of("delaunay", "measures", lambda row: row["type"] == "id")
 # What the plugin in Python has for itself: it is in no panel, state or trace.
 HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
-MEASURES = COUNTS + CONSTRAINT_COUNTS + [
-    "NP",
-    "NR",
-    "SortSeconds",
-    "InsertSeconds",
-    "ConstrainSeconds",
-    "OutputSeconds",
-    "NumberOfThreadsUsed",
-    "NumberOfTriangulations",
-    "MemoryEstimate",
-]
-
 # The same of the interpolation: its own settings, those of its triangulation that have a say, and its measures.
-RASTER_SETTINGS = [
-    "Method",
-    "RasterSize",
-    "Dimensions",
-    "CellSize",
-    "AlignToCellSize",
-    "UseBounds",
-    "Bounds",
-    "OutputType",
-    "Outside",
-    "GenerateGradients",
-    "HeightArrayName",
-    "ValidPointMaskArrayName",
-]
-EXPOSED = [
-    "SourceMode",
-    "SourceHeights",
-    "ClosedLines",
-    "FillRule",
-    "CrossingMode",
-    "MaximumEdgeLength",
-    "Alpha",
-    "ProjectionPlaneMode",
-    "Rim",
-    "Tolerance",
-    "DuplicatePolicy",
-    "NumberOfThreads",
-    "DistributePoints",
-    "KeepTriangulation",
-    "MemoryLimit",
-    "ReuseLimit",
-]
-RASTER_MEASURES = [
-    "NumberOfPlaces",
-    "NumberOfValidPlaces",
-    "NumberOfPlacesOutside",
-    "NumberOfNotFinitePlaces",
-    "NumberOfPlacesWithoutValue",
-    "NumberOfPlacesWithNeighborsLeftOut",
-    "SampleSeconds",
-    "NumberOfTriangulations",
-    "MemoryEstimate",
-]
+RASTER_SETTINGS = names_of("interpolation", "settings")
+RASTER_MEASURES = names_of("interpolation", "measures", lambda row: True)
+EXPOSED = [name for name in TABLE["interpolation"]["exposed"] if name != "Transform"]
 
 
 def class_in_paraview(name):

@@ -8,7 +8,7 @@ import types
 import numpy
 
 from .. import _library as engine
-from . import messages
+from . import messages, table
 from .arrays import bytes_to_convert, coordinates, ghost_marks, ids_of, must_be_converted
 from .outputs import Diagram, Surface, bytes_per_added_point, plane_transform, write_order
 
@@ -17,18 +17,6 @@ STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
 MOST_BYTES = 2**62
 MOST_THREADS = 1024
 INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix")
-
-# Settings of the job that are settings of the filter, or one with another name.
-SAME = {
-    "insertion_order": "InsertionOrder", "nmax": "Nmax", "control_points": "ControlPoints",
-    "gene_rotation": "GeneRotation", "count_work": "CountWork", "insertion_limit": "InsertionLimit",
-    "duplicates": "DuplicatePolicy", "cell_ids": "SourceMode", "closed_lines": "ClosedLines",
-    "split_crossings": "CrossingMode", "fill_rule": "FillRule", "rim": "Rim", "voronoi_clip": "VoronoiClip",
-    "want_voronoi": "GenerateVoronoi", "want_boxes": "GenerateBoxes", "want_curve": "GenerateInsertionCurve",
-    "want_point_status": "GeneratePointStatus", "want_insertion_ranks": "GenerateInsertionRank",
-    "want_constraint_edges": "GenerateConstraintEdges", "want_regions": "GenerateRegionIds",
-    "want_neighbors": "GenerateNeighbors", "tolerance": "Tolerance", "offset": "Offset", "alpha": "Alpha",
-    "maximum_edge_length": "MaximumEdgeLength"}
 
 
 def threads_to_use(backend, wished):
@@ -130,7 +118,7 @@ class Execution:
 
     def _give_settings(self):
         values = self.values
-        self.job.set(**{name: values[of_filter] for name, of_filter in SAME.items()})
+        self.job.set(**{name: values[of_filter] for name, of_filter in table.SAME.items()})
         for name, on in (("triangles", "AlphaTris"), ("lines", "AlphaLines"), ("vertices", "AlphaVerts")):
             self.job.set(**{"alpha_" + name: bool(values[on])})
         limit = values["MemoryLimit"]

@@ -28,8 +28,7 @@ class _Measures:
     """What the filter is measured by; mixed into the class."""
 
     def _clear_measures(self):
-        self._values.update({
-            name: value for name, value in settings.MEASURES.items() if name != "NumberOfTriangulations"})
+        self._values.update(settings.as_before(settings.MEASURES))
 
     def _add_counts(self, surface):
         """Field data, with the names of the Get methods."""
@@ -40,19 +39,13 @@ class _Measures:
 
     def PrintSelf(self):
         """The settings and measures, as text."""
-        lines = []
-        insertion, surface = settings.INSERTION, settings.SURFACE
-        base = [name for name in settings.MEASURES][:14]
-        for part, measures in ((insertion, base), (surface, [n for n in settings.MEASURES if n not in base])):
-            for setting in part:
-                lines.append("%s: %s" % (setting.name, setting.text(self._values[setting.name])))
-                if setting.name == "Rim":
-                    lines.append("Transform: %s" % (self._transform.GetObjectDescription()
-                                                    if hasattr(self._transform, "GetObjectDescription")
-                                                    else self._transform and self._transform.GetClassName()))
-            for name in measures:
-                value = self._values[name]
-                lines.append("%s: %s" % (name, "%g" % value if isinstance(value, float) else value))
+        lines = ["%s: %s" % (setting.name, setting.text(self._values[setting.name])) for setting in settings.SETTINGS]
+        for name in settings.MEASURES:
+            value = self._values[name]
+            lines.append("%s: %s" % (name, "%g" % value if isinstance(value, float) else value))
+        transform = self._transform
+        lines.append("Transform: %s" % (transform.GetObjectDescription() if hasattr(
+            transform, "GetObjectDescription") else transform and transform.GetClassName()))
         return "".join("  %s\n" % line for line in lines)
 
 

@@ -124,8 +124,7 @@ class _Measures:
     """What the filter is measured by; mixed into the class."""
 
     def _clear_measures(self):
-        self._values.update({
-            name: value for name, value in raster_settings.MEASURES.items() if name != "NumberOfTriangulations"})
+        self._values.update(settings.as_before(raster_settings.MEASURES))
 
     def PrintSelf(self):
         """The settings and measures, as text."""

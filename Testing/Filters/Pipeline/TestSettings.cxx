@@ -337,9 +337,9 @@ TEST(Settings, AreAllPrinted)
   std::ostringstream text;
   filter->Print(text);
   std::vector<std::string> names = gettersOf("vtkAdaptiveHilbertAlgorithm");
-  ASSERT_GT(names.size(), 25u) << "the superclass's header was not read";
+  ASSERT_GT(names.size(), 60u) << "the superclass's header was not read";
   const std::vector<std::string> own = gettersOf("vtkAdaptiveHilbertDelaunay2D");
-  ASSERT_GT(own.size(), 25u) << "the class's header was not read";
+  ASSERT_FALSE(own.empty()) << "the class's header was not read";
   names.insert(names.end(), own.begin(), own.end());
   for (const std::string& name : names)
   {

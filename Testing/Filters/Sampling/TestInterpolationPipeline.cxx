@@ -240,8 +240,13 @@ TEST(InterpolationPipeline, SettingsAreKeptClampedAndPrinted)
   EXPECT_TRUE(changed());
   std::ostringstream text;
   filter->Print(text);
-  std::ifstream file(AHD_FILTERS_DIRECTORY "/vtkAdaptiveHilbertInterpolation2D.h");
-  const std::string header((std::istreambuf_iterator<char>(file)), {});
+  std::string header;
+  for (const char* name : { "2D", "Algorithm" })
+  {
+    std::ifstream file(
+      AHD_FILTERS_DIRECTORY "/vtkAdaptiveHilbertInterpolation" + std::string(name) + ".h");
+    header.append(std::istreambuf_iterator<char>(file), {});
+  }
   const std::regex getter("vtkGet(Object|Vector.)?Macro\\((\\w+),");
   int count = 0;
   for (std::sregex_iterator i(header.begin(), header.end(), getter), end; i != end; ++i, ++count)

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The parts of a VTK class that its settings and measures make: enums, accessors, members, and loops over all."""
+
+import rows as tables
+
+COLUMNS = 100
+CXX = {"bool": "bool", "flag": "vtkTypeBool", "enum": "int", "int": "int", "id": "vtkIdType",
+       "int64": "vtkTypeInt64", "double": "double", "text": "std::string"}
+MOST = {"int": "VTK_INT_MAX", "id": "VTK_ID_MAX", "int64": "VTK_TYPE_INT64_MAX", "double": "VTK_DOUBLE_MAX"}
+
+
+def enums(rows):
+    """One for each setting whose values have names of this class."""
+    lines = []
+    for row in tables.settings(rows):
+        if not row.values or not row.values[0].name:
+            continue
+        lines += [f"  /// The values of {row.name}.", f"  enum {row.name}Values", "  {"]
+        last = len(row.values) - 1
+        for number, value in enumerate(row.values):
+            comma = "," if number < last else ""
+            lines += [f"    /// {value.about}", f"    {value.constant} = {number}{comma}"]
+        lines += ["  };", ""]
+    return lines
+
+
+def accessors(rows):
+    """Set, Get, On, Off and SetXToY, each setting and measure with its contract."""
+    lines = []
+    for row in tables.settings(rows) + tables.measures(rows):
+        lines.append("  ///@{")
+        text = f"{row.help} {tables.said_default(row, by_constants=True)}"
+        lines += tables.wrapped(text, "  /// ", COLUMNS) + tables.wrapped(row.details, "  /// ", COLUMNS)
+        lines += ["  " + line for line in ([_getter(row)] if row.measure else _setters(row) + [_getter(row)])]
+        lines += ["  " + line for line in _shortcuts(row)] + ["  ///@}", ""]
+    return lines
+
+
+def _getter(row):
+    if row.type == "text":
+        return f"virtual std::string Get{row.name}() {{ return this->{row.name}; }}"
+    vector = f"Vector{row.elements}" if row.elements > 1 else ""
+    return f"vtkGet{vector}Macro({row.name}, {CXX[row.type]});"
+
+
+def _setters(row):
+    name, kind = row.name, CXX[row.type]
+    if row.type == "text":
+        return [f"virtual void Set{name}(const std::string& name);"]
+    if row.is_switch:
+        return [f"vtkSetMacro({name}, {kind});"]
+    if row.elements > 1:
+        return _vector_setters(row)
+    if row.values:
+        return [f"vtkSetClampMacro({name}, int, {row.values[0].constant}, {row.values[-1].constant});"]
+    if row.type == "double":
+        return [f"virtual void Set{name}(double value);"] + ([] if row.least is None or not row.ends else [
+            f"virtual double Get{name}MinValue() {{ return {_literal(row.least)}; }}",
+            f"virtual double Get{name}MaxValue() {{ return {_most(row)}; }}"])
+    return [f"vtkSetClampMacro({name}, {kind}, {row.least}, {_most(row)});"]
+
+
+def _vector_setters(row):
+    """VTK's macros do not clamp those of several elements."""
+    name, kind, count = row.name, CXX[row.type], row.elements
+    if row.least is None:
+        return [f"vtkSetVector{count}Macro({name}, {kind});"]
+    arguments = ", ".join(f"{kind} value{k}" for k in range(count))
+    return [f"virtual void Set{name}({arguments});",
+            f"void Set{name}(const {kind} values[{count}]) VTK_SIZEHINT({count});"]
+
+
+def _most(row):
+    return MOST[row.type] if row.most is None else _literal(row.most)
+
+
+def _literal(value):
+    return repr(float(value)) if isinstance(value, float) else str(value)
+
+
+def _shortcuts(row):
+    if row.is_switch and not row.measure:
+        return [f"vtkBooleanMacro({row.name}, {CXX[row.type]});"] + _old_accessors(row)
+    return [f"void Set{row.name}To{value.name}() {{ this->Set{row.name}({value.constant}); }}"
+            for value in row.values if value.name]
+
+
+def _old_accessors(row):
+    if not row.old_name:
+        return []
+    old, name = row.old_name, row.name
+    return [f"// {old} is the old name.", f"void Set{old}(bool on) {{ this->Set{name}(on); }}",
+            f"bool Get{old}() {{ return this->Get{name}(); }}", f"void {old}On() {{ this->Set{name}(true); }}",
+            f"void {old}Off() {{ this->Set{name}(false); }}"]
+
+
+def members(rows):
+    """With the values that they begin with."""
+    lines = ["  // Settings."]
+    lines += [f"  {CXX[row.type]} {row.name}{_extent(row)} = {_initial(row)};" for row in tables.settings(rows)]
+    lines += ["", "  // Measures of the last execution."]
+    lines += [f"  {CXX[row.type]} {row.name} = {_initial(row)};" for row in tables.measures(rows)
+              if not row.of_all_runs]
+    lines += ["", "  // Measures of all executions."]
+    return lines + [f"  {CXX[row.type]} {row.name} = {_initial(row)};" for row in tables.measures(rows)
+                    if row.of_all_runs]
+
+
+def _extent(row):
+    return f"[{row.elements}]" if row.elements > 1 else ""
+
+
+def _initial(row):
+    if row.values:
+        return row.values[row.default].constant
+    if row.elements > 1:
+        return "{ " + ", ".join(repr(one) for one in row.default) + " }"
+    if row.type == "text":
+        return f'"{row.default}"'
+    if row.type == "bool":
+        return "true" if row.default else "false"
+    if row.type == "double" and row.default != row.default:
+        return "std::numeric_limits<double>::quiet_NaN()"
+    return repr(float(row.default)) if row.type == "double" else str(int(row.default))
+
+
+def printed(rows):
+    """The statements of PrintSelf()."""
+    lines = []
+    for row in tables.settings(rows) + tables.measures(rows):
+        value = f'(this->{row.name} ? "On\\n" : "Off\\n")' if row.is_switch else f'{_streamed(row)} << "\\n"'
+        line = f'  os << indent << "{row.name}: " << {value};'
+        lines += _broken(line)
+    return lines
+
+
+def _broken(line):
+    """Before operators, as clang-format does it."""
+    lines = []
+    while len(line) > COLUMNS:
+        at = line.rindex(" << ", 0, COLUMNS + 4)  # what is left has at most so many columns
+        lines.append(line[:at])
+        line = "    " + line[at:]
+    return lines + [line]
+
+
+def _streamed(row):
+    return ' << ", " << '.join(f"this->{row.name}{at}" for at in (
+        [f"[{k}]" for k in range(row.elements)] if row.elements > 1 else [""]))
+
+
+def cleared(rows):
+    """The statements of ClearMeasures()."""
+    return [f"  this->{row.name} = {_initial(row)};" for row in tables.measures(rows) if not row.of_all_runs]
+
+
+def seconds(rows):
+    """The statements of ClearSeconds()."""
+    return [f"  this->{row.name} = 0.0;" for row in tables.seconds(rows)]
+
+
+def counts(rows):
+    """The rows of AddCounts()."""
+    return [f'    {{ "{row.name}", this->{row.name} }},' for row in tables.counts(rows)]
+
+
+def setters(rows):
+    """The setters that are not VTK's macros."""
+    lines = []
+    for row in tables.settings(rows):
+        lines += _text_setter(row) if row.type == "text" else _double_setter(row) if row.type == "double" and (
+            row.elements == 1) else _vector_setter(row) if row.elements > 1 and row.least is not None else []
+    return lines
+
+
+def _double_setter(row):
+    ends = "" if row.least is None else f", {_literal(row.least)}, {_most(row)}"
+    return [f"void @CLASS@::Set{row.name}(double value)", "{",
+            f"  {'SetClamped' if ends else 'SetAny'}(this, this->{row.name}, value{ends});", "}", ""]
+
+
+def _text_setter(row):
+    return [f"void @CLASS@::Set{row.name}(const std::string& name)", "{",
+            f"  SetAny(this, this->{row.name}, name);", "}", ""]
+
+
+def _vector_setter(row):
+    kind, count = CXX[row.type], row.elements
+    arguments = ", ".join(f"{kind} value{k}" for k in range(count))
+    given = ", ".join(f"std::max<{kind}>({row.least}, value{k})" for k in range(count))
+    return [f"void @CLASS@::Set{row.name}({arguments})", "{",
+            f"  const std::array<{kind}, {count}> values = {{ {given} }};",
+            f"  if (!std::equal(values.begin(), values.end(), this->{row.name}))", "  {",
+            f"    std::copy(values.begin(), values.end(), this->{row.name});", "    this->Modified();", "  }", "}", "",
+            f"void @CLASS@::Set{row.name}(const {kind} values[{count}])", "{",
+            f"  this->Set{row.name}({', '.join(f'values[{k}]' for k in range(count))});", "}", ""]

@@ -1,0 +1,85 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: BSD-3-Clause
+"""Writes what is made of the tables of settings and measures (*.toml), after one of them was changed.
+
+    generate.py            writes the files that are not up to date, and names them
+    generate.py --check    writes nothing; exit code 1 if a file is not up to date
+
+What is made is committed, so that a build needs no Python.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+
+import classes
+import panel
+import pythontable
+import rows as tables
+import testing
+
+ROOT = tables.HERE.parents[1]
+TABLES = {"delaunay": "delaunay.toml", "interpolation": "interpolation.toml", "points": "points.toml"}
+# What is made of a template of the same name and .in: its place in the project, and the template's.
+MADE = {
+    "Plugin/AdaptiveHilbertDelaunay.xml": "Plugin/AdaptiveHilbertDelaunay.xml.in",
+    "Filters/vtkAdaptiveHilbertAlgorithm.h": "Filters/Settings/vtkAdaptiveHilbertAlgorithm.h.in",
+    "Filters/vtkAdaptiveHilbertAlgorithm.cxx": "Filters/Settings/vtkAdaptiveHilbertAlgorithm.cxx.in",
+    "Filters/vtkAdaptiveHilbertInterpolationAlgorithm.h":
+        "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.h.in",
+    "Filters/vtkAdaptiveHilbertInterpolationAlgorithm.cxx":
+        "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.cxx.in",
+    "Filters/Python/_vtk/table.py": "Filters/Settings/table.py.in",
+}
+# A comment that stands for what is made of a table.
+PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)(?: -->)?$", re.MULTILINE)
+PARTS = {
+    "properties": panel.properties,
+    **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
+        panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
+        classes.cleared, classes.seconds, classes.counts, classes.setters, pythontable.setting_rows,
+        pythontable.constants, pythontable.measure_rows, pythontable.job_rows)},
+    "count_names": lambda rows, _: pythontable.names_of(tables.counts(rows)),
+    "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
+    "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),
+    "old_names": lambda rows, _: [f'    "{row.old_name}": "{row.name}",' for row in rows if row.old_name],
+    "all_run_names": lambda rows, _: pythontable.names_of([row for row in tables.measures(rows) if row.of_all_runs]),
+}
+
+
+def fill(template, read):
+    """The text of what is made of a template."""
+
+    def part(found):
+        return "\n".join(PARTS[found[1]](read[found[2]], found[2])).rstrip()
+
+    path = ROOT / template
+    text = path.read_text(encoding="utf-8").replace("@mark@", tables.MARK)
+    return PLACE.sub(part, text).replace("@CLASS@", path.name.split(".")[0])
+
+
+def all_files():
+    """What is made, by its path below the project's folder."""
+    read = {name: tables.read(file) for name, file in TABLES.items()}
+    made = {pathlib.Path(made): fill(template, read) for made, template in MADE.items()}
+    made[pathlib.Path("Testing/Support/settings.json")] = testing.table(read)
+    return made
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true")
+    only_checks = parser.parse_args().check
+    made = all_files()
+    old = [path for path, text in made.items()
+           if not (ROOT / path).exists() or (ROOT / path).read_text(encoding="utf-8") != text]
+    for path in old:
+        print(f"{path}: " + ("not up to date: run Filters/Settings/generate.py" if only_checks else "written"))
+        if not only_checks:
+            (ROOT / path).write_text(made[path], encoding="utf-8")
+    return 1 if only_checks and old else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

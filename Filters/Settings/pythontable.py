@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the classes in Python know of the tables: rows for Setting, constants, measures."""
+
+import rows as tables
+
+COLUMNS = 116
+# As VTK's methods take and return them.
+KINDS = {"id": "int64"}
+MOST = {"int": 2**31 - 1, "int64": 2**63 - 1, "double": 1.0e299}  # VTK_INT_MAX, VTK_TYPE_INT64_MAX, VTK_DOUBLE_MAX
+
+
+def setting_rows(rows):
+    """(name, kind, default, what it does, least, most, what follows SetXTo for 0, 1, ...) of each."""
+    lines = []
+    for row in tables.settings(rows):
+        kind = KINDS.get(row.type, row.type)
+        names = tuple(value.name for value in row.values if value.name)
+        lines.append(f'    ("{row.name}", "{kind}", {_default(row)},')
+        lines += _text(_about(row)) + [f"     {', '.join(map(_literal, _range(row, kind)))}, {_names(names)}),"]
+    return lines
+
+
+def _about(row):
+    return " ".join(f"{row.help} {tables.said_default(row, by_constants=True)} {row.details}".split())
+
+
+def _default(row):
+    value = tuple(row.default) if isinstance(row.default, list) else row.default
+    return repr(int(value)) if row.type == "flag" else _literal(value)
+
+
+def _literal(value):
+    return "math.nan" if value != value else repr(value)
+
+
+def _range(row, kind):
+    if kind == "enum":
+        return 0, len(row.values) - 1
+    if row.is_switch or (row.least is None and row.most is None):
+        return None, None
+    return row.least, MOST[kind] if row.most is None else row.most
+
+
+def _names(names):
+    return repr(names)
+
+
+def _text(text):
+    """The text as literals, one a line."""
+    lines = tables.wrapped(text, "", COLUMNS - 10)
+    literals = [repr(line + (" " if line is not lines[-1] else "")) for line in lines]
+    return ["     " + one + ("," if number == len(literals) - 1 else "") for number, one in enumerate(literals)]
+
+
+def constants(rows):
+    """The names of the values of enums."""
+    return [f'    "{value.constant}": {number},' for row in tables.settings(rows)
+            for number, value in enumerate(row.values) if value.name]
+
+
+def measure_rows(rows):
+    """What they are before an execution, and after one that failed."""
+    return [f'    "{row.name}": {_default(row) if row.type != "double" else repr(float(row.default))},'
+            for row in tables.measures(rows)]
+
+
+def names_of(rows):
+    """Of these, one a line."""
+    return [f'    "{row.name}",' for row in rows]
+
+
+def job_rows(rows):
+    """What a job's setting is in the class, where the value is the same."""
+    return [f'    "{row.job}": "{row.name}",' for row in tables.settings(rows) if row.job]

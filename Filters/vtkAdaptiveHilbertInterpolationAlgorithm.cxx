@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Made by Filters/Settings/generate.py: change what is there, not this.
+#include "vtkAdaptiveHilbertInterpolationAlgorithm.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+
+namespace
+{
+/// By bits: NaN is not equal to itself, but it is no other setting either.
+void SetAny(vtkObject* owner, double& setting, double value)
+{
+  if (std::memcmp(&setting, &value, sizeof value) != 0)
+  {
+    setting = value;
+    owner->Modified();
+  }
+}
+
+void SetAny(vtkObject* owner, std::string& setting, const std::string& value)
+{
+  if (setting != value)
+  {
+    setting = value;
+    owner->Modified();
+  }
+}
+}
+
+vtkAdaptiveHilbertInterpolationAlgorithm::vtkAdaptiveHilbertInterpolationAlgorithm() = default;
+vtkAdaptiveHilbertInterpolationAlgorithm::~vtkAdaptiveHilbertInterpolationAlgorithm() = default;
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::SetDimensions(int value0, int value1)
+{
+  const std::array<int, 2> values = { std::max<int>(1, value0), std::max<int>(1, value1) };
+  if (!std::equal(values.begin(), values.end(), this->Dimensions))
+  {
+    std::copy(values.begin(), values.end(), this->Dimensions);
+    this->Modified();
+  }
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::SetDimensions(const int values[2])
+{
+  this->SetDimensions(values[0], values[1]);
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::SetNoValue(double value)
+{
+  SetAny(this, this->NoValue, value);
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::SetHeightArrayName(const std::string& name)
+{
+  SetAny(this, this->HeightArrayName, name);
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::SetValidPointMaskArrayName(const std::string& name)
+{
+  SetAny(this, this->ValidPointMaskArrayName, name);
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()
+{
+  this->MemoryEstimate = 0;
+  this->NumberOfPlaces = 0;
+  this->NumberOfValidPlaces = 0;
+  this->NumberOfPlacesOutside = 0;
+  this->NumberOfNotFinitePlaces = 0;
+  this->NumberOfPlacesWithoutValue = 0;
+  this->NumberOfPlacesWithNeighborsLeftOut = 0;
+  this->SampleSeconds = 0.0;
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "RasterSize: " << this->RasterSize << "\n";
+  os << indent << "Dimensions: " << this->Dimensions[0] << ", " << this->Dimensions[1] << "\n";
+  os << indent << "CellSize: " << this->CellSize[0] << ", " << this->CellSize[1] << "\n";
+  os << indent << "AlignToCellSize: " << (this->AlignToCellSize ? "On\n" : "Off\n");
+  os << indent << "UseBounds: " << (this->UseBounds ? "On\n" : "Off\n");
+  os << indent << "Bounds: " << this->Bounds[0] << ", " << this->Bounds[1] << ", "
+     << this->Bounds[2] << ", " << this->Bounds[3] << "\n";
+  os << indent << "OutputType: " << this->OutputType << "\n";
+  os << indent << "Outside: " << this->Outside << "\n";
+  os << indent << "NoValue: " << this->NoValue << "\n";
+  os << indent << "GenerateGradients: " << (this->GenerateGradients ? "On\n" : "Off\n");
+  os << indent << "HeightArrayName: " << this->HeightArrayName << "\n";
+  os << indent << "ValidPointMaskArrayName: " << this->ValidPointMaskArrayName << "\n";
+  os << indent << "NumberOfTriangulations: " << this->NumberOfTriangulations << "\n";
+  os << indent << "MemoryEstimate: " << this->MemoryEstimate << "\n";
+  os << indent << "NumberOfPlaces: " << this->NumberOfPlaces << "\n";
+  os << indent << "NumberOfValidPlaces: " << this->NumberOfValidPlaces << "\n";
+  os << indent << "NumberOfPlacesOutside: " << this->NumberOfPlacesOutside << "\n";
+  os << indent << "NumberOfNotFinitePlaces: " << this->NumberOfNotFinitePlaces << "\n";
+  os << indent << "NumberOfPlacesWithoutValue: " << this->NumberOfPlacesWithoutValue << "\n";
+  os << indent << "NumberOfPlacesWithNeighborsLeftOut: " << this->NumberOfPlacesWithNeighborsLeftOut
+     << "\n";
+  os << indent << "SampleSeconds: " << this->SampleSeconds << "\n";
+}
