@@ -319,6 +319,7 @@ def source_of_points():
     return cloud(square()), dict(SourceData=source(square()))
 
 
+@case
 def source_of_points_and_strips():
     given = source(square(), verts=[(0,), (1, 2)], strips=[(0, 1, 2, 3)])
     return cloud(square()), dict(SourceData=given)
