@@ -63,7 +63,7 @@ class _Executions:
         given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
                  for port in range(2)]
         try:
-            self._execute(*given, made)
+            self._make(*given, made)
             self._empty, self._empty_of = [without_points(vtk, output) for output in made], time
             self._give_empty(made, later)
         except engine.EngineError as error:
@@ -93,6 +93,15 @@ class _Executions:
         values = self._values
         is_made = True, values["GenerateInsertionCurve"] or values["GenerateBoxes"], values["GenerateVoronoi"]
         return any(made and not empty for made, empty in zip(is_made, later))
+
+    def _make(self, given, source, made):
+        """Observers have the outputs, too: all is made in others, and handed on in the end."""
+        own = [output.NewInstance() for output in made]
+        for ours, output in zip(own, made):
+            ours.ShallowCopy(output)
+        self._execute(given, source, own)
+        for ours, output in zip(own, made):
+            output.ShallowCopy(ours)
 
     def _execute(self, given, source, made):
         vtk, speaker = self._backend, messages.Speaker(self._backend, self)

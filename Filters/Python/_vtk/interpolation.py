@@ -247,8 +247,11 @@ class _Executions:
             speaker.error("Triangulation is null: nothing says how to triangulate. Give it a "
                           "vtkAdaptiveHilbertDelaunay2D.")
         else:
+            own = made.NewInstance()  # observers have the output, too, which is filled in the end
+            own.ShallowCopy(made)
             try:
-                is_done = self._execute([self._data(inputs, port) for port in range(3)], made, speaker)
+                is_done = self._execute([self._data(inputs, port) for port in range(3)], own, speaker)
+                made.ShallowCopy(own)
             except BaseException:  # Ctrl-C, mostly
                 self._let_go()
                 self._clear_measures()

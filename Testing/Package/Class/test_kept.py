@@ -326,6 +326,24 @@ class ObserversTest(Case):
             found = self.watched(lambda: at(places), cloud(scattered(20000)), lambda _: change(places))
             self.assertTrue(found == expected)
 
+    def test_outputs(self):
+        """They are empty until all is there, and nothing is lost that an observer takes out of them before."""
+        for make, ports in ((triangulation, 3), (interpolation, 1)):
+            given = cloud(scattered() + [(float("nan"), 0, 0)])  # of which a warning tells
+            expected, algorithm, seen = updated(make(GenerateVoronoi=True), given), make(GenerateVoronoi=True), []
+
+            def look(*_):
+                for port in range(ports):
+                    output = algorithm.GetOutputDataObject(port)
+                    seen.append((output.GetNumberOfPoints(), output.GetNumberOfCells()))
+                    output.Initialize()
+
+            algorithm.AddObserver("WarningEvent", look)
+            for _ in range(4):  # the last two pass on what was kept
+                self.assertTrue(updated(algorithm, given) == expected)
+            self.assertGreater(len(seen), 0)
+            self.assertEqual(set(seen), {(0, 0)})
+
     def test_transform(self):
         def bent():
             made = vtk("vtkCommonTransforms").vtkThinPlateSplineTransform()
