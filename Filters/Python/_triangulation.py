@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import Any, Dict, Iterable, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Dict, Iterable, Mapping, Optional, Tuple
 
 import numpy as np
 
@@ -391,11 +391,13 @@ class Triangulation(Sampled):
 
     # --- as an object ---
 
-    def __getattr__(self, name: str) -> Any:
-        """Of what there is none: what scipy.spatial.Delaunay calls otherwise is named."""
-        if name in _NAMES_OF_SCIPY:
-            raise AttributeError("a Triangulation has no %s: see %s" % (name, _NAMES_OF_SCIPY[name]))
-        return object.__getattribute__(self, name)
+    if not TYPE_CHECKING:  # for which any name would be one of a Triangulation
+
+        def __getattr__(self, name: str) -> Any:
+            """Of what there is none: what scipy.spatial.Delaunay calls otherwise is named."""
+            if name in _NAMES_OF_SCIPY:
+                raise AttributeError("a Triangulation has no %s: see %s" % (name, _NAMES_OF_SCIPY[name]))
+            return object.__getattribute__(self, name)
 
     def __repr__(self) -> str:
         if "triangles" not in self.__dict__.get("_cached", ()):

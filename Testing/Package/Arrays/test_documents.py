@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the docstrings and the README say of arrays is so; every public name is documented and typed."""
 
+import ast
 import doctest
 import inspect
 import os
@@ -98,6 +99,14 @@ class DocumentTest(unittest.TestCase):
     def test_it_says_that_it_is_typed(self):
         folder = os.path.dirname(adaptivehilbertdelaunay.__file__)
         self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
+
+    def test_type_checkers_find_names_that_are_none(self):
+        """Of a class with __getattr__ they take any name, unless it is hidden from them."""
+        for kind in adaptivehilbertdelaunay.Triangulation.__mro__[:-1]:
+            (made,) = ast.parse(inspect.getsource(kind)).body
+            seen = [node.name for node in made.body if isinstance(node, ast.FunctionDef)]
+            self.assertGreater(len(seen), 1)
+            self.assertNotIn("__getattr__", seen)
 
 
 if __name__ == "__main__":
