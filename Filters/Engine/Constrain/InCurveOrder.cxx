@@ -260,7 +260,10 @@ bool InCurveOrder::insert(
           break;
         case Outcome::Crosses:
           territory.crossing.push_back(segment);
-          gaveUp_ = gaveUp_ || territory.crossing.size() > mostCrossing(now);
+          if (territory.crossing.size() > mostCrossing(now))
+          {
+            gaveUp_ = true; // and never false: other threads may set it meanwhile
+          }
           break;
         default:
           return false;

@@ -279,11 +279,12 @@ bool InCurveOrder::release(const std::vector<Made>& list, const Edges* edges)
   return true;
 }
 
-/// No edge is a constraint any more.
+/// No edge is a constraint any more. Flips may move one to triangles that were looked at before: so
+/// it is looked again while there are any.
 bool InCurveOrder::releaseRest()
 {
   CavityFiller cavity(mesh_, ticker_);
-  for (std::size_t k = 0; k < mesh_.triangles(); ++k)
+  for (std::size_t k = 0; edges_ != 0; k = k + 1 == mesh_.triangles() ? 0 : k + 1)
   {
     const Mesh::Halfedge first = Mesh::slotOfTriangle(k);
     for (Mesh::Halfedge h = first; h != first + 3 && mesh_.marks(first) != 0; ++h)

@@ -193,6 +193,24 @@ TEST(ConstrainCrossing, ALongSegmentIsCrossed)
   }
 }
 
+/// All are taken out of the mesh, and the flips of one move edges of others, on both sides, to
+/// triangles that come before it.
+TEST(ConstrainCrossing, EdgesThatFlipsMoveAreTakenOut)
+{
+  ConstraintCase given;
+  given.points = { { 2, 2 }, { 7, 1 }, { 8, 2 }, { 5, 1 }, { 0, 0 }, { 4, 1 }, { 4, 1 }, { 2, 2 },
+    { 3, 1 }, { 3, 0 }, { 1, 1 }, { 1, 2 }, { 1, 2 }, { 3, 2 }, { 3, 2 }, { 8, 1 }, { 3, 0 },
+    { 4, 2 }, { 8, 2 }, { 6, 1 }, { 8, 0 }, { 1, 1 }, { 1, 2 }, { 0, 1 }, { 1, 0 }, { 7, 1 },
+    { 5, 0 }, { 6, 0 }, { 0, 0 }, { 0, 2 }, { 3, 0 }, { 7, 1 }, { 7, 2 }, { 2, 0 }, { 4, 1 },
+    { 5, 2 }, { 4, 1 }, { 2, 1 }, { 4, 0 }, { 3, 1 }, { 7, 0 }, { 6, 2 } };
+  add({ { 31, 28 }, { 16, 41 }, { 41, 21 }, { 7, 15 }, { 3, 26 }, { 26, 37 }, { 11, 36 },
+        { 22, 30 }, { 19, 4 }, { 27, 10 }, { 10, 17 }, { 17, 34 }, { 34, 28 }, { 28, 8 },
+        { 39, 13 }, { 13, 20 }, { 20, 0 }, { 0, 9 }, { 9, 6 }, { 25, 10 }, { 18, 5 }, { 33, 23 },
+        { 28, 14 }, { 1, 12 }, { 11, 36 }, { 36, 11 }, { 2, 39 } },
+    given);
+  expectRight(given);
+}
+
 } // namespace
 } // namespace test
 } // namespace ahd
