@@ -346,6 +346,7 @@ void Job::toPlane(double* xyz, std::size_t count)
 {
   JobResult& made = result();
   const std::int64_t plane = made.settings[IntSetting::Plane];
+  const ScopedFloatingPoint asAssumed;
   if (plane == AHD_PLANE_CALLBACK)
   {
     refuse(AHD_NOT_AVAILABLE, "With AHD_PLANE_CALLBACK it is for the caller to move points.");
@@ -355,7 +356,6 @@ void Job::toPlane(double* xyz, std::size_t count)
     const PointView points(static_cast<const double*>(xyz), count, 3);
     MatrixProjection(made.matrix).project(points, xyz, Context());
   }
-  const ScopedFloatingPoint asAssumed;
   for (std::size_t i = 0; plane == AHD_PLANE_BEST_FIT && i < count; ++i)
   {
     const double* const p = xyz + 3 * i;

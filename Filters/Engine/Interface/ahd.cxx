@@ -219,7 +219,11 @@ ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count)
   return call(job,
     [=](ahd::Job& own)
     {
-      mustHave(xyz, "xyz");
+      if (count > 0)
+      {
+        mustHave(xyz, "xyz");
+      }
+      ahd::checkCount(count, "points");
       own.toPlane(xyz, static_cast<std::size_t>(count));
     });
 }

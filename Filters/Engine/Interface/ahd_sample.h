@@ -85,8 +85,8 @@ typedef struct ahd_sampled
 } ahd_sampled;
 
 /* Moves `count` points, (x, y, z) each, in place: to where they lie in the plane of the result, and
- * their height above it, to the bit as points of a source are. AHD_NOT_AVAILABLE: also with
- * AHD_PLANE_CALLBACK, which the caller knows. AHD_BAD_ARRAY if xyz is null. */
+ * their height above it, to the bit as points of a source are if x, y and z are finite.
+ * AHD_NOT_AVAILABLE: also with AHD_PLANE_CALLBACK, which the caller knows. AHD_BAD_ARRAY. */
 AHD_API ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count);
 
 /* Interpolates `count` arrays. `mask`: null, or 1 for each place that has a value of its own, else

@@ -5,6 +5,7 @@
  */
 #include "Check.h"
 
+#include <fenv.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -339,14 +340,18 @@ static void test_memory_before(void)
   raster.columns = raster.rows = UINT64_MAX;
   CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 0, &two));
   CHECK(two > one);
+  raster.columns = raster.rows = UINT64_C(1) << 32; /* as many places as 0, in 64 bits */
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 0, &one));
+  CHECK_OK(job, ahd_sample_estimate_before(job, 1000, &raster, 1, 1, &filled));
+  CHECK(filled > one + 32 * (UINT64_C(1) << 17));
   ahd_job_free(job);
 }
 
-/* Points go where those of the input went. */
+/* Points go where those of the input went, whatever the caller rounds to. */
 static void test_to_plane(void)
 {
   static const double wall[] = { 5, 0, 0, 5, 8, 0, 5, 8, 8, 6, 0, 8, 5, 3, 4 };
-  static const double turn[] = { 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
+  static const double turn[] = { 0, 0.7, 0, 0.3, 0, 0, 0.7, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
   const ahd_array matrix = { turn, AHD_FLOAT64, 4, 4, 32, 8 };
   ahd_job* job = ahd_job_of(wall, 5, 3);
   int32_t plane, i;
@@ -359,7 +364,9 @@ static void test_to_plane(void)
     memcpy(moved, wall, sizeof(wall));
     CHECK_OK(job, ahd_set_int(job, "plane", plane));
     CHECK_OK(job, ahd_run(job));
+    CHECK(fesetround(FE_UPWARD) == 0);
     CHECK_OK(job, ahd_to_plane(job, moved, 5));
+    CHECK(fegetround() == FE_UPWARD && fesetround(FE_TONEAREST) == 0);
     CHECK_OK(job, ahd_get_array(job, "plane_points", AHD_FLOAT64, there, 15));
     CHECK_OK(job, ahd_get_array(job, "heights", AHD_FLOAT64, heights, 5));
     CHECK(memcmp(moved, there, sizeof(moved)) == 0);
@@ -370,6 +377,7 @@ static void test_to_plane(void)
     }
   }
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_to_plane(job, NULL, 1));
+  CHECK_OK(job, ahd_to_plane(job, NULL, 0));
   ahd_job_free(job);
 }
 
