@@ -98,7 +98,8 @@ class Execution:
     def announce(self, other_memory):
         """Values between the points, for which so many bytes are taken."""
         other = self._other_memory() + int(other_memory)
-        self.job.set(want_samples=True, other_memory=min(other, MOST_BYTES))
+        self.job.set(want_samples=True, other_memory=min(other, MOST_BYTES),
+                     other_memory_per_point=bytes_per_added_point(self.given))  # of the data that there are by now
 
     def announce_all(self):
         """For an estimate of the whole, without outputs."""

@@ -94,7 +94,7 @@ class Interpolating:
 
     def _check_memory_to_find_places(self):
         """The copy that the compiled class takes to find out where the raster lies. Stopped."""
-        asked = Execution(self.backend, self._asked(), self.given, self.source, self.bytes_before)
+        asked = self._execution()
         limit = self.values["MemoryLimit"]
         allowed = limit or engine.available_memory() // 1024
         if asked.bytes_to_find_places() // 1024 <= allowed:
@@ -106,10 +106,11 @@ class Interpolating:
         raise Stopped(raster_messages.of_memory(
             places, asked.expected_points(), estimate, allowed, limit > 0, True), estimate)
 
-    def _asked(self):
-        """What an execution asks of a filter, with a job of its own."""
-        return types.SimpleNamespace(
+    def _execution(self):
+        """One that triangulates, to be asked what it takes, with a job of its own."""
+        asked = types.SimpleNamespace(
             _job=engine.Job(), _values=dict(self.values), _transform=self.triangulation.GetTransform())
+        return Execution(self.backend, asked, self.given, self.source, self.bytes_before)
 
     def _estimate_behind(self):
         """Bytes that interpolating takes, as the compiled class's (vtkAHDSampleExecution::EstimateSampling): columns
@@ -147,8 +148,8 @@ class Interpolating:
     def _take_surface(self):
         """The surface that was kept, or a new one in its place. engine.EngineError."""
         filter_, source = self.algorithm, self.source
-        kept, adds = filter_._surface, source is not None and self.values["SourceMode"]
-        self.points = self.given.GetNumberOfPoints() + (source.GetNumberOfPoints() if adds else 0)
+        kept = filter_._surface
+        self.points = self._execution().expected_points()
         may_keep = self.values["KeepTriangulation"] or not self.is_last
         self.is_kept = not self.is_first or bool(  # all pieces are of one surface, whatever observers do meanwhile
             may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source))

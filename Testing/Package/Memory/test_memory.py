@@ -4,9 +4,17 @@ door. Both classes estimate the same, and refuse the same."""
 
 import unittest
 
-from memorycases import CLASSES, FEATURES, SAMPLINGS, of_arrays, of_class, of_sampler, warm
+import numpy as np
+
+from memorycases import (CLASSES, FEATURES, SAMPLINGS, make_sampler, of_arrays, of_class, of_sampler, sampling, uniform,
+                         warm)
+from vtkmodules.util.numpy_support import numpy_to_vtk
 
 SMALL = 1 << 17  # bytes: data sets, tables of names
+
+
+def few_points():
+    return uniform()[:1000]
 
 
 class MemoryTest(unittest.TestCase):
@@ -35,6 +43,22 @@ class MemoryTest(unittest.TestCase):
 
     def test_each_interpolation(self):
         self.compare(SAMPLINGS, of_sampler)
+
+    def test_of_points_that_are_added(self):
+        """Both classes count them, and point data that a triangulation which is kept got only later."""
+        of = sampling("", triangulation=dict(BoundingTriangulation=True, KeepTriangulation=True), points=few_points)
+        found = {}
+        for door in CLASSES:
+            algorithm, _ = make_sampler(of, door)
+            algorithm.Update()
+            found[door] = [algorithm.GetMemoryEstimate()]
+            wide = numpy_to_vtk(np.ones((len(few_points()), 100)), deep=1)
+            wide.SetName("wide")
+            algorithm.GetInput().GetPointData().AddArray(wide)
+            algorithm.Update()
+            self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
+            found[door].append(algorithm.GetMemoryEstimate())
+        self.assertEqual(found["in Python"], found["compiled"])
 
     def test_each_array(self):
         for of in FEATURES:
