@@ -42,7 +42,9 @@ VTK_LAYER = Tests(
 TESTS = {
     "Filters/": VTK_LAYER,
     "Filters/Ranks/": Tests(
-        ("FilterTests", "AdaptiveHilbertDelaunayFiltersPython"), (("FilterTests", "*Rank*"),), r"Filter\.Ranks\..*"
+        ("FilterTests", "FaultsRanks", "AdaptiveHilbertDelaunayFiltersPython"),
+        (("FilterTests", "*Rank*"),),
+        r"Filter\.Ranks\..*",
     ),
     "Filters/Engine/": Tests(("all",), (), r"Engine\.(?!Sanitized|ThreadSanitizer).*"),
     "Filters/Engine/Interface/": Tests(
