@@ -12,6 +12,10 @@ import sys
 import threading
 
 _under_way = []  # what is to arrive: one at most
+_called = []  # what Python has yet to call, once for each call; it holds no references itself
+
+_is_true = ctypes.cast(ctypes.pythonapi.PyObject_IsTrue, ctypes.c_void_p)
+_any_function = ctypes.pythonapi.Py_IsInitialized  # for _take_off: with an exception set, it could not be found
 
 
 def _asker(frame):
@@ -31,6 +35,16 @@ def _is_below(frame, other):
     return frame is not None
 
 
+def _take_off(raised):
+    """Clears an exception that is set while Python is called, as by VTK when it warns that a filter in Python raised
+    one: with it set, functions in C seem to fail. One that is not this one is printed, as VTK would have."""
+    try:
+        _any_function()  # a function of ctypes.pythonapi raises what is set after it
+    except BaseException as left:
+        if left is not raised:
+            sys.excepthook(type(left), left, left.__traceback__)
+
+
 class _Arrival:
     """An exception on its way to a frame; where that works on a request itself, as a filter in Python does that asks
     others, VTK loses what is raised, and it goes on to the frame that this request comes from. The pipeline need not
@@ -40,6 +54,7 @@ class _Arrival:
         self.raised, self.asker, self.failed = raised, asker, []
         _under_way.append(self)
         self._go_on()
+        self._go_on()  # two wait: from Python 3.13 on, what the 32nd call in a row adds is forgotten if none waits
 
     def fail(self, algorithm):
         """Takes down that a request of this algorithm fails for it. Returns what says so to VTK."""
@@ -47,24 +62,42 @@ class _Arrival:
         self.failed.append((algorithm, executive, executive.AddObserver("ErrorEvent", lambda _caller, _event: None)))
         return 0
 
+    def is_under_way(self, frame):
+        """Is it still to arrive? If its asker has ended without it, it arrives at who asks in this frame."""
+        if not _is_below(frame, self.asker):
+            self.asker = _asker(frame)
+            if self.asker is None:
+                self._end()
+            else:
+                self._go_on()
+        return self in _under_way
+
     def _go_on(self):
         """Has Python, in the main thread, ask for the truth of this between two of its steps: what that raises, it
         raises where it was."""
-        is_true = ctypes.cast(ctypes.pythonapi.PyObject_IsTrue, ctypes.c_void_p)
-        if ctypes.pythonapi.Py_AddPendingCall(is_true, ctypes.py_object(self)) != 0:  # too many wait
-            self._end()
+        _called.append(self)
+        if ctypes.pythonapi.Py_AddPendingCall(_is_true, ctypes.py_object(self)) != 0:  # too many wait
+            _called.remove(self)
+            if self not in _called and self in _under_way:
+                self._end()
 
     def __bool__(self):
         """Never true: raises the exception in the frame that it is for."""
-        frame = sys._getframe(1)
-        if frame is not self.asker and _is_below(frame, self.asker):
-            self._go_on()
-            return False
+        _take_off(self.raised)
+        try:
+            _called.remove(self)
+            self._arrive(sys._getframe(1))
+        finally:
+            if self in _under_way:
+                self._go_on()
+        return False
+
+    def _arrive(self, frame):
+        if self not in _under_way or (frame is not self.asker and _is_below(frame, self.asker)):
+            return
         self.asker = _asker(frame)
         if self.asker is None:
             self._end()
-        else:
-            self._go_on()
         raise self.raised.with_traceback(None)
 
     def _end(self):
@@ -76,7 +109,9 @@ class _Arrival:
 
 def is_under_way():
     """Is an exception on its way in this thread?"""
-    return bool(_under_way) and threading.current_thread() is threading.main_thread()
+    if not _under_way or threading.current_thread() is not threading.main_thread():
+        return False
+    return _under_way[0].is_under_way(sys._getframe(1))
 
 
 def ends_by_ctrl_c(request):
