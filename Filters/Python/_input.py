@@ -403,15 +403,3 @@ class Projection:
                     % (moved.shape, xyz.shape)
                 )
             xyz[...] = moved
-
-
-def near_each_other(places: np.ndarray) -> np.ndarray:
-    """An order of places, (k, 2) float64, in which each is mostly near the one before it: Morton's, on a grid."""
-    halves = np.where(np.isfinite(places), places, 0.0) / 2  # whose differences are no more than the largest number
-    low = halves.min(axis=0)
-    size = halves.max(axis=0) - low
-    cells = ((halves - low) / np.where(size > 0, size, 1.0) * 65535).astype(np.uint32)
-    for shift, mask in ((8, 0x00FF00FF), (4, 0x0F0F0F0F), (2, 0x33333333), (1, 0x55555555)):
-        cells = (cells | cells << np.uint32(shift)) & np.uint32(mask)
-    order: np.ndarray = np.argsort(cells[:, 0] | cells[:, 1] << np.uint32(1), kind="stable")
-    return order

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Dict, Iterable, Mapping, Optional, Tuple
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request, near_each_other
+from ._input import CHOICES, DEFAULTS, Request
 from ._made import frozen
 from ._results import Boxes, Location, Voronoi, chained
 from ._raster import real_numbers, unmasked
@@ -370,10 +370,7 @@ class Triangulation(Sampled):
         places = real_numbers("places", given)
         with self._locked():
             job = self._for_places()
-            order = near_each_other(places) if len(places) > 1 else np.arange(len(places))
-            found = job.locate(places[order])  # each is looked for from the one before it
-        kinds, corners, cells = (np.empty_like(array) for array in found)
-        kinds[order], corners[order], cells[order] = found
+            kinds, corners, cells = job.locate(places)
         triangles = np.where(cells < 0, -1, cells - self._others)
         return Location(kinds, triangles.astype(self._dtype), corners.astype(self._dtype))
 

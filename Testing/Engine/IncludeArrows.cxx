@@ -37,7 +37,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Merge", { "Points" } },
     { "Crossings", { "Points", "Order", "Predicates" } },
     { "Constrain", { "Points", "Predicates", "Mesh" } },
-    { "Prepare", { "Points", "Merge", "Crossings", "Surface", "Triangulation", "" } },
+    { "Prepare", { "Points", "Order", "Merge", "Crossings", "Surface", "Triangulation", "" } },
     { "Surface", { "Arithmetic", "Points", "Merge", "Triangulation" } },
     { "Triangulation", { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract" } },
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
@@ -45,8 +45,8 @@ const std::map<std::string, Names>& allowedParts()
     { "Distribute",
       { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
     { "Interface",
-      { "Points", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation", "Voronoi",
-        "" } },
+      { "Points", "Order", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation",
+        "Voronoi", "" } },
   };
   return kAllowed;
 }

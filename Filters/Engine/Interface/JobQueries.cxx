@@ -6,6 +6,7 @@
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
+#include "../Order/CurveOrder.h"
 #include "../Surface/OrderDrawing.h"
 #include "Refusal.h"
 
@@ -65,9 +66,10 @@ public:
   {
   }
 
-  void operator()(const Point& place, std::size_t i, const Places& out)
+  /// Returns false if cancelled.
+  bool operator()(const Point& place, std::size_t i, const Places& out, Ticker& ticker)
   {
-    const Location found = triangulation_.locate(place, hint_);
+    const Location found = triangulation_.locate(place, hint_, ticker);
     out.kinds[i] = kindOf(found.kind);
     std::int64_t* const ids = out.ids + 3 * i;
     std::fill_n(ids, 3, std::int64_t(-1));
@@ -95,6 +97,7 @@ public:
     {
       out.cells[i] = cell;
     }
+    return ticker.step() && !ticker.cancelled();
   }
 
 private:
@@ -135,8 +138,33 @@ private:
 
   const JobResult& made_;
   const Triangulation& triangulation_;
-  std::size_t hint_ = 0; ///< places follow each other
+  std::size_t hint_ = 0;
 };
+
+/// Each is looked for from where the one before it was. Returns false if cancelled; throws
+/// std::bad_alloc.
+bool locateAll(const JobResult& made, const PointView& places, const Places& out, Ticker& ticker)
+{
+  Locating locating(made);
+  CurveOrder order;
+  for (std::size_t begin = 0; begin < places.count; begin += CurveOrder::kBlock)
+  {
+    const std::size_t end = std::min(places.count, begin + CurveOrder::kBlock);
+    if (!order.build(places, begin, end, ticker))
+    {
+      return false;
+    }
+    for (std::size_t k = 0; k != end - begin; ++k)
+    {
+      ticker.finished(1);
+      if (!locating(places[order[k]], order[k], out, ticker))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
 
 } // namespace
 
@@ -214,17 +242,8 @@ void locate(Job& job, const double* xy, std::uint64_t given, const Places& out)
       check(unlessCancelled(
         [&]
         {
-          constexpr std::size_t kStepsPerPlace = 64;
-          Locating locating(made);
-          Ticker ticker(context.progress, Phase::Outputs, count);
-          bool goesOn = ticker.ask();
-          for (std::size_t i = 0; i < count && goesOn; ++i)
-          {
-            locating({ xy[2 * i], xy[2 * i + 1] }, i, out);
-            ticker.finished(1);
-            goesOn = ticker.step(kStepsPerPlace);
-          }
-          return goesOn;
+          Ticker ticker(context.progress, Phase::Outputs, count, context.executor);
+          return ticker.ask() && locateAll(made, PointView(xy, count, 2), out, ticker);
         }));
     });
 }

@@ -3,6 +3,7 @@
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
+#include "../Order/CurveOrder.h"
 #include "../Triangulation/Triangulation.h"
 #include "Preparation.h"
 
@@ -223,6 +224,7 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
   return preparedMemoryEstimate(request) +
     (orders ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
     (request.split && segments > 0 ? splitMemoryEstimate(segments, 0) : 0) +
+    (request.heightsFromSurface ? CurveOrder::mostBytes(request.sourcePoints.count) : 0) +
     (request.tolerance > 0.0 ? expectedPoints(request) * (kBytesToMerge - kBytesMerged) : 0);
 }
 

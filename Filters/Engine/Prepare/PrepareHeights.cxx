@@ -6,6 +6,7 @@
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
+#include "../Order/CurveOrder.h"
 #include "../Surface/Means.h"
 #include "../Triangulate.h"
 
@@ -185,19 +186,32 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
   double* const to = out_.places_.data() + 3 * out_.inputCount_;
   const Heights heights(out_.points_, means);
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
-  const std::size_t tasks = tasksForLoop(ticker, places.size());
-  const bool all = inParallel(ticker, tasks,
-    [&](std::size_t task, Ticker& own)
-    {
-      const Share share(places.size(), task, tasks);
-      SurfacePlacer placer(surface, own);
-      for (std::size_t i = share.begin; i < share.end && own.step(); ++i)
+  const PointView ofSource(to, places.size(), 3);
+  // Each is looked for from where the one before it was.
+  CurveOrder order;
+  const auto lay = [&](std::size_t count)
+  {
+    const std::size_t tasks = tasksForLoop(ticker, count);
+    return inParallel(ticker, tasks,
+      [&](std::size_t task, Ticker& own)
       {
-        places[i] = placer({ to[3 * i], to[3 * i + 1] });
-        to[3 * i + 2] = places[i].isInside() ? interpolate(places[i], heights) : to[3 * i + 2];
-      }
-      return own.ask();
-    });
+        const Share share(count, task, tasks);
+        SurfacePlacer placer(surface, own);
+        for (std::size_t k = share.begin; k < share.end && own.step(); ++k)
+        {
+          const std::size_t i = order[k];
+          places[i] = placer(ofSource[i]);
+          to[3 * i + 2] = places[i].isInside() ? interpolate(places[i], heights) : to[3 * i + 2];
+        }
+        return own.ask();
+      });
+  };
+  bool all = true;
+  for (std::size_t begin = 0; begin < places.size() && all; begin += CurveOrder::kBlock)
+  {
+    const std::size_t end = std::min(places.size(), begin + CurveOrder::kBlock);
+    all = order.build(ofSource, begin, end, ticker) && lay(end - begin);
+  }
   out_.outside_ = static_cast<std::size_t>(std::count_if(
     places.begin(), places.end(), [](const SurfacePlace& place) { return !place.isInside(); }));
   return all ? Status::Ok : Status::Cancelled;

@@ -4,6 +4,7 @@
 
 #include "../Core/Chunks.h"
 #include "../Core/Tasks.h"
+#include "../Order/CurveOrder.h"
 #include "Sample.h"
 #include "Values.h"
 
@@ -12,26 +13,6 @@
 
 namespace ahd
 {
-
-/// Places in an order in which neighbours follow each other.
-class CurveOrder
-{
-public:
-  /// Orders places[begin, end) along a Hilbert curve through the bounds, those outside of them and
-  /// those that are not finite at their border. Returns false if cancelled; throws std::bad_alloc.
-  /// REQUIRES: fewer than 2^32.
-  bool build(const PointView& places, std::size_t begin, std::size_t end, const Bounds& bounds,
-    Ticker& ticker);
-
-  std::size_t operator[](std::size_t k) const
-  {
-    return begin_ + static_cast<std::uint32_t>(items_[k]);
-  }
-
-private:
-  std::size_t begin_ = 0;
-  Buffer<std::uint64_t> items_;
-};
 
 /// One task: finds the weights at places by a method of its own, and hands them to its own sink.
 template <typename Method, typename Sink>
@@ -92,7 +73,6 @@ public:
 
 private:
   static constexpr std::size_t kTile = 32; ///< cells along each side
-  static constexpr std::size_t kBlock = std::size_t(1) << 22;
 
   /// work(visitor, item, ticker) for each item.
   template <typename Work>
@@ -125,9 +105,9 @@ private:
   bool alongCurve(const Bounds& bounds, Ticker& ticker)
   {
     const PointView& points = places_.points();
-    for (std::size_t begin = 0; begin < points.count; begin += kBlock)
+    for (std::size_t begin = 0; begin < points.count; begin += CurveOrder::kBlock)
     {
-      const std::size_t end = std::min(points.count, begin + kBlock);
+      const std::size_t end = std::min(points.count, begin + CurveOrder::kBlock);
       CurveOrder order;
       const auto visit = [&](Visitor<Method, Sink>& visitor, std::size_t k, Ticker& own)
       {

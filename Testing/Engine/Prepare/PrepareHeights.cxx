@@ -4,10 +4,12 @@
 #include "PrepareCase.h"
 
 #include "Executors.h"
+#include "Listeners.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace ahd
 {
@@ -180,6 +182,42 @@ TEST(PrepareHeights, EveryPlaceIsOnAPlaneThatTheInputLiesOn)
       }
     }
     EXPECT_GT(inside, 400u);
+  }
+}
+
+/// `count` points in the corridor of a road, 10 points wide, and as many of a source on it.
+void addRoad(std::size_t count, std::vector<Xyz>& input, std::vector<Xyz>& source)
+{
+  std::mt19937_64 random(3);
+  const auto fraction = [&random] { return double(random() >> 11) * 0x1p-53; };
+  for (std::size_t i = 0; i != count; ++i)
+  {
+    const double x = double(i / 10), y = double(i % 10);
+    input.push_back({ { x + 0.1 * fraction(), y + 0.1 * fraction(), fraction() } });
+    const double along = fraction() * double(count / 10), across = 9.0 * fraction();
+    source.push_back({ { along, across, 0.0 } });
+  }
+}
+
+TEST(PrepareHeights, TakeFewStepsInAnyOrder)
+{
+  const std::size_t count = 20000;
+  for (const double far : { 0.0, 1e9 })
+  {
+    SCOPED_TRACE(far);
+    std::vector<Xyz> input, source;
+    addRoad(count, input, source);
+    for (auto* points : { &input, &source })
+    {
+      points->push_back({ { far, far, 0.0 } });
+      points->push_back({ { 0.5 * far, -far, 0.0 } });
+    }
+    PrepareCase given(input, source);
+    given.request.heightsFromSurface = true;
+    Listener counter;
+    PreparedInput out;
+    ASSERT_EQ(prepare(given.request, Context{ &counter, nullptr }, out), Status::Ok);
+    EXPECT_LE(double(counter.askings()) * double(kStepsPerAsking), 400.0 * double(count));
   }
 }
 

@@ -7,7 +7,6 @@ import unittest
 
 import numpy as np
 from adaptivehilbertdelaunay import Kind, delaunay
-from adaptivehilbertdelaunay._input import near_each_other
 from arraysupport import SQUARE, cloud, complaints, hull_of, integers, lattice, orient, twice_area
 
 
@@ -98,16 +97,6 @@ class DelaunayTest(unittest.TestCase):
         self.assertEqual(made.locate(np.empty((0, 2))).corners.shape, (0, 3))
         with self.assertWarns(UserWarning):
             self.assertEqual(delaunay(SQUARE[:2]).locate([[0, 0]]).kind[0], Kind.NOWHERE)
-
-    def test_places_are_looked_for_along_a_curve(self):
-        """So that each is near the one before it: a walk through all triangles for each would take too many steps."""
-        places = cloud(20, 4000)
-        order = near_each_other(places)
-        self.assertEqual(sorted(order), list(range(4000)))
-        steps = np.hypot(*np.diff(places[order], axis=0).T)
-        self.assertLess(steps.sum(), 4 * np.sqrt(4000))  # about 2000 in the order given
-        for strange in (np.full((3, 2), np.nan), np.full((3, 2), 7.0), [[np.inf, 1e308], [0, -1e308], [-np.inf, 0]]):
-            self.assertEqual(sorted(near_each_other(np.array(strange))), [0, 1, 2])
 
     def test_voronoi(self):
         """Cells are convex, add up to the hull (or the box), and are nearest to their sites."""

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CurveOrder.h"
+
+#include "../Core/Loops.h"
+#include "../Core/SortAsking.h"
+#include "HilbertKeys.h"
+#include "Quantise.h"
+#include "RadixSort.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace ahd
+{
+
+namespace
+{
+
+double within(double low, double high, double x)
+{
+  return x > low ? std::min(x, high) : low; // NaN is low
+}
+
+bool isEmpty(const Bounds& bounds)
+{
+  return !(bounds.xmin <= bounds.xmax);
+}
+
+/// The bounds of what is finite.
+struct FoundBounds
+{
+  Bounds bounds;
+
+  void add(const Point& p)
+  {
+    if (isFinite(p))
+    {
+      merge({ { p.x, p.x, p.y, p.y } });
+    }
+  }
+  void merge(const FoundBounds& other)
+  {
+    const Bounds& b = other.bounds;
+    if (isEmpty(bounds))
+    {
+      bounds = b;
+    }
+    else if (!isEmpty(b))
+    {
+      bounds = { std::min(bounds.xmin, b.xmin), std::max(bounds.xmax, b.xmax),
+        std::min(bounds.ymin, b.ymin), std::max(bounds.ymax, b.ymax) };
+    }
+  }
+};
+
+/// What makes keys of places: where they are along the curve through some bounds.
+class CurveKeys
+{
+public:
+  /// REQUIRES: the bounds are not empty.
+  explicit CurveKeys(const Bounds& bounds)
+    : bounds_(bounds)
+    , grid_(bounds)
+  {
+  }
+
+  /// Writes packed(key, number) for `count` places: numberOf(k) is the k-th, at(number) its place.
+  template <typename Number, typename Place>
+  void write(const Number& numberOf, const Place& at, std::uint64_t* items, std::size_t count) const
+  {
+    std::uint32_t columns[kKeyBlock], rows[kKeyBlock], numbers[kKeyBlock];
+    for (std::size_t first = 0; first < count; first += kKeyBlock)
+    {
+      const std::size_t block = std::min(kKeyBlock, count - first);
+      for (std::size_t k = 0; k != block; ++k)
+      {
+        numbers[k] = numberOf(first + k);
+        const Point p = at(numbers[k]);
+        columns[k] = grid_.column(within(bounds_.xmin, bounds_.xmax, p.x));
+        rows[k] = grid_.row(within(bounds_.ymin, bounds_.ymax, p.y));
+      }
+      hilbertKeys(columns, rows, items + first, block);
+      for (std::size_t k = 0; k != block; ++k)
+      {
+        items[first + k] = packed(static_cast<std::uint32_t>(items[first + k] >> 32), numbers[k]);
+      }
+    }
+  }
+
+private:
+  const Bounds bounds_;
+  const Grid grid_;
+};
+
+} // namespace
+
+/// Orders those that have one key by keys of their own, again and again. Each time their bounds are
+/// a 2^15-th of what they were, or less, on their longer side: doubles leave room for some 140
+/// times.
+class CurveOrder::Crowds
+{
+public:
+  Crowds(const PointView& places, CurveOrder& order, Ticker& ticker)
+    : places_(places)
+    , begin_(order.begin_)
+    , items_(order.items_)
+    , ticker_(ticker)
+  {
+  }
+
+  bool order()
+  {
+    bool goesOn = list(0, items_.size());
+    while (goesOn && !crowds_.empty())
+    {
+      const Crowd crowd = crowds_.back();
+      crowds_.pop_back();
+      goesOn = order(crowd);
+    }
+    return goesOn;
+  }
+
+private:
+  struct Crowd
+  {
+    std::size_t first, last;
+  };
+
+  /// Fewer are found quickly in any order.
+  static constexpr std::size_t kLeast = 64;
+
+  /// Lists those of items [first, last), which are sorted.
+  bool list(std::size_t first, std::size_t last)
+  {
+    std::size_t begin = first;
+    return inChunks(first, last, ticker_,
+      [&](std::size_t a, std::size_t b)
+      {
+        for (std::size_t k = a; k != b; ++k)
+        {
+          const bool ends = k + 1 == last || items_[k + 1] >> 32 != items_[k] >> 32;
+          if (ends && k + 1 - begin >= kLeast)
+          {
+            crowds_.push_back({ begin, k + 1 });
+          }
+          begin = ends ? k + 1 : begin;
+        }
+      });
+  }
+
+  bool order(const Crowd& crowd)
+  {
+    const auto at = [&](std::size_t number) { return places_[begin_ + number]; };
+    FoundBounds found;
+    const auto look = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        found.add(at(static_cast<std::uint32_t>(items_[k])));
+      }
+    };
+    if (!inChunks(crowd.first, crowd.last, ticker_, look))
+    {
+      return false;
+    }
+    const Bounds& bounds = found.bounds;
+    if (isEmpty(bounds) || (bounds.xmin == bounds.xmax && bounds.ymin == bounds.ymax))
+    {
+      return true; // in one place, or nowhere
+    }
+    const CurveKeys keys(bounds);
+    const auto write = [&](std::size_t a, std::size_t b)
+    {
+      std::uint64_t* const items = &items_[a];
+      keys.write(
+        [items](std::size_t k) { return static_cast<std::uint32_t>(items[k]); }, at, items, b - a);
+    };
+    const std::size_t count = crowd.last - crowd.first;
+    scratch_.resize(count > kChunk ? count : 0);
+    return inChunks(crowd.first, crowd.last, ticker_, write) &&
+      sortAsking(&items_[crowd.first], count, scratch_.data(), ticker_, std::less<>()) &&
+      list(crowd.first, crowd.last);
+  }
+
+  const PointView& places_;
+  std::size_t begin_;
+  Buffer<std::uint64_t>& items_;
+  Ticker& ticker_;
+  std::vector<Crowd> crowds_;
+  std::vector<std::uint64_t> scratch_;
+};
+
+bool CurveOrder::build(
+  const PointView& places, std::size_t begin, std::size_t end, const Bounds& bounds, Ticker& ticker)
+{
+  begin_ = begin;
+  items_.allocate(end - begin);
+  const Bounds none{ 0.0, 0.0, 0.0, 0.0 };
+  const CurveKeys keys(isEmpty(bounds) ? none : bounds);
+  const auto write = [&](std::size_t a, std::size_t b)
+  {
+    keys.write([a](std::size_t k) { return static_cast<std::uint32_t>(a + k); },
+      [&](std::size_t number) { return places[begin + number]; }, items_.data() + a, b - a);
+  };
+  return inChunksOf(items_.size(), ticker, write) && sortPacked(items_, items_.size(), ticker) &&
+    Crowds(places, *this, ticker).order();
+}
+
+bool CurveOrder::build(const PointView& places, std::size_t begin, std::size_t end, Ticker& ticker)
+{
+  FoundBounds found;
+  const auto look = [&](FoundBounds& part, std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      part.add(places[begin + k]);
+    }
+  };
+  return gather(end - begin, ticker, found, look) &&
+    build(places, begin, end, found.bounds, ticker);
+}
+
+} // namespace ahd
