@@ -6,6 +6,7 @@
 #include "Pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -146,6 +147,16 @@ public:
     return level == 0 ? first_ + node * kInLeaf : node * kInNode;
   }
 
+  /// Where its pieces are among all.
+  std::size_t begin() const { return first_; }
+  std::size_t end() const { return last_; }
+
+  /// Calls work(piece) for those whose boxes meet this one, rounded, until that returns false,
+  /// until `steps`, which it takes from, are used up, or until the ticker is cancelled. Returns
+  /// false if it did not see all.
+  template <typename Work>
+  bool forMeeting(const PieceBox& box, std::size_t& steps, Ticker& ticker, const Work& work) const;
+
 private:
   bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
   PieceBox fitLeaf(const Pieces& pieces, std::size_t node);
@@ -156,6 +167,48 @@ private:
   std::vector<LeafBoxes> leaves_;
   std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all
 };
+
+template <typename Work>
+bool BoxTree::forMeeting(
+  const PieceBox& box, std::size_t& steps, Ticker& ticker, const Work& work) const
+{
+  struct Node
+  {
+    std::size_t level, number;
+  };
+  constexpr std::size_t kMostLevels = 18; // for 2^32 pieces
+  std::array<Node, kMostLevels * kInNode> waiting;
+  std::size_t count = 0;
+  if (!empty() && levels_[top()][0].meets(box))
+  {
+    waiting[count++] = { top(), 0 };
+  }
+  for (; count != 0 && steps != 0 && ticker.step(); --steps)
+  {
+    const Node node = waiting[--count];
+    const std::size_t first = childrenBegin(node.level, node.number);
+    if (node.level == 0)
+    {
+      const unsigned bits = meeting(box, node.number);
+      for (std::size_t k = 0; k != kInLeaf; ++k)
+      {
+        if ((bits >> k & 1u) != 0 && !work(first + k))
+        {
+          return false;
+        }
+      }
+      continue;
+    }
+    for (std::size_t k = childrenEnd(node.level, node.number); k-- != first;)
+    {
+      if (levels_[node.level - 1][k].meets(box))
+      {
+        waiting[count++] = { node.level - 1, k };
+      }
+    }
+  }
+  return count == 0;
+}
 
 /// How much a BoxSearch may do before it gives up.
 struct BoxSearchLimits

@@ -5,6 +5,8 @@
 #include "../Core/SortAsking.h"
 #include "../Predicates/Predicates.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -87,15 +89,19 @@ bool Hubs::listPlaces(
     sortAsking(places, ticker_, lexicographicallyLess);
 }
 
+/// Returns false if the work is to be cancelled.
+bool Hubs::noteTried(const Point& p)
+{
+  Index number = kNoIndex;
+  return tried_.add(p, number);
+}
+
 /// Makes a hub of the place, unless it is one or is not clean.
 bool Hubs::makeHub(const Pieces& pieces, const Point& p)
 {
-  for (const Place& known : places_)
+  if (isTried(p))
   {
-    if (known.at == p)
-    {
-      return true;
-    }
+    return true;
   }
   Place place{ p, {}, {} };
   const auto list = [&](std::size_t a, std::size_t b)
@@ -108,15 +114,119 @@ bool Hubs::makeHub(const Pieces& pieces, const Point& p)
       }
     }
   };
-  if (!inChunks(0, pieces.size(), ticker_, list) || !sortByDirection(pieces, place))
+  return noteTried(p) && inChunks(0, pieces.size(), ticker_, list) && keepIfHub(pieces, place);
+}
+
+bool Hubs::keepIfHub(const Pieces& pieces, Place& place)
+{
+  if (place.pieces.size() < kLeastPieces)
+  {
+    return true;
+  }
+  if (!sortByDirection(pieces, place))
   {
     return false;
   }
-  if (place.pieces.size() >= kLeastPieces && isClean(pieces, place))
+  if (isClean(pieces, place))
   {
     places_.push_back(std::move(place));
   }
   return true;
+}
+
+// ---------------------------------------------------------------------- from piece to piece
+
+bool Hubs::look(const Pieces& pieces, const std::vector<BoxTree>& trees)
+{
+  const BoxTree& latest = trees.back();
+  const std::size_t bits = bitLength(pieces.size());
+  isIn_.assign(pieces.size(), false);
+  stepsLeft_ = bits * bits * pieces.size();
+  for (std::size_t k = latest.begin(); k != latest.end(); ++k)
+  {
+    if (!isIn_[k] && !lookFrom(static_cast<Index>(k), pieces, trees))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Tries the places that several of the first pieces that cross this one have.
+bool Hubs::lookFrom(Index piece, const Pieces& pieces, const std::vector<BoxTree>& trees)
+{
+  constexpr std::size_t kMostCrossings = 32, kLeastAtOnePlace = 8;
+  const std::size_t bits = bitLength(pieces.size());
+  std::size_t steps = bits * bits;
+  const Segment& own = pieces[piece].segment;
+  std::array<Point, kMostCrossings> places;
+  std::size_t crossings = 0, count = 0;
+  const auto look = [&](std::size_t other)
+  {
+    const Segment& s = pieces[other].segment;
+    if (!pieces[other].isDead && cross(own, s))
+    {
+      const Point p = crossingOf(own, s);
+      ++crossings;
+      if (isWithin(own, p) && isWithin(s, p))
+      {
+        places[count++] = p;
+      }
+    }
+    return crossings != kMostCrossings;
+  };
+  for (const BoxTree& tree : trees)
+  {
+    if (!tree.forMeeting(PieceBox::of(own), steps, ticker_, look))
+    {
+      break;
+    }
+  }
+  std::sort(places.begin(), places.begin() + std::ptrdiff_t(count), lexicographicallyLess);
+  for (std::size_t begin = 0, end = 0; begin != count; begin = end)
+  {
+    for (; end != count && places[end] == places[begin]; ++end)
+    {
+    }
+    if (end - begin >= kLeastAtOnePlace && !makeHubBy(places[begin], pieces, trees))
+    {
+      return false;
+    }
+  }
+  return !ticker_.cancelled();
+}
+
+/// The same as makeHub(), by the trees; unless too much was done.
+bool Hubs::makeHubBy(const Point& p, const Pieces& pieces, const std::vector<BoxTree>& trees)
+{
+  if (isTried(p))
+  {
+    return true;
+  }
+  Place place{ p, {}, {} };
+  const auto list = [&](std::size_t k)
+  {
+    if (!pieces[k].isDead && isWithin(pieces[k].segment, p))
+    {
+      place.pieces.push_back(static_cast<Index>(k));
+    }
+    return true;
+  };
+  PieceBox box;
+  box.xmin = box.xmax = p.x;
+  box.ymin = box.ymax = p.y;
+  for (const BoxTree& tree : trees)
+  {
+    if (!tree.forMeeting(box, stepsLeft_, ticker_, list))
+    {
+      return !ticker_.cancelled();
+    }
+  }
+  for (const Index piece : place.pieces)
+  {
+    isIn_[piece] = true;
+  }
+  return noteTried(p) && keepIfHub(pieces, place);
 }
 
 bool Hubs::sortByDirection(const Pieces& pieces, Place& place)

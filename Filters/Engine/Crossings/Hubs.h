@@ -3,7 +3,9 @@
 #define ahd_Hubs_h
 
 #include "../Core/Progress.h"
+#include "BoxTree.h"
 #include "Pieces.h"
+#include "PlaceTable.h"
 
 #include <cstddef>
 #include <vector>
@@ -31,8 +33,18 @@ public:
 
   explicit Hubs(Ticker& ticker)
     : ticker_(ticker)
+    , tried_(ticker)
   {
   }
+
+  /// Was look() called?
+  bool hasLooked() const { return !isIn_.empty(); }
+
+  /// Looks for each piece of the last tree where the first few that cross it do, and makes hubs of
+  /// places that several of them have. Takes at most L^2 steps for a piece and L^2 for each piece
+  /// of a hub, L = log2 of their number; so it may miss some. Returns false if the work is to be
+  /// cancelled. Throws std::bad_alloc.
+  bool look(const Pieces& pieces, const std::vector<BoxTree>& trees);
 
   /// Looks where the crossings lie, which are some of those there are, and makes hubs of places
   /// with many of them. Returns false if the work is to be cancelled. Throws std::bad_alloc.
@@ -71,12 +83,20 @@ private:
   Pair firstPair(const Place& place, Before before) const;
   bool listPlaces(
     const Pieces& pieces, const std::vector<Crossing>& crossings, std::vector<Point>& places);
+  bool lookFrom(Index piece, const Pieces& pieces, const std::vector<BoxTree>& trees);
+  bool makeHubBy(const Point& p, const Pieces& pieces, const std::vector<BoxTree>& trees);
+  bool isTried(const Point& p) const { return tried_.find(p) != kNoIndex; }
+  bool noteTried(const Point& p);
   bool makeHub(const Pieces& pieces, const Point& p);
+  bool keepIfHub(const Pieces& pieces, Place& place);
   bool sortByDirection(const Pieces& pieces, Place& place);
   bool isClean(const Pieces& pieces, const Place& place) const;
 
   Ticker& ticker_;
   std::vector<Place> places_;
+  PlaceTable tried_;          ///< hubs, and places that are none
+  std::vector<bool> isIn_;    ///< of each piece: is it in a hub that look() found?
+  std::size_t stepsLeft_ = 0; ///< of look()
 };
 
 } // namespace ahd

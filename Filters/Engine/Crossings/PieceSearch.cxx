@@ -6,6 +6,9 @@
 #include "SplitFind.h"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace ahd
 {
@@ -64,6 +67,80 @@ bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegmen
   return inChunks(0, ends.size(), ticker, rank);
 }
 
+/// Parts that are one segment, as those of many segments through the same two doubles are: they are
+/// searched as one.
+class SameParts
+{
+public:
+  SameParts(const std::vector<Hubs::Part>& parts, std::size_t firstNew, Ticker& ticker)
+    : parts_(parts)
+    , firstNew_(firstNew)
+    , ticker_(ticker)
+  {
+  }
+
+  /// Leaves one segment for those that are the same and both new or both not.
+  bool unite(RankedSegments& segments)
+  {
+    const std::vector<RankedSegments::Ends> ends = std::move(segments.ends);
+    segments.ends.clear();
+    order_.resize(parts_.size());
+    std::iota(order_.begin(), order_.end(), Index(0));
+    const auto key = [&](Index k)
+    { return std::make_tuple(isNew(k), ends[k].left, ends[k].right); };
+    const auto list = [&](std::size_t a, std::size_t b)
+    {
+      for (std::size_t k = a; k != b; ++k)
+      {
+        if (k == 0 || key(order_[k - 1]) != key(order_[k]))
+        {
+          begins_.push_back(static_cast<Index>(k));
+          segments.ends.push_back(ends[order_[k]]);
+          segments.firstNew += std::size_t(!isNew(order_[k]));
+        }
+      }
+    };
+    segments.firstNew = 0;
+    const bool all = sortAsking(
+                       order_, ticker_, [&](Index i, Index k) { return key(i) < key(k); }) &&
+      inChunks(0, order_.size(), ticker_, list);
+    begins_.push_back(static_cast<Index>(order_.size()));
+    return all;
+  }
+
+  /// Puts for each pair of segments the pairs of their pieces, more than `most` if there are more.
+  bool expand(std::vector<Crossing>& crossings, std::size_t most) const
+  {
+    const std::vector<Crossing> ofSegments = std::move(crossings);
+    crossings.clear();
+    crossings.reserve(ofSegments.size());
+    for (const Crossing& crossing : ofSegments)
+    {
+      for (Index i = begins_[crossing.a]; i != begins_[crossing.a + 1]; ++i)
+      {
+        for (Index k = begins_[crossing.b]; k != begins_[crossing.b + 1]; ++k)
+        {
+          crossings.push_back({ parts_[order_[i]].piece, parts_[order_[k]].piece });
+          if (!ticker_.step() || crossings.size() > most)
+          {
+            return !ticker_.cancelled();
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+private:
+  bool isNew(Index part) const { return part >= firstNew_; }
+
+  const std::vector<Hubs::Part>& parts_;
+  std::size_t firstNew_;
+  Ticker& ticker_;
+  std::vector<Index> order_;  ///< parts
+  std::vector<Index> begins_; ///< of each segment's in it, and the end
+};
+
 } // namespace
 
 bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found)
@@ -83,7 +160,7 @@ bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::size_t most, Fou
   Hubs hubs(ticker_);
   if (found.listed.size() > limits.crossings)
   {
-    if (!hubs.add(pieces, found.listed))
+    if (!findHubs(pieces, found.listed, hubs))
     {
       return false;
     }
@@ -99,6 +176,19 @@ bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::size_t most, Fou
   }
   return outcome == BoxSearch::Outcome::GivenUp ? findByStrips(pieces, most, hubs, found)
                                                 : outcome == BoxSearch::Outcome::Done;
+}
+
+/// Looks for hubs from piece to piece, once; then among the crossings, which are some of those
+/// there are. Returns false if the work is to be cancelled.
+bool PieceSearch::findHubs(
+  const Pieces& pieces, const std::vector<Crossing>& crossings, Hubs& hubs) const
+{
+  const std::size_t before = hubs.count();
+  if (!hubs.hasLooked() && !hubs.look(pieces, trees_))
+  {
+    return false;
+  }
+  return hubs.count() != before || hubs.add(pieces, crossings);
 }
 
 BoxSearch::Outcome PieceSearch::searchTrees(
@@ -119,25 +209,28 @@ BoxSearch::Outcome PieceSearch::searchTrees(
   return outcome;
 }
 
+/// Finds what crosses of the parts; stops as soon as there are more than `most` pairs, and lists
+/// more. Returns false if the work is to be cancelled.
+bool PieceSearch::findAmongParts(
+  const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings) const
+{
+  const auto isOld = [&](const Hubs::Part& part) { return part.piece < trees_.back().begin(); };
+  const auto firstNew = std::partition_point(parts.begin(), parts.end(), isOld);
+  SameParts same(parts, std::size_t(firstNew - parts.begin()), ticker_);
+  RankedSegments segments;
+  return rankEnds(parts, ticker_, segments) && same.unite(segments) &&
+    findCrossings(segments, ticker_, crossings, most) && same.expand(crossings, most);
+}
+
 /// Looks for hubs as long as there are new ones, each time at twice as many crossings.
 bool PieceSearch::findByStrips(
   const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found)
 {
-  RankedSegments segments;
   std::vector<Hubs::Part> parts;
   std::vector<Crossing>& crossings = found.listed;
-  const auto rename = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      crossings[k] = { parts[crossings[k].a].piece, parts[crossings[k].b].piece };
-    }
-  };
   for (std::size_t enough = limitsFor(pieces.size(), most).crossings;;)
   {
-    if (!hubs.listParts(pieces, parts) || !rankEnds(parts, ticker_, segments) ||
-      !findCrossings(segments, ticker_, crossings, enough) ||
-      !inChunks(0, crossings.size(), ticker_, rename))
+    if (!hubs.listParts(pieces, parts) || !findAmongParts(parts, enough, crossings))
     {
       return false;
     }
@@ -146,7 +239,7 @@ bool PieceSearch::findByStrips(
       return hubs.addCrossings(pieces, crossings, found.unlisted);
     }
     const std::size_t before = hubs.count();
-    if (!hubs.add(pieces, crossings))
+    if (!findHubs(pieces, crossings, hubs))
     {
       return false;
     }

@@ -45,6 +45,9 @@ public:
 private:
   BoxSearch::Outcome searchTrees(
     const Pieces& pieces, const BoxSearchLimits& limits, std::vector<Crossing>& crossings);
+  bool findHubs(const Pieces& pieces, const std::vector<Crossing>& crossings, Hubs& hubs) const;
+  bool findAmongParts(
+    const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings) const;
   bool findByStrips(const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found);
 
   Ticker& ticker_;

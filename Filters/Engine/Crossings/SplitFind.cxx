@@ -113,7 +113,8 @@ bool Finder::choose(const Segments& from, Wanted wanted, Segments& chosen)
 /// All crossings within the strip. REQUIRES: each segment has a part of some length in it.
 bool Finder::search(Segments inside, const Strip& strip)
 {
-  while (inside.size() > 1)
+  const auto isNew = [&](Index s) { return s >= segments_.firstNew; };
+  while (inside.size() > 1 && std::any_of(inside.begin(), inside.end(), isNew))
   {
     Segments ladder, others;
     if (!choose(

@@ -22,13 +22,14 @@ struct RankedSegments
 
   std::vector<Point> places; ///< distinct, ascending
   std::vector<Ends> ends;    ///< of each segment: left < right
+  std::size_t firstNew = 0;  ///< segments before this one are known not to cross each other
 
   Segment operator[](Index s) const { return { places[ends[s].left], places[ends[s].right] }; }
 };
 
 /// Finds all pairs of segments that have one point in common which is an end of neither, each pair
-/// once, in no particular order: a < b. Stops once it has found more than `most`. Returns false if
-/// the work is to be cancelled. Throws std::bad_alloc.
+/// once, in no particular order: a < b, and b is new. Stops once it has found more than `most`.
+/// Returns false if the work is to be cancelled. Throws std::bad_alloc.
 ///
 /// After Balaban, "An optimal algorithm for finding segments intersections" (SCG 1995), his
 /// "intermediate" algorithm: strips between two ends are halved again and again. Of the segments

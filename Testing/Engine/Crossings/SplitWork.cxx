@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Steps that splitting takes for stars, whose pairs grow with the square; by the askings of
+// Progress.
+#include "Crossings/Crossings.h"
+
+#include "EngineRun.h"
+#include "Listeners.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// Segments, each a line of its own.
+struct Segments
+{
+  std::vector<Point> points;
+  std::vector<std::int64_t> ids, offsets{ 0 };
+
+  void add(const Point& a, const Point& b)
+  {
+    for (const Point& p : { a, b })
+    {
+      ids.push_back(std::int64_t(points.size()));
+      points.push_back(p);
+    }
+    offsets.push_back(std::int64_t(ids.size()));
+  }
+  std::size_t count() const { return offsets.size() - 1; }
+
+  ConstraintView view() const
+  {
+    ConstraintView chains;
+    chains.ids = ids.data();
+    chains.offsets = offsets.data();
+    chains.chains = chains.lines = count();
+    return chains;
+  }
+};
+
+/// Diameters in so many stars beside each other, through a double in the middle of each.
+Segments starsOf(std::size_t segments, std::size_t stars)
+{
+  std::mt19937_64 random(1); // its sequence is fixed by the standard
+  const auto coordinate = [&] { return double(random() % 2000) - 1000.0; };
+  const auto across = static_cast<std::size_t>(std::ceil(std::sqrt(double(stars))));
+  Segments result;
+  for (std::size_t k = 0; k != segments; ++k)
+  {
+    const std::size_t star = k % stars;
+    const double x = 4096.0 * double(star % across), y = 4096.0 * double(star / across);
+    double u = coordinate();
+    const double v = coordinate();
+    u += u == 0.0 ? 1.0 : 0.0;
+    result.add({ x + u, y + v }, { x - u, y - v });
+  }
+  return result;
+}
+
+/// Segments that nearly pass through one place, which is no double.
+Segments starBesideADouble(std::size_t segments)
+{
+  std::mt19937_64 random(1);
+  const auto fraction = [&] { return double(random() >> 11) * 0x1p-53; };
+  Segments result;
+  for (std::size_t k = 0; k != segments; ++k)
+  {
+    const double turn = 3.14159 * fraction(), far = 0.5 + fraction();
+    const double u = std::cos(turn), v = std::sin(turn);
+    result.add({ 0.1 + far * u, 0.2 + far * v }, { 0.1 - 1.1 * u, 0.2 - 1.1 * v });
+  }
+  return result;
+}
+
+/// Steps that splitting takes, divided by m log^2 m for m ids that come of it.
+double stepsOver(const Segments& segments, SplitConstraints& split)
+{
+  Listener counter;
+  EXPECT_EQ(
+    splitAtCrossings(viewOf(segments.points), segments.view(), &counter, split), Status::Ok);
+  const double size = double(split.ids.size());
+  const double steps = double(counter.askings() + 1) * double(kStepsPerAsking);
+  return steps / (size * std::log2(size) * std::log2(size));
+}
+
+TEST(SplitWork, StarsWhosePairsAreNotListed)
+{
+  for (const std::size_t stars : { 1, 12, 60 })
+  {
+    const Segments segments = starsOf(12000, stars);
+    SplitConstraints split;
+    EXPECT_LE(stepsOver(segments, split), 4.0) << stars;
+    EXPECT_GE(split.crossings, segments.count() * segments.count() / stars / 3);
+    EXPECT_EQ(split.points.size(), stars);
+  }
+}
+
+/// Many pieces of it run between the same two doubles, and are searched as one; each by itself
+/// takes a quarter more steps.
+TEST(SplitWork, AStarWhoseMiddleIsNoDouble)
+{
+  SplitConstraints split;
+  EXPECT_LE(stepsOver(starBesideADouble(600), split), 5.5);
+  EXPECT_GT(split.points.size(), 600u);
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
