@@ -90,10 +90,12 @@ private:
 
 std::size_t Estimate::preparing() const
 {
-  std::size_t bytes = preparationMemoryEstimate(request_);
+  const std::size_t known = preparationMemoryEstimate(request_);
+  const std::size_t toSplit = sizes_.crossings > 0 ? splitMemoryEstimate(0, sizes_.crossings) : 0;
+  std::size_t bytes = known + std::max(toSplit, sizes_.askedToSplit);
   if (sizes_.crossings > 0)
   {
-    bytes = prepared() + std::max(bytes, splitMemoryEstimate(0, sizes_.crossings));
+    bytes = std::max(bytes, prepared() + known); // as they are added
   }
   if (request_.heightsFromSurface && request_.sourcePoints.count > 0)
   {

@@ -38,6 +38,7 @@ struct RunSizes
   std::size_t segments = 0;
   std::size_t crossings = 0;
   std::size_t boxes = 0;
+  std::size_t askedToSplit = 0; ///< bytes that show while segments are split (Progress::take())
 };
 
 /// Upper estimate of all bytes that are held at a time while an input is prepared and triangulated
@@ -52,6 +53,9 @@ std::size_t runMemoryEstimate(
 
 /// More boxes than memory can be estimated for.
 constexpr std::size_t kTooManyBoxes = std::size_t(1) << 40;
+
+/// More bytes than there are.
+constexpr std::size_t kTooMuchAsked = std::size_t(1) << 60;
 
 /// The largest number below `tooMany` of which there is memory for so many. REQUIRES: fits(0); what
 /// fits is no less than a larger number that does.

@@ -58,6 +58,19 @@ std::size_t vtkAHDExecution::EstimateLeft() const
     (this->Settings.LimitsSize() ? 2 * count : 0) + (3 * sizeof(double) + 1) * count;
 }
 
+/// Limits what is asked for to what there is memory for. `asked`: of Known.
+void vtkAHDExecution::LimitAsked(std::size_t& asked)
+{
+  const std::size_t most = ahd::mostThatFit(ahd::kTooMuchAsked,
+    [&](std::size_t bytes)
+    {
+      asked = bytes;
+      return this->EstimateBytes() / 1024 <= static_cast<std::size_t>(this->Report.Limit);
+    });
+  asked = 0;
+  this->Context.GetAsked().limitTo(most);
+}
+
 void vtkAHDExecution::UpdateEstimate()
 {
   this->Report.Estimate = static_cast<vtkTypeInt64>(this->EstimateBytes() / 1024);

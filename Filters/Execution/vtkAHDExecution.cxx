@@ -158,7 +158,15 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
   this->Input.Open(this->Context);
   ahd::InputRequest request = this->Input.GetRequest();
   request.mostCrossings = this->Report.MostCrossings;
+  this->LimitAsked(this->Known.askedToSplit);
   const ahd::Status status = ahd::prepare(request, this->Context, points);
+  const ahd::AskedMemory& asked = this->Context.GetAsked();
+  this->Known.askedToSplit = asked.most();
+  if (status == ahd::Status::OutOfMemory && asked.wasRefused())
+  {
+    this->UpdateEstimate();
+    this->Report.IsRefused = true;
+  }
   if (status == ahd::Status::TooManyCrossings)
   {
     this->Known.crossings = this->Report.MostCrossings + 1;

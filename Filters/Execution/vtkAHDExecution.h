@@ -94,6 +94,7 @@ private:
   std::size_t EstimateLeft() const;
   void GiveBack(Results& results);
   void KeepOutputMemory(std::size_t held) const;
+  void LimitAsked(std::size_t& asked);
   void UpdateEstimate();
 
   const vtkAHDSettings& Settings;

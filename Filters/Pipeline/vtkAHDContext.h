@@ -40,6 +40,9 @@ public:
 
   vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
 
+  /// What the engine asks for beyond the estimate.
+  ahd::AskedMemory& GetAsked() const { return this->Progress.GetAsked(); }
+
   /// A VTK array to be put out, of `count` numbers, one component, not initialised. Throws
   /// std::bad_alloc.
   template <typename Array>

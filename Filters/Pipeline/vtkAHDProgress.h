@@ -2,6 +2,7 @@
 #ifndef vtkAHDProgress_h
 #define vtkAHDProgress_h
 
+#include "Engine/Core/AskedMemory.h"
 #include "Engine/Core/Progress.h"
 #include "Engine/Core/Stages.h"
 
@@ -33,6 +34,11 @@ public:
 
   void beginPhase(ahd::Phase phase) override;
   bool advance(ahd::Phase phase, double fraction) override;
+  bool take(std::size_t bytes) override { return this->Asked.take(bytes); }
+  void giveBack(std::size_t bytes) override { this->Asked.giveBack(bytes); }
+
+  /// What is asked for beyond the estimate.
+  ahd::AskedMemory& GetAsked() { return this->Asked; }
 
   /// Is the filter to abort? Observers are told first that it is at work, if it is time to.
   bool MustAbort();
@@ -52,6 +58,7 @@ private:
   void Tell(double whole);
   void MoveTo(double whole);
 
+  ahd::AskedMemory Asked;
   vtkAlgorithm* const Filter;
   const Clock Now;
   ahd::Stages Stages;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <new>
 
 namespace ahd
 {
@@ -43,6 +44,17 @@ public:
   /// Called from the thread that called the engine only, also when others work for it; asked at
   /// least once per kStepsPerAsking bounded steps of that thread's work.
   virtual bool advance(Phase, double fraction) = 0;
+
+  /// So many bytes more are needed than was estimated, which shows only while the work is done.
+  /// They are asked for before they are taken. Return false to refuse them: the engine then reports
+  /// Status::OutOfMemory, and gives them back. Called from any thread that works.
+  virtual bool take(std::size_t bytes)
+  {
+    static_cast<void>(bytes);
+    return true;
+  }
+  /// They are not needed any more.
+  virtual void giveBack(std::size_t bytes) { static_cast<void>(bytes); }
 };
 
 /// Upper limit on the number of bounded steps (a point read, a key sorted, a triangle walked, a
@@ -92,6 +104,23 @@ public:
 
   /// Was it told to stop?
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+
+  /// Asks for memory beyond the estimate (Progress::take()). Throws std::bad_alloc if it is
+  /// refused; it is to be given back even so.
+  void take(std::size_t bytes)
+  {
+    if (progress_ && !progress_->take(bytes))
+    {
+      throw std::bad_alloc();
+    }
+  }
+  void giveBack(std::size_t bytes)
+  {
+    if (progress_)
+    {
+      progress_->giveBack(bytes);
+    }
+  }
 
   /// Who lends threads to this phase; null if nobody does.
   Executor* executor() const { return executor_; }

@@ -290,7 +290,7 @@ bool BoxSearch::test(std::size_t piece, const Node& leaf, unsigned among)
     }
     else
     {
-      crossings_.push_back({ static_cast<Index>(piece), static_cast<Index>(other) });
+      addCrossing(crossings_, { static_cast<Index>(piece), static_cast<Index>(other) }, taken_);
     }
   }
   return count(steps);

@@ -228,13 +228,15 @@ public:
     Cancelled
   };
 
+  /// What is listed asks for memory, if `taken` is not null.
   BoxSearch(const Pieces& pieces, const BoxSearchLimits& limits, Ticker& ticker,
-    std::vector<Crossing>& crossings)
+    std::vector<Crossing>& crossings, TakenMemory* taken = nullptr)
     : pieces_(pieces)
     , mostSteps_(limits.steps)
     , mostCrossings_(limits.crossings)
     , ticker_(ticker)
     , crossings_(crossings)
+    , taken_(taken)
   {
   }
 
@@ -269,6 +271,7 @@ private:
   std::size_t mostCrossings_;
   Ticker& ticker_;
   std::vector<Crossing>& crossings_;
+  TakenMemory* taken_;
   bool isCancelled_ = false;
 };
 

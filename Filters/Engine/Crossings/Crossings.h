@@ -111,13 +111,17 @@ constexpr int kMostSplittingRounds = 16;
 /// 2^31 ids in the chains, or TooManyCrossings as soon as there are more than `mostCrossings`
 /// places to lead segments through, or four times as many pairs that cross, those that pass exactly
 /// through one place not counted each; unless Ok, `out` is not to be used. Takes
-/// splitMemoryEstimate() bytes at most. Cost: for n segments with k crossings n log^2 n + k log n
-/// steps a round at most, where k does not count pairs of those that pass exactly through one
-/// place; mostly one round splits, and the second finds nothing, quickly.
+/// splitMemoryEstimate() bytes for no crossings at most, and what it asks for (Progress::take()):
+/// for crossings as they are found, and for a search by strips if it comes to that. Cost: for n
+/// segments with k crossings n log^2 n + k log n steps a round at most, where k does not count
+/// pairs of those that pass exactly through one place; mostly one round splits, and the second
+/// finds nothing, quickly.
 Status splitAtCrossings(const PointView& points, const ConstraintView& chains, Progress* progress,
   SplitConstraints& out, std::size_t mostCrossings = std::size_t(-1));
 
-/// Upper estimate of the bytes that it takes, `out` included, for so many segments and crossings.
+/// Upper estimate of the bytes that it takes, `out` included, for so many segments and crossings,
+/// but for a search by strips. Segments: a loop has as many as ids, a line one less; of lines
+/// without an id, which few have, that may be one less than none.
 std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings);
 
 } // namespace ahd

@@ -283,6 +283,16 @@ bool Hubs::isClean(const Pieces& pieces, const Place& place) const
   return true;
 }
 
+std::size_t Hubs::mostParts(const Pieces& pieces) const
+{
+  std::size_t count = pieces.size();
+  for (const Place& place : places_)
+  {
+    count += place.pieces.size();
+  }
+  return count;
+}
+
 bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
 {
   std::vector<Cut> cuts;
@@ -320,6 +330,7 @@ bool Hubs::listParts(const Pieces& pieces, std::vector<Part>& parts)
     }
   };
   parts.clear();
+  parts.reserve(mostParts(pieces));
   return sortAsking(cuts, ticker_, comesBefore) && inChunks(0, pieces.size(), ticker_, add);
 }
 

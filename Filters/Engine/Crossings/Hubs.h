@@ -52,6 +52,9 @@ public:
 
   std::size_t count() const { return places_.size(); }
 
+  /// Parts that there are at most.
+  std::size_t mostParts(const Pieces& pieces) const;
+
   /// Lists all pieces that are not dead, cut at the hubs.
   bool listParts(const Pieces& pieces, std::vector<Part>& parts);
 

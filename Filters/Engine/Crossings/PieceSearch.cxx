@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PieceSearch.h"
 
+#include "../Core/AskedMemory.h"
 #include "../Core/Chunks.h"
 #include "../Core/SortAsking.h"
 #include "SplitFind.h"
@@ -31,6 +32,10 @@ BoxSearchLimits limitsFor(std::size_t pieces, std::size_t most)
   return { bits * bits * pieces, std::min(most, kCrossings * pieces) };
 }
 
+/// What a search by strips takes for each part: itself; its two ends, sorted; ends by numbers,
+/// twice; places in lists of segments.
+constexpr std::size_t kBytesPerPart = 280;
+
 bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegments& segments)
 {
   std::vector<SegmentEnd> ends;
@@ -49,7 +54,7 @@ bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegmen
   {
     return false;
   }
-  segments.places.clear();
+  segments.places.reserve(ends.size());
   segments.ends.resize(parts.size());
   const auto rank = [&](std::size_t a, std::size_t b)
   {
@@ -109,7 +114,7 @@ public:
   }
 
   /// Puts for each pair of segments the pairs of their pieces, more than `most` if there are more.
-  bool expand(std::vector<Crossing>& crossings, std::size_t most) const
+  bool expand(std::vector<Crossing>& crossings, std::size_t most, TakenMemory& taken) const
   {
     const std::vector<Crossing> ofSegments = std::move(crossings);
     crossings.clear();
@@ -120,7 +125,7 @@ public:
       {
         for (Index k = begins_[crossing.b]; k != begins_[crossing.b + 1]; ++k)
         {
-          crossings.push_back({ parts_[order_[i]].piece, parts_[order_[k]].piece });
+          addCrossing(crossings, { parts_[order_[i]].piece, parts_[order_[k]].piece }, &taken);
           if (!ticker_.step() || crossings.size() > most)
           {
             return !ticker_.cancelled();
@@ -144,6 +149,14 @@ private:
 } // namespace
 
 bool PieceSearch::find(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found)
+{
+  const bool goesOn = findAll(more, pieces, most, found);
+  listed_.atMost(sizeof(Crossing) * found.listed.capacity());
+  return goesOn;
+}
+
+bool PieceSearch::findAll(
+  const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found)
 {
   trees_.emplace_back();
   if (!trees_.back().build(more, pieces, ticker_))
@@ -195,7 +208,7 @@ BoxSearch::Outcome PieceSearch::searchTrees(
   const Pieces& pieces, const BoxSearchLimits& limits, std::vector<Crossing>& crossings)
 {
   crossings.clear();
-  BoxSearch search(pieces, limits, ticker_, crossings);
+  BoxSearch search(pieces, limits, ticker_, crossings, &listed_);
   const BoxTree& latest = trees_.back();
   BoxSearch::Outcome outcome = search.searchWithin(latest);
   for (std::size_t k = 0; k + 1 < trees_.size() && outcome == BoxSearch::Outcome::Done; ++k)
@@ -212,24 +225,27 @@ BoxSearch::Outcome PieceSearch::searchTrees(
 /// Finds what crosses of the parts; stops as soon as there are more than `most` pairs, and lists
 /// more. Returns false if the work is to be cancelled.
 bool PieceSearch::findAmongParts(
-  const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings) const
+  const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings)
 {
   const auto isOld = [&](const Hubs::Part& part) { return part.piece < trees_.back().begin(); };
   const auto firstNew = std::partition_point(parts.begin(), parts.end(), isOld);
   SameParts same(parts, std::size_t(firstNew - parts.begin()), ticker_);
   RankedSegments segments;
   return rankEnds(parts, ticker_, segments) && same.unite(segments) &&
-    findCrossings(segments, ticker_, crossings, most) && same.expand(crossings, most);
+    findCrossings(segments, ticker_, crossings, most, &listed_) &&
+    same.expand(crossings, most, listed_);
 }
 
 /// Looks for hubs as long as there are new ones, each time at twice as many crossings.
 bool PieceSearch::findByStrips(
   const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found)
 {
+  TakenMemory taken(ticker_);
   std::vector<Hubs::Part> parts;
   std::vector<Crossing>& crossings = found.listed;
   for (std::size_t enough = limitsFor(pieces.size(), most).crossings;;)
   {
+    taken.atLeast(kBytesPerPart * hubs.mostParts(pieces));
     if (!hubs.listParts(pieces, parts) || !findAmongParts(parts, enough, crossings))
     {
       return false;

@@ -29,6 +29,7 @@ class PieceSearch
 public:
   explicit PieceSearch(Ticker& ticker)
     : ticker_(ticker)
+    , listed_(ticker)
   {
   }
 
@@ -43,14 +44,16 @@ public:
   bool find(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found);
 
 private:
+  bool findAll(const Pieces& more, Pieces& pieces, std::size_t most, FoundCrossings& found);
   BoxSearch::Outcome searchTrees(
     const Pieces& pieces, const BoxSearchLimits& limits, std::vector<Crossing>& crossings);
   bool findHubs(const Pieces& pieces, const std::vector<Crossing>& crossings, Hubs& hubs) const;
   bool findAmongParts(
-    const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings) const;
+    const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings);
   bool findByStrips(const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found);
 
   Ticker& ticker_;
+  TakenMemory listed_;         ///< for what is listed
   std::vector<BoxTree> trees_; ///< one for each call
 };
 

@@ -2,6 +2,7 @@
 #ifndef ahd_Pieces_h
 #define ahd_Pieces_h
 
+#include "../Core/AskedMemory.h"
 #include "../Points/Points.h"
 #include "../Predicates/Segments.h"
 
@@ -28,6 +29,17 @@ struct Crossing
   Index a;
   Index b;
 };
+
+/// Adds to a list. Asks for the memory that it grows into, if `taken` is not null. Throws
+/// std::bad_alloc.
+inline void addCrossing(std::vector<Crossing>& list, const Crossing& crossing, TakenMemory* taken)
+{
+  if (taken && list.size() == list.capacity())
+  {
+    taken->atLeast(3 * sizeof(Crossing) * list.size()); // itself, and twice as much
+  }
+  list.push_back(crossing);
+}
 
 /// Do they have one point in common that is an end of neither? Exact.
 bool cross(const Segment& s, const Segment& t);

@@ -18,7 +18,14 @@ namespace
 #endif
 constexpr std::size_t kMostIds = AHD_MOST_CHAIN_IDS;
 
-/// Pairs that are allowed for each place that is. A pair takes a tenth of the memory.
+/// Bytes of a segment: a piece, twice, while they are sorted and while the array grows; its share
+/// of a tree, which is 16 bytes in a leaf and 5 1/3 in boxes around these.
+constexpr std::size_t kPerSegment = 2 * sizeof(Piece) + 16 + 8;
+
+/// Bytes that a place takes, and a pair that crosses there, in all.
+constexpr std::size_t kBytesPerPlace = 480, kBytesPerPair = 190;
+
+/// Pairs that are allowed for each place that is.
 constexpr std::size_t kPairsPerPlace = 4;
 
 } // namespace
@@ -47,6 +54,7 @@ Status Splitter::run()
     {
       return Status::Cancelled;
     }
+    more_ = Pieces();
     if (found_.listed.size() > mostPairs)
     {
       return Status::TooManyCrossings;
@@ -56,20 +64,42 @@ Status Splitter::run()
       out_.unresolved = found_.count();
       return makeChains() && nameBent() && ticker_.ask() ? Status::Ok : Status::Cancelled;
     }
-    more_.clear();
     mostPairs -= found_.listed.size();
     out_.crossings += found_.count();
-    if (!split())
+    const bool goesOn = split();
+    pairsBefore_ += found_.listed.size();
+    if (!goesOn)
     {
       return places_.size() > most_ ? Status::TooManyCrossings : Status::Cancelled;
     }
   }
 }
 
+/// Room for as many pieces as there may be: a line has one less than ids, and a loop too, if it
+/// ends where it begins. The estimate knows of no lines without an id.
+void Splitter::makeRoom()
+{
+  std::size_t most = ids_;
+  for (std::size_t chain = 0; chain < chains_.chains; ++chain)
+  {
+    const std::int64_t begin = chains_.offsets[chain], end = chains_.offsets[chain + 1];
+    if (begin != end)
+    {
+      const std::int64_t first = chains_.ids[begin], last = chains_.ids[end - 1];
+      const bool endsThere = first == last ||
+        (isUsable(first) && isUsable(last) && at(first) == at(last));
+      most -= chain < chains_.lines || endsThere ? 1 : 0;
+    }
+  }
+  const std::size_t known = ids_ - std::min(ids_, chains_.lines);
+  emptyLines_.atLeast(most > known ? kPerSegment * (most - known) : 0);
+  more_.reserve(most);
+}
+
 /// The segments that are not said to cross nothing.
 bool Splitter::listPieces()
 {
-  more_.reserve(ids_);
+  makeRoom();
   for (std::size_t chain = 0; chain < chains_.chains; ++chain)
   {
     const std::size_t begin = std::size_t(chains_.offsets[chain]) - first_;
@@ -115,6 +145,7 @@ bool Splitter::split()
   constexpr std::size_t kBlock = 64; // whose slots in the table are fetched while it is worked on
   std::array<Meeting, kBlock> meetings;
   const std::vector<Crossing>& listed = found_.listed;
+  takeFor(places_.size());
   insertions_.clear();
   insertions_.reserve(2 * listed.size()); // mostly
   if (!places_.reserve(places_.size() + listed.size()))
@@ -140,9 +171,17 @@ bool Splitter::split()
     {
       return false;
     }
+    takeFor(places_.size());
     begin = end;
   }
   return findIds() && sortInsertions() && splitPieces();
+}
+
+/// Asks for what so many places take, and the pairs that are listed. Throws std::bad_alloc if it
+/// may not be taken.
+void Splitter::takeFor(std::size_t places)
+{
+  taken_.atLeast(kBytesPerPair * (pairsBefore_ + found_.listed.size()) + kBytesPerPlace * places);
 }
 
 Splitter::Meeting Splitter::meetingOf(Crossing crossing) const
@@ -213,8 +252,8 @@ Status splitAtCrossings(const PointView& points, const ConstraintView& chains, P
 
 std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings)
 {
-  constexpr std::size_t kPerSegment = 400, kPerCrossing = 1200;
-  return kPerSegment * segments + kPerCrossing * crossings;
+  return kPerSegment * segments + (kBytesPerPlace + kPairsPerPlace * kBytesPerPair) * crossings +
+    4096;
 }
 
 } // namespace ahd

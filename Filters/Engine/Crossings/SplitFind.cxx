@@ -29,11 +29,12 @@ class Finder
 {
 public:
   Finder(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
-    std::size_t most)
+    std::size_t most, TakenMemory* taken)
     : segments_(segments)
     , ticker_(ticker)
     , crossings_(crossings)
     , most_(most)
+    , taken_(taken)
   {
   }
 
@@ -62,6 +63,7 @@ private:
   Ticker& ticker_;
   std::vector<Crossing>& crossings_;
   std::size_t most_;
+  TakenMemory* taken_;
 };
 
 /// On which side of s the end lies.
@@ -229,20 +231,20 @@ bool Finder::climb(const Segments& ladder, Index s, const Strip& strip)
 
 bool Finder::report(Index s, Index t)
 {
-  crossings_.push_back({ std::min(s, t), std::max(s, t) });
+  addCrossing(crossings_, { std::min(s, t), std::max(s, t) }, taken_);
   return ticker_.step() && crossings_.size() <= most_;
 }
 
 } // namespace
 
 bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
-  std::size_t most)
+  std::size_t most, TakenMemory* taken)
 {
   crossings.clear();
   Segments all(segments.ends.size());
   std::iota(all.begin(), all.end(), Index(0));
   return all.empty() ||
-    Finder(segments, ticker, crossings, most)
+    Finder(segments, ticker, crossings, most, taken)
       .search(std::move(all), { 0, static_cast<Index>(segments.places.size() - 1) }) ||
     crossings.size() > most;
 }

@@ -38,7 +38,7 @@ struct RankedSegments
 /// halves of the strip, as far as they reach into them.
 /// Cost: n log^2 n + k log n steps for n segments with k crossings, whatever they are like.
 bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
-  std::size_t most = std::size_t(-1));
+  std::size_t most = std::size_t(-1), TakenMemory* taken = nullptr);
 
 } // namespace ahd
 

@@ -2,6 +2,7 @@
 #ifndef ahd_Splitter_h
 #define ahd_Splitter_h
 
+#include "../Core/AskedMemory.h"
 #include "../Core/Buffer.h"
 #include "Crossings.h"
 #include "PieceSearch.h"
@@ -81,6 +82,8 @@ public:
     , first_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[0]))
     , ids_(chains.chains == 0 ? 0 : std::size_t(chains.offsets[chains.chains]) - first_)
     , most_(mostCrossings)
+    , taken_(ticker)
+    , emptyLines_(ticker)
     , search_(ticker)
     , places_(ticker)
   {
@@ -97,8 +100,10 @@ private:
   };
   struct Named;
 
+  void makeRoom();
   bool listPieces();
   bool split();
+  void takeFor(std::size_t places);
   Meeting meetingOf(Crossing crossing) const;
   bool meet(Crossing crossing, const Meeting& meeting);
   void nameSegments(PlaceTable::Place& place, Index a, Index b) const;
@@ -134,9 +139,12 @@ private:
   const ConstraintView& chains_;
   Ticker& ticker_;
   SplitConstraints& out_;
-  std::size_t first_; ///< where the ids of the chains begin
-  std::size_t ids_;   ///< how many there are; positions are counted from first_
-  std::size_t most_;  ///< places that there may be
+  std::size_t first_;           ///< where the ids of the chains begin
+  std::size_t ids_;             ///< how many there are; positions are counted from first_
+  std::size_t most_;            ///< places that there may be
+  TakenMemory taken_;           ///< for places and pairs
+  TakenMemory emptyLines_;      ///< which the estimate takes for lines of one id
+  std::size_t pairsBefore_ = 0; ///< that were listed in the rounds before
   PieceSearch search_;
   Pieces pieces_;
   std::size_t segments_ = 0; ///< so many pieces, the first, are the segments given

@@ -133,6 +133,15 @@ const char* Job::whoAllows() const
   return settings.is(IntSetting::MemoryLimit) ? "\"memory_limit\" allows" : "there are";
 }
 
+/// There may not be memory for it all.
+void Job::refuseForMemory() const
+{
+  refuse(AHD_MEMORY_LIMIT,
+    "Triangulating " + std::to_string(sizes_.points) + " points may take " +
+      butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
+      ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
+}
+
 /// Refuses if there may not be memory for it all, as far as that is known before.
 void Job::checkMemory()
 {
@@ -148,13 +157,23 @@ void Job::checkMemory()
                              : available + std::min(workspace_.bytes(), ~available); // no overflow
   if (sizes_.estimate > sizes_.allowed)
   {
-    refuse(AHD_MEMORY_LIMIT,
-      "Triangulating " + std::to_string(sizes_.points) + " points may take " +
-        butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
-        ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
+    refuseForMemory();
   }
   sizes_.mostBoxes = mostBoxes();
   sizes_.mostCrossings = mostCrossings();
+}
+
+/// Limits what is asked for to what there is memory for. `asked`: of sizes_.
+void Job::limitAsked(std::size_t& asked)
+{
+  const std::size_t most = mostThatFit(kTooMuchAsked,
+    [&](std::size_t bytes)
+    {
+      asked = bytes;
+      return estimate(sizes_) <= sizes_.allowed;
+    });
+  asked = 0;
+  progress.asked().limitTo(most);
 }
 
 std::size_t Job::mostBoxes() const
@@ -223,7 +242,14 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
     : plane == AHD_PLANE_CALLBACK                ? &byCallback
                                                  : nullptr;
   request.mostCrossings = sizes_.mostCrossings;
+  limitAsked(sizes_.askedToSplit);
   const Status status = ahd::prepare(request, context, made.points);
+  sizes_.askedToSplit = progress.asked().most();
+  if (status == Status::OutOfMemory && progress.asked().wasRefused())
+  {
+    sizes_.estimate = estimate(sizes_);
+    refuseForMemory();
+  }
   if (status == Status::TooManyCrossings)
   {
     sizes_.crossings = sizes_.mostCrossings + 1;

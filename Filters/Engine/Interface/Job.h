@@ -141,6 +141,8 @@ private:
   void constrain(JobResult& made, const Context& context);
   void select(JobResult& made, const Context& context);
   void findStacks(JobResult& made, const Context& context);
+  [[noreturn]] void refuseForMemory() const;
+  void limitAsked(std::size_t& asked);
   std::size_t estimate(const JobSizes& sizes) const;
   RunWishes wishes() const;
   const char* whoAllows() const;

@@ -2,6 +2,7 @@
 #ifndef ahd_JobProgress_h
 #define ahd_JobProgress_h
 
+#include "../Core/AskedMemory.h"
 #include "../Core/Progress.h"
 #include "../Core/Stages.h"
 #include "ahd.h"
@@ -42,6 +43,11 @@ public:
 
   void beginPhase(Phase phase) override;
   bool advance(Phase phase, double fraction) override;
+  bool take(std::size_t bytes) override { return asked_.take(bytes); }
+  void giveBack(std::size_t bytes) override { asked_.giveBack(bytes); }
+
+  /// What is asked for beyond the estimate.
+  AskedMemory& asked() { return asked_; }
 
   /// From any thread.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
@@ -53,6 +59,7 @@ private:
   void finishPhase();
   void tell();
 
+  AskedMemory asked_;
   ahd_progress callback_ = nullptr;
   void* user_ = nullptr;
   Stages stages_;

@@ -47,6 +47,15 @@ public:
     return !caller_ || caller_->advance(phase, fraction_);
   }
 
+  bool take(std::size_t bytes) override { return !caller_ || caller_->take(bytes); }
+  void giveBack(std::size_t bytes) override
+  {
+    if (caller_)
+    {
+      caller_->giveBack(bytes);
+    }
+  }
+
 private:
   Progress* caller_;
   bool inPhase_ = false;

@@ -28,6 +28,13 @@ bool isProjected(const InputRequest& request)
   return request.fitPlane || request.projection;
 }
 
+/// Lines of no id not counted.
+std::size_t segmentsToSplit(const InputRequest& request)
+{
+  const CellsView& lines = request.lines;
+  return lines.ids - std::min(lines.ids, lines.cells) + request.polygons.ids;
+}
+
 /// What the tasks of a loop find.
 struct Found
 {
@@ -223,7 +230,7 @@ std::size_t preparationMemoryEstimate(const InputRequest& request)
   const bool orders = request.closedLinesAreLoops && segments > 0;
   return preparedMemoryEstimate(request) +
     (orders ? (segments + 3 * chains) * sizeof(std::int64_t) : 0) +
-    (request.split && segments > 0 ? splitMemoryEstimate(segments, 0) : 0) +
+    (request.split && segments > 0 ? splitMemoryEstimate(segmentsToSplit(request), 0) : 0) +
     (request.heightsFromSurface ? CurveOrder::mostBytes(request.sourcePoints.count) : 0) +
     (request.tolerance > 0.0 ? expectedPoints(request) * (kBytesToMerge - kBytesMerged) : 0);
 }

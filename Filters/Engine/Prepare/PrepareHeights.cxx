@@ -31,6 +31,8 @@ public:
   {
     return caller_.advance(Phase::Merge, (double(phase) + fraction) / double(kPhases));
   }
+  bool take(std::size_t bytes) override { return caller_.take(bytes); }
+  void giveBack(std::size_t bytes) override { caller_.giveBack(bytes); }
 
 private:
   Progress& caller_;

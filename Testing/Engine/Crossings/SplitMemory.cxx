@@ -7,11 +7,13 @@
 
 #include "Distributions.h"
 #include "EngineRun.h"
+#include "MemoryListener.h"
 #include "OwnMemory.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace ahd
 {
@@ -93,14 +95,26 @@ struct Segments
     offsets.push_back(std::int64_t(ids.size()));
   }
   std::size_t count() const { return offsets.size() - 1; }
+  std::size_t segments() const { return ids.size() - count(); }
 
-  Status split(std::size_t most, SplitConstraints& out) const
+  /// Puts a line of many segments behind the others.
+  void addLine(const std::vector<Point>& line)
+  {
+    for (const Point& p : line)
+    {
+      ids.push_back(std::int64_t(points.size()));
+      points.push_back(p);
+    }
+    offsets.push_back(std::int64_t(ids.size()));
+  }
+
+  Status split(std::size_t most, SplitConstraints& out, Progress* progress = nullptr) const
   {
     ConstraintView chains;
     chains.ids = ids.data();
     chains.offsets = offsets.data();
-    chains.chains = chains.lines = count();
-    return splitAtCrossings(viewOf(points), chains, nullptr, out, most);
+    chains.chains = chains.lines = offsets.size() - 1;
+    return splitAtCrossings(viewOf(points), chains, progress, out, most);
   }
 };
 
@@ -133,6 +147,18 @@ Segments sideBySide(std::size_t count, std::size_t across)
   return result;
 }
 
+/// Diagonals beside each other, whose boxes all meet.
+Segments bundle(std::size_t count)
+{
+  Segments result;
+  for (std::size_t k = 0; k != count; ++k)
+  {
+    const double t = double(k) / double(count);
+    result.add({ t, -t }, { t + 100.0, 100.0 - t });
+  }
+  return result;
+}
+
 /// Segments that pass exactly through the origin, or through (1/3, 1/3).
 Segments diameters(std::size_t count, bool throughADouble)
 {
@@ -145,14 +171,132 @@ Segments diameters(std::size_t count, bool throughADouble)
   return result;
 }
 
-std::size_t peakOf(const Segments& segments, std::size_t most, Status expected, std::size_t& found)
+/// Adds 2^depth points from a to b, b excepted: middles that are moved aside, again and again.
+void addFractal(
+  std::vector<Point>& line, const Point& a, const Point& b, int depth, std::mt19937_64& random)
+{
+  if (depth == 0)
+  {
+    line.push_back(a);
+    return;
+  }
+  const double t = 0.5 * (double(random() >> 11) * 0x1p-53 - 0.5);
+  const Point middle{ 0.5 * (a.x + b.x) - t * (b.y - a.y), 0.5 * (a.y + b.y) + t * (b.x - a.x) };
+  addFractal(line, a, middle, depth - 1, random);
+  addFractal(line, middle, b, depth - 1, random);
+}
+
+/// Closed lines like those of shores, of 2^5 to 2^13 points, and two families of lines across them.
+Segments shores(std::size_t islands, std::size_t rivers)
+{
+  std::mt19937_64 random(1);
+  const auto fraction = [&random] { return double(random() >> 11) * 0x1p-53; };
+  Segments result;
+  for (std::size_t k = 0; k != islands; ++k)
+  {
+    const int depth = 3 + int(8.0 * fraction());
+    const double x = 2.0 * fraction(), y = fraction(), r = std::ldexp(4e-4, depth / 2);
+    const Point corners[] = { { x + r, y }, { x, y + r }, { x - r, y }, { x, y - r },
+      { x + r, y } };
+    std::vector<Point> line;
+    for (std::size_t c = 0; c != 4; ++c)
+    {
+      addFractal(line, corners[c], corners[c + 1], depth, random);
+    }
+    line.push_back(corners[4]);
+    result.addLine(line);
+  }
+  for (std::size_t k = 0; k != 2 * rivers; ++k)
+  {
+    const double t = fraction(), u = fraction();
+    std::vector<Point> line;
+    const bool isAcross = k % 2 == 0;
+    addFractal(line, isAcross ? Point{ 0.0, t } : Point{ 2.0 * t, 0.0 },
+      isAcross ? Point{ 2.0, u } : Point{ 2.0 * u, 1.0 }, 10, random);
+    result.addLine(line);
+  }
+  return result;
+}
+
+/// What a run takes, and what it asks for beyond the estimate.
+struct Taken
+{
+  std::size_t peak, asked, crossings;
+};
+
+Taken takenBy(const Segments& segments, std::size_t most, Status expected)
 {
   SplitConstraints out;
+  MemoryListener listener;
   const std::size_t before = account.held;
   account.peak = before;
-  EXPECT_EQ(segments.split(most, out), expected);
-  found = out.crossings;
-  return account.peak - before;
+  EXPECT_EQ(segments.split(most, out, &listener), expected);
+  return { account.peak - before, listener.memory.most(), out.crossings };
+}
+
+/// Where nobody says before how many crossings there are.
+void expectAsked(const Segments& segments, double atMost, const char* name)
+{
+  const Taken taken = takenBy(segments, std::size_t(-1), Status::Ok);
+  const std::size_t known = splitMemoryEstimate(segments.segments(), 0) + taken.asked;
+  EXPECT_LE(taken.peak, known) << name << ": " << taken.crossings << " crossings";
+  EXPECT_LE(double(known), atMost * double(taken.peak)) << name << ": " << taken.asked << " asked";
+}
+
+TEST(SplitMemory, OfWhatIsLikeShoresHalfAsMuchMoreIsEstimated)
+{
+  expectAsked(shores(100, 0), 1.5, "shores");
+  expectAsked(shores(100, 8), 1.5, "shores and rivers");
+  expectAsked(scattered(30000, 1e-6), 1.5, "short");
+}
+
+TEST(SplitMemory, OfTheWorstTwiceAsMuchIs)
+{
+  expectAsked(scattered(3000, 0.02), 2.0, "scattered");
+  expectAsked(scattered(1000, 0.5), 2.0, "long");
+  expectAsked(bundle(20000), 2.0, "bundle");
+  expectAsked(sideBySide(500, 60), 2.0, "across");
+  expectAsked(diameters(500, false), 2.0, "through no double");
+  expectAsked(diameters(2000, true), 2.0, "through a double");
+}
+
+TEST(SplitMemory, LinesOfNoPointAreAskedFor)
+{
+  Segments segments = scattered(3000, 1e-6);
+  for (std::size_t k = 0; k != 2000; ++k)
+  {
+    segments.addLine({});
+  }
+  expectAsked(segments, 1.5, "lines of no point");
+}
+
+TEST(SplitMemory, WhatIsAskedForMayBeRefused)
+{
+  for (const Segments& segments : { bundle(5000), sideBySide(500, 60), diameters(200, false) })
+  {
+    const Taken whole = takenBy(segments, std::size_t(-1), Status::Ok);
+    ASSERT_GT(whole.asked, 0u);
+    for (const std::size_t most : { std::size_t(0), whole.asked / 2, whole.asked - 1, whole.asked })
+    {
+      SplitConstraints out;
+      MemoryListener listener(most);
+      const std::size_t before = account.held;
+      account.peak = before;
+      const Status status = segments.split(std::size_t(-1), out, &listener);
+      EXPECT_EQ(status, most == whole.asked ? Status::Ok : Status::OutOfMemory) << most;
+      EXPECT_EQ(listener.memory.wasRefused(), status != Status::Ok);
+      constexpr std::size_t kFew = 64 << 10; // that are listed before it asks, and hubs
+      EXPECT_LE(account.peak - before, splitMemoryEstimate(segments.segments(), 0) + most + kFew)
+        << most;
+    }
+  }
+}
+
+std::size_t peakOf(const Segments& segments, std::size_t most, Status expected, std::size_t& found)
+{
+  const Taken taken = takenBy(segments, most, expected);
+  found = taken.crossings;
+  return taken.peak;
 }
 
 TEST(SplitMemory, TheEstimateHolds)
@@ -163,7 +307,7 @@ TEST(SplitMemory, TheEstimateHolds)
   {
     std::size_t found = 0;
     const std::size_t peak = peakOf(segments, std::size_t(-1), Status::Ok, found);
-    EXPECT_LE(peak, splitMemoryEstimate(segments.count(), found))
+    EXPECT_LE(peak, splitMemoryEstimate(segments.segments(), found))
       << segments.count() << " segments, " << found << " crossings";
   }
 }
@@ -180,7 +324,7 @@ TEST(SplitMemory, MoreCrossingsThanAllowedAreRefusedBeforeTheyTakeIt)
       constexpr std::size_t kBetweenLooks = 100; // it looks again after so many at most
       std::size_t none = 0;
       const std::size_t peak = peakOf(segments, most, Status::TooManyCrossings, none);
-      EXPECT_LE(peak, splitMemoryEstimate(segments.count(), most + kBetweenLooks)) << most;
+      EXPECT_LE(peak, splitMemoryEstimate(segments.segments(), most + kBetweenLooks)) << most;
     }
     peakOf(segments, found, Status::Ok, found);
   }

@@ -3,6 +3,8 @@
 // What prepare() makes of an input and a source, step by step.
 #include "PrepareCase.h"
 
+#include "Crossings/Crossings.h"
+
 #include "Listeners.h"
 #include "Prepare/Bounding.h"
 
@@ -406,11 +408,12 @@ TEST(Prepare, MemoryIsEstimated)
   given.request.idsAreOfInput = true;
   EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8);
   given.request.split = true;
-  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400);
+  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0));
   given.request.fitPlane = true;
-  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400 + 4 * 25);
+  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0) + 4 * 25);
   given.request.tolerance = 0.1;
-  EXPECT_EQ(preparationMemoryEstimate(given.request), 7u * 8 + 5 * 400 + 4 * 25 + 4 * 80);
+  EXPECT_EQ(
+    preparationMemoryEstimate(given.request), 7u * 8 + splitMemoryEstimate(3, 0) + 4 * 25 + 4 * 80);
 }
 
 } // namespace
