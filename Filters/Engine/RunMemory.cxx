@@ -153,7 +153,8 @@ std::size_t Estimate::inSpace() const
 std::size_t Estimate::constraining() const
 {
   const std::size_t segments = sizes_.segments + 2 * sizes_.crossings;
-  return segments == 0 ? 0 : constraintMemoryEstimate(sizes_.points, segments);
+  return segments == 0 ? 0
+                       : knownConstraintMemory(sizes_.points, segments) + sizes_.askedToConstrain;
 }
 
 /// The cells and the tables are in held().

@@ -38,7 +38,8 @@ struct RunSizes
   std::size_t segments = 0;
   std::size_t crossings = 0;
   std::size_t boxes = 0;
-  std::size_t askedToSplit = 0; ///< bytes that show while segments are split (Progress::take())
+  /// Bytes that show while segments are split, and while they are inserted (Progress::take()).
+  std::size_t askedToSplit = 0, askedToConstrain = 0;
 };
 
 /// Upper estimate of all bytes that are held at a time while an input is prepared and triangulated

@@ -100,6 +100,10 @@ std::size_t triangulatedMemoryEstimate(std::size_t pointCount, const Options& op
 /// mostly.
 std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
 
+/// The part of it that constrain() does not ask for (Progress::take()) before it takes
+/// it: what segments take that cross nothing and are no loops'.
+std::size_t knownConstraintMemory(std::size_t pointCount, std::size_t segmentCount);
+
 /// Upper estimate of what trim() takes on top of it.
 std::size_t trimMemoryEstimate(std::size_t pointCount);
 

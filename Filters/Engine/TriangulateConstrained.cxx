@@ -152,6 +152,15 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
   return pointCount * kPerPoint + (segmentCount == 0 ? 0 : std::max(inOrder, alongCurve));
 }
 
+std::size_t knownConstraintMemory(std::size_t pointCount, std::size_t segmentCount)
+{
+  // Per point as above; per segment the beginning of a chain. And what is small: lists of few, and
+  // counts of each block of vertices, for each thread.
+  constexpr std::size_t kPerPoint = 4 + 4 + 2 + 8, kSmall = std::size_t(1) << 16;
+  return pointCount * kPerPoint +
+    (segmentCount == 0 ? 0 : segmentCount * (InCurveOrder::knownBytesPerSegment() + 8) + kSmall);
+}
+
 std::size_t trimMemoryEstimate(std::size_t pointCount)
 {
   // Per point: a triangle, two marks, a byte, and a list of two triangles as it grows.

@@ -71,6 +71,15 @@ void vtkAHDExecution::LimitAsked(std::size_t& asked)
   this->Context.GetAsked().limitTo(most);
 }
 
+/// Ends the execution unless the status is Ok: as refused, if what was asked for was.
+void vtkAHDExecution::CheckAsked(ahd::Status status)
+{
+  this->UpdateEstimate();
+  this->Report.IsRefused = status == ahd::Status::OutOfMemory &&
+    this->Context.GetAsked().wasRefused();
+  this->Context.Check(status);
+}
+
 void vtkAHDExecution::UpdateEstimate()
 {
   this->Report.Estimate = static_cast<vtkTypeInt64>(this->EstimateBytes() / 1024);

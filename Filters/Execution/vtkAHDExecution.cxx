@@ -160,20 +160,14 @@ void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
   request.mostCrossings = this->Report.MostCrossings;
   this->LimitAsked(this->Known.askedToSplit);
   const ahd::Status status = ahd::prepare(request, this->Context, points);
-  const ahd::AskedMemory& asked = this->Context.GetAsked();
-  this->Known.askedToSplit = asked.most();
-  if (status == ahd::Status::OutOfMemory && asked.wasRefused())
-  {
-    this->UpdateEstimate();
-    this->Report.IsRefused = true;
-  }
+  this->Known.askedToSplit = this->Context.GetAsked().most();
   if (status == ahd::Status::TooManyCrossings)
   {
     this->Known.crossings = this->Report.MostCrossings + 1;
     this->Known.points += this->Known.crossings;
     this->UpdateEstimate();
   }
-  this->Context.Check(status);
+  this->CheckAsked(status);
   this->Known.points = this->Report.Points = points.points().count;
   this->Known.crossings = points.crossings().size();
   this->UpdateEstimate();
@@ -221,8 +215,11 @@ void vtkAHDExecution::Constrain(Results& results)
   this->Context.NextStage();
   if (results.Points.hasConstraints())
   {
-    this->Context.Check(ahd::constrain(std::move(results.Triangulation),
-      results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation));
+    this->LimitAsked(this->Known.askedToConstrain);
+    const ahd::Status status = ahd::constrain(std::move(results.Triangulation),
+      results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation);
+    this->Known.askedToConstrain = this->Context.GetAsked().most();
+    this->CheckAsked(status);
   }
   if (this->Settings.TrimsRim(results.Points.plane()))
   {

@@ -95,6 +95,7 @@ private:
   void GiveBack(Results& results);
   void KeepOutputMemory(std::size_t held) const;
   void LimitAsked(std::size_t& asked);
+  void CheckAsked(ahd::Status status);
   void UpdateEstimate();
 
   const vtkAHDSettings& Settings;

@@ -14,6 +14,7 @@ Constrainer::Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Tic
   , rankOf_(rankOf.data())
   , points_(rankOf.size())
   , ticker_(ticker)
+  , grown_(ticker)
   , walk_(mesh, ticker)
   , cavity_(mesh, ticker)
   , rows_(mesh, ticker)
@@ -167,7 +168,7 @@ Constrainer::Outcome Constrainer::useEdge(std::int64_t fromId, std::int64_t toId
 {
   if (isLoop_)
   {
-    loop_.emplace_back(vertexOf(fromId), vertexOf(toId));
+    grown_.add(loop_, std::make_pair(vertexOf(fromId), vertexOf(toId)));
   }
   return Outcome::IsEdge;
 }
@@ -203,7 +204,7 @@ Constrainer::Outcome Constrainer::leaveOut(Mesh::Halfedge crossed)
 {
   const auto left = find(segment_);
   const auto other = find(*users_.find(mesh_.origin(crossed), mesh_.destination(crossed)));
-  report_.leftOut.push_back({ left.first, left.second, other.first, other.second });
+  grown_.add(report_.leftOut, LeftOut{ left.first, left.second, other.first, other.second });
   return Outcome::Missing;
 }
 
@@ -256,7 +257,7 @@ bool Constrainer::markEdge(Mesh::Halfedge h, bool isForward)
   }
   if (isLoop_)
   {
-    loop_.push_back(isForward ? std::make_pair(from, to) : std::make_pair(to, from));
+    grown_.add(loop_, isForward ? std::make_pair(from, to) : std::make_pair(to, from));
   }
   return ticker_.step();
 }

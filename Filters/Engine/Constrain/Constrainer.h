@@ -3,6 +3,7 @@
 #define ahd_Constrainer_h
 
 #include "../Constraints.h"
+#include "../Core/AskedMemory.h"
 #include "CavityFiller.h"
 #include "ConstrainedMesh.h"
 #include "EdgeRows.h"
@@ -63,6 +64,7 @@ private:
   const Index* rankOf_;
   std::size_t points_;
   Ticker& ticker_;
+  GrowingMemory grown_; ///< for lists that nobody knows the length of before
   SegmentWalk walk_;
   CavityFiller cavity_;
   EdgeRows rows_;

@@ -2,6 +2,7 @@
 #ifndef ahd_EdgeTable_h
 #define ahd_EdgeTable_h
 
+#include "../Core/AskedMemory.h"
 #include "../Core/Buffer.h"
 #include "../Core/Chunks.h"
 #include "../Points/Points.h"
@@ -13,7 +14,8 @@
 namespace ahd
 {
 
-/// A number for each of some edges, by its two vertices. A hash table, open addressing.
+/// A number for each of some edges, by its two vertices. A hash table, open addressing. Asks for
+/// its memory (Progress::take()) where it is not small.
 template <typename Value>
 class EdgeTable
 {
@@ -26,6 +28,7 @@ public:
 
   explicit EdgeTable(Ticker& ticker)
     : ticker_(ticker)
+    , taken_(ticker)
   {
   }
 
@@ -81,8 +84,14 @@ private:
     return room;
   }
 
-  bool allocate(std::size_t room)
+  /// `old`: the bytes that it still holds beside.
+  bool allocate(std::size_t room, std::size_t old = 0)
   {
+    constexpr std::size_t kFew = 1024;
+    if (room > kFew)
+    {
+      taken_.atLeast(room * sizeof(Edge) + old);
+    }
     edges_.allocate(room);
     shift_ = 64;
     for (std::size_t size = room; size > 1; size /= 2)
@@ -106,7 +115,10 @@ private:
         }
       }
     };
-    return allocate(2 * old.size()) && inChunks(0, old.size(), ticker_, move);
+    const bool all = allocate(2 * old.size(), old.bytes()) &&
+      inChunks(0, old.size(), ticker_, move);
+    taken_.atMost(edges_.bytes());
+    return all;
   }
 
   std::size_t firstPlace(std::uint64_t key) const
@@ -125,6 +137,7 @@ private:
   }
 
   Ticker& ticker_;
+  TakenMemory taken_;
   Buffer<Edge> edges_;
   std::size_t count_ = 0;
   unsigned shift_ = 64;

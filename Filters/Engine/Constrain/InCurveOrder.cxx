@@ -202,7 +202,7 @@ bool InCurveOrder::makeEdges(Work& work, Territory& territory)
     }
     else if (isNewRow)
     {
-      territory.made.push_back({ piece.from, piece.to });
+      grown_.add(territory.made, Made{ piece.from, piece.to });
       isNewRow = false;
     }
     else
@@ -253,13 +253,13 @@ bool InCurveOrder::insert(
           ticker.finished(1);
           break;
         case Outcome::Beyond:
-          territory.left.push_back(segment);
+          grown_.add(territory.left, segment);
           break;
         case Outcome::Long:
-          territory.late.push_back(segment);
+          grown_.add(territory.late, segment);
           break;
         case Outcome::Crosses:
-          territory.crossing.push_back(segment);
+          grown_.add(territory.crossing, segment);
           if (territory.crossing.size() > mostCrossing(now))
           {
             gaveUp_ = true; // and never false: other threads may set it meanwhile
@@ -291,6 +291,7 @@ bool InCurveOrder::insertSorted()
     }
     // On a local one: no thread waits for a line of another.
     Territory own;
+    own.made.reserve(territories_[k + 1].begin - territories_[k].begin); // mostly
     const bool done = insert(segments_.data() + territories_[k].begin,
       segments_.data() + territories_[k + 1].begin, work, own, ticker);
     territories_[k].edges = own.edges;
@@ -338,7 +339,7 @@ unsigned InCurveOrder::roundOf(const Segment& segment)
 }
 
 /// The first round first, each in the order that they had.
-bool InCurveOrder::inRounds(std::vector<Segment>& segments) const
+bool InCurveOrder::inRounds(std::vector<Segment>& segments)
 {
   std::size_t begins[kRounds + 1] = {};
   const auto count = [&](std::size_t a, std::size_t b)
@@ -348,6 +349,7 @@ bool InCurveOrder::inRounds(std::vector<Segment>& segments) const
       ++begins[kRounds - roundOf(segments[i])];
     }
   };
+  grown_.take(sizeof(Segment) * segments.size());
   std::vector<Segment> ordered(segments.size());
   const auto place = [&](std::size_t a, std::size_t b)
   {
@@ -372,6 +374,13 @@ bool InCurveOrder::inRounds(std::vector<Segment>& segments) const
 /// Moves all territories' segments of one kind into one list.
 bool InCurveOrder::gather(std::vector<Segment> Territory::*kind, std::vector<Segment>& all)
 {
+  std::size_t count = 0;
+  for (const Territory& territory : territories_)
+  {
+    count += (territory.*kind).size();
+  }
+  grown_.take(sizeof(Segment) * count);
+  all.reserve(count);
   for (Territory& territory : territories_)
   {
     std::vector<Segment>& some = territory.*kind;

@@ -3,6 +3,7 @@
 #define ahd_InCurveOrder_h
 
 #include "../Constraints.h"
+#include "../Core/AskedMemory.h"
 #include "../Core/Buffer.h"
 #include "CavityFiller.h"
 #include "ConstrainedMesh.h"
@@ -50,6 +51,7 @@ public:
     , rankOf_(rankOf)
     , points_(points)
     , ticker_(ticker)
+    , grown_(ticker)
   {
   }
 
@@ -74,6 +76,8 @@ public:
     return sizeof(Segment) + 2 + kGrown * (4 * sizeof(Segment) + 2 * sizeof(Made)) +
       8 * 2 * sizeof(Edges::Edge) * 2 / kMostCrossing;
   }
+  /// Of these, what is not asked for (Progress::take()).
+  static constexpr std::size_t knownBytesPerSegment() { return sizeof(Segment) + 1 + sizeof(Made); }
   /// And for few of them.
   static constexpr std::size_t bytesAtLeast()
   {
@@ -184,7 +188,7 @@ private:
   bool insertLeft();
   bool insertLate();
   static unsigned roundOf(const Segment& segment);
-  bool inRounds(std::vector<Segment>& segments) const;
+  bool inRounds(std::vector<Segment>& segments);
   bool gather(std::vector<Segment> Territory::*kind, std::vector<Segment>& all);
   bool insert(
     const Segment* begin, const Segment* end, Work& work, Territory& territory, Ticker& ticker);
@@ -216,6 +220,7 @@ private:
   const Index* rankOf_;
   std::size_t points_;
   Ticker& ticker_;
+  GrowingMemory grown_; ///< for lists that nobody knows the length of before
   ConstraintView constraints_;
   Buffer<std::uint8_t> became_;          ///< by place; empty if nothing became an edge
   Buffer<Segment> segments_;             ///< along the curve

@@ -131,7 +131,7 @@ bool InCurveOrder::findUsers(const Edges& edges, std::vector<Segment>& users)
       }
       if (count != before)
       {
-        mine.push_back(segments_[i]);
+        grown_.add(mine, segments_[i]);
       }
     }
     found[task] = std::move(mine);
@@ -142,6 +142,13 @@ bool InCurveOrder::findUsers(const Edges& edges, std::vector<Segment>& users)
   {
     return false;
   }
+  std::size_t count = 0;
+  for (const std::vector<Segment>& some : found)
+  {
+    count += some.size();
+  }
+  grown_.take(sizeof(Segment) * count);
+  users.reserve(count);
   for (const std::vector<Segment>& some : found)
   {
     users.insert(users.end(), some.begin(), some.end());
@@ -168,7 +175,7 @@ bool InCurveOrder::findEdges(
     if (done && *use == kFound)
     {
       *use = kListed;
-      list.push_back({ u, v });
+      grown_.add(list, Made{ u, v });
     }
   };
   for (const Segment& segment : segments)

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace ahd
 {
@@ -80,6 +81,44 @@ public:
 private:
   Ticker& ticker_;
   std::size_t bytes_ = 0;
+};
+
+/// Memory that lists grow into, as long as this lives: asked for before they do, by any threads of
+/// a phase.
+class GrowingMemory
+{
+public:
+  explicit GrowingMemory(Ticker& phase)
+    : phase_(phase)
+  {
+  }
+  ~GrowingMemory() { phase_.giveBack(bytes_); }
+  GrowingMemory(const GrowingMemory&) = delete;
+  GrowingMemory& operator=(const GrowingMemory&) = delete;
+
+  /// Throws std::bad_alloc if they may not be taken.
+  void take(std::size_t bytes)
+  {
+    bytes_ += bytes;
+    phase_.take(bytes);
+  }
+
+  /// Adds the item. In all, a list asks for three times what it had room for before it last grew:
+  /// itself, and twice as much. Nothing for few items.
+  template <typename T>
+  void add(std::vector<T>& list, const T& item)
+  {
+    constexpr std::size_t kFew = 256;
+    if (list.size() == list.capacity() && list.size() >= kFew)
+    {
+      take(3 * sizeof(T) * list.size() / (list.size() < 2 * kFew ? 1 : 2));
+    }
+    list.push_back(item);
+  }
+
+private:
+  Ticker& phase_;
+  std::atomic<std::size_t> bytes_{ 0 };
 };
 
 } // namespace ahd

@@ -142,6 +142,15 @@ void Job::refuseForMemory() const
       ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
 }
 
+/// The same where what was asked for was refused.
+void Job::refuseIfAsked(Status status)
+{
+  if (status == Status::OutOfMemory && progress.asked().wasRefused())
+  {
+    refuseForMemory();
+  }
+}
+
 /// Refuses if there may not be memory for it all, as far as that is known before.
 void Job::checkMemory()
 {
@@ -245,11 +254,8 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
   limitAsked(sizes_.askedToSplit);
   const Status status = ahd::prepare(request, context, made.points);
   sizes_.askedToSplit = progress.asked().most();
-  if (status == Status::OutOfMemory && progress.asked().wasRefused())
-  {
-    sizes_.estimate = estimate(sizes_);
-    refuseForMemory();
-  }
+  sizes_.estimate = estimate(sizes_);
+  refuseIfAsked(status);
   if (status == Status::TooManyCrossings)
   {
     sizes_.crossings = sizes_.mostCrossings + 1;
@@ -307,8 +313,13 @@ void Job::constrain(JobResult& made, const Context& context)
   Triangulation& triangulation = made.triangulation;
   if (made.points.hasConstraints())
   {
-    check(ahd::constrain(std::move(triangulation), made.points.constraints(), settings.fillRule(),
-      context, triangulation));
+    limitAsked(sizes_.askedToConstrain);
+    const Status status = ahd::constrain(std::move(triangulation), made.points.constraints(),
+      settings.fillRule(), context, triangulation);
+    sizes_.askedToConstrain = progress.asked().most();
+    sizes_.estimate = estimate(sizes_);
+    refuseIfAsked(status);
+    check(status);
   }
   if (settings.trimsRim(made.points.plane()))
   {

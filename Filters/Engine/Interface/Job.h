@@ -142,6 +142,7 @@ private:
   void select(JobResult& made, const Context& context);
   void findStacks(JobResult& made, const Context& context);
   [[noreturn]] void refuseForMemory() const;
+  void refuseIfAsked(Status status);
   void limitAsked(std::size_t& asked);
   std::size_t estimate(const JobSizes& sizes) const;
   RunWishes wishes() const;

@@ -9,11 +9,11 @@
 #include "EngineRun.h"
 #include "MemoryListener.h"
 #include "OwnMemory.h"
+#include "Shores.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 namespace ahd
 {
@@ -171,48 +171,11 @@ Segments diameters(std::size_t count, bool throughADouble)
   return result;
 }
 
-/// Adds 2^depth points from a to b, b excepted: middles that are moved aside, again and again.
-void addFractal(
-  std::vector<Point>& line, const Point& a, const Point& b, int depth, std::mt19937_64& random)
-{
-  if (depth == 0)
-  {
-    line.push_back(a);
-    return;
-  }
-  const double t = 0.5 * (double(random() >> 11) * 0x1p-53 - 0.5);
-  const Point middle{ 0.5 * (a.x + b.x) - t * (b.y - a.y), 0.5 * (a.y + b.y) + t * (b.x - a.x) };
-  addFractal(line, a, middle, depth - 1, random);
-  addFractal(line, middle, b, depth - 1, random);
-}
-
-/// Closed lines like those of shores, of 2^5 to 2^13 points, and two families of lines across them.
 Segments shores(std::size_t islands, std::size_t rivers)
 {
-  std::mt19937_64 random(1);
-  const auto fraction = [&random] { return double(random() >> 11) * 0x1p-53; };
   Segments result;
-  for (std::size_t k = 0; k != islands; ++k)
+  for (const std::vector<Point>& line : shoreLines(islands, rivers))
   {
-    const int depth = 3 + int(8.0 * fraction());
-    const double x = 2.0 * fraction(), y = fraction(), r = std::ldexp(4e-4, depth / 2);
-    const Point corners[] = { { x + r, y }, { x, y + r }, { x - r, y }, { x, y - r },
-      { x + r, y } };
-    std::vector<Point> line;
-    for (std::size_t c = 0; c != 4; ++c)
-    {
-      addFractal(line, corners[c], corners[c + 1], depth, random);
-    }
-    line.push_back(corners[4]);
-    result.addLine(line);
-  }
-  for (std::size_t k = 0; k != 2 * rivers; ++k)
-  {
-    const double t = fraction(), u = fraction();
-    std::vector<Point> line;
-    const bool isAcross = k % 2 == 0;
-    addFractal(line, isAcross ? Point{ 0.0, t } : Point{ 2.0 * t, 0.0 },
-      isAcross ? Point{ 2.0, u } : Point{ 2.0 * u, 1.0 }, 10, random);
     result.addLine(line);
   }
   return result;

@@ -212,7 +212,7 @@ FEATURES = (
     feature("loop and its regions", dict(SourceMode=1, GenerateRegionIds=True, GenerateConstraintEdges=True,
                                          GenerateNeighbors=True), {}, ["triangles", "regions"], source=ring, most=2),
     feature("regions of a lattice", dict(GenerateRegionIds=True), points=lattice, source=lattice_lines, most=2),
-    feature("line through all points", points=along, source=line_through_all, most=4),
+    feature("line through all points", points=along, source=line_through_all),
     feature("n/8 short segments", dict(SourceMode=1), {}, ["triangles"], source=segments),
     feature("of which some are split", SPLIT, {"crossings": "split"}, ["triangles"], source=segments, most=2),
     feature("all outputs", all_outputs(), most=2),

@@ -21,7 +21,8 @@ there is, or decides how much there is to put out, and for NumPy, whose ids take
 
 Where the estimate is far above: of pairs of points there are fewer vertices than there is room for, and so with what
 `tolerance` merges; with `alpha` there may be lines in place of triangles, three a point; regions may be as many as
-triangles; segments may cross or leave their part of the mesh, and places lie outside.
+triangles, and places lie outside. What segments need that cross others or are long is asked for while they are
+inserted, and part of the estimate then.
 
 """
 
