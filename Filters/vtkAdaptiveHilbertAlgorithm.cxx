@@ -2,49 +2,36 @@
 // Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
+#include "Pipeline/vtkAHDSetters.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <utility>
-
-namespace
-{
-/// Sets it to the nearest of these values; NaN has none and changes nothing.
-void SetClamped(vtkObject* owner, double& setting, double value, double least, double most)
-{
-  const double nearest = std::min(std::max(value, least), most);
-  if (!std::isnan(value) && nearest != setting)
-  {
-    setting = nearest;
-    owner->Modified();
-  }
-}
-}
 
 vtkAdaptiveHilbertAlgorithm::vtkAdaptiveHilbertAlgorithm() = default;
 vtkAdaptiveHilbertAlgorithm::~vtkAdaptiveHilbertAlgorithm() = default;
 
 void vtkAdaptiveHilbertAlgorithm::SetMaximumEdgeLength(double value)
 {
-  SetClamped(this, this->MaximumEdgeLength, value, 0.0, VTK_DOUBLE_MAX);
+  vtkAHDSetClamped(this, this->MaximumEdgeLength, value, 0.0, VTK_DOUBLE_MAX);
 }
 
 void vtkAdaptiveHilbertAlgorithm::SetAlpha(double value)
 {
-  SetClamped(this, this->Alpha, value, 0.0, VTK_DOUBLE_MAX);
+  vtkAHDSetClamped(this, this->Alpha, value, 0.0, VTK_DOUBLE_MAX);
 }
 
 void vtkAdaptiveHilbertAlgorithm::SetTolerance(double value)
 {
-  SetClamped(this, this->Tolerance, value, 0.0, 1.0);
+  vtkAHDSetClamped(this, this->Tolerance, value, 0.0, 1.0);
 }
 
 void vtkAdaptiveHilbertAlgorithm::SetOffset(double value)
 {
-  SetClamped(this, this->Offset, value, 0.75, VTK_DOUBLE_MAX);
+  vtkAHDSetClamped(this, this->Offset, value, 0.75, VTK_DOUBLE_MAX);
 }
 
 void vtkAdaptiveHilbertAlgorithm::ClearMeasures()

@@ -24,6 +24,9 @@
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <limits> // for defaults that are NaN
+#include <string> // for settings that are names
+
 class vtkFieldData;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
@@ -372,8 +375,8 @@ public:
   ///@{
   /// Fill the third output, Voronoi: for each vertex a polygon, the places that are nearer to it
   /// than to any other vertex. The polygons have the point data of their vertices as cell data, and
-  /// lie at z = 0. They are not shown at once, as they may cover the surface: click the eye of the
-  /// output Voronoi. Off by default.
+  /// lie at z = 0. ParaView does not show them at once, as they may cover the surface: click the
+  /// eye of the output Voronoi. Off by default.
   /// Output port 2: convex counterclockwise polygons, with the vertex's id as "OriginalPointIds"
   /// (vtkIdTypeArray). Corners are those of the exact polygons, rounded once to double precision;
   /// those that differ by no more than 4 units in the last place may be one. Constraints have no
@@ -386,6 +389,7 @@ public:
   ///@{
   /// Where the Voronoi diagram ends, as its outer polygons are unbounded. Hull: at the convex hull
   /// of the points. Bounds: at their bounding box. Default: CLIP_TO_HULL.
+  /// Both are those of the vertices, in the plane of the triangulation.
   vtkSetClampMacro(VoronoiClip, int, CLIP_TO_HULL, CLIP_TO_BOUNDS);
   vtkGetMacro(VoronoiClip, int);
   void SetVoronoiClipToHull() { this->SetVoronoiClip(CLIP_TO_HULL); }
@@ -411,8 +415,8 @@ public:
   /// follow crowded points more closely and take longer to sort. It changes the time, never the
   /// triangles. It has an effect with the Insertion Order Multi-grid, and with Adaptive Hilbert if
   /// Control Points is Off or First level, Gene Rotation is off, or Generate Boxes is on, which
-  /// shows the boxes; else the curve goes on inside the boxes to the single point, and it is
-  /// greyed. Default 50, at least 1.
+  /// shows the boxes; else it has none, as the curve goes on inside the boxes to the single point,
+  /// and ParaView greys it. Default 50, at least 1.
   vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
   vtkGetMacro(Nmax, int);
   ///@}
@@ -443,9 +447,9 @@ public:
   ///@{
   /// Stop after so many points: the surface is the triangulation of these, as it was when the last
   /// of them was inserted. 0, and numbers that are large enough: all points. Which points come
-  /// first depends on the settings of the insertion. Move the slider, or animate it, to see the
-  /// surface grow: both go from 3, the first that may give a triangle, to the number of points. For
-  /// all points type 0. Default 0, at least 0.
+  /// first depends on the settings of the insertion. In ParaView move the slider, or animate it, to
+  /// see the surface grow: both go from 3, the first that may give a triangle, to the number of
+  /// points; for all points type 0. Default 0, at least 0.
   /// Distinct points count. The others are in no triangle and counted by NumberOfPointsBeyondLimit.
   /// With a limit, one thread inserts.
   vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
@@ -519,11 +523,11 @@ public:
 
   ///@{
   /// How many processors the filter works on. It changes the time, never the triangles. 0: all that
-  /// ParaView (on a server: the server) may use, unless VTK was told to use fewer, for example by
-  /// the environment variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly so many. Set it where others
-  /// need the processors too. With Count Work, an Insertion Limit, another Insertion Order than
-  /// Adaptive Hilbert, or other insertion settings than the defaults, the points are inserted by
-  /// one; so are few points. From 0 to 1024. Default 0.
+  /// the program (ParaView; with a server, the server) may use, unless VTK was told to use fewer,
+  /// for example by the environment variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly so many. Set
+  /// it where others need the processors too. With Count Work, an Insertion Limit, another
+  /// Insertion Order than Adaptive Hilbert, or other insertion settings than the defaults, the
+  /// points are inserted by one; so are few points. From 0 to 1024. Default 0.
   /// The calling thread is one of them; it alone reports progress and is asked for an abort. 0
   /// heeds vtkSMPTools::Initialize(n), too.
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
@@ -539,18 +543,18 @@ public:
   /// pvbatch --sym that does so on one alone waits for ever. No effect with one rank, nor in
   /// Python's class and plugin, where each rank works on its own. On by default in ParaView, off in
   /// VTK.
-  /// The ranks are those of Controller. The triangles are those of one rank that has all inputs and
-  /// sources, appended in the order of the ranks. All ranks have to update alike, with the same
-  /// settings: where one has to execute, all do. Each puts out the triangles that it owns, by
-  /// place; with its points; and behind these the points of others that are corners, with
-  /// vtkGhostType DUPLICATEPOINT. Layers of ghost cells are marked as well. The global ids
-  /// "GlobalPointIds" number the points as appended, those of sources last; "GlobalCellIds" the
-  /// triangles. Counts are of all ranks. Ids in the source's cells are those of the rank's own
-  /// points. Sources that are the same on all ranks count once where their points are added. What
-  /// fails on one rank ends in one error on each. Settings that ranks have no method for have one
-  /// rank triangulate all points and put out everything, if there is room on it; a warning names
-  /// the first: Reference.md lists them. With MergeBlocks off, block k of all ranks is triangulated
-  /// by itself, for each k.
+  /// Off, there is a warning where there are several ranks. The ranks are those of Controller. The
+  /// triangles are those of one rank that has all inputs and sources, appended in the order of the
+  /// ranks. All ranks have to update alike, with the same settings: where one has to execute, all
+  /// do. Each puts out the triangles that it owns, by place; with its points; and behind these the
+  /// points of others that are corners, with vtkGhostType DUPLICATEPOINT. Layers of ghost cells are
+  /// marked as well. The global ids "GlobalPointIds" number the points as appended, those of
+  /// sources last; "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's
+  /// cells are those of the rank's own points. Sources that are the same on all ranks count once
+  /// where their points are added. What fails on one rank ends in one error on each. Settings that
+  /// ranks have no method for have one rank triangulate all points and put out everything, if there
+  /// is room on it; a warning names the first: Reference.md lists them. With MergeBlocks off, block
+  /// k of all ranks is triangulated by itself, for each k.
   vtkSetMacro(DistributePoints, bool);
   vtkGetMacro(DistributePoints, bool);
   vtkBooleanMacro(DistributePoints, bool);

@@ -2,31 +2,10 @@
 // Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertInterpolationAlgorithm.h"
 
+#include "Pipeline/vtkAHDSetters.h"
+
 #include <algorithm>
 #include <array>
-#include <cstring>
-
-namespace
-{
-/// By bits: NaN is not equal to itself, but it is no other setting either.
-void SetAny(vtkObject* owner, double& setting, double value)
-{
-  if (std::memcmp(&setting, &value, sizeof value) != 0)
-  {
-    setting = value;
-    owner->Modified();
-  }
-}
-
-void SetAny(vtkObject* owner, std::string& setting, const std::string& value)
-{
-  if (setting != value)
-  {
-    setting = value;
-    owner->Modified();
-  }
-}
-}
 
 vtkAdaptiveHilbertInterpolationAlgorithm::vtkAdaptiveHilbertInterpolationAlgorithm() = default;
 vtkAdaptiveHilbertInterpolationAlgorithm::~vtkAdaptiveHilbertInterpolationAlgorithm() = default;
@@ -48,17 +27,17 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::SetDimensions(const int values[2]
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::SetNoValue(double value)
 {
-  SetAny(this, this->NoValue, value);
+  vtkAHDSetAny(this, this->NoValue, value);
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::SetHeightArrayName(const std::string& name)
 {
-  SetAny(this, this->HeightArrayName, name);
+  vtkAHDSetAny(this, this->HeightArrayName, name);
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::SetValidPointMaskArrayName(const std::string& name)
 {
-  SetAny(this, this->ValidPointMaskArrayName, name);
+  vtkAHDSetAny(this, this->ValidPointMaskArrayName, name);
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()

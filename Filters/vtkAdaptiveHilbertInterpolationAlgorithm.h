@@ -18,8 +18,8 @@
 #include "AdaptiveHilbertDelaunayFiltersModule.h" // for the export macro
 #include "vtkDataSetAlgorithm.h"
 
-#include <limits> // for the default of NoValue
-#include <string> // for names of arrays
+#include <limits> // for defaults that are NaN
+#include <string> // for settings that are names
 
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertInterpolationAlgorithm
   : public vtkDataSetAlgorithm
@@ -117,7 +117,7 @@ public:
   ///@{
   /// Put the borders between cells at multiples of the cell size, so that rasters of neighbouring
   /// tiles and of different surveys lie cell on cell (as -tap of GDAL). Off by default.
-  /// The area's lower bounds are rounded down, the upper ones up.
+  /// Used with BY_CELL_SIZE. The area's lower bounds are rounded down, the upper ones up.
   vtkSetMacro(AlignToCellSize, bool);
   vtkGetMacro(AlignToCellSize, bool);
   vtkBooleanMacro(AlignToCellSize, bool);
@@ -156,7 +156,7 @@ public:
   /// What places outside the surface get. No Value: NaN in floating point arrays, 0 in others.
   /// Nearest Vertex: the values of the nearest point of the triangulation. Either way
   /// vtkValidPointMask is 0 there. Default: NO_VALUE.
-  /// Counts of places outside are the same either way.
+  /// In place of NaN, what NoValue says. Counts of places outside are the same either way.
   vtkSetClampMacro(Outside, int, NO_VALUE, NEAREST_VERTEX);
   vtkGetMacro(Outside, int);
   void SetOutsideToNoValue() { this->SetOutside(NO_VALUE); }
@@ -213,12 +213,14 @@ public:
   ///@{
   /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
   /// input, or was refused: what Memory Limit is compared with.
+  /// That is the MemoryLimit of Triangulation.
   vtkGetMacro(MemoryEstimate, vtkTypeInt64);
   ///@}
 
   ///@{
   /// Places, or cells of the raster, in the last run.
-  /// 0 if it was aborted or ended in an error.
+  /// They are those on the surface, those outside and those that are not finite. Counts are 0 if
+  /// the run was aborted or ended in an error; they are field data of the output, too.
   vtkGetMacro(NumberOfPlaces, vtkIdType);
   ///@}
 

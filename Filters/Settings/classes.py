@@ -6,6 +6,7 @@ import rows as tables
 COLUMNS = 100
 CXX = {"bool": "bool", "flag": "vtkTypeBool", "enum": "int", "int": "int", "id": "vtkIdType",
        "int64": "vtkTypeInt64", "double": "double", "text": "std::string"}
+LEAST = {"int": "VTK_INT_MIN", "id": "VTK_ID_MIN", "int64": "VTK_TYPE_INT64_MIN", "double": "VTK_DOUBLE_MIN"}
 MOST = {"int": "VTK_INT_MAX", "id": "VTK_ID_MAX", "int64": "VTK_TYPE_INT64_MAX", "double": "VTK_DOUBLE_MAX"}
 
 
@@ -47,17 +48,17 @@ def _setters(row):
     name, kind = row.name, CXX[row.type]
     if row.type == "text":
         return [f"virtual void Set{name}(const std::string& name);"]
-    if row.is_switch:
-        return [f"vtkSetMacro({name}, {kind});"]
     if row.elements > 1:
         return _vector_setters(row)
     if row.values:
         return [f"vtkSetClampMacro({name}, int, {row.values[0].constant}, {row.values[-1].constant});"]
     if row.type == "double":
-        return [f"virtual void Set{name}(double value);"] + ([] if row.least is None or not row.ends else [
-            f"virtual double Get{name}MinValue() {{ return {_literal(row.least)}; }}",
+        return [f"virtual void Set{name}(double value);"] + ([] if not row.is_clamped or not row.ends else [
+            f"virtual double Get{name}MinValue() {{ return {_least(row)}; }}",
             f"virtual double Get{name}MaxValue() {{ return {_most(row)}; }}"])
-    return [f"vtkSetClampMacro({name}, {kind}, {row.least}, {_most(row)});"]
+    if not row.is_clamped:
+        return [f"vtkSetMacro({name}, {kind});"]
+    return [f"vtkSetClampMacro({name}, {kind}, {_least(row)}, {_most(row)});"]
 
 
 def _vector_setters(row):
@@ -70,12 +71,12 @@ def _vector_setters(row):
             f"void Set{name}(const {kind} values[{count}]) VTK_SIZEHINT({count});"]
 
 
+def _least(row):
+    return LEAST[row.type] if row.least is None else repr(row.least)
+
+
 def _most(row):
-    return MOST[row.type] if row.most is None else _literal(row.most)
-
-
-def _literal(value):
-    return repr(float(value)) if isinstance(value, float) else str(value)
+    return MOST[row.type] if row.most is None else repr(row.most)
 
 
 def _shortcuts(row):
@@ -121,7 +122,7 @@ def _initial(row):
         return "true" if row.default else "false"
     if row.type == "double" and row.default != row.default:
         return "std::numeric_limits<double>::quiet_NaN()"
-    return repr(float(row.default)) if row.type == "double" else str(int(row.default))
+    return str(int(row.default)) if row.type == "flag" else repr(row.default)
 
 
 def printed(rows):
@@ -174,14 +175,14 @@ def setters(rows):
 
 
 def _double_setter(row):
-    ends = "" if row.least is None else f", {_literal(row.least)}, {_most(row)}"
+    ends = f", {_least(row)}, {_most(row)}" if row.is_clamped else ""
     return [f"void @CLASS@::Set{row.name}(double value)", "{",
-            f"  {'SetClamped' if ends else 'SetAny'}(this, this->{row.name}, value{ends});", "}", ""]
+            f"  {'vtkAHDSetClamped' if ends else 'vtkAHDSetAny'}(this, this->{row.name}, value{ends});", "}", ""]
 
 
 def _text_setter(row):
     return [f"void @CLASS@::Set{row.name}(const std::string& name)", "{",
-            f"  SetAny(this, this->{row.name}, name);", "}", ""]
+            f"  vtkAHDSetAny(this, this->{row.name}, name);", "}", ""]
 
 
 def _vector_setter(row):

@@ -71,7 +71,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true")
     only_checks = parser.parse_args().check
-    made = all_files()
+    try:
+        made = all_files()
+    except ValueError as error:
+        print(f"Filters/Settings: {error}")
+        return 1
     old = [path for path, text in made.items()
            if not (ROOT / path).exists() or (ROOT / path).read_text(encoding="utf-8") != text]
     for path in old:

@@ -97,7 +97,7 @@ def _domain(xml, row):
         xml.empty("Property", [("name", "Input"), ("function", "Input")])
         xml.close("RequiredProperties")
         xml.close("NumberOfPointsRangeDomain")
-    elif least is not None or row.panel_range == "any":
+    elif least is not None or row.most is not None or row.panel_range == "any":
         _range(xml, row, least)
 
 

@@ -6,6 +6,7 @@ import rows as tables
 COLUMNS = 116
 # As VTK's methods take and return them.
 KINDS = {"id": "int64"}
+LEAST = {"int": -2**31, "int64": -2**63, "double": -1.0e299}
 MOST = {"int": 2**31 - 1, "int64": 2**63 - 1, "double": 1.0e299}  # VTK_INT_MAX, VTK_TYPE_INT64_MAX, VTK_DOUBLE_MAX
 
 
@@ -36,9 +37,9 @@ def _literal(value):
 def _range(row, kind):
     if kind == "enum":
         return 0, len(row.values) - 1
-    if row.is_switch or (row.least is None and row.most is None):
+    if not row.is_clamped:
         return None, None
-    return row.least, MOST[kind] if row.most is None else row.most
+    return LEAST[kind] if row.least is None else row.least, MOST[kind] if row.most is None else row.most
 
 
 def _names(names):
@@ -59,9 +60,12 @@ def constants(rows):
 
 
 def measure_rows(rows):
-    """What they are before an execution, and after one that failed."""
-    return [f'    "{row.name}": {_default(row) if row.type != "double" else repr(float(row.default))},'
-            for row in tables.measures(rows)]
+    """(name, what it is before an execution and after one that failed, what it counts) of each."""
+    lines = []
+    for row in tables.measures(rows):
+        *text, last = _text(_about(row))
+        lines += [f'    ("{row.name}", {_default(row)},', *text, last.rstrip(",") + "),"]
+    return lines
 
 
 def names_of(rows):

@@ -2,6 +2,7 @@
 """The tables of settings and measures: what a row says, and what follows from it."""
 
 import dataclasses
+import math
 import pathlib
 import re
 import textwrap
@@ -10,9 +11,14 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = 120
 MARK = "Made by Filters/Settings/generate.py: change what is there, not this."
-TYPES = ("bool", "flag", "enum", "int", "id", "int64", "double", "text")
+# What a default is in the table, by type.
+TYPES = {"bool": bool, "flag": bool, "enum": int, "int": int, "id": int, "int64": int, "double": float, "text": str}
 PLACEHOLDERS = ("object", "exposed")
+INPUTS = ["Input", "Places"]  # of which conditions may be, too
 SWITCHES = ("bool", "flag")
+PANELS = ("default", "advanced", "never", "none")
+PANEL_RANGES = ("", "points", "any", "without a most")
+VECTORS = (2, 3, 4, 6)  # so many numbers VTK's macros take
 
 
 @dataclasses.dataclass
@@ -36,7 +42,7 @@ class Row:
     help: str = ""
     details: str = ""
     measure: bool = False
-    default: object = 0
+    default: object = None
     panel_default: object = None
     values: tuple = ()
     least: object = None
@@ -67,20 +73,48 @@ class Row:
         return self.type in SWITCHES
 
     @property
+    def is_clamped(self):
+        return self.least is not None or self.most is not None
+
+    @property
     def shown_default(self):
         """The default in ParaView's panel."""
         return self.default if self.panel_default is None else self.panel_default
 
     def check(self):
         """ValueError for a row that says what none can."""
-        if self.type not in TYPES + PLACEHOLDERS:
-            raise ValueError(f"{self.name}: there is no type {self.type}")
-        if self.type in TYPES and not self.help.strip():
-            raise ValueError(f"{self.name} has no help")
-        if (self.type == "enum") != bool(self.values) and self.type != "int":
-            raise ValueError(f"{self.name}: an enum has values, and nothing else has")
-        if self.ranks not in ("same", "own"):
-            raise ValueError(f"{self.name}: ranks are \"same\" or \"own\"")
+        for wrong, text in self._complaints():
+            if wrong:
+                raise ValueError(f"[{self.name}]: {text}")
+
+    def _complaints(self):
+        yield self.type not in (*TYPES, *PLACEHOLDERS), f"there is no type {self.type}"
+        for field in dataclasses.fields(self):
+            kind = type(field.default)
+            yield kind in (str, bool, tuple) and not isinstance(getattr(self, field.name), kind), (
+                f"{field.name} is of another type")
+        yield self.panel not in PANELS, f"panel is one of {PANELS}"
+        yield self.panel_range not in PANEL_RANGES, f"panel_range is one of {PANEL_RANGES}"
+        yield self.ranks not in ("same", "own"), 'ranks are "same" or "own"'
+        if self.type in PLACEHOLDERS:
+            return
+        yield not self.help.strip(), "no help"
+        yield (self.type == "enum") != bool(self.values) and self.type != "int", "an enum has values"
+        yield self.old_name and not self.is_switch, "an old name is one of a bool or a flag"
+        yield from self._complaints_about_numbers()
+
+    def _complaints_about_numbers(self):
+        kind = TYPES[self.type]
+        for name in ("default", "panel_default", "least", "most", "panel_least"):
+            for value in _as_list(getattr(self, name)):
+                yield value is not None and type(value) is not kind, f"{name} is no {kind.__name__}"
+        yield self.default is None, "no default"
+        yield self.values and not 0 <= self.default < len(self.values), "default is no value"
+        if isinstance(self.default, list):
+            yield self.elements not in VECTORS or kind not in (int, float), "no list of so many of these"
+            yield kind is float and not all(map(math.isfinite, self.default)), "default is not finite"
+            yield self.most is not None or (kind is float and self.least is not None), (
+                "lists are clamped by a least whole number only")
 
 
 def spaced(name):
@@ -127,7 +161,9 @@ def _said_value(row, by_constants):
 def _said_range(row, text):
     if row.least is not None and row.most is not None:
         return f"From {numbers(row.least)[0]} to {numbers(row.most)[0]}. {text}."
-    return f"{text}, at least {numbers(row.least)[0]}." if row.least is not None else text + "."
+    ends = [f", {word} {numbers(end)[0]}" for word, end in (("at least", row.least), ("at most", row.most))
+            if end is not None]
+    return text + "".join(ends) + "."
 
 
 def wrapped(text, indent, columns=COLUMNS):
@@ -137,13 +173,29 @@ def wrapped(text, indent, columns=COLUMNS):
 
 
 def _row(name, group, said):
-    said = dict(said)
+    place = f"[{group}.{name}]" if group else f"[{name}]"
+    if not isinstance(said, dict) or "type" not in said:
+        raise ValueError(f"{place}: no type")
+    unknown = said.keys() - {field.name for field in dataclasses.fields(Row)}
+    if unknown:
+        raise ValueError(f"{place}: there is no field {', '.join(sorted(unknown))}")
+    if any(len(value) != len(dataclasses.fields(Value)) for value in said.get("values", ())):
+        raise ValueError(f"{place}: a value is four texts")
+    said = {field: _converted(value, said["type"]) for field, value in said.items()}
+    if said.get("measure"):
+        said.setdefault("default", TYPES.get(said["type"], int)())
     said["values"] = tuple(Value(*value) for value in said.get("values", ()))
-    for field in ("visible", "enabled"):
-        said[field] = tuple(said.get(field, ()))
     row = Row(name=name, group=group, **said)
     row.check()
     return row
+
+
+def _converted(value, kind):
+    """Lists of texts as tuples; whole numbers of a double as such."""
+    if isinstance(value, list):
+        value = [_converted(one, kind) for one in value]
+        return tuple(value) if value and isinstance(value[0], str) else value
+    return float(value) if kind == "double" and type(value) is int else value
 
 
 def read(file):
@@ -156,7 +208,19 @@ def read(file):
             rows.append(_row(name, "", said))
         else:
             rows += [_row(below, name, more) for below, more in said.items()]
+    _check_names(rows)
     return rows
+
+
+def _check_names(rows):
+    names = [row.name for row in rows]
+    for row in rows:
+        if names.count(row.name) > 1:
+            raise ValueError(f"[{row.name}]: there are two")
+        for condition in row.visible + row.enabled:
+            for name in re.findall(r"(\w+) (?:=|!=|in|is) ", condition):
+                if name not in names + INPUTS:
+                    raise ValueError(f"[{row.name}]: {condition}: there is no {name}")
 
 
 def settings(rows):

@@ -146,6 +146,35 @@ class ComplaintsTest(unittest.TestCase):
         table.write_text(table.read_text(encoding="utf-8").replace("most = 1024", "most = 1025"), encoding="utf-8")
         self.assertEqual(len(lint.check_made(self.root)), 4)  # panel, header, class in Python, list of tests
 
+    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
+    def test_rows(self):
+        """A row of each type is made; one that says what none can is named."""
+        settings, template = pathlib.Path("Filters/Settings"), pathlib.Path("Plugin/AdaptiveHilbertDelaunay.xml.in")
+        shutil.copytree(lint.ROOT / settings, self.root / settings)
+        (self.root / "Plugin").mkdir()
+        shutil.copy(lint.ROOT / template, self.root / template)
+        table = self.root / settings / "delaunay.toml"
+        rows = table.read_text(encoding="utf-8")
+        for row, complaint in (
+                ('type = "bool"\ndefault = false\nhepl = ""', "there is no field hepl"),
+                ('type = "boole"\ndefault = false', "there is no type boole"), ('default = 1', "no type"),
+                ('type = "bool"\ndefault = 1', "default is no bool"), ('type = "double"\ndefault = "1"', "no float"),
+                ('type = "int"', "no default"), ('type = "int"\ndefault = [1]', "no list"),
+                ('type = "enum"\ndefault = 0', "an enum has values"),
+                ('type = "int"\ndefault = 1\npanel = "hidden"', "panel is one of"),
+                ('type = "int"\ndefault = 1\nvisible = ["Alhpa = 0"]', "there is no Alhpa"),
+                ('type = "double"\ndefault = [1, 2]\nleast = 0', "lists are clamped")):
+            table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\n{row}\n', encoding="utf-8")
+            said = lint.check_made(self.root)
+            self.assertEqual(len(said), 1, said)
+            self.assertIn("New]", said[0])
+            self.assertIn(complaint, said[0])
+        free = ('"int"', "3"), ('"int"', "[1, 2]"), ('"double"', "1"), ('"double"', "nan"), ('"text"', '"a"')
+        for kind, default in free:
+            table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\ntype = {kind}\ndefault = {default}\n',
+                             encoding="utf-8")
+            self.assertIn("Filters/vtkAdaptiveHilbertAlgorithm.h", str(lint.check_made(self.root)))
+
     def test_shell(self):
         self.need("shellcheck")
         self.write("Testing/good.sh", "#!/usr/bin/env bash\nset -u\n")

@@ -36,6 +36,10 @@ def another(row):
         return row["values"][1 - default if default < 2 else 0]
     if row["type"] in ("bool", "flag"):
         return 0 if default else 1
+    if row["type"] == "text":
+        return default + "x"
+    if isinstance(default, list):
+        return [number + 1 for number in default]
     return default + 0.5 if row["type"] == "double" else default + 3
 
 

@@ -12,7 +12,7 @@ from .interpolating import Interpolating, Stopped
 from .sampling import area_of, is_surface
 from .vtkclass import Followers, Inputs, Pieces, build
 
-NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkDataSetAlgorithm")
+NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkAdaptiveHilbertInterpolationAlgorithm", "vtkDataSetAlgorithm")
 
 ABOUT = """Values between scattered points: rasters, and places of any data set.
 

@@ -2,6 +2,7 @@
 """The settings of vtkAdaptiveHilbertDelaunay2D, and VTK's methods for each: SetX, GetX, XOn, XOff, SetXToY,
 GetXMinValue, GetXMaxValue."""
 
+import math
 import operator
 import re
 
@@ -12,9 +13,9 @@ INT64_MAX = 2**63 - 1
 
 
 class Setting:
-    """One setting, of a row of the table. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64 or double.
-    `least`, `most`: what values are clamped to; None: any value. `names`: of an enum, what follows SetXTo for 0, 1, ...
-    `about`: what it does."""
+    """One setting, of a row of the table. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64, double or
+    text. `least`, `most`: what values are clamped to; None: any value. `names`: of an enum, what follows SetXTo for
+    0, 1, ... `about`: what it does."""
 
     def __init__(self, name, kind, default, about, least=None, most=None, names=()):
         self.name, self.kind, self.default, self.about, self.names = name, kind, default, about, names
@@ -46,11 +47,54 @@ def _as_double(value):
     return float(value)
 
 
-SETTINGS = tuple(Setting(*row) for row in table.DELAUNAY)
-SOURCE = tuple(Setting(*row) for row in table.POINTS)  # of vtkPlanarPointSource
+class Vector(Setting):
+    """Several numbers, each clamped by itself, of kind int or double. SetX takes them one by one or as a sequence."""
+
+    def convert(self, value, now):
+        numbers = tuple(value)
+        if len(numbers) != len(self.default):
+            raise TypeError("Set%s takes %d numbers" % (self.name, len(self.default)))
+        if self.kind == "double":
+            return tuple(_as_double(number) for number in numbers)
+        return tuple(super(Vector, self).convert(number, 0) for number in numbers)
+
+    def text(self, value):
+        return ", ".join("%g" % number for number in value)
+
+
+class Double(Setting):
+    """Any double, NaN too: whatever NaN is given, it is the same setting."""
+
+    def convert(self, value, now):
+        value = _as_double(value)
+        return now if math.isnan(value) and math.isnan(now) else value
+
+
+class Text(Setting):
+    """A name."""
+
+    def convert(self, value, now):
+        if not isinstance(value, str):
+            raise TypeError("string is required, not %s" % type(value).__name__)
+        return value
+
+
+def settings_of(rows):
+    """A Setting of each row."""
+    return tuple(_class_of(*row)(*row) for row in rows)
+
+
+def _class_of(_name, kind, default, _about, least, _most, _names):
+    if isinstance(default, tuple):
+        return Vector
+    return Text if kind == "text" else Double if kind == "double" and least is None else Setting
+
+
+SETTINGS = settings_of(table.DELAUNAY)
+SOURCE = settings_of(table.POINTS)  # of vtkPlanarPointSource
 BY_NAME = {setting.name: setting for setting in SETTINGS}
 CONSTANTS, COUNTS, SECONDS = table.DELAUNAY_CONSTANTS, table.DELAUNAY_COUNTS, table.DELAUNAY_SECONDS
-MEASURES = table.DELAUNAY_MEASURES
+MEASURES = {name: value for name, value, _about in table.DELAUNAY_MEASURES}
 
 
 def as_before(measures):
@@ -68,7 +112,10 @@ def _setter(setting):
     def set_it(self, value):
         self._set(setting, value)
 
-    return set_it
+    def set_each(self, *values):
+        self._set(setting, values[0] if len(values) == 1 else values)
+
+    return set_each if isinstance(setting, Vector) else set_it
 
 
 def _getter(name):
@@ -92,7 +139,7 @@ def methods_of(setting):
     if setting.kind in ("bool", "flag"):
         for end, value in (("On", 1), ("Off", 0)):
             made[name + end] = _method(name + end, _sets_to(setting, value), setting.about)
-    elif setting.least is not None and name not in table.WITHOUT_ENDS:
+    elif setting.least is not None and name not in table.WITHOUT_ENDS and not isinstance(setting, Vector):
         for end, value in (("MinValue", setting.least), ("MaxValue", setting.most)):
             made["Get" + name + end] = _method("Get" + name + end, _answers(value), "The %s value of %s." % (
                 "smallest" if end == "MinValue" else "largest", name))
@@ -102,16 +149,19 @@ def methods_of(setting):
     return made
 
 
+def getters_of(measures):
+    """VTK's methods for measures, by name."""
+    return {"Get" + name: _method("Get" + name, _getter(name), about) for name, _value, about in measures}
+
+
 def all_methods():
     """The methods and constants of all settings and measures, by name."""
-    made = dict(CONSTANTS)
+    made = dict(CONSTANTS, **getters_of(table.DELAUNAY_MEASURES))
     for setting in SETTINGS:
         made.update(methods_of(setting))
     for old, now in table.OLD_NAMES.items():
         for pattern in ("Set%s", "Get%s", "%sOn", "%sOff"):
             made[pattern % old] = _renamed(pattern % old, pattern % now)
-    for name in MEASURES:
-        made["Get" + name] = _method("Get" + name, _getter(name), "%s of the last execution." % name)
     return made
 
 

@@ -126,15 +126,16 @@ DELAUNAY = (
      None, None, ()),
     ("GenerateVoronoi", "bool", False,
      'Fill the third output, Voronoi: for each vertex a polygon, the places that are nearer to it than to any '
-     'other vertex. The polygons have the point data of their vertices as cell data, and lie at z = 0. They are '
-     'not shown at once, as they may cover the surface: click the eye of the output Voronoi. Off by default. '
-     'Output port 2: convex counterclockwise polygons, with the vertex\'s id as "OriginalPointIds" '
+     'other vertex. The polygons have the point data of their vertices as cell data, and lie at z = 0. ParaView '
+     'does not show them at once, as they may cover the surface: click the eye of the output Voronoi. Off by '
+     'default. Output port 2: convex counterclockwise polygons, with the vertex\'s id as "OriginalPointIds" '
      '(vtkIdTypeArray). Corners are those of the exact polygons, rounded once to double precision; those that '
      'differ by no more than 4 units in the last place may be one. Constraints have no say.',
      None, None, ()),
     ("VoronoiClip", "enum", 0,
      'Where the Voronoi diagram ends, as its outer polygons are unbounded. Hull: at the convex hull of the '
-     'points. Bounds: at their bounding box. Default: CLIP_TO_HULL.',
+     'points. Bounds: at their bounding box. Default: CLIP_TO_HULL. Both are those of the vertices, in the plane '
+     'of the triangulation.',
      0, 1, ('Hull', 'Bounds')),
     ("InsertionOrder", "enum", 0,
      'In which order the points are inserted. It changes the time, never the triangles. Adaptive Hilbert (HG), '
@@ -147,8 +148,8 @@ DELAUNAY = (
      'A box with more points than this is divided. Su et al. find 50 to 200 good. Smaller boxes follow crowded '
      'points more closely and take longer to sort. It changes the time, never the triangles. It has an effect '
      'with the Insertion Order Multi-grid, and with Adaptive Hilbert if Control Points is Off or First level, '
-     'Gene Rotation is off, or Generate Boxes is on, which shows the boxes; else the curve goes on inside the '
-     'boxes to the single point, and it is greyed. Default 50, at least 1.',
+     'Gene Rotation is off, or Generate Boxes is on, which shows the boxes; else it has none, as the curve goes '
+     'on inside the boxes to the single point, and ParaView greys it. Default 50, at least 1.',
      1, 2147483647, ()),
     ("ControlPoints", "enum", 2,
      'A sparse selection of the points, inserted before all others so that long thin triangles are not built '
@@ -166,10 +167,10 @@ DELAUNAY = (
     ("InsertionLimit", "int64", 0,
      'Stop after so many points: the surface is the triangulation of these, as it was when the last of them was '
      'inserted. 0, and numbers that are large enough: all points. Which points come first depends on the '
-     'settings of the insertion. Move the slider, or animate it, to see the surface grow: both go from 3, the '
-     'first that may give a triangle, to the number of points. For all points type 0. Default 0, at least 0. '
-     'Distinct points count. The others are in no triangle and counted by NumberOfPointsBeyondLimit. With a '
-     'limit, one thread inserts.',
+     'settings of the insertion. In ParaView move the slider, or animate it, to see the surface grow: both go '
+     'from 3, the first that may give a triangle, to the number of points; for all points type 0. Default 0, at '
+     'least 0. Distinct points count. The others are in no triangle and counted by NumberOfPointsBeyondLimit. '
+     'With a limit, one thread inserts.',
      0, 9223372036854775807, ()),
     ("GenerateInsertionRank", "bool", False,
      'Add a point array, InsertionRank: the place of each point in the order of insertion, from 0; -1 for '
@@ -205,13 +206,13 @@ DELAUNAY = (
      'anyway, unless Insertion Order says otherwise. Off by default.',
      None, None, ()),
     ("NumberOfThreads", "int", 0,
-     'How many processors the filter works on. It changes the time, never the triangles. 0: all that ParaView '
-     '(on a server: the server) may use, unless VTK was told to use fewer, for example by the environment '
-     'variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly so many. Set it where others need the processors too. '
-     'With Count Work, an Insertion Limit, another Insertion Order than Adaptive Hilbert, or other insertion '
-     'settings than the defaults, the points are inserted by one; so are few points. From 0 to 1024. Default 0. '
-     'The calling thread is one of them; it alone reports progress and is asked for an abort. 0 heeds '
-     'vtkSMPTools::Initialize(n), too.',
+     'How many processors the filter works on. It changes the time, never the triangles. 0: all that the program '
+     '(ParaView; with a server, the server) may use, unless VTK was told to use fewer, for example by the '
+     'environment variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly so many. Set it where others need the '
+     'processors too. With Count Work, an Insertion Limit, another Insertion Order than Adaptive Hilbert, or '
+     'other insertion settings than the defaults, the points are inserted by one; so are few points. From 0 to '
+     '1024. Default 0. The calling thread is one of them; it alone reports progress and is asked for an abort. 0 '
+     'heeds vtkSMPTools::Initialize(n), too.',
      0, 1024, ()),
     ("DistributePoints", "bool", False,
      'On a server with several ranks: triangulate the points of all ranks together, into one surface without '
@@ -220,16 +221,17 @@ DELAUNAY = (
      'rank triangulates its own points. For some settings one rank does it all, which a warning says once. All '
      'ranks have to update the filter: a script of pvbatch --sym that does so on one alone waits for ever. No '
      "effect with one rank, nor in Python's class and plugin, where each rank works on its own. On by default in "
-     'ParaView, off in VTK. The ranks are those of Controller. The triangles are those of one rank that has all '
-     'inputs and sources, appended in the order of the ranks. All ranks have to update alike, with the same '
-     'settings: where one has to execute, all do. Each puts out the triangles that it owns, by place; with its '
-     'points; and behind these the points of others that are corners, with vtkGhostType DUPLICATEPOINT. Layers '
-     'of ghost cells are marked as well. The global ids "GlobalPointIds" number the points as appended, those of '
-     'sources last; "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source\'s cells are those '
-     "of the rank's own points. Sources that are the same on all ranks count once where their points are added. "
-     'What fails on one rank ends in one error on each. Settings that ranks have no method for have one rank '
-     'triangulate all points and put out everything, if there is room on it; a warning names the first: '
-     'Reference.md lists them. With MergeBlocks off, block k of all ranks is triangulated by itself, for each k.',
+     'ParaView, off in VTK. Off, there is a warning where there are several ranks. The ranks are those of '
+     'Controller. The triangles are those of one rank that has all inputs and sources, appended in the order of '
+     'the ranks. All ranks have to update alike, with the same settings: where one has to execute, all do. Each '
+     'puts out the triangles that it owns, by place; with its points; and behind these the points of others that '
+     'are corners, with vtkGhostType DUPLICATEPOINT. Layers of ghost cells are marked as well. The global ids '
+     '"GlobalPointIds" number the points as appended, those of sources last; "GlobalCellIds" the triangles. '
+     "Counts are of all ranks. Ids in the source's cells are those of the rank's own points. Sources that are "
+     'the same on all ranks count once where their points are added. What fails on one rank ends in one error on '
+     'each. Settings that ranks have no method for have one rank triangulate all points and put out everything, '
+     'if there is room on it; a warning names the first: Reference.md lists them. With MergeBlocks off, block k '
+     'of all ranks is triangulated by itself, for each k.',
      None, None, ()),
     ("KeepTriangulation", "bool", True,
      'Triangulate again only what is new: where points, source and settings are those of the last two runs, as '
@@ -287,32 +289,69 @@ DELAUNAY_CONSTANTS = {
     "SINGLE_LEVEL": 1,
     "EVERY_LEVEL": 2,
 }
-# In the order in which PrintSelf has them; what they are before an execution, and after one that failed.
-DELAUNAY_MEASURES = {
-    "NumberOfThreadsUsed": 0,
-    "NumberOfTriangulations": 0,
-    "MemoryEstimate": 0,
-    "NumberOfTriangles": 0,
-    "NumberOfPointsInserted": 0,
-    "NumberOfDuplicates": 0,
-    "NumberOfMergedPoints": 0,
-    "NumberOfAddedPoints": 0,
-    "NumberOfRejectedPoints": 0,
-    "NumberOfSkippedPoints": 0,
-    "NumberOfPointsBeyondLimit": 0,
-    "NumberOfConstraintEdges": 0,
-    "NumberOfCrossings": 0,
-    "NumberOfBentConstraints": 0,
-    "NumberOfConstraintsLeftOut": 0,
-    "NumberOfUnfilledLoops": 0,
-    "NumberOfTrimmedTriangles": 0,
-    "NP": -1.0,
-    "NR": -1.0,
-    "SortSeconds": 0.0,
-    "InsertSeconds": 0.0,
-    "ConstrainSeconds": 0.0,
-    "OutputSeconds": 0.0,
-}
+# In the order in which PrintSelf has them: name, what it is before an execution and after one that failed, what it is.
+DELAUNAY_MEASURES = (
+    ("NumberOfThreadsUsed", 0,
+     'Threads that shared the work of the last run; 1 if there was too little to share.'),
+    ("NumberOfTriangulations", 0,
+     'How often this filter has triangulated since it was made; runs that passed on the triangles of the one '
+     'before do not count.'),
+    ("MemoryEstimate", 0,
+     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
+     'refused: what Memory Limit is compared with. If there were too many crossings: what one more than fits '
+     'would need.'),
+    ("NumberOfTriangles", 0,
+     'Triangles of the surface, in the last run.'),
+    ("NumberOfPointsInserted", 0,
+     'Points that are vertices of the surface, in the last run. Counts are 0 if the run was aborted or ended in '
+     'an error; else those of points add up to all points, added ones included.'),
+    ("NumberOfDuplicates", 0,
+     'Points with the same x and y as an earlier point, in the last run. They are not in the surface.'),
+    ("NumberOfMergedPoints", 0,
+     'Points that were merged into another by the Tolerance, in the last run. Points with the very same x and y '
+     'are counted as duplicates.'),
+    ("NumberOfAddedPoints", 0,
+     'Points of the surface that are not in the input, in the last run: points of the source, where lines cross, '
+     'and those of Bounding Triangulation.'),
+    ("NumberOfRejectedPoints", 0,
+     'Points whose x or y is NaN or infinite, in the last run. They are not in the surface.'),
+    ("NumberOfSkippedPoints", 0,
+     'Points left out because they are marked as ghosts or hidden, in the last run.'),
+    ("NumberOfPointsBeyondLimit", 0,
+     'Points that are not in the surface because of the Insertion Limit, in the last run.'),
+    ("NumberOfConstraintEdges", 0,
+     'Edges of the triangulation that are edges of the source, in the last run. Those of triangles that were '
+     'dropped are included.'),
+    ("NumberOfCrossings", 0,
+     'Segments of the source that were left out as they cross an earlier one, in the last run; with the crossing '
+     'mode Split, the points added where segments cross. The field data array Crossings says which lines.'),
+    ("NumberOfBentConstraints", 0,
+     'With the crossing mode Split: segments of the source that were led, in the last run, through a point that '
+     'lies beside them by less than rounding tells apart.'),
+    ("NumberOfConstraintsLeftOut", 0,
+     'Segments of the source that are no edges of the triangulation, in the last run: they cross another, or '
+     'have an end that is no vertex.'),
+    ("NumberOfUnfilledLoops", 0,
+     'Outlines that bound nothing, as one of their segments was left out, in the last run.'),
+    ("NumberOfTrimmedTriangles", 0,
+     'Flat triangles that Rim took away, in the last run.'),
+    ("NP", -1.0,
+     'Triangles tested to find where a point goes, per inserted point, in the last run. The time of finding is '
+     'proportional to it. -1 if it was not counted: switch Count Work on. The triangle that the search starts '
+     'from is included.'),
+    ("NR", -1.0,
+     'Triangles removed to make room for a point, per inserted point, in the last run. The time of updating is '
+     'proportional to it. -1 if it was not counted: switch Count Work on.'),
+    ("SortSeconds", 0.0,
+     'Wall-clock seconds of reading the points and sorting them into the order of insertion, in the last run. '
+     'Seconds are 0 if triangles were passed on.'),
+    ("InsertSeconds", 0.0,
+     'Wall-clock seconds of inserting the points, in the last run.'),
+    ("ConstrainSeconds", 0.0,
+     'Wall-clock seconds of making the lines of the source edges, in the last run.'),
+    ("OutputSeconds", 0.0,
+     'Wall-clock seconds of putting the triangles out in their canonical order, in the last run.'),
+)
 # What is also field data of the output.
 DELAUNAY_COUNTS = (
     "NumberOfTriangles",
@@ -405,8 +444,8 @@ INTERPOLATION = (
      None, None, ()),
     ("AlignToCellSize", "bool", False,
      'Put the borders between cells at multiples of the cell size, so that rasters of neighbouring tiles and of '
-     "different surveys lie cell on cell (as -tap of GDAL). Off by default. The area's lower bounds are rounded "
-     'down, the upper ones up.',
+     "different surveys lie cell on cell (as -tap of GDAL). Off by default. Used with BY_CELL_SIZE. The area's "
+     'lower bounds are rounded down, the upper ones up.',
      None, None, ()),
     ("UseBounds", "bool", False,
      'Give the raster an area of its own (Bounds) instead of the bounding box of the points: two surveys whose '
@@ -427,7 +466,7 @@ INTERPOLATION = (
     ("Outside", "enum", 0,
      'What places outside the surface get. No Value: NaN in floating point arrays, 0 in others. Nearest Vertex: '
      'the values of the nearest point of the triangulation. Either way vtkValidPointMask is 0 there. Default: '
-     'NO_VALUE. Counts of places outside are the same either way.',
+     'NO_VALUE. In place of NaN, what NoValue says. Counts of places outside are the same either way.',
      0, 1, ('NoValue', 'NearestVertex')),
     ("NoValue", "double", math.nan,
      'What arrays of floating-point numbers have where there is no value. Arrays of whole numbers (Nearest) have '
@@ -463,17 +502,36 @@ INTERPOLATION_CONSTANTS = {
     "NO_VALUE": 0,
     "NEAREST_VERTEX": 1,
 }
-INTERPOLATION_MEASURES = {
-    "NumberOfTriangulations": 0,
-    "MemoryEstimate": 0,
-    "NumberOfPlaces": 0,
-    "NumberOfValidPlaces": 0,
-    "NumberOfPlacesOutside": 0,
-    "NumberOfNotFinitePlaces": 0,
-    "NumberOfPlacesWithoutValue": 0,
-    "NumberOfPlacesWithNeighborsLeftOut": 0,
-    "SampleSeconds": 0.0,
-}
+INTERPOLATION_MEASURES = (
+    ("NumberOfTriangulations", 0,
+     'How often this filter has triangulated since it was made. Another method or cell size needs no new '
+     'triangulation. A triangulation is kept where KeepTriangulation is on and ReuseLimit is large enough, for '
+     'the next execution with the same points, constraints and Triangulation. It stays 0 on a surface whose own '
+     'triangulation is there.'),
+    ("MemoryEstimate", 0,
+     'The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its input, or was '
+     'refused: what Memory Limit is compared with. That is the MemoryLimit of Triangulation.'),
+    ("NumberOfPlaces", 0,
+     'Places, or cells of the raster, in the last run. They are those on the surface, those outside and those '
+     'that are not finite. Counts are 0 if the run was aborted or ended in an error; they are field data of the '
+     'output, too.'),
+    ("NumberOfValidPlaces", 0,
+     'Places that lie on the surface, in the last run: those where vtkValidPointMask is 1.'),
+    ("NumberOfPlacesOutside", 0,
+     'Places outside the surface, in the last run: beyond its hull, in a hole or in a triangle that was left '
+     'out.'),
+    ("NumberOfNotFinitePlaces", 0,
+     'Places whose x or y is NaN or infinite, in the last run. They have no value.'),
+    ("NumberOfPlacesWithoutValue", 0,
+     'Values that are NaN, though their place is on the surface, as points around them have NaN, in the last '
+     'run. A value is one for each component of an array at a valid place.'),
+    ("NumberOfPlacesWithNeighborsLeftOut", 0,
+     'With Natural Neighbor and Laplace: values that were made without some neighbours, as these have NaN, in '
+     'the last run.'),
+    ("SampleSeconds", 0.0,
+     'Wall-clock seconds of finding the places and interpolating, in the last run; triangulating is not among '
+     'them.'),
+)
 INTERPOLATION_COUNTS = (
     "NumberOfPlaces",
     "NumberOfValidPlaces",
