@@ -18,7 +18,7 @@
 struct vtkAHDReport
 {
   ahd::Status Status = ahd::Status::Cancelled;
-  bool IsRefused = false;           ///< the estimate is above the limit; nothing was begun
+  bool IsRefused = false;           ///< the estimate is above the limit
   std::size_t Points = 0;           ///< all, as far as they were known when it ended
   vtkTypeInt64 Estimate = 0;        ///< of memory, KiB
   vtkTypeInt64 Limit = 0;           ///< on memory, KiB

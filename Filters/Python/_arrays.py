@@ -147,8 +147,8 @@ def delaunay(
     TypeError
         An array or a value is of another type.
     MemoryError
-        There is not enough memory, or `memory_limit` allows less than is needed: then at once, but for segments that
-        cross too often to be split.
+        There is not enough memory, or `memory_limit` allows less than is needed: then at once, but for what shows
+        while segments are split or inserted.
     KeyboardInterrupt
         Ctrl-C: at once.
 

@@ -217,7 +217,7 @@ class Job:
     # --- running ---
 
     def estimate(self) -> int:
-        """Upper estimate of the bytes that `run` and the arrays that are announced take."""
+        """Upper estimate of the bytes that `run` and the arrays announced take, but for what shows meanwhile."""
         value = ctypes.c_uint64()
         self._check(C.ahd_estimate(self._handle, value))
         return value.value

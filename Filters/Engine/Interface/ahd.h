@@ -303,7 +303,7 @@ AHD_API ahd_status ahd_set_progress(ahd_job* job, ahd_progress progress, void* u
 /* --- Running --------------------------------------------------------------------------------- */
 
 /* Upper estimate of the bytes that ahd_run() and the arrays that are announced take, other_memory
- * included. Not in it, as nobody knows before: crossings that are split. */
+ * included, but for what shows as it works: crossings, loops, what is long or crosses others. */
 AHD_API ahd_status ahd_estimate(ahd_job* job, uint64_t* bytes);
 
 /* Triangulates. What was made before is gone. */

@@ -365,6 +365,48 @@ static void test_crossings(void)
   ahd_job_free(job);
 }
 
+/* Memory that shows while loops are inserted: the table of their edges. */
+static void test_asked_memory(void)
+{
+  enum
+  {
+    kSquares = 600
+  };
+  double xy[4 * kSquares * 2];
+  int64_t ids[4 * kSquares], i, needed, none;
+  uint64_t bytes = 0;
+  ahd_job* job;
+  ahd_array loops;
+  for (i = 0; i < 4 * kSquares; ++i) /* within each other */
+  {
+    const double half = (double)(i / 4) + 1;
+    xy[2 * i] = i % 4 == 1 || i % 4 == 2 ? half : -half;
+    xy[2 * i + 1] = i % 4 < 2 ? -half : half;
+    ids[i] = i;
+  }
+  job = ahd_job_of(xy, 4 * kSquares, 2);
+  loops = ahd_ids(ids, kSquares, 4);
+  CHECK_OK(job, ahd_set_array(job, "loop_ids", &loops));
+  CHECK_OK(job, ahd_set_int(job, "threads", 1));
+  CHECK_OK(job, ahd_estimate(job, &bytes));
+  CHECK_OK(job, ahd_run(job));
+  needed = ahd_counted(job, "memory_estimate");
+  CHECK(needed > (int64_t)bytes);
+  for (i = 0; i < 20; ++i) /* what was asked for is given back, refused or not */
+  {
+    CHECK_OK(job, ahd_set_int(job, "memory_limit", i % 3 == 0 ? (int64_t)bytes : needed - 1));
+    CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_run(job));
+    CHECK_SAYS(job, "\"memory_limit\" allows");
+    CHECK(ahd_counted(job, "memory_estimate") > ahd_counted(job, "memory_allowed"));
+    CHECK(ahd_counted(job, "points") == 4 * kSquares);
+    CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_count(job, "triangles", &none));
+    CHECK_OK(job, ahd_set_int(job, "memory_limit", needed));
+    CHECK_OK(job, ahd_run(job));
+    CHECK(ahd_counted(job, "memory_estimate") == needed);
+  }
+  ahd_job_free(job);
+}
+
 /* Same bytes for any number of threads; two jobs in two threads. */
 static void* run_and_read(void* user)
 {
@@ -428,6 +470,7 @@ void test_trouble(void)
   test_cancel();
   test_memory();
   test_crossings();
+  test_asked_memory();
   test_threads();
   test_fingerprint();
   test_absurd_counts();

@@ -409,3 +409,34 @@ TEST(SplitCrossings, WhatBendsIsCountedAndNamed)
   filter.Run();
   EXPECT_EQ(filter->GetNumberOfBentConstraints(), 0);
 }
+
+/// The table of the edges of loops is asked for when their number is known.
+TEST(Constraints, WhatTheyNeedBeyondTheLimitIsRefused)
+{
+  constexpr vtkIdType kSquares = 600; // within each other
+  std::vector<Xyz> points;
+  std::vector<Chain> loops;
+  for (vtkIdType i = 0; i < kSquares; ++i)
+  {
+    const double half = double(i) + 1.0;
+    points.insert(points.end(),
+      { { -half, -half, 0 }, { half, -half, 0 }, { half, half, 0 }, { -half, half, 0 } });
+    loops.push_back({ 4 * i, 4 * i + 1, 4 * i + 2, 4 * i + 3 });
+  }
+  ConstrainedFilter filter(points, makeSource({}, loops));
+  filter->SetNumberOfThreads(1);
+  filter.Run();
+  const vtkTypeInt64 needed = filter->GetMemoryEstimate();
+  for (const vtkTypeInt64 limit : { needed - 1, needed, needed - 1 })
+  {
+    filter->SetMemoryLimit(limit);
+    EXPECT_EQ(filter.Run()->GetNumberOfPoints(), limit == needed ? 4 * kSquares : 0) << limit;
+    EXPECT_GE(filter->GetMemoryEstimate(), limit == needed ? needed : limit + 1);
+    EXPECT_EQ(filter.Said->Errors.size(), limit == needed ? 0u : 1u);
+    for (const std::string& error : filter.Said->Errors)
+    {
+      EXPECT_NE(error.find("Triangulating 2400 points may take"), std::string::npos) << error;
+      EXPECT_NE(error.find("but MemoryLimit allows"), std::string::npos) << error;
+    }
+  }
+}

@@ -214,6 +214,25 @@ class JobTest(unittest.TestCase):
         with self.assertRaises(TypeError):
             job.set(nmax=1.5)
 
+    def test_memory_that_shows_during_the_run_is_refused(self):
+        """The table of loops' edges, each time anew: nothing stays taken."""
+        job, half = self.job, np.arange(1.0, 601.0)
+        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+        job.set_array("points", (half[:, None, None] * corners).reshape(-1, 2))  # squares within each other
+        job.set_array("loop_ids", np.arange(2400).reshape(600, 4))
+        job.set(threads=1)
+        known = job.estimate()
+        job.run()
+        needed = job.count("memory_estimate")
+        self.assertGreater(needed, known)
+        for limit in (known, needed - 1, known):
+            job.set(memory_limit=limit)
+            refused = self.refuse(library.MEMORY_LIMIT, "2400 points.*\"memory_limit\" allows", job.run)
+            self.assertIsInstance(refused, MemoryError)
+            job.set(memory_limit=needed)
+            job.run()
+            self.assertEqual(job.count("memory_estimate"), needed)
+
     def test_set_get_and_take_away(self):
         job = self.job
         job.set(nmax=np.int16(7), gene_rotation=False, tolerance=np.float32(0.5), alpha=3)
