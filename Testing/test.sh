@@ -113,7 +113,7 @@ if [ -n "$own_vtk" ]; then
     export LD_LIBRARY_PATH=$libraries # the programs' own search path does not reach their libraries'
     configure_and_build "$build/with-vtk${version/./}" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=OFF \
       "VTK_DIR=$libraries/cmake/vtk-$version" -- FilterTests FaultsMemory FaultsCancel \
-      AdaptiveHilbertDelaunayFiltersPython AdaptiveHilbertDelaunayPythonLibrary
+      AdaptiveHilbertDelaunayFiltersPython AdaptiveHilbertDelaunayPythonLibrary AhdCountedMemory
   ) || exit
 fi
 configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON
