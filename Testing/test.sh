@@ -17,7 +17,7 @@ help() {
 Installs what is missing (Debian 12, 13 or testing, as root or with sudo), builds everything in build/, and
 runs the tests through CTest: on Debian 12 and 13 first those of the VTK filter with Debian's own VTK (9.1,
 9.3), unpacked in build/vtk91 or build/vtk93; then all of them with ParaView and its VTK, which in testing
-is Debian's own. Takes under 25 minutes on two cores from nothing.
+is Debian's own. Takes half an hour on two cores from nothing.
 
 --long         also the tests that take longer (label: long)
 --paraview     only the tests with ParaView, not those with Debian's own VTK
