@@ -9,6 +9,7 @@
 #include "EngineRun.h"
 #include "MemoryListener.h"
 #include "OwnMemory.h"
+#include "SeparateLines.h"
 #include "Shores.h"
 
 #include <gtest/gtest.h>
@@ -79,42 +80,11 @@ TEST(SplitMemory, SplittingSaysSo)
     });
 }
 
-/// Segments, each a line of its own.
-struct Segments
+struct Segments : SeparateLines
 {
-  std::vector<Point> points;
-  std::vector<std::int64_t> ids, offsets{ 0 };
-
-  void add(const Point& a, const Point& b)
-  {
-    for (const Point& p : { a, b })
-    {
-      ids.push_back(std::int64_t(points.size()));
-      points.push_back(p);
-    }
-    offsets.push_back(std::int64_t(ids.size()));
-  }
-  std::size_t count() const { return offsets.size() - 1; }
-  std::size_t segments() const { return ids.size() - count(); }
-
-  /// Puts a line of many segments behind the others.
-  void addLine(const std::vector<Point>& line)
-  {
-    for (const Point& p : line)
-    {
-      ids.push_back(std::int64_t(points.size()));
-      points.push_back(p);
-    }
-    offsets.push_back(std::int64_t(ids.size()));
-  }
-
   Status split(std::size_t most, SplitConstraints& out, Progress* progress = nullptr) const
   {
-    ConstraintView chains;
-    chains.ids = ids.data();
-    chains.offsets = offsets.data();
-    chains.chains = chains.lines = offsets.size() - 1;
-    return splitAtCrossings(viewOf(points), chains, progress, out, most);
+    return splitAtCrossings(viewOf(points), view(), progress, out, most);
   }
 };
 

@@ -6,6 +6,7 @@
 
 #include "EngineRun.h"
 #include "Listeners.h"
+#include "SeparateLines.h"
 
 #include <gtest/gtest.h>
 
@@ -20,32 +21,7 @@ namespace test
 namespace
 {
 
-/// Segments, each a line of its own.
-struct Segments
-{
-  std::vector<Point> points;
-  std::vector<std::int64_t> ids, offsets{ 0 };
-
-  void add(const Point& a, const Point& b)
-  {
-    for (const Point& p : { a, b })
-    {
-      ids.push_back(std::int64_t(points.size()));
-      points.push_back(p);
-    }
-    offsets.push_back(std::int64_t(ids.size()));
-  }
-  std::size_t count() const { return offsets.size() - 1; }
-
-  ConstraintView view() const
-  {
-    ConstraintView chains;
-    chains.ids = ids.data();
-    chains.offsets = offsets.data();
-    chains.chains = chains.lines = count();
-    return chains;
-  }
-};
+using Segments = SeparateLines;
 
 /// Diameters in so many stars beside each other, through a double in the middle of each.
 Segments starsOf(std::size_t segments, std::size_t stars)
