@@ -14,7 +14,7 @@ set(ahd_engine_headers Triangulate.h RunMemory.h Options.h Constraints.h Result.
   Core/Prefetch.h
   Core/Progress.h Core/SizeInWords.h Core/Stages.h Core/Threads.h Core/Uninitialised.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
-  Distribute/BlockTriangulation.h Merge/Merge.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
+  Distribute/BlockTriangulation.h Merge/Merge.h Points/JoinedBounds.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
   Interface/ahd.h Interface/ahd_sample.h Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h

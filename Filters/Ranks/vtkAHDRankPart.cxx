@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankPart.h"
 
+#include "Engine/Points/JoinedBounds.h"
+
 #include <algorithm>
 
 namespace
 {
 constexpr std::size_t kAsk = std::size_t(1) << 14; // steps between two askings
-
-void Add(const ahd::Point& p, ahd::Bounds& bounds)
-{
-  bounds = bounds.xmin > bounds.xmax
-    ? ahd::Bounds{ p.x, p.x, p.y, p.y }
-    : ahd::Bounds{ std::min(bounds.xmin, p.x), std::max(bounds.xmax, p.x),
-        std::min(bounds.ymin, p.y), std::max(bounds.ymax, p.y) };
-}
 }
 
 void vtkAHDRankPart::SortOnce(std::vector<ahd::Index>& numbers)
@@ -39,7 +33,7 @@ void vtkAHDRankPart::ReadOwn()
       this->Places.push_back(p.y);
       this->Numbers.push_back(static_cast<ahd::Index>(i));
       this->Ids.push_back(this->Points.GetIds()[i]);
-      Add(p, this->OwnBounds);
+      this->OwnBounds = ahd::joined(this->OwnBounds, p);
     }
   }
   this->Own = this->Ids.size();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankSampling.h"
 
+#include "Engine/Points/JoinedBounds.h"
 #include "Engine/Sample/BoxNeighbors.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Ranks/vtkAHDArrayFacts.h"
@@ -83,18 +84,6 @@ struct Found
   double Seconds;
 };
 
-void Grow(ahd::Bounds& box, const ahd::Bounds& other)
-{
-  if (other.xmin > other.xmax)
-  {
-    return;
-  }
-  box = box.xmin > box.xmax
-    ? other
-    : ahd::Bounds{ std::min(box.xmin, other.xmin), std::max(box.xmax, other.xmax),
-        std::min(box.ymin, other.ymin), std::max(box.ymax, other.ymax) };
-}
-
 void Write(ahd::BytesWriter& writer, const std::vector<vtkAHDMissingValues>& all)
 {
   writer.write(std::uint64_t(all.size()));
@@ -170,7 +159,7 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   ahd::Bounds bounds;
   for (const ahd::BlockBytes& bytes : all)
   {
-    Grow(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
+    bounds = ahd::joined(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
   }
   return bounds;
 }
@@ -346,7 +335,7 @@ bool vtkAHDRankSampling::RunTogether(const Inputs& inputs, vtkDataObject* output
         boxes = this->BoxesOf(inputs, piece);
         for (const ahd::Bounds& box : boxes)
         {
-          Grow(this->Wanted, box);
+          this->Wanted = ahd::joined(this->Wanted, box);
         }
       }
     });
@@ -415,7 +404,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
         Add(one.Counts, this->Result.Counts);
         this->Result.AddMissing(ReadMissing(reader));
         this->Result.Places += static_cast<std::size_t>(one.Places);
-        Grow(this->Result.Wanted, one.Wanted);
+        this->Result.Wanted = ahd::joined(this->Result.Wanted, one.Wanted);
         this->Seconds = std::max(this->Seconds, one.Seconds);
       }
     });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSampleMessages.h"
 
+#include "Engine/Points/JoinedBounds.h"
 #include "Pipeline/vtkAHDMemoryWords.h"
 
 #include "vtkAlgorithm.h"
@@ -21,14 +22,9 @@ std::string InWords(double number)
   return text;
 }
 
-bool IsNowhere(const ahd::Bounds& box)
-{
-  return !(box.xmin <= box.xmax);
-}
-
 std::string InWords(const ahd::Bounds& box)
 {
-  if (IsNowhere(box))
+  if (ahd::isEmpty(box))
   {
     return "nowhere";
   }
@@ -265,17 +261,8 @@ void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
   this->Places += more.Places;
   this->AddMissing(more.Missing);
   this->Triangles = more.Triangles;
-  this->Surface = IsNowhere(this->Surface) ? more.Surface : this->Surface;
-  ahd::Bounds& all = this->Wanted;
-  if (IsNowhere(all) || IsNowhere(more.Wanted))
-  {
-    all = IsNowhere(all) ? more.Wanted : all;
-    return;
-  }
-  all.xmin = std::min(all.xmin, more.Wanted.xmin);
-  all.xmax = std::max(all.xmax, more.Wanted.xmax);
-  all.ymin = std::min(all.ymin, more.Wanted.ymin);
-  all.ymax = std::max(all.ymax, more.Wanted.ymax);
+  this->Surface = ahd::isEmpty(this->Surface) ? more.Surface : this->Surface;
+  this->Wanted = ahd::joined(this->Wanted, more.Wanted);
 }
 
 void vtkAHDSampleResult::AddMissing(const std::vector<vtkAHDMissingValues>& more)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BlockBoxes.h"
 
+#include "../Points/JoinedBounds.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -8,24 +10,6 @@
 
 namespace ahd
 {
-
-namespace
-{
-
-bool isEmpty(const Bounds& box)
-{
-  return box.xmin > box.xmax;
-}
-
-Bounds joined(const Bounds& a, const Bounds& b)
-{
-  return isEmpty(a) ? b
-    : isEmpty(b)    ? a
-                    : Bounds{ std::min(a.xmin, b.xmin), std::max(a.xmax, b.xmax),
-                     std::min(a.ymin, b.ymin), std::max(a.ymax, b.ymax) };
-}
-
-} // namespace
 
 void BlockBoxes::set(std::vector<Bounds> bounds)
 {

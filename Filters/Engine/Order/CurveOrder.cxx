@@ -3,6 +3,7 @@
 
 #include "../Core/Loops.h"
 #include "../Core/SortAsking.h"
+#include "../Points/JoinedBounds.h"
 #include "HilbertKeys.h"
 #include "Quantise.h"
 #include "RadixSort.h"
@@ -22,11 +23,6 @@ double within(double low, double high, double x)
   return x > low ? std::min(x, high) : low; // NaN is low
 }
 
-bool isEmpty(const Bounds& bounds)
-{
-  return !(bounds.xmin <= bounds.xmax);
-}
-
 /// The bounds of what is finite.
 struct FoundBounds
 {
@@ -36,22 +32,10 @@ struct FoundBounds
   {
     if (isFinite(p))
     {
-      merge({ { p.x, p.x, p.y, p.y } });
+      bounds = joined(bounds, p);
     }
   }
-  void merge(const FoundBounds& other)
-  {
-    const Bounds& b = other.bounds;
-    if (isEmpty(bounds))
-    {
-      bounds = b;
-    }
-    else if (!isEmpty(b))
-    {
-      bounds = { std::min(bounds.xmin, b.xmin), std::max(bounds.xmax, b.xmax),
-        std::min(bounds.ymin, b.ymin), std::max(bounds.ymax, b.ymax) };
-    }
-  }
+  void merge(const FoundBounds& other) { bounds = joined(bounds, other.bounds); }
 };
 
 /// What makes keys of places: where they are along the curve through some bounds.

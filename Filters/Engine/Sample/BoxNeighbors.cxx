@@ -6,6 +6,7 @@
 #include "../Core/Progress.h"
 #include "../Order/Quantise.h"
 #include "../Order/Rank.h"
+#include "../Points/JoinedBounds.h"
 #include "../Predicates/Discs.h"
 #include "../Predicates/Predicates.h"
 #include "../Triangulation/Locate.h"
@@ -20,11 +21,6 @@ namespace
 {
 
 using State = TriangulationAccess::State;
-
-bool isEmpty(const Bounds& box)
-{
-  return box.xmin > box.xmax;
-}
 
 /// What a test of a disc against boxes counts, beside one for each box.
 constexpr std::size_t kStepsOfDisc = 4;

@@ -2,6 +2,7 @@
 #include "Sites.h"
 
 #include "../Core/Loops.h"
+#include "../Points/JoinedBounds.h"
 #include "Circumcentre.h"
 
 #include <algorithm>
@@ -21,9 +22,7 @@ struct Part
 {
   void extend(const Bounds& b, bool isOtherModest)
   {
-    bounds = count == 0 ? b
-                        : Bounds{ std::min(bounds.xmin, b.xmin), std::max(bounds.xmax, b.xmax),
-                            std::min(bounds.ymin, b.ymin), std::max(bounds.ymax, b.ymax) };
+    bounds = joined(bounds, b);
     areModest = areModest && isOtherModest;
   }
 
