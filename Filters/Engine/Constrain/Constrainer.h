@@ -9,7 +9,6 @@
 #include "EdgeRows.h"
 #include "EdgeTable.h"
 #include "Regions.h"
-
 #include "SegmentWalk.h"
 
 #include <utility>

@@ -142,15 +142,6 @@ void Job::refuseForMemory() const
       ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
 }
 
-/// The same where what was asked for was refused.
-void Job::refuseIfAsked(Status status)
-{
-  if (status == Status::OutOfMemory && progress.asked().wasRefused())
-  {
-    refuseForMemory();
-  }
-}
-
 /// Refuses if there may not be memory for it all, as far as that is known before.
 void Job::checkMemory()
 {
@@ -172,8 +163,10 @@ void Job::checkMemory()
   sizes_.mostCrossings = mostCrossings();
 }
 
-/// Limits what is asked for to what there is memory for. `asked`: of sizes_.
-void Job::limitAsked(std::size_t& asked)
+/// Calls what asks for memory while it works, which may be as much as there is, and refuses where
+/// it was more. `asked`: of sizes_.
+template <typename Call>
+Status Job::withAsking(std::size_t& asked, const Call& call)
 {
   const std::size_t most = mostThatFit(kTooMuchAsked,
     [&](std::size_t bytes)
@@ -183,6 +176,14 @@ void Job::limitAsked(std::size_t& asked)
     });
   asked = 0;
   progress.asked().limitTo(most);
+  const Status status = call();
+  asked = progress.asked().most();
+  sizes_.estimate = estimate(sizes_);
+  if (status == Status::OutOfMemory && progress.asked().wasRefused())
+  {
+    refuseForMemory();
+  }
+  return status;
 }
 
 std::size_t Job::mostBoxes() const
@@ -251,11 +252,8 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
     : plane == AHD_PLANE_CALLBACK                ? &byCallback
                                                  : nullptr;
   request.mostCrossings = sizes_.mostCrossings;
-  limitAsked(sizes_.askedToSplit);
-  const Status status = ahd::prepare(request, context, made.points);
-  sizes_.askedToSplit = progress.asked().most();
-  sizes_.estimate = estimate(sizes_);
-  refuseIfAsked(status);
+  const Status status = withAsking(
+    sizes_.askedToSplit, [&] { return ahd::prepare(request, context, made.points); });
   if (status == Status::TooManyCrossings)
   {
     sizes_.crossings = sizes_.mostCrossings + 1;
@@ -313,13 +311,12 @@ void Job::constrain(JobResult& made, const Context& context)
   Triangulation& triangulation = made.triangulation;
   if (made.points.hasConstraints())
   {
-    limitAsked(sizes_.askedToConstrain);
-    const Status status = ahd::constrain(std::move(triangulation), made.points.constraints(),
-      settings.fillRule(), context, triangulation);
-    sizes_.askedToConstrain = progress.asked().most();
-    sizes_.estimate = estimate(sizes_);
-    refuseIfAsked(status);
-    check(status);
+    check(withAsking(sizes_.askedToConstrain,
+      [&]
+      {
+        return ahd::constrain(std::move(triangulation), made.points.constraints(),
+          settings.fillRule(), context, triangulation);
+      }));
   }
   if (settings.trimsRim(made.points.plane()))
   {

@@ -142,8 +142,8 @@ private:
   void select(JobResult& made, const Context& context);
   void findStacks(JobResult& made, const Context& context);
   [[noreturn]] void refuseForMemory() const;
-  void refuseIfAsked(Status status);
-  void limitAsked(std::size_t& asked);
+  template <typename Call>
+  Status withAsking(std::size_t& asked, const Call& call);
   std::size_t estimate(const JobSizes& sizes) const;
   RunWishes wishes() const;
   const char* whoAllows() const;
