@@ -243,10 +243,13 @@ def make_filter(of, door, limit=0):
     return algorithm, said
 
 
-def of_class(of, door, limit=0):
-    algorithm, said = make_filter(of, door, limit)
+def _taken_by_update(algorithm, said):
     most, _ = taken_by(algorithm.Update)
     return Taken(1024 * algorithm.GetMemoryEstimate(), most, said)
+
+
+def of_class(of, door, limit=0):
+    return _taken_by_update(*make_filter(of, door, limit))
 
 
 def of_arrays(of):
@@ -342,9 +345,7 @@ def make_sampler(of, door, limit=0):
 
 
 def of_sampler(of, door, limit=0):
-    algorithm, said = make_sampler(of, door, limit)
-    most, _ = taken_by(algorithm.Update)
-    return Taken(1024 * algorithm.GetMemoryEstimate(), most, said)
+    return _taken_by_update(*make_sampler(of, door, limit))
 
 
 def warm():
