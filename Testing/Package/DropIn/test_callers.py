@@ -150,48 +150,45 @@ class ObserverTest(unittest.TestCase):
 
 
 class NamesTest(unittest.TestCase):
+    def setUp(self):
+        """A module of a user's, which drop_in finds."""
+        self.user = types.ModuleType("user")
+        sys.modules["user"] = self.user
+        self.addCleanup(sys.modules.pop, "user")
+        self.addCleanup(drop_in.install)  # whatever a test takes off
+
     def test_names_that_a_module_took_from_here_stay(self):
         """Whatever is suspended, installed or taken off; those that it has of VTK are replaced as before."""
-        user = types.ModuleType("user")
-        sys.modules["user"] = user
-        try:
-            exec("from vtkmodules.vtkFiltersCore import vtkTriangleFilter as other\n"
-                 "from adaptivehilbertdelaunay import drop_in\n"
-                 "with drop_in.suspended():\n"
-                 "    from vtkmodules.vtkFiltersCore import vtkDelaunay2D as of_vtk\n"
-                 "drop_in.install()\n", vars(user))
-            self.assertIs(user.of_vtk, drop_in.original)  # taken where the original was asked for
-            exec("from adaptivehilbertdelaunay.drop_in import original as theirs\n"
-                 "from adaptivehilbertdelaunay.drop_in import vtkDelaunay2D as ours\n", vars(user))
-            for change in (drop_in.uninstall, drop_in.install, drop_in.install, drop_in.uninstall, drop_in.install):
-                change()
-                self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
-                expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
-                self.assertIs(vtkDelaunay2D, expected)  # here, where both have been asked for
-            with drop_in.suspended():
-                self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
+        user = self.user
+        exec("from vtkmodules.vtkFiltersCore import vtkTriangleFilter as other\n"
+             "from adaptivehilbertdelaunay import drop_in\n"
+             "with drop_in.suspended():\n"
+             "    from vtkmodules.vtkFiltersCore import vtkDelaunay2D as of_vtk\n"
+             "drop_in.install()\n", vars(user))
+        self.assertIs(user.of_vtk, drop_in.original)  # taken where the original was asked for
+        exec("from adaptivehilbertdelaunay.drop_in import original as theirs\n"
+             "from adaptivehilbertdelaunay.drop_in import vtkDelaunay2D as ours\n", vars(user))
+        for change in (drop_in.uninstall, drop_in.install, drop_in.install, drop_in.uninstall, drop_in.install):
+            change()
             self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
-        finally:
-            drop_in.install()
-            del sys.modules["user"]
+            expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
+            self.assertIs(vtkDelaunay2D, expected)  # here, where both have been asked for
+        with drop_in.suspended():
+            self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
+        self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
 
     def test_a_name_that_is_given_the_other_class_keeps_it(self):
         """Though a class was put there before."""
-        user = types.ModuleType("user")
-        sys.modules["user"] = user
-        try:
-            exec("from vtkmodules.vtkFiltersCore import vtkDelaunay2D as one, vtkDelaunay2D as two\n"
-                 "from adaptivehilbertdelaunay import drop_in\n"
-                 "drop_in.uninstall()\n"
-                 "drop_in.install()\n"
-                 "one = drop_in.original\n", vars(user))
-            for change in (drop_in.install, drop_in.uninstall, drop_in.install, drop_in.install):
-                change()
-                expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
-                self.assertEqual((user.one, user.two), (drop_in.original, expected))
-        finally:
-            drop_in.install()
-            del sys.modules["user"]
+        user = self.user
+        exec("from vtkmodules.vtkFiltersCore import vtkDelaunay2D as one, vtkDelaunay2D as two\n"
+             "from adaptivehilbertdelaunay import drop_in\n"
+             "drop_in.uninstall()\n"
+             "drop_in.install()\n"
+             "one = drop_in.original\n", vars(user))
+        for change in (drop_in.install, drop_in.uninstall, drop_in.install, drop_in.install):
+            change()
+            expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
+            self.assertEqual((user.one, user.two), (drop_in.original, expected))
 
     def test_it_is_loaded_again(self):
         done = subprocess.run([sys.executable, "-c", (
@@ -208,18 +205,14 @@ class NamesTest(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (0, ""))
 
     def test_what_a_block_gives_stays(self):
-        user = types.ModuleType("user")
-        sys.modules["user"] = user
-        try:
-            exec("import contextlib\n"
-                 "from adaptivehilbertdelaunay.drop_in import suspended\n"
-                 "with suspended() as one: pass\n"
-                 "with contextlib.ExitStack() as stack: two = stack.enter_context(suspended())\n", vars(user))
-            drop_in.uninstall()
-            drop_in.install()
-            self.assertEqual((user.one, user.two), (drop_in.original, drop_in.original))
-        finally:
-            del sys.modules["user"]
+        user = self.user
+        exec("import contextlib\n"
+             "from adaptivehilbertdelaunay.drop_in import suspended\n"
+             "with suspended() as one: pass\n"
+             "with contextlib.ExitStack() as stack: two = stack.enter_context(suspended())\n", vars(user))
+        drop_in.uninstall()
+        drop_in.install()
+        self.assertEqual((user.one, user.two), (drop_in.original, drop_in.original))
 
 
 if __name__ == "__main__":
