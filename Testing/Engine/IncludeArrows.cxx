@@ -44,9 +44,10 @@ const std::map<std::string, Names>& allowedParts()
     { "Sample", { "Arithmetic", "Points", "Order", "Predicates", "Triangulation" } },
     { "Distribute",
       { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
-    { "Interface",
+    { "Job",
       { "Points", "Order", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation",
         "Voronoi", "" } },
+    { "Interface", { "Job" } },
   };
   return kAllowed;
 }

@@ -38,6 +38,11 @@ VTK_LAYER = Tests(
     ("FilterTests", "FaultsCancel", "FaultsMemory"),
     (*(("FilterTests", chosen) for chosen in LAYER), ("FaultsCancel", "-Long*"), ("FaultsMemory", "-Long*")),
 )
+JOB = Tests(
+    ("EngineCInterface", "EngineJobHashes", "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
+    (),
+    r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
+)
 # By the beginning of a file's path; the longest that fits counts.
 TESTS = {
     "Filters/": VTK_LAYER,
@@ -47,11 +52,8 @@ TESTS = {
         r"Filter\.Ranks\..*",
     ),
     "Filters/Engine/": Tests(("all",), (), r"Engine\.(?!Sanitized|ThreadSanitizer).*"),
-    "Filters/Engine/Interface/": Tests(
-        ("EngineCInterface", "EngineJobHashes", "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
-        (),
-        r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
-    ),
+    "Filters/Engine/Interface/": JOB,
+    "Filters/Engine/Job/": JOB,
 }
 
 

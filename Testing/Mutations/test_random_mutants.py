@@ -135,7 +135,7 @@ class PlacesTest(unittest.TestCase):
             self.assertFalse([old for _, old, _ in found if word in old], word)
 
     def test_the_products_own_files_can_be_broken_and_changed_back(self):
-        for file in ("Filters/Python/_input.py", "Filters/Engine/Interface/OpenInput.cxx"):
+        for file in ("Filters/Python/_input.py", "Filters/Engine/Job/OpenInput.cxx"):
             text = (random_mutants.ROOT / file).read_text()
             those = planting.faults(file, text)
             self.assertGreater(len({fault.line for fault in those}), 50)

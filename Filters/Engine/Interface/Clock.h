@@ -5,8 +5,8 @@
 namespace ahd
 {
 
-/// Seconds from some beginning, by a clock that is never set. For the C interface, which measures
-/// phases for callers that cannot; the rest of the engine reads no clock.
+/// Seconds from some beginning, by a clock that is never set. For jobs of the C interface; the rest
+/// of the engine reads no clock.
 double steadySeconds();
 
 } // namespace ahd

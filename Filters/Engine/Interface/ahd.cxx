@@ -6,10 +6,12 @@
 
 #include "../Core/Fingerprint.h"
 #include "../Core/Memory.h"
-#include "Job.h"
-#include "JobArrays.h"
-#include "JobCounts.h"
-#include "Refusal.h"
+#include "../Job/Arrays.h"
+#include "../Job/Counts.h"
+#include "../Job/Job.h"
+#include "../Job/Refusal.h"
+#include "Clock.h"
+#include "Translate.h"
 
 #include <atomic>
 #include <new>
@@ -22,7 +24,7 @@
 
 struct ahd_job
 {
-  ahd::Job job;
+  ahd::Job job{ ahd::steadySeconds };
   std::string message;
   /// The message, or what to say without memory for it. Atomic, as a call from a callback may be on
   /// another thread than the one that is at work, though it must not.
@@ -54,7 +56,7 @@ ahd_status guarded(ahd_job& job, const Work& work)
   catch (ahd::Refusal& refusal)
   {
     say(job, std::move(refusal.text));
-    return refusal.status;
+    return static_cast<ahd_status>(refusal.reason);
   }
   catch (const std::bad_alloc&)
   {
@@ -96,7 +98,7 @@ void mustHave(const void* pointer, const char* what)
 {
   if (!pointer)
   {
-    ahd::refuse(AHD_BAD_ARRAY, "The pointer to the " + std::string(what) + " is null.");
+    ahd::refuse(ahd::Reason::BadArray, "The pointer to the " + std::string(what) + " is null.");
   }
 }
 
@@ -166,7 +168,12 @@ ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
 
 ahd_status ahd_set_array(ahd_job* job, const char* name, const ahd_array* array)
 {
-  return call(job, [=](ahd::Job& own) { own.setArray(name, array); });
+  return call(job,
+    [=](ahd::Job& own)
+    {
+      const ahd::GivenArray given = array ? ahd::arrayOf(*array) : ahd::GivenArray();
+      own.setArray(name, array ? &given : nullptr);
+    });
 }
 
 ahd_status ahd_set_projection(ahd_job* job, ahd_projection projection, void* user)
@@ -282,7 +289,8 @@ ahd_status ahd_draw_order(ahd_job* job, int32_t type, const ahd_drawing* drawing
     [=](ahd::Job& own)
     {
       mustHave(drawing, "drawing");
-      ahd::drawOrder(own, type, *drawing);
+      ahd::drawOrder(own, type,
+        { drawing->xyz, drawing->ranks, drawing->ids, drawing->levels, drawing->counts });
     });
 }
 
@@ -304,7 +312,8 @@ ahd_status ahd_sample(
     [=](ahd::Job& own)
     {
       mustHave(places, "places");
-      ahd::sample(own, *places, arrays, count, mask);
+      ahd::Sampling sampling(own, ahd::placesOf(*places));
+      sampling.values(ahd::samplesOf(arrays, count), mask);
     });
 }
 
@@ -316,7 +325,7 @@ ahd_status ahd_sample_estimate(
     {
       mustHave(places, "places");
       mustHave(bytes, "bytes");
-      ahd::estimateSample(own, *places, columns, *bytes);
+      ahd::Sampling(own, ahd::placesOf(*places)).estimate(columns, *bytes);
     });
 }
 
@@ -328,7 +337,7 @@ ahd_status ahd_sample_estimate_before(ahd_job* job, uint64_t points, const ahd_p
     {
       mustHave(places, "places");
       mustHave(bytes, "bytes");
-      *bytes = ahd::samplingEstimate(points, *places, columns, fills != 0);
+      *bytes = ahd::samplingEstimate(points, ahd::placesOf(*places), columns, fills != 0);
     });
 }
 
@@ -338,7 +347,7 @@ ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
     [=](ahd::Job& own)
     {
       mustHave(places, "places");
-      ahd::weigh(own, *places);
+      ahd::Sampling(own, ahd::placesOf(*places)).weights();
     });
 }
 

@@ -4,14 +4,25 @@
 
 #include "../Core/Context.h"
 #include "../Prepare/Prepare.h"
-#include "ahd.h"
+#include "Words.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ahd
 {
+
+/// Numbers in rows and columns, where the caller has them; strides in bytes. Without a type there
+/// is none.
+struct GivenArray
+{
+  const void* data;
+  std::int32_t type; ///< NumberType
+  std::int32_t columns;
+  std::int64_t rows, rowStride, columnStride;
+};
 
 /// In the order of the table in InputArrays.cxx.
 enum class InputArray : std::size_t
@@ -32,12 +43,12 @@ class InputArrays
 {
 public:
   /// Null in place of the array takes it away.
-  void set(const char* name, const ahd_array* array);
+  void set(const char* name, const GivenArray* array);
 
   /// Null past the last.
   static const char* name(std::size_t number);
 
-  const ahd_array& operator[](InputArray array) const { return arrays_[std::size_t(array)]; }
+  const GivenArray& operator[](InputArray array) const { return arrays_[std::size_t(array)]; }
   bool has(InputArray array) const { return (*this)[array].type != 0; }
 
   /// Sets the counts of points, cells and ids; looks at no number. Refuses what does not fit
@@ -53,7 +64,7 @@ public:
 private:
   void countCells(InputArray ids, InputArray offsets, CellsView& cells) const;
 
-  std::array<ahd_array, kInputArrays> arrays_ = {};
+  std::array<GivenArray, kInputArrays> arrays_ = {};
 };
 
 /// The arrays as the engine looks at them; with copies of those that it cannot look at where they
@@ -82,7 +93,7 @@ private:
     std::vector<std::int32_t> offsets32, ids32;
     std::vector<std::int64_t> offsets64, ids64;
   };
-  static PointView open(const ahd_array& array, Copies& copies, const Context& context);
+  static PointView open(const GivenArray& array, Copies& copies, const Context& context);
   static CellsView open(const InputArrays& arrays, InputArray ids, InputArray offsets,
     CellCopies& copies, const Context& context);
 

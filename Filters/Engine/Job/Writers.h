@@ -27,8 +27,8 @@ struct Target
 template <typename Work>
 Status withIds(const Target& to, const Work& work)
 {
-  return to.type == AHD_INT32 ? work(static_cast<std::int32_t*>(to.out))
-                              : work(static_cast<std::int64_t*>(to.out));
+  return to.type == kInt32 ? work(static_cast<std::int32_t*>(to.out))
+                           : work(static_cast<std::int64_t*>(to.out));
 }
 
 /// Calls write(i) for all i in [0, count), on the threads there are.

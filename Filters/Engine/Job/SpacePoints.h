@@ -19,7 +19,7 @@ namespace ahd
 ///
 /// Without added points and means they are the input's own, looked at where they are; without added
 /// points a copy of the same type; else doubles. What lies between other points follows them:
-/// source points laid on the surface and crossings, in AHD_PLANE_XY in z only.
+/// source points laid on the surface and crossings, in PlaneKind::Xy in z only.
 class SpacePoints
 {
 public:

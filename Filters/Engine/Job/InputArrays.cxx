@@ -15,11 +15,11 @@ namespace
 
 constexpr unsigned bitOf(std::int32_t type)
 {
-  return type >= AHD_FLOAT32 && type <= AHD_UINT8 ? 1u << type : 0u;
+  return type >= kFloat32 && type <= kUint8 ? 1u << type : 0u;
 }
 
-constexpr unsigned kReal = bitOf(AHD_FLOAT32) | bitOf(AHD_FLOAT64);
-constexpr unsigned kInteger = bitOf(AHD_INT32) | bitOf(AHD_INT64);
+constexpr unsigned kReal = bitOf(kFloat32) | bitOf(kFloat64);
+constexpr unsigned kInteger = bitOf(kInt32) | bitOf(kInt64);
 constexpr std::int32_t kManyColumns = std::numeric_limits<std::int32_t>::max();
 
 struct Row
@@ -33,13 +33,13 @@ struct Row
 // in the order of InputArray
 constexpr Row kRows[] = {
   { "points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
-  { "skip", bitOf(AHD_UINT8), 1, 1, "AHD_UINT8, of one column" },
+  { "skip", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
   { "source_points", kReal, 2, 3, "AHD_FLOAT32 or AHD_FLOAT64, of 2 or 3 columns" },
   { "line_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
   { "loop_ids", kInteger, 1, kManyColumns, "AHD_INT32 or AHD_INT64" },
   { "line_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "loop_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
-  { "matrix", bitOf(AHD_FLOAT64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
+  { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
 };
 static_assert(sizeof(kRows) / sizeof(kRows[0]) == kInputArrays, "a row for each");
 
@@ -49,17 +49,17 @@ std::string quoted(InputArray array)
 }
 
 /// Would the distance of its first number from its last be no number of bytes?
-bool isTooLarge(const ahd_array& array)
+bool isTooLarge(const GivenArray& array)
 {
   constexpr double kMost = 0x1p62;
   const auto span = [](std::int64_t count, std::int64_t stride)
   { return double(count) * (stride < 0 ? -double(stride) : double(stride)); };
   return double(array.rows) * double(array.columns) > double(kMostNumbers) ||
-    span(array.rows, array.row_stride) + span(array.columns, array.column_stride) > kMost;
+    span(array.rows, array.rowStride) + span(array.columns, array.columnStride) > kMost;
 }
 
 /// What is wrong with it; empty if nothing is.
-std::string faultOf(const Row& row, const ahd_array& array)
+std::string faultOf(const Row& row, const GivenArray& array)
 {
   if ((bitOf(array.type) & row.types) == 0 || array.columns < row.leastColumns ||
     array.columns > row.mostColumns)
@@ -80,21 +80,21 @@ std::string faultOf(const Row& row, const ahd_array& array)
 
 } // namespace
 
-void InputArrays::set(const char* name, const ahd_array* array)
+void InputArrays::set(const char* name, const GivenArray* array)
 {
   const Row* const row = std::find_if(std::begin(kRows), std::end(kRows),
     [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
   if (row == std::end(kRows))
   {
-    refuse(
-      AHD_UNKNOWN_NAME, "There is no input array \"" + std::string(name ? name : "(null)") + "\".");
+    refuse(Reason::UnknownName,
+      "There is no input array \"" + std::string(name ? name : "(null)") + "\".");
   }
   const std::string fault = array ? faultOf(*row, *array) : std::string();
   if (!fault.empty())
   {
-    refuse(AHD_BAD_ARRAY, "\"" + std::string(name) + "\" " + fault);
+    refuse(Reason::BadArray, "\"" + std::string(name) + "\" " + fault);
   }
-  arrays_[std::size_t(row - kRows)] = array ? *array : ahd_array();
+  arrays_[std::size_t(row - kRows)] = array ? *array : GivenArray();
 }
 
 const char* InputArrays::name(std::size_t number)
@@ -108,7 +108,7 @@ void InputArrays::count(InputRequest& request) const
   request.sourcePoints.count = static_cast<std::size_t>((*this)[InputArray::SourcePoints].rows);
   if (has(InputArray::Skip) && (*this)[InputArray::Skip].rows != (*this)[InputArray::Points].rows)
   {
-    refuse(AHD_BAD_ARRAY,
+    refuse(Reason::BadArray,
       "\"skip\" has " + std::to_string((*this)[InputArray::Skip].rows) + " rows, and \"points\" " +
         std::to_string((*this)[InputArray::Points].rows) + ".");
   }
@@ -118,15 +118,15 @@ void InputArrays::count(InputRequest& request) const
 
 void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsView& cells) const
 {
-  const ahd_array& ids = (*this)[idArray];
-  const ahd_array& offsets = (*this)[offsetArray];
+  const GivenArray& ids = (*this)[idArray];
+  const GivenArray& offsets = (*this)[offsetArray];
   cells = CellsView();
   cells.ids = static_cast<std::size_t>(ids.rows) * static_cast<std::size_t>(ids.columns);
   if (has(offsetArray))
   {
     if (!has(idArray) || ids.columns != 1 || (offsets.rows == 0 && ids.rows > 0))
     {
-      refuse(AHD_BAD_ARRAY,
+      refuse(Reason::BadArray,
         quoted(offsetArray) + " is for " + quoted(idArray) + " of one column, and has a row more " +
           "than there are chains.");
     }
@@ -141,14 +141,14 @@ void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsVi
 
 std::array<double, 16> InputArrays::matrix() const
 {
-  const ahd_array& array = (*this)[InputArray::Matrix];
+  const GivenArray& array = (*this)[InputArray::Matrix];
   std::array<double, 16> numbers;
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     const auto* row = static_cast<const unsigned char*>(array.data) +
-      static_cast<std::int64_t>(i / 4) * array.row_stride;
+      static_cast<std::int64_t>(i / 4) * array.rowStride;
     std::memcpy(
-      &numbers[i], row + static_cast<std::int64_t>(i % 4) * array.column_stride, sizeof(double));
+      &numbers[i], row + static_cast<std::int64_t>(i % 4) * array.columnStride, sizeof(double));
   }
   return numbers;
 }

@@ -5,15 +5,21 @@
 #include "../Core/AskedMemory.h"
 #include "../Core/Progress.h"
 #include "../Core/Stages.h"
-#include "ahd.h"
 
 #include <array>
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ahd
 {
+
+/// Seconds from some beginning.
+using Clock = double (*)();
+
+/// Hears what is being done, and how much of it all is. Non-zero cancels.
+using ProgressCallback = std::int32_t (*)(void* user, std::int32_t phase, double fraction);
 
 /// What a job tells its caller and asks it for: the callback hears of phases, of each hundredth and
 /// at least ten times a second, and may cancel; so may another thread. Takes the time of each
@@ -21,7 +27,14 @@ namespace ahd
 class JobProgress : public Progress
 {
 public:
-  void setCallback(ahd_progress callback, void* user);
+  explicit JobProgress(Clock clock)
+    : now(clock)
+  {
+  }
+
+  const Clock now;
+
+  void setCallback(ProgressCallback callback, void* user);
 
   /// A run begins, of stages with these weights.
   void beginRun(const std::vector<double>& weights);
@@ -60,7 +73,7 @@ private:
   void tell();
 
   AskedMemory asked_;
-  ahd_progress callback_ = nullptr;
+  ProgressCallback callback_ = nullptr;
   void* user_ = nullptr;
   Stages stages_;
   Stages stagesOfRun_; ///< during work apart from it, and what was done

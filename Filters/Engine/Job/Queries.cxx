@@ -2,7 +2,7 @@
 //
 // What is asked of a result beside its arrays: the order as it is drawn, values at points between
 // others, where places lie.
-#include "JobArrays.h"
+#include "Arrays.h"
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
@@ -19,7 +19,7 @@ namespace
 {
 
 template <typename Id>
-Status draw(JobResult& made, const ahd_drawing& drawing, const Context& context)
+Status draw(JobResult& made, const GivenDrawing& drawing, const Context& context)
 {
   OrderDrawing<Id> to;
   to.xyz = drawing.xyz;
@@ -70,7 +70,7 @@ public:
   bool operator()(const Point& place, std::size_t i, const Places& out, Ticker& ticker)
   {
     const Location found = triangulation_.locate(place, hint_, ticker);
-    out.kinds[i] = kindOf(found.kind);
+    out.kinds[i] = static_cast<std::int32_t>(kindOf(found.kind));
     std::int64_t* const ids = out.ids + 3 * i;
     std::fill_n(ids, 3, std::int64_t(-1));
     std::int64_t cell = -1;
@@ -101,13 +101,13 @@ public:
   }
 
 private:
-  static std::int32_t kindOf(Location::Kind kind)
+  static PlaceKind kindOf(Location::Kind kind)
   {
-    return kind == Location::InTriangle ? AHD_IN_TRIANGLE
-      : kind == Location::OnEdge        ? AHD_ON_EDGE
-      : kind == Location::OnVertex      ? AHD_ON_VERTEX
-      : kind == Location::Outside       ? AHD_OUTSIDE
-                                        : AHD_NOWHERE;
+    return kind == Location::InTriangle ? PlaceKind::InTriangle
+      : kind == Location::OnEdge        ? PlaceKind::OnEdge
+      : kind == Location::OnVertex      ? PlaceKind::OnVertex
+      : kind == Location::Outside       ? PlaceKind::Outside
+                                        : PlaceKind::Nowhere;
   }
 
   void writeCorners(HalfEdge h, int count, std::int64_t* ids) const
@@ -168,18 +168,18 @@ bool locateAll(const JobResult& made, const PointView& places, const Places& out
 
 } // namespace
 
-void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing)
+void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing)
 {
   JobResult& made = job.result();
   if (!made.settings.drawsOrder())
   {
-    refuse(AHD_NOT_AVAILABLE,
+    refuse(Reason::NotAvailable,
       "The order can be drawn with \"want_curve\" or \"want_boxes\" before the run.");
   }
-  if ((type != AHD_INT32 && type != AHD_INT64) || !drawing.xyz || !drawing.ranks || !drawing.ids ||
+  if ((type != kInt32 && type != kInt64) || !drawing.xyz || !drawing.ranks || !drawing.ids ||
     !drawing.levels || !drawing.counts)
   {
-    refuse(AHD_BAD_ARRAY,
+    refuse(Reason::BadArray,
       "The order is drawn with ids of type AHD_INT32 or AHD_INT64, into arrays that are not null.");
   }
   made.sampling.forget();
@@ -187,35 +187,35 @@ void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing)
   job.withThreads(
     [&](const Context& context)
     {
-      check(type == AHD_INT32 ? draw<std::int32_t>(made, drawing, context)
-                              : draw<std::int64_t>(made, drawing, context));
+      check(type == kInt32 ? draw<std::int32_t>(made, drawing, context)
+                           : draw<std::int64_t>(made, drawing, context));
     });
 }
 
 void interpolate(Job& job, std::int32_t where, double* values, std::int32_t columns)
 {
   const JobResult& made = job.result();
-  if (where < AHD_AT_SURFACE || where > (AHD_AT_SURFACE | AHD_AT_CROSSINGS))
+  if (where < kAtSurface || where > (kAtSurface | kAtCrossings))
   {
-    refuse(AHD_BAD_VALUE,
+    refuse(Reason::BadValue,
       "Values are interpolated at AHD_AT_SURFACE, AHD_AT_CROSSINGS or both, not " +
         std::to_string(where) + ".");
   }
   if (columns < 0)
   {
-    refuse(AHD_BAD_ARRAY, "The values have " + std::to_string(columns) + " columns.");
+    refuse(Reason::BadArray, "The values have " + std::to_string(columns) + " columns.");
   }
   if (columns > 0 && !values)
   {
-    refuse(AHD_BAD_ARRAY, "The pointer to the values is null.");
+    refuse(Reason::BadArray, "The pointer to the values is null.");
   }
   checkColumns(static_cast<std::uint64_t>(columns), "columns");
   const ScopedFloatingPoint asAssumed;
-  if ((where & AHD_AT_SURFACE) != 0)
+  if ((where & kAtSurface) != 0)
   {
     interpolateAtSurface(made.points, values, static_cast<std::size_t>(columns));
   }
-  if ((where & AHD_AT_CROSSINGS) != 0)
+  if ((where & kAtCrossings) != 0)
   {
     interpolateAtCrossings(made.points, values, static_cast<std::size_t>(columns), 0);
   }
@@ -227,7 +227,7 @@ void locate(Job& job, const double* xy, std::uint64_t given, const Places& out)
   if (given > 0 && (!xy || !out.kinds || !out.ids))
   {
     const char* const which = !xy ? "places" : !out.kinds ? "kinds" : "ids";
-    refuse(AHD_BAD_ARRAY, "The pointer to the " + std::string(which) + " is null.");
+    refuse(Reason::BadArray, "The pointer to the " + std::string(which) + " is null.");
   }
   checkCount(given, "places");
   const auto count = static_cast<std::size_t>(given);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobArrays.h"
+#include "Arrays.h"
 
 #include "../Surface/CellArrays.h"
-#include "JobWriters.h"
 #include "Refusal.h"
+#include "Writers.h"
 
 #include <algorithm>
 #include <cstring>
@@ -20,9 +20,9 @@ constexpr unsigned bitOf(std::int32_t type)
 {
   return 1u << type;
 }
-constexpr unsigned kId = bitOf(AHD_INT32) | bitOf(AHD_INT64);
-constexpr unsigned kReal = bitOf(AHD_FLOAT32) | bitOf(AHD_FLOAT64);
-constexpr unsigned kDouble = bitOf(AHD_FLOAT64);
+constexpr unsigned kId = bitOf(kInt32) | bitOf(kInt64);
+constexpr unsigned kReal = bitOf(kFloat32) | bitOf(kFloat64);
+constexpr unsigned kDouble = bitOf(kFloat64);
 
 // --- What each array is ---
 
@@ -69,7 +69,7 @@ Status writeRegionIds(JobResult& m, const Target& to)
 Status writePoints(JobResult& m, const Target& to)
 {
   auto* const floats = static_cast<float*>(to.out);
-  const bool asFloats = to.type == AHD_FLOAT32;
+  const bool asFloats = to.type == kFloat32;
   SpacePoints space(asFloats ? nullptr : to.doubles(), asFloats ? floats : nullptr);
   const PointView points = m.spacePoints(space, to.context);
   if (asFloats ? points.floats == floats : points.doubles == to.doubles())
@@ -112,8 +112,7 @@ Status writeHeights(JobResult& m, const Target& to)
 
 Status writePlaneMatrix(JobResult& m, const Target& to)
 {
-  const std::int64_t plane = m.settings[IntSetting::Plane];
-  if (plane == AHD_PLANE_MATRIX)
+  if (m.settings.plane() == PlaneKind::Matrix)
   {
     std::copy(m.matrix.begin(), m.matrix.end(), to.doubles());
   }
@@ -255,8 +254,7 @@ Lack lacksVoronoi(const JobResult& m)
 
 Lack lacksMatrix(const JobResult& m)
 {
-  return m.settings[IntSetting::Plane] == AHD_PLANE_CALLBACK ? "another \"plane\" before the run"
-                                                             : Lack();
+  return m.settings.plane() == PlaneKind::Callback ? "another \"plane\" before the run" : Lack();
 }
 
 Lack lacksWeights(const JobResult& m)
@@ -312,8 +310,7 @@ constexpr Row kRows[] = {
   { "vertices", kId, 1, [](const JobResult& m) { return m.selection.vertices.size(); },
     writeVertices, kCells, lacksNothing },
   { "neighbors", kId, 3, cellCount, writeNeighborIds, kArrays, lacksNothing },
-  { "constraint_edges", bitOf(AHD_UINT8), 1, cellCount, writeConstraintBits, kArrays,
-    lacksNothing },
+  { "constraint_edges", bitOf(kUint8), 1, cellCount, writeConstraintBits, kArrays, lacksNothing },
   { "regions", kId, 1, cellCount, writeRegionIds, kArrays, lacksNothing },
   { "points", kReal, 3, pointCount, writePoints, kCells, lacksNothing },
   { "plane_points", kDouble, 3, pointCount, writePlanePoints, kCells, lacksNothing },
@@ -330,7 +327,7 @@ constexpr Row kRows[] = {
     writeOrder, kArrays, lacksOrder },
   { "insertion_ranks", kId, 1, pointCount, writeRanks, kArrays, lacksOrder },
   { "box_bounds", kDouble, 4, boxCount, writeBoxBounds, kArrays, lacksBoxes },
-  { "box_levels", bitOf(AHD_INT32), 1, boxCount, writeBoxLevels, kArrays, lacksBoxes },
+  { "box_levels", bitOf(kInt32), 1, boxCount, writeBoxLevels, kArrays, lacksBoxes },
   { "box_counts", kId, 1, boxCount, writeBoxCounts, kArrays, lacksBoxes },
   { "voronoi_points", kDouble, 2, [](const JobResult& m) { return m.voronoi.points.size(); },
     writeVoronoiPoints, kVoronoi, lacksVoronoi },
@@ -351,7 +348,7 @@ constexpr Row kRows[] = {
   { "left_out", kId, 4,
     [](const JobResult& m) { return m.triangulation.constraints().leftOut.size(); }, writeLeftOut,
     kArrays, lacksNothing },
-  { "weight_offsets", bitOf(AHD_INT64), 1,
+  { "weight_offsets", bitOf(kInt64), 1,
     [](const JobResult& m) { return m.sampling.weights.offsets.size(); }, writeWeightOffsets,
     kArrays, lacksWeights },
   { "weight_points", kId, 1, [](const JobResult& m) { return m.sampling.weights.points.size(); },
@@ -366,13 +363,13 @@ const Row& rowOf(Job& job, const char* name)
     [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
   if (row == std::end(kRows))
   {
-    refuse(AHD_UNKNOWN_NAME,
+    refuse(Reason::UnknownName,
       "There is no output array \"" + std::string(name ? name : "(null)") + "\".");
   }
   const Lack lack = row->lacks(job.result());
   if (!lack.empty())
   {
-    refuse(AHD_NOT_AVAILABLE, "There is no \"" + std::string(name) + "\" without " + lack + ".");
+    refuse(Reason::NotAvailable, "There is no \"" + std::string(name) + "\" without " + lack + ".");
   }
   return *row;
 }
@@ -390,14 +387,14 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   const Row& row = rowOf(job, name);
   JobResult& made = job.result();
   const std::size_t numbers = row.rows(made) * row.columns;
-  if (type < AHD_FLOAT32 || type > AHD_UINT8 || (bitOf(type) & row.types) == 0)
+  if (type < kFloat32 || type > kUint8 || (bitOf(type) & row.types) == 0)
   {
-    refuse(AHD_BAD_ARRAY,
+    refuse(Reason::BadArray,
       "\"" + std::string(name) + "\" cannot be written as type " + std::to_string(type) + ".");
   }
   if (capacity < numbers || (numbers > 0 && !out))
   {
-    refuse(AHD_BAD_ARRAY,
+    refuse(Reason::BadArray,
       "\"" + std::string(name) + "\" has " + std::to_string(numbers) +
         " numbers, and there is room for " + std::to_string(out ? capacity : 0) + ".");
   }

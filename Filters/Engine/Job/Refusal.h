@@ -4,7 +4,7 @@
 
 #include "../Core/SizeInWords.h"
 #include "../Result.h"
-#include "ahd.h"
+#include "Words.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,16 +14,17 @@
 namespace ahd
 {
 
-/// Why a call of the C interface cannot be done. Thrown within Interface/ and caught at its border.
+/// Why a call of a job cannot be done. Thrown within Job/ and caught at the border of the
+/// interface.
 struct Refusal
 {
-  ahd_status status;
+  Reason reason;
   std::string text;
 };
 
-[[noreturn]] inline void refuse(ahd_status status, std::string text)
+[[noreturn]] inline void refuse(Reason reason, std::string text)
 {
-  throw Refusal{ status, std::move(text) };
+  throw Refusal{ reason, std::move(text) };
 }
 
 // What is estimated for so many stays a number.
@@ -36,7 +37,7 @@ inline void checkCount(std::uint64_t count, const char* what)
 {
   if (count > kMostNumbers)
   {
-    refuse(AHD_BAD_ARRAY, std::to_string(count) + " " + what + " are beyond all memory.");
+    refuse(Reason::BadArray, std::to_string(count) + " " + what + " are beyond all memory.");
   }
 }
 
@@ -45,7 +46,7 @@ inline void checkColumns(std::uint64_t count, const char* what)
 {
   if (count > kMostColumns)
   {
-    refuse(AHD_BAD_VALUE,
+    refuse(Reason::BadValue,
       std::to_string(count) + " " + what + " are too many to interpolate at a time: at most " +
         std::to_string(kMostColumns) + ".");
   }
@@ -73,17 +74,17 @@ inline void check(Status status)
     case Status::Ok:
       return;
     case Status::Cancelled:
-      refuse(AHD_CANCELLED, "Cancelled.");
+      refuse(Reason::Cancelled, "Cancelled.");
     case Status::TooManyPoints:
-      refuse(AHD_TOO_MANY_POINTS, "Too many points.");
+      refuse(Reason::TooManyPoints, "Too many points.");
     case Status::TooManyBoxes:
-      refuse(AHD_TOO_MANY_BOXES, "Too many boxes.");
+      refuse(Reason::TooManyBoxes, "Too many boxes.");
     case Status::TooManyCrossings:
-      refuse(AHD_TOO_MANY_CROSSINGS, "Too many crossings.");
+      refuse(Reason::TooManyCrossings, "Too many crossings.");
     case Status::OutOfMemory:
-      refuse(AHD_OUT_OF_MEMORY, "Out of memory.");
+      refuse(Reason::OutOfMemory, "Out of memory.");
     case Status::BadCells:
-      refuse(AHD_BAD_ARRAY, "Offsets do not ascend within the ids.");
+      refuse(Reason::BadArray, "Offsets do not ascend within the ids.");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobProjection.h"
+#include "Projections.h"
 
 #include "../Core/Loops.h"
 

@@ -15,51 +15,51 @@ namespace
 
 std::size_t sizeOf(std::int32_t type)
 {
-  return type == AHD_UINT8 ? 1 : type == AHD_FLOAT32 || type == AHD_INT32 ? 4 : 8;
+  return type == kUint8 ? 1 : type == kFloat32 || type == kInt32 ? 4 : 8;
 }
 
-bool isAligned(const ahd_array& array)
+bool isAligned(const GivenArray& array)
 {
   return reinterpret_cast<std::uintptr_t>(array.data) % sizeOf(array.type) == 0;
 }
 
 /// Can points be looked at where they are?
-bool areViewable(const ahd_array& array)
+bool areViewable(const GivenArray& array)
 {
   const auto size = static_cast<std::int64_t>(sizeOf(array.type));
   return array.rows == 0 ||
-    (isAligned(array) && array.column_stride == size && array.row_stride > 0 &&
-      array.row_stride % size == 0);
+    (isAligned(array) && array.columnStride == size && array.rowStride > 0 &&
+      array.rowStride % size == 0);
 }
 
 /// Is there one number behind the other?
-bool isContiguous(const ahd_array& array)
+bool isContiguous(const GivenArray& array)
 {
   const auto size = static_cast<std::int64_t>(sizeOf(array.type));
   return array.rows == 0 ||
-    (isAligned(array) && (array.columns == 1 || array.column_stride == size) &&
-      array.row_stride == size * array.columns);
+    (isAligned(array) && (array.columns == 1 || array.columnStride == size) &&
+      array.rowStride == size * array.columns);
 }
 
-const unsigned char* at(const ahd_array& array, std::size_t row, std::size_t column)
+const unsigned char* at(const GivenArray& array, std::size_t row, std::size_t column)
 {
   return static_cast<const unsigned char*>(array.data) +
-    static_cast<std::int64_t>(row) * array.row_stride +
-    static_cast<std::int64_t>(column) * array.column_stride;
+    static_cast<std::int64_t>(row) * array.rowStride +
+    static_cast<std::int64_t>(column) * array.columnStride;
 }
 
 template <typename Number>
-Number read(const ahd_array& array, std::size_t row, std::size_t column)
+Number read(const GivenArray& array, std::size_t row, std::size_t column)
 {
   Number number;
   std::memcpy(&number, at(array, row, column), sizeof(Number));
   return number;
 }
 
-std::int64_t readInteger(const ahd_array& array, std::size_t row, std::size_t column)
+std::int64_t readInteger(const GivenArray& array, std::size_t row, std::size_t column)
 {
-  return array.type == AHD_INT32 ? read<std::int32_t>(array, row, column)
-                                 : read<std::int64_t>(array, row, column);
+  return array.type == kInt32 ? read<std::int32_t>(array, row, column)
+                              : read<std::int64_t>(array, row, column);
 }
 
 /// Calls work(begin, end) for chunks of the rows.
@@ -72,8 +72,8 @@ void forRows(std::size_t rows, const Context& context, const Work& work)
 
 /// All numbers one behind the other, each as numberAt(row, column) reads it.
 template <typename Number, typename NumberAt>
-const Number* copyNumbers(
-  const ahd_array& array, std::vector<Number>& to, const Context& context, const NumberAt& numberAt)
+const Number* copyNumbers(const GivenArray& array, std::vector<Number>& to, const Context& context,
+  const NumberAt& numberAt)
 {
   const std::size_t rows = static_cast<std::size_t>(array.rows);
   const std::size_t columns = static_cast<std::size_t>(array.columns);
@@ -93,14 +93,14 @@ const Number* copyNumbers(
 }
 
 template <typename Number>
-const Number* copyPoints(const ahd_array& array, std::vector<Number>& to, const Context& context)
+const Number* copyPoints(const GivenArray& array, std::vector<Number>& to, const Context& context)
 {
   return copyNumbers(array, to, context,
     [&](std::size_t row, std::size_t column) { return read<Number>(array, row, column); });
 }
 
 template <typename Id>
-const Id* copyIds(const ahd_array& array, std::vector<Id>& to, const Context& context)
+const Id* copyIds(const GivenArray& array, std::vector<Id>& to, const Context& context)
 {
   return copyNumbers(array, to, context,
     [&](std::size_t row, std::size_t column)
@@ -109,7 +109,7 @@ const Id* copyIds(const ahd_array& array, std::vector<Id>& to, const Context& co
 
 /// The array where it is, or a copy.
 template <typename Id>
-const Id* idsOf(const ahd_array& array, std::vector<Id>& copy, const Context& context)
+const Id* idsOf(const GivenArray& array, std::vector<Id>& copy, const Context& context)
 {
   const bool isOfType = sizeOf(array.type) == sizeof(Id);
   return isOfType && isContiguous(array) ? static_cast<const Id*>(array.data)
@@ -140,7 +140,7 @@ void checkCells(const CellsView& cells, InputArray offsetArray, const Context& c
   const Status status = findBadCell(cells, context, bad);
   if (status == Status::BadCells)
   {
-    refuse(AHD_BAD_ARRAY,
+    refuse(Reason::BadArray,
       "\"" + std::string(InputArrays::name(std::size_t(offsetArray))) + "\" has " +
         std::to_string(bad.begin) + " and " + std::to_string(bad.end) + " for chain " +
         std::to_string(bad.cell) + ": they must ascend from 0 to the " + std::to_string(bad.ids) +
@@ -150,12 +150,11 @@ void checkCells(const CellsView& cells, InputArray offsetArray, const Context& c
 }
 
 /// Ids and offsets have one type: 32 bits if both are so.
-bool areShort(const ahd_array& ids, const ahd_array& offsets)
+bool areShort(const GivenArray& ids, const GivenArray& offsets)
 {
   constexpr std::int64_t kMost = 0x7FFFFFFF;
-  const bool fit = offsets.type == AHD_INT32 ||
-    (offsets.type == 0 && ids.rows <= kMost / ids.columns);
-  return ids.type == AHD_INT32 && fit;
+  const bool fit = offsets.type == kInt32 || (offsets.type == 0 && ids.rows <= kMost / ids.columns);
+  return ids.type == kInt32 && fit;
 }
 
 template <typename Id>
@@ -172,14 +171,14 @@ void openCells(const InputArrays& arrays, InputArray idArray, InputArray offsetA
   offsets = idsOf(arrays[offsetArray], offsetCopy, context);
 }
 
-std::size_t copiedBytesOf(const ahd_array& ids, const ahd_array& offsets)
+std::size_t copiedBytesOf(const GivenArray& ids, const GivenArray& offsets)
 {
   if (ids.type == 0 || ids.rows == 0)
   {
     return 0;
   }
   const std::size_t size = areShort(ids, offsets) ? 4 : 8;
-  const auto bytesOf = [size](const ahd_array& array)
+  const auto bytesOf = [size](const GivenArray& array)
   {
     const bool isThere = sizeOf(array.type) == size && isContiguous(array);
     return isThere
@@ -199,26 +198,26 @@ std::size_t InputArrays::copiedBytes() const
     copiedBytesOf(own[InputArray::LoopIds], own[InputArray::LoopOffsets]);
   for (const InputArray points : { InputArray::Points, InputArray::SourcePoints })
   {
-    const ahd_array& array = own[points];
+    const GivenArray& array = own[points];
     bytes += has(points) && !areViewable(array)
       ? static_cast<std::size_t>(array.rows * array.columns) * sizeOf(array.type)
       : 0;
   }
-  const ahd_array& skip = own[InputArray::Skip];
+  const GivenArray& skip = own[InputArray::Skip];
   return bytes + (isContiguous(skip) ? 0 : static_cast<std::size_t>(skip.rows));
 }
 
-PointView OpenInput::open(const ahd_array& array, Copies& copies, const Context& context)
+PointView OpenInput::open(const GivenArray& array, Copies& copies, const Context& context)
 {
   PointView view;
   view.count = static_cast<std::size_t>(array.rows);
   view.isFlat = array.columns != 3;
   view.stride = static_cast<std::size_t>(array.columns == 3 ? 3 : 2);
-  const bool isDouble = array.type != AHD_FLOAT32;
+  const bool isDouble = array.type != kFloat32;
   if (areViewable(array))
   {
     view.stride = array.rows == 0 ? view.stride
-                                  : static_cast<std::size_t>(array.row_stride) / sizeOf(array.type);
+                                  : static_cast<std::size_t>(array.rowStride) / sizeOf(array.type);
     view.doubles = isDouble ? static_cast<const double*>(array.data) : nullptr;
     view.floats = isDouble ? nullptr : static_cast<const float*>(array.data);
     return view;
@@ -232,7 +231,7 @@ void OpenInput::openPoints(const InputArrays& arrays, const Context& context)
 {
   points = open(arrays[InputArray::Points], pointCopies_, context);
   sourcePoints = open(arrays[InputArray::SourcePoints], sourceCopies_, context);
-  const ahd_array& skip = arrays[InputArray::Skip];
+  const GivenArray& skip = arrays[InputArray::Skip];
   if (!arrays.has(InputArray::Skip) || points.count == 0)
   {
     return;

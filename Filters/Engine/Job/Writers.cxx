@@ -2,7 +2,7 @@
 //
 // Output arrays that are copies of what the engine has: boxes, Voronoi cells, points that were
 // merged or added, segments that cross.
-#include "JobWriters.h"
+#include "Writers.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobProgress.h"
-
-#include "Clock.h"
+#include "Progress.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -16,7 +14,7 @@ constexpr double kSilence = 1.0 / 12.0; // seconds, at most
 
 } // namespace
 
-void JobProgress::setCallback(ahd_progress callback, void* user)
+void JobProgress::setCallback(ProgressCallback callback, void* user)
 {
   callback_ = callback;
   user_ = user;
@@ -48,7 +46,7 @@ void JobProgress::endApart()
 void JobProgress::beginCall()
 {
   stopped_ = false;
-  toldAt_ = steadySeconds();
+  toldAt_ = now();
 }
 
 void JobProgress::endCall(bool isCancelled)
@@ -82,7 +80,7 @@ void JobProgress::finishPhase()
 {
   if (inPhase_)
   {
-    seconds_[std::size_t(phase_)] += steadySeconds() - begun_;
+    seconds_[std::size_t(phase_)] += now() - begun_;
     inPhase_ = false;
   }
 }
@@ -92,7 +90,7 @@ void JobProgress::beginPhase(Phase phase)
   finishPhase();
   stages_.beginPhase(phase);
   phase_ = phase;
-  begun_ = steadySeconds();
+  begun_ = now();
   inPhase_ = true;
   tell();
 }
@@ -100,7 +98,7 @@ void JobProgress::beginPhase(Phase phase)
 bool JobProgress::advance(Phase, double fraction)
 {
   done_ = std::max(done_, stages_.whole(fraction));
-  if (callback_ && (done_ >= told_ + kStep || steadySeconds() - toldAt_ >= kSilence))
+  if (callback_ && (done_ >= told_ + kStep || now() - toldAt_ >= kSilence))
   {
     tell();
   }
@@ -123,7 +121,7 @@ void JobProgress::tell()
   {
     stopped_ = true;
   }
-  toldAt_ = steadySeconds(); // it takes time
+  toldAt_ = now(); // it takes time
 }
 
 } // namespace ahd

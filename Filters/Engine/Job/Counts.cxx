@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobCounts.h"
+#include "Counts.h"
 
 #include "../Core/Dispatch.h"
 #include "../Surface/OrderDrawing.h"
@@ -175,7 +175,7 @@ const Row* find(const Row (&rows)[count], const char* name)
 
 [[noreturn]] void refuseName(const char* kind, const char* name)
 {
-  refuse(AHD_UNKNOWN_NAME,
+  refuse(Reason::UnknownName,
     "There is no " + std::string(kind) + " \"" + std::string(name ? name : "(null)") + "\".");
 }
 

@@ -4,7 +4,7 @@
 #include "../Core/Border.h"
 #include "../Core/Memory.h"
 #include "../Prepare/Stacks.h"
-#include "JobProjection.h"
+#include "Projections.h"
 #include "Refusal.h"
 
 #include <algorithm>
@@ -24,17 +24,11 @@ PointView JobResult::spacePoints(SpacePoints& made, const Context& context)
   return made.view();
 }
 
-void Job::setProjection(ahd_projection projection, void* user)
-{
-  projection_ = projection;
-  projectionUser_ = user;
-}
-
 JobResult& Job::result()
 {
   if (!result_)
   {
-    refuse(AHD_NOT_AVAILABLE, "There is no result: the job has not run, or its run failed.");
+    refuse(Reason::NotAvailable, "There is no result: the job has not run, or its run failed.");
   }
   return *result_;
 }
@@ -88,23 +82,23 @@ void Job::runWith(const Context& context)
 InputRequest Job::request() const
 {
   InputRequest request;
-  const std::int64_t plane = settings[IntSetting::Plane];
-  if (plane == AHD_PLANE_MATRIX && !arrays.has(InputArray::Matrix))
+  const PlaneKind plane = settings.plane();
+  if (plane == PlaneKind::Matrix && !arrays.has(InputArray::Matrix))
   {
-    refuse(AHD_BAD_VALUE, "\"plane\" is AHD_PLANE_MATRIX, but there is no array \"matrix\".");
+    refuse(Reason::BadValue, "\"plane\" is AHD_PLANE_MATRIX, but there is no array \"matrix\".");
   }
-  if (plane == AHD_PLANE_CALLBACK && !projection_)
+  if (plane == PlaneKind::Callback && !projection_)
   {
-    refuse(AHD_BAD_VALUE, "\"plane\" is AHD_PLANE_CALLBACK, but ahd_set_projection() set none.");
+    refuse(Reason::BadValue, "\"plane\" is AHD_PLANE_CALLBACK, but ahd_set_projection() set none.");
   }
   arrays.count(request);
   request.firstCell = settings[IntSetting::FirstCell];
-  request.idsAreOfInput = settings[IntSetting::CellIds] == AHD_IDS_OF_INPUT;
+  request.idsAreOfInput = !settings.is(IntSetting::CellIds);
   request.closedLinesAreLoops = settings.is(IntSetting::ClosedLines);
   request.heightsFromSurface = settings.is(IntSetting::SourceHeights);
   request.representative = settings.options().representative;
   request.meanHeights = settings.showsMeans();
-  request.fitPlane = plane == AHD_PLANE_BEST_FIT;
+  request.fitPlane = plane == PlaneKind::BestFit;
   request.tolerance = settings[DoubleSetting::Tolerance];
   request.bounding = settings.addsBounding();
   request.offset = settings[DoubleSetting::Offset];
@@ -120,7 +114,7 @@ JobSizes Job::expected(const InputRequest& request) const
   sizes.segments = segmentsOf(request);
   if (sizes.points > kMaximumPoints)
   {
-    refuse(AHD_TOO_MANY_POINTS,
+    refuse(Reason::TooManyPoints,
       std::to_string(sizes.points) + " points are too many: at most " +
         std::to_string(kMaximumPoints) + " can be triangulated.");
   }
@@ -136,7 +130,7 @@ const char* Job::whoAllows() const
 /// There may not be memory for it all.
 void Job::refuseForMemory() const
 {
-  refuse(AHD_MEMORY_LIMIT,
+  refuse(Reason::MemoryLimit,
     "Triangulating " + std::to_string(sizes_.points) + " points may take " +
       butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
       ". Take fewer points, ask for fewer arrays, " + orSetLimit(sizes_.estimate));
@@ -247,10 +241,10 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
   made.matrix = arrays.has(InputArray::Matrix) ? arrays.matrix() : made.matrix;
   const MatrixProjection byMatrix(made.matrix);
   const CallbackProjection byCallback(projection_, projectionUser_);
-  const std::int64_t plane = settings[IntSetting::Plane];
-  request.projection = plane == AHD_PLANE_MATRIX ? static_cast<const Projection*>(&byMatrix)
-    : plane == AHD_PLANE_CALLBACK                ? &byCallback
-                                                 : nullptr;
+  const PlaneKind plane = settings.plane();
+  request.projection = plane == PlaneKind::Matrix ? static_cast<const Projection*>(&byMatrix)
+    : plane == PlaneKind::Callback                ? &byCallback
+                                                  : nullptr;
   request.mostCrossings = sizes_.mostCrossings;
   const Status status = withAsking(
     sizes_.askedToSplit, [&] { return ahd::prepare(request, context, made.points); });
@@ -259,7 +253,7 @@ void Job::prepare(JobResult& made, InputRequest& request, const Context& context
     sizes_.crossings = sizes_.mostCrossings + 1;
     sizes_.points += sizes_.crossings;
     sizes_.estimate = estimate(sizes_);
-    refuse(AHD_TOO_MANY_CROSSINGS,
+    refuse(Reason::TooManyCrossings,
       "Segments cross in more than " + std::to_string(sizes_.mostCrossings) +
         " places. Splitting them there and triangulating may take more than " +
         butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
@@ -284,7 +278,7 @@ void Job::triangulate(JobResult& made, const Context& context)
   sizes_.estimate = estimate(sizes_);
   if (status == Status::TooManyBoxes)
   {
-    refuse(AHD_TOO_MANY_BOXES,
+    refuse(Reason::TooManyBoxes,
       "The grid has more than " + std::to_string(sizes_.mostBoxes) +
         " boxes. Keeping more may take more than " +
         butAllowed(sizes_.estimate, sizes_.allowed, whoAllows()) +
@@ -354,7 +348,7 @@ void Job::findStacks(JobResult& made, const Context& context)
     check(findIfOnOneLine(points, context, made.areOnOneLine));
   }
   else if (counts.duplicates > counts.inserted / 2 &&
-    settings[IntSetting::Duplicates] == AHD_DUPLICATES_FIRST) // else they were thought of
+    settings.duplicates() == Duplicates::First) // else they were thought of
   {
     check(findIfStacked(points, context, made.areStacked));
   }
@@ -379,18 +373,18 @@ void Job::fitPlane(double* matrix)
 void Job::toPlane(double* xyz, std::size_t count)
 {
   JobResult& made = result();
-  const std::int64_t plane = made.settings[IntSetting::Plane];
+  const PlaneKind plane = made.settings.plane();
   const ScopedFloatingPoint asAssumed;
-  if (plane == AHD_PLANE_CALLBACK)
+  if (plane == PlaneKind::Callback)
   {
-    refuse(AHD_NOT_AVAILABLE, "With AHD_PLANE_CALLBACK it is for the caller to move points.");
+    refuse(Reason::NotAvailable, "With AHD_PLANE_CALLBACK it is for the caller to move points.");
   }
-  if (plane == AHD_PLANE_MATRIX)
+  if (plane == PlaneKind::Matrix)
   {
     const PointView points(static_cast<const double*>(xyz), count, 3);
     MatrixProjection(made.matrix).project(points, xyz, Context());
   }
-  for (std::size_t i = 0; plane == AHD_PLANE_BEST_FIT && i < count; ++i)
+  for (std::size_t i = 0; plane == PlaneKind::BestFit && i < count; ++i)
   {
     const double* const p = xyz + 3 * i;
     const Vector3 moved = made.points.plane().project({ { p[0], p[1], p[2] } });

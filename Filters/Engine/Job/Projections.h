@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ahd_JobProjection_h
-#define ahd_JobProjection_h
+#ifndef ahd_JobProjections_h
+#define ahd_JobProjections_h
 
 #include "../Prepare/Prepare.h"
-#include "ahd.h"
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 namespace ahd
 {
 
-/// AHD_PLANE_MATRIX: a matrix of 4 x 4 numbers, row by row, is applied to (x, y, z, 1).
+/// PlaneKind::Matrix: a matrix of 4 x 4 numbers, row by row, is applied to (x, y, z, 1).
 class MatrixProjection : public Projection
 {
 public:
@@ -25,11 +25,14 @@ private:
   std::array<double, 16> matrix_;
 };
 
-/// AHD_PLANE_CALLBACK.
+/// Moves points, (x, y, z) each, in place. Non-zero cancels.
+using ProjectionCallback = std::int32_t (*)(void* user, double* xyz, std::uint64_t count);
+
+/// PlaneKind::Callback.
 class CallbackProjection : public Projection
 {
 public:
-  CallbackProjection(ahd_projection callback, void* user)
+  CallbackProjection(ProjectionCallback callback, void* user)
     : callback_(callback)
     , user_(user)
   {
@@ -39,7 +42,7 @@ public:
 private:
   bool call(double* xyz, std::size_t count) const;
 
-  ahd_projection callback_;
+  ProjectionCallback callback_;
   void* user_;
 };
 

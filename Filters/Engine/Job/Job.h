@@ -9,9 +9,10 @@
 #include "../Triangulate.h"
 #include "../Voronoi/Voronoi.h"
 #include "InputArrays.h"
-#include "JobProgress.h"
-#include "JobSampling.h"
-#include "JobSettings.h"
+#include "Progress.h"
+#include "Projections.h"
+#include "Sampling.h"
+#include "Settings.h"
 #include "SpacePoints.h"
 
 #include <algorithm>
@@ -68,8 +69,8 @@ struct JobSizes : RunSizes
 /// Row by row, what takes points to the plane and their height above it.
 void writeMatrix(const Plane& plane, double* matrix);
 
-/// All that is behind an ahd_job: settings and input; the run, which is the engine's calls in their
-/// order; the result. What cannot be done is refused (Refusal.h).
+/// All that is behind a handle of the C interface: settings and input; the run, which is the
+/// engine's calls in their order; the result. What cannot be done is refused (Refusal.h).
 class Job
 {
 public:
@@ -90,7 +91,16 @@ public:
   InputArrays arrays;
   JobProgress progress;
 
-  void setProjection(ahd_projection projection, void* user);
+  explicit Job(Clock clock)
+    : progress(clock)
+  {
+  }
+
+  void setProjection(ProjectionCallback projection, void* user)
+  {
+    projection_ = projection;
+    projectionUser_ = user;
+  }
 
   std::size_t estimate() const;
   void run();
@@ -105,7 +115,7 @@ public:
   const JobSizes& sizes() const { return sizes_; }
 
   /// What was made of the input before is gone with it, as it looks at it.
-  void setArray(const char* name, const ahd_array* array)
+  void setArray(const char* name, const GivenArray* array)
   {
     arrays.set(name, array);
     release(std::size_t(-1));
@@ -148,7 +158,7 @@ private:
   RunWishes wishes() const;
   const char* whoAllows() const;
 
-  ahd_projection projection_ = nullptr;
+  ProjectionCallback projection_ = nullptr;
   void* projectionUser_ = nullptr;
   Workspace workspace_;
   std::unique_ptr<JobResult> result_;

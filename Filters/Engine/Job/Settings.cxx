@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobSettings.h"
+#include "Settings.h"
 
 #include "Refusal.h"
 
@@ -21,32 +21,39 @@ struct Row
   Number preset, least, most;
 };
 
+template <typename Word>
+constexpr std::int64_t numberOf(Word word)
+{
+  return static_cast<std::int64_t>(word);
+}
+
 constexpr std::int64_t kHuge = std::int64_t(1) << 62;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // in the order of IntSetting
 constexpr Row<std::int64_t> kInts[] = {
-  { "insertion_order", AHD_ORDER_ADAPTIVE_HILBERT, 0, AHD_ORDER_AS_GIVEN },
+  { "insertion_order", numberOf(InsertionOrder::AdaptiveHilbert), 0,
+    numberOf(InsertionOrder::AsGiven) },
   { "nmax", 50, 1, std::numeric_limits<std::int32_t>::max() },
-  { "control_points", AHD_CONTROL_EVERY_LEVEL, 0, AHD_CONTROL_EVERY_LEVEL },
+  { "control_points", numberOf(ControlPoints::EveryLevel), 0, numberOf(ControlPoints::EveryLevel) },
   { "gene_rotation", 1, 0, 1 },
   { "count_work", 0, 0, 1 },
   { "insertion_limit", 0, 0, kHuge },
-  { "duplicates", AHD_DUPLICATES_FIRST, 0, AHD_DUPLICATES_MEAN_Z },
+  { "duplicates", numberOf(Duplicates::First), 0, numberOf(Duplicates::MeanZ) },
   { "skip_mask", 255, 1, 255 },
-  { "cell_ids", AHD_IDS_OF_INPUT, 0, AHD_IDS_OF_SOURCE },
+  { "cell_ids", numberOf(CellIds::OfInput), 0, numberOf(CellIds::OfSource) },
   { "first_cell", 0, 0, kHuge },
   { "closed_lines", 0, 0, 1 },
   { "split_crossings", 0, 0, 1 },
-  { "source_heights", AHD_HEIGHTS_OWN, 0, AHD_HEIGHTS_FROM_SURFACE },
-  { "fill_rule", AHD_FILL_ORIENTATION, 0, AHD_FILL_EVEN_ODD },
-  { "plane", AHD_PLANE_XY, 0, AHD_PLANE_CALLBACK },
-  { "rim", AHD_RIM_AUTOMATIC, 0, AHD_RIM_TRIMMED },
+  { "source_heights", numberOf(SourceHeights::Own), 0, numberOf(SourceHeights::FromSurface) },
+  { "fill_rule", numberOf(FillRule::Orientation), 0, numberOf(FillRule::EvenOdd) },
+  { "plane", numberOf(PlaneKind::Xy), 0, numberOf(PlaneKind::Callback) },
+  { "rim", numberOf(RimKind::Automatic), 0, numberOf(RimKind::Trimmed) },
   { "bounding", 0, 0, 1 },
   { "alpha_triangles", 1, 0, 1 },
   { "alpha_lines", 1, 0, 1 },
   { "alpha_vertices", 1, 0, 1 },
-  { "voronoi_clip", AHD_CLIP_HULL, 0, AHD_CLIP_BOUNDS },
+  { "voronoi_clip", numberOf(VoronoiClip::Hull), 0, numberOf(VoronoiClip::Bounds) },
   { "want_voronoi", 0, 0, 1 },
   { "want_order", 0, 0, 1 },
   { "want_boxes", 0, 0, 1 },
@@ -57,8 +64,8 @@ constexpr Row<std::int64_t> kInts[] = {
   { "want_regions", 0, 0, 1 },
   { "want_neighbors", 0, 0, 1 },
   { "want_samples", 0, 0, 1 },
-  { "sample_method", AHD_SAMPLE_LINEAR, 0, AHD_SAMPLE_NEAREST },
-  { "sample_outside", AHD_OUTSIDE_NO_VALUE, 0, AHD_OUTSIDE_NEAREST_VERTEX },
+  { "sample_method", numberOf(SampleMethod::Linear), 0, numberOf(SampleMethod::Nearest) },
+  { "sample_outside", numberOf(OutsideValues::None), 0, numberOf(OutsideValues::NearestVertex) },
   { "threads", 0, 0, 1024 },
   { "memory_limit", 0, 0, kHuge },
   { "other_memory", 0, 0, kHuge },
@@ -99,7 +106,7 @@ std::size_t mustFind(const Row<Number> (&rows)[count], const char* name)
   }
   const char* const kind = sizeof(rows) == sizeof(kInts) ? "int" : "double";
   const bool isOther = find(kInts, name) < kIntSettings || find(kDoubles, name) < kDoubleSettings;
-  refuse(AHD_UNKNOWN_NAME,
+  refuse(Reason::UnknownName,
     "There is no setting \"" + std::string(name ? name : "(null)") + "\" of type " + kind +
       (isOther ? ": it is of the other type." : "."));
 }
@@ -114,7 +121,7 @@ void put(const Row<Number> (&rows)[count], const char* name, Number value, Numbe
     text.imbue(std::locale::classic());
     text << "\"" << name << "\" may be " << rows[i].least << " to " << rows[i].most << ", not "
          << value << ".";
-    refuse(AHD_BAD_VALUE, text.str());
+    refuse(Reason::BadValue, text.str());
   }
   values[i] = value;
 }
@@ -176,10 +183,9 @@ Options JobSettings::options() const
   options.keepOrder = is(IntSetting::WantOrder) || is(IntSetting::WantInsertionRanks) ||
     is(IntSetting::WantCurve);
   options.keepBoxes = is(IntSetting::WantBoxes);
-  const std::int64_t duplicates = own[IntSetting::Duplicates];
-  options.representative = duplicates == AHD_DUPLICATES_LOWEST_Z ? Representative::LowestZ
-    : duplicates == AHD_DUPLICATES_HIGHEST_Z                     ? Representative::HighestZ
-                                                                 : Representative::FirstId;
+  options.representative = duplicates() == Duplicates::LowestZ ? Representative::LowestZ
+    : duplicates() == Duplicates::HighestZ                     ? Representative::HighestZ
+                                                               : Representative::FirstId;
   return options;
 }
 
@@ -189,11 +195,6 @@ SizeLimits JobSettings::limits() const
     is(IntSetting::AlphaTriangles), is(IntSetting::AlphaLines), is(IntSetting::AlphaVertices) };
 }
 
-bool JobSettings::showsMeans() const
-{
-  return (*this)[IntSetting::Duplicates] == AHD_DUPLICATES_MEAN_Z;
-}
-
 bool JobSettings::limitsSize() const
 {
   return (*this)[DoubleSetting::Alpha] > 0.0 || (*this)[DoubleSetting::MaximumEdgeLength] > 0.0;
@@ -201,16 +202,14 @@ bool JobSettings::limitsSize() const
 
 bool JobSettings::mayTrimRim() const
 {
-  const std::int64_t rim = (*this)[IntSetting::Rim];
-  return (rim == AHD_RIM_TRIMMED || (rim == AHD_RIM_AUTOMATIC && isProjected())) && !limitsSize() &&
-    !addsBounding();
+  return (rim() == RimKind::Trimmed || (rim() == RimKind::Automatic && isProjected())) &&
+    !limitsSize() && !addsBounding();
 }
 
-bool JobSettings::trimsRim(const Plane& plane) const
+bool JobSettings::trimsRim(const Plane& fitted) const
 {
-  const bool isRounded = (*this)[IntSetting::Plane] != AHD_PLANE_BEST_FIT ||
-    !plane.isOfCoordinates();
-  return mayTrimRim() && (isRounded || (*this)[IntSetting::Rim] == AHD_RIM_TRIMMED);
+  const bool isRounded = plane() != PlaneKind::BestFit || !fitted.isOfCoordinates();
+  return mayTrimRim() && (isRounded || rim() == RimKind::Trimmed);
 }
 
 } // namespace ahd

@@ -24,13 +24,22 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
 /// Null past the last.
 const char* outputArrayName(std::size_t number);
 
-void drawOrder(Job& job, std::int32_t type, const ahd_drawing& drawing);
+/// Where to write the order as it is drawn; see ahd_drawing.
+struct GivenDrawing
+{
+  double* xyz;
+  void* ranks;
+  void* ids;
+  std::int32_t* levels;
+  void* counts;
+};
+void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing);
 void interpolate(Job& job, std::int32_t where, double* values, std::int32_t columns);
 
 /// Where to write what locate() finds: of each place one number, three, one.
 struct Places
 {
-  std::int32_t* kinds;
+  std::int32_t* kinds; ///< PlaceKind
   std::int64_t* ids;
   std::int64_t* cells; ///< may be null
 };

@@ -4,9 +4,11 @@
 
 #include "../Constraints.h"
 #include "../Options.h"
+#include "../Sample/Sample.h"
 #include "../Surface/Plane.h"
 #include "../Surface/Selection.h"
 #include "../Voronoi/Voronoi.h"
+#include "Words.h"
 
 #include <array>
 #include <cstddef>
@@ -15,7 +17,7 @@
 namespace ahd
 {
 
-/// In the order of the table in JobSettings.cxx.
+/// In the order of the table in Settings.cxx.
 enum class IntSetting : std::size_t
 {
   InsertionOrder,
@@ -95,16 +97,19 @@ public:
   {
     return ahd::VoronoiClip((*this)[IntSetting::VoronoiClip]);
   }
-  bool showsMeans() const;
+  ahd::Duplicates duplicates() const { return ahd::Duplicates((*this)[IntSetting::Duplicates]); }
+  bool showsMeans() const { return duplicates() == ahd::Duplicates::MeanZ; }
+  PlaneKind plane() const { return PlaneKind((*this)[IntSetting::Plane]); }
   /// Is the plane another than x, y?
-  bool isProjected() const { return is(IntSetting::Plane); }
+  bool isProjected() const { return plane() != PlaneKind::Xy; }
+  RimKind rim() const { return RimKind((*this)[IntSetting::Rim]); }
   bool addsBounding() const { return is(IntSetting::Bounding) && !isProjected(); }
   bool limitsSize() const;
   /// May the rim have to be trimmed? The plane says whether it does.
   bool mayTrimRim() const;
-  /// Is the rim to be trimmed? `plane`: where one is fitted, that.
-  bool trimsRim(const Plane& plane) const;
-  /// May ahd_draw_order() be called?
+  /// Is the rim to be trimmed? `fitted`: the plane, where one is.
+  bool trimsRim(const Plane& fitted) const;
+  /// May the order be drawn?
   bool drawsOrder() const { return is(IntSetting::WantBoxes) || is(IntSetting::WantCurve); }
 
 private:

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "JobSampling.h"
+#include "Sampling.h"
 
 #include "../Core/Memory.h"
 #include "../Sample/Outside.h"
-#include "Clock.h"
 #include "Job.h"
 #include "Refusal.h"
 
@@ -18,30 +17,30 @@ namespace ahd
 namespace
 {
 
-SamplePlaces placesOf(const ahd_places& given)
+SamplePlaces placesOf(const GivenPlaces& given)
 {
   if (given.xy || given.count > 0)
   {
     if (!given.xy)
     {
       refuse(
-        AHD_BAD_ARRAY, "There are " + std::to_string(given.count) + " places, but xy is null.");
+        Reason::BadArray, "There are " + std::to_string(given.count) + " places, but xy is null.");
     }
     checkCount(given.count, "places");
     return SamplePlaces(PointView(given.xy, static_cast<std::size_t>(given.count), 2));
   }
-  for (int k = 0; k < 2; ++k)
+  for (std::size_t k = 0; k < 2; ++k)
   {
     if (!std::isfinite(given.origin[k]) || !std::isfinite(given.spacing[k]) ||
       given.spacing[k] == 0.0)
     {
-      refuse(AHD_BAD_VALUE,
+      refuse(Reason::BadValue,
         "A raster must have a finite origin, and a spacing that is finite and not 0.");
     }
   }
   if (given.rows > 0 && given.columns > kMostNumbers / given.rows)
   {
-    refuse(AHD_MEMORY_LIMIT,
+    refuse(Reason::MemoryLimit,
       "A raster of " + std::to_string(given.columns) + " x " + std::to_string(given.rows) +
         " cells is beyond all memory.");
   }
@@ -67,50 +66,32 @@ std::size_t estimateOf(
     (fills ? fillOutsideMemoryEstimate(points, count, components) : 0);
 }
 
-/// One call: what is asked for, held against the memory there is.
-class Sampling
+} // namespace
+
+Sampling::Sampling(Job& job, const GivenPlaces& places)
+  : job_(job)
+  , made_(job.result())
+  , kept_(made_.sampling)
+  , places_(placesOf(places))
+  , method_(SampleMethod(job.settings[IntSetting::SampleMethod]))
+  , fills_(job.settings.is(IntSetting::SampleOutside) && method_ != SampleMethod::Nearest)
 {
-public:
-  Sampling(Job& job, const ahd_places& places)
-    : job_(job)
-    , made_(job.result())
-    , kept_(made_.sampling)
-    , places_(placesOf(places))
-    , method_(SampleMethod(job.settings[IntSetting::SampleMethod]))
-    , fills_(job.settings.is(IntSetting::SampleOutside) && method_ != SampleMethod::Nearest)
-  {
-  }
+}
 
-  std::size_t estimate(std::size_t components, bool hasMask) const;
-  void checkMemory(std::size_t bytes) const;
-
-  void values(const std::vector<SampleArray>& arrays, std::uint8_t* mask);
-  void weights();
-
-  bool fills() const { return fills_; }
-  const SamplePlaces& places() const { return places_; }
-  SampleMethod method() const { return method_; }
-
-private:
-  template <typename Work>
-  void run(std::size_t bytes, const Work& work);
-  const Sampler& prepare(JobSampling::Ready& ready, SampleMethod method, const Context& context);
-  std::vector<double> stageWeights() const;
-
-  Job& job_;
-  JobResult& made_;
-  JobSampling& kept_;
-  SamplePlaces places_;
-  SampleMethod method_;
-  bool fills_;
-};
-
-std::size_t Sampling::estimate(std::size_t components, bool hasMask) const
+std::size_t Sampling::bytesFor(std::size_t components, bool hasMask) const
 {
   const std::size_t points = made_.points.points().count, places = places_.count();
   return static_cast<std::size_t>(job_.settings[IntSetting::OtherMemory]) +
     (kept_.hasTables ? 0 : tableMemoryEstimate(points)) +
     estimateOf(points, places_, components, fills_) + (fills_ && !hasMask ? places : 0);
+}
+
+void Sampling::estimate(std::uint64_t columns, std::uint64_t& bytes) const
+{
+  checkColumns(columns, "columns");
+  const std::size_t estimated = bytesFor(static_cast<std::size_t>(columns), false);
+  bytes = estimated;
+  checkMemory(estimated);
 }
 
 /// With a limit, what the run took counts, too.
@@ -124,7 +105,7 @@ void Sampling::checkMemory(std::size_t bytes) const
   const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemory();
   if (bytes > allowed)
   {
-    refuse(AHD_MEMORY_LIMIT,
+    refuse(Reason::MemoryLimit,
       "Values at " + std::to_string(places_.count()) + " places may take " +
         butAllowed(bytes, allowed, limit > 0 ? "\"memory_limit\" leaves" : "there are",
           " besides the triangulation") +
@@ -157,7 +138,7 @@ void Sampling::run(std::size_t bytes, const Work& work)
     JobProgress& progress;
     ~Apart() { progress.endApart(); }
   } apart{ job_.progress };
-  const double begun = steadySeconds();
+  const double begun = job_.progress.now();
   SampleReport report;
   job_.progress.beginApart(stageWeights());
   job_.withThreads(
@@ -173,7 +154,7 @@ void Sampling::run(std::size_t bytes, const Work& work)
   kept_.places = places_.count();
   kept_.report = report;
   kept_.estimate = bytes;
-  kept_.seconds = steadySeconds() - begun;
+  kept_.seconds = job_.progress.now() - begun;
 }
 
 const Sampler& Sampling::prepare(
@@ -190,15 +171,45 @@ const Sampler& Sampling::prepare(
   return ready.sampler;
 }
 
-void Sampling::values(const std::vector<SampleArray>& arrays, std::uint8_t* mask)
+std::vector<SampleArray> Sampling::arraysOf(const std::vector<GivenSamples>& given) const
 {
+  const bool hasPoints = made_.points.points().count > 0;
+  std::vector<SampleArray> arrays(given.size());
+  for (std::size_t k = 0; k < arrays.size(); ++k)
+  {
+    const GivenSamples& array = given[k];
+    const std::string name = "Array " + std::to_string(k) + " of those to interpolate ";
+    if (array.columns < 0)
+    {
+      refuse(Reason::BadArray, name + "has " + std::to_string(array.columns) + " columns.");
+    }
+    if (array.columns > 0 && ((hasPoints && !array.values) || (places_.count() > 0 && !array.out)))
+    {
+      refuse(Reason::BadArray, name + "has no values, or nowhere to write to: a pointer is null.");
+    }
+    if (array.gradients && method_ != SampleMethod::Linear)
+    {
+      refuse(Reason::BadValue,
+        name +
+          "has a place for gradients: there are none but with \"sample_method\" "
+          "AHD_SAMPLE_LINEAR.");
+    }
+    arrays[k] = { array.values, static_cast<std::size_t>(array.columns), array.out,
+      array.gradients };
+  }
+  return arrays;
+}
+
+void Sampling::values(const std::vector<GivenSamples>& given, std::uint8_t* mask)
+{
+  const std::vector<SampleArray> arrays = arraysOf(given);
   std::size_t components = 0;
   for (const SampleArray& array : arrays)
   {
     components += array.components;
     checkColumns(components, "columns");
   }
-  run(estimate(components, mask != nullptr),
+  run(bytesFor(components, mask != nullptr),
     [&](const Sampler& sampler, SampleReport& report, const Context& context)
     {
       Buffer<unsigned char> ownMask;
@@ -227,69 +238,20 @@ void Sampling::weights()
     places_.count() * perPlace * (sizeof(std::int32_t) + sizeof(double));
   fills_ = false;
   SampleWeights made; // those before stay until these are there
-  run(estimate(0, true) + bytes,
+  run(bytesFor(0, true) + bytes,
     [&](const Sampler& sampler, SampleReport& report, const Context& context)
     { check(sampler.weights(places_, made, report, context)); });
   kept_.weights = std::move(made);
   kept_.hasWeights = true;
 }
 
-std::vector<SampleArray> arraysOf(
-  const ahd_sampled* given, std::uint64_t count, const Sampling& sampling, bool hasPoints)
-{
-  if (count > 0 && !given)
-  {
-    refuse(AHD_BAD_ARRAY, "The arrays to interpolate are null.");
-  }
-  checkColumns(count, "arrays");
-  std::vector<SampleArray> arrays(static_cast<std::size_t>(count));
-  for (std::size_t k = 0; k < arrays.size(); ++k)
-  {
-    const ahd_sampled& array = given[k];
-    const std::string name = "Array " + std::to_string(k) + " of those to interpolate ";
-    if (array.columns < 0)
-    {
-      refuse(AHD_BAD_ARRAY, name + "has " + std::to_string(array.columns) + " columns.");
-    }
-    if (array.columns > 0 &&
-      ((hasPoints && !array.values) || (sampling.places().count() > 0 && !array.out)))
-    {
-      refuse(AHD_BAD_ARRAY, name + "has no values, or nowhere to write to: a pointer is null.");
-    }
-    if (array.gradients && sampling.method() != SampleMethod::Linear)
-    {
-      refuse(AHD_BAD_VALUE,
-        name +
-          "has a place for gradients: there are none but with \"sample_method\" "
-          "AHD_SAMPLE_LINEAR.");
-    }
-    arrays[k] = { array.values, static_cast<std::size_t>(array.columns), array.out,
-      array.gradients };
-  }
-  return arrays;
-}
-
-} // namespace
-
-void sample(Job& job, const ahd_places& places, const ahd_sampled* arrays, std::uint64_t count,
-  std::uint8_t* mask)
-{
-  Sampling sampling(job, places);
-  sampling.values(arraysOf(arrays, count, sampling, job.result().points.points().count > 0), mask);
-}
-
-void weigh(Job& job, const ahd_places& places)
-{
-  Sampling(job, places).weights();
-}
-
 std::uint64_t samplingEstimate(
-  std::uint64_t points, const ahd_places& places, std::uint64_t columns, bool fills)
+  std::uint64_t points, const GivenPlaces& places, std::uint64_t columns, bool fills)
 {
   checkColumns(columns, "columns");
   if (points > kMaximumPoints)
   {
-    refuse(AHD_BAD_VALUE, std::to_string(points) + " points are more than can be triangulated.");
+    refuse(Reason::BadValue, std::to_string(points) + " points are more than can be triangulated.");
   }
   const auto most = [](std::uint64_t count)
   { return static_cast<std::size_t>(std::min<std::uint64_t>(count, kMostNumbers)); };
@@ -304,15 +266,6 @@ std::uint64_t samplingEstimate(
   raster.columns = most(places.columns);
   raster.rows = most(places.rows);
   return estimateOf(count, SamplePlaces(raster), components, fills);
-}
-
-void estimateSample(Job& job, const ahd_places& places, std::uint64_t columns, std::uint64_t& bytes)
-{
-  const Sampling sampling(job, places);
-  checkColumns(columns, "columns");
-  const std::size_t estimate = sampling.estimate(static_cast<std::size_t>(columns), false);
-  bytes = estimate;
-  sampling.checkMemory(estimate);
 }
 
 } // namespace ahd
