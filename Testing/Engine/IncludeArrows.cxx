@@ -43,7 +43,7 @@ const std::map<std::string, Names>& allowedParts()
     { "Voronoi", { "Arithmetic", "Points", "Predicates", "Triangulation" } },
     { "Sample", { "Arithmetic", "Points", "Order", "Predicates", "Triangulation" } },
     { "Distribute",
-      { "Points", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
+      { "Points", "Order", "Predicates", "Mesh", "Constrain", "Extract", "Triangulation", "" } },
     { "Job",
       { "Points", "Order", "Merge", "Crossings", "Prepare", "Sample", "Surface", "Triangulation",
         "Voronoi", "" } },

@@ -2,9 +2,7 @@
 #include "BoxTree.h"
 
 #include "../Core/Chunks.h"
-#include "../Order/HilbertKeys.h"
-#include "../Order/Quantise.h"
-#include "../Order/RadixSort.h"
+#include "../Order/CurveKeys.h"
 #include "../Predicates/Predicates.h"
 
 namespace ahd
@@ -55,41 +53,26 @@ bool cross(const Segment& s, const Segment& t)
 bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
 {
   const std::size_t n = more.size();
-  PieceBox all;
+  Box all;
   Buffer<std::uint64_t> keys;
   keys.allocate(n);
   const auto bound = [&](std::size_t a, std::size_t b)
   {
     for (std::size_t k = a; k != b; ++k)
     {
-      all.add(PieceBox::of(more[k].segment));
+      all.add(boxOf(more[k].segment));
     }
   };
   if (!inChunks(0, n, ticker, bound))
   {
     return false;
   }
-  origin_ = { 0.5 * all.xmin + 0.5 * all.xmax, 0.5 * all.ymin + 0.5 * all.ymax };
-  const Grid grid(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
+  origin_ = all.middle();
+  const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
   const auto makeKeys = [&](std::size_t a, std::size_t b)
   {
-    std::uint32_t columns[kKeyBlock], rows[kKeyBlock];
-    for (std::size_t begin = a; begin != b;)
-    {
-      const std::size_t count = std::min(kKeyBlock, b - begin);
-      for (std::size_t k = 0; k != count; ++k)
-      {
-        const Segment& s = more[begin + k].segment;
-        columns[k] = grid.column(0.5 * s.left.x + 0.5 * s.right.x);
-        rows[k] = grid.row(0.5 * s.left.y + 0.5 * s.right.y);
-      }
-      hilbertKeys(columns, rows, &keys[begin], count);
-      for (const std::size_t end = begin + count; begin != end; ++begin)
-      {
-        keys[begin] = packed(
-          static_cast<std::uint32_t>(keys[begin] >> 32), static_cast<std::uint32_t>(begin));
-      }
-    }
+    curve.write([a](std::size_t k) { return static_cast<std::uint32_t>(a + k); },
+      [&](std::size_t number) { return boxOf(more[number].segment).middle(); }, &keys[a], b - a);
   };
   const auto add = [&](std::size_t a, std::size_t b)
   {
@@ -110,7 +93,7 @@ bool BoxTree::build(const Pieces& more, Pieces& pieces, Ticker& ticker)
 {
   first_ = pieces.size();
   last_ = first_ + more.size();
-  levels_.clear();
+  levels_.allocate(0);
   if (empty())
   {
     return true;
@@ -119,20 +102,14 @@ bool BoxTree::build(const Pieces& more, Pieces& pieces, Ticker& ticker)
   {
     return false;
   }
-  std::size_t count = last_ - first_, group = kInLeaf;
-  do
-  {
-    count = (count + group - 1) / group;
-    group = kInNode;
-    levels_.emplace_back(count);
-    leaves_.resize(levels_[0].size());
-  } while (count > 1);
+  levels_.allocate(more.size()); // behind what sorting takes
+  leaves_.resize(levels_.count(0));
   return fit(pieces, ticker);
 }
 
-PieceBox BoxTree::fitLeaf(const Pieces& pieces, std::size_t node)
+Box BoxTree::fitLeaf(const Pieces& pieces, std::size_t node)
 {
-  PieceBox all;
+  Box all;
   const std::size_t begin = childrenBegin(0, node), end = childrenEnd(0, node);
   for (std::size_t k = 0; k != kInLeaf; ++k)
   {
@@ -141,41 +118,16 @@ PieceBox BoxTree::fitLeaf(const Pieces& pieces, std::size_t node)
       leaves_[node].clear(k);
       continue;
     }
-    const PieceBox box = PieceBox::of(pieces[begin + k].segment);
+    const Box box = boxOf(pieces[begin + k].segment);
     leaves_[node].put(k, box, origin_);
     all.add(box);
   }
   return all;
 }
 
-PieceBox BoxTree::boxAround(std::size_t level, std::size_t node) const
-{
-  PieceBox all;
-  const std::size_t end = childrenEnd(level, node);
-  for (std::size_t k = childrenBegin(level, node); k != end; ++k)
-  {
-    all.add(levels_[level - 1][k]);
-  }
-  return all;
-}
-
 bool BoxTree::fit(const Pieces& pieces, Ticker& ticker)
 {
-  for (std::size_t level = 0; level != levels_.size(); ++level)
-  {
-    const auto fitNodes = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t node = a; node != b; ++node)
-      {
-        levels_[level][node] = level == 0 ? fitLeaf(pieces, node) : boxAround(level, node);
-      }
-    };
-    if (!inChunks(0, levels_[level].size(), ticker, fitNodes))
-    {
-      return false;
-    }
-  }
-  return true;
+  return levels_.fit([&](std::size_t leaf) { return fitLeaf(pieces, leaf); }, ticker);
 }
 
 // ------------------------------------------------------------------------------------- the search
@@ -243,7 +195,7 @@ bool BoxSearch::between(const Node& a, const Node& b)
   const bool descendsA = a.level >= b.level;
   const Node& from = descendsA ? a : b;
   const Node& to = descendsA ? b : a;
-  const PieceBox& box = to.box();
+  const Box& box = to.box();
   if (from.level == 0)
   {
     const std::size_t begin = from.begin();
@@ -273,14 +225,14 @@ bool BoxSearch::test(std::size_t piece, const Node& leaf, unsigned among)
 {
   constexpr std::size_t kExactTest = 8;
   const Segment& own = pieces_[piece].segment;
-  const PieceBox box = PieceBox::of(own);
+  const Box box = boxOf(own);
   const std::size_t begin = leaf.begin();
   std::size_t steps = BoxTree::kInLeaf;
   for (unsigned bits = leaf.tree->meeting(box, leaf.number) & among; bits != 0; bits &= bits - 1)
   {
     const std::size_t other = begin + lowestBit(bits);
     const Segment& segment = pieces_[other].segment;
-    if (!box.meets(PieceBox::of(segment)))
+    if (!box.meets(boxOf(segment)))
     {
       continue; // but for rounding
     }

@@ -3,10 +3,10 @@
 #define ahd_BoxTree_h
 
 #include "../Core/Progress.h"
+#include "../Points/BoxLevels.h"
 #include "Pieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -22,36 +22,15 @@ struct SplitUnits
   static constexpr std::size_t kAll = kListed + kInTree + kSearched + kSplit + kWritten;
 };
 
-/// An axis-parallel box; one that is empty meets none.
-struct PieceBox
+inline Box boxOf(const Segment& s)
 {
-  static constexpr double kFar = std::numeric_limits<double>::infinity();
-
-  double xmin = kFar, ymin = kFar, xmax = -kFar, ymax = -kFar;
-
-  static PieceBox of(const Segment& s)
-  {
-    PieceBox box;
-    box.xmin = s.left.x;
-    box.xmax = s.right.x;
-    box.ymin = std::min(s.left.y, s.right.y);
-    box.ymax = std::max(s.left.y, s.right.y);
-    return box;
-  }
-  void add(const PieceBox& b)
-  {
-    xmin = std::min(xmin, b.xmin);
-    ymin = std::min(ymin, b.ymin);
-    xmax = std::max(xmax, b.xmax);
-    ymax = std::max(ymax, b.ymax);
-  }
-  /// Without branches: whether they meet is hard to foretell.
-  bool meets(const PieceBox& b) const
-  {
-    return (int(xmin <= b.xmax) & int(b.xmin <= xmax) & int(ymin <= b.ymax) &
-             int(b.ymin <= ymax)) != 0;
-  }
-};
+  Box box;
+  box.xmin = s.left.x;
+  box.xmax = s.right.x;
+  box.ymin = std::min(s.left.y, s.right.y);
+  box.ymax = std::max(s.left.y, s.right.y);
+  return box;
+}
 
 /// The boxes of a few pieces, rounded: those that meet do so here. None of a piece that is dead or
 /// not there.
@@ -60,18 +39,14 @@ class LeafBoxes
 public:
   static constexpr std::size_t kMost = 8;
 
-  /// Where rounding is finest; a finite number.
-  struct Origin
-  {
-    double x, y;
-  };
+  // `origin`: where rounding is finest; finite.
 
   /// Nothing meets what is no number; infinity is what large numbers round to.
   void clear(std::size_t k)
   {
     xmin_[k] = ymin_[k] = xmax_[k] = ymax_[k] = std::numeric_limits<float>::quiet_NaN();
   }
-  void put(std::size_t k, const PieceBox& box, const Origin& origin)
+  void put(std::size_t k, const Box& box, const Point& origin)
   {
     const Rounded r(box, origin);
     xmin_[k] = r.xmin;
@@ -82,7 +57,7 @@ public:
 
   /// Bit k is set if the box meets that of piece k; it may be if not. Rounding is monotone, so what
   /// is not less stays so. All at once: a loop that compilers make vectors of.
-  unsigned meeting(const PieceBox& box, const Origin& origin) const
+  unsigned meeting(const Box& box, const Point& origin) const
   {
     static constexpr int kBits[kMost] = { 1, 2, 4, 8, 16, 32, 64, 128 };
     const Rounded r(box, origin);
@@ -101,7 +76,7 @@ private:
   {
     float xmin, ymin, xmax, ymax;
 
-    Rounded(const PieceBox& box, const Origin& origin)
+    Rounded(const Box& box, const Point& origin)
       : xmin(static_cast<float>(box.xmin - origin.x))
       , ymin(static_cast<float>(box.ymin - origin.y))
       , xmax(static_cast<float>(box.xmax - origin.x))
@@ -129,24 +104,22 @@ public:
   bool fit(const Pieces& pieces, Ticker& ticker);
 
   bool empty() const { return first_ == last_; }
-  std::size_t top() const { return levels_.size() - 1; }
-  const PieceBox& box(std::size_t level, std::size_t node) const { return levels_[level][node]; }
-  /// One past the last child of a node; of level 0: past its last piece.
+  std::size_t top() const { return levels_.levels() - 1; }
+  const Box& box(std::size_t level, std::size_t node) const { return levels_.box(level, node); }
+  /// The first child of a node, and one past the last; of level 0: pieces.
+  std::size_t childrenBegin(std::size_t level, std::size_t node) const
+  {
+    return levels_.childrenBegin(level, node) + (level == 0 ? first_ : 0);
+  }
   std::size_t childrenEnd(std::size_t level, std::size_t node) const
   {
-    return level == 0 ? std::min(first_ + (node + 1) * kInLeaf, last_)
-                      : std::min((node + 1) * kInNode, levels_[level - 1].size());
+    return levels_.childrenEnd(level, node) + (level == 0 ? first_ : 0);
   }
   /// Of the pieces of a box of level 0, those whose boxes may meet this one: bit k for the k-th.
-  unsigned meeting(const PieceBox& box, std::size_t node) const
+  unsigned meeting(const Box& box, std::size_t node) const
   {
     return leaves_[node].meeting(box, origin_);
   }
-  std::size_t childrenBegin(std::size_t level, std::size_t node) const
-  {
-    return level == 0 ? first_ + node * kInLeaf : node * kInNode;
-  }
-
   /// Where its pieces are among all.
   std::size_t begin() const { return first_; }
   std::size_t end() const { return last_; }
@@ -155,59 +128,44 @@ public:
   /// until `steps`, which it takes from, are used up, or until the ticker is cancelled. Returns
   /// false if it did not see all.
   template <typename Work>
-  bool forMeeting(const PieceBox& box, std::size_t& steps, Ticker& ticker, const Work& work) const;
+  bool forMeeting(const Box& box, std::size_t& steps, Ticker& ticker, const Work& work) const;
 
 private:
   bool addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker);
-  PieceBox fitLeaf(const Pieces& pieces, std::size_t node);
-  PieceBox boxAround(std::size_t level, std::size_t node) const;
+  Box fitLeaf(const Pieces& pieces, std::size_t node);
 
   std::size_t first_ = 0, last_ = 0;
-  LeafBoxes::Origin origin_ = {};
+  Point origin_ = {};
   std::vector<LeafBoxes> leaves_;
-  std::vector<std::vector<PieceBox>> levels_; ///< from the leaves to the one box around all
+  BoxLevels<kInLeaf, kInNode> levels_;
 };
 
 template <typename Work>
-bool BoxTree::forMeeting(
-  const PieceBox& box, std::size_t& steps, Ticker& ticker, const Work& work) const
+bool BoxTree::forMeeting(const Box& box, std::size_t& steps, Ticker& ticker, const Work& work) const
 {
-  struct Node
+  using Way = BoxLevels<kInLeaf, kInNode>::Way;
+  const auto enter = [&](const Box& node)
   {
-    std::size_t level, number;
+    if (!node.meets(box))
+    {
+      return Way::Past;
+    }
+    return steps == 0 || !ticker.step() ? Way::Stop : (--steps, Way::In);
   };
-  constexpr std::size_t kMostLevels = 18; // for 2^32 pieces
-  std::array<Node, kMostLevels * kInNode> waiting;
-  std::size_t count = 0;
-  if (!empty() && levels_[top()][0].meets(box))
+  const auto look = [&](std::size_t leaf)
   {
-    waiting[count++] = { top(), 0 };
-  }
-  for (; count != 0 && steps != 0 && ticker.step(); --steps)
-  {
-    const Node node = waiting[--count];
-    const std::size_t first = childrenBegin(node.level, node.number);
-    if (node.level == 0)
+    const std::size_t first = childrenBegin(0, leaf);
+    unsigned bits = meeting(box, leaf);
+    for (std::size_t k = 0; bits != 0; ++k, bits >>= 1u)
     {
-      const unsigned bits = meeting(box, node.number);
-      for (std::size_t k = 0; k != kInLeaf; ++k)
+      if ((bits & 1u) != 0 && !work(first + k))
       {
-        if ((bits >> k & 1u) != 0 && !work(first + k))
-        {
-          return false;
-        }
-      }
-      continue;
-    }
-    for (std::size_t k = childrenEnd(node.level, node.number); k-- != first;)
-    {
-      if (levels_[node.level - 1][k].meets(box))
-      {
-        waiting[count++] = { node.level - 1, k };
+        return false;
       }
     }
-  }
-  return count == 0;
+    return true;
+  };
+  return levels_.visit(enter, look);
 }
 
 /// How much a BoxSearch may do before it gives up.
@@ -251,7 +209,7 @@ private:
     const BoxTree* tree;
     std::size_t level, number;
 
-    const PieceBox& box() const { return tree->box(level, number); }
+    const Box& box() const { return tree->box(level, number); }
     std::size_t begin() const { return tree->childrenBegin(level, number); }
     std::size_t end() const { return tree->childrenEnd(level, number); }
   };

@@ -177,7 +177,7 @@ bool Hubs::lookFrom(Index piece, const Pieces& pieces, const std::vector<BoxTree
   };
   for (const BoxTree& tree : trees)
   {
-    if (!tree.forMeeting(PieceBox::of(own), steps, ticker_, look))
+    if (!tree.forMeeting(boxOf(own), steps, ticker_, look))
     {
       break;
     }
@@ -212,9 +212,7 @@ bool Hubs::makeHubBy(const Point& p, const Pieces& pieces, const std::vector<Box
     }
     return true;
   };
-  PieceBox box;
-  box.xmin = box.xmax = p.x;
-  box.ymin = box.ymax = p.y;
+  const Box box = Box::around(p, p);
   for (const BoxTree& tree : trees)
   {
     if (!tree.forMeeting(box, stepsLeft_, ticker_, list))

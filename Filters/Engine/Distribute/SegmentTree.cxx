@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SegmentTree.h"
 
-#include "../Core/SortAsking.h"
+#include "../Core/Chunks.h"
+#include "../Order/CurveKeys.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace ahd
@@ -13,20 +13,14 @@ namespace ahd
 namespace
 {
 
-Bounds boxOf(const Point& p, const Point& q)
+Box boxOf(const EndPair& s)
 {
-  return { std::min(p.x, q.x), std::max(p.x, q.x), std::min(p.y, q.y), std::max(p.y, q.y) };
+  return Box::around(s.from, s.to);
 }
 
-bool meet(const Bounds& a, const Bounds& b)
+Box boxOf(const Bounds& b)
 {
-  return a.xmin <= b.xmax && b.xmin <= a.xmax && a.ymin <= b.ymax && b.ymin <= a.ymax;
-}
-
-void add(Bounds& box, const Bounds& more)
-{
-  box = { std::min(box.xmin, more.xmin), std::max(box.xmax, more.xmax),
-    std::min(box.ymin, more.ymin), std::max(box.ymax, more.ymax) };
+  return Box::around({ b.xmin, b.ymin }, { b.xmax, b.ymax });
 }
 
 /// How long a side of its box is, at most.
@@ -54,7 +48,7 @@ void partBetween(double p, double q, double low, double high, double& least, dou
 
 bool SegmentTree::reaches(const EndPair& segment, const Bounds& region)
 {
-  return meet(boxOf(segment.from, segment.to), region);
+  return boxOf(segment).meets(boxOf(region));
 }
 
 bool SegmentTree::build(
@@ -62,12 +56,12 @@ bool SegmentTree::build(
 {
   segments_ = std::move(segments);
   parts_.clear();
-  levels_.clear();
-  return segments_.empty() || (cut(region, extra, ticker) && sort(ticker) && stack(ticker));
+  levels_.allocate(0);
+  return segments_.empty() || (cut(boxOf(region), extra, ticker) && sort(ticker));
 }
 
 /// Into parts of about half of the average length, or less where there are extra ones.
-bool SegmentTree::cut(const Bounds& region, std::size_t extra, Ticker& ticker)
+bool SegmentTree::cut(const Box& region, std::size_t extra, Ticker& ticker)
 {
   double sum = 0.0;
   for (const EndPair& s : segments_)
@@ -87,16 +81,16 @@ bool SegmentTree::cut(const Bounds& region, std::size_t extra, Ticker& ticker)
     const std::size_t count = wanted >= 1.0 ? std::size_t(wanted) + 1 : 1;
     for (std::size_t k = 0; k != count; ++k)
     {
-      Bounds box = boxOf(s.from, s.to);
+      Box box = boxOf(s);
       if (count > 1)
       {
         const double low = double(k) / double(count), high = double(k + 1) / double(count);
         partBetween(s.from.x, s.to.x, low, high, box.xmin, box.xmax);
         partBetween(s.from.y, s.to.y, low, high, box.ymin, box.ymax);
       }
-      if (meet(box, region))
+      if (box.meets(region))
       {
-        parts_.push_back({ box, static_cast<Index>(i), 0 });
+        parts_.push_back({ box, static_cast<Index>(i) });
       }
       if (!ticker.step())
       {
@@ -107,106 +101,70 @@ bool SegmentTree::cut(const Bounds& region, std::size_t extra, Ticker& ticker)
   return true;
 }
 
-/// Columns of equally many, each by rows.
+/// Along the curve, and boxes around them.
 bool SegmentTree::sort(Ticker& ticker)
 {
-  const auto isBefore = [](const Part& a, const Part& b)
-  { return 0.5 * a.box.xmin + 0.5 * a.box.xmax < 0.5 * b.box.xmin + 0.5 * b.box.xmax; };
-  const auto isBelow = [](const Part& a, const Part& b)
+  Box all;
+  for (const Part& part : parts_)
   {
-    return a.column < b.column ||
-      (a.column == b.column &&
-        0.5 * a.box.ymin + 0.5 * a.box.ymax < 0.5 * b.box.ymin + 0.5 * b.box.ymax);
+    all.add(part.box);
+  }
+  const std::size_t n = parts_.size();
+  const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
+  Buffer<std::uint64_t> keys;
+  keys.allocate(n);
+  const auto makeKeys = [&](std::size_t a, std::size_t b)
+  {
+    curve.write([a](std::size_t k) { return static_cast<Index>(a + k); },
+      [&](std::size_t number) { return parts_[number].box.middle(); }, keys.data() + a, b - a);
   };
-  if (!sortAsking(parts_, ticker, isBefore))
+  std::vector<Part> sorted(n);
+  const auto take = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      sorted[k] = parts_[static_cast<Index>(keys[k])];
+    }
+  };
+  if (!inChunks(0, n, ticker, makeKeys) || !sortPacked(keys, n, ticker) ||
+    !inChunks(0, n, ticker, take))
   {
     return false;
   }
-  const std::size_t n = parts_.size();
-  const auto inColumn = std::max<std::size_t>(1, std::size_t(std::sqrt(double(kInBox * n))));
-  const auto number = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      parts_[i].column = static_cast<Index>(i / inColumn);
-    }
-  };
-  return inChunks(0, n, ticker, number) && sortAsking(parts_, ticker, isBelow);
-}
-
-bool SegmentTree::stack(Ticker& ticker)
-{
-  const auto boxAt = [&](std::size_t level, std::size_t i) -> const Bounds&
-  { return level == 0 ? parts_[i].box : levels_[level - 1][i]; };
-  std::size_t count = parts_.size();
-  while (levels_.empty() || count > 1)
-  {
-    const std::size_t level = levels_.size();
-    std::vector<Bounds> boxes((count + kInBox - 1) / kInBox);
-    const auto fit = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t i = a; i != b; ++i)
-      {
-        if (i % kInBox == 0)
-        {
-          boxes[i / kInBox] = boxAt(level, i);
-        }
-        add(boxes[i / kInBox], boxAt(level, i));
-      }
-    };
-    if (!inChunks(0, count, ticker, fit))
-    {
-      return false;
-    }
-    count = boxes.size();
-    levels_.push_back(std::move(boxes));
-  }
-  return true;
+  parts_ = std::move(sorted);
+  levels_.allocate(n);
+  return levels_.fitItems([&](std::size_t k) -> const Box& { return parts_[k].box; }, ticker);
 }
 
 SegmentTree::Answer SegmentTree::ask(const Corners& triangle, Ticker& ticker) const
 {
-  struct Place
+  Box around = Box::around(triangle.a, triangle.b);
+  around.add(Box::around(triangle.c, triangle.c));
+  Answer answer = Answer::Untouched;
+  const auto enter = [&](const Box& box)
   {
-    std::size_t level, number; ///< level 0: a part
-  };
-  Bounds around = boxOf(triangle.a, triangle.b);
-  add(around, boxOf(triangle.c, triangle.c));
-  std::array<Place, kInBox * 22 + 1> open; // 8^22 parts are more than there can be
-  std::size_t count = 0;
-  if (!parts_.empty())
-  {
-    open[count++] = { levels_.size(), 0 };
-  }
-  while (count > 0)
-  {
-    const Place place = open[--count];
-    const bool isPart = place.level == 0;
     if (!ticker.step())
     {
-      return Answer::Cancelled;
+      answer = Answer::Cancelled;
+      return Levels::Way::Stop;
     }
-    if (!meet(around, isPart ? parts_[place.number].box : levels_[place.level - 1][place.number]))
+    return box.meets(around) ? Levels::Way::In : Levels::Way::Past;
+  };
+  const auto look = [&](std::size_t leaf)
+  {
+    for (std::size_t k = levels_.childrenBegin(0, leaf); k != levels_.childrenEnd(0, leaf); ++k)
     {
-      continue;
-    }
-    if (isPart)
-    {
-      const EndPair& s = segments_[parts_[place.number].segment];
-      if (touches(triangle, s.from, s.to))
+      const EndPair& s = segments_[parts_[k].segment];
+      if (parts_[k].box.meets(around) && touches(triangle, s.from, s.to))
       {
-        return Answer::Touched;
+        answer = Answer::Touched;
+        return false;
       }
-      continue;
     }
-    const std::size_t below = place.level == 1 ? parts_.size() : levels_[place.level - 2].size();
-    const std::size_t end = std::min((place.number + 1) * kInBox, below);
-    for (std::size_t k = place.number * kInBox; k != end; ++k)
-    {
-      open[count++] = { place.level - 1, k };
-    }
-  }
-  return Answer::Untouched;
+    return true;
+  };
+  levels_.visit(enter, look);
+  return answer;
 }
 
 } // namespace ahd

@@ -3,7 +3,7 @@
 #define ahd_SegmentTree_h
 
 #include "../Core/Progress.h"
-#include "../Points/Points.h"
+#include "../Points/BoxLevels.h"
 #include "../Predicates/Discs.h"
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct EndPair
 };
 
 /// Says whether a triangle is touched by one of many segments. Long segments lie in boxes of parts
-/// of them; the boxes are sorted by columns and rows, with boxes around each eight, and so on.
+/// of them, which follow each other along a Hilbert curve.
 class SegmentTree
 {
 public:
@@ -45,21 +45,19 @@ public:
   Answer ask(const Corners& triangle, Ticker& ticker) const;
 
 private:
-  static constexpr std::size_t kInBox = 8;
-
   struct Part
   {
-    Bounds box;
-    Index segment, column;
+    Box box;
+    Index segment;
   };
+  using Levels = BoxLevels<8, 8>;
 
-  bool cut(const Bounds& region, std::size_t extra, Ticker& ticker);
+  bool cut(const Box& region, std::size_t extra, Ticker& ticker);
   bool sort(Ticker& ticker);
-  bool stack(Ticker& ticker);
 
   std::vector<EndPair> segments_;
   std::vector<Part> parts_;
-  std::vector<std::vector<Bounds>> levels_; ///< boxes around eight parts, around eight boxes, ...
+  Levels levels_; ///< of parts
 };
 
 } // namespace ahd

@@ -4,9 +4,7 @@
 #include "../Core/Loops.h"
 #include "../Core/SortAsking.h"
 #include "../Points/JoinedBounds.h"
-#include "HilbertKeys.h"
-#include "Quantise.h"
-#include "RadixSort.h"
+#include "CurveKeys.h"
 
 #include <algorithm>
 #include <functional>
@@ -17,11 +15,6 @@ namespace ahd
 
 namespace
 {
-
-double within(double low, double high, double x)
-{
-  return x > low ? std::min(x, high) : low; // NaN is low
-}
 
 /// The bounds of what is finite.
 struct FoundBounds
@@ -36,45 +29,6 @@ struct FoundBounds
     }
   }
   void merge(const FoundBounds& other) { bounds = joined(bounds, other.bounds); }
-};
-
-/// What makes keys of places: where they are along the curve through some bounds.
-class CurveKeys
-{
-public:
-  /// REQUIRES: the bounds are not empty.
-  explicit CurveKeys(const Bounds& bounds)
-    : bounds_(bounds)
-    , grid_(bounds)
-  {
-  }
-
-  /// Writes packed(key, number) for `count` places: numberOf(k) is the k-th, at(number) its place.
-  template <typename Number, typename Place>
-  void write(const Number& numberOf, const Place& at, std::uint64_t* items, std::size_t count) const
-  {
-    std::uint32_t columns[kKeyBlock], rows[kKeyBlock], numbers[kKeyBlock];
-    for (std::size_t first = 0; first < count; first += kKeyBlock)
-    {
-      const std::size_t block = std::min(kKeyBlock, count - first);
-      for (std::size_t k = 0; k != block; ++k)
-      {
-        numbers[k] = numberOf(first + k);
-        const Point p = at(numbers[k]);
-        columns[k] = grid_.column(within(bounds_.xmin, bounds_.xmax, p.x));
-        rows[k] = grid_.row(within(bounds_.ymin, bounds_.ymax, p.y));
-      }
-      hilbertKeys(columns, rows, items + first, block);
-      for (std::size_t k = 0; k != block; ++k)
-      {
-        items[first + k] = packed(static_cast<std::uint32_t>(items[first + k] >> 32), numbers[k]);
-      }
-    }
-  }
-
-private:
-  const Bounds bounds_;
-  const Grid grid_;
 };
 
 } // namespace

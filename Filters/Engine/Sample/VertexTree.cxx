@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VertexTree.h"
 
-#include "../Core/Chunks.h"
-#include "../Core/Loops.h"
 #include "../Predicates/Circles.h"
 
 #include <algorithm>
@@ -18,12 +16,6 @@ namespace
 double sizeOf(const Point& p)
 {
   return std::max(std::fabs(p.x), std::fabs(p.y));
-}
-
-void extend(Bounds& bounds, const Bounds& more)
-{
-  bounds = { std::min(bounds.xmin, more.xmin), std::max(bounds.xmax, more.xmax),
-    std::min(bounds.ymin, more.ymin), std::max(bounds.ymax, more.ymax) };
 }
 
 /// The power of two that makes this about 2^500, so that squares do not overflow, and what is far
@@ -72,7 +64,7 @@ public:
     }
   }
 
-  bool mayHaveNearer(const Bounds& b) const
+  bool mayHaveNearer(const Box& b) const
   {
     const Point c{ std::max(b.xmin * scale_, std::min(scaled_.x, b.xmax * scale_)),
       std::max(b.ymin * scale_, std::min(scaled_.y, b.ymax * scale_)) };
@@ -129,88 +121,37 @@ bool VertexTree::build(const TriangulationAccess::State& state, Ticker& ticker)
   {
     return false;
   }
-  levels_.assign(1, 0);
-  std::size_t nodes = 0;
-  for (std::size_t size = vertices_.size(); size > 1;)
+  levels_.allocate(vertices_.size());
+  const auto boxOf = [&](std::size_t k)
   {
-    size = (size + kFanout - 1) / kFanout;
-    nodes += size;
-    levels_.push_back(nodes);
-  }
-  nodes_.allocate(nodes);
-  for (std::size_t level = 0; level + 1 < levels_.size(); ++level)
-  {
-    const std::size_t below = level == 0 ? 0 : levels_[level - 1];
-    const std::size_t items = itemsOn(level);
-    const auto bound = [&](std::size_t a, std::size_t b)
-    {
-      for (std::size_t k = a; k != b; ++k)
-      {
-        constexpr double kFar = std::numeric_limits<double>::infinity();
-        Bounds bounds{ kFar, -kFar, kFar, -kFar };
-        for (std::size_t i = k * kFanout; i != std::min(items, (k + 1) * kFanout); ++i)
-        {
-          const Point p = level == 0 ? places_[vertices_[i]] : Point();
-          extend(bounds, level == 0 ? Bounds{ p.x, p.x, p.y, p.y } : nodes_[below + i]);
-        }
-        nodes_[levels_[level] + k] = bounds;
-      }
-    };
-    if (!inChunksOf(levels_[level + 1] - levels_[level], ticker, bound))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-std::size_t VertexTree::itemsOn(std::size_t level) const
-{
-  return level == 0 ? vertices_.size() : levels_[level] - levels_[level - 1];
+    const Point& p = places_[vertices_[k]];
+    return Box::around(p, p);
+  };
+  return levels_.fitItems(boxOf, ticker);
 }
 
 bool VertexTree::findNearest(
   const Point& place, std::size_t hint, Ticker& ticker, std::size_t& found) const
 {
-  if (!ticker.step()) // there may be no nodes
-  {
-    return false;
-  }
   Search search(*this, place);
   search.look(hint);
-  // Depth first; on each level on the way down, what comes next and where it ends. The vertices are
-  // level 0.
-  constexpr std::size_t kLevels = 16; // eight to this power
-  std::size_t next[kLevels], end[kLevels];
-  const std::size_t top = levels_.size() - 1;
-  std::size_t level = top;
-  next[level] = 0;
-  end[level] = itemsOn(level);
-  while (level <= top)
+  const auto enter = [&](const Box& box)
   {
-    for (; level == 0 && next[0] != end[0]; ++next[0])
+    return !ticker.step(8)        ? Levels::Way::Stop
+      : search.mayHaveNearer(box) ? Levels::Way::In
+                                  : Levels::Way::Past;
+  };
+  const auto look = [&](std::size_t leaf)
+  {
+    for (std::size_t k = levels_.childrenBegin(0, leaf); k != levels_.childrenEnd(0, leaf); ++k)
     {
-      search.look(next[0]);
+      search.look(k);
     }
-    if (next[level] == end[level])
-    {
-      ++level;
-      continue;
-    }
-    const std::size_t node = next[level]++;
-    if (!ticker.step(kFanout))
-    {
-      return false;
-    }
-    if (search.mayHaveNearer(nodes_[levels_[level - 1] + node]))
-    {
-      --level;
-      next[level] = node * kFanout;
-      end[level] = std::min(itemsOn(level), (node + 1) * kFanout);
-    }
-  }
+    return true;
+  };
+  const bool isDone = levels_.visit(enter, look);
   found = search.best();
-  return true;
+  return isDone;
 }
 
 } // namespace ahd

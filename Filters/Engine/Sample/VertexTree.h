@@ -2,9 +2,8 @@
 #ifndef ahd_VertexTree_h
 #define ahd_VertexTree_h
 
+#include "../Points/BoxLevels.h"
 #include "Vertices.h"
-
-#include <vector>
 
 namespace ahd
 {
@@ -12,8 +11,7 @@ namespace ahd
 /// Finds the vertex that is nearest to a place, in whatever triangulation: constraints would lead a
 /// walk along edges astray, collinear vertices have no edges.
 ///
-/// Vertices follow each other along a Hilbert curve. So a node of the tree is the bounds of eight
-/// of them in a row, the one above those of eight nodes, and so on.
+/// Vertices follow each other along a Hilbert curve: boxes are around some of them in a row.
 class VertexTree
 {
 public:
@@ -32,15 +30,12 @@ public:
 
 private:
   class Search;
-  std::size_t itemsOn(std::size_t level) const;
-
-  static constexpr std::size_t kFanout = 8;
+  using Levels = BoxLevels<8, 8>;
 
   const Point* places_ = nullptr;
   Buffer<Index> vertices_;
-  Buffer<Bounds> nodes_;            ///< level after level, the lowest first
-  std::vector<std::size_t> levels_; ///< where each begins; where the last one ends
-  double largest_ = 0.0;            ///< coordinate
+  Levels levels_;        ///< of vertices
+  double largest_ = 0.0; ///< coordinate
 };
 
 } // namespace ahd
