@@ -12,7 +12,7 @@ logs=$build/logs
 
 help() {
   cat <<'EOF'
-./Testing/test.sh [--long] [ctest's own options]
+./Testing/test.sh [--fast | --long] [ctest's own options]
 
 Installs what is missing (Debian 12, 13 or testing, as root or with sudo), builds everything in build/, and
 runs the tests through CTest: on Debian 12 and 13 first those of the VTK filter with Debian's own VTK (9.1,
@@ -20,6 +20,8 @@ runs the tests through CTest: on Debian 12 and 13 first those of the VTK filter 
 is Debian's own. Takes half an hour on two cores from nothing.
 
 --long         also the tests that take longer (label: long)
+--fast         for the change in hand: builds and runs the quick tests of the engine, the filter and the
+               package for Python, and lint, with ParaView's VTK only; the whole run is still to come
 --paraview     only the tests with ParaView, not those with Debian's own VTK
 others         go to ctest, for example  -R Corpus  or  -L engine
 
@@ -32,6 +34,7 @@ EOF
 
 long=OFF
 own_vtk=yes
+targets=()
 more=()
 ctest_options=()
 for argument in "$@"; do
@@ -39,6 +42,11 @@ for argument in "$@"; do
     -h | --help) help && exit 0 ;;
     --long) long=ON && more+=(clang-tidy) ;;
     --paraview) own_vtk= ;;
+    --fast)
+      own_vtk=
+      targets=(FastTests)
+      ctest_options+=(-R '^(Engine|Filter|Lint|Mutations\.Apply|Package\.(Arrays|Class))' -LE 'sanitize|slow')
+      ;;
     *) ctest_options+=("$argument") ;;
   esac
 done
@@ -116,7 +124,8 @@ if [ -n "$own_vtk" ]; then
       AdaptiveHilbertDelaunayFiltersPython AdaptiveHilbertDelaunayPythonLibrary AhdCountedMemory
   ) || exit
 fi
-configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON
+configure_and_build "$build" "${settings[@]}" AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_GUI_TESTS=ON \
+  ${targets[@]+-- "${targets[@]}"}
 
 if [ -n "$own_vtk" ]; then
   export LD_LIBRARY_PATH=$libraries

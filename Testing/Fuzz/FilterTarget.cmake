@@ -2,7 +2,6 @@
 #
 # FilterFuzz, where there is VTK (that of ParaView first): the filter's sources watched, with VTK's
 # own libraries as they are.
-enable_language(C) # VTK's packages look for MPI's
 file(GLOB ahd_paraviews "/usr/lib/${CMAKE_CXX_LIBRARY_ARCHITECTURE}/cmake/paraview-*/vtk")
 find_package(VTK 9.1 QUIET
   COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms

@@ -5,18 +5,17 @@
 #   ahd_fuzz_quiet     compile options of what judges it: none of these, so that it is fast
 # and the libraries
 #   ahd_fuzz_engine    the engine, watched
-#   ahd_fuzz_support   Testing/Support as far as the targets need it, the cases and their mutator
+#   ahd_fuzz_support   the cases, and Testing/Support
 find_package(GTest REQUIRED)
-include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
-
+find_package(Threads REQUIRED)
+get_filename_component(ahd_root_dir "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+set(ahd_engine_dir "${ahd_root_dir}/Filters/Engine")
+include("${ahd_engine_dir}/Sources.cmake")
 if (AHD_FUZZ_SMALL)
   include("${CMAKE_CURRENT_LIST_DIR}/SmallThresholds.cmake")
-  set(ahd_fuzz_engine_dir "${CMAKE_CURRENT_BINARY_DIR}/engine")
-  ahd_copy_with_small_thresholds("${ahd_fuzz_engine_dir}")
-  list(TRANSFORM ahd_engine_sources REPLACE "^.*/Filters/Engine/" "${ahd_fuzz_engine_dir}/")
-  list(TRANSFORM ahd_point_maker_includes REPLACE "^.*/Filters/Engine$" "${ahd_fuzz_engine_dir}")
-else ()
-  set(ahd_fuzz_engine_dir "${ahd_root_dir}/Filters/Engine")
+  set(ahd_engine_dir "${CMAKE_CURRENT_BINARY_DIR}/engine")
+  ahd_copy_with_small_thresholds("${ahd_engine_dir}")
+  list(TRANSFORM ahd_engine_sources REPLACE "^.*/Filters/Engine/" "${ahd_engine_dir}/")
 endif ()
 
 if (AHD_FUZZ_COVERAGE)
@@ -34,29 +33,26 @@ endif ()
 set(ahd_fuzz_quiet -O1)
 
 add_library(ahd_fuzz_engine STATIC ${ahd_engine_sources})
-set_source_files_properties("${ahd_fuzz_engine_dir}/Interface/ahd.cxx" PROPERTIES
+add_library(AdaptiveHilbertDelaunay::Engine ALIAS ahd_fuzz_engine) # for what EngineForTests.cmake makes
+set_source_files_properties("${ahd_engine_dir}/Interface/ahd.cxx" PROPERTIES
   COMPILE_DEFINITIONS "AHD_VERSION=\"${ahd_engine_version}\"")
 target_compile_features(ahd_fuzz_engine PUBLIC cxx_std_17)
 set_target_properties(ahd_fuzz_engine PROPERTIES POSITION_INDEPENDENT_CODE ON)
 target_compile_options(ahd_fuzz_engine PRIVATE
   ${ahd_fuzz_watched} ${ahd_engine_options} -Wno-ignored-optimization-argument)
-target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_fuzz_engine_dir}")
+target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_engine_dir}")
+target_link_libraries(ahd_fuzz_engine PUBLIC Threads::Threads)
 
-set(ahd_fuzz_support_sources)
-foreach (name IN ITEMS Certify/CertifiedMesh Certify/Certifier Certify/ConstraintCertifier
-    Certify/ExactSigns Certify/MeshWalk Oracle/ConstraintFill Oracle/ConstraintOracle
-    Oracle/ConstraintOracleKept Oracle/Oracle Oracle/SampleOracle Oracle/VoronoiOracle Points/ConstraintMakers Points/ConstraintSets
-    Points/Corpus Points/SmallConstraintCases Run/BlocksRun Run/ConstrainedRun Run/EngineRun Run/Executors Run/JobRun)
-  list(APPEND ahd_fuzz_support_sources "${ahd_testing_dir}/Support/${name}.cxx")
+include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
+foreach (library IN ITEMS ahd_point_makers ahd_test_support)
+  target_compile_options(${library} PRIVATE ${ahd_fuzz_quiet} -Wno-ignored-optimization-argument)
 endforeach ()
-add_library(ahd_fuzz_support STATIC
-  ${ahd_fuzz_support_sources} ${ahd_point_maker_sources} FuzzCase.cxx)
+
+add_library(ahd_fuzz_support STATIC FuzzCase.cxx)
 target_compile_options(ahd_fuzz_support PRIVATE
   ${ahd_fuzz_quiet} ${ahd_engine_options} ${ahd_warnings} -Wno-ignored-optimization-argument)
-target_include_directories(ahd_fuzz_support PUBLIC
-  "${CMAKE_CURRENT_LIST_DIR}" ${ahd_point_maker_includes})
-target_link_libraries(ahd_fuzz_support
-  PUBLIC ahd_fuzz_engine Threads::Threads ${AHD_GMPXX_LIBRARY} ${AHD_GMP_LIBRARY})
+target_include_directories(ahd_fuzz_support PUBLIC "${CMAKE_CURRENT_LIST_DIR}")
+target_link_libraries(ahd_fuzz_support PUBLIC ahd_test_support ahd_fuzz_engine)
 
 # ahd_add_fuzz_target(<name> <sources>...)
 # A libFuzzer program: the sources have LLVMFuzzerTestOneInput, and are compiled quietly; what they

@@ -9,16 +9,26 @@ if (NOT AHD_CLANGXX)
   return ()
 endif ()
 
+string(REPLACE "clang++" "clang" ahd_clang "${AHD_CLANGXX}")
 set(ahd_fuzz_folder "${CMAKE_CURRENT_BINARY_DIR}/targets")
 set(ahd_fuzz_command
   ${CMAKE_COMMAND} -E env
+  CC=${ahd_clang}
   CXX=${AHD_CLANGXX}
   CMAKE_CXX_COMPILER_LAUNCHER=${CMAKE_CXX_COMPILER_LAUNCHER}
   "${CMAKE_CURRENT_SOURCE_DIR}/fuzz.sh" --folder "${ahd_fuzz_folder}")
 
 add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build -- -DVTK_DIR=${VTK_DIR})
 set_tests_properties(Fuzz.Build PROPERTIES
-  LABELS fuzz TIMEOUT 1800 PROCESSORS 2 FIXTURES_SETUP ahd_fuzz_targets)
+  LABELS fuzz TIMEOUT 1800 PROCESSORS 2 COST 1000 FIXTURES_SETUP ahd_fuzz_targets)
+
+# What fuzzing does not reach: memory that runs out, single bits, larger inputs.
+cmake_host_system_information(RESULT ahd_cores QUERY NUMBER_OF_LOGICAL_CORES)
+add_test(NAME Engine.Sanitized
+  COMMAND "${CMAKE_CTEST_COMMAND}" --test-dir "${ahd_fuzz_folder}/build" --output-on-failure --no-tests=error
+    -j ${ahd_cores})
+set_tests_properties(Engine.Sanitized PROPERTIES
+  LABELS sanitize TIMEOUT 900 COST 900 PROCESSORS 2 FIXTURES_REQUIRED ahd_fuzz_targets)
 
 # ahd_add_fuzz_test(<test> <target's name for fuzz.sh> <seconds> <minutes of the long test>)
 function (ahd_add_fuzz_test test target seconds minutes)

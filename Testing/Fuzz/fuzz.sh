@@ -65,7 +65,8 @@ build() {
   [ "$variant" = build ] || small=ON
   if [ ! -f "$folder/$variant/CMakeCache.txt" ]; then
     command -v ninja >/dev/null && generator=(-G Ninja)
-    CXX=${CXX:-$(command -v clang++-14 || command -v clang++)} \
+    CXX=${CXX:-$(command -v clang++-14 || command -v clang++)}
+    CC=${CC:-${CXX/clang++/clang}} CXX=$CXX \
       cmake -S "$here" -B "$folder/$variant" -DAHD_FUZZ_SMALL=$small \
       ${generator[@]+"${generator[@]}"} "$@"
   fi

@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The engine and the tests' tools as static libraries without VTK, for the tests and benchmarks:
-#   AdaptiveHilbertDelaunay::Engine   the engine, where the project has not made it already
+#   AdaptiveHilbertDelaunay::Engine   the engine, where that has not been made already
 #   ahd_point_makers    Testing/Support/Points/Distributions.cxx and Filters/Distributions, no engine
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
 # ahd_distribution_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and what
 # ahd_point_makers is made of, to make it otherwise: ahd_point_maker_sources, ahd_point_maker_includes.
+# ahd_engine_dir, if it is set: where the engine's headers are.
 find_package(Threads REQUIRED)
 find_library(AHD_GMP_LIBRARY gmp REQUIRED)
 find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
@@ -16,6 +17,9 @@ get_filename_component(ahd_testing_dir "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 get_filename_component(ahd_root_dir "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
 include("${ahd_root_dir}/Filters/Engine/Sources.cmake")
 include("${ahd_root_dir}/Filters/Distributions/Sources.cmake")
+if (NOT ahd_engine_dir)
+  set(ahd_engine_dir "${ahd_root_dir}/Filters/Engine")
+endif ()
 
 set(ahd_warnings)
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
@@ -27,7 +31,7 @@ set(ahd_point_maker_sources
 set(ahd_support_includes "${ahd_testing_dir}/Support/Certify" "${ahd_testing_dir}/Support/Oracle"
   "${ahd_testing_dir}/Support/Points" "${ahd_testing_dir}/Support/Run")
 set(ahd_point_maker_includes ${ahd_support_includes}
-  "${ahd_root_dir}/Filters/Distributions" "${ahd_root_dir}/Filters/Engine")
+  "${ahd_root_dir}/Filters/Distributions" "${ahd_engine_dir}")
 
 if (TARGET ahd_test_support)
   return ()

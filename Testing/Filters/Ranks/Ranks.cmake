@@ -12,7 +12,7 @@ function (ahd_add_rank_test ranks script label)
   set(environment "PYTHONPATH=${ahd_python_path}:${ahd_vtk_python_path}" PYTHONDONTWRITEBYTECODE=1
     "AHD_SCRATCH=${own}" ${ahd_mpi_environment})
   set_tests_properties("${test}" PROPERTIES
-    ENVIRONMENT "${environment}" LABELS "${label}" TIMEOUT 300 PROCESSORS 2)
+    ENVIRONMENT "${environment}" LABELS "${label};slow" TIMEOUT 300 PROCESSORS 2)
 endfunction ()
 
 ahd_add_rank_test(3 RanksUpdates.py filter)
@@ -46,7 +46,7 @@ if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND BUILD_SHARED_LIBS AND TARGET VTK::Par
       COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_PREFLAGS} ${MPIEXEC_NUMPROC_FLAG} ${ranks}
         "$<TARGET_FILE:FaultsRanks>" --gtest_brief=1 ${ARGN})
     set_tests_properties("${test}" PROPERTIES
-      ENVIRONMENT "${ahd_mpi_environment}" LABELS "${label}" TIMEOUT 300 PROCESSORS 2)
+      ENVIRONMENT "${ahd_mpi_environment}" LABELS "${label};slow" TIMEOUT 300 PROCESSORS 2)
   endfunction ()
   ahd_add_rank_faults(2 filter --gtest_filter=-Long*)
   if (AHD_LONG_TESTS)
