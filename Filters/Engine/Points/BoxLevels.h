@@ -90,7 +90,9 @@ public:
           boxes_[begins_[level] + node] = level == 0 ? leafBox(node) : around(level, node);
         }
       };
-      if (!inChunksOf(count(level), ticker, make))
+      const std::size_t n = count(level);
+      // few boxes are no reason to ask
+      if (!(n < kChunk ? inChunks(0, n, ticker, make) : inChunksOf(n, ticker, make)))
       {
         return false;
       }
