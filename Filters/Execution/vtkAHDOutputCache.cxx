@@ -6,6 +6,7 @@
 #include "Execution/vtkAHDFingerprint.h"
 #include "Output/vtkAHDVoronoi.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
@@ -26,7 +27,7 @@
 
 namespace
 {
-constexpr const char* kCrossings = "Crossings";
+constexpr const char* kCrossings = vtkAHDOutputArrays::Crossings.Name;
 
 /// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
 void ShareAll(vtkPolyData* from, vtkPolyData* to)

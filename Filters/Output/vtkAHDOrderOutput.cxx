@@ -2,7 +2,7 @@
 #include "Output/vtkAHDOrderOutput.h"
 
 #include "Engine/Surface/OrderDrawing.h"
-#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -18,13 +18,12 @@
 
 namespace
 {
-/// An array `name` of one value per tuple, added to `data`; returns its values.
+/// Adds the array to `data`; returns its values.
 template <typename Array>
-typename Array::ValueType* AddArray(
-  vtkDataSetAttributes* data, const char* name, std::size_t tuples, const vtkAHDContext& context)
+typename Array::ValueType* AddArray(const vtkAHDOutputArray<Array>& row, vtkDataSetAttributes* data,
+  std::size_t tuples, const vtkAHDContext& context)
 {
-  auto array = context.NewArray<Array>(static_cast<vtkIdType>(tuples));
-  array->SetName(name);
+  const auto array = row.Make(tuples, context);
   data->AddArray(array);
   return array->GetPointer(0);
 }
@@ -73,11 +72,12 @@ void vtkAHDOrderOutput::Write(ahd::Triangulation& triangulation, bool withCurve,
   coordinates->SetNumberOfComponents(3);
   ahd::OrderDrawing<vtkIdType> drawing;
   drawing.xyz = coordinates->GetPointer(0);
-  drawing.ranks = AddArray<vtkIdTypeArray>(output->GetPointData(), "InsertionRank", count, context);
-  drawing.ids = AddArray<vtkIdTypeArray>(
-    output->GetPointData(), "OriginalPointIds", count, context);
-  drawing.levels = AddArray<vtkIntArray>(output->GetCellData(), "Level", cells, context);
-  drawing.counts = AddArray<vtkIdTypeArray>(output->GetCellData(), "Count", cells, context);
+  drawing.ranks = AddArray(
+    vtkAHDOutputArrays::InsertionRank, output->GetPointData(), count, context);
+  drawing.ids = AddArray(
+    vtkAHDOutputArrays::OriginalPointIds, output->GetPointData(), count, context);
+  drawing.levels = AddArray(vtkAHDOutputArrays::Level, output->GetCellData(), cells, context);
+  drawing.counts = AddArray(vtkAHDOutputArrays::Count, output->GetCellData(), cells, context);
   context.Check(ahd::drawOrder(triangulation, withCurve, drawing, context));
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);

@@ -7,6 +7,7 @@
 #include "Output/vtkAHDPointOutput.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 #include "Pipeline/vtkAHDPointsView.h"
 
 #include "vtkCellArray.h"
@@ -32,7 +33,7 @@ static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
 
-/// Of the field data array "Crossings".
+/// Of the array Crossings.
 constexpr std::size_t kMostCrossingRows = 1000;
 
 /// Cells of `size` points each.
@@ -60,17 +61,6 @@ vtkSmartPointer<vtkCellArray> MakeCells(
   auto array = context.NewArray<IdArray>(static_cast<vtkIdType>(ids.size()));
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
   return MakeCells(array, size, context);
-}
-
-/// A named array of `width` numbers for each of `count` tuples.
-template <typename Array>
-vtkSmartPointer<Array> MakeArray(
-  const vtkAHDContext& context, const char* name, std::size_t count, int width = 1)
-{
-  auto array = context.NewArray<Array>(static_cast<vtkIdType>(count) * width);
-  array->SetNumberOfComponents(width);
-  array->SetName(name);
-  return array;
 }
 }
 
@@ -173,7 +163,7 @@ ahd::Status vtkAHDSurface::WriteWithNeighbors(
   ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners)
 {
   const std::size_t count = ahd::cellCount(triangulation, selection);
-  this->Neighbors = MakeArray<vtkIdTypeArray>(this->Context, "Neighbors", count, 3);
+  this->Neighbors = vtkAHDOutputArrays::Neighbors.Make(count, this->Context);
   const ahd::CellsWithNeighbors<vtkIdType> to = { corners, this->Neighbors->GetPointer(0) };
   return ahd::writeWithNeighbors(triangulation, selection, to, this->Context);
 }
@@ -214,7 +204,7 @@ void vtkAHDSurface::AddPointArrays(
   const std::size_t count = points.points().count;
   if (this->Settings.GeneratePointStatus)
   {
-    auto array = MakeArray<vtkIdTypeArray>(this->Context, "Fate", count);
+    auto array = vtkAHDOutputArrays::Fate.Make(count, this->Context);
     vtkIdType* status = array->GetPointer(0);
     this->Context.Check(triangulation.writePointStatus(status, this->Context));
     for (const ahd::MergedPoint& merged : points.merged())
@@ -225,7 +215,7 @@ void vtkAHDSurface::AddPointArrays(
   }
   if (this->Settings.GenerateInsertionRank)
   {
-    auto array = MakeArray<vtkIdTypeArray>(this->Context, "InsertionRank", count);
+    auto array = vtkAHDOutputArrays::InsertionRank.Make(count, this->Context);
     this->Context.Check(triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
     vtkAHDReplaceArray(this->Output->GetPointData(), array);
   }
@@ -238,14 +228,14 @@ void vtkAHDSurface::AddCellArrays(
   vtkCellData* data = this->Output->GetCellData();
   if (this->Settings.GenerateConstraintEdges)
   {
-    auto edges = MakeArray<vtkUnsignedCharArray>(this->Context, "ConstraintEdges", count);
+    auto edges = vtkAHDOutputArrays::ConstraintEdges.Make(count, this->Context);
     this->Context.Check(
       ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
     data->AddArray(edges);
   }
   if (this->Settings.GenerateRegionIds)
   {
-    auto regions = MakeArray<vtkIdTypeArray>(this->Context, "RegionId", count);
+    auto regions = vtkAHDOutputArrays::RegionId.Make(count, this->Context);
     this->Context.Check(
       ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
     data->AddArray(regions);
@@ -276,13 +266,13 @@ void vtkAHDSurface::WriteCrossings(
 {
   if (cells.empty())
   {
-    output->GetFieldData()->RemoveArray("Crossings"); // the input's
+    output->GetFieldData()->RemoveArray(vtkAHDOutputArrays::Crossings.Name); // the input's
     return;
   }
   const std::size_t count = std::min(cells.size(), kMostCrossingRows);
   auto rows = vtkAHDNewArray<vtkIdTypeArray>(2 * static_cast<vtkIdType>(count));
-  rows->SetNumberOfComponents(2);
-  rows->SetName("Crossings");
+  rows->SetNumberOfComponents(vtkAHDOutputArrays::Crossings.Components);
+  rows->SetName(vtkAHDOutputArrays::Crossings.Name);
   for (std::size_t i = 0; i < count; ++i)
   {
     rows->SetValue(static_cast<vtkIdType>(2 * i), static_cast<vtkIdType>(cells[i][0]));

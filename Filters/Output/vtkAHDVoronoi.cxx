@@ -2,7 +2,7 @@
 #include "Output/vtkAHDVoronoi.h"
 
 #include "Pipeline/vtkAHDAttributes.h"
-#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkAbstractTransform.h"
 #include "vtkCellArray.h"
@@ -25,7 +25,7 @@
 
 namespace
 {
-constexpr const char* kIdsName = "OriginalPointIds";
+constexpr const char* kIdsName = vtkAHDOutputArrays::OriginalPointIds.Name;
 
 // Corners of cells are fewer than 2^31, as their numbers are (Engine/Voronoi/Voronoi.h).
 using IdArray = vtkTypeInt32Array;

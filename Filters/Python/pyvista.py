@@ -19,6 +19,7 @@ import pyvista
 from . import _raster, _vtk
 from ._names import by_any_name, value_of
 from ._input import REAL, real_of
+from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import DelaunayWarning, _depth
 
 __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
@@ -35,9 +36,6 @@ CLIPS = ("hull", "bounds")
 PLANES = ("xy", "automatic", "best_fit")
 METHODS = ("linear", "natural", "laplace", "nearest")
 OUTSIDES = ("none", "nearest")
-ARRAYS = {
-    "status": "PointStatus", "rank": "InsertionRank", "neighbors": "Neighbors", "regions": "RegionIds",
-    "constraint_edges": "ConstraintEdges"}
 
 
 def _number_of(value, words, argument):
@@ -136,9 +134,9 @@ def _arrays_to_add(names):
     """Settings of the filter, for the names of arrays."""
     names = [names] if isinstance(names, str) else list(names)
     for name in names:
-        if name not in ARRAYS:
-            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAYS))))
-    return {"Generate" + ARRAYS[name]: True for name in names}
+        if name not in ARRAY_KEYWORDS:
+            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAY_KEYWORDS))))
+    return {ARRAY_KEYWORDS[name]: True for name in names}
 
 
 def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constraints=None, crossings="leave_out",
@@ -241,8 +239,8 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
         highest z, the one of smallest id at the mean of all z.
     maximum_edge_length : float, default: 0.0
         Triangles with a longer edge in the plane are not put out; 0: no limit.
-    arrays : iterable of {"status", "rank", "neighbors", "regions", "constraint_edges"}
-        Arrays to add: point data "Fate" and "InsertionRank", cell data "Neighbors", "RegionId" and "ConstraintEdges".
+    arrays : iterable of {"status", "rank", "constraint_edges", "regions", "neighbors"}
+        Arrays to add: point data "Fate" and "InsertionRank", cell data "ConstraintEdges", "RegionId" and "Neighbors".
     threads : int, default: 0
         How many work; 0: one for each processor.
     memory_limit : int, default: 0

@@ -5,6 +5,7 @@
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDMemoryWords.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
@@ -78,7 +79,7 @@ void ForParts(Report& report, const Work& work)
 std::vector<std::array<std::int64_t, 2>> ReadCrossings(vtkPolyData* surface)
 {
   std::vector<std::array<std::int64_t, 2>> rows;
-  auto* array = vtkIdTypeArray::SafeDownCast(surface->GetFieldData()->GetArray("Crossings"));
+  auto* array = vtkAHDOutputArrays::Crossings.Find(surface->GetFieldData());
   for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
   {
     rows.push_back({ { array->GetValue(2 * i), array->GetValue(2 * i + 1) } });
@@ -229,8 +230,10 @@ void vtkAHDGatheredExecution::Execute(
   report.UnfitIds.firstId = this->Gather.GetGivenId(report.UnfitIds.firstId);
   try
   {
-    AddIds(outputs[0]->GetPointData(), "GlobalPointIds", outputs[0]->GetNumberOfPoints());
-    AddIds(outputs[0]->GetCellData(), "GlobalCellIds", outputs[0]->GetNumberOfCells());
+    AddIds(outputs[0]->GetPointData(), vtkAHDOutputArrays::GlobalPointIds.Name,
+      outputs[0]->GetNumberOfPoints());
+    AddIds(outputs[0]->GetCellData(), vtkAHDOutputArrays::GlobalCellIds.Name,
+      outputs[0]->GetNumberOfCells());
     report.CrossingCells = ReadCrossings(outputs[0]);
   }
   catch (const std::bad_alloc&)

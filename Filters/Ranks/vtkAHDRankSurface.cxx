@@ -5,6 +5,7 @@
 #include "Engine/Surface/Selection.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -33,10 +34,6 @@ vtkSmartPointer<Array> MakeArray(const char* name, std::size_t count)
   array->SetName(name);
   return array;
 }
-
-/// Those that VTK's own generator of global ids uses.
-constexpr const char* kPointIds = "GlobalPointIds";
-constexpr const char* kCellIds = "GlobalCellIds";
 }
 
 vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
@@ -205,7 +202,7 @@ void vtkAHDRankSurface::WriteMarks(vtkPolyData* output)
 
 void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
 {
-  auto ids = MakeArray<vtkIdTypeArray>(kPointIds, this->All);
+  auto ids = MakeArray<vtkIdTypeArray>(vtkAHDOutputArrays::GlobalPointIds.Name, this->All);
   vtkIdType* to = std::copy(
     this->Points.GetIds().begin(), this->Points.GetIds().end(), ids->GetPointer(0));
   for (const vtkAHDRankGhosts::Corner& point : this->Others)
@@ -213,14 +210,15 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
     *to++ = static_cast<vtkIdType>(point.Id);
   }
   vtkAHDReplaceArray(output->GetPointData(), ids);
-  output->GetPointData()->SetActiveAttribute(kPointIds, vtkDataSetAttributes::GLOBALIDS);
+  output->GetPointData()->SetActiveAttribute(
+    vtkAHDOutputArrays::GlobalPointIds.Name, vtkDataSetAttributes::GLOBALIDS);
 }
 
 /// The points of others that are here are vertices. REQUIRES: the places have not been taken, as
 /// the triangulation looks at them.
 void vtkAHDRankSurface::MakeStatus()
 {
-  auto array = MakeArray<vtkIdTypeArray>("Fate", this->All);
+  auto array = MakeArray<vtkIdTypeArray>(vtkAHDOutputArrays::Fate.Name, this->All);
   std::vector<std::int64_t> status(this->Own);
   this->Context.Check(this->Triangulation.writePointStatus(status.data(), this->Context));
   vtkIdType* to = std::copy(status.begin(), status.end(), array->GetPointer(0));
@@ -403,7 +401,7 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
   this->WriteCorners(output);
   vtkCellData* data = output->GetCellData();
-  auto ids = MakeArray<vtkIdTypeArray>(kCellIds, count);
+  auto ids = MakeArray<vtkIdTypeArray>(vtkAHDOutputArrays::GlobalCellIds.Name, count);
   vtkIdType* const id = ids->GetPointer(0);
   this->Context.ForRange(own,
     [id, firstCell](std::size_t begin, std::size_t end)
@@ -414,7 +412,7 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
   }
   if (this->Settings.GenerateConstraintEdges)
   {
-    auto edges = MakeArray<vtkUnsignedCharArray>("ConstraintEdges", count);
+    auto edges = MakeArray<vtkUnsignedCharArray>(vtkAHDOutputArrays::ConstraintEdges.Name, count);
     unsigned char* to = std::copy(
       this->Cells.Edges.begin(), this->Cells.Edges.end(), edges->GetPointer(0));
     for (const vtkAHDRankGhosts::Cell& ghost : ghosts)

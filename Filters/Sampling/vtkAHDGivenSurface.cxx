@@ -5,6 +5,7 @@
 #include "Engine/Triangulate.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDArray.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -153,8 +154,7 @@ void vtkAHDGivenSurface::ReserveEdges(std::size_t edges, std::size_t points, vtk
 template <typename Call>
 void vtkAHDGivenSurface::ForMarkedEdges(const vtkAHDContext& context, const Call& call) const
 {
-  auto* edges = vtkUnsignedCharArray::SafeDownCast(
-    this->Surface->GetCellData()->GetAbstractArray("ConstraintEdges"));
+  auto* edges = vtkAHDOutputArrays::ConstraintEdges.Find(this->Surface->GetCellData());
   if (!edges || edges->GetNumberOfValues() != this->Surface->GetNumberOfCells())
   {
     return;

@@ -3,7 +3,7 @@
 
 #include "Execution/vtkAHDFingerprint.h"
 #include "Output/vtkAHDSurface.h"
-#include "Pipeline/vtkAHDContext.h"
+#include "Pipeline/vtkAHDOutputArrays.h"
 #include "Pipeline/vtkAHDPointsView.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 
@@ -129,7 +129,7 @@ std::vector<vtkDataArray*> vtkAHDSampledSurface::ArraysOf(
   if (surface)
   {
     arrays.push_back(surface->GetPolys()->GetConnectivityArray());
-    arrays.push_back(surface->GetCellData()->GetArray("ConstraintEdges"));
+    arrays.push_back(surface->GetCellData()->GetArray(vtkAHDOutputArrays::ConstraintEdges.Name));
   }
   return arrays;
 }
@@ -225,7 +225,7 @@ void vtkAHDSampledSurface::DropData()
   {
     this->Surface->GetPointData()->Initialize();
     const vtkSmartPointer<vtkDataArray> edges = this->Surface->GetCellData()->GetArray(
-      "ConstraintEdges");
+      vtkAHDOutputArrays::ConstraintEdges.Name);
     this->Surface->GetCellData()->Initialize();
     this->Surface->GetCellData()->AddArray(edges);
   }

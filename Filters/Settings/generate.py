@@ -13,6 +13,7 @@ import pathlib
 import re
 import sys
 
+import arrays
 import classes
 import panel
 import pythontable
@@ -30,6 +31,8 @@ MADE = {
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.h.in",
     "Filters/vtkAdaptiveHilbertInterpolationAlgorithm.cxx":
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.cxx.in",
+    "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
+    "Testing/Support/Run/SettingRows.h": "Filters/Settings/SettingRows.h.in",
     "Filters/Python/_vtk/table.py": "Filters/Settings/table.py.in",
 }
 # A comment that stands for what is made of a table.
@@ -44,6 +47,10 @@ PARTS = {
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
     "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),
     "old_names": lambda rows, _: [f'    "{row.old_name}": "{row.name}",' for row in rows if row.old_name],
+    "test_rows": lambda rows, _: testing.cxx_rows(rows),
+    "array_constants": lambda rows, _: arrays.constants(rows),
+    "array_rows": lambda rows, _: arrays.python_rows(rows),
+    "array_keywords": lambda rows, _: arrays.keywords(rows),
     "all_run_names": lambda rows, _: pythontable.names_of([row for row in tables.measures(rows) if row.of_all_runs]),
 }
 
@@ -62,6 +69,7 @@ def fill(template, read):
 def all_files():
     """What is made, by its path below the project's folder."""
     read = {name: tables.read(file) for name, file in TABLES.items()}
+    read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
     made = {pathlib.Path(made): fill(template, read) for made, template in MADE.items()}
     made[pathlib.Path("Testing/Support/settings.json")] = testing.table(read)
     return made

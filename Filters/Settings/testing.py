@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What tests know of the tables: Testing/Support/settings.json."""
+"""What tests know of the tables: Testing/Support/settings.json, SettingRows.h."""
 
 import json
 
+import classes
 import rows as tables
 
 
 def table(read):
-    """By the name of a table: settings and measures by name, and the names of those that are exposed."""
+    """By the name of a table: settings and measures by name, and the names of those that are exposed; the arrays."""
     found = {name: {"settings": {row.name: _of_setting(row) for row in tables.settings(rows)},
                     "measures": {row.name: _of_measure(row) for row in tables.measures(rows)},
                     "exposed": [row.name for row in rows if row.type == "exposed"]}
-             for name, rows in read.items()}
+             for name, rows in read.items() if name != "arrays"}
+    found["arrays"] = {array.name: {"of": array.of, "type": array.type, "components": array.components,
+                                    "setting": array.setting} for array in read["arrays"]}
     return json.dumps({"mark": tables.MARK, **found}, indent=1) + "\n"
 
 
@@ -26,3 +29,19 @@ def _of_setting(row):
 
 def _of_measure(row):
     return {"type": row.type, "default": row.default}
+
+
+def cxx_rows(rows):
+    """Those that are one number, for C++."""
+    lines = []
+    for row in tables.settings(rows):
+        if row.type == "text" or row.elements > 1:
+            continue
+        kind = classes.CXX[row.type]
+        value = "v" if kind == "double" else "v != 0" if kind == "bool" else f"static_cast<{kind}>(v)"
+        least, most = (0, 1) if row.is_switch else (0, len(row.values) - 1) if row.values else (row.least, row.most)
+        ends = ", ".join(f"{sign}kNoEnd" if end is None else repr(end) for end, sign in ((least, "-"), (most, "")))
+        head = f'  {{ "{row.name}", {str(kind == "double").lower()}, {tables.numbers(row.default)[0]}, {ends},'
+        setter = f"[](Filter* f, double v) {{ f->Set{row.name}({value}); }} }},"
+        lines += [f"{head} {setter}"] if len(head + setter) < classes.COLUMNS else [head, "    " + setter]
+    return lines

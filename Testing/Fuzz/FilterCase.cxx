@@ -2,6 +2,7 @@
 #include "FilterCase.h"
 
 #include "FilterArrays.h"
+#include "SettingRows.h"
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 #include "vtkCellArray.h"
@@ -58,14 +59,24 @@ double number(std::uint8_t byte)
 }
 
 /// NaN is not taken: what stays is the value before, which is to be a new filter's.
-void setNumber(vtkAdaptiveHilbertDelaunay2D* filter,
-  void (vtkAdaptiveHilbertDelaunay2D::*setter)(double), double value, double usual)
+void set(const ahdtest::SettingRow& row, double value, vtkAdaptiveHilbertDelaunay2D* filter)
 {
   if (std::isnan(value))
   {
-    (filter->*setter)(usual);
+    row.Set(filter, row.Default);
   }
-  (filter->*setter)(value);
+  row.Set(filter, value);
+}
+
+/// Of a setting that no byte is for: the default, where the byte is 0.
+double anyValue(const ahdtest::SettingRow& row, std::uint8_t byte)
+{
+  if (byte == 0 || row.IsReal)
+  {
+    return byte == 0 ? row.Default : number(byte);
+  }
+  const double least = std::max(row.Least, -128.0);
+  return least + byte % (static_cast<int>(std::min(row.Most - least, 255.0)) + 1);
 }
 
 /// Odd where the caller has a choice. VTK makes no others.
@@ -293,50 +304,65 @@ void FilterCase::readSource(ByteReader& bytes)
 
 void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const
 {
-  filter->SetSourceMode(bit(kModes, 0));
-  filter->SetCrossingMode(bit(kModes, 1));
-  filter->SetFillRule(bit(kModes, 2));
-  filter->SetDuplicatePolicy(head_[kModes] >> 3 & 3);
-  filter->SetProjectionPlaneMode(head_[kModes] >> 5 & 3);
-  filter->SetMergeBlocks(bit(kModes, 7));
-  filter->SetRim(head_[kOffset] % 3);
-  filter->SetClosedLines(bit(kThreadCount, 2));
-  filter->SetSourceHeights(bit(kThreadCount, 3));
-  filter->SetGenerateFate(bit(kExtras, 0));
-  filter->SetGenerateConstraintEdges(bit(kExtras, 1));
-  filter->SetGenerateRegionIds(bit(kExtras, 2));
-  filter->SetGenerateNeighbors(bit(kExtras, 3));
-  filter->SetGenerateInsertionRank(bit(kExtras, 4));
-  filter->SetGenerateInsertionCurve(bit(kExtras, 5));
-  filter->SetGenerateBoxes(bit(kExtras, 6));
-  filter->SetGenerateVoronoi(bit(kExtras, 7));
-  filter->SetVoronoiClip(bit(kMoreExtras, 0));
-  filter->SetBoundingTriangulation(bit(kMoreExtras, 1));
-  filter->SetAlphaTris(!bit(kMoreExtras, 3));
-  filter->SetAlphaLines(!bit(kMoreExtras, 4));
-  filter->SetAlphaVerts(!bit(kMoreExtras, 5));
   filter->SetTransform(transform_); // the same object unless it changes, or nothing is kept
-  using Filter = vtkAdaptiveHilbertDelaunay2D;
-  setNumber(filter, &Filter::SetAlpha, number(head_[kAlpha]), 0.0);
-  setNumber(filter, &Filter::SetMaximumEdgeLength, number(head_[kEdge]), 0.0);
-  setNumber(filter, &Filter::SetTolerance, number(head_[kTolerance]) / 64, 0.0);
-  setNumber(filter, &Filter::SetOffset, number(head_[kOffset]), 1.0);
-  filter->SetInsertionLimit(head_[kLimit]);
-  filter->SetMemoryLimit(
-    head_[kMemory] == 0 ? 0 : static_cast<vtkTypeInt64>(number(head_[kMemory] % 248u) * 1024) + 1);
-  this->configureWork(filter, run);
+  std::map<std::string, double> values = this->ofSurface();
+  values.merge(this->ofWork(run));
+  std::size_t other = 0;
+  for (const ahdtest::SettingRow& row : ahdtest::kSettingRows)
+  {
+    const auto found = values.find(row.Name);
+    set(row, found != values.end() ? found->second : anyValue(row, head_[other++ % head_.size()]),
+      filter);
+  }
 }
 
-void FilterCase::configureWork(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const
+std::map<std::string, double> FilterCase::ofSurface() const
 {
-  filter->SetInsertionOrder(head_[kOrder] & 3);
-  filter->SetControlPoints((head_[kOrder] >> 2 & 3) == 0 ? 2 : (head_[kOrder] >> 2 & 3) - 1);
-  filter->SetNmax(head_[kOrder] >> 4 == 0 ? 50 : head_[kOrder] >> 4);
-  filter->SetGeneRotation(!bit(kMoreExtras, 7));
-  filter->SetCountWork(run == 0 && bit(kMoreExtras, 6));
-  filter->SetKeepTriangulation(run == 0 && !bit(kMoreExtras, 2));
-  filter->SetNumberOfThreads(run == 0 ? head_[kThreadCount] % 4 : 3);
-  filter->SetReuseLimit(run == 0 ? 262144 : 0);
+  return {
+    { "SourceMode", bit(kModes, 0) },
+    { "CrossingMode", bit(kModes, 1) },
+    { "FillRule", bit(kModes, 2) },
+    { "DuplicatePolicy", head_[kModes] >> 3 & 3 },
+    { "ProjectionPlaneMode", head_[kModes] >> 5 & 3 },
+    { "MergeBlocks", bit(kModes, 7) },
+    { "Rim", head_[kOffset] % 3 },
+    { "ClosedLines", bit(kThreadCount, 2) },
+    { "SourceHeights", bit(kThreadCount, 3) },
+    { "GeneratePointStatus", bit(kExtras, 0) },
+    { "GenerateConstraintEdges", bit(kExtras, 1) },
+    { "GenerateRegionIds", bit(kExtras, 2) },
+    { "GenerateNeighbors", bit(kExtras, 3) },
+    { "GenerateInsertionRank", bit(kExtras, 4) },
+    { "GenerateInsertionCurve", bit(kExtras, 5) },
+    { "GenerateBoxes", bit(kExtras, 6) },
+    { "GenerateVoronoi", bit(kExtras, 7) },
+    { "VoronoiClip", bit(kMoreExtras, 0) },
+    { "BoundingTriangulation", bit(kMoreExtras, 1) },
+    { "AlphaTris", !bit(kMoreExtras, 3) },
+    { "AlphaLines", !bit(kMoreExtras, 4) },
+    { "AlphaVerts", !bit(kMoreExtras, 5) },
+    { "Alpha", number(head_[kAlpha]) },
+    { "MaximumEdgeLength", number(head_[kEdge]) },
+    { "Tolerance", number(head_[kTolerance]) / 64 },
+    { "Offset", number(head_[kOffset]) },
+    { "InsertionLimit", head_[kLimit] },
+  };
+}
+
+std::map<std::string, double> FilterCase::ofWork(unsigned run) const
+{
+  const double limit = head_[kMemory] == 0 ? 0.0 : number(head_[kMemory] % 248u) * 1024 + 1;
+  return {
+    { "MemoryLimit", limit },
+    { "InsertionOrder", head_[kOrder] & 3 },
+    { "ControlPoints", (head_[kOrder] >> 2 & 3) == 0 ? 2 : (head_[kOrder] >> 2 & 3) - 1 },
+    { "Nmax", head_[kOrder] >> 4 == 0 ? 50 : head_[kOrder] >> 4 },
+    { "GeneRotation", !bit(kMoreExtras, 7) },
+    { "CountWork", run == 0 && bit(kMoreExtras, 6) },
+    { "KeepTriangulation", run == 0 && !bit(kMoreExtras, 2) },
+    { "NumberOfThreads", run == 0 ? head_[kThreadCount] % 4 : 3 },
+    { "ReuseLimit", run == 0 ? 262144 : 0 },
+  };
 }
 
 void FilterCase::change(unsigned step)

@@ -10,6 +10,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 class vtkAdaptiveHilbertDelaunay2D;
@@ -71,7 +73,8 @@ class FilterCase
 public:
   FilterCase(const std::uint8_t* data, std::size_t size);
 
-  /// All settings. Those that change no byte of the result differ between `run` 0 and others.
+  /// All settings, those that no byte of the head is for by one that has another meaning. Those
+  /// that change no byte of the result differ between `run` 0 and others.
   void configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const;
 
   /// Changes one of settings, coordinates and data, as the case says, each time another.
@@ -85,8 +88,8 @@ public:
 
 private:
   void readSource(ByteReader& bytes);
-  void configureWork(
-    vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const; // how it goes about it
+  std::map<std::string, double> ofSurface() const;          // settings by name
+  std::map<std::string, double> ofWork(unsigned run) const; // how it goes about it
 
   std::array<std::uint8_t, kFilterHeadBytes> head_{};
   vtkSmartPointer<vtkDataObject> input_;

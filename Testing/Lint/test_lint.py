@@ -144,7 +144,7 @@ class ComplaintsTest(unittest.TestCase):
         self.assertEqual(lint.check_made(self.root), [])
         table = self.root / settings / "delaunay.toml"
         table.write_text(table.read_text(encoding="utf-8").replace("most = 1024", "most = 1025"), encoding="utf-8")
-        self.assertEqual(len(lint.check_made(self.root)), 4)  # panel, header, class in Python, list of tests
+        self.assertEqual(len(lint.check_made(self.root)), 5)  # panel, header, class in Python, two lists of tests
 
     @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_rows(self):
@@ -169,6 +169,17 @@ class ComplaintsTest(unittest.TestCase):
             self.assertEqual(len(said), 1, said)
             self.assertIn("New]", said[0])
             self.assertIn(complaint, said[0])
+        table.write_text(rows, encoding="utf-8")
+        arrays = self.root / settings / "arrays.toml"
+        rows_of_arrays = arrays.read_text(encoding="utf-8")
+        for row, complaint in (('of = "points"', "fields are"),
+                               ('of = "lines"\ntype = "id"\nhelp = "a"', "of is one of"),
+                               ('of = "cells"\ntype = "id"\nhelp = "a"', "job: of the surface's arrays"),
+                               ('of = "ranks"\ntype = "id"\nhelp = "a"\nsetting = "Alhpa"', "no setting Alhpa")):
+            arrays.write_text(f"{rows_of_arrays}\n[New]\n{row}\n", encoding="utf-8")
+            said = lint.check_made(self.root)
+            self.assertTrue(len(said) == 1 and "[New]" in said[0] and complaint in said[0], said)
+        arrays.write_text(rows_of_arrays, encoding="utf-8")
         free = ('"int"', "3"), ('"int"', "[1, 2]"), ('"double"', "1"), ('"double"', "nan"), ('"text"', '"a"')
         for kind, default in free:
             table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\ntype = {kind}\ndefault = {default}\n',

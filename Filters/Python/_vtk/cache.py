@@ -3,7 +3,7 @@
 
 from .. import _library as engine
 from .arrays import GHOSTS, is_viewable, place, replace_array, view
-from .outputs import Diagram
+from .outputs import CROSSINGS, Diagram
 
 MOST_POINTS = 2**28 - 2
 
@@ -156,8 +156,8 @@ class OutputCache:
         for made in _arrays(self.kept[0].GetPointData()):
             replace_array(data, made)
         fields = self.kept[0].GetFieldData()
-        if not fields.HasArray("Crossings"):
-            outputs[0].GetFieldData().RemoveArray("Crossings")  # the input's; else it keeps its place
+        if not fields.HasArray(CROSSINGS):
+            outputs[0].GetFieldData().RemoveArray(CROSSINGS)  # the input's; else it keeps its place
         for made in _arrays(fields):
             outputs[0].GetFieldData().AddArray(made)
         diagram = Diagram(self.backend, outputs[2])

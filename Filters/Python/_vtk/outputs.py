@@ -5,11 +5,13 @@ import math
 
 import numpy
 
+from . import table
 from .arrays import (GHOSTS, cell_array, coordinates, id_list, new_array, remove_arrays_of_one_name, replace_array,
                      view, write_series)
 from .pointdata import PointData
 
 IDS_NAME = "OriginalPointIds"
+CROSSINGS = "Crossings"
 
 
 class Surface:
@@ -55,34 +57,22 @@ class Surface:
         if self.job.count("lines"):
             self.output.SetLines(self._cells("lines", 2))
 
-    def _array(self, name, kind, title, components=1):
-        rows, _ = self.job.array_shape(name)
-        made, write = new_array(kind, rows, components, title)
-        if rows:
-            self.job.array(name, out=write)
-        return made
-
     def add_arrays(self):
-        ids = self.backend.vtkIdTypeArray
-        points, cells = self.output.GetPointData(), self.output.GetCellData()
-        for setting, name, title in (
-                ("GeneratePointStatus", "point_status", "Fate"),
-                ("GenerateInsertionRank", "insertion_ranks", "InsertionRank")):
+        for setting, name, title, kind, components, data in table.ARRAYS:
             if self.values[setting]:
-                replace_array(points, self._array(name, ids, title))
-        if self.values["GenerateConstraintEdges"]:
-            cells.AddArray(self._array("constraint_edges", self.backend.vtkUnsignedCharArray, "ConstraintEdges"))
-        if self.values["GenerateRegionIds"]:
-            cells.AddArray(self._array("regions", ids, "RegionId"))
-        if self.values["GenerateNeighbors"]:
-            cells.AddArray(self._array("neighbors", ids, "Neighbors", 3))
+                made, write = new_array(getattr(self.backend, kind), self.job.array_shape(name)[0], components, title)
+                if len(write):
+                    self.job.array(name, out=write)
+                replace_array(getattr(self.output, "Get" + data)(), made)
 
     def add_crossings(self):
-        fields = self.output.GetFieldData()
-        if self.job.array_shape("crossing_cells")[0]:
-            fields.AddArray(self._array("crossing_cells", self.backend.vtkIdTypeArray, "Crossings", 2))
+        fields, count = self.output.GetFieldData(), self.job.array_shape("crossing_cells")[0]
+        if count:
+            made, write = new_array(self.backend.vtkIdTypeArray, count, 2, CROSSINGS)
+            self.job.array("crossing_cells", out=write)
+            fields.AddArray(made)
         else:
-            fields.RemoveArray("Crossings")  # the input's
+            fields.RemoveArray(CROSSINGS)  # the input's
 
 
 def _are_equal(some, others):

@@ -417,6 +417,23 @@ SAME = {
     "count_work": "CountWork",
 }
 
+# Arrays of the surface that a setting adds: the setting, the job's array, name, type, components, of which data.
+ARRAYS = (
+    ("GeneratePointStatus", "point_status", "Fate", "vtkIdTypeArray", 1, "PointData"),
+    ("GenerateInsertionRank", "insertion_ranks", "InsertionRank", "vtkIdTypeArray", 1, "PointData"),
+    ("GenerateConstraintEdges", "constraint_edges", "ConstraintEdges", "vtkUnsignedCharArray", 1, "CellData"),
+    ("GenerateRegionIds", "regions", "RegionId", "vtkIdTypeArray", 1, "CellData"),
+    ("GenerateNeighbors", "neighbors", "Neighbors", "vtkIdTypeArray", 3, "CellData"),
+)
+# Their settings by the names that callers from PyVista use.
+ARRAY_KEYWORDS = {
+    "status": "GeneratePointStatus",
+    "rank": "GenerateInsertionRank",
+    "constraint_edges": "GenerateConstraintEdges",
+    "regions": "GenerateRegionIds",
+    "neighbors": "GenerateNeighbors",
+}
+
 INTERPOLATION = (
     ("Method", "enum", 0,
      'How values come about between the points. Linear: linear in each triangle; the fastest. Natural Neighbor: '

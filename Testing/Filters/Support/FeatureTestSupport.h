@@ -6,6 +6,7 @@
 // they put out as one string of bytes: for tests of what no feature may break.
 #include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
+#include "SettingRows.h"
 
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
@@ -74,14 +75,13 @@ inline vtkSmartPointer<vtkPolyData> sourceWithAll()
 
 inline void generateAll(vtkAdaptiveHilbertDelaunay2D* filter)
 {
-  filter->GenerateFateOn();
-  filter->GenerateConstraintEdgesOn();
-  filter->GenerateRegionIdsOn();
-  filter->GenerateNeighborsOn();
-  filter->GenerateInsertionRankOn();
-  filter->GenerateInsertionCurveOn();
-  filter->GenerateBoxesOn();
-  filter->GenerateVoronoiOn();
+  for (const SettingRow& row : kSettingRows)
+  {
+    if (std::string(row.Name).compare(0, 8, "Generate") == 0)
+    {
+      row.Set(filter, 1.0);
+    }
+  }
   filter->SetNmax(5);
 }
 

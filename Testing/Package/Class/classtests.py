@@ -20,6 +20,7 @@ from numbered import Hash, Random  # noqa: E402,F401 (for those who import this 
 
 BACKEND = os.environ.get("AHD_TEST_VTK", "vtkmodules")
 FOLDER = Path(__file__).resolve().parent
+TABLE = json.loads((FOLDER.parents[1] / "Support" / "settings.json").read_text(encoding="utf-8"))
 HASHES = FOLDER.parents[2] / "Data" / "Hashes" / "Filter.txt"
 WRITES = os.environ.get("AHD_WRITE_HASHES") == "1"
 

@@ -3,7 +3,7 @@
 
 import math
 
-from classtests import Random, array, cloud, core, source
+from classtests import TABLE, Random, array, cloud, core, source
 
 
 def scattered(count, seed=5, height=17):
@@ -43,8 +43,8 @@ def lines_and_loops():
 
 
 def generate_all():
-    names = ("Fate", "ConstraintEdges", "RegionIds", "Neighbors", "InsertionRank", "InsertionCurve", "Boxes", "Voronoi")
-    return dict({"Generate" + name: True for name in names}, Nmax=5)
+    names = [name for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")]
+    return dict({name: True for name in names}, Nmax=5)
 
 
 def square(*more):

@@ -6,7 +6,9 @@ import ctypes
 import functools
 import gc
 import importlib
+import json
 import warnings
+from pathlib import Path
 
 import numpy as np
 
@@ -123,8 +125,9 @@ def feature(name, settings=None, keywords=None, asks=(), points=uniform, arrays=
 
 
 def all_outputs():
-    return dict(GenerateVoronoi=True, GenerateNeighbors=True, GenerateRegionIds=True, GenerateConstraintEdges=True,
-                GeneratePointStatus=True, GenerateInsertionRank=True, GenerateInsertionCurve=True, GenerateBoxes=True)
+    table = Path(__file__).resolve().parents[2] / "Support" / "settings.json"
+    settings = json.loads(table.read_text(encoding="utf-8"))["delaunay"]["settings"]
+    return {name: True for name in settings if name.startswith("Generate")}
 
 
 def line():

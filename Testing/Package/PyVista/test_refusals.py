@@ -24,7 +24,7 @@ CHOICES = {
 # (method, arguments, exception, text)
 ROWS = [
     ("delaunay_2d", dict(arrays=["fate"]), ValueError,
-     "arrays: no 'fate'; there are 'status', 'rank', 'neighbors', 'regions', 'constraint_edges'"),
+     "arrays: no 'fate'; there are 'status', 'rank', 'constraint_edges', 'regions', 'neighbors'"),
     ("delaunay_2d", dict(threads=1.5), TypeError, "threads must be a whole number, not 1.5"),
     ("delaunay_2d", dict(threads=-1), ValueError, "threads must be from 0 to 1024, not -1"),
     ("delaunay_2d", dict(threads=1025), ValueError, "threads must be from 0 to 1024, not 1025"),

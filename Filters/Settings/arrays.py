@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The table of output arrays, and what is made of it."""
+
+import dataclasses
+import tomllib
+
+import rows as tables
+
+VTK = {"id": "vtkIdTypeArray", "int": "vtkIntArray", "uint8": "vtkUnsignedCharArray"}
+# Which data of an output has them; of those that the code places by itself, none.
+DATA = {"points": "PointData", "cells": "CellData", "field": "FieldData", "other outputs": "", "ranks": ""}
+
+
+@dataclasses.dataclass
+class Array:
+    """README.md says what each field means."""
+
+    name: str
+    of: str
+    type: str
+    help: str
+    components: int = 1
+    setting: str = ""
+    job: str = ""
+    keyword: str = ""
+
+    def check(self, settings):
+        """ValueError for a row that says what none can."""
+        for wrong, text in ((self.of not in DATA, f"of is one of {tuple(DATA)}"),
+                            (self.type not in VTK, f"type is one of {tuple(VTK)}"),
+                            (not self.help.strip(), "no help"),
+                            (bool(DATA.get(self.of)) != bool(self.job), "job: of the surface's arrays only"),
+                            (self.setting and self.setting not in settings, f"there is no setting {self.setting}")):
+            if wrong:
+                raise ValueError(f"[{self.name}]: {text}")
+
+
+def read(file, rows):
+    """The arrays in their order; `rows`: the settings of their filter."""
+    with open(tables.HERE / file, "rb") as opened:
+        table = tomllib.load(opened)
+    settings = [row.name for row in tables.settings(rows)]
+    known = {field.name for field in dataclasses.fields(Array)}
+    found = []
+    for name, said in table.items():
+        if said.keys() - known or not {"of", "type", "help"} <= said.keys():
+            raise ValueError(f"[{name}]: fields are of, type, help, and perhaps {', '.join(sorted(known))}")
+        found.append(Array(name=name, **said))
+        found[-1].check(settings)
+    return found
+
+
+def constants(arrays):
+    """One for each array, for C++."""
+    lines = []
+    for array in arrays:
+        lines += tables.wrapped(array.help, "/// ", 100)
+        lines.append(f'constexpr vtkAHDOutputArray<{VTK[array.type]}> {array.name} = {{ "{array.name}", '
+                     f"{array.components} }};")
+    return lines
+
+
+def python_rows(arrays):
+    """What the class in Python adds to the surface, where a setting says so."""
+    return [f'    ("{array.setting}", "{array.job}", "{array.name}", "{VTK[array.type]}", {array.components}, '
+            f'"{DATA[array.of]}"),' for array in arrays if array.setting]
+
+
+def keywords(arrays):
+    """How PyVista's callers name them."""
+    return [f'    "{array.keyword}": "{array.setting}",' for array in arrays if array.keyword]
