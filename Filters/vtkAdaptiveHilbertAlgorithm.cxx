@@ -3,6 +3,7 @@
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
 #include "Pipeline/vtkAHDSetters.h"
+#include "Pipeline/vtkAHDSettingsOfRanks.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
@@ -93,6 +94,43 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
     array->InsertNextValue(count.second);
     data->AddArray(array);
   }
+}
+
+void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const
+{
+  settings.Numbers = {
+    { "SourceMode", double(this->SourceMode) },
+    { "SourceHeights", double(this->SourceHeights) },
+    { "ClosedLines", double(this->ClosedLines) },
+    { "FillRule", double(this->FillRule) },
+    { "CrossingMode", double(this->CrossingMode) },
+    { "MaximumEdgeLength", double(this->MaximumEdgeLength) },
+    { "Alpha", double(this->Alpha) },
+    { "AlphaTris", double(this->AlphaTris) },
+    { "AlphaLines", double(this->AlphaLines) },
+    { "AlphaVerts", double(this->AlphaVerts) },
+    { "ProjectionPlaneMode", double(this->ProjectionPlaneMode) },
+    { "Rim", double(this->Rim) },
+    { "Tolerance", double(this->Tolerance) },
+    { "DuplicatePolicy", double(this->DuplicatePolicy) },
+    { "GeneratePointStatus", double(this->GeneratePointStatus) },
+    { "GenerateConstraintEdges", double(this->GenerateConstraintEdges) },
+    { "GenerateRegionIds", double(this->GenerateRegionIds) },
+    { "GenerateNeighbors", double(this->GenerateNeighbors) },
+    { "GenerateVoronoi", double(this->GenerateVoronoi) },
+    { "VoronoiClip", double(this->VoronoiClip) },
+    { "InsertionOrder", double(this->InsertionOrder) },
+    { "Nmax", double(this->Nmax) },
+    { "ControlPoints", double(this->ControlPoints) },
+    { "GeneRotation", double(this->GeneRotation) },
+    { "InsertionLimit", double(this->InsertionLimit) },
+    { "GenerateInsertionRank", double(this->GenerateInsertionRank) },
+    { "GenerateInsertionCurve", double(this->GenerateInsertionCurve) },
+    { "GenerateBoxes", double(this->GenerateBoxes) },
+    { "Offset", double(this->Offset) },
+    { "BoundingTriangulation", double(this->BoundingTriangulation) },
+    { "CountWork", double(this->CountWork) },
+  };
 }
 
 void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -28,6 +28,7 @@
 #include <string> // for settings that are names
 
 class vtkFieldData;
+struct vtkAHDSettingsOfRanks;
 
 // The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
 #ifndef VTK_DELAUNAY_XY_PLANE
@@ -749,6 +750,9 @@ protected:
 
   /// Adds the measures that are counts as arrays of one value with their names.
   void AddCounts(vtkFieldData* data) const;
+
+  /// Throws std::bad_alloc.
+  void GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const;
 
   // Settings.
   bool MergeBlocks = false;

@@ -283,6 +283,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkData
     {
       vtkAHDSettings settings;
       this->ReadSettings(settings);
+      this->GetSettingsOfRanks(settings.OfRanks);
       settings.GhostLevels = levels;
       vtkAHDProgress progress(this);
       ahd::Threads threads(vtkAHDThreadsToUse(this->NumberOfThreads));

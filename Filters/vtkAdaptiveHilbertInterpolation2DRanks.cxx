@@ -176,6 +176,8 @@ vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress or errors
   RankWork work(nobody, this->Triangulation->GetNumberOfThreads());
   this->ReadSettings(work.Settings, work.Wishes);
+  this->Triangulation->GetSettingsOfRanks(work.Settings.OfRanks);
+  this->GetSettingsOfRanks(work.Wishes.OfRanks);
   const auto dataOf = [&](int port)
   {
     return this->GetNumberOfInputConnections(port) > 0 ? this->GetInputDataObject(port, 0)
@@ -263,6 +265,8 @@ int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
     {
       work = std::make_unique<RankWork>(this, this->Triangulation->GetNumberOfThreads());
       this->ReadSettings(work->Settings, work->Wishes);
+      this->Triangulation->GetSettingsOfRanks(work->Settings.OfRanks);
+      this->GetSettingsOfRanks(work->Wishes.OfRanks);
       work->Take(this, vtkDataObject::GetData(inputs[0]), vtkDataObject::GetData(inputs[2]));
       work->TakePlaces(vtkDataObject::GetData(inputs[1]));
       work->ReadRequest(info);

@@ -3,6 +3,7 @@
 #include "vtkAdaptiveHilbertInterpolationAlgorithm.h"
 
 #include "Pipeline/vtkAHDSetters.h"
+#include "Pipeline/vtkAHDSettingsOfRanks.h"
 
 #include <algorithm>
 #include <array>
@@ -50,6 +51,33 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()
   this->NumberOfPlacesWithoutValue = 0;
   this->NumberOfPlacesWithNeighborsLeftOut = 0;
   this->SampleSeconds = 0.0;
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::GetSettingsOfRanks(
+  vtkAHDSettingsOfRanks& settings) const
+{
+  settings.Numbers = {
+    { "Method", double(this->Method) },
+    { "RasterSize", double(this->RasterSize) },
+    { "Dimensions", double(this->Dimensions[0]) },
+    { "Dimensions", double(this->Dimensions[1]) },
+    { "CellSize", double(this->CellSize[0]) },
+    { "CellSize", double(this->CellSize[1]) },
+    { "AlignToCellSize", double(this->AlignToCellSize) },
+    { "UseBounds", double(this->UseBounds) },
+    { "Bounds", double(this->Bounds[0]) },
+    { "Bounds", double(this->Bounds[1]) },
+    { "Bounds", double(this->Bounds[2]) },
+    { "Bounds", double(this->Bounds[3]) },
+    { "OutputType", double(this->OutputType) },
+    { "Outside", double(this->Outside) },
+    { "NoValue", double(this->NoValue) },
+    { "GenerateGradients", double(this->GenerateGradients) },
+  };
+  settings.Texts = {
+    this->HeightArrayName,
+    this->ValidPointMaskArrayName,
+  };
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

@@ -21,6 +21,8 @@
 #include <limits> // for defaults that are NaN
 #include <string> // for settings that are names
 
+struct vtkAHDSettingsOfRanks;
+
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertInterpolationAlgorithm
   : public vtkDataSetAlgorithm
 {
@@ -265,6 +267,9 @@ protected:
 
   /// Sets all measures to what they are after an execution that came to nothing.
   void ClearMeasures();
+
+  /// Throws std::bad_alloc.
+  void GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const;
 
   // Settings.
   int Method = LINEAR;

@@ -7,6 +7,7 @@
 #include "Engine/Surface/Plane.h"
 #include "Engine/Surface/Selection.h"
 #include "Engine/Voronoi/Voronoi.h"
+#include "Pipeline/vtkAHDSettingsOfRanks.h"
 #include "vtkAbstractTransform.h"
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -46,6 +47,7 @@ struct vtkAHDSettings
   int GhostLevels = 0; ///< layers of ghost cells that are asked for; only on ranks
   vtkTypeInt64 MemoryLimit = 0; ///< KiB; 0: what there is
   vtkTypeInt64 ReuseLimit = 0;  ///< KiB
+  vtkAHDSettingsOfRanks OfRanks;
 
   /// Is the plane of the triangulation another than x, y?
   bool IsProjected() const { return this->FitPlane || this->Transform; }

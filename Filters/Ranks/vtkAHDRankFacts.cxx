@@ -96,47 +96,9 @@ void vtkAHDRankFacts::Read(const ahd::BlockBytes& bytes)
   }
 }
 
-std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHDSettings& settings)
-{
-  const ahd::Options& insertion = settings.Insertion;
-  return {
-    { "SourceMode", settings.AddSourcePoints },
-    { "CrossingMode", settings.Split },
-    { "ClosedLines", settings.ClosedLinesAreLoops },
-    { "SourceHeights", settings.HeightsFromSurface },
-    { "FillRule", double(settings.FillRule) },
-    { "Alpha", settings.Limits.alpha },
-    { "AlphaTris", settings.Limits.triangles },
-    { "AlphaLines", settings.Limits.lines },
-    { "AlphaVerts", settings.Limits.vertices },
-    { "MaximumEdgeLength", settings.Limits.maximumEdgeLength },
-    { "ProjectionPlaneMode", settings.FitPlane },
-    { "Rim", settings.Trim + 2.0 * settings.TrimIfRounded },
-    { "Tolerance", settings.Tolerance },
-    { "DuplicatePolicy", double(insertion.representative) + 10.0 * settings.ShowMeans },
-    { "BoundingTriangulation", settings.Bounding },
-    { "Offset", settings.Offset },
-    { "InsertionLimit", double(insertion.insertionLimit) },
-    { "InsertionOrder", double(insertion.order) },
-    { "ControlPoints", double(insertion.controlPoints) },
-    { "GeneRotation", insertion.geneRotation },
-    { "Nmax", double(insertion.nmax) },
-    { "CountWork", insertion.countWork },
-    { "GeneratePointStatus", settings.GeneratePointStatus },
-    { "GenerateInsertionRank", settings.GenerateInsertionRank },
-    { "GenerateInsertionCurve", settings.GenerateInsertionCurve },
-    { "GenerateBoxes", insertion.keepBoxes },
-    { "GenerateConstraintEdges", settings.GenerateConstraintEdges },
-    { "GenerateRegionIds", settings.GenerateRegionIds },
-    { "GenerateNeighbors", settings.GenerateNeighbors },
-    { "GenerateVoronoi", settings.GenerateVoronoi },
-    { "VoronoiClip", double(settings.VoronoiClip) },
-  };
-}
-
 void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
 {
-  for (const auto& setting : vtkAHDSettingsToCompare(settings))
+  for (const auto& setting : settings.OfRanks.Numbers)
   {
     facts.Settings.push_back(setting.second);
   }
@@ -277,7 +239,7 @@ int vtkAHDAllFacts::GetGhostLevels() const
 
 std::string vtkAHDAllFacts::FindDifference(const vtkAHDSettings& own) const
 {
-  const auto names = vtkAHDSettingsToCompare(own);
+  const auto& names = own.OfRanks.Numbers;
   std::ostringstream words;
   for (std::size_t rank = 1; rank < this->Of.size(); ++rank)
   {

@@ -25,7 +25,7 @@ struct vtkAHDDataSets;
 /// What a rank says of itself before the work begins: settings, and what its input and source are.
 struct vtkAHDRankFacts
 {
-  std::vector<double> Settings; ///< see vtkAHDSettingsToCompare
+  std::vector<double> Settings; ///< that must be the same on all
   std::vector<double> Transform;
   std::uint64_t Points = 0;             ///< of the input
   std::uint64_t SourcePoints = 0;       ///< that are to be added
@@ -43,9 +43,6 @@ struct vtkAHDRankFacts
   void Write(ahd::BlockBytes& bytes) const;
   void Read(const ahd::BlockBytes& bytes);
 };
-
-/// The settings that have to be the same on all ranks, by name.
-std::vector<std::pair<const char*, double>> vtkAHDSettingsToCompare(const vtkAHDSettings& settings);
 
 /// Fills the settings.
 void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts);

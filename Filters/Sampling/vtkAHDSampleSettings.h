@@ -3,6 +3,7 @@
 #define vtkAHDSampleSettings_h
 
 #include "Engine/Sample/Sample.h"
+#include "Pipeline/vtkAHDSettingsOfRanks.h"
 #include "Sampling/vtkAHDRaster.h"
 
 #include <array>
@@ -22,6 +23,7 @@ struct vtkAHDSampleSettings
   bool Gradients = false;
   std::string Heights; ///< the name of their array; empty: none is put out
   std::string Mask;    ///< the same
+  vtkAHDSettingsOfRanks OfRanks;
 
   bool IsNearest() const { return this->Method == ahd::SampleMethod::Nearest; }
   bool MakesGradients() const

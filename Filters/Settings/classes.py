@@ -165,6 +165,23 @@ def counts(rows):
     return [f'    {{ "{row.name}", this->{row.name} }},' for row in tables.counts(rows)]
 
 
+def compared_numbers(rows):
+    """The rows of GetSettingsOfRanks()."""
+    lines = []
+    for row in _compared(rows):
+        value = _streamed(row).split(' << ", " << ')
+        lines += [f'    {{ "{row.name}", double({one}) }},' for one in value if row.type != "text"]
+    return lines
+
+
+def compared_texts(rows):
+    return [f"    this->{row.name}," for row in _compared(rows) if row.type == "text"]
+
+
+def _compared(rows):
+    return [row for row in tables.settings(rows) if row.ranks == "same"]
+
+
 def setters(rows):
     """The setters that are not VTK's macros."""
     lines = []

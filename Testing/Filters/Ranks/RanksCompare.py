@@ -25,7 +25,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
-from rankcases import Piece, cases, pieces, uniform
+from rankcases import Piece, cases, other_values, pieces, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -366,7 +366,8 @@ def failures_together():
         return lambda: run(made[RANK], settings, prepare=prepare)
 
     return {
-        "different rules": (with_(FillRule=int(last)), "FillRule is not the same"),
+        **{name: (with_(**({name: other} if last else {})), name + " is not the same")
+           for name, other in other_values("delaunay")},
         "different planes": (with_(Rim=1, **({"Transform": True} if last else {})), "Transform is not the same"),
         "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_(MemoryLimit=int(last)), "may take"),

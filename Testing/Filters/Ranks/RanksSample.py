@@ -20,7 +20,7 @@ from RanksCompare import (
     RANK, RANKS, WANTED, Said, appended, attempt, check, finish, make_filter, make_input, make_source, on_all_ranks,
 )
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertInterpolation2D
-from rankcases import cases, gathered_cases, lattice, pieces, uniform
+from rankcases import cases, gathered_cases, lattice, other_values, pieces, uniform
 
 COUNTS = ["NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
           "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut"]
@@ -215,10 +215,11 @@ def failures_together():
         return lambda: run(some[RANK], settings, wishes, places, prepare=prepare)
 
     return {
-        "different methods": (with_({"Method": int(last)}), "Method is not the same"),
-        "different bounds": (with_({"Bounds": (0, 1, 0, 1 + int(last)), "UseBounds": True}), "Bounds is not the same"),
-        "different names": (with_({"HeightArrayName": "z" if last else "h"}), "A name of an array is not the same"),
-        "different rules": (with_({}, FillRule=int(last)), "FillRule is not the same"),
+        **{name: (with_({name: other} if last else {}),
+                  ("A name of an array" if isinstance(other, str) else name) + " is not the same")
+           for name, other in other_values("interpolation")},
+        **{name: (with_({}, **({name: other} if last else {})), name + " is not the same")
+           for name, other in other_values("delaunay")},
         "places on some": (with_({}, places=make_places(some, 0) if last else None), "whether there are places"),
         "a limit on memory": (with_({}, MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_({}, MemoryLimit=int(last)), "may take"),

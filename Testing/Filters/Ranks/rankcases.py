@@ -5,8 +5,30 @@ A case is made alike on all ranks: what each rank has as input and source, and t
 points out by their number, not by their place, so that nearly all of them have to move.
 """
 
+import json
 import math
+import pathlib
 import random
+
+TABLE = json.loads(
+    (pathlib.Path(__file__).resolve().parents[2] / "Support" / "settings.json").read_text(encoding="utf-8"))
+
+
+def other_values(table):
+    """Of each setting that must be the same on all ranks a value that is not its default, as arguments."""
+    for name, row in TABLE[table]["settings"].items():
+        default = row["default"]
+        if row["ranks"] == "own":
+            continue
+        if row["type"] in ("bool", "flag"):
+            other = not default
+        elif row["values"]:
+            other = (default + 1) % len(row["values"])
+        elif row["type"] == "text":
+            other = default + "s"
+        else:
+            other = (*default[:-1], default[-1] + 1) if isinstance(default, list) else 1 + (default or 0)
+        yield name, other
 
 
 class Piece:

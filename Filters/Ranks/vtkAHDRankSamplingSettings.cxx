@@ -29,31 +29,6 @@ bool IsOfSurface(vtkDataObject* input)
     piece->GetFieldData()->HasArray("NumberOfTriangles") != 0 &&
     piece->GetFieldData()->HasArray("NumberOfPointsInserted") != 0;
 }
-
-/// By name, as they are to be the same on all ranks.
-std::vector<std::pair<const char*, double>> NumbersOf(
-  const vtkAHDSampleSettings& wishes, bool hasPlaces)
-{
-  return {
-    { "whether there are places", hasPlaces },
-    { "Method", double(wishes.Method) },
-    { "RasterSize", wishes.Raster.ByCellSize },
-    { "Dimensions", double(wishes.Raster.Dimensions[0]) },
-    { "Dimensions", double(wishes.Raster.Dimensions[1]) },
-    { "CellSize", wishes.Raster.CellSize[0] },
-    { "CellSize", wishes.Raster.CellSize[1] },
-    { "AlignToCellSize", wishes.Raster.Align },
-    { "UseBounds", wishes.UseBounds },
-    { "Bounds", wishes.Bounds[0] },
-    { "Bounds", wishes.Bounds[1] },
-    { "Bounds", wishes.Bounds[2] },
-    { "Bounds", wishes.Bounds[3] },
-    { "OutputType", wishes.AsSurface },
-    { "Outside", wishes.NearestOutside },
-    { "NoValue", wishes.NoValue },
-    { "GenerateGradients", wishes.Gradients },
-  };
-}
 }
 
 vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs)
@@ -69,7 +44,9 @@ vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs)
   this->Ranks.Together(this->Context,
     [&]
     {
-      numbers = NumbersOf(this->Wishes, hasPlaces);
+      const auto& settings = this->Wishes.OfRanks.Numbers;
+      numbers.emplace_back("whether there are places", hasPlaces);
+      numbers.insert(numbers.end(), settings.begin(), settings.end());
       ahd::BytesWriter writer(own);
       writer.write(Head{ hasPlaces && !vtkDataSet::SafeDownCast(inputs.Places),
         !inputs.Data.Source && IsOfSurface(inputs.Data.Input) });
@@ -77,8 +54,10 @@ vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs)
       {
         writer.write(number.second);
       }
-      vtkAHDWriteText(writer, this->Wishes.Heights);
-      vtkAHDWriteText(writer, this->Wishes.Mask);
+      for (const std::string& text : this->Wishes.OfRanks.Texts)
+      {
+        vtkAHDWriteText(writer, text);
+      }
     });
   this->Context.Check(this->Ranks.gather(own, all));
   Meeting meeting;
