@@ -15,6 +15,7 @@ import sys
 
 import arrays
 import classes
+import job
 import panel
 import pythontable
 import rows as tables
@@ -32,9 +33,13 @@ MADE = {
     "Filters/vtkAdaptiveHilbertInterpolationAlgorithm.cxx":
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.cxx.in",
     "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
+    "Filters/Engine/Job/SettingRows.h": "Filters/Settings/JobSettingRows.h.in",
     "Testing/Support/Run/SettingRows.h": "Filters/Settings/SettingRows.h.in",
     "Filters/Python/_vtk/table.py": "Filters/Settings/table.py.in",
 }
+# The header for C has the list of a job's settings; the rest of it is written by hand.
+C_HEADER = pathlib.Path("Filters/Engine/Interface/ahd.h")
+C_LIST = re.compile(r"^ \* int \(made of .*?\n(?= \*\n)", re.MULTILINE | re.DOTALL)
 # A comment that stands for what is made of a table.
 PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)(?: -->)?$", re.MULTILINE)
 PARTS = {
@@ -48,6 +53,10 @@ PARTS = {
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
     "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),
     "old_names": lambda rows, _: [f'    "{row.old_name}": "{row.name}",' for row in rows if row.old_name],
+    "job_ints": lambda rows, _: job.constants(rows, False),
+    "job_doubles": lambda rows, _: job.constants(rows, True),
+    "int_rows": lambda rows, _: job.rows(rows, False),
+    "double_rows": lambda rows, _: job.rows(rows, True),
     "test_rows": lambda rows, _: testing.cxx_rows(rows),
     "array_constants": lambda rows, _: arrays.constants(rows),
     "array_rows": lambda rows, _: arrays.python_rows(rows),
@@ -71,8 +80,11 @@ def all_files():
     """What is made, by its path below the project's folder."""
     read = {name: tables.read(file) for name, file in TABLES.items()}
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
+    read["job"] = job.read("job.toml", read["delaunay"])
     made = {pathlib.Path(made): fill(template, read) for made, template in MADE.items()}
     made[pathlib.Path("Testing/Support/settings.json")] = testing.table(read)
+    said = "\n".join(job.said(read["job"])) + "\n"
+    made[C_HEADER] = C_LIST.sub(lambda _: said, (ROOT / C_HEADER).read_text(encoding="utf-8"))
     return made
 
 

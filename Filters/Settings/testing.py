@@ -12,7 +12,7 @@ def table(read):
     found = {name: {"settings": {row.name: _of_setting(row) for row in tables.settings(rows)},
                     "measures": {row.name: _of_measure(row) for row in tables.measures(rows)},
                     "exposed": [row.name for row in rows if row.type == "exposed"]}
-             for name, rows in read.items() if name != "arrays"}
+             for name, rows in read.items() if name not in ("arrays", "job")}
     found["arrays"] = {array.name: {"of": array.of, "type": array.type, "components": array.components,
                                     "setting": array.setting} for array in read["arrays"]}
     return json.dumps({"mark": tables.MARK, **found}, indent=1) + "\n"

@@ -129,13 +129,19 @@ class ComplaintsTest(unittest.TestCase):
             self.assertTrue(said and all(line.startswith("Plugin/bad.py:1:") for line in said), said)
             self.assertIn(complaint, said[0])
 
+    def copy_settings(self):
+        """What the tables' generator reads."""
+        settings = pathlib.Path("Filters/Settings")
+        shutil.copytree(lint.ROOT / settings, self.root / settings)
+        for name in ("Plugin/AdaptiveHilbertDelaunay.xml.in", "Filters/Engine/Interface/ahd.h"):
+            (self.root / name).parent.mkdir(parents=True)
+            shutil.copy(lint.ROOT / name, self.root / name)
+        return settings
+
     @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_made(self):
         """A row that was changed by hand where it is made, or in its table without making the rest of it."""
-        settings, template = pathlib.Path("Filters/Settings"), pathlib.Path("Plugin/AdaptiveHilbertDelaunay.xml.in")
-        shutil.copytree(lint.ROOT / settings, self.root / settings)
-        (self.root / "Plugin").mkdir()
-        shutil.copy(lint.ROOT / template, self.root / template)
+        settings = self.copy_settings()
         made = [line.split(":")[0] for line in lint.check_made(self.root)]
         self.assertIn("Filters/vtkAdaptiveHilbertAlgorithm.h", made)
         for name in made:
@@ -149,10 +155,7 @@ class ComplaintsTest(unittest.TestCase):
     @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_rows(self):
         """A row of each type is made; one that says what none can is named."""
-        settings, template = pathlib.Path("Filters/Settings"), pathlib.Path("Plugin/AdaptiveHilbertDelaunay.xml.in")
-        shutil.copytree(lint.ROOT / settings, self.root / settings)
-        (self.root / "Plugin").mkdir()
-        shutil.copy(lint.ROOT / template, self.root / template)
+        settings = self.copy_settings()
         table = self.root / settings / "delaunay.toml"
         rows = table.read_text(encoding="utf-8")
         for row, complaint in (

@@ -210,47 +210,47 @@ AHD_API const char* ahd_message(const ahd_job* job);
 
 /* --- Settings --------------------------------------------------------------------------------
  *
- * int
- *   insertion_order  0         AHD_ORDER_...; changes the time, never the triangles
- *   nmax             50        1 to 2^31 - 1: a box with more points is divided
- *   control_points   2         AHD_CONTROL_...
- *   gene_rotation    1         0, 1: the curve in a divided box turns to meet its neighbours
- *   count_work       0         0, 1: count np, nr, exact tests; one thread inserts
- *   insertion_limit  0         stop after so many points of the order; 0: none is left out
- *   duplicates       0         AHD_DUPLICATES_...
- *   skip_mask        255       1 to 255: a point is left out if its mark has one of these bits
- *   cell_ids         0         AHD_IDS_...
- *   first_cell       0         0 to 2^62: number of the first line in reports; loops follow lines
- *   closed_lines     0         0, 1: lines whose ends coincide in the plane are loops
- *   split_crossings  0         0: of two segments that cross the later one is left out
- *                              1: both are split by a point that is added
- *   source_heights   0         AHD_HEIGHTS_...
- *   fill_rule        0         AHD_FILL_...
- *   plane            0         AHD_PLANE_...
- *   rim              0         AHD_RIM_...
- *   bounding         0         0, 1: add VTK's eight bounding points; in AHD_PLANE_XY only
- *   alpha_triangles  1         0, 1: with alpha, put out triangles
- *   alpha_lines      1         0, 1: and edges of triangles that are too large
- *   alpha_vertices   1         0, 1: and points that are left over
- *   voronoi_clip     0         AHD_CLIP_...
- *   want_voronoi     0         0, 1: make the Voronoi diagram (constraints have no say in it)
- *   want_order       0         0, 1: keep the insertion order
- *   want_boxes       0         0, 1: keep the boxes of the grid, and the order
- *   want_curve       0         0, 1: draw the curve in ahd_draw_order(), and keep the order
- *   want_point_status, want_insertion_ranks (keeps the order), want_constraint_edges,
- *   want_regions, want_neighbors
- *                    0         0, 1: announce these (for estimate, progress; ranks: to have them)
- *   want_samples     0         0, 1: announce values between points, in place of triangles
- *   threads          0         0 to 1024; 0: one for each processor the process may run on
- *   memory_limit     0         bytes, 0 to 2^62; 0: what the process can get without swapping
- *   other_memory     0         bytes, 0 to 2^62, that the caller takes: added to the estimate
- *   other_memory_per_point
- *                    0         bytes, 0 to 2^31 - 1: the same of each point, where some are added
+ * int (made of Filters/Settings/job.toml, as what is double)
+ *   insertion_order  0        AHD_ORDER_...; changes the time, never the triangles
+ *   nmax             50       1 to 2^31 - 1: a box with more points is divided
+ *   control_points   2        AHD_CONTROL_...
+ *   gene_rotation    1        0, 1: the curve in a divided box turns to meet its neighbours
+ *   count_work       0        0, 1: count np, nr, exact tests; one thread inserts
+ *   insertion_limit  0        stop after so many points of the order; 0: none is left out
+ *   duplicates       0        AHD_DUPLICATES_...
+ *   skip_mask        255      1 to 255: a point is left out if its mark has one of these bits
+ *   cell_ids         0        AHD_IDS_...
+ *   first_cell       0        0 to 2^62: number of the first line in reports; loops follow lines
+ *   closed_lines     0        0, 1: lines whose ends coincide in the plane are loops
+ *   split_crossings  0        0, 1: split segments that cross by points; 0: the later is left out
+ *   source_heights   0        AHD_HEIGHTS_...
+ *   fill_rule        0        AHD_FILL_...
+ *   plane            0        AHD_PLANE_...
+ *   rim              0        AHD_RIM_...
+ *   bounding         0        0, 1: add VTK's eight bounding points; in AHD_PLANE_XY only
+ *   alpha_triangles  1        0, 1: with alpha, put out triangles
+ *   alpha_lines      1        0, 1: and edges of triangles that are too large
+ *   alpha_vertices   1        0, 1: and points that are left over
+ *   voronoi_clip     0        AHD_CLIP_...
+ *   want_voronoi     0        0, 1: make the Voronoi diagram (constraints have no say in it)
+ *   want_order       0        0, 1: keep the insertion order
+ *   want_boxes       0        0, 1: keep the boxes of the grid, and the order
+ *   want_curve       0        0, 1: draw the curve in ahd_draw_order(), and keep the order
+ *   want_point_status  0      0, 1: announce this array, as the next four, for estimate, progress
+ *   want_insertion_ranks  0   0, 1: without it they cannot be had; keep the order
+ *   want_constraint_edges  0  0, 1: as want_point_status
+ *   want_regions     0        0, 1: as want_point_status
+ *   want_neighbors   0        0, 1: as want_point_status
+ *   want_samples     0        0, 1: announce values between points, in place of triangles
+ *   threads          0        0 to 1024; 0: one for each processor the process may run on
+ *   memory_limit     0        bytes, 0 to 2^62; 0: what the process can get without swapping
+ *   other_memory     0        bytes, 0 to 2^62: that the caller takes: added to the estimate
+ *   other_memory_per_point  0  bytes, 0 to 2^31 - 1: the same of each point, where some are added
  * double
- *   tolerance            0     0 to 1: merge points within this part of the diagonal of all
- *   offset               1     0.75 to 1.7e308: how far out bounding points lie, in diagonals
- *   alpha                0     0 to infinity: largest circumradius in space; 0: no limit
- *   maximum_edge_length  0     0 to infinity: of edges in the plane; 0: no limit
+ *   tolerance        0        0 to 1: merge points within this part of the diagonal of all
+ *   offset           1        0.75 to 1.7e308: how far out bounding points lie, in diagonals
+ *   alpha            0        0 to infinity: largest circumradius in space; 0: no limit
+ *   maximum_edge_length  0    0 to infinity: of edges in the plane; 0: no limit
  *
  * AHD_UNKNOWN_NAME, AHD_BAD_VALUE (NaN too); ahd_get_...: AHD_BAD_ARRAY if `value` is null. */
 AHD_API ahd_status ahd_set_int(ahd_job* job, const char* name, int64_t value);

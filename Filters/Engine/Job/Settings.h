@@ -8,6 +8,7 @@
 #include "../Surface/Plane.h"
 #include "../Surface/Selection.h"
 #include "../Voronoi/Voronoi.h"
+#include "SettingRows.h"
 #include "Words.h"
 
 #include <array>
@@ -16,58 +17,6 @@
 
 namespace ahd
 {
-
-/// In the order of the table in Settings.cxx.
-enum class IntSetting : std::size_t
-{
-  InsertionOrder,
-  Nmax,
-  ControlPoints,
-  GeneRotation,
-  CountWork,
-  InsertionLimit,
-  Duplicates,
-  SkipMask,
-  CellIds,
-  FirstCell,
-  ClosedLines,
-  SplitCrossings,
-  SourceHeights,
-  FillRule,
-  Plane,
-  Rim,
-  Bounding,
-  AlphaTriangles,
-  AlphaLines,
-  AlphaVertices,
-  VoronoiClip,
-  WantVoronoi,
-  WantOrder,
-  WantBoxes,
-  WantCurve,
-  WantPointStatus,
-  WantInsertionRanks,
-  WantConstraintEdges,
-  WantRegions,
-  WantNeighbors,
-  WantSamples,
-  SampleMethod,
-  SampleOutside,
-  Threads,
-  MemoryLimit,
-  OtherMemory,
-  OtherMemoryPerPoint
-};
-constexpr std::size_t kIntSettings = std::size_t(IntSetting::OtherMemoryPerPoint) + 1;
-
-enum class DoubleSetting : std::size_t
-{
-  Tolerance,
-  Offset,
-  Alpha,
-  MaximumEdgeLength
-};
-constexpr std::size_t kDoubleSettings = std::size_t(DoubleSetting::MaximumEdgeLength) + 1;
 
 /// The settings of a job by name, and what follows from them. What is unknown or out of range is
 /// refused.
