@@ -48,7 +48,7 @@ PARTS = {
         panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
         classes.cleared, classes.seconds, classes.counts, classes.compared_numbers, classes.compared_texts,
         classes.setters, pythontable.setting_rows, pythontable.constants, pythontable.measure_rows,
-        pythontable.job_rows)},
+        pythontable.job_rows, pythontable.measures_of_job)},
     "count_names": lambda rows, _: pythontable.names_of(tables.counts(rows)),
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
     "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),

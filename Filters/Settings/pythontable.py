@@ -68,6 +68,11 @@ def measure_rows(rows):
     return lines
 
 
+def measures_of_job(rows):
+    """What a measure is the sum of, in the job."""
+    return [f'    "{row.name}": {tuple(row.job.split(" + "))!r},' for row in tables.measures(rows) if row.job]
+
+
 def names_of(rows):
     """Of these, one a line."""
     return [f'    "{row.name}",' for row in rows]

@@ -211,22 +211,11 @@ class Execution:
 
     def measures(self):
         """The filter's measures, but those of all executions."""
-        count, measure = self.job.count, self.job.measure
+        count, measured = self.job.count, self.job.measures()
+        made = {name: sum(measured[part] if part in measured else count(part) for part in parts)
+                for name, parts in table.OF_JOB.items()}
         split = self.values["CrossingMode"] == 1
-        seconds = {name: sum(measure("seconds_" + phase) for phase in phases) for name, phases in (
-            ("SortSeconds", ("merge", "read", "sort")), ("InsertSeconds", ("insert",)),
-            ("OutputSeconds", ("extract", "outputs")), ("ConstrainSeconds", ("split", "constrain")))}
-        return dict(
-            seconds, NumberOfPointsInserted=count("inserted"), NumberOfDuplicates=count("duplicates"),
-            NumberOfRejectedPoints=count("not_finite"), NumberOfSkippedPoints=count("skipped"),
-            NumberOfPointsBeyondLimit=count("beyond_limit"), NumberOfTriangles=count("triangles"),
-            NumberOfMergedPoints=count("merged_points"), NumberOfAddedPoints=count("added_points"),
-            NumberOfConstraintEdges=count("constraint_edges"),
-            NumberOfCrossings=count("split_crossings" if split else "segments_crossing"),
-            NumberOfConstraintsLeftOut=count("segments_without_vertex") + count("segments_crossing"),
-            NumberOfUnfilledLoops=count("unfilled_loops"), NumberOfTrimmedTriangles=count("trimmed_triangles"),
-            NumberOfBentConstraints=count("bent_segments"),
-            NP=measure("np"), NR=measure("nr"), NumberOfThreadsUsed=count("threads_used"))
+        return dict(made, NumberOfCrossings=count("split_crossings" if split else "segments_crossing"))
 
     def warnings(self):
         return messages.warnings(self.job, self.values, self.found)

@@ -384,6 +384,29 @@ OF_ALL_RUNS = (
 WITHOUT_ENDS = (
     "MaximumEdgeLength",
 )
+# Measures, and the counts and measures of the job that each is the sum of.
+OF_JOB = {
+    "NumberOfThreadsUsed": ('threads_used',),
+    "NumberOfTriangles": ('triangles',),
+    "NumberOfPointsInserted": ('inserted',),
+    "NumberOfDuplicates": ('duplicates',),
+    "NumberOfMergedPoints": ('merged_points',),
+    "NumberOfAddedPoints": ('added_points',),
+    "NumberOfRejectedPoints": ('not_finite',),
+    "NumberOfSkippedPoints": ('skipped',),
+    "NumberOfPointsBeyondLimit": ('beyond_limit',),
+    "NumberOfConstraintEdges": ('constraint_edges',),
+    "NumberOfBentConstraints": ('bent_segments',),
+    "NumberOfConstraintsLeftOut": ('segments_without_vertex', 'segments_crossing'),
+    "NumberOfUnfilledLoops": ('unfilled_loops',),
+    "NumberOfTrimmedTriangles": ('trimmed_triangles',),
+    "NP": ('np',),
+    "NR": ('nr',),
+    "SortSeconds": ('seconds_merge', 'seconds_read', 'seconds_sort'),
+    "InsertSeconds": ('seconds_insert',),
+    "ConstrainSeconds": ('seconds_split', 'seconds_constrain'),
+    "OutputSeconds": ('seconds_extract', 'seconds_outputs'),
+}
 # Old names, and those of now.
 OLD_NAMES = {
     "GenerateFate": "GeneratePointStatus",
