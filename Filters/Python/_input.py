@@ -10,63 +10,18 @@ import numpy as np
 
 from . import _library as library
 from ._held import anchor
+from ._keywords import KEYWORDS
 from ._names import value_of
 
 Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
 Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
-#: Settings that have names for values: those that Python callers use, in the order of the header's numbers.
-CHOICES: Mapping[str, Tuple[str, ...]] = {
-    "insertion_order": ("adaptive_hilbert", "multi_grid", "regular_grid", "as_given"),
-    "control_points": ("off", "single_level", "every_level"),
-    "duplicates": ("first", "lowest_z", "highest_z", "mean_z"),
-    "crossings": ("leave_out", "split"),
-    "source_heights": ("own", "surface"),
-    "fill_rule": ("orientation", "even_odd"),
-    "rim": ("automatic", "convex_hull", "trimmed"),
-    "voronoi_clip": ("hull", "bounds"),
-}
-FLAGS = ("gene_rotation", "count_work", "closed_lines_are_loops", "bounding")
-WHOLE = {  # least and most
-    "nmax": (1, 2**31 - 1),
-    "insertion_limit": (0, 2**63 - 1),
-    "threads": (0, 1024),
-    "memory_limit": (0, 2**62),
-}
-REAL = {
-    "tolerance": (0.0, 1.0),
-    "offset": (0.75, 1.7e308),
-    "alpha": (0.0, np.inf),
-    "maximum_edge_length": (0.0, np.inf),
-}
-
 #: What the keywords are that are one number or word each.
-DEFAULTS: Mapping[str, Any] = {
-    "crossings": "leave_out",
-    "fill_rule": "even_odd",
-    "closed_lines_are_loops": False,
-    "source_heights": "own",
-    "rim": "automatic",
-    "duplicates": "first",
-    "tolerance": 0.0,
-    "alpha": 0.0,
-    "maximum_edge_length": 0.0,
-    "bounding": False,
-    "offset": 1.0,
-    "insertion_order": "adaptive_hilbert",
-    "nmax": 50,
-    "control_points": "every_level",
-    "gene_rotation": True,
-    "insertion_limit": 0,
-    "count_work": False,
-    "voronoi_clip": "hull",
-    "threads": 0,
-    "memory_limit": 0,
-}
+DEFAULTS: Mapping[str, Any] = {name: row.default for name, row in KEYWORDS.items()}
+#: Those that have words: these, in the order of the header's numbers.
+CHOICES: Mapping[str, Tuple[str, ...]] = {name: row.words for name, row in KEYWORDS.items() if row.words}
 
-# Where the C interface has another name.
-_NAMES_IN_C = {"crossings": "split_crossings", "closed_lines_are_loops": "closed_lines"}
 _NAMES_HERE = {"line_ids": "segments or lines", "loop_ids": "loops", "skip": "marks of `skip`"}
 
 
@@ -91,7 +46,7 @@ def _flag(name: str, value: Any) -> int:
 
 
 def _whole(name: str, value: Any) -> int:
-    least, most = WHOLE[name]
+    least, most = KEYWORDS[name].least, KEYWORDS[name].most
     of = " of bytes (2 GB are 2_000_000_000)" if name == "memory_limit" else ""
     wanted = "a whole number%s from %d to %d" % (of, least, most)
     if isinstance(value, (bool, np.bool_)):
@@ -107,7 +62,7 @@ def _whole(name: str, value: Any) -> int:
 
 def real_of(name: str, value: Any, limits: Optional[Tuple[float, float]] = None) -> float:
     """A number within limits, those of this keyword if none are given. TypeError, ValueError."""
-    least, most = limits or REAL[name]
+    least, most = limits or (KEYWORDS[name].least, KEYWORDS[name].most)
     wanted = "a number from %g to %g" % (least, most)
     if isinstance(value, (str, bytes, bool, np.bool_)):
         raise TypeError(_refused(name, value, wanted))
@@ -126,10 +81,11 @@ def settings_of(given: Mapping[str, Any]) -> Dict[str, Union[int, float]]:
     """The settings of a job for keywords that are one number or word each."""
     made: Dict[str, Union[int, float]] = {}
     for name, value in given.items():
+        row = KEYWORDS[name]
         convert: Callable[[str, Any], Union[int, float]] = (
-            _choice if name in CHOICES else _flag if name in FLAGS else _whole if name in WHOLE else real_of
+            _choice if row.words else _flag if row.least is None else _whole if isinstance(row.least, int) else real_of
         )
-        made[_NAMES_IN_C.get(name, name)] = convert(name, value)
+        made[row.setting] = convert(name, value)
     return made
 
 

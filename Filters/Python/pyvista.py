@@ -18,7 +18,7 @@ import pyvista
 
 from . import _raster, _vtk
 from ._names import by_any_name, value_of
-from ._input import REAL, real_of
+from ._input import real_of
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import DelaunayWarning, _depth
 
@@ -104,7 +104,7 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
                 ", ".join(map(repr, PLANES)), plane))
         algorithm.SetProjectionPlaneMode(1)
         algorithm.SetTransform(plane)
-    algorithm.SetTolerance(real_of("tol", tol, REAL["tolerance"]))
+    algorithm.SetTolerance(real_of("tol", tol, (0.0, 1.0)))
     algorithm.SetDuplicatePolicy(_number_of(duplicates, DUPLICATES, "duplicates"))
     algorithm.SetNumberOfThreads(_whole(threads, "threads", 1024))
     algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))

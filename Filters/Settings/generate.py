@@ -35,6 +35,7 @@ MADE = {
     "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
     "Filters/Engine/Job/SettingRows.h": "Filters/Settings/JobSettingRows.h.in",
     "Testing/Support/Run/SettingRows.h": "Filters/Settings/SettingRows.h.in",
+    "Filters/Python/_keywords.py": "Filters/Settings/keywords.py.in",
     "Filters/Python/_vtk/table.py": "Filters/Settings/table.py.in",
 }
 # The header for C has the list of a job's settings; the rest of it is written by hand.
@@ -55,6 +56,7 @@ PARTS = {
     "old_names": lambda rows, _: [f'    "{row.old_name}": "{row.name}",' for row in rows if row.old_name],
     "job_ints": lambda rows, _: job.constants(rows, False),
     "job_doubles": lambda rows, _: job.constants(rows, True),
+    "keywords": lambda rows, _: job.keywords(rows),
     "int_rows": lambda rows, _: job.rows(rows, False),
     "double_rows": lambda rows, _: job.rows(rows, True),
     "test_rows": lambda rows, _: testing.cxx_rows(rows),

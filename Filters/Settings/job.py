@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of a job's settings, and what is made of it: rows for C++, the list in ahd.h."""
+"""The table of a job's settings, and what is made of it: rows for C++, the list in ahd.h, keywords of `delaunay`."""
 
 import dataclasses
 import math
-import sys
 import tomllib
 
 import rows as tables
@@ -11,7 +10,7 @@ import rows as tables
 HUGE = 2**62
 LEFT, RIGHT = 17, 26  # columns of the list: defaults, texts
 MOST = {"int": 2**31 - 1, "id": HUGE, "int64": HUGE, "double": math.inf}
-SAID = {2**31 - 1: "2^31 - 1", HUGE: "2^62", sys.float_info.max: "1.7e308", math.inf: "infinity"}
+SAID = {2**31 - 1: "2^31 - 1", HUGE: "2^62", 1.7e308: "1.7e308", math.inf: "infinity"}
 
 
 @dataclasses.dataclass
@@ -28,6 +27,9 @@ class Setting:
     help: str = ""
     says_range: bool = True
     elsewhere: bool = False
+    keyword: str = ""
+    names: tuple = ()
+    keyword_default: object = None
 
     @property
     def constant(self):
@@ -114,3 +116,20 @@ def _about(one):
         return one.help
     ends = ", ".join(part for part in (one.units, ends) if part)
     return ends + ("; " if one.help.startswith("0:") else ": ") + one.help
+
+
+def keywords(settings):
+    """Rows of a Keyword each: of a choice its words, of a number its least and most."""
+    lines = []
+    for one in settings:
+        if one.keyword:
+            default = one.default if one.keyword_default is None else one.keyword_default
+            if one.names:
+                said = f"{one.names[default]!r}, words={tuple(one.names)!r}"
+            elif one.ends == (0, 1) and one.type != "double":
+                said = repr(bool(default))
+            else:
+                said = f"{default!r}, least={one.ends[0]!r}, most={repr(one.ends[1]).replace('inf', 'math.inf')}"
+            head, said = f'    "{one.keyword}": Keyword("{one.name}",', said.replace("'", '"') + "),"
+            lines += [f"{head} {said}"] if len(head + said) < tables.COLUMNS else [head, "        " + said]
+    return lines

@@ -73,7 +73,7 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
   { "control_points", 2, 0, 2 },
   { "gene_rotation", 1, 0, 1 },
   { "count_work", 0, 0, 1 },
-  { "insertion_limit", 0, 0, 4611686018427387904 },
+  { "insertion_limit", 0, 0, 9223372036854775807 },
   { "duplicates", 0, 0, 3 },
   { "skip_mask", 255, 1, 255 },
   { "cell_ids", 0, 0, 1 },
@@ -109,7 +109,7 @@ constexpr SettingRow<std::int64_t> kIntRows[] = {
 
 constexpr SettingRow<double> kDoubleRows[] = {
   { "tolerance", 0.0, 0.0, 1.0 },
-  { "offset", 1.0, 0.75, 1.7976931348623157e+308 },
+  { "offset", 1.0, 0.75, 1.7e+308 },
   { "alpha", 0.0, 0.0, std::numeric_limits<double>::infinity() },
   { "maximum_edge_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
 };

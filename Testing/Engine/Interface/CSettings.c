@@ -53,7 +53,10 @@ static void test_ranges(ahd_job* job)
     CHECK(preset >= 0);
     CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, name, -1));
     CHECK_SAYS(job, name);
-    CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, name, INT64_MAX));
+    if (strcmp(name, "insertion_limit") != 0) /* as many as there are */
+    {
+      CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, name, INT64_MAX));
+    }
     CHECK_STATUS(job, AHD_BAD_VALUE, ahd_set_int(job, name, INT64_MIN));
     CHECK_OK(job, ahd_get_int(job, name, &value));
     CHECK(value == preset);

@@ -7,7 +7,7 @@ import subprocess
 import sys
 import threading
 
-from classtests import (Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
+from classtests import (TABLE, Case, Filter, Random, Said, array, blocks, cloud, core, model, run, run_tests, source,
                         triangles, values_of, vtk)
 
 execution = vtk("vtkCommonExecutionModel")
@@ -200,6 +200,19 @@ class PipelineTest(Case):
         algorithm.Update()
         self.assertSaid(said, errors=1)
         self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
+
+    def test_every_number_at_its_ends(self):
+        """What a setter takes, or clamps to, an execution can do with."""
+        ends = {"int": 2**31 - 1, "id": 2**63 - 1, "int64": 2**63 - 1, "double": 1e299}
+        rows = {name: row for name, row in TABLE["delaunay"]["settings"].items() if row["type"] in ends}
+        self.assertGreater(len(rows), 8)
+        for name, row in rows.items():
+            for end in (ends[row["type"]], -ends[row["type"]]):
+                with self.subTest(name=name, end=end):
+                    algorithm, said = run(cloud(scattered(50)), **{name: end})
+                    self.assertEqual(said.errors, [])
+                    merges = name == "Tolerance" and end > 0
+                    self.assertEqual(algorithm.GetNumberOfPointsInserted(), 1 if merges else 50)
 
     def test_estimate_grows_with_what_is_asked_for(self):
         """By what is put out at least, and not by much more; bytes per point."""
