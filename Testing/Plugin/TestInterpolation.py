@@ -334,16 +334,14 @@ def test_circles_are_refused():
 
 
 def test_states():
-    settings = {
-        "Method": "Natural Neighbor", "RasterSize": "Cell Size", "CellSize": [0.5, 0.25], "AlignToCellSize": 1,
-        "UseBounds": 1, "Bounds": [-1.0, 1.0, -1.5, 1.0], "OutputType": "Surface", "Outside": "Nearest Vertex",
-        "GenerateGradients": 1, "HeightArrayName": "z", "ValidPointMaskArrayName": "ok", "Dimensions": [3, 4],
-        "SourceMode": "Point ids", "FillRule": "Orientation", "MaximumEdgeLength": 3.5, "NumberOfThreads": 3,
-        "DuplicatePolicy": "Mean z", "Tolerance": 0.001}  # fmt: skip
+    of_triangulation = [name for name in OF_TRIANGULATION if name in TABLE["delaunay"]["settings"]]
+    settings = {**others("interpolation", RASTER_SETTINGS), **others("delaunay", of_triangulation)}
     ResetSession()
     points = XMLPolyDataReader(registrationName="points", FileName=[write_vtp("plane.vtp", plane_points())])
     line = Line(registrationName="line")
-    AdaptiveHilbertInterpolation2D(registrationName="raster", Input=points, **settings)
+    sized = {"RasterSize": "Cell Size", "CellSize": [0.5, 0.25], "UseBounds": 1, "Bounds": [-1.0, 1.0, -1.5, 1.0]}
+    AdaptiveHilbertInterpolation2D(registrationName="raster", Input=points, **sized)
+    AdaptiveHilbertInterpolation2D(registrationName="others", Input=points, **settings)
     AdaptiveHilbertInterpolation2D(registrationName="profile", Input=points, Places=line).UpdatePipeline()
     SaveState(scratch("raster.pvsm"))
     script = smstate.get_state(filter=smstate.supported_proxies())
@@ -353,7 +351,7 @@ def test_states():
         LoadState(scratch("raster.pvsm")) if how == "XML" else exec(compile(script, "state", "exec"), {})
         raster, profile = FindSource("raster"), FindSource("profile")
         for name, value in settings.items():
-            found = getattr(raster, name)
+            found = getattr(FindSource("others"), name)
             check_equal(list(found) if isinstance(value, list) else found, value, "%s state: %s" % (how, name))
         check_equal(profile.Places.SMProxy.GetXMLName(), line.SMProxy.GetXMLName(), how + " state: the places")
         raster.UpdatePipeline()

@@ -29,23 +29,7 @@ INSERTION = {
 NOTHING = {"RandomPointInsertion", "UseHilbertSorter"}
 
 
-def another(row):
-    """A value that is not the panel's default."""
-    default = row.get("panel_default", row["default"])
-    if row["values"]:
-        return row["values"][1 - default if default < 2 else 0]
-    if row["type"] in ("bool", "flag"):
-        return 0 if default else 1
-    if row["type"] == "text":
-        return default + "x"
-    if isinstance(default, list):
-        return [number + 1 for number in default]
-    return default + 0.5 if row["type"] == "double" else default + 3
-
-
-OTHERS = {
-    name: another(TABLE["delaunay"]["settings"][name]) for name in SETTINGS if name not in {*INSERTION, *NOTHING}
-}
+OTHERS = others("delaunay", [name for name in SETTINGS if name not in {*INSERTION, *NOTHING}])
 
 
 def build():

@@ -31,6 +31,25 @@ def names_of(table, kind, only=lambda row: row["panel"] != "none"):
     return [name for name, row in TABLE[table][kind].items() if only(row)]
 
 
+def another(row):
+    """A value that is not the panel's default."""
+    default = row.get("panel_default", row["default"])
+    if row["values"]:
+        return row["values"][1 - default if default < 2 else 0]
+    if row["type"] in ("bool", "flag"):
+        return 0 if default else 1
+    if row["type"] == "text":
+        return default + "x"
+    if isinstance(default, list):
+        return [number + 1 for number in default]
+    return default + 0.5 if row["type"] == "double" else default + 3
+
+
+def others(table, names):
+    """Of each of these settings such a value."""
+    return {name: another(TABLE[table]["settings"][name]) for name in names}
+
+
 # What the panel has: settings, measures, and those of these that count something.
 SETTINGS = names_of("delaunay", "settings")
 MEASURES = names_of("delaunay", "measures", lambda row: True)
