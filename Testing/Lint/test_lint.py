@@ -85,6 +85,11 @@ class ComplaintsTest(unittest.TestCase):
             path = self.write(name, "a = 0\n" * 501)
             self.assertEqual(lint.check_sizes(self.root), [f"{name}: 501 lines, more than 500"])
             path.unlink()
+        made = "/*\n * int (made of Filters/Settings/job.toml)\n" + " *   a\n" * 50 + " *\n */\n"
+        self.write("Filters/list.h", made + "int a;\n" * 495)
+        self.assertEqual(lint.check_sizes(self.root), [])
+        self.write("Filters/list.h", made + "int a;\n" * 500)
+        self.assertEqual(len(lint.check_sizes(self.root)), 1)
 
     def test_comments_of_public_headers(self):
         text = "/**\n * A word.\n */\n/// Another.\n// One more.\n" + "int a;\n\n" * 2 + "int b;\n"
