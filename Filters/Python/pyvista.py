@@ -18,7 +18,8 @@ import pyvista
 
 from . import _raster, _vtk
 from ._names import by_any_name, value_of
-from ._input import real_of
+from ._input import CHOICES, real_of
+from ._sampling import METHODS
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import DelaunayWarning, _depth
 
@@ -26,19 +27,14 @@ __all__ = ["Adaptive", "delaunay_2d", "sample", "to_raster", "voronoi_2d"]
 
 NAME = "adaptive"
 
-FILL_RULES = ("orientation", "even_odd")
-CROSSINGS = ("leave_out", "split")
-CLOSED_LINES = ("lines", "loops")
-DUPLICATES = ("first", "lowest_z", "highest_z", "mean_z")
-HEIGHTS = ("own", "surface")
-RIMS = ("automatic", "convex_hull", "trimmed")
-CLIPS = ("hull", "bounds")
 PLANES = ("xy", "automatic", "best_fit")
-METHODS = ("linear", "natural", "laplace", "nearest")
-OUTSIDES = ("none", "nearest")
+#: The words of an argument, in the order of the filter's numbers.
+WORDS = {**CHOICES, "heights": CHOICES["source_heights"], "clip": CHOICES["voronoi_clip"],
+         "closed_lines": ("lines", "loops"), "plane": PLANES, "method": METHODS, "outside": ("none", "nearest")}
 
 
-def _number_of(value, words, argument):
+def _number_of(value, argument):
+    words = WORDS[argument]
     value = value_of(argument, value)
     if value not in words:
         raise ValueError("%s=%r: it is one of %s" % (argument, value, ", ".join(map(repr, words))))
@@ -94,7 +90,7 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
         algorithm.MergeBlocksOn()
     algorithm.SetInputDataObject(mesh)
     if isinstance(plane, str):
-        plane = PLANES[_number_of(plane, PLANES, "plane")]
+        plane = PLANES[_number_of(plane, "plane")]
         flat = plane == "automatic" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
         fits = plane != "xy" and not flat
         algorithm.SetProjectionPlaneMode(2 if fits else 0)
@@ -105,7 +101,7 @@ def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
         algorithm.SetProjectionPlaneMode(1)
         algorithm.SetTransform(plane)
     algorithm.SetTolerance(real_of("tol", tol, (0.0, 1.0)))
-    algorithm.SetDuplicatePolicy(_number_of(duplicates, DUPLICATES, "duplicates"))
+    algorithm.SetDuplicatePolicy(_number_of(duplicates, "duplicates"))
     algorithm.SetNumberOfThreads(_whole(threads, "threads", 1024))
     algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
     algorithm.KeepTriangulationOff()
@@ -145,10 +141,10 @@ def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constrain
     """What the surface is bound by and reaches to. The constraints go to a port of `to_constrain`."""
     _set(algorithm, Alpha=real_of("alpha", alpha), AlphaLines=0, AlphaVerts=0,
          MaximumEdgeLength=real_of("maximum_edge_length", maximum_edge_length),
-         CrossingMode=_number_of(crossings, CROSSINGS, "crossings"),
-         ClosedLines=_number_of(closed_lines, CLOSED_LINES, "closed_lines"),
-         FillRule=_number_of(fill_rule, FILL_RULES, "fill_rule"), Rim=_number_of(rim, RIMS, "rim"),
-         SourceHeights=_number_of(heights, HEIGHTS, "heights"))
+         CrossingMode=_number_of(crossings, "crossings"),
+         ClosedLines=_number_of(closed_lines, "closed_lines"),
+         FillRule=_number_of(fill_rule, "fill_rule"), Rim=_number_of(rim, "rim"),
+         SourceHeights=_number_of(heights, "heights"))
     if edge_source is not None and constraints is not None:
         raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
     if constraints is not None:
@@ -301,7 +297,7 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="automatic", duplicates="fir
     """
     algorithm, messages = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
     algorithm.GenerateVoronoiOn()
-    algorithm.SetVoronoiClip(_number_of(clip, CLIPS, "clip"))
+    algorithm.SetVoronoiClip(_number_of(clip, "clip"))
     _run(algorithm, messages, progress_bar, "Computing Voronoi Diagram")
     return _taken(algorithm.GetOutput(2))
 
@@ -324,7 +320,7 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     if places is not None:
         algorithm.SetInputDataObject(1, places)
     _bound_surface(triangulation, 2, algorithm, **bounds_of_surface)
-    _set(algorithm, Method=_number_of(method, METHODS, "method"), Outside=_number_of(outside, OUTSIDES, "outside"),
+    _set(algorithm, Method=_number_of(method, "method"), Outside=_number_of(outside, "outside"),
          NoValue=no_value, GenerateGradients=bool(gradients), HeightArrayName=elevation, **raster)
     _run(algorithm, messages, progress_bar, "Interpolating")
     return _taken(algorithm.GetOutputDataObject(0))
