@@ -66,8 +66,8 @@ build() {
   if [ ! -f "$folder/$variant/CMakeCache.txt" ]; then
     command -v ninja >/dev/null && generator=(-G Ninja)
     CXX=${CXX:-$(command -v clang++-14 || command -v clang++)}
-    CC=${CC:-${CXX/clang++/clang}} CXX=$CXX \
-      cmake -S "$here" -B "$folder/$variant" -DAHD_FUZZ_SMALL=$small \
+    export CXX CC=${CC:-${CXX/clang++/clang}}
+    cmake -S "$here" -B "$folder/$variant" -DAHD_FUZZ_SMALL=$small \
       ${generator[@]+"${generator[@]}"} "$@"
   fi
   cmake --build "$folder/$variant" --parallel
