@@ -254,8 +254,8 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   this->Left->TakeBack(*this->Workspace);
   vtkAHDExecution execution(settings, input, *this->Workspace, context, data.InputBytes);
   const vtkAHDReport report = execution.Run(data.Outputs, this->Left.get());
-  this->MemoryEstimate = report.Estimate;
-  if (report.Status != ahd::Status::Ok)
+  this->MemoryEstimate = report.GetEstimate();
+  if (report.status != ahd::Status::Ok)
   {
     vtkAHDSayError(this, report);
     this->Cache->Forget();
@@ -272,7 +272,7 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
 
 void vtkAdaptiveHilbertDelaunay2D::ReadInsertion(vtkAHDSettings& settings) const
 {
-  ahd::Options& options = settings.Insertion;
+  ahd::Options& options = settings.options;
   options.order = static_cast<ahd::InsertionOrder>(this->InsertionOrder);
   options.controlPoints = static_cast<ahd::ControlPoints>(this->ControlPoints);
   options.geneRotation = this->GeneRotation;
@@ -281,12 +281,12 @@ void vtkAdaptiveHilbertDelaunay2D::ReadInsertion(vtkAHDSettings& settings) const
   options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
   options.keepBoxes = this->GenerateBoxes;
   options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve;
-  settings.GeneratePointStatus = this->GeneratePointStatus;
-  settings.GenerateInsertionRank = this->GenerateInsertionRank;
-  settings.GenerateInsertionCurve = this->GenerateInsertionCurve;
-  settings.GenerateConstraintEdges = this->GenerateConstraintEdges;
-  settings.GenerateRegionIds = this->GenerateRegionIds;
-  settings.GenerateNeighbors = this->GenerateNeighbors;
+  settings.pointStatus = this->GeneratePointStatus;
+  settings.insertionRanks = this->GenerateInsertionRank;
+  settings.curve = this->GenerateInsertionCurve;
+  settings.constraintEdges = this->GenerateConstraintEdges;
+  settings.regions = this->GenerateRegionIds;
+  settings.neighbors = this->GenerateNeighbors;
   settings.MemoryLimit = this->MemoryLimit;
   settings.ReuseLimit = this->ReuseLimit;
 }
@@ -294,58 +294,59 @@ void vtkAdaptiveHilbertDelaunay2D::ReadInsertion(vtkAHDSettings& settings) const
 void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
 {
   this->ReadInsertion(settings);
-  settings.Insertion.representative = this->DuplicatePolicy == LOWEST_Z
-    ? ahd::Representative::LowestZ
+  settings.options.representative = this->DuplicatePolicy == LOWEST_Z ? ahd::Representative::LowestZ
     : this->DuplicatePolicy == HIGHEST_Z ? ahd::Representative::HighestZ
                                          : ahd::Representative::FirstId;
-  settings.ShowMeans = this->DuplicatePolicy == MEAN_Z;
-  settings.FillRule = static_cast<ahd::FillRule>(this->FillRule);
-  settings.Limits = { this->Alpha, this->MaximumEdgeLength, this->AlphaTris != 0,
+  settings.showsMeans = this->DuplicatePolicy == MEAN_Z;
+  settings.fillRule = static_cast<ahd::FillRule>(this->FillRule);
+  settings.limits = { this->Alpha, this->MaximumEdgeLength, this->AlphaTris != 0,
     this->AlphaLines != 0, this->AlphaVerts != 0 };
-  settings.VoronoiClip = static_cast<ahd::VoronoiClip>(this->VoronoiClip);
-  settings.GenerateVoronoi = this->GenerateVoronoi;
-  settings.SourceIdsAreOfInput = this->SourceMode == SOURCE_IDS;
+  settings.voronoiClip = static_cast<ahd::VoronoiClip>(this->VoronoiClip);
+  settings.voronoi = this->GenerateVoronoi;
+  settings.idsAreOfInput = this->SourceMode == SOURCE_IDS;
   settings.AddSourcePoints = this->SourceMode == SOURCE_COORDINATES;
-  settings.ClosedLinesAreLoops = this->ClosedLines == LOOPS;
-  settings.HeightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
-  settings.Split = this->CrossingMode == SPLIT;
-  settings.FitPlane = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
-  settings.Transform = settings.FitPlane ? nullptr : this->Transform;
+  settings.closedLinesAreLoops = this->ClosedLines == LOOPS;
+  settings.heightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
+  settings.split = this->CrossingMode == SPLIT;
+  const bool fits = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
+  settings.Transform = fits ? nullptr : this->Transform;
+  settings.plane = fits  ? ahd::PlaneKind::BestFit
+    : settings.Transform ? ahd::PlaneKind::Callback
+                         : ahd::PlaneKind::Xy;
   settings.TransformIsMissing = this->ProjectionPlaneMode == VTK_SET_TRANSFORM_PLANE &&
     !this->Transform;
-  settings.TrimIfRounded = this->Rim == AUTOMATIC && settings.IsProjected();
-  settings.Trim = this->Rim == TRIMMED || settings.TrimIfRounded;
-  settings.Tolerance = this->Tolerance;
-  settings.Bounding = this->BoundingTriangulation != 0;
-  settings.Offset = this->Offset;
+  settings.rim = static_cast<ahd::RimKind>(this->Rim);
+  settings.tolerance = this->Tolerance;
+  settings.bounding = this->BoundingTriangulation != 0;
+  settings.offset = this->Offset;
 }
 
 void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
 {
   using Phase = ahd::Phase;
-  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.Counts.inserted);
-  this->NumberOfDuplicates = static_cast<vtkIdType>(report.Counts.duplicates);
-  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.Counts.notFinite);
-  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.Counts.skipped - report.MergedPoints);
-  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.Counts.beyondLimit);
+  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.counts.inserted);
+  this->NumberOfDuplicates = static_cast<vtkIdType>(report.counts.duplicates);
+  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.counts.notFinite);
+  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.counts.skipped - report.mergedPoints);
+  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.counts.beyondLimit);
   this->NumberOfTriangles = static_cast<vtkIdType>(report.Triangles);
-  this->NP = this->CountWork ? report.Counts.np() : -1.0;
-  this->NR = this->CountWork ? report.Counts.nr() : -1.0;
+  this->NP = this->CountWork ? report.counts.np() : -1.0;
+  this->NR = this->CountWork ? report.counts.nr() : -1.0;
   this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
   this->InsertSeconds = report.SecondsOf(Phase::Insert);
   this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
   this->NumberOfThreadsUsed = report.ThreadsUsed;
-  const ahd::ConstraintReport& constraints = report.Constraints;
-  this->NumberOfMergedPoints = static_cast<vtkIdType>(report.MergedPoints);
-  this->NumberOfAddedPoints = static_cast<vtkIdType>(report.AddedPoints);
+  const ahd::ConstraintReport& constraints = report.constraints;
+  this->NumberOfMergedPoints = static_cast<vtkIdType>(report.mergedPoints);
+  this->NumberOfAddedPoints = static_cast<vtkIdType>(report.addedPoints);
   this->NumberOfConstraintEdges = static_cast<vtkIdType>(constraints.edges);
   this->NumberOfCrossings = static_cast<vtkIdType>(
-    this->CrossingMode == SPLIT ? report.Crossings : constraints.crossing);
-  this->NumberOfBentConstraints = static_cast<vtkIdType>(report.BentConstraints);
+    this->CrossingMode == SPLIT ? report.crossings : constraints.crossing);
+  this->NumberOfBentConstraints = static_cast<vtkIdType>(report.bentConstraints);
   this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
     constraints.withoutVertex + constraints.crossing);
   this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
-  this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(report.Counts.trimmed);
+  this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(report.counts.trimmed);
   this->ConstrainSeconds = report.SecondsOf(Phase::Split, Phase::Constrain);
 }
 

@@ -306,7 +306,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkData
       this->Left->TakeBack(*this->Workspace);
       vtkAHDRankExecution(settings, ranks, context, result)
         .Run(own, merged.GetStatus(context), *this->Workspace);
-      this->MemoryEstimate = result.Report.Estimate;
+      this->MemoryEstimate = result.Report.GetEstimate();
       this->TakeMeasures(result.Report);
       this->AddCounts(own.Outputs[0]->GetFieldData());
       for (std::size_t k = 0; k < outputs.size(); ++k)
@@ -364,8 +364,8 @@ void vtkAdaptiveHilbertDelaunay2D::EndOnRanks(
     }
   }
   this->ClearMeasures();
-  this->MemoryEstimate = result.Report.Estimate;
-  result.Report.Status = status;
+  this->MemoryEstimate = result.Report.GetEstimate();
+  result.Report.status = status;
   this->SayAbort(status);
   try
   {

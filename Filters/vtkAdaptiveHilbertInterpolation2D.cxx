@@ -192,11 +192,11 @@ void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const
 {
   this->Triangulation->ReadSettings(settings);
-  settings.Samples = true;
-  settings.GeneratePointStatus = settings.GenerateInsertionRank = false;
-  settings.GenerateInsertionCurve = settings.GenerateConstraintEdges = false;
-  settings.GenerateRegionIds = settings.GenerateNeighbors = settings.GenerateVoronoi = false;
-  settings.Insertion.keepBoxes = settings.Insertion.keepOrder = false;
+  settings.samples = true;
+  settings.pointStatus = settings.insertionRanks = false;
+  settings.curve = settings.constraintEdges = false;
+  settings.regions = settings.neighbors = settings.voronoi = false;
+  settings.options.keepBoxes = settings.options.keepOrder = false;
   wishes.Method = static_cast<ahd::SampleMethod>(this->Method);
   wishes.Raster.ByCellSize = this->RasterSize == BY_CELL_SIZE;
   wishes.Raster.Dimensions = { { this->Dimensions[0], this->Dimensions[1] } };

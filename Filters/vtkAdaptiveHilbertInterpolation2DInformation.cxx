@@ -143,7 +143,7 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
       return;
     }
     ahd::Plane plane;
-    if (surface && settings.FitPlane && !wishes.UseBounds)
+    if (surface && settings.fitsPlane() && !wishes.UseBounds)
     {
       plane = vtkAHDFitPlaneOf(settings, surface, context);
       settings.Plane = &plane;

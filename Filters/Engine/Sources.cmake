@@ -9,7 +9,7 @@
 #   ahd_engine_errors    makes warnings errors, with the compilers that are known to give none
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
-set(ahd_engine_headers Triangulate.h RunMemory.h Options.h Constraints.h Result.h
+set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Core/AskedMemory.h Core/Buffer.h Core/Context.h Core/Executor.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h
   Core/Prefetch.h
   Core/Progress.h Core/SizeInWords.h Core/Stages.h Core/Threads.h Core/Uninitialised.h
@@ -17,7 +17,8 @@ set(ahd_engine_headers Triangulate.h RunMemory.h Options.h Constraints.h Result.
   Distribute/BlockTriangulation.h Merge/Merge.h Points/JoinedBounds.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
-  Interface/ahd.h Interface/ahd_sample.h Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
+  Interface/ahd.h Interface/ahd_sample.h Job/Run.h Job/RunMemory.h Job/RunProgress.h Job/RunReport.h Job/RunSettings.h
+  Job/Words.h Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 
 file(STRINGS "${CMAKE_CURRENT_LIST_DIR}/../../CMakeLists.txt" ahd_engine_version

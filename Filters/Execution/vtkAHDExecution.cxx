@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDExecution.h"
 
-#include "Engine/Prepare/Stacks.h"
 #include "Execution/vtkAHDKeptTriangulation.h"
 #include "Output/vtkAHDOrderOutput.h"
+#include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
 #include "Output/vtkAHDVoronoi.h"
 
 #include "vtkAbstractTransform.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTransform.h"
 
@@ -23,180 +25,56 @@ vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& in
   , Workspace(workspace)
   , Context(context)
   , BytesBefore(bytesBefore)
-  , Options(settings.Insertion)
 {
-  this->Known.points = ahd::expectedPoints(input.GetRequest());
-  this->Known.segments = ahd::segmentsOf(input.GetRequest());
 }
 
-vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left)
+// ----------------------------------------------------------------------------------------- memory
+
+/// What is taken besides that which the engine knows of.
+ahd::CallersMemory vtkAHDExecution::OwnMemory(std::size_t bytesBehind) const
 {
-  this->Report.Points = this->Known.points;
-  if (!this->FitsInMemory())
-  {
-    return this->Report;
-  }
-  Results results;
-  bool isLeft = false;
-  this->Try(
-    [&]
-    {
-      this->SetStages();
-      this->MakeSurface(results);
-      this->Write(results, outputs);
-      this->FindStacks(results);
-      this->ReportOn(results);
-      isLeft = left && this->Leave(results, outputs[0], *left);
-    });
-  for (std::size_t k = 0; k < outputs.size() && this->Report.Status != ahd::Status::Ok; ++k)
-  {
-    outputs[k]->Initialize();
-  }
-  if (!isLeft)
-  {
-    this->GiveBack(results);
-  }
-  this->KeepOutputMemory(isLeft ? this->EstimateLeft() : this->Workspace.bytes());
-  return this->Report;
+  // The polygons of the Voronoi diagram have a copy of the point data.
+  vtkPointData* const data = this->Input.GetInput()->GetPointData();
+  const std::size_t copied = this->Settings.voronoi ? data->GetActualMemorySize() : 0;
+  return { this->BytesBefore + bytesBehind + this->Input.EstimateBytes() + 1024 * copied,
+    vtkAHDPointOutput::EstimateBytesPerPoint(this->Input.GetInput()) };
 }
 
-vtkAHDReport vtkAHDExecution::Triangulate(
-  vtkAHDTriangulated& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
+std::size_t vtkAHDExecution::EstimateBytes() const
 {
-  this->BytesBehind = bytesBehind;
-  this->Report.Points = this->Known.points;
-  if (!this->FitsInMemory())
-  {
-    return this->Report;
-  }
-  Results results;
-  this->Try(
-    [&]
-    {
-      std::vector<double> stages = this->FirstStages();
-      stages.insert(stages.end(), stagesBehind.begin(), stagesBehind.end());
-      this->Context.SetStages(stages);
-      this->MakeSurface(results);
-      this->FindStacks(results);
-      this->ReportOn(results);
-    });
-  if (this->Report.Status == ahd::Status::Ok)
-  {
-    made = std::move(results);
-    return this->Report;
-  }
-  this->GiveBack(results);
-  return this->Report;
+  ahd::RunReport report;
+  const ahd::Run run(
+    this->Settings, this->Input.GetRequest(), this->OwnMemory(0), this->Workspace, report);
+  return run.estimate();
 }
 
-/// Takes these steps; the report says how they ended.
-template <typename Steps>
-void vtkAHDExecution::Try(const Steps& steps)
+/// What is left behind at most: the triangulation, the tables of an interpolation, and copies of
+/// points.
+std::size_t vtkAHDExecution::EstimateLeft() const
 {
-  try
-  {
-    this->Report.Status = ahd::Status::Ok;
-    steps();
-  }
-  catch (const vtkAHDStop& stop)
-  {
-    this->Report.Status = stop.Reason;
-    this->Report.BadCell = stop.Cell;
-    this->Report.BadCellsOf = stop.CellsOf;
-  }
-  catch (const std::bad_alloc&)
-  {
-    this->Report.Status = ahd::Status::OutOfMemory;
-  }
+  const std::size_t count = this->Report.points;
+  const bool isConstrained = this->Report.segments > 0 || this->Settings.mayTrimRim();
+  return this->BytesBefore + this->Input.EstimateBytes() +
+    ahd::preparedMemoryEstimate(this->Input.GetRequest()) +
+    ahd::triangulatedMemoryEstimate(count, this->Settings.options) +
+    ahd::tableMemoryEstimate(count) +
+    (isConstrained ? ahd::constraintMemoryEstimate(count, 0) : 0) +
+    (this->Settings.limitsSize() ? 2 * count : 0) + (3 * sizeof(double) + 1) * count;
 }
 
-void vtkAHDExecution::MakeSurface(Results& results)
+/// Are there not too many points, and is there memory for it all, as far as that is known before?
+bool vtkAHDExecution::FitsInMemory(ahd::Run& run)
 {
-  this->Prepare(results.Points);
-  this->MakeTriangles(results);
-  this->Constrain(results);
-}
-
-/// Those until the triangles are there. Weights are about times, measured with 10^6 points: that of
-/// a plain triangulation is 1. In the order in which they are begun below.
-std::vector<double> vtkAHDExecution::FirstStages() const
-{
-  const vtkAHDSettings& settings = this->Settings;
-  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
-  return {
-    0.02 + weight(settings.IsProjected(), 0.5) + weight(settings.Tolerance > 0.0, 1.5) +
-      weight(settings.HeightsFromSurface, 1.5) +
-      weight(settings.Split && this->Known.segments > 0, 2.0),                   // Prepare
-    1.0,                                                                         // MakeTriangles
-    weight(settings.GenerateVoronoi, 3.0),                                       // Voronoi cells
-    weight(this->Known.segments > 0, 0.6) + weight(settings.MayTrimRim(), 0.05), // Constrain
-  };
-}
-
-/// All of Run(), weighed as they are there.
-void vtkAHDExecution::SetStages() const
-{
-  const vtkAHDSettings& settings = this->Settings;
-  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
-  const double arrays = weight(settings.GeneratePointStatus, 0.1) +
-    weight(settings.GenerateInsertionRank, 0.1) + weight(settings.GenerateConstraintEdges, 0.5) +
-    weight(settings.GenerateRegionIds, 1.0) + weight(settings.GenerateNeighbors, 0.9);
-  std::vector<double> stages = this->FirstStages();
-  stages.insert(stages.end(),
-    {
-      0.15 + weight(settings.LimitsSize(), 1.5) + weight(settings.ShowMeans, 0.2), // points, cells
-      arrays,                                                                      // arrays
-      weight(settings.GenerateVoronoi, 0.5),                                       // diagram
-      weight(settings.WantsOrder(), 0.4)                                           // order
-    });
-  this->Context.SetStages(stages);
-}
-
-void vtkAHDExecution::Prepare(ahd::PreparedInput& points)
-{
-  this->Context.NextStage();
-  this->Input.Open(this->Context);
-  ahd::InputRequest request = this->Input.GetRequest();
-  request.mostCrossings = this->Report.MostCrossings;
-  this->LimitAsked(this->Known.askedToSplit);
-  const ahd::Status status = ahd::prepare(request, this->Context, points);
-  this->Known.askedToSplit = this->Context.GetAsked().most();
-  if (status == ahd::Status::TooManyCrossings)
+  // Of estimates whole KiB are compared with the limit.
+  constexpr vtkTypeInt64 kPlenty = vtkTypeInt64(1) << 50;
+  const auto kibibytes = static_cast<std::size_t>(std::min(this->Settings.MemoryLimit, kPlenty));
+  const std::size_t limit = kibibytes > 0 ? 1024 * kibibytes + 1023 : 0;
+  vtkAHDOutputMemory& outputs = this->Context.GetOutputMemory();
+  if (limit > 0 && run.estimate() + outputs.GetBytes() > limit)
   {
-    this->Known.crossings = this->Report.MostCrossings + 1;
-    this->Known.points += this->Known.crossings;
-    this->UpdateEstimate();
+    outputs.Release(); // arrays may be smaller than the memory that they find
   }
-  this->CheckAsked(status);
-  this->Known.points = this->Report.Points = points.points().count;
-  this->Known.crossings = points.crossings().size();
-  this->UpdateEstimate();
-}
-
-void vtkAHDExecution::MakeTriangles(Results& results)
-{
-  this->Context.NextStage();
-  ahd::Triangulation& triangulation = results.Triangulation;
-  const ahd::Status status = ahd::triangulate(
-    results.Points.points(), this->Options, this->Workspace, this->Context, triangulation);
-  this->Known.boxes = status == ahd::Status::TooManyBoxes ? this->Report.MostBoxes + 1
-                                                          : triangulation.boxes().size();
-  this->UpdateEstimate();
-  this->Context.Check(status);
-  this->Context.Check(
-    ahd::findOddPoints(results.Points.points(), this->Context, this->Report.OddPoints));
-  if (!results.Points.crossings().empty() && triangulation.report().duplicates > 0)
-  {
-    this->Context.Check(results.Points.endCrossingsAtVertices(triangulation, this->Context));
-  }
-  this->Report.DelaunayTriangles = triangulation.report().triangles;
-  this->Context.NextStage();
-  if (this->Settings.GenerateVoronoi)
-  {
-    this->TakeVoronoiMemory(triangulation.report(), results.Voronoi);
-    this->Context.Check(
-      ahd::voronoiCells(triangulation, this->Settings.VoronoiClip, results.Voronoi, this->Context));
-  }
+  return run.checkMemory(limit, outputs.GetBytes() + this->BytesBefore) == ahd::Status::Ok;
 }
 
 /// Memory for as many corners as there are without a border, and a few more. Where that is not
@@ -210,43 +88,115 @@ void vtkAHDExecution::TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiC
   cells.corners = memory.Take<std::int32_t>(3 * corners);
 }
 
-void vtkAHDExecution::Constrain(Results& results)
+// ------------------------------------------------------------------------------------------ steps
+
+vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left)
 {
-  this->Context.NextStage();
-  if (results.Points.hasConstraints())
+  ahd::RunResult made;
+  bool isLeft = false;
+  const bool isTried = this->Try(0,
+    [&](ahd::Run& run)
+    {
+      this->Context.SetStages(run.stages());
+      this->Make(run, made);
+      this->Write(made, outputs);
+      this->Finish(run, made);
+      isLeft = left && this->Leave(made, outputs[0], *left);
+    });
+  if (!isTried)
   {
-    this->LimitAsked(this->Known.askedToConstrain);
-    const ahd::Status status = ahd::constrain(std::move(results.Triangulation),
-      results.Points.constraints(), this->Settings.FillRule, this->Context, results.Triangulation);
-    this->Known.askedToConstrain = this->Context.GetAsked().most();
-    this->CheckAsked(status);
+    return this->Report;
   }
-  if (this->Settings.TrimsRim(results.Points.plane()))
+  for (std::size_t k = 0; k < outputs.size() && this->Report.status != ahd::Status::Ok; ++k)
   {
-    this->Context.Check(
-      ahd::trim(std::move(results.Triangulation), this->Context, results.Triangulation));
+    outputs[k]->Initialize();
   }
+  if (!isLeft)
+  {
+    this->GiveBack(made);
+  }
+  this->KeepOutputMemory(isLeft ? this->EstimateLeft() : this->Workspace.bytes());
+  return this->Report;
 }
 
-void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
+vtkAHDReport vtkAHDExecution::Triangulate(
+  ahd::RunResult& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind)
 {
-  ahd::Triangulation& triangulation = results.Triangulation;
+  const bool isTried = this->Try(bytesBehind,
+    [&](ahd::Run& run)
+    {
+      std::vector<double> stages = run.firstStages();
+      stages.insert(stages.end(), stagesBehind.begin(), stagesBehind.end());
+      this->Context.SetStages(stages);
+      this->Make(run, made);
+      this->Finish(run, made);
+    });
+  if (isTried && this->Report.status != ahd::Status::Ok)
+  {
+    made = ahd::RunResult();
+    this->Workspace.release();
+  }
+  return this->Report;
+}
+
+/// Takes these steps; the report says how they ended. Returns false if there is no memory for them.
+template <typename Steps>
+bool vtkAHDExecution::Try(std::size_t bytesBehind, const Steps& steps)
+{
+  ahd::Run run(this->Settings, this->Input.GetRequest(), this->OwnMemory(bytesBehind),
+    this->Workspace, this->Report);
+  if (!this->FitsInMemory(run))
+  {
+    return false;
+  }
+  try
+  {
+    this->Report.status = ahd::Status::Ok;
+    steps(run);
+  }
+  catch (const vtkAHDStop& stop)
+  {
+    this->Report.status = stop.Reason;
+    this->Report.BadCell = stop.Cell;
+    this->Report.BadCellsOf = stop.CellsOf;
+  }
+  catch (const std::bad_alloc&)
+  {
+    this->Report.status = ahd::Status::OutOfMemory;
+  }
+  return true;
+}
+
+void vtkAHDExecution::Make(ahd::Run& run, ahd::RunResult& made)
+{
+  const auto open = [this]
+  {
+    this->Input.Open(this->Context);
+    return this->Input.GetRequest();
+  };
+  const auto lend = [this](const ahd::Report& counts, ahd::VoronoiCells& cells)
+  { this->TakeVoronoiMemory(counts, cells); };
+  const ahd::Context threads = this->Context;
+  this->Context.Check(run.make(open, lend, this->Context.GetProgress(), threads.executor, made));
+}
+
+void vtkAHDExecution::Write(ahd::RunResult& made, const vtkAHDOutputs& outputs)
+{
   this->Context.NextStage();
   vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
-  surface.WritePoints(this->Input, results.Points);
-  surface.ShowMeans(results.Points, triangulation);
-  results.Selection = surface.WriteCells(results.Points, triangulation);
+  surface.WritePoints(this->Input, made.points);
+  surface.ShowMeans(made.points, made.triangulation);
+  surface.WriteCells(made);
   this->Context.NextStage();
-  surface.AddCrossings(results.Points, triangulation);
-  surface.AddPointArrays(results.Points, triangulation);
-  surface.AddCellArrays(triangulation, results.Selection);
+  surface.AddCrossings(made);
+  surface.AddPointArrays(made);
+  surface.AddCellArrays(made);
   this->Context.NextStage();
-  this->WriteVoronoi(results, outputs);
+  this->WriteVoronoi(made, outputs);
   this->Context.NextStage();
-  if (this->Settings.WantsOrder())
+  if (this->Settings.drawsOrder())
   {
-    vtkAHDOrderOutput::Write(
-      triangulation, this->Settings.GenerateInsertionCurve, outputs[1], this->Context);
+    vtkAHDOrderOutput::Write(made.triangulation, this->Settings.curve, outputs[1], this->Context);
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();
@@ -254,78 +204,40 @@ void vtkAHDExecution::Write(Results& results, const vtkAHDOutputs& outputs)
   this->Report.Cells = static_cast<std::size_t>(outputs[0]->GetNumberOfCells());
 }
 
-void vtkAHDExecution::WriteVoronoi(Results& results, const vtkAHDOutputs& outputs)
+void vtkAHDExecution::WriteVoronoi(ahd::RunResult& made, const vtkAHDOutputs& outputs)
 {
-  if (!this->Settings.GenerateVoronoi)
+  if (!this->Settings.voronoi)
   {
     return;
   }
-  vtkAHDVoronoi::Write(std::move(results.Voronoi), outputs[0], outputs[2], this->Context);
-  if (this->Settings.IsProjected())
+  vtkAHDVoronoi::Write(std::move(made.voronoi), outputs[0], outputs[2], this->Context);
+  if (this->Settings.isProjected())
   {
     vtkSmartPointer<vtkAbstractTransform> toPlane = this->Settings.Transform;
-    if (this->Settings.FitPlane)
+    if (this->Settings.fitsPlane())
     {
-      toPlane = vtkAHDMakeTransform(results.Points.plane());
+      toPlane = vtkAHDMakeTransform(made.points.plane());
     }
     this->Report.IsDiagramInPlane = !vtkAHDVoronoi::MoveBack(toPlane, outputs[2]);
   }
 }
 
-/// Looks whether x and y tell the points apart, where the triangles give cause for it.
-void vtkAHDExecution::FindStacks(const Results& results)
+void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
 {
-  const ahd::PointView& points = results.Points.points();
-  const ahd::Report& counts = results.Triangulation.report();
-  if (this->Settings.IsProjected() || counts.beyondLimit > 0)
-  {
-    return;
-  }
-  if (this->Report.DelaunayTriangles == 0)
-  {
-    this->Context.Check(ahd::findIfOnOneLine(points, this->Context, this->Report.AreOnOneLine));
-  }
-  else if (counts.duplicates > counts.inserted / 2 && !this->Settings.ShowMeans &&
-    this->Options.representative == ahd::Representative::FirstId) // else they were thought of
-  {
-    this->Context.Check(ahd::findIfStacked(points, this->Context, this->Report.AreStacked));
-  }
-}
-
-void vtkAHDExecution::ReportOn(const Results& results)
-{
-  vtkAHDReport& report = this->Report;
-  const ahd::PreparedInput& points = results.Points;
-  report.Counts = results.Triangulation.report();
-  report.Constraints = results.Triangulation.constraints();
-  report.InputPoints = points.inputCount();
-  report.MergedPoints = points.merged().size();
-  report.AddedPoints = points.addedCount();
-  report.Crossings = points.crossings().size();
-  report.BentConstraints = points.bentCount();
-  report.FirstBentCell = points.firstBentCell();
-  report.UnfitIds = points.unfitIds();
-  report.Source = this->Input.GetSourceContent();
-  report.PointsOffSurface = points.outsideCount();
-  report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
-  for (std::size_t phase = 0; phase < ahd::kPhases; ++phase)
-  {
-    report.Seconds[phase] = this->Context.GetSeconds(ahd::Phase(phase));
-  }
-  report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
-  if (!report.Constraints.leftOut.empty())
-  {
-    const ahd::LeftOut& first = report.Constraints.leftOut[0];
-    report.FirstCrossing = { { points.cellOf(first.chain), points.cellOf(first.otherChain) } };
-  }
+  this->Context.Check(run.findStacks(made, this->Context));
+  this->Report.Source = this->Input.GetSourceContent();
+  this->Report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
+  this->Report.Seconds = this->Context.GetProgress().seconds();
+  this->Report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
 }
 
 /// Leaves the triangulation behind, if it is to be had again and not too much. Returns false if
 /// not: then nothing has changed. Throws vtkAHDStop if the filter is to abort.
-bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const
+bool vtkAHDExecution::Leave(
+  ahd::RunResult& made, vtkPolyData* surface, vtkAHDLeftBehind& left) const
 {
   // Places that were converted go with the input.
-  const bool isFit = this->Report.Triangles > 0 && !results.Points.isProjected() &&
+  const bool isFit = this->Report.Triangles > 0 && !made.points.isProjected() &&
     !this->Input.MustConvertPoints();
   if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLeft() / 1024) >= this->Settings.ReuseLimit)
   {
@@ -334,12 +246,12 @@ bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBe
   try
   {
     auto content = std::make_unique<vtkAHDLeftTriangulation>();
-    const ahd::PointView& points = results.Points.points();
+    const ahd::PointView& points = made.points.points();
     const auto borrowed = this->Input.FindBorrowed(points);
     std::copy(borrowed.begin(), borrowed.end(), content->Borrowed.begin());
     const void* const floats = points.floats;
     content->At = { { points.doubles ? points.doubles : floats, points.skip } };
-    content->ShowMeans = this->Settings.ShowMeans;
+    content->ShowMeans = this->Settings.showsMeans;
     const auto kept = vtkSmartPointer<vtkAHDKeptTriangulation>::New();
     vtkAHDLeftTriangulation& to = *content;
     if (!kept->Keep(content, surface, this->Context))
@@ -347,8 +259,8 @@ bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBe
       this->Context.StopIfAborted();
       return false;
     }
-    to.Made = std::move(results); // nobody else knows the surface yet
-    to.Kept = std::move(results.Selection.kept);
+    made.selection.lines = made.selection.vertices = {};
+    to.Made = std::move(made); // nobody else knows the surface yet
     left.Let(kept);
     return true;
   }
@@ -359,14 +271,14 @@ bool vtkAHDExecution::Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBe
 }
 
 /// The working memory, for the next execution or to the system.
-void vtkAHDExecution::GiveBack(Results& results)
+void vtkAHDExecution::GiveBack(ahd::RunResult& made)
 {
-  if (this->Report.Status == ahd::Status::Ok)
+  if (this->Report.status == ahd::Status::Ok)
   {
-    this->Workspace.reclaim(std::move(results.Triangulation));
+    this->Workspace.reclaim(std::move(made.triangulation));
   }
   const std::size_t held = (this->Workspace.bytes() + 1023) / 1024;
-  if (this->Report.Status != ahd::Status::Ok ||
+  if (this->Report.status != ahd::Status::Ok ||
     static_cast<vtkTypeInt64>(held) > this->Settings.ReuseLimit)
   {
     this->Workspace.release();
@@ -378,7 +290,7 @@ void vtkAHDExecution::GiveBack(Results& results)
 void vtkAHDExecution::KeepOutputMemory(std::size_t held) const
 {
   const double left = double(this->Settings.ReuseLimit) * 1024 - double(held);
-  const bool isOk = this->Report.Status == ahd::Status::Ok;
+  const bool isOk = this->Report.status == ahd::Status::Ok;
   this->Context.GetOutputMemory().KeepAtMost(
     isOk ? static_cast<std::size_t>(std::clamp(left, 0.0, 0x1p60)) : 0);
 }

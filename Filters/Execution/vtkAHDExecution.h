@@ -2,8 +2,7 @@
 #ifndef vtkAHDExecution_h
 #define vtkAHDExecution_h
 
-#include "Engine/RunMemory.h"
-#include "Engine/Triangulate.h"
+#include "Engine/Job/Run.h"
 #include "Execution/vtkAHDReport.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -30,17 +29,9 @@ struct vtkAHDDataSets
   std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
 };
 
-/// A triangulation, and the points that it borrows.
-struct vtkAHDTriangulated
-{
-  ahd::PreparedInput Points;
-  ahd::Triangulation Triangulation;
-};
-
 /**
- * One execution of vtkAdaptiveHilbertDelaunay2D: data sets in, data sets out. The engine computes:
- * what there is to be triangulated becomes an ahd::PreparedInput, that an ahd::Triangulation, and
- * each output is written from these two.
+ * One execution of vtkAdaptiveHilbertDelaunay2D: data sets in, data sets out. It opens the
+ * input for an ahd::Run, and writes what that makes into VTK's arrays.
  */
 class vtkAHDExecution
 {
@@ -58,54 +49,35 @@ public:
 
   /// Triangulates alone. `made` is of use if Report::Status is Ok; the caller keeps it, or gives it
   /// back to the workspace. `bytesBehind`: what he will allocate behind this, part of the estimate.
-  /// `stagesBehind`: the weights of his own stages (see vtkAHDProgress). Throws nothing. The report
-  /// knows no cells that were put out.
+  /// `stagesBehind`: the weights of his own stages (see ahd::RunProgress). Throws nothing. The
+  /// report knows no cells that were put out.
   vtkAHDReport Triangulate(
-    vtkAHDTriangulated& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
+    ahd::RunResult& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
 
   /// Upper estimate of all that is allocated, for what is known of sizes: points and segments
   /// before Run(), where no value is looked at.
   std::size_t EstimateBytes() const;
 
 private:
-  /// The values on the way from the input to the outputs.
-  struct Results : vtkAHDTriangulated
-  {
-    ahd::VoronoiCells Voronoi;
-    ahd::Selection Selection;
-  };
-
   template <typename Steps>
-  void Try(const Steps& steps);
-  void MakeSurface(Results& results);
-  bool FitsInMemory();
-  bool Fits(std::size_t crossings, std::size_t boxes);
-  std::vector<double> FirstStages() const;
-  void SetStages() const;
-  void MakeTriangles(Results& results);
-  void Prepare(ahd::PreparedInput& points);
+  bool Try(std::size_t bytesBehind, const Steps& steps);
+  ahd::CallersMemory OwnMemory(std::size_t bytesBehind) const;
+  bool FitsInMemory(ahd::Run& run);
+  void Make(ahd::Run& run, ahd::RunResult& made);
   void TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiCells& cells) const;
-  void Constrain(Results& results);
-  void Write(Results& results, const vtkAHDOutputs& outputs);
-  void WriteVoronoi(Results& results, const vtkAHDOutputs& outputs);
-  void FindStacks(const Results& results);
-  void ReportOn(const Results& results);
-  bool Leave(Results& results, vtkPolyData* surface, vtkAHDLeftBehind& left) const;
+  void Write(ahd::RunResult& made, const vtkAHDOutputs& outputs);
+  void WriteVoronoi(ahd::RunResult& made, const vtkAHDOutputs& outputs);
+  void Finish(ahd::Run& run, const ahd::RunResult& made);
+  bool Leave(ahd::RunResult& made, vtkPolyData* surface, vtkAHDLeftBehind& left) const;
   std::size_t EstimateLeft() const;
-  void GiveBack(Results& results);
+  void GiveBack(ahd::RunResult& made);
   void KeepOutputMemory(std::size_t held) const;
-  void LimitAsked(std::size_t& asked);
-  void CheckAsked(ahd::Status status);
-  void UpdateEstimate();
 
   const vtkAHDSettings& Settings;
   vtkAHDInput& Input;
   ahd::Workspace& Workspace;
   const vtkAHDContext& Context;
   const std::size_t BytesBefore;
-  std::size_t BytesBehind = 0;
-  ahd::Options Options;
-  ahd::RunSizes Known; // of what the execution has to deal with
   vtkAHDReport Report;
 };
 

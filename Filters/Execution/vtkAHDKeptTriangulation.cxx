@@ -142,7 +142,7 @@ void vtkAHDLeftBehind::TakeBack(ahd::Workspace& workspace)
   {
     if (const vtkAHDKeptTriangulation::Content content = this->Last->Close())
     {
-      workspace.reclaim(std::move(content->Made.Triangulation));
+      workspace.reclaim(std::move(content->Made.triangulation));
     }
     this->Last = nullptr;
   }

@@ -21,9 +21,8 @@ class vtkPolyData;
 /// A triangulation that an execution leaves behind, and which of its triangles were put out.
 struct vtkAHDLeftTriangulation
 {
-  vtkAHDTriangulated Made;
-  std::vector<unsigned char> Kept; ///< as a Selection has it
-  bool ShowMeans = false;          ///< heights are those of the settings
+  ahd::RunResult Made;
+  bool ShowMeans = false; ///< heights are those of the settings
   /// What the points borrow, their places and marks; null where they have their own.
   std::array<vtkSmartPointer<vtkDataArray>, 2> Borrowed;
   std::array<const void*, 2> At = {}; ///< where it reads them

@@ -50,8 +50,8 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
   }
   if (blocks && this->Input)
   {
-    const auto kind = settings.SourceIdsAreOfInput ? vtkAHDBlocks::Kind::SourcesByIds
-                                                   : vtkAHDBlocks::Kind::Sources;
+    const auto kind = settings.idsAreOfInput ? vtkAHDBlocks::Kind::SourcesByIds
+                                             : vtkAHDBlocks::Kind::Sources;
     this->Source = this->Merge(vtkAHDBlocks(blocks, kind), context);
     if (!this->Source)
     {

@@ -17,43 +17,44 @@ namespace
 void SayTooManyBoxes(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
-    "The grid of " << report.Points << " points has more than " << report.MostBoxes
+    "The grid of " << report.points << " points has more than " << report.mostBoxes
                    << " boxes. Putting out more may take more than "
-                   << vtkAHDNeeded(report.Estimate) << " of memory, but "
-                   << vtkAHDButAllowed(report.Limit, report.IsLimited)
+                   << vtkAHDNeeded(report.GetEstimate()) << " of memory, but "
+                   << vtkAHDButAllowed(report.GetLimit(), report.isLimited)
                    << ". Nothing was computed. Switch GenerateBoxes off, take fewer points or a "
                       "larger Nmax, "
-                   << vtkAHDOrSetLimit(report.Estimate));
+                   << vtkAHDOrSetLimit(report.GetEstimate()));
 }
 
 void SayRefused(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
-    "Triangulating " << report.Points << " points may take " << vtkAHDNeeded(report.Estimate)
-                     << " of memory, but " << vtkAHDButAllowed(report.Limit, report.IsLimited)
+    "Triangulating " << report.points << " points may take " << vtkAHDNeeded(report.GetEstimate())
+                     << " of memory, but " << vtkAHDButAllowed(report.GetLimit(), report.isLimited)
                      << ". Nothing was computed. Take fewer points, switch off outputs that are "
                         "not needed, "
-                     << vtkAHDOrSetLimit(report.Estimate));
+                     << vtkAHDOrSetLimit(report.GetEstimate()));
 }
 
 void SayTooManyCrossings(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   vtkErrorWithObjectMacro(filter,
     "The lines and polygons of the source cross in more than "
-      << report.MostCrossings << " places. Splitting them there and triangulating " << report.Points
-      << " points and the crossings may take more than " << vtkAHDNeeded(report.Estimate)
-      << " of memory, but " << vtkAHDButAllowed(report.Limit, report.IsLimited)
+      << report.mostCrossings << " places. Splitting them there and triangulating "
+      << report.points - report.crossings << " points and the crossings may take more than "
+      << vtkAHDNeeded(report.GetEstimate()) << " of memory, but "
+      << vtkAHDButAllowed(report.GetLimit(), report.isLimited)
       << ". Nothing was computed. Take fewer lines, switch CrossingMode to Leave Out, "
-      << vtkAHDOrSetLimit(report.Estimate));
+      << vtkAHDOrSetLimit(report.GetEstimate()));
 }
 
 void SayOutOfMemory(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
-  const bool isLimited = report.IsLimited && report.Estimate > report.Limit;
+  const bool isLimited = report.isLimited && report.GetEstimate() > report.GetLimit();
   vtkErrorWithObjectMacro(filter,
     "Out of memory while triangulating "
-      << report.Points << " points; about " << vtkAHDNeeded(report.Estimate) << " are needed"
-      << (isLimited ? ", and " + vtkAHDButAllowed(report.Limit, true) : std::string())
+      << report.points << " points; about " << vtkAHDNeeded(report.GetEstimate()) << " are needed"
+      << (isLimited ? ", and " + vtkAHDButAllowed(report.GetLimit(), true) : std::string())
       << ". Take fewer points, or switch off outputs that are not needed.");
 }
 
@@ -65,7 +66,7 @@ void WarnOfPlane(vtkAlgorithm* filter, const vtkAHDSettings& settings)
       "ProjectionPlaneMode asks for a Transform, but none is set: the points were triangulated in "
       "x and y.");
   }
-  if (settings.Bounding && !settings.AddsBounding())
+  if (settings.bounding && !settings.addsBounding())
   {
     vtkWarningWithObjectMacro(filter,
       "There is no bounding triangulation, because the points are triangulated in another plane "
@@ -80,21 +81,21 @@ void WarnOfPoints(vtkAlgorithm* filter, const vtkAHDSettings& settings, const vt
     vtkWarningWithObjectMacro(filter,
       "The point data array "
         << vtkDataSetAttributes::GhostArrayName() << " does not have one value for each of the "
-        << report.InputPoints
+        << report.inputPoints
         << " points, or is not of type unsigned char, so no point was skipped.");
   }
-  if (report.Counts.notFinite > 0)
+  if (report.counts.notFinite > 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "" << report.Counts.notFinite << " of " << report.Points << " points were left out, since "
-         << (settings.IsProjected() ? "they have no finite place in the plane of the triangulation"
+      "" << report.counts.notFinite << " of " << report.points << " points were left out, since "
+         << (settings.isProjected() ? "they have no finite place in the plane of the triangulation"
                                     : "their x or y is NaN or infinite")
-         << "; the first is point " << report.OddPoints.firstNotFinite << ".");
+         << "; the first is point " << report.oddPoints.firstNotFinite << ".");
   }
-  if (report.OddPoints.oddZ > 0)
+  if (report.oddPoints.oddZ > 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "" << report.OddPoints.oddZ << " of " << report.Points
+      "" << report.oddPoints.oddZ << " of " << report.points
          << " points have a z that is NaN or infinite. They are part of the triangulation, which "
             "is computed in x and y, but cannot be drawn.");
   }
@@ -106,7 +107,7 @@ const char* const kOtherPlane =
 
 void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
-  const ahd::Report& counts = report.Counts;
+  const ahd::Report& counts = report.counts;
   const bool areFew = counts.inserted < 3;
   if (counts.beyondLimit > 0)
   {
@@ -117,24 +118,24 @@ void WarnOfNoTriangle(vtkAlgorithm* filter, const vtkAHDReport& report)
         << (areFew ? "fewer than three." : "and these are collinear."));
     return;
   }
-  const std::string merged = report.MergedPoints == 0
+  const std::string merged = report.mergedPoints == 0
     ? std::string()
-    : ", of which Tolerance merged " + std::to_string(report.MergedPoints) + " into others";
+    : ", of which Tolerance merged " + std::to_string(report.mergedPoints) + " into others";
   vtkWarningWithObjectMacro(filter,
     "There is no triangle, because "
       << (areFew ? "there are fewer than three distinct points: "
                  : "all distinct points are collinear: ")
-      << counts.inserted << " distinct points among " << report.Points << merged << "."
-      << (report.AreOnOneLine ? "" : " They are not collinear in space. ")
-      << (report.AreOnOneLine ? "" : kOtherPlane) << (report.AreOnOneLine ? "" : "."));
+      << counts.inserted << " distinct points among " << report.points << merged << "."
+      << (report.areOnOneLine ? "" : " They are not collinear in space. ")
+      << (report.areOnOneLine ? "" : kOtherPlane) << (report.areOnOneLine ? "" : "."));
 }
 
 void WarnOfStacks(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
-  if (report.AreStacked)
+  if (report.areStacked)
   {
     vtkWarningWithObjectMacro(filter,
-      "" << report.Counts.duplicates << " of " << report.Points
+      "" << report.counts.duplicates << " of " << report.points
          << " points have the x and y of others and lie above or below them: of each stack one "
             "point "
             "is in the surface (see DuplicatePolicy). "
@@ -150,11 +151,11 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
       "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to "
       "the points.");
   }
-  if (report.Counts.triangles > 0 && report.Cells == 0)
+  if (report.counts.triangles > 0 && report.Cells == 0)
   {
     vtkWarningWithObjectMacro(filter,
       "Nothing is put out: Alpha, its switches and MaximumEdgeLength leave none of "
-        << report.Counts.triangles << (report.Counts.triangles == 1 ? " triangle" : " triangles")
+        << report.counts.triangles << (report.counts.triangles == 1 ? " triangle" : " triangles")
         << ", no line and no vertex. Larger numbers keep more, and 0 is no limit.");
   }
   if (report.MayBeEmptiedByLoops)
@@ -163,16 +164,16 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
       "There is no triangle, because the polygons of the source keep none (see FillRule), or all "
       "distinct points are collinear.");
   }
-  else if (report.DelaunayTriangles == 0 && report.Counts.inserted + report.Counts.notFinite > 0)
+  else if (report.delaunayTriangles == 0 && report.counts.inserted + report.counts.notFinite > 0)
   {
     WarnOfNoTriangle(filter, report);
   }
   WarnOfStacks(filter, report);
-  if (report.DelaunayTriangles > 0 && report.Counts.triangles + report.Counts.trimmed == 0)
+  if (report.delaunayTriangles > 0 && report.counts.triangles + report.counts.trimmed == 0)
   {
     vtkWarningWithObjectMacro(filter,
       "There is no triangle, because the polygons of the source keep none of the "
-        << report.DelaunayTriangles << " triangles (see FillRule).");
+        << report.delaunayTriangles << " triangles (see FillRule).");
   }
 }
 
@@ -180,7 +181,7 @@ void WarnOfCells(vtkAlgorithm* filter, const vtkAHDReport& report)
 void WarnOfRim(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   constexpr double kMuch = 0.1;
-  const ahd::Report& counts = report.Counts;
+  const ahd::Report& counts = report.counts;
   if (counts.bareVertices == 0 && !(counts.trimmedArea > kMuch))
   {
     return;
@@ -217,7 +218,7 @@ std::string InWords(const vtkAHDInput::SourceContent& found)
 void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
   const vtkAHDInput::SourceContent& found = report.Source;
-  if (found.Points + found.Strips > 0 && report.Constraints.segments == 0)
+  if (found.Points + found.Strips > 0 && report.constraints.segments == 0)
   {
     vtkWarningWithObjectMacro(filter,
       "The source constrains nothing: it has no line and no polygon of two points or more. Found"
@@ -230,10 +231,10 @@ void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
          << " of the source " << (found.Strips == 1 ? "is" : "are")
          << " ignored: lines and polygons constrain.");
   }
-  if (report.PointsOffSurface > 0)
+  if (report.pointsOffSurface > 0)
   {
     vtkWarningWithObjectMacro(filter,
-      "" << report.PointsOffSurface << " of " << found.Points
+      "" << report.pointsOffSurface << " of " << found.Points
          << " points of the source lie outside the surface of the input and keep their own z (see "
             "SourceHeights).");
   }
@@ -242,9 +243,9 @@ void WarnOfSource(vtkAlgorithm* filter, const vtkAHDReport& report)
 void WarnOfConstraints(
   vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report)
 {
-  const ahd::ConstraintReport& constraints = report.Constraints;
+  const ahd::ConstraintReport& constraints = report.constraints;
   // The engine counts pieces where segments were split.
-  const std::string ofAll = settings.Split
+  const std::string ofAll = settings.split
     ? " segments or pieces of segments"
     : " of " + std::to_string(constraints.segments) + " segments";
   std::ostringstream loops;
@@ -260,30 +261,30 @@ void WarnOfConstraints(
       "" << constraints.crossing << ofAll
          << " of the source were left out, since they cross others that come before "
             "them; the first is in cell "
-         << report.FirstCrossing[0] << " and crosses cell " << report.FirstCrossing[1] << "."
+         << report.firstCrossing[0] << " and crosses cell " << report.firstCrossing[1] << "."
          << loops.str());
     loops.str("");
   }
-  if (report.BentConstraints > 0)
+  if (report.bentConstraints > 0)
   {
-    const bool isOne = report.BentConstraints == 1;
+    const bool isOne = report.bentConstraints == 1;
     vtkWarningWithObjectMacro(filter,
-      "" << report.BentConstraints << (isOne ? " segment" : " segments") << " of the source bend"
+      "" << report.bentConstraints << (isOne ? " segment" : " segments") << " of the source bend"
          << (isOne ? "s" : "") << " by rounding, led through a point that is not exactly on "
-         << (isOne ? "it" : "them") << "; the first is in cell " << report.FirstBentCell << ".");
+         << (isOne ? "it" : "them") << "; the first is in cell " << report.firstBentCell << ".");
   }
-  if (report.UnfitIds.count > 0)
+  if (report.unfitIds.count > 0)
   {
     vtkWarningWithObjectMacro(filter,
       "" << constraints.withoutVertex << ofAll
-         << " of the source are no constraints: " << report.UnfitIds.count
+         << " of the source are no constraints: " << report.unfitIds.count
          << " of the ids in its cells are not those of points, the first is "
-         << report.UnfitIds.firstId << " in cell " << report.UnfitIds.firstCell
+         << report.unfitIds.firstId << " in cell " << report.unfitIds.firstCell
          << ". They refer to the points of "
-         << (settings.SourceIdsAreOfInput ? "the input (see SourceMode)." : "the source.")
+         << (settings.idsAreOfInput ? "the input (see SourceMode)." : "the source.")
          << loops.str());
   }
-  else if (constraints.withoutVertex > 0 && report.DelaunayTriangles > 0)
+  else if (constraints.withoutVertex > 0 && report.delaunayTriangles > 0)
   {
     vtkWarningWithObjectMacro(filter,
       "" << constraints.withoutVertex << ofAll
@@ -319,13 +320,13 @@ void vtkAHDSayBadCells(vtkAlgorithm* filter, const char* what, const ahd::BadCel
 
 void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
 {
-  switch (report.Status)
+  switch (report.status)
   {
     case ahd::Status::Ok:
     case ahd::Status::Cancelled:
       return;
     case ahd::Status::TooManyPoints:
-      vtkAHDSayTooManyPoints(filter, report.Points);
+      vtkAHDSayTooManyPoints(filter, report.points);
       return;
     case ahd::Status::TooManyBoxes:
       SayTooManyBoxes(filter, report);
@@ -334,7 +335,7 @@ void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report)
       SayTooManyCrossings(filter, report);
       return;
     case ahd::Status::OutOfMemory:
-      report.IsRefused ? SayRefused(filter, report) : SayOutOfMemory(filter, report);
+      report.isRefused ? SayRefused(filter, report) : SayOutOfMemory(filter, report);
       return;
     case ahd::Status::BadCells:
       vtkAHDSayBadCells(filter, report.BadCellsOf, report.BadCell);

@@ -27,18 +27,9 @@ vtkAHDInput::vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtk
 {
   this->Request.points.count = this->InputPoints.GetCount();
   this->Request.sourcePoints.count = this->SourcePoints.GetCount();
-  this->Request.fitPlane = settings.FitPlane;
+  settings.ask(this->Request);
   this->Request.plane = settings.Plane;
   this->Request.projection = settings.Transform ? &this->Projection : nullptr;
-  this->Request.tolerance = settings.Tolerance;
-  this->Request.bounding = settings.AddsBounding();
-  this->Request.offset = settings.Offset;
-  this->Request.split = settings.Split;
-  this->Request.idsAreOfInput = settings.SourceIdsAreOfInput;
-  this->Request.closedLinesAreLoops = settings.ClosedLinesAreLoops;
-  this->Request.heightsFromSurface = settings.HeightsFromSurface;
-  this->Request.representative = settings.Insertion.representative;
-  this->Request.meanHeights = settings.ShowMeans;
   this->ReadMarks();
   if (source)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDSurface.h"
 
-#include "Engine/Surface/CellArrays.h"
 #include "Engine/Surface/Means.h"
 #include "Input/vtkAHDInput.h"
 #include "Output/vtkAHDPointOutput.h"
@@ -32,9 +31,6 @@ namespace
 static_assert(ahd::kMaximumPoints * 2 * 3 <= std::size_t(VTK_TYPE_INT32_MAX),
   "offsets of the triangles must fit into 32 bits");
 using IdArray = vtkTypeInt32Array;
-
-/// Of the array Crossings.
-constexpr std::size_t kMostCrossingRows = 1000;
 
 /// Cells of `size` points each.
 vtkSmartPointer<vtkCellArray> MakeCells(IdArray* ids, vtkIdType size, const vtkAHDContext& context)
@@ -100,7 +96,7 @@ void vtkAHDSurface::CopyPoints(const ahd::PointView& points) const
 void vtkAHDSurface::ShowMeans(
   const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
 {
-  if (!this->Settings.ShowMeans || triangulation.report().duplicates == 0)
+  if (!this->Settings.showsMeans || triangulation.report().duplicates == 0)
   {
     return;
   }
@@ -139,101 +135,69 @@ void vtkAHDSurface::ShowMeans(
   }
 }
 
-ahd::Selection vtkAHDSurface::WriteCells(
-  const ahd::PreparedInput& points, ahd::Triangulation& triangulation)
+void vtkAHDSurface::WriteCells(ahd::RunResult& made)
 {
-  ahd::Selection selection;
-  if (!this->Settings.LimitsSize() || points.points().count == 0)
+  if (this->Settings.limitsSize() && made.points.points().count > 0)
   {
-    this->WriteTriangles(triangulation);
-    return selection;
+    vtkAHDPointsView shown(this->Output->GetPoints());
+    this->Context.Check(made.select(this->Settings, shown.Open(this->Context), this->Context));
   }
-  vtkAHDPointsView shown(this->Output->GetPoints());
-  ahd::PointsToMeasure measured;
-  measured.inSpace = shown.Open(this->Context);
-  measured.merged = &points.merged();
-  this->Context.Check(
-    ahd::selectBySize(triangulation, this->Settings.Limits, measured, this->Context, selection));
-  this->WriteSelected(triangulation, selection);
-  return selection;
+  auto corners = this->Context.NewArray<IdArray>(3 * static_cast<vtkIdType>(made.triangleCount()));
+  std::int32_t* const to = corners->GetPointer(0);
+  this->Context.Check(this->Settings.neighbors ? this->WriteWithNeighbors(made, to)
+                                               : made.writeTriangles(to, this->Context));
+  this->Output->SetPolys(MakeCells(corners, 3, this->Context));
+  if (!made.selection.vertices.empty())
+  {
+    this->Output->SetVerts(MakeCells(made.selection.vertices, 1, this->Context));
+  }
+  if (!made.selection.lines.empty())
+  {
+    this->Output->SetLines(MakeCells(made.selection.lines, 2, this->Context));
+  }
 }
 
 /// Neighbours are written with the triangles, and added to the output with the other cell arrays.
-ahd::Status vtkAHDSurface::WriteWithNeighbors(
-  ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners)
+ahd::Status vtkAHDSurface::WriteWithNeighbors(ahd::RunResult& made, std::int32_t* corners)
 {
-  const std::size_t count = ahd::cellCount(triangulation, selection);
+  const std::size_t count = ahd::cellCount(made.triangulation, made.selection);
   this->Neighbors = vtkAHDOutputArrays::Neighbors.Make(count, this->Context);
   const ahd::CellsWithNeighbors<vtkIdType> to = { corners, this->Neighbors->GetPointer(0) };
-  return ahd::writeWithNeighbors(triangulation, selection, to, this->Context);
+  return ahd::writeWithNeighbors(made.triangulation, made.selection, to, this->Context);
 }
 
-void vtkAHDSurface::WriteTriangles(ahd::Triangulation& triangulation)
+void vtkAHDSurface::AddPointArrays(ahd::RunResult& made) const
 {
-  auto corners = this->Context.NewArray<IdArray>(
-    3 * static_cast<vtkIdType>(triangulation.report().triangles));
-  std::int32_t* const to = corners->GetPointer(0);
-  this->Context.Check(this->Settings.GenerateNeighbors
-      ? this->WriteWithNeighbors(triangulation, ahd::Selection(), to)
-      : triangulation.writeTriangles(to, this->Context));
-  this->Output->SetPolys(MakeCells(corners, 3, this->Context));
-}
-
-void vtkAHDSurface::WriteSelected(
-  ahd::Triangulation& triangulation, const ahd::Selection& selection)
-{
-  auto corners = this->Context.NewArray<IdArray>(3 * static_cast<vtkIdType>(selection.keptCount));
-  std::int32_t* const to = corners->GetPointer(0);
-  this->Context.Check(this->Settings.GenerateNeighbors
-      ? this->WriteWithNeighbors(triangulation, selection, to)
-      : ahd::writeSelected(triangulation, selection, to, this->Context));
-  this->Output->SetPolys(MakeCells(corners, 3, this->Context));
-  if (!selection.vertices.empty())
-  {
-    this->Output->SetVerts(MakeCells(selection.vertices, 1, this->Context));
-  }
-  if (!selection.lines.empty())
-  {
-    this->Output->SetLines(MakeCells(selection.lines, 2, this->Context));
-  }
-}
-
-void vtkAHDSurface::AddPointArrays(
-  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
-{
-  const std::size_t count = points.points().count;
-  if (this->Settings.GeneratePointStatus)
+  const std::size_t count = made.points.points().count;
+  if (this->Settings.pointStatus)
   {
     auto array = vtkAHDOutputArrays::Fate.Make(count, this->Context);
-    vtkIdType* status = array->GetPointer(0);
-    this->Context.Check(triangulation.writePointStatus(status, this->Context));
-    for (const ahd::MergedPoint& merged : points.merged())
-    {
-      status[merged.id] = status[merged.keptId];
-    }
+    this->Context.Check(made.writeStatus(array->GetPointer(0), this->Context));
     vtkAHDReplaceArray(this->Output->GetPointData(), array);
   }
-  if (this->Settings.GenerateInsertionRank)
+  if (this->Settings.insertionRanks)
   {
     auto array = vtkAHDOutputArrays::InsertionRank.Make(count, this->Context);
-    this->Context.Check(triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
+    this->Context.Check(
+      made.triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
     vtkAHDReplaceArray(this->Output->GetPointData(), array);
   }
 }
 
-void vtkAHDSurface::AddCellArrays(
-  ahd::Triangulation& triangulation, const ahd::Selection& selection) const
+void vtkAHDSurface::AddCellArrays(ahd::RunResult& made) const
 {
+  ahd::Triangulation& triangulation = made.triangulation;
+  const ahd::Selection& selection = made.selection;
   const std::size_t count = ahd::cellCount(triangulation, selection);
   vtkCellData* data = this->Output->GetCellData();
-  if (this->Settings.GenerateConstraintEdges)
+  if (this->Settings.constraintEdges)
   {
     auto edges = vtkAHDOutputArrays::ConstraintEdges.Make(count, this->Context);
     this->Context.Check(
       ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
     data->AddArray(edges);
   }
-  if (this->Settings.GenerateRegionIds)
+  if (this->Settings.regions)
   {
     auto regions = vtkAHDOutputArrays::RegionId.Make(count, this->Context);
     this->Context.Check(
@@ -246,17 +210,12 @@ void vtkAHDSurface::AddCellArrays(
   }
 }
 
-void vtkAHDSurface::AddCrossings(
-  const ahd::PreparedInput& points, const ahd::Triangulation& triangulation) const
+void vtkAHDSurface::AddCrossings(const ahd::RunResult& made) const
 {
-  std::vector<std::array<std::int64_t, 2>> cells = points.crossingCells();
-  for (const ahd::LeftOut& out : triangulation.constraints().leftOut)
+  std::vector<std::array<std::int64_t, 2>> cells(made.crossingRows());
+  for (std::size_t row = 0; row < cells.size(); ++row)
   {
-    if (cells.size() >= kMostCrossingRows)
-    {
-      break;
-    }
-    cells.push_back({ { points.cellOf(out.chain), points.cellOf(out.otherChain) } });
+    cells[row] = made.crossingRow(row);
   }
   WriteCrossings(cells, this->Output);
 }
@@ -269,7 +228,7 @@ void vtkAHDSurface::WriteCrossings(
     output->GetFieldData()->RemoveArray(vtkAHDOutputArrays::Crossings.Name); // the input's
     return;
   }
-  const std::size_t count = std::min(cells.size(), kMostCrossingRows);
+  const std::size_t count = std::min(cells.size(), ahd::kMostCrossingRows);
   auto rows = vtkAHDNewArray<vtkIdTypeArray>(2 * static_cast<vtkIdType>(count));
   rows->SetNumberOfComponents(vtkAHDOutputArrays::Crossings.Components);
   rows->SetName(vtkAHDOutputArrays::Crossings.Name);

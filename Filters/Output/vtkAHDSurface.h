@@ -2,9 +2,7 @@
 #ifndef vtkAHDSurface_h
 #define vtkAHDSurface_h
 
-#include "Engine/Prepare/Prepare.h"
-#include "Engine/Surface/Selection.h"
-#include "Engine/Triangulation/Triangulation.h"
+#include "Engine/Job/Run.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
 
@@ -42,29 +40,25 @@ public:
   void ShowMeans(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
 
   /// The cells: triangles, and what the limits on their size leave instead of some. REQUIRES: the
-  /// points are there. Returns the selection.
-  ahd::Selection WriteCells(const ahd::PreparedInput& points, ahd::Triangulation& triangulation);
+  /// points are there. Makes the selection.
+  void WriteCells(ahd::RunResult& made);
 
   /// The point arrays that are asked for.
-  void AddPointArrays(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+  void AddPointArrays(ahd::RunResult& made) const;
 
   /// The cell arrays that are asked for. REQUIRES: WriteCells().
-  void AddCellArrays(ahd::Triangulation& triangulation, const ahd::Selection& selection) const;
+  void AddCellArrays(ahd::RunResult& made) const;
 
   /// The field data array "Crossings", at most a thousand rows; none, and none of the input's, if
   /// nothing crosses.
-  void AddCrossings(
-    const ahd::PreparedInput& points, const ahd::Triangulation& triangulation) const;
+  void AddCrossings(const ahd::RunResult& made) const;
 
   /// The same, of these pairs of cells.
   static void WriteCrossings(
     const std::vector<std::array<std::int64_t, 2>>& cells, vtkPolyData* output);
 
 private:
-  void WriteTriangles(ahd::Triangulation& triangulation);
-  void WriteSelected(ahd::Triangulation& triangulation, const ahd::Selection& selection);
-  ahd::Status WriteWithNeighbors(
-    ahd::Triangulation& triangulation, const ahd::Selection& selection, std::int32_t* corners);
+  ahd::Status WriteWithNeighbors(ahd::RunResult& made, std::int32_t* corners);
   template <typename Array>
   void CopyPoints(const ahd::PointView& points) const;
 

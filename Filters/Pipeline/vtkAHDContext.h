@@ -40,8 +40,7 @@ public:
 
   vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
 
-  /// What the engine asks for beyond the estimate.
-  ahd::AskedMemory& GetAsked() const { return this->Progress.GetAsked(); }
+  ahd::RunProgress& GetProgress() const { return this->Progress; }
 
   /// A VTK array to be put out, of `count` numbers, one component, not initialised. Throws
   /// std::bad_alloc.
@@ -51,12 +50,9 @@ public:
     return this->Memory.NewArray<Array>(count);
   }
 
-  /// The stages of the execution (see vtkAHDProgress), and the beginning of the next one.
-  void SetStages(const std::vector<double>& weights) const { this->Progress.SetStages(weights); }
-  void NextStage() const { this->Progress.NextStage(); }
-
-  /// Wall-clock seconds that a phase of the engine has taken.
-  double GetSeconds(ahd::Phase phase) const { return this->Progress.GetSeconds(phase); }
+  /// The stages of the execution (see ahd::RunProgress), and the beginning of the next one.
+  void SetStages(const std::vector<double>& weights) const { this->Progress.setStages(weights); }
+  void NextStage() const { this->Progress.nextStage(); }
 
   /// Threads that have shared work so far, the calling one included.
   unsigned GetThreadsUsed() const { return this->Threads.used(); }
@@ -64,7 +60,7 @@ public:
   /// Throws vtkAHDStop unless Ok. Ends the time of the engine's last phase.
   void Check(ahd::Status status) const
   {
-    this->Progress.Finish();
+    this->Progress.finishPhase();
     if (status != ahd::Status::Ok)
     {
       throw vtkAHDStop{ status };
@@ -72,7 +68,7 @@ public:
   }
 
   /// Is the filter to abort?
-  bool IsAborted() const { return this->Progress.MustAbort(); }
+  bool IsAborted() const { return !this->Progress.goesOn(); }
 
   /// Throws vtkAHDStop if the filter is to abort.
   void StopIfAborted() const

@@ -37,39 +37,39 @@ void AddIds(vtkDataSetAttributes* data, const char* name, vtkIdType count)
 template <typename Report, typename Work>
 void ForParts(Report& report, const Work& work)
 {
-  work(report.Status);
-  work(report.IsRefused);
-  work(report.IsLimited);
-  work(report.Points);
-  work(report.Estimate);
-  work(report.Limit);
-  work(report.MostBoxes);
-  work(report.MostCrossings);
-  work(report.Counts);
-  work(report.Constraints.segments);
-  work(report.Constraints.points);
-  work(report.Constraints.withoutVertex);
-  work(report.Constraints.crossing);
-  work(report.Constraints.unfilledLoops);
-  work(report.Constraints.edges);
-  work(report.DelaunayTriangles);
+  work(report.status);
+  work(report.isRefused);
+  work(report.isLimited);
+  work(report.points);
+  work(report.estimate);
+  work(report.allowed);
+  work(report.crossings);
+  work(report.mostBoxes);
+  work(report.mostCrossings);
+  work(report.counts);
+  work(report.constraints.segments);
+  work(report.constraints.points);
+  work(report.constraints.withoutVertex);
+  work(report.constraints.crossing);
+  work(report.constraints.unfilledLoops);
+  work(report.constraints.edges);
+  work(report.delaunayTriangles);
   work(report.MayBeEmptiedByLoops);
   work(report.Triangles);
   work(report.Cells);
-  work(report.InputPoints);
-  work(report.MergedPoints);
-  work(report.AddedPoints);
-  work(report.Crossings);
-  work(report.FirstCrossing);
-  work(report.BentConstraints);
-  work(report.FirstBentCell);
-  work(report.UnfitIds);
-  work(report.OddPoints);
+  work(report.inputPoints);
+  work(report.mergedPoints);
+  work(report.addedPoints);
+  work(report.firstCrossing);
+  work(report.bentConstraints);
+  work(report.firstBentCell);
+  work(report.unfitIds);
+  work(report.oddPoints);
   work(report.MarksAreUnfit);
   work(report.Source);
-  work(report.PointsOffSurface);
-  work(report.AreOnOneLine);
-  work(report.AreStacked);
+  work(report.pointsOffSurface);
+  work(report.areOnOneLine);
+  work(report.areStacked);
   work(report.IsDiagramInPlane);
   work(report.Seconds);
   work(report.ThreadsUsed);
@@ -195,10 +195,11 @@ std::string vtkAHDGatheredExecution::FindHost(
       const auto most = std::max_element(
         rooms.begin(), rooms.end(), [](const Room& a, const Room& b) { return a.Limit < b.Limit; });
       this->Host = needed <= rooms[0].Limit ? 0 : static_cast<std::size_t>(most - rooms.begin());
-      report.Estimate = needed;
-      report.Limit = rooms[this->Host].Limit;
-      report.IsLimited = rooms[this->Host].IsByUser != 0;
-      refusal = needed > report.Limit ? this->Refuse(this->Host, needed, rooms[this->Host]) : "";
+      const std::int64_t limit = rooms[this->Host].Limit;
+      report.estimate = 1024 * static_cast<std::size_t>(needed);
+      report.allowed = 1024 * static_cast<std::size_t>(limit);
+      report.isLimited = rooms[this->Host].IsByUser != 0;
+      refusal = needed > limit ? this->Refuse(this->Host, needed, rooms[this->Host]) : "";
       for (std::size_t rank = 0; rank < rooms.size() && refusal.empty(); ++rank)
       {
         const auto toSend = static_cast<std::int64_t>(
@@ -222,12 +223,12 @@ void vtkAHDGatheredExecution::Execute(
   vtkAHDExecution execution(
     this->Settings, input, workspace, this->Context, this->Gather.EstimateBytes());
   report = execution.Run(outputs);
-  if (report.Status != ahd::Status::Ok)
+  if (report.status != ahd::Status::Ok)
   {
     return;
   }
   report.Source = this->Gather.GetContent();
-  report.UnfitIds.firstId = this->Gather.GetGivenId(report.UnfitIds.firstId);
+  report.unfitIds.firstId = this->Gather.GetGivenId(report.unfitIds.firstId);
   try
   {
     AddIds(outputs[0]->GetPointData(), vtkAHDOutputArrays::GlobalPointIds.Name,
@@ -238,7 +239,7 @@ void vtkAHDGatheredExecution::Execute(
   }
   catch (const std::bad_alloc&)
   {
-    report.Status = ahd::Status::OutOfMemory;
+    report.status = ahd::Status::OutOfMemory;
   }
 }
 
@@ -317,7 +318,7 @@ void vtkAHDGatheredExecution::Run(
     this->Execute(data.Outputs, workspace, report);
   }
   this->ShareReport(report);
-  this->Context.Check(report.Status);
+  this->Context.Check(report.status);
   for (const vtkAHDRankFacts& facts : this->Facts.Of)
   {
     report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;

@@ -23,7 +23,7 @@ vtkAHDRankExecution::vtkAHDRankExecution(const vtkAHDSettings& settings, vtkAHDR
   , Made(result)
   , Report(result.Report)
 {
-  this->Report.Status = ahd::Status::Ok;
+  this->Report.status = ahd::Status::Ok;
 }
 
 void vtkAHDRankExecution::Run(
@@ -50,9 +50,9 @@ void vtkAHDRankExecution::StopAll(ahd::Status reason, const std::string& error)
 void vtkAHDRankExecution::Meet(const vtkAHDDataSets& data)
 {
   vtkAHDMeet(this->Settings, data, this->Ranks, this->Context, this->Facts);
-  this->Report.InputPoints = this->Facts.GetPoints();
-  this->Report.AddedPoints = this->Facts.GetSourcePoints();
-  this->Report.Points = this->Report.InputPoints + this->Report.AddedPoints;
+  this->Report.inputPoints = this->Facts.GetPoints();
+  this->Report.addedPoints = this->Facts.GetSourcePoints();
+  this->Report.points = this->Report.inputPoints + this->Report.addedPoints;
 }
 
 void vtkAHDRankExecution::CompareSettings()
@@ -70,7 +70,7 @@ void vtkAHDRankExecution::CompareSettings()
 void vtkAHDRankExecution::TriangulateOnOne(
   const vtkAHDDataSets& data, const char* setting, ahd::Workspace& workspace)
 {
-  if (this->Report.Points > ahd::kMaximumPoints)
+  if (this->Report.points > ahd::kMaximumPoints)
   {
     throw vtkAHDStop{ ahd::Status::TooManyPoints };
   }
@@ -90,8 +90,8 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
   vtkAHDRankPoints points(this->Settings, this->Ranks, this->Facts, this->Context);
   points.Read(data.Input, data.Source);
   constexpr std::size_t kBounding = 8;
-  this->Report.AddedPoints += points.AreBounded() ? kBounding : 0;
-  this->Report.Points += points.AreBounded() ? kBounding : 0;
+  this->Report.addedPoints += points.AreBounded() ? kBounding : 0;
+  this->Report.points += points.AreBounded() ? kBounding : 0;
   vtkAHDRankChains chains;
   chains.Gather(points, this->Ranks, this->Context);
   points.MoveToOwners();
@@ -116,8 +116,8 @@ void vtkAHDRankExecution::CheckMemory(std::size_t bytes, const char* what)
 {
   this->Estimate = std::max(this->Estimate, bytes);
   const std::string error = vtkAHDRefuseMemory(this->Settings, this->Facts, this->Ranks,
-    this->Context, bytes, { "Triangulating", this->Report.Points, what });
-  this->Report.Estimate = static_cast<vtkTypeInt64>(bytes / 1024);
+    this->Context, bytes, { "Triangulating", this->Report.points, what });
+  this->Report.estimate = bytes;
   if (!error.empty())
   {
     this->StopAll(ahd::Status::OutOfMemory, error);
@@ -129,7 +129,7 @@ void vtkAHDRankExecution::CheckPoints(
 {
   const std::size_t count = points.GetCount();
   const std::size_t block = ahd::blockMemoryEstimate(
-    count, chains.GetIdCount(), this->Settings.Insertion);
+    count, chains.GetIdCount(), this->Settings.options);
   if (block == std::size_t(-1))
   {
     throw vtkAHDStop{ ahd::Status::TooManyPoints };
@@ -137,7 +137,7 @@ void vtkAHDRankExecution::CheckPoints(
   constexpr std::size_t kPerId = 4 * sizeof(std::int64_t); // with offsets and cells
   // an id, a mark and a place in the plane; that in space becomes the output's
   const std::size_t perPoint = sizeof(std::int64_t) + 1 +
-    (this->Settings.IsProjected() ? 3 * sizeof(double) : 0);
+    (this->Settings.isProjected() ? 3 * sizeof(double) : 0);
   this->CheckMemory(points.EstimateBytes() + count * perPoint + block +
       kPerId * chains.GetIdCount() +
       vtkAHDRankSurface::EstimateBytes(count, this->Settings, this->Facts),
@@ -155,7 +155,7 @@ void vtkAHDRankExecution::CheckBorder(
   {
     points += border.points;
   }
-  const bool gathers = points > this->Report.Points / 4;
+  const bool gathers = points > this->Report.points / 4;
   std::vector<std::size_t> joined(this->Ranks.GetCount(), 0), held(joined), edges(joined);
   for (const ahd::BorderCount& border : blocks.borders())
   {
@@ -189,7 +189,7 @@ void vtkAHDRankExecution::CheckBorder(
 /// Refuses layers of ghosts that take more than there is.
 void vtkAHDRankExecution::CheckGhosts(std::size_t cells)
 {
-  if (this->Facts.GetGhostLevels() > 0 || this->Settings.MayTrimRim())
+  if (this->Facts.GetGhostLevels() > 0 || this->Settings.mayTrimRim())
   {
     this->CheckMemory(this->BlockEstimate +
         vtkAHDRankSurface::EstimateGhostBytes(cells, this->Settings, this->Facts),
@@ -236,8 +236,8 @@ void vtkAHDRankExecution::MakeBlock(
   input.points = points.GetView();
   input.ids = points.GetIds().data();
   input.constraints = chains.GetView();
-  input.rule = this->Settings.FillRule;
-  input.options = this->Settings.Insertion;
+  input.rule = this->Settings.fillRule;
+  input.options = this->Settings.options;
   this->Context.Check(this->Ranks.agree(block.begin(input, this->Context)));
   this->Context.NextStage();
   while (block.waiting() != ahd::BlockTriangulation::Waiting::ForNothing)
@@ -255,7 +255,7 @@ void vtkAHDRankExecution::MakeBlock(
 void vtkAHDRankExecution::FindStacks(const vtkAHDRankPoints& points,
   const ahd::BlocksReport& counts, bool& areStacked, bool& areOnLine)
 {
-  if (this->Settings.IsProjected())
+  if (this->Settings.isProjected())
   {
     return;
   }
@@ -263,8 +263,8 @@ void vtkAHDRankExecution::FindStacks(const vtkAHDRankPoints& points,
   {
     this->Context.Check(ahd::findIfOnOneLine(points.GetView(), this->Context, areOnLine));
   }
-  else if (counts.duplicates > counts.vertices / 2 && !this->Settings.ShowMeans &&
-    this->Settings.Insertion.representative == ahd::Representative::FirstId)
+  else if (counts.duplicates > counts.vertices / 2 && !this->Settings.showsMeans &&
+    this->Settings.options.representative == ahd::Representative::FirstId)
   {
     this->Context.Check(ahd::findIfStacked(points.GetView(), this->Context, areStacked));
   }
@@ -302,22 +302,22 @@ std::size_t vtkAHDRankExecution::ShareOdds(
     ahd::BytesReader reader(all[rank]);
     const auto first = reader.read<std::int64_t>();
     firstOdd = firstOdd == kNone || (first != kNone && first < firstOdd) ? first : firstOdd;
-    this->Report.OddPoints.oddZ += static_cast<std::size_t>(reader.read<std::int64_t>());
+    this->Report.oddPoints.oddZ += static_cast<std::size_t>(reader.read<std::int64_t>());
     before = rank == this->Ranks.GetOwn() ? cells : before;
     cells += static_cast<std::size_t>(reader.read<std::int64_t>());
-    this->Report.AreStacked = reader.read<std::int64_t>() != 0 || this->Report.AreStacked;
-    this->Report.AreOnOneLine = reader.read<std::int64_t>() != 0 && this->Report.AreOnOneLine;
+    this->Report.areStacked = reader.read<std::int64_t>() != 0 || this->Report.areStacked;
+    this->Report.areOnOneLine = reader.read<std::int64_t>() != 0 && this->Report.areOnOneLine;
   }
   this->Report.Triangles = cells;
   this->Report.Cells = cells;
-  this->Report.OddPoints.firstNotFinite = static_cast<std::size_t>(
+  this->Report.oddPoints.firstNotFinite = static_cast<std::size_t>(
     std::max<std::int64_t>(firstOdd, 0));
   return before;
 }
 
 void vtkAHDRankExecution::ReportOn(const vtkAHDRankRim& rim)
 {
-  ahd::Report& counts = this->Report.Counts;
+  ahd::Report& counts = this->Report.counts;
   counts.triangles -= rim.GetTriangles();
   counts.trimmed = rim.GetTriangles();
   counts.bareVertices = rim.GetBareVertices();
@@ -327,33 +327,30 @@ void vtkAHDRankExecution::ReportOn(const vtkAHDRankRim& rim)
 void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains)
 {
   vtkAHDReport& report = this->Report;
-  report.Counts.inserted = counts.vertices;
-  report.Counts.duplicates = counts.duplicates;
-  report.Counts.notFinite = counts.notFinite;
-  report.Counts.skipped = counts.skipped;
-  report.Counts.triangles = counts.triangles;
-  report.Constraints = counts.constraints;
-  report.DelaunayTriangles = counts.triangles;
+  report.counts.inserted = counts.vertices;
+  report.counts.duplicates = counts.duplicates;
+  report.counts.notFinite = counts.notFinite;
+  report.counts.skipped = counts.skipped;
+  report.counts.triangles = counts.triangles;
+  report.constraints = counts.constraints;
+  report.delaunayTriangles = counts.triangles;
   report.MayBeEmptiedByLoops = counts.triangles == 0 && chains.HaveLoops();
-  report.UnfitIds = chains.GetUnfitIds();
+  report.unfitIds = chains.GetUnfitIds();
   report.Source = chains.GetContent();
   for (const vtkAHDRankFacts& facts : this->Facts.Of)
   {
     report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;
   }
-  for (std::size_t phase = 0; phase < ahd::kPhases; ++phase)
-  {
-    report.Seconds[phase] = this->Context.GetSeconds(ahd::Phase(phase));
-  }
+  report.Seconds = this->Context.GetProgress().seconds();
   report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
-  report.Estimate = static_cast<vtkTypeInt64>(this->Estimate / 1024);
-  for (const ahd::LeftOut& out : report.Constraints.leftOut)
+  report.estimate = this->Estimate;
+  for (const ahd::LeftOut& out : counts.constraints.leftOut)
   {
     report.CrossingCells.push_back({ { chains.CellOf(out.chain), chains.CellOf(out.otherChain) } });
   }
   if (!report.CrossingCells.empty())
   {
-    report.FirstCrossing = report.CrossingCells.front();
+    report.firstCrossing = report.CrossingCells.front();
   }
 }
 

@@ -265,21 +265,21 @@ const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
 {
   const bool hasSegments = this->GetSegments() > 0;
   const std::pair<bool, const char*> unfit[] = {
-    { settings.Insertion.insertionLimit > 0, "InsertionLimit" },
-    { settings.Insertion.countWork, "CountWork" },
-    { settings.GenerateInsertionRank, "GenerateInsertionRank" },
-    { settings.GenerateInsertionCurve, "GenerateInsertionCurve" },
-    { settings.Insertion.keepBoxes, "GenerateBoxes" },
-    { settings.GenerateRegionIds, "GenerateRegionIds" },
-    { settings.GenerateNeighbors, "GenerateNeighbors" },
-    { settings.GenerateVoronoi, "GenerateVoronoi" },
-    { settings.Limits.alpha > 0.0, "Alpha" },
-    { settings.MayTrimRim() && hasSegments,
+    { settings.options.insertionLimit > 0, "InsertionLimit" },
+    { settings.options.countWork, "CountWork" },
+    { settings.insertionRanks, "GenerateInsertionRank" },
+    { settings.curve, "GenerateInsertionCurve" },
+    { settings.options.keepBoxes, "GenerateBoxes" },
+    { settings.regions, "GenerateRegionIds" },
+    { settings.neighbors, "GenerateNeighbors" },
+    { settings.voronoi, "GenerateVoronoi" },
+    { settings.limits.alpha > 0.0, "Alpha" },
+    { settings.mayTrimRim() && hasSegments,
       "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
       "constraints," },
-    { settings.Tolerance > 0.0, "Tolerance" },
-    { settings.Split && hasSegments, "CrossingMode Split" },
-    { settings.HeightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
+    { settings.tolerance > 0.0, "Tolerance" },
+    { settings.split && hasSegments, "CrossingMode Split" },
+    { settings.heightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
   };
   for (const auto& one : unfit)
   {

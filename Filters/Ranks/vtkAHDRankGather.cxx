@@ -351,7 +351,7 @@ vtkSmartPointer<vtkPolyData> vtkAHDRankGather::ReadSourcePoints(vtkPolyData* sou
     return nothing;
   }
   vtkAHDSettings settings;
-  settings.SourceIdsAreOfInput = false;
+  settings.idsAreOfInput = false;
   settings.AddSourcePoints = true;
   vtkNew<vtkPolyData> points;
   points->SetPoints(source->GetPoints());
@@ -375,7 +375,7 @@ std::int64_t vtkAHDRankGather::GetFirstId() const
   for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
   {
     const vtkAHDRankFacts& facts = this->Facts.Of[rank];
-    first += this->Settings.SourceIdsAreOfInput ? facts.Points : facts.SourcePoints;
+    first += this->Settings.idsAreOfInput ? facts.Points : facts.SourcePoints;
   }
   return static_cast<std::int64_t>(first);
 }
@@ -384,7 +384,7 @@ std::int64_t vtkAHDRankGather::GetFirstId() const
 std::int64_t vtkAHDRankGather::GetIdCount() const
 {
   return static_cast<std::int64_t>(
-    this->Settings.SourceIdsAreOfInput ? this->Facts.GetPoints() : this->Facts.GetSourcePoints());
+    this->Settings.idsAreOfInput ? this->Facts.GetPoints() : this->Facts.GetSourcePoints());
 }
 
 std::int64_t vtkAHDRankGather::GetGivenId(std::int64_t id) const
@@ -455,8 +455,7 @@ void vtkAHDRankGather::MoveCells(vtkPolyData* source)
         out.emplace_back();
         out.back().block = this->Host;
         this->WriteCells(source,
-          static_cast<std::int64_t>(
-            this->Settings.SourceIdsAreOfInput ? own.Points : own.SourcePoints),
+          static_cast<std::int64_t>(this->Settings.idsAreOfInput ? own.Points : own.SourcePoints),
           out.back().bytes);
       }
     });

@@ -124,7 +124,7 @@ void vtkAHDRankPart::Constrain(const vtkAHDSettings& settings, const vtkAHDRankC
     [this](std::int64_t id) { return this->NumberOf(id); });
   given.ids = numbers.data();
   this->Context.Check(
-    ahd::constrain(std::move(this->Made), given, settings.FillRule, this->Context, this->Made));
+    ahd::constrain(std::move(this->Made), given, settings.fillRule, this->Context, this->Made));
 }
 
 /// Own points at the places of others.

@@ -85,11 +85,11 @@ void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
       this->Input.reset(new vtkAHDInput(this->Settings, given, counted));
       this->Input->Open(this->Context);
     });
-  if (this->Settings.FitPlane)
+  if (this->Settings.fitsPlane())
   {
     this->FitPlane();
   }
-  if (this->Settings.AddsBounding())
+  if (this->Settings.addsBounding())
   {
     this->FindBounds();
   }
@@ -274,7 +274,7 @@ void vtkAHDRankPoints::MovePlaces()
       }
     });
   this->Route.Move(mine, this->Places, 0);
-  if (this->Settings.IsProjected())
+  if (this->Settings.isProjected())
   {
     this->Route.Move(this->Prepared.points().doubles, 3 * sizeof(double), this->InPlane.data());
   }

@@ -47,9 +47,9 @@ void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
   }
   const char* const unfit = this->Facts.FindUnfit(this->Settings);
   this->Setting = unfit             ? unfit
-    : this->Settings.FitPlane       ? "the plane that fits all points best"
-    : this->Settings.AddsBounding() ? "BoundingTriangulation"
-    : this->Settings.MayTrimRim()   ? "Rim Trimmed"
+    : this->Settings.fitsPlane()    ? "the plane that fits all points best"
+    : this->Settings.addsBounding() ? "BoundingTriangulation"
+    : this->Settings.mayTrimRim()   ? "Rim Trimmed"
                                     : nullptr;
   if (this->IsWhole())
   {
@@ -180,10 +180,10 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   this->AddedPoints = static_cast<std::size_t>(
     ids.end() - std::lower_bound(ids.begin(), ids.end(), first));
   this->LocalSettings.AddSourcePoints = false; // they are among the others
-  this->LocalSettings.HeightsFromSurface = false;
-  this->LocalSettings.SourceIdsAreOfInput = true;
-  this->LocalSettings.ClosedLinesAreLoops = false;
-  this->LocalSettings.Split = false;
+  this->LocalSettings.heightsFromSurface = false;
+  this->LocalSettings.idsAreOfInput = true;
+  this->LocalSettings.closedLinesAreLoops = false;
+  this->LocalSettings.split = false;
 }
 
 /// Tells all where this rank's places are, and hears which points are around them: ids, ascending.

@@ -135,8 +135,8 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   std::string said; // by Run()
   vtkAHDCheckBefore(inputs.Before, this->Ranks, this->Context, said);
   vtkAHDSettings settings = this->Settings;
-  settings.Tolerance = 0.0; // of what is done to the points, that alone which says where they are
-  settings.Split = settings.HeightsFromSurface = false;
+  settings.tolerance = 0.0; // of what is done to the points, that alone which says where they are
+  settings.split = settings.heightsFromSurface = false;
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
   if (!facts.FindDifference(settings).empty())

@@ -58,7 +58,7 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
 {
   const bool hasGhosts = facts.GetGhostLevels() > 0;
   constexpr std::size_t kId = sizeof(vtkIdType);
-  std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.GeneratePointStatus ? kId : 0);
+  std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.pointStatus ? kId : 0);
   std::size_t widest = 0; // of strings that are moved at one time, sent and received
   for (const vtkAHDArrayFacts& array : facts.GetArrays())
   {
@@ -69,14 +69,14 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
     widest = array.Type == VTK_STRING ? std::max(widest, width) : widest;
   }
   const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) + kId +
-    (settings.GenerateConstraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
-  const bool hasPlaces = settings.LimitsSize() || settings.MayTrimRim();
+    (settings.constraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
+  const bool hasPlaces = settings.limitsSize() || settings.mayTrimRim();
   // a pair of numbers for each duplicate, as a vector grows, a mean, and the vertex of each point
-  perPoint += settings.ShowMeans
+  perPoint += settings.showsMeans
     ? 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) + sizeof(ahd::Index)
     : 0;
   perPoint += (hasPlaces ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0) +
-    (settings.MayTrimRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
+    (settings.mayTrimRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
 }
 
@@ -114,7 +114,7 @@ void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
     [&]
     {
       std::vector<ahd::Mean> means;
-      if (this->Settings.ShowMeans)
+      if (this->Settings.showsMeans)
       {
         this->FindMeans(means);
       }
@@ -231,8 +231,8 @@ void vtkAHDRankSurface::MakeStatus()
 
 void vtkAHDRankSurface::Select()
 {
-  const bool isLimited = this->Settings.Limits.maximumEdgeLength > 0.0;
-  const bool trims = this->Settings.TrimsRim(this->Points.GetPrepared().plane());
+  const bool isLimited = this->Settings.limits.maximumEdgeLength > 0.0;
+  const bool trims = this->Settings.trimsRim(this->Points.GetPrepared().plane());
   this->Ranks.Together(this->Context,
     [&]
     {
@@ -264,7 +264,7 @@ void vtkAHDRankSurface::ReadTriangles()
   this->Cells.Resize(count);
   this->Cells.Inside = this->Triangulation.insideTriangles();
   this->Context.Check(this->Triangulation.writeTriangles(this->Cells.At(0), this->Context));
-  if (this->Settings.GenerateConstraintEdges)
+  if (this->Settings.constraintEdges)
   {
     this->Cells.Edges.resize(count);
     this->Context.Check(
@@ -277,7 +277,7 @@ void vtkAHDRankSurface::ReadAround()
   const std::size_t count = this->Triangulation.ghostTriangles();
   this->Around.Resize(count);
   this->Context.Check(this->Triangulation.writeGhostTriangles(this->Around.At(0), this->Context));
-  if (this->Settings.GenerateConstraintEdges)
+  if (this->Settings.constraintEdges)
   {
     this->Around.Edges.resize(count);
     this->Context.Check(
@@ -307,7 +307,7 @@ void vtkAHDRankSurface::KeepShort(vtkAHDRankTriangles& cells) const
   std::vector<unsigned char> kept;
   const std::size_t count = cells.GetCount();
   this->Context.Check(ahd::findShort(count > 0 ? cells.At(0) : nullptr, count, view,
-    this->Settings.Limits.maximumEdgeLength, this->Context, kept));
+    this->Settings.limits.maximumEdgeLength, this->Context, kept));
   cells.Keep(kept.data());
 }
 
@@ -410,7 +410,7 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
   {
     ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].Id);
   }
-  if (this->Settings.GenerateConstraintEdges)
+  if (this->Settings.constraintEdges)
   {
     auto edges = MakeArray<vtkUnsignedCharArray>(vtkAHDOutputArrays::ConstraintEdges.Name, count);
     unsigned char* to = std::copy(
@@ -438,7 +438,7 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
     [&]
     {
       this->ListOthers();
-      if (this->Settings.GeneratePointStatus)
+      if (this->Settings.pointStatus)
       {
         this->MakeStatus();
       }

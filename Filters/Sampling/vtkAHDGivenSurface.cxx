@@ -44,17 +44,17 @@ vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
 
 void vtkAHDLeaveToSurface(vtkAHDSettings& settings)
 {
-  settings.Insertion.representative = ahd::Representative::FirstId;
-  settings.Insertion.insertionLimit = 0;
-  settings.Limits = ahd::SizeLimits();
-  settings.SourceIdsAreOfInput = true;
+  settings.options.representative = ahd::Representative::FirstId;
+  settings.options.insertionLimit = 0;
+  settings.limits = ahd::SizeLimits();
+  settings.idsAreOfInput = true;
   settings.AddSourcePoints = false;
-  settings.HeightsFromSurface = false;
-  settings.Split = false;
-  settings.Tolerance = 0.0;
-  settings.ShowMeans = false;
-  settings.Bounding = false;
-  settings.Trim = false;
+  settings.heightsFromSurface = false;
+  settings.split = false;
+  settings.tolerance = 0.0;
+  settings.showsMeans = false;
+  settings.bounding = false;
+  settings.rim = ahd::RimKind::ConvexHull;
 }
 
 vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface)
@@ -142,8 +142,8 @@ void vtkAHDGivenSurface::ReserveEdges(std::size_t edges, std::size_t points, vtk
 {
   const std::size_t bytes = this->Missing.capacity() * sizeof(std::size_t) +
     edges * 3 * sizeof(std::int64_t) + ahd::constraintMemoryEstimate(points, edges);
-  report.Estimate += static_cast<vtkTypeInt64>(bytes / 1024);
-  if (report.Estimate > report.Limit)
+  report.estimate += bytes / 1024 * 1024;
+  if (report.GetEstimate() > report.GetLimit())
   {
     throw vtkAHDStop{ ahd::Status::OutOfMemory };
   }

@@ -43,7 +43,7 @@ ahd::PointView vtkAHDPlaces::Open(
     this->Read(context);
     view = ahd::PointView(this->Copy.data(), this->Count, 3);
   }
-  if (settings.IsProjected())
+  if (settings.isProjected())
   {
     this->Move(view, settings, points, context);
     view = ahd::PointView(this->Copy.data(), this->Count, 3);

@@ -89,7 +89,7 @@ ahd::Bounds vtkAHDFindBounds(const vtkAHDSettings& settings, vtkPointSet* input,
   vtkAHDInput view(settings, input, source);
   view.Open(context);
   const ahd::InputRequest request = OnlyPlaces(view.GetRequest());
-  if (!settings.IsProjected() && !settings.AddsBounding() && request.sourcePoints.count == 0)
+  if (!settings.isProjected() && !settings.addsBounding() && request.sourcePoints.count == 0)
   {
     return vtkAHDBoundsOf(request.points, context);
   }

@@ -43,7 +43,7 @@ vtkTypeInt64 InKiB(double bytes)
 /// What a triangulation takes that is kept, at most.
 double BytesKept(std::size_t points, const vtkAHDSettings& settings)
 {
-  return double(ahd::triangulationMemoryEstimate(points, settings.Insertion)) +
+  return double(ahd::triangulationMemoryEstimate(points, settings.options)) +
     double(ahd::tableMemoryEstimate(points));
 }
 }
@@ -92,7 +92,7 @@ bool vtkAHDSampleExecution::Run(
     if (this->FindPlaces(inputs) && this->FitsInMemory(inputs, kept))
     {
       this->TakeSurface(inputs, kept);
-      if (this->Report.Status == ahd::Status::Ok)
+      if (this->Report.status == ahd::Status::Ok)
       {
         this->Interpolate(inputs, *kept.Surface, output);
         this->Keep(inputs, kept);
@@ -118,7 +118,7 @@ bool vtkAHDSampleExecution::Run(
   kept.Workspace.release();
   if (status == ahd::Status::OutOfMemory)
   {
-    this->Memory.Estimate = std::max(this->Memory.Estimate, this->Report.Estimate);
+    this->Memory.Estimate = std::max(this->Memory.Estimate, this->Report.GetEstimate());
     vtkAHDSayMemory(this->Filter, this->Memory, false);
   }
   return false;
@@ -129,7 +129,7 @@ bool vtkAHDSampleExecution::Run(
 void vtkAHDSampleExecution::BorrowSurface(
   const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept)
 {
-  if (this->Settings.IsProjected())
+  if (this->Settings.isProjected())
   {
     return;
   }
@@ -153,7 +153,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
   {
     return false;
   }
-  if (inputs.Surface && this->Settings.FitPlane)
+  if (inputs.Surface && this->Settings.fitsPlane())
   {
     this->Plane = vtkAHDFitPlaneOf(this->Settings, inputs.Surface, this->Context);
     this->Settings.Plane = &this->Plane;
@@ -190,7 +190,7 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
   const auto estimate = [&](const vtkAHDPlaces& places)
   {
     const ahd::PointView view(static_cast<const double*>(nullptr), places.GetCount(), 3);
-    return double(places.EstimateBytes(this->Settings.IsProjected())) +
+    return double(places.EstimateBytes(this->Settings.isProjected())) +
       vtkAHDSampling::EstimateBytes(this->Wishes, columns, points, ahd::SamplePlaces(view));
   };
   if (!this->Places)
@@ -303,7 +303,7 @@ std::vector<double> vtkAHDSampleExecution::StagesBehind(std::size_t points) cons
     : this->Wishes.Method == ahd::SampleMethod::Linear ? 0.6
                                                        : 2.0;
   const double sampling = 0.1 + perPlace * double(this->Result.Places) / double(points + 1);
-  return { this->Settings.LimitsSize() || this->IsSurface ? 1.5 : 0.0, sampling };
+  return { this->Settings.limitsSize() || this->IsSurface ? 1.5 : 0.0, sampling };
 }
 
 /// The surface that was kept, or a new one in its place.
@@ -313,7 +313,7 @@ void vtkAHDSampleExecution::TakeSurface(
   const std::size_t points = static_cast<std::size_t>(inputs.Points->GetNumberOfPoints());
   if (this->IsKept)
   {
-    this->Report.Status = ahd::Status::Ok;
+    this->Report.status = ahd::Status::Ok;
     kept.Surface->TakeData(inputs.Points, inputs.Source);
     this->Context.SetStages({ 0.0, this->StagesBehind(points).back() });
     this->Context.NextStage();
@@ -326,19 +326,19 @@ void vtkAHDSampleExecution::TakeSurface(
     this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, inputs.InputBytes);
   this->Report = kept.Surface->Make(execution,
     static_cast<std::size_t>(std::min(this->BytesOfSampling, 0x1p60)), this->StagesBehind(points));
-  this->Triangulated = this->Report.Status != ahd::Status::BadCells && !this->Report.IsRefused;
-  if (this->Report.Status != ahd::Status::Ok)
+  this->Triangulated = this->Report.status != ahd::Status::BadCells && !this->Report.isRefused;
+  if (this->Report.status != ahd::Status::Ok)
   {
     return;
   }
-  this->Memory.Estimate = this->Report.Estimate;
+  this->Memory.Estimate = this->Report.GetEstimate();
   this->Context.NextStage();
   const std::size_t missing = kept.Surface->Select(this->Settings, this->Context, this->Report);
-  this->Memory.Estimate = this->Report.Estimate;
+  this->Memory.Estimate = this->Report.GetEstimate();
   if (missing > 0)
   {
     vtkAHDSayFolded(this->Filter, this->Report.Triangles, missing);
-    this->Report.Status = ahd::Status::Cancelled; // it was said
+    this->Report.status = ahd::Status::Cancelled; // it was said
     return;
   }
   this->Context.NextStage();

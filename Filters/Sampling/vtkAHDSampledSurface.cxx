@@ -86,28 +86,23 @@ std::size_t vtkAHDSampledSurface::Select(
   if (this->Surface)
   {
     const std::size_t missing = vtkAHDGivenSurface(this->Surface)
-                                  .Find(this->Made.Triangulation, this->Selection.kept, report,
+                                  .Find(this->Made.triangulation, this->Made.selection.kept, report,
                                     context);
     report.Triangles = report.Cells = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
     return missing;
   }
-  report.Triangles = report.Cells = this->Made.Triangulation.report().triangles;
-  if (!settings.LimitsSize() || this->Made.Points.points().count == 0)
+  report.Triangles = report.Cells = this->Made.triangulation.report().triangles;
+  if (!settings.limitsSize() || this->Made.points.points().count == 0)
   {
     return 0;
   }
   vtkNew<vtkPolyData> shown;
   const vtkAHDSurface surface(settings, context, shown);
-  surface.WritePoints(*this->View, this->Made.Points);
-  surface.ShowMeans(this->Made.Points, this->Made.Triangulation);
+  surface.WritePoints(*this->View, this->Made.points);
+  surface.ShowMeans(this->Made.points, this->Made.triangulation);
   vtkAHDPointsView inSpace(shown->GetPoints());
-  ahd::PointsToMeasure measured;
-  measured.inSpace = inSpace.Open(context);
-  measured.merged = &this->Made.Points.merged();
-  context.Check(ahd::selectBySize(
-    this->Made.Triangulation, settings.Limits, measured, context, this->Selection));
-  report.Triangles = this->Selection.keptCount;
-  report.Cells = this->Selection.keptCount;
+  context.Check(this->Made.select(settings, inSpace.Open(context), context));
+  report.Triangles = report.Cells = this->Made.triangleCount();
   return 0;
 }
 
@@ -164,7 +159,7 @@ void vtkAHDSampledSurface::Remember(
 {
   this->Settings = settings;
   this->Known = Identity();
-  this->IsKnown = this->View->AreInPlace(this->Made.Points.points()) &&
+  this->IsKnown = this->View->AreInPlace(this->Made.points.points()) &&
     Identify(this->Input, this->Source, this->Surface, context, this->Known);
 }
 
@@ -247,14 +242,14 @@ vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
     return this->Input->GetPointData();
   }
   vtkNew<vtkPolyData> all;
-  vtkAHDSurface(settings, context, all).WritePoints(*this->View, this->Made.Points);
+  vtkAHDSurface(settings, context, all).WritePoints(*this->View, this->Made.points);
   return all->GetPointData();
 }
 
 ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
   const vtkAHDSettings& settings, const vtkAHDContext& context)
 {
-  const bool showsMeans = this->Lent ? this->Lent->ShowMeans : settings.ShowMeans;
+  const bool showsMeans = this->Lent ? this->Lent->ShowMeans : settings.showsMeans;
   ahd::UninitialisedVector<double> heights;
   heights.resize(this->GetPoints().points().count);
   context.Check(ahd::findHeights(
@@ -264,5 +259,5 @@ ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
 
 void vtkAHDSampledSurface::GiveBack(ahd::Workspace& workspace)
 {
-  workspace.reclaim(std::move(this->Made.Triangulation));
+  workspace.reclaim(std::move(this->Made.triangulation));
 }

@@ -4,7 +4,6 @@
 
 #include "Engine/Core/Fingerprint.h"
 #include "Engine/Core/Uninitialised.h"
-#include "Engine/Surface/Selection.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDKeptTriangulation.h"
 #include "Input/vtkAHDInput.h"
@@ -80,15 +79,15 @@ public:
   ahd::UninitialisedVector<double> MakeHeights(
     const vtkAHDSettings& settings, const vtkAHDContext& context);
 
-  const ahd::PreparedInput& GetPoints() const { return this->GetMade().Points; }
+  const ahd::PreparedInput& GetPoints() const { return this->GetMade().points; }
   ahd::Triangulation& GetTriangulation()
   {
-    return this->Lent ? this->Lent->Made.Triangulation : this->Made.Triangulation;
+    return this->Lent ? this->Lent->Made.triangulation : this->Made.triangulation;
   }
   /// As a Sampler wants it.
   const unsigned char* GetKept() const
   {
-    const std::vector<unsigned char>& kept = this->Lent ? this->Lent->Kept : this->Selection.kept;
+    const std::vector<unsigned char>& kept = this->GetMade().selection.kept;
     return kept.empty() ? nullptr : kept.data();
   }
 
@@ -109,7 +108,7 @@ private:
     std::vector<ahd::Fingerprint> Prints;
     std::vector<const void*> Places;
   };
-  const vtkAHDTriangulated& GetMade() const { return this->Lent ? this->Lent->Made : this->Made; }
+  const ahd::RunResult& GetMade() const { return this->Lent ? this->Lent->Made : this->Made; }
   static std::vector<vtkDataArray*> ArraysOf(
     vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface);
   static bool Identify(vtkPointSet* input, vtkPolyData* source, vtkPolyData* surface,
@@ -122,9 +121,8 @@ private:
   vtkSmartPointer<vtkUnsignedCharArray> GivenMarks; // those of the input; null: none
   vtkSmartPointer<vtkUnsignedCharArray> Marks;      // of the corners
   std::unique_ptr<vtkAHDInput> View;
-  vtkAHDTriangulated Made;
-  ahd::Selection Selection;
-  vtkAHDKeptTriangulation::Content Lent; // null: Made and Selection are to be used
+  ahd::RunResult Made;
+  vtkAHDKeptTriangulation::Content Lent; // null: Made is to be used
   vtkSmartPointer<vtkAHDKeptTriangulation> Lender;
   vtkAHDSettingsTimes Settings = {};
   bool IsKnown = false;

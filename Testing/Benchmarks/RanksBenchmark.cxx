@@ -153,7 +153,7 @@ Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController*
       vtkAHDRankExecution(settings, ranks, context, result).Run(data, ahd::Status::Ok, workspace);
     });
   const double ended = now();
-  std::vector<double> stages = progress.GetStages();
+  std::vector<double> stages = progress.stagesBegun();
   stages.push_back(ended);
   if (status != ahd::Status::Ok || stages.size() != Taken::kBytes)
   {

@@ -78,8 +78,7 @@ const Names& machineHeaders(const fs::path& file)
 /// What lies directly in Filters/Engine: the door may use every part, the words only words.
 bool isDoor(const fs::path& file)
 {
-  static const std::set<std::string> kStems = { "RunMemory", "Triangulate",
-    "TriangulateConstrained" };
+  static const std::set<std::string> kStems = { "Triangulate", "TriangulateConstrained" };
   return file.parent_path().empty() && kStems.count(file.stem().string()) != 0;
 }
 

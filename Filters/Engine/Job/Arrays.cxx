@@ -28,12 +28,7 @@ constexpr unsigned kDouble = bitOf(kFloat64);
 
 Status writeTriangles(JobResult& m, const Target& to)
 {
-  return withIds(to,
-    [&](auto* ids)
-    {
-      return m.isSelected ? writeSelected(m.triangulation, m.selection, ids, to.context)
-                          : m.triangulation.writeTriangles(ids, to.context);
-    });
+  return withIds(to, [&](auto* ids) { return m.writeTriangles(ids, to.context); });
 }
 
 Status writeLines(JobResult& m, const Target& to)
@@ -107,12 +102,12 @@ Status writePlanePoints(JobResult& m, const Target& to)
 
 Status writeHeights(JobResult& m, const Target& to)
 {
-  return findHeights(m.points, m.triangulation, m.settings.showsMeans(), to.context, to.doubles());
+  return findHeights(m.points, m.triangulation, m.asked.showsMeans, to.context, to.doubles());
 }
 
 Status writePlaneMatrix(JobResult& m, const Target& to)
 {
-  if (m.settings.plane() == PlaneKind::Matrix)
+  if (m.asked.plane == PlaneKind::Matrix)
   {
     std::copy(m.matrix.begin(), m.matrix.end(), to.doubles());
   }
@@ -125,19 +120,7 @@ Status writePlaneMatrix(JobResult& m, const Target& to)
 
 Status writeStatus(JobResult& m, const Target& to)
 {
-  return withIds(to,
-    [&](auto* ids)
-    {
-      const Status status = m.triangulation.writePointStatus(ids, to.context);
-      if (status == Status::Ok)
-      {
-        for (const MergedPoint& merged : m.points.merged())
-        {
-          ids[merged.id] = ids[merged.keptId];
-        }
-      }
-      return status;
-    });
+  return withIds(to, [&](auto* ids) { return m.writeStatus(ids, to.context); });
 }
 
 Status writeVertexOfPoint(JobResult& m, const Target& to)
@@ -157,10 +140,7 @@ Status writeVertexOfPoint(JobResult& m, const Target& to)
                                : withIds(to,
                                    [&m](auto* ids)
                                    {
-                                     for (const MergedPoint& merged : m.points.merged())
-                                     {
-                                       ids[merged.id] = ids[merged.keptId];
-                                     }
+                                     m.followMerged(ids);
                                      return Status::Ok;
                                    });
 }
@@ -239,22 +219,22 @@ Lack lacksNothing(const JobResult&)
 
 Lack lacksOrder(const JobResult& m)
 {
-  return m.settings.options().keepOrder ? Lack() : "\"want_order\" before the run";
+  return m.asked.options.keepOrder ? Lack() : "\"want_order\" before the run";
 }
 
 Lack lacksBoxes(const JobResult& m)
 {
-  return m.settings.is(IntSetting::WantBoxes) ? Lack() : "\"want_boxes\" before the run";
+  return m.asked.options.keepBoxes ? Lack() : "\"want_boxes\" before the run";
 }
 
 Lack lacksVoronoi(const JobResult& m)
 {
-  return m.settings.is(IntSetting::WantVoronoi) ? Lack() : "\"want_voronoi\" before the run";
+  return m.asked.voronoi ? Lack() : "\"want_voronoi\" before the run";
 }
 
 Lack lacksMatrix(const JobResult& m)
 {
-  return m.settings.plane() == PlaneKind::Callback ? "another \"plane\" before the run" : Lack();
+  return m.asked.plane == PlaneKind::Callback ? "another \"plane\" before the run" : Lack();
 }
 
 Lack lacksWeights(const JobResult& m)
@@ -269,7 +249,7 @@ struct Row
   std::size_t columns;
   std::size_t (*rows)(const JobResult&);
   Status (*write)(JobResult&, const Target&);
-  Job::Stage stage;
+  RunStage stage;
   Lack (*lacks)(const JobResult&);
 };
 
@@ -298,9 +278,9 @@ std::size_t placeCount(const JobResult& m)
   return m.points.surfacePlaces().size();
 }
 
-constexpr auto kCells = Job::WritingCells;
-constexpr auto kArrays = Job::WritingArrays;
-constexpr auto kVoronoi = Job::WritingVoronoi;
+constexpr auto kCells = kWritingCells;
+constexpr auto kArrays = kWritingArrays;
+constexpr auto kVoronoi = kWritingVoronoi;
 
 constexpr Row kRows[] = {
   { "triangles", kId, 3, [](const JobResult& m) { return m.triangleCount(); }, writeTriangles,
@@ -344,7 +324,8 @@ constexpr Row kRows[] = {
   { "crossing_ends", kId, 4, crossingCount, writeCrossingEnds, kArrays, lacksNothing },
   { "crossing_fractions", kDouble, 2, crossingCount, writeCrossingFractions, kArrays,
     lacksNothing },
-  { "crossing_cells", kId, 2, crossingRows, writeCrossingCells, kArrays, lacksNothing },
+  { "crossing_cells", kId, 2, [](const JobResult& m) { return m.crossingRows(); },
+    writeCrossingCells, kArrays, lacksNothing },
   { "left_out", kId, 4,
     [](const JobResult& m) { return m.triangulation.constraints().leftOut.size(); }, writeLeftOut,
     kArrays, lacksNothing },

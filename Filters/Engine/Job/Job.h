@@ -3,14 +3,10 @@
 #define ahd_Job_h
 
 #include "../Core/Threads.h"
-#include "../Prepare/Prepare.h"
-#include "../RunMemory.h"
-#include "../Surface/Selection.h"
-#include "../Triangulate.h"
-#include "../Voronoi/Voronoi.h"
 #include "InputArrays.h"
 #include "Progress.h"
 #include "Projections.h"
+#include "Run.h"
 #include "Sampling.h"
 #include "Settings.h"
 #include "SpacePoints.h"
@@ -25,76 +21,38 @@
 namespace ahd
 {
 
-/// What a run made. Each part is a function of those before it.
-struct JobResult
+/// What a run of a job made.
+struct JobResult : RunResult
 {
-  JobSettings settings; ///< as they were
+  RunSettings asked;
+  std::size_t otherMemory = 0; ///< of the caller's, in the estimate
   std::array<double, 16> matrix = {};
   OpenInput input;
-  PreparedInput points;
-  Triangulation triangulation;
-  VoronoiCells voronoi;
-  bool isSelected = false; ///< else `selection` stands for all triangles
-  Selection selection;
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
-  std::size_t delaunayTriangles = 0;
-  OddPoints oddPoints;
-  bool areOnOneLine = false;
-  bool areStacked = false;
   JobSampling sampling;
 
-  std::size_t triangleCount() const
-  {
-    return isSelected ? selection.keptCount : triangulation.report().triangles;
-  }
-  std::size_t cellCount() const
-  {
-    return selection.vertices.size() + selection.lines.size() / 2 + triangleCount();
-  }
+  std::size_t cellCount() const { return ahd::cellCount(triangulation, selection); }
   /// Where the points are in space; `made` has them if they are not the input's. Refuses if that is
   /// cancelled.
   PointView spacePoints(SpacePoints& made, const Context& context);
 };
 
-/// What is known of a run, whether it succeeds or not.
-struct JobSizes : RunSizes
-{
-  std::size_t estimate = 0; ///< bytes
-  std::size_t allowed = 0;  ///< bytes
-  std::size_t mostBoxes = 0;
-  std::size_t mostCrossings = 0;
-  unsigned threadsUsed = 0;
-};
-
 /// Row by row, what takes points to the plane and their height above it.
 void writeMatrix(const Plane& plane, double* matrix);
 
-/// All that is behind a handle of the C interface: settings and input; the run, which is the
-/// engine's calls in their order; the result. What cannot be done is refused (Refusal.h).
+/// All that is behind a handle of the C interface: settings and input, a run and its result. What
+/// cannot be done is refused (Refusal.h).
 class Job
 {
 public:
-  // The stages of a run and of what is written afterwards, for JobProgress::reach.
-  enum Stage : std::size_t
-  {
-    Preparing = 1,
-    Triangulating,
-    MakingVoronoi,
-    Constraining,
-    WritingCells,
-    WritingArrays,
-    WritingVoronoi,
-    DrawingOrder
-  };
-
-  JobSettings settings;
-  InputArrays arrays;
-  JobProgress progress;
-
   explicit Job(Clock clock)
     : progress(clock)
   {
   }
+
+  JobSettings settings;
+  InputArrays arrays;
+  JobProgress progress;
 
   void setProjection(ProjectionCallback projection, void* user)
   {
@@ -102,7 +60,7 @@ public:
     projectionUser_ = user;
   }
 
-  std::size_t estimate() const;
+  std::size_t estimate();
   void run();
   std::size_t keptBytes() const { return workspace_.bytes(); }
   void release(std::size_t most);
@@ -112,7 +70,9 @@ public:
 
   /// Refuses if there is none.
   JobResult& result();
-  const JobSizes& sizes() const { return sizes_; }
+  /// Of the last run, whether it succeeded or not.
+  const RunReport& report() const { return report_; }
+  unsigned threadsUsed() const { return threadsUsed_; }
 
   /// What was made of the input before is gone with it, as it looks at it.
   void setArray(const char* name, const GivenArray* array)
@@ -127,7 +87,7 @@ public:
   {
     const std::int64_t wished = settings[IntSetting::Threads];
     Threads threads(wished > 0 ? static_cast<unsigned>(wished) : availableProcessors());
-    const NoteThreads noted = { threads, sizes_ };
+    const NoteThreads noted = { threads, threadsUsed_ };
     work(Context{ &progress, &threads });
   }
 
@@ -135,34 +95,23 @@ private:
   struct NoteThreads
   {
     const Threads& threads;
-    JobSizes& sizes;
-    ~NoteThreads() { sizes.threadsUsed = std::max(sizes.threadsUsed, threads.used()); }
+    unsigned& used;
+    ~NoteThreads() { used = std::max(used, threads.used()); }
   };
 
   void runWith(const Context& context);
-  InputRequest request() const;
-  JobSizes expected(const InputRequest& request) const;
-  void checkMemory();
-  std::size_t mostBoxes() const;
-  std::size_t mostCrossings() const;
-  void setStages();
-  void prepare(JobResult& made, InputRequest& request, const Context& context);
-  void triangulate(JobResult& made, const Context& context);
-  void constrain(JobResult& made, const Context& context);
-  void select(JobResult& made, const Context& context);
-  void findStacks(JobResult& made, const Context& context);
-  [[noreturn]] void refuseForMemory() const;
-  template <typename Call>
-  Status withAsking(std::size_t& asked, const Call& call);
-  std::size_t estimate(const JobSizes& sizes) const;
-  RunWishes wishes() const;
-  const char* whoAllows() const;
+  InputRequest request(const RunSettings& asked) const;
+  CallersMemory callersMemory() const;
+  void open(const Context& context, InputRequest& request);
+  void select(const Context& context);
+  void check(Status status) const;
 
   ProjectionCallback projection_ = nullptr;
   void* projectionUser_ = nullptr;
   Workspace workspace_;
   std::unique_ptr<JobResult> result_;
-  JobSizes sizes_;
+  RunReport report_;
+  unsigned threadsUsed_ = 0;
 };
 
 } // namespace ahd

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Progress.h"
 
-#include <algorithm>
-#include <cstdint>
-
 namespace ahd
 {
-namespace
-{
-
-constexpr double kStep = 0.01;          // of the whole
-constexpr double kSilence = 1.0 / 12.0; // seconds, at most
-
-} // namespace
 
 void JobProgress::setCallback(ProgressCallback callback, void* user)
 {
@@ -22,7 +12,7 @@ void JobProgress::setCallback(ProgressCallback callback, void* user)
 
 void JobProgress::beginRun(const std::vector<double>& weights)
 {
-  stages_.set(weights);
+  setStages(weights);
   seconds_ = {};
   done_ = told_ = 0.0;
 }
@@ -49,20 +39,12 @@ void JobProgress::beginCall()
   toldAt_ = now();
 }
 
-void JobProgress::endCall(bool isCancelled)
+void JobProgress::endCall(bool wasCancelled)
 {
   finishPhase();
-  if (isCancelled)
+  if (wasCancelled)
   {
     cancelled_ = false;
-  }
-}
-
-void JobProgress::reach(std::size_t stage)
-{
-  while (stages_.current() < stage)
-  {
-    done_ = std::max(done_, stages_.next());
   }
 }
 
@@ -71,57 +53,32 @@ bool JobProgress::finish()
   done_ = 1.0;
   if (told_ < done_)
   {
-    tell();
+    tellNow();
   }
-  return !stopped_ && !cancelled_.load(std::memory_order_relaxed);
-}
-
-void JobProgress::finishPhase()
-{
-  if (inPhase_)
-  {
-    seconds_[std::size_t(phase_)] += now() - begun_;
-    inPhase_ = false;
-  }
+  return !isCancelled();
 }
 
 void JobProgress::beginPhase(Phase phase)
 {
-  finishPhase();
-  stages_.beginPhase(phase);
-  phase_ = phase;
-  begun_ = now();
-  inPhase_ = true;
-  tell();
-}
-
-bool JobProgress::advance(Phase, double fraction)
-{
-  done_ = std::max(done_, stages_.whole(fraction));
-  if (callback_ && (done_ >= told_ + kStep || now() - toldAt_ >= kSilence))
-  {
-    tell();
-  }
-  return !stopped_ && !cancelled_.load(std::memory_order_relaxed);
+  RunProgress::beginPhase(phase);
+  tellNow();
 }
 
 /// Once it has said that it is enough, it is not asked again.
-void JobProgress::tell()
+void JobProgress::tell(double done, Phase phase)
 {
   if (!callback_ || stopped_)
   {
     return;
   }
-  told_ = done_;
   try
   {
-    stopped_ = callback_(user_, static_cast<std::int32_t>(phase_), done_) != 0;
+    stopped_ = callback_(user_, static_cast<std::int32_t>(phase), done) != 0;
   }
   catch (...) // it is C's, but who knows
   {
     stopped_ = true;
   }
-  toldAt_ = now(); // it takes time
 }
 
 } // namespace ahd

@@ -27,7 +27,7 @@ Status draw(JobResult& made, const GivenDrawing& drawing, const Context& context
   to.ids = static_cast<Id*>(drawing.ids);
   to.levels = drawing.levels;
   to.counts = static_cast<Id*>(drawing.counts);
-  const bool withCurve = made.settings.is(IntSetting::WantCurve);
+  const bool withCurve = made.asked.curve;
   return ahd::drawOrder(made.triangulation, withCurve, to, context);
 }
 
@@ -46,8 +46,8 @@ Status numberCells(JobResult& made, const Context& context)
         {
           for (std::size_t i = begin; i < end; ++i)
           {
-            const bool isOut = made.isSelected ? made.selection.kept[i] != 0
-                                               : made.triangulation.isKept(i);
+            const bool isOut = made.isSelected() ? made.selection.kept[i] != 0
+                                                 : made.triangulation.isKept(i);
             cellOf[i] = isOut ? cell++ : -1;
           }
         });
@@ -171,7 +171,7 @@ bool locateAll(const JobResult& made, const PointView& places, const Places& out
 void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing)
 {
   JobResult& made = job.result();
-  if (!made.settings.drawsOrder())
+  if (!made.asked.drawsOrder())
   {
     refuse(Reason::NotAvailable,
       "The order can be drawn with \"want_curve\" or \"want_boxes\" before the run.");
@@ -183,7 +183,7 @@ void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing)
       "The order is drawn with ids of type AHD_INT32 or AHD_INT64, into arrays that are not null.");
   }
   made.sampling.forget();
-  job.progress.reach(Job::DrawingOrder);
+  job.progress.reach(kDrawingOrder);
   job.withThreads(
     [&](const Context& context)
     {

@@ -99,8 +99,7 @@ void Sampling::checkMemory(std::size_t bytes) const
 {
   const auto limit = static_cast<std::size_t>(job_.settings[IntSetting::MemoryLimit]);
   const SampleWeights& before = kept_.weights; // stay until others are there
-  const std::size_t held = job_.sizes().estimate -
-    static_cast<std::size_t>(made_.settings[IntSetting::OtherMemory]) + before.offsets.bytes() +
+  const std::size_t held = job_.report().estimate - made_.otherMemory + before.offsets.bytes() +
     before.points.bytes() + before.weights.bytes();
   const std::size_t allowed = limit > 0 ? limit - std::min(limit, held) : availableMemory();
   if (bytes > allowed)
@@ -163,7 +162,7 @@ const Sampler& Sampling::prepare(
   if (!ready.is || ready.method != method)
   {
     ready.is = false;
-    const unsigned char* const kept = made_.isSelected ? made_.selection.kept.data() : nullptr;
+    const unsigned char* const kept = made_.isSelected() ? made_.selection.kept.data() : nullptr;
     check(ready.sampler.prepare(made_.triangulation, kept, method, context));
     ready.is = kept_.hasTables = true;
     ready.method = method;

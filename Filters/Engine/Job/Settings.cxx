@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Settings.h"
 
+#include "../Sample/Sample.h"
 #include "Refusal.h"
 
 #include <cstring>
@@ -101,46 +102,45 @@ const char* JobSettings::doubleName(std::size_t number)
   return number < kDoubleSettings ? kDoubleRows[number].name : nullptr;
 }
 
-Options JobSettings::options() const
+RunSettings JobSettings::run() const
 {
   const JobSettings& own = *this;
-  Options options;
-  options.order = ahd::InsertionOrder(own[IntSetting::InsertionOrder]);
-  options.controlPoints = ahd::ControlPoints(own[IntSetting::ControlPoints]);
-  options.geneRotation = is(IntSetting::GeneRotation);
-  options.nmax = static_cast<int>(own[IntSetting::Nmax]);
-  options.countWork = is(IntSetting::CountWork);
-  options.insertionLimit = static_cast<std::size_t>(own[IntSetting::InsertionLimit]);
-  options.keepOrder = is(IntSetting::WantOrder) || is(IntSetting::WantInsertionRanks) ||
-    is(IntSetting::WantCurve);
-  options.keepBoxes = is(IntSetting::WantBoxes);
-  options.representative = duplicates() == Duplicates::LowestZ ? Representative::LowestZ
-    : duplicates() == Duplicates::HighestZ                     ? Representative::HighestZ
-                                                               : Representative::FirstId;
-  return options;
-}
-
-SizeLimits JobSettings::limits() const
-{
-  return { (*this)[DoubleSetting::Alpha], (*this)[DoubleSetting::MaximumEdgeLength],
+  RunSettings run;
+  run.options.order = InsertionOrder(own[IntSetting::InsertionOrder]);
+  run.options.controlPoints = ControlPoints(own[IntSetting::ControlPoints]);
+  run.options.geneRotation = is(IntSetting::GeneRotation);
+  run.options.nmax = static_cast<int>(own[IntSetting::Nmax]);
+  run.options.countWork = is(IntSetting::CountWork);
+  run.options.insertionLimit = static_cast<std::size_t>(own[IntSetting::InsertionLimit]);
+  run.insertionRanks = is(IntSetting::WantInsertionRanks);
+  run.curve = is(IntSetting::WantCurve);
+  run.options.keepOrder = is(IntSetting::WantOrder) || run.insertionRanks || run.curve;
+  run.options.keepBoxes = is(IntSetting::WantBoxes);
+  const auto duplicates = Duplicates(own[IntSetting::Duplicates]);
+  run.options.representative = duplicates == Duplicates::LowestZ ? Representative::LowestZ
+    : duplicates == Duplicates::HighestZ                         ? Representative::HighestZ
+                                                                 : Representative::FirstId;
+  run.showsMeans = duplicates == Duplicates::MeanZ;
+  run.idsAreOfInput = !is(IntSetting::CellIds);
+  run.closedLinesAreLoops = is(IntSetting::ClosedLines);
+  run.heightsFromSurface = is(IntSetting::SourceHeights);
+  run.split = is(IntSetting::SplitCrossings);
+  run.fillRule = FillRule(own[IntSetting::FillRule]);
+  run.plane = PlaneKind(own[IntSetting::Plane]);
+  run.tolerance = own[DoubleSetting::Tolerance];
+  run.bounding = is(IntSetting::Bounding);
+  run.offset = own[DoubleSetting::Offset];
+  run.rim = RimKind(own[IntSetting::Rim]);
+  run.limits = { own[DoubleSetting::Alpha], own[DoubleSetting::MaximumEdgeLength],
     is(IntSetting::AlphaTriangles), is(IntSetting::AlphaLines), is(IntSetting::AlphaVertices) };
-}
-
-bool JobSettings::limitsSize() const
-{
-  return (*this)[DoubleSetting::Alpha] > 0.0 || (*this)[DoubleSetting::MaximumEdgeLength] > 0.0;
-}
-
-bool JobSettings::mayTrimRim() const
-{
-  return (rim() == RimKind::Trimmed || (rim() == RimKind::Automatic && isProjected())) &&
-    !limitsSize() && !addsBounding();
-}
-
-bool JobSettings::trimsRim(const Plane& fitted) const
-{
-  const bool isRounded = plane() != PlaneKind::BestFit || !fitted.isOfCoordinates();
-  return mayTrimRim() && (isRounded || rim() == RimKind::Trimmed);
+  run.voronoiClip = VoronoiClip(own[IntSetting::VoronoiClip]);
+  run.pointStatus = is(IntSetting::WantPointStatus);
+  run.constraintEdges = is(IntSetting::WantConstraintEdges);
+  run.regions = is(IntSetting::WantRegions);
+  run.neighbors = is(IntSetting::WantNeighbors);
+  run.voronoi = is(IntSetting::WantVoronoi);
+  run.samples = is(IntSetting::WantSamples);
+  return run;
 }
 
 } // namespace ahd

@@ -2,14 +2,8 @@
 #ifndef ahd_JobSettings_h
 #define ahd_JobSettings_h
 
-#include "../Constraints.h"
-#include "../Options.h"
-#include "../Sample/Sample.h"
-#include "../Surface/Plane.h"
-#include "../Surface/Selection.h"
-#include "../Voronoi/Voronoi.h"
+#include "RunSettings.h"
 #include "SettingRows.h"
-#include "Words.h"
 
 #include <array>
 #include <cstddef>
@@ -18,7 +12,7 @@
 namespace ahd
 {
 
-/// The settings of a job by name, and what follows from them. What is unknown or out of range is
+/// The settings of a job by name. What is unknown or out of range is
 /// refused.
 class JobSettings
 {
@@ -38,28 +32,8 @@ public:
   double operator[](DoubleSetting setting) const { return doubles_[std::size_t(setting)]; }
   bool is(IntSetting setting) const { return (*this)[setting] != 0; }
 
-  /// But for Options::mostBoxes.
-  Options options() const;
-  SizeLimits limits() const;
-  ahd::FillRule fillRule() const { return ahd::FillRule((*this)[IntSetting::FillRule]); }
-  ahd::VoronoiClip voronoiClip() const
-  {
-    return ahd::VoronoiClip((*this)[IntSetting::VoronoiClip]);
-  }
-  ahd::Duplicates duplicates() const { return ahd::Duplicates((*this)[IntSetting::Duplicates]); }
-  bool showsMeans() const { return duplicates() == ahd::Duplicates::MeanZ; }
-  PlaneKind plane() const { return PlaneKind((*this)[IntSetting::Plane]); }
-  /// Is the plane another than x, y?
-  bool isProjected() const { return plane() != PlaneKind::Xy; }
-  RimKind rim() const { return RimKind((*this)[IntSetting::Rim]); }
-  bool addsBounding() const { return is(IntSetting::Bounding) && !isProjected(); }
-  bool limitsSize() const;
-  /// May the rim have to be trimmed? The plane says whether it does.
-  bool mayTrimRim() const;
-  /// Is the rim to be trimmed? `fitted`: the plane, where one is.
-  bool trimsRim(const Plane& fitted) const;
-  /// May the order be drawn?
-  bool drawsOrder() const { return is(IntSetting::WantBoxes) || is(IntSetting::WantCurve); }
+  /// What they ask of a run.
+  RunSettings run() const;
 
 private:
   std::array<std::int64_t, kIntSettings> ints_;

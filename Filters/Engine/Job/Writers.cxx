@@ -11,13 +11,6 @@
 
 namespace ahd
 {
-namespace
-{
-
-constexpr std::size_t kMostCrossingRows = 1000;
-
-} // namespace
-
 Status writeBoxBounds(JobResult& m, const Target& to)
 {
   return forEach(m.triangulation.boxes().size(), to.context,
@@ -100,25 +93,10 @@ Status writeCrossingFractions(JobResult& m, const Target& to)
     [&m](std::size_t i) { return m.points.crossings()[i / 2].along[i % 2]; });
 }
 
-std::size_t crossingRows(const JobResult& m)
-{
-  return std::min(kMostCrossingRows,
-    m.points.crossingCells().size() + m.triangulation.constraints().leftOut.size());
-}
-
 Status writeCrossingCells(JobResult& m, const Target& to)
 {
-  const std::size_t split = m.points.crossingCells().size();
-  return fillIds(2 * crossingRows(m), to,
-    [&](std::size_t i)
-    {
-      if (i / 2 < split)
-      {
-        return m.points.crossingCells()[i / 2][i % 2];
-      }
-      const LeftOut& out = m.triangulation.constraints().leftOut[i / 2 - split];
-      return m.points.cellOf(i % 2 == 0 ? out.chain : out.otherChain);
-    });
+  return fillIds(
+    2 * m.crossingRows(), to, [&m](std::size_t i) { return m.crossingRow(i / 2)[i % 2]; });
 }
 
 Status writeLeftOut(JobResult& m, const Target& to)

@@ -85,9 +85,6 @@ Status writeVoronoiOffsets(JobResult& made, const Target& to);
 Status writeVoronoiCorners(JobResult& made, const Target& to);
 Status writeVoronoiSites(JobResult& made, const Target& to);
 
-/// Of writeCrossingCells().
-std::size_t crossingRows(const JobResult& made);
-
 } // namespace ahd
 
 #endif

@@ -217,7 +217,7 @@ TEST(Progress, ObserversHearTenTimesASecondWithoutProgress)
   for (int i = 0; i < 1000; ++i)
   {
     now += 0.005;
-    EXPECT_TRUE(i % 2 == 0 ? progress.advance(ahd::Phase::Split, 0.0) : !progress.MustAbort());
+    EXPECT_TRUE(i % 2 == 0 ? progress.advance(ahd::Phase::Split, 0.0) : progress.goesOn());
   }
   EXPECT_GE(watch->Seen.size(), 50u) << "in five seconds";
   EXPECT_LE(watch->Seen.size(), 100u) << "observers may be slow";
@@ -274,15 +274,15 @@ TEST(Progress, TheTimeOfAPhaseIsFromItsBeginningToTheNext)
   now += 2.0;
   progress.beginPhase(ahd::Phase::Outputs);
   now += 4.0;
-  progress.Finish();
+  progress.finishPhase();
   now += 8.0; // of no phase
   progress.beginPhase(ahd::Phase::Outputs);
   now += 16.0;
-  progress.Finish();
-  progress.Finish();
-  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Read), 2.0);
-  EXPECT_DOUBLE_EQ(progress.GetSeconds(ahd::Phase::Outputs), 20.0);
-  EXPECT_EQ(progress.GetSeconds(ahd::Phase::Insert), 0.0);
+  progress.finishPhase();
+  progress.finishPhase();
+  EXPECT_DOUBLE_EQ(progress.seconds(ahd::Phase::Read), 2.0);
+  EXPECT_DOUBLE_EQ(progress.seconds(ahd::Phase::Outputs), 20.0);
+  EXPECT_EQ(progress.seconds(ahd::Phase::Insert), 0.0);
 }
 
 TEST(Progress, ItIsKnownWhenEachStageBegan)
@@ -291,17 +291,17 @@ TEST(Progress, ItIsKnownWhenEachStageBegan)
   vtkAHDProgress progress(filter, clockOfTests);
   for (const std::size_t stages : { 3, 2 })
   {
-    progress.SetStages(std::vector<double>(stages, 1.0));
-    EXPECT_TRUE(progress.GetStages().empty());
+    progress.setStages(std::vector<double>(stages, 1.0));
+    EXPECT_TRUE(progress.stagesBegun().empty());
     std::vector<double> expected;
     for (std::size_t stage = 0; stage < stages + 2; ++stage) // all is done before the last ones
     {
       now += 1.0;
-      progress.NextStage();
+      progress.nextStage();
       expected.push_back(now);
     }
     expected.resize(stages);
-    EXPECT_EQ(progress.GetStages(), expected);
+    EXPECT_EQ(progress.stagesBegun(), expected);
   }
 }
 
@@ -311,11 +311,11 @@ TEST(Progress, MovesInEveryStageAndPhase)
   vtkNew<ProgressWatch> watch;
   filter->AddObserver(vtkCommand::ProgressEvent, watch);
   vtkAHDProgress progress(filter, clockOfTests);
-  progress.SetStages({ 1.0, 0.0, 3.0 });
+  progress.setStages({ 1.0, 0.0, 3.0 });
   double before = -1.0;
   for (int stage = 0; stage < 3; ++stage)
   {
-    progress.NextStage();
+    progress.nextStage();
     for (int phase = 0; phase < 2 && stage != 1; ++phase)
     {
       progress.beginPhase(ahd::Phase::Outputs);
@@ -324,7 +324,7 @@ TEST(Progress, MovesInEveryStageAndPhase)
       before = watch->Seen.back();
     }
   }
-  progress.NextStage();
+  progress.nextStage();
   EXPECT_EQ(watch->Seen.back(), 1.0);
 }
 
@@ -335,7 +335,7 @@ TEST(Progress, AnAbortEndsThePhaseItIsAskedForIn)
   EXPECT_TRUE(progress.advance(ahd::Phase::Insert, 0.5));
   filter->SetAbortExecute(1);
   EXPECT_FALSE(progress.advance(ahd::Phase::Insert, 0.6));
-  EXPECT_TRUE(progress.MustAbort());
+  EXPECT_FALSE(progress.goesOn());
 }
 
 /// Where the engine goes on after an abort, it goes on asking.

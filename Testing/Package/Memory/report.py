@@ -12,7 +12,7 @@ from memorycases import CLASSES, COUNT, FEATURES, SAMPLINGS, of_arrays, of_class
 HEAD = """# What is estimated and what is taken
 
 Written by [`report.py`](report.py): bytes a point, of %(count)d uniform points on one thread, the input not counted.
-*Estimate*: what `MemoryEstimate` is in the end, by [`RunMemory.cxx`](../../../Filters/Engine/RunMemory.cxx), the same
+*Estimate*: what `MemoryEstimate` is in the end, by [`RunMemory`](../../../Filters/Engine/Job/RunMemory.h), the same
 for both classes; a megabyte of it (%(small)d bytes a point here) is for all that does not grow with the points.
 *Compiled*, *in Python*: the most that `Update()` held at a time, its outputs among it, counted at `malloc`; and the
 estimate over the smaller one. *NumPy*: the estimate of `delaunay` and what it and its arrays held, with ids of 32 bits.

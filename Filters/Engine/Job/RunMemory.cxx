@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RunMemory.h"
 
-#include "Crossings/Crossings.h"
-#include "Prepare/Prepare.h"
-#include "Surface/Means.h"
-#include "Surface/OrderDrawing.h"
-#include "Surface/Selection.h"
-#include "Triangulate.h"
-#include "Voronoi/Voronoi.h"
+#include "../Crossings/Crossings.h"
+#include "../Surface/Means.h"
+#include "../Surface/OrderDrawing.h"
+#include "../Triangulate.h"
 
 #include <algorithm>
 #include <iterator>
@@ -45,11 +42,13 @@ constexpr std::size_t kMeans = (8 + sizeof(Mean)) / 2;
 class Estimate
 {
 public:
-  Estimate(const InputRequest& request, const RunWishes& wishes, const RunSizes& sizes)
+  Estimate(const InputRequest& request, const RunSettings& settings, const RunSizes& sizes,
+    const CallersMemory& callers)
     : request_(request)
-    , wishes_(wishes)
+    , settings_(settings)
     , sizes_(sizes)
-    , hasMarks_(sizes.segments > 0 || wishes.trimsRim)
+    , callers_(callers)
+    , hasMarks_(sizes.segments > 0 || settings.mayTrimRim())
     , adds_(sizes.points > request.points.count)
   {
   }
@@ -64,9 +63,10 @@ public:
 
 private:
   std::size_t perPoint(bool is, std::size_t bytes) const { return is ? sizes_.points * bytes : 0; }
-  bool selects() const { return wishes_.alpha || wishes_.maximumEdgeLength; }
-  bool writesCells() const { return !wishes_.samples; }
-  bool keepsTables() const { return wishes_.voronoi && sizes_.segments == 0; }
+  bool selectsByAlpha() const { return settings_.limits.alpha > 0.0; }
+  bool selectsByLength() const { return settings_.limits.maximumEdgeLength > 0.0; }
+  bool writesCells() const { return !settings_.samples; }
+  bool keepsTables() const { return settings_.voronoi && sizes_.segments == 0; }
 
   std::size_t preparing() const;
   std::size_t prepared() const;
@@ -82,8 +82,9 @@ private:
   std::size_t orderDrawn() const;
 
   const InputRequest& request_;
-  const RunWishes& wishes_;
+  const RunSettings& settings_;
   const RunSizes& sizes_;
+  const CallersMemory& callers_;
   const bool hasMarks_; // of constraints, or of what is dropped
   const bool adds_;     // points
 };
@@ -100,8 +101,8 @@ std::size_t Estimate::preparing() const
   if (request_.heightsFromSurface && request_.sourcePoints.count > 0)
   {
     const std::size_t own = request_.points.count;
-    bytes += triangulationMemoryEstimate(own, wishes_.options) + tableMemoryEstimate(own) +
-      (wishes_.showsMeans ? own * kMeans : 0);
+    bytes += triangulationMemoryEstimate(own, settings_.options) + tableMemoryEstimate(own) +
+      (settings_.showsMeans ? own * kMeans : 0);
   }
   return bytes;
 }
@@ -121,17 +122,17 @@ std::size_t Estimate::prepared() const
 std::size_t Estimate::triangulating() const
 {
   // where one of several points stands for a vertex: the vertex of each point, twice
-  const bool chooses = wishes_.options.representative != Representative::FirstId;
-  return triangulationMemoryEstimate(sizes_.points, wishes_.options) +
+  const bool chooses = settings_.options.representative != Representative::FirstId;
+  return triangulationMemoryEstimate(sizes_.points, settings_.options) +
     perPoint(chooses, 2 * sizeof(Index)) + sizes_.boxes * kBoxKept;
 }
 
 /// From when there are triangles until the end.
 std::size_t Estimate::held() const
 {
-  return prepared() + triangulatedMemoryEstimate(sizes_.points, wishes_.options) +
+  return prepared() + triangulatedMemoryEstimate(sizes_.points, settings_.options) +
     sizes_.boxes * kBoxKept + perPoint(keepsTables(), kTables) +
-    perPoint(wishes_.voronoi, kVoronoiCells);
+    perPoint(settings_.voronoi, kVoronoiCells);
 }
 
 /// From when there are constraints: tables that stay, marks, a slot of each vertex. Or a vertex of
@@ -139,14 +140,15 @@ std::size_t Estimate::held() const
 std::size_t Estimate::constrained() const
 {
   return perPoint(hasMarks_, 4 + 2) +
-    perPoint(!keepsTables() && (wishes_.voronoi || hasMarks_), kTablesBehindConstraints) +
-    perPoint(!keepsTables() && wishes_.showsMeans, 4);
+    perPoint(!keepsTables() && (settings_.voronoi || hasMarks_), kTablesBehindConstraints) +
+    perPoint(!keepsTables() && settings_.showsMeans, 4);
 }
 
 /// Where points lie that are not the input's own.
 std::size_t Estimate::inSpace() const
 {
-  return perPoint(adds_ || (wishes_.showsMeans && (writesCells() || selects())), kPlace);
+  return perPoint(
+    adds_ || (settings_.showsMeans && (writesCells() || settings_.limitsSize())), kPlace);
 }
 
 /// Trimming, and averaging, take less than what is held when cells are written.
@@ -161,16 +163,16 @@ std::size_t Estimate::constraining() const
 std::size_t Estimate::makingVoronoi() const
 {
   const std::size_t cells = sizes_.points * kVoronoiCells;
-  return wishes_.voronoi ? voronoiMemoryEstimate(sizes_.points) - cells +
+  return settings_.voronoi ? voronoiMemoryEstimate(sizes_.points) - cells +
       perPoint(sizes_.segments > 0, kTables - kTablesBehindConstraints)
-                         : 0;
+                           : 0;
 }
 
 std::size_t Estimate::selecting() const
 {
-  if (!wishes_.alpha)
+  if (!selectsByAlpha())
   {
-    return perPoint(wishes_.maximumEdgeLength, 2 + kCorners + (hasMarks_ ? kNumbers : 0));
+    return perPoint(selectsByLength(), 2 + kCorners + (hasMarks_ ? kNumbers : 0));
   }
   // Where the plane is x, y, of the places in space z alone is read.
   const bool isUpright = !request_.fitPlane && !request_.projection;
@@ -182,20 +184,21 @@ std::size_t Estimate::selecting() const
 /// (vtkAHDOutputMemory::GetCapacity).
 std::size_t Estimate::written() const
 {
-  std::size_t bytes = perPoint(wishes_.pointStatus, kId) + perPoint(wishes_.insertionRanks, kId) +
-    perPoint(wishes_.voronoi, kVoronoiWritten) + orderDrawn();
+  std::size_t bytes = perPoint(settings_.pointStatus, kId) +
+    perPoint(settings_.insertionRanks, kId) + perPoint(settings_.voronoi, kVoronoiWritten) +
+    orderDrawn();
   if (writesCells())
   {
     // Corners and offsets of two triangles a point; of lines in place of all of them there are
     // three.
-    const std::size_t rows = wishes_.alpha ? 3 : 2;
+    const std::size_t rows = selectsByAlpha() ? 3 : 2;
     bytes += sizes_.points *
-      ((wishes_.alpha ? 3 * (2 + 1) : 2 * (3 + 1)) * sizeof(std::int32_t) +
+      ((selectsByAlpha() ? 3 * (2 + 1) : 2 * (3 + 1)) * sizeof(std::int32_t) +
         rows *
-          ((wishes_.neighbors ? 3 * kId : 0) + (wishes_.regions ? kId : 0) +
-            (wishes_.constraintEdges ? 1 : 0)));
+          ((settings_.neighbors ? 3 * kId : 0) + (settings_.regions ? kId : 0) +
+            (settings_.constraintEdges ? 1 : 0)));
   }
-  return bytes + bytes / 16 + 4096 + perPoint(adds_, wishes_.perAddedPoint);
+  return bytes + bytes / 16 + 4096 + perPoint(adds_, callers_.perAddedPoint);
 }
 
 /// The selection, and what is taken while arrays are written.
@@ -203,41 +206,42 @@ std::size_t Estimate::writing() const
 {
   // By corners alone, where these are there and numbers are not; else with a place among those
   // that are left. A byte for each triangle, the ends of lines.
-  const bool byCorners = wishes_.maximumEdgeLength && !wishes_.alpha;
-  const std::size_t ends = wishes_.alpha ? 24 : 0, places = byCorners && !hasMarks_ ? 0 : 8;
+  const bool byCorners = selectsByLength() && !selectsByAlpha();
+  const std::size_t ends = selectsByAlpha() ? 24 : 0, places = byCorners && !hasMarks_ ? 0 : 8;
   // a set of each slot, and three numbers for each set
   constexpr std::size_t kRegions = 8 + 2 * 12;
-  const bool looksUp = wishes_.neighbors ||
-    (hasMarks_ && (wishes_.regions || wishes_.constraintEdges || byCorners));
-  if (wishes_.samples) // all tables are made, but for what there is already
+  const bool looksUp = settings_.neighbors ||
+    (hasMarks_ && (settings_.regions || settings_.constraintEdges || byCorners));
+  if (settings_.samples) // all tables are made, but for what there is already
   {
-    return perPoint(selects(), 2) + perPoint(true, kTables);
+    return perPoint(settings_.limitsSize(), 2) + perPoint(true, kTables);
   }
-  return perPoint(selects(), 2 + ends + places) + perPoint(byCorners, 24) +
-    (wishes_.alpha ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
-    perPoint(hasMarks_ && wishes_.regions, kRegions);
+  return perPoint(settings_.limitsSize(), 2 + ends + places) + perPoint(byCorners, 24) +
+    (selectsByAlpha() ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
+    perPoint(hasMarks_ && settings_.regions, kRegions);
 }
 
 std::size_t Estimate::orderDrawn() const
 {
-  if (!wishes_.curve && !wishes_.options.keepBoxes)
+  if (!settings_.curve && !settings_.options.keepBoxes)
   {
     return 0;
   }
-  const std::size_t limit = wishes_.options.insertionLimit;
+  const std::size_t limit = settings_.options.insertionLimit;
   const std::size_t inserted = limit > 0 ? std::min(limit, sizes_.points) : sizes_.points;
   constexpr std::size_t kPerCorner = kPlace + 3 * kId, kPerCell = 2 * kId + sizeof(int);
-  return (wishes_.curve ? inserted * (kPlace + 3 * kId) : 0) + 1024 +
+  return (settings_.curve ? inserted * (kPlace + 3 * kId) : 0) + 1024 +
     sizes_.boxes * (kBoxCorners * kPerCorner + kPerCell);
 }
 
 } // namespace
 
-std::size_t runMemoryEstimate(
-  const InputRequest& request, const RunWishes& wishes, const RunSizes& sizes)
+std::size_t runMemoryEstimate(const InputRequest& request, const RunSettings& settings,
+  const RunSizes& sizes, const CallersMemory& callers)
 {
-  return sizes.points > kMaximumPoints ? std::size_t(-1) / 2
-                                       : Estimate(request, wishes, sizes).most();
+  return sizes.points > kMaximumPoints
+    ? std::size_t(-1) / 2
+    : callers.bytes + Estimate(request, settings, sizes, callers).most();
 }
 
 } // namespace ahd

@@ -2,33 +2,12 @@
 #ifndef ahd_RunMemory_h
 #define ahd_RunMemory_h
 
-#include "Options.h"
+#include "RunSettings.h"
 
 #include <cstddef>
 
 namespace ahd
 {
-
-struct InputRequest;
-
-/// What is made of a triangulation, as far as memory goes.
-struct RunWishes
-{
-  Options options;
-  bool alpha = false;             ///< a limit on circumradii
-  bool maximumEdgeLength = false; ///< a limit on lengths
-  bool trimsRim = false;
-  bool showsMeans = false;
-  bool samples = false; ///< values are interpolated, and no cells put out
-  bool pointStatus = false;
-  bool insertionRanks = false;
-  bool neighbors = false;
-  bool regions = false;
-  bool constraintEdges = false;
-  bool voronoi = false;
-  bool curve = false;
-  std::size_t perAddedPoint = 0; ///< bytes that the caller takes for each point if points are added
-};
 
 /// What is known of sizes: points and segments before the work begins; crossings once they are
 /// split, boxes once the points are sorted.
@@ -42,15 +21,22 @@ struct RunSizes
   std::size_t askedToSplit = 0, askedToConstrain = 0;
 };
 
+/// What the caller of a run takes besides, for its estimate.
+struct CallersMemory
+{
+  std::size_t bytes = 0;
+  std::size_t perAddedPoint = 0; ///< for each point, if points are added
+};
+
 /// Upper estimate of all bytes that are held at a time while an input is prepared and triangulated
-/// and what is wished for is written, that included: cells with 32 bits an id, other ids with 64.
+/// and what is asked for is written, that included: cells with 32 bits an id, other ids with 64.
 /// Of the Voronoi diagram both the engine's cells and what is written of them. The input not
 /// counted.
 ///
 /// The step that takes most counts, not their sum. The table of Testing/Package/Memory/Report.md
 /// has it beside what is taken.
-std::size_t runMemoryEstimate(
-  const InputRequest& request, const RunWishes& wishes, const RunSizes& sizes);
+std::size_t runMemoryEstimate(const InputRequest& request, const RunSettings& settings,
+  const RunSizes& sizes, const CallersMemory& callers = {});
 
 /// More boxes than memory can be estimated for.
 constexpr std::size_t kTooManyBoxes = std::size_t(1) << 40;

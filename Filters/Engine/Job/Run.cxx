@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Run.h"
+
+#include "../Core/Memory.h"
+#include "../Prepare/Stacks.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace ahd
+{
+
+// ------------------------------------------------------------------------------------ the result
+
+Status RunResult::select(
+  const RunSettings& settings, const PointView& inSpace, const Context& context)
+{
+  PointsToMeasure measured;
+  measured.inSpace = inSpace;
+  measured.merged = &points.merged();
+  return selectBySize(triangulation, settings.limits, measured, context, selection);
+}
+
+std::size_t RunResult::crossingRows() const
+{
+  return std::min(
+    kMostCrossingRows, points.crossingCells().size() + triangulation.constraints().leftOut.size());
+}
+
+std::array<std::int64_t, 2> RunResult::crossingRow(std::size_t row) const
+{
+  const std::size_t split = points.crossingCells().size();
+  if (row < split)
+  {
+    return points.crossingCells()[row];
+  }
+  const LeftOut& out = triangulation.constraints().leftOut[row - split];
+  return { { points.cellOf(out.chain), points.cellOf(out.otherChain) } };
+}
+
+// ------------------------------------------------------------------------------------ the memory
+
+Run::Run(const RunSettings& settings, const InputRequest& counts, const CallersMemory& callers,
+  Workspace& workspace, RunReport& report)
+  : settings_(settings)
+  , counts_(counts)
+  , callers_(callers)
+  , workspace_(workspace)
+  , report_(report)
+{
+  counts_.fitPlane = settings.isProjected(); // or what takes the same
+  counts_.projection = nullptr;
+  report_.points = expectedPoints(counts);
+  report_.segments = segmentsOf(counts);
+}
+
+Status Run::checkMemory(std::size_t limit, std::size_t held)
+{
+  report_.isLimited = limit > 0;
+  if (report_.points > kMaximumPoints)
+  {
+    return end(Status::TooManyPoints);
+  }
+  report_.estimate = estimate();
+  // What was kept for this run is part of the estimate. With a limit, all of it is given back where
+  // it might be too much.
+  if (limit > 0 && workspace_.bytes() > report_.estimate)
+  {
+    workspace_.release();
+  }
+  const std::size_t available = limit > 0 ? 0 : availableMemory();
+  report_.allowed = limit > 0
+    ? limit
+    : available + std::min(held + workspace_.bytes(), ~available); // no overflow
+  report_.isRefused = report_.estimate > report_.allowed;
+  if (report_.isRefused)
+  {
+    return end(Status::OutOfMemory);
+  }
+  report_.mostBoxes = mostThatFit(kTooManyBoxes,
+    [this](std::size_t count)
+    {
+      report_.boxes = count;
+      return fits();
+    });
+  report_.boxes = 0;
+  // How many there is memory for, and for all that comes of them.
+  const std::size_t points = report_.points;
+  report_.mostCrossings = mostThatFit(kMaximumPoints + 1,
+    [this, points](std::size_t count)
+    {
+      report_.crossings = count;
+      report_.points = points + count;
+      return fits();
+    });
+  report_.crossings = 0;
+  report_.points = points;
+  return Status::Ok;
+}
+
+/// Calls what asks for memory while it works, which may be as much as there is. `asked`: of the
+/// report.
+template <typename Call>
+Status Run::withAsking(std::size_t& asked, const Call& call)
+{
+  AskedMemory& memory = progress_->asked();
+  const std::size_t most = mostThatFit(kTooMuchAsked,
+    [&](std::size_t bytes)
+    {
+      asked = bytes;
+      return fits();
+    });
+  asked = 0;
+  memory.limitTo(most);
+  const Status status = call();
+  asked = memory.most();
+  report_.isRefused = status == Status::OutOfMemory && memory.wasRefused();
+  return status;
+}
+
+// ------------------------------------------------------------------------------------ the stages
+
+std::vector<double> Run::firstStages() const
+{
+  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
+  const bool constrains = report_.segments > 0;
+  return {
+    0.02 + weight(settings_.isProjected(), 0.5) + weight(settings_.tolerance > 0.0, 1.5) +
+      weight(settings_.heightsFromSurface, 1.5) + weight(settings_.split && constrains, 2.0),
+    1.0,
+    weight(settings_.voronoi, 3.0),
+    weight(constrains, 0.6) + weight(settings_.mayTrimRim(), 0.05),
+  };
+}
+
+std::vector<double> Run::stages() const
+{
+  const auto weight = [](bool wanted, double value) { return wanted ? value : 0.0; };
+  std::vector<double> stages = firstStages();
+  stages.insert(stages.end(),
+    {
+      0.15 + weight(settings_.limitsSize(), 1.5) + weight(settings_.showsMeans, 0.2),
+      weight(settings_.pointStatus, 0.1) + weight(settings_.insertionRanks, 0.1) +
+        weight(settings_.constraintEdges, 0.5) + weight(settings_.regions, 1.0) +
+        weight(settings_.neighbors, 0.9),
+      weight(settings_.voronoi, 0.5),
+      weight(settings_.drawsOrder(), 0.4),
+    });
+  return stages;
+}
+
+/// What is known of sizes is part of the estimate from now on.
+Status Run::end(Status status)
+{
+  report_.status = status;
+  if (progress_)
+  {
+    report_.estimate = estimate();
+    progress_->finishPhase();
+  }
+  return status;
+}
+
+Status Run::make(
+  const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made)
+{
+  progress_ = &progress;
+  context_ = { &progress, executor };
+  Status status = prepare(open, made);
+  status = status != Status::Ok ? status : triangulate(made);
+  status = status != Status::Ok ? status : makeVoronoi(lend, made);
+  status = status != Status::Ok ? status : constrain(made);
+  if (status == Status::Ok)
+  {
+    reportOn(made);
+  }
+  return status;
+}
+
+Status Run::prepare(const Open& open, RunResult& made)
+{
+  progress_->reach(kPreparing);
+  InputRequest request = open();
+  request.mostCrossings = report_.mostCrossings;
+  const Status status = withAsking(
+    report_.askedToSplit, [&] { return ahd::prepare(request, context_, made.points); });
+  if (status == Status::TooManyCrossings)
+  {
+    report_.crossings = report_.mostCrossings + 1;
+    report_.points += report_.crossings;
+  }
+  else if (status == Status::Ok)
+  {
+    report_.points = made.points.points().count;
+    report_.crossings = made.points.crossings().size();
+  }
+  return end(status);
+}
+
+Status Run::triangulate(RunResult& made)
+{
+  progress_->reach(kTriangulating);
+  Options options = settings_.options;
+  options.mostBoxes = report_.mostBoxes;
+  Triangulation& triangulation = made.triangulation;
+  const PointView& points = made.points.points();
+  Status status = ahd::triangulate(points, options, workspace_, context_, triangulation);
+  report_.boxes = status == Status::TooManyBoxes ? report_.mostBoxes + 1
+                                                 : triangulation.boxes().size();
+  if (end(status) != Status::Ok)
+  {
+    return status;
+  }
+  status = findOddPoints(points, context_, report_.oddPoints);
+  if (status == Status::Ok && !made.points.crossings().empty() &&
+    triangulation.report().duplicates > 0)
+  {
+    status = made.points.endCrossingsAtVertices(triangulation, context_);
+  }
+  report_.delaunayTriangles = triangulation.report().triangles;
+  return end(status);
+}
+
+Status Run::makeVoronoi(const Lend& lend, RunResult& made)
+{
+  progress_->reach(kMakingVoronoi);
+  if (!settings_.voronoi)
+  {
+    return Status::Ok;
+  }
+  if (lend)
+  {
+    lend(made.triangulation.report(), made.voronoi);
+  }
+  return end(voronoiCells(made.triangulation, settings_.voronoiClip, made.voronoi, context_));
+}
+
+Status Run::constrain(RunResult& made)
+{
+  progress_->reach(kConstraining);
+  Triangulation& triangulation = made.triangulation;
+  Status status = Status::Ok;
+  if (made.points.hasConstraints())
+  {
+    status = withAsking(report_.askedToConstrain,
+      [&]
+      {
+        return ahd::constrain(std::move(triangulation), made.points.constraints(),
+          settings_.fillRule, context_, triangulation);
+      });
+  }
+  if (status == Status::Ok && settings_.trimsRim(made.points.plane()))
+  {
+    status = trim(std::move(triangulation), context_, triangulation);
+  }
+  return end(status);
+}
+
+Status Run::findStacks(const RunResult& made, const Context& context)
+{
+  const PointView& points = made.points.points();
+  if (!report_.mayBeStacked())
+  {
+    return Status::Ok;
+  }
+  if (report_.delaunayTriangles == 0)
+  {
+    return end(findIfOnOneLine(points, context, report_.areOnOneLine));
+  }
+  return report_.counts.duplicates > report_.counts.inserted / 2 && settings_.takesFirst()
+    ? end(findIfStacked(points, context, report_.areStacked))
+    : Status::Ok;
+}
+
+void Run::reportOn(const RunResult& made)
+{
+  const PreparedInput& points = made.points;
+  const ConstraintReport& constraints = made.triangulation.constraints();
+  report_.counts = made.triangulation.report();
+  report_.constraints = { constraints.segments, constraints.points, constraints.withoutVertex,
+    constraints.crossing, constraints.unfilledLoops, constraints.edges, {} };
+  report_.inputPoints = points.inputCount();
+  report_.sourcePoints = points.sourceCount();
+  report_.addedPoints = points.addedCount();
+  report_.mergedPoints = points.merged().size();
+  if (!constraints.leftOut.empty())
+  {
+    const LeftOut& first = constraints.leftOut[0];
+    report_.firstCrossing = { { points.cellOf(first.chain), points.cellOf(first.otherChain) } };
+  }
+  report_.bentConstraints = points.bentCount();
+  report_.firstBentCell = points.firstBentCell();
+  report_.unfitIds = points.unfitIds();
+  report_.pointsOffSurface = points.outsideCount();
+  report_.isProjected = points.isProjected();
+}
+
+} // namespace ahd

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_RunReport_h
+#define ahd_RunReport_h
+
+#include "../Constraints.h"
+#include "../Prepare/Prepare.h"
+#include "../Result.h"
+#include "RunMemory.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace ahd
+{
+
+/// What there is to say of a run, whether it succeeds or not. The sizes are those that are known in
+/// the end; where a run ends with TooManyCrossings, points and crossings are those it would have
+/// had to deal with, as far as it looked for them, and its caller's points are the difference.
+struct RunReport : RunSizes
+{
+  Status status = Status::Cancelled;
+  bool isRefused = false;        ///< OutOfMemory: more may be needed than is allowed
+  std::size_t estimate = 0;      ///< bytes
+  std::size_t allowed = 0;       ///< bytes
+  bool isLimited = false;        ///< that is the caller's limit, and not what there is
+  std::size_t mostBoxes = 0;     ///< for which there was memory
+  std::size_t mostCrossings = 0; ///< the same
+
+  // The rest means something if the status is Ok.
+  Report counts;
+  ConstraintReport constraints;      ///< but for leftOut, which the triangulation has
+  std::size_t delaunayTriangles = 0; ///< before constraints dropped some
+  std::size_t inputPoints = 0;
+  std::size_t sourcePoints = 0;
+  std::size_t addedPoints = 0;
+  std::size_t mergedPoints = 0;
+  std::array<std::int64_t, 2> firstCrossing = {}; ///< cells: left out, crossed
+  std::size_t bentConstraints = 0;                ///< led through a vertex beside them
+  std::int64_t firstBentCell = 0;                 ///< of these, if there are any
+  UnfitIds unfitIds;
+  OddPoints oddPoints;
+  std::size_t pointsOffSurface = 0; ///< of the source, where it is to be laid on that of the input
+  bool isProjected = false;         ///< the plane is another than x, y
+  /// In space, as far as it is known: found out if there is no triangle in x, y.
+  bool areOnOneLine = true;
+  bool areStacked = false; ///< found out if most points are duplicates
+
+  /// Is it worth looking whether x and y tell the points apart?
+  bool mayBeStacked() const { return !isProjected && counts.beyondLimit == 0; }
+  /// But for those merged, which are skipped, too, to the engine.
+  std::size_t skipped() const { return counts.skipped - mergedPoints; }
+};
+
+/// One number of a report, by its name in ahd.h.
+struct ReportRow
+{
+  const char* name;
+  bool isOfResult; ///< it means something if the status is Ok
+  std::uint64_t (*get)(const RunReport&);
+};
+/// Numbered from 0; null past the last.
+const ReportRow* reportRow(std::size_t number);
+
+} // namespace ahd
+
+#endif
