@@ -184,8 +184,7 @@ void vtkAHDExecution::Write(ahd::RunResult& made, const vtkAHDOutputs& outputs)
 {
   this->Context.NextStage();
   vtkAHDSurface surface(this->Settings, this->Context, outputs[0]);
-  surface.WritePoints(this->Input, made.points);
-  surface.ShowMeans(made.points, made.triangulation);
+  surface.WritePoints(this->Input, made);
   surface.WriteCells(made);
   this->Context.NextStage();
   surface.AddCrossings(made);

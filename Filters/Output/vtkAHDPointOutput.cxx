@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDPointOutput.h"
 
+#include "Engine/Job/SpacePoints.h"
+#include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 
@@ -8,14 +10,15 @@
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -152,12 +155,13 @@ bool IsGhostArray(vtkAbstractArray* array)
 }
 
 vtkAHDPointOutput::vtkAHDPointOutput(
-  vtkPointSet* input, vtkPointSet* source, const ahd::PreparedInput& points)
-  : Input(input)
-  , Source(source)
+  const vtkAHDInput& input, const ahd::PreparedInput& points, vtkPointSet* data)
+  : Opened(input.GetRequest())
+  , Input(data ? data : input.GetInput())
+  , Source(input.GetSourceOfPoints())
   , Points(points)
   , InputCount(static_cast<vtkIdType>(points.inputCount()))
-  , SourceCount(source ? source->GetNumberOfPoints() : 0)
+  , SourceCount(this->Source ? this->Source->GetNumberOfPoints() : 0)
   , Count(static_cast<vtkIdType>(points.points().count))
 {
 }
@@ -181,79 +185,50 @@ std::size_t vtkAHDPointOutput::EstimateBytes(vtkPointSet* input, std::size_t poi
   return pointCount * (3 * sizeof(double) + EstimateBytesPerPoint(input));
 }
 
-void vtkAHDPointOutput::Write(vtkPolyData* output, const vtkAHDContext& context) const
+void vtkAHDPointOutput::WritePlaces(
+  ahd::RunResult* means, vtkPolyData* output, const vtkAHDContext& context) const
 {
-  this->WritePoints(output, context);
-  this->WriteData(output->GetPointData(), context);
-}
-
-void vtkAHDPointOutput::WritePoints(vtkPolyData* output, const vtkAHDContext& context) const
-{
-  auto coordinates = context.NewArray<vtkDoubleArray>(3 * this->Count);
-  coordinates->SetNumberOfComponents(3);
-  double* xyz = coordinates->GetPointer(0);
-  const bool moved = this->Points.isProjected();
-  context.ForRange(static_cast<std::size_t>(this->Count),
-    [&](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t k = begin; k < end; ++k)
-      {
-        const vtkIdType i = static_cast<vtkIdType>(k);
-        if (moved && i < this->InputCount)
-        {
-          this->Input->GetPoints()->GetPoint(i, xyz + 3 * i);
-        }
-        else if (moved && i - this->InputCount < this->SourceCount)
-        {
-          this->Source->GetPoints()->GetPoint(i - this->InputCount, xyz + 3 * i);
-        }
-        else
-        {
-          const std::array<double, 3> p = this->Points.place(k);
-          std::copy(p.begin(), p.end(), xyz + 3 * i);
-        }
-      }
-    });
-  if (moved)
+  vtkSmartPointer<vtkDataArray> copy;
+  const auto take = [&](auto&& array)
   {
-    this->InterpolatePlaces(xyz);
+    array->SetNumberOfComponents(3);
+    copy = array;
+    return array->GetPointer(0);
+  };
+  const auto sizeOf = [](std::size_t numbers) { return static_cast<vtkIdType>(numbers); };
+  ahd::SpacePoints space([&](std::size_t numbers)
+    { return take(context.NewArray<vtkDoubleArray>(sizeOf(numbers))); },
+    [&](std::size_t numbers) { return take(context.NewArray<vtkFloatArray>(sizeOf(numbers))); });
+  context.Check(space.make(this->Opened.points, this->Opened.sourcePoints, this->Points, context));
+  if (means)
+  {
+    context.Check(space.showMeans(*means, context));
+  }
+  if (!copy)
+  {
+    output->SetPoints(this->Input->GetPoints());
+    return;
   }
   vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
+  // floats that do not lie point after point were looked at as doubles
+  if (this->Points.addedCount() == 0 && this->Input->GetPoints()->GetDataType() == VTK_FLOAT &&
+    copy->GetDataType() != VTK_FLOAT)
+  {
+    vtkNew<vtkFloatArray> floats;
+    floats->DeepCopy(copy);
+    copy = floats;
+  }
+  points->SetData(copy);
   output->SetPoints(points);
-}
-
-/// Moves the points that lie between others to where these lie in space; crossings last, as they
-/// need all others.
-void vtkAHDPointOutput::InterpolatePlaces(double* xyz) const
-{
-  double* at = xyz + 3 * this->InputCount;
-  const auto move = [xyz, &at](const auto& origin)
-  {
-    for (std::size_t c = 0; c < 3; ++c)
-    {
-      at[c] = ahd::interpolate(
-        origin, [xyz, c](ahd::Index id) { return xyz[3 * std::size_t(id) + c]; });
-    }
-  };
-  for (const ahd::SurfacePlace& place : this->Points.surfacePlaces())
-  {
-    if (place.isInside())
-    {
-      move(place);
-    }
-    at += 3;
-  }
-  at = xyz + 3 * this->Points.firstCrossing();
-  for (const ahd::CrossingOrigin& crossing : this->Points.crossings())
-  {
-    move(crossing);
-    at += 3;
-  }
 }
 
 void vtkAHDPointOutput::WriteData(vtkPointData* output, const vtkAHDContext& context) const
 {
+  if (this->Points.addedCount() == 0)
+  {
+    output->PassData(this->Input->GetPointData());
+    return;
+  }
   vtkNew<vtkPointData> input;
   input->ShallowCopy(this->Input->GetPointData());
   vtkAHDRemoveArraysOfOneName(input);

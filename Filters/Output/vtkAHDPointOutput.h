@@ -2,21 +2,22 @@
 #ifndef vtkAHDPointOutput_h
 #define vtkAHDPointOutput_h
 
-#include "Engine/Prepare/Prepare.h"
+#include "Engine/Job/Run.h"
 #include "vtkType.h"
 
 #include <cstddef>
 
 class vtkAbstractArray;
 class vtkAHDContext;
+class vtkAHDInput;
 class vtkDataArray;
 class vtkPointData;
 class vtkPointSet;
 class vtkPolyData;
 
 /**
- * The points and point data of the surface where points were added: a copy of the input's, in
- * double precision, with the added points behind them, and their values in all arrays.
+ * The points and point data of the surface: the input's, or, where points were added, a copy with
+ * these behind, in double precision, and with their values in all arrays.
  *
  * Added points have the values of the source's array of the same name and number of components if
  * they are points of the source (or what linear interpolation gives where these are laid on the
@@ -28,28 +29,30 @@ class vtkPolyData;
 class vtkAHDPointOutput
 {
 public:
-  /// Borrows all of them. `source`: whose points were added, or null.
-  vtkAHDPointOutput(vtkPointSet* input, vtkPointSet* source, const ahd::PreparedInput& points);
+  /// Borrows all. `data`: null, or the input's points with other data in place of its own.
+  /// REQUIRES: the input is open.
+  vtkAHDPointOutput(
+    const vtkAHDInput& input, const ahd::PreparedInput& points, vtkPointSet* data = nullptr);
 
-  /// Fills the points and point data of `output`. Throws vtkAHDStop if the filter is to abort, and
-  /// std::bad_alloc if there is no room.
-  void Write(vtkPolyData* output, const vtkAHDContext& context) const;
+  // Both throw vtkAHDStop if the filter is to abort, and std::bad_alloc if there is no room.
 
-  /// Upper estimate of the bytes that Write() allocates for so many points.
+  /// `means`: null, or what was made of the points: then each place of several is at their mean.
+  void WritePlaces(ahd::RunResult* means, vtkPolyData* output, const vtkAHDContext& context) const;
+  void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
+
+  /// Upper estimate of the bytes that they allocate for so many points.
   static std::size_t EstimateBytes(vtkPointSet* input, std::size_t pointCount);
 
   /// Of these, those of the point data of one point.
   static std::size_t EstimateBytesPerPoint(vtkPointSet* input);
 
 private:
-  void WritePoints(vtkPolyData* output, const vtkAHDContext& context) const;
-  void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
   void WriteArray(
     vtkAbstractArray* array, vtkAbstractArray* from, const vtkAHDContext& context) const;
-  void InterpolatePlaces(double* xyz) const;
   void InterpolateOnSurface(vtkDataArray* array, const vtkAHDContext& context) const;
   void Interpolate(vtkDataArray* array, const vtkAHDContext& context) const;
 
+  const ahd::InputRequest& Opened;
   vtkPointSet* const Input;
   vtkPointSet* const Source;
   const ahd::PreparedInput& Points;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDSurface.h"
 
-#include "Engine/Surface/Means.h"
-#include "Input/vtkAHDInput.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
@@ -13,9 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPointSet.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
@@ -60,79 +56,11 @@ vtkSmartPointer<vtkCellArray> MakeCells(
 }
 }
 
-void vtkAHDSurface::WritePoints(const vtkAHDInput& input, const ahd::PreparedInput& points) const
+void vtkAHDSurface::WritePoints(const vtkAHDInput& input, ahd::RunResult& made) const
 {
-  if (points.addedCount() > 0)
-  {
-    vtkAHDPointOutput(input.GetInput(), input.GetSourceOfPoints(), points)
-      .Write(this->Output, this->Context);
-    return;
-  }
-  this->Output->SetPoints(input.GetInput()->GetPoints());
-  this->Output->GetPointData()->PassData(input.GetInput()->GetPointData());
-}
-
-/// A copy of the points, which are the input's, in place of them.
-template <typename Array>
-void vtkAHDSurface::CopyPoints(const ahd::PointView& points) const
-{
-  using Number = typename Array::ValueType;
-  auto copy = this->Context.NewArray<Array>(3 * static_cast<vtkIdType>(points.count));
-  copy->SetNumberOfComponents(3);
-  Number* numbers = copy->GetPointer(0);
-  this->Context.ForRange(3 * points.count,
-    [&points, numbers](std::size_t begin, std::size_t end)
-    {
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        numbers[i] = static_cast<Number>(points.doubles ? points.doubles[i] : points.floats[i]);
-      }
-    });
-  vtkNew<vtkPoints> moved;
-  moved->SetData(copy);
-  this->Output->SetPoints(moved);
-}
-
-void vtkAHDSurface::ShowMeans(
-  const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const
-{
-  if (!this->Settings.showsMeans || triangulation.report().duplicates == 0)
-  {
-    return;
-  }
-  vtkAHDPointsView now(this->Output->GetPoints());
-  const ahd::PointView inSpace = now.Open(this->Context);
-  std::vector<ahd::Mean> means;
-  this->Context.Check(
-    ahd::findMeans(triangulation, points.firstCrossing(), inSpace, this->Context, means));
-  if (means.empty())
-  {
-    return;
-  }
-  if (points.addedCount() == 0) // else they are the output's own doubles
-  {
-    this->Output->GetPoints()->GetDataType() == VTK_FLOAT
-      ? this->CopyPoints<vtkFloatArray>(inSpace)
-      : this->CopyPoints<vtkDoubleArray>(inSpace);
-  }
-  vtkPoints* shown = this->Output->GetPoints();
-  for (const ahd::Mean& mean : means)
-  {
-    shown->SetPoint(static_cast<vtkIdType>(mean.id), mean.position.data());
-  }
-  // Crossings lie between the means at the ends of their segments.
-  vtkIdType id = static_cast<vtkIdType>(points.firstCrossing());
-  for (const ahd::CrossingOrigin& crossing : points.crossings())
-  {
-    double at[3];
-    shown->GetPoint(id, at);
-    for (int k = points.isProjected() ? 0 : 2; k < 3; ++k)
-    {
-      at[k] = ahd::interpolate(crossing,
-        [shown, k](ahd::Index end) { return shown->GetPoint(static_cast<vtkIdType>(end))[k]; });
-    }
-    shown->SetPoint(id++, at);
-  }
+  const vtkAHDPointOutput output(input, made.points);
+  output.WritePlaces(this->Settings.showsMeans ? &made : nullptr, this->Output, this->Context);
+  output.WriteData(this->Output->GetPointData(), this->Context);
 }
 
 void vtkAHDSurface::WriteCells(ahd::RunResult& made)

@@ -33,11 +33,9 @@ public:
   {
   }
 
-  /// Points and point data: the input's, or, where points were added, a copy with these behind.
-  void WritePoints(const vtkAHDInput& input, const ahd::PreparedInput& points) const;
-
-  /// Points that are the mean of several, if these are asked for. REQUIRES: WritePoints().
-  void ShowMeans(const ahd::PreparedInput& points, ahd::Triangulation& triangulation) const;
+  /// Points and point data: the input's, or, where points were added, a copy with these behind;
+  /// where that is asked for, each place of several points at their mean.
+  void WritePoints(const vtkAHDInput& input, ahd::RunResult& made) const;
 
   /// The cells: triangles, and what the limits on their size leave instead of some. REQUIRES: the
   /// points are there. Makes the selection.
@@ -59,8 +57,6 @@ public:
 
 private:
   ahd::Status WriteWithNeighbors(ahd::RunResult& made, std::int32_t* corners);
-  template <typename Array>
-  void CopyPoints(const ahd::PointView& points) const;
 
   const vtkAHDSettings& Settings;
   const vtkAHDContext& Context;

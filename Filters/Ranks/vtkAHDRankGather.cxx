@@ -361,7 +361,9 @@ vtkSmartPointer<vtkPolyData> vtkAHDRankGather::ReadSourcePoints(vtkPolyData* sou
   ahd::PreparedInput prepared;
   this->Context.Check(ahd::prepare(input.GetRequest(), this->Context, prepared));
   auto read = vtkSmartPointer<vtkPolyData>::New();
-  vtkAHDPointOutput(nothing, points, prepared).Write(read, this->Context);
+  const vtkAHDPointOutput output(input, prepared);
+  output.WritePlaces(nullptr, read, this->Context);
+  output.WriteData(read->GetPointData(), this->Context);
   return read;
 }
 

@@ -168,8 +168,9 @@ void vtkAHDRankPoints::Prepare()
   if (this->Prepared.addedCount() > 0)
   {
     this->Combined = vtkSmartPointer<vtkPolyData>::New();
-    vtkAHDPointOutput(this->Local, this->Input->GetSourceOfPoints(), this->Prepared)
-      .Write(this->Combined, this->Context);
+    const vtkAHDPointOutput output(*this->Input, this->Prepared, this->Local);
+    output.WritePlaces(nullptr, this->Combined, this->Context);
+    output.WriteData(this->Combined->GetPointData(), this->Context);
   }
 }
 

@@ -356,7 +356,7 @@ void vtkAHDSampleExecution::Interpolate(
     ? ahd::SamplePlaces(this->Places->Open(this->Settings, surface.GetPoints(), this->Context))
     : ahd::SamplePlaces(this->Raster.Cells);
   const auto heights = surface.MakeHeights(this->Settings, this->Context);
-  const vtkSmartPointer<vtkPointData> data = surface.MakePointData(this->Settings, this->Context);
+  const vtkSmartPointer<vtkPointData> data = surface.MakePointData(this->Context);
   vtkAHDSampleColumns columns(
     this->Wishes, inputs.Points->GetPointData(), data, surface.GetPoints().points().count);
   vtkAHDSampling sampling(

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDSampledSurface.h"
 
+#include "Engine/Job/SpacePoints.h"
 #include "Execution/vtkAHDFingerprint.h"
-#include "Output/vtkAHDSurface.h"
+#include "Output/vtkAHDPointOutput.h"
+#include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDOutputArrays.h"
-#include "Pipeline/vtkAHDPointsView.h"
 #include "Sampling/vtkAHDGivenSurface.h"
 
 #include "vtkCellArray.h"
@@ -96,12 +97,14 @@ std::size_t vtkAHDSampledSurface::Select(
   {
     return 0;
   }
-  vtkNew<vtkPolyData> shown;
-  const vtkAHDSurface surface(settings, context, shown);
-  surface.WritePoints(*this->View, this->Made.points);
-  surface.ShowMeans(this->Made.points, this->Made.triangulation);
-  vtkAHDPointsView inSpace(shown->GetPoints());
-  context.Check(this->Made.select(settings, inSpace.Open(context), context));
+  ahd::SpacePoints space;
+  const ahd::InputRequest& opened = this->View->GetRequest();
+  context.Check(space.make(opened.points, opened.sourcePoints, this->Made.points, context));
+  if (settings.showsMeans)
+  {
+    context.Check(space.showMeans(this->Made, context));
+  }
+  context.Check(this->Made.select(settings, space.view(), context));
   report.Triangles = report.Cells = this->Made.triangleCount();
   return 0;
 }
@@ -235,15 +238,15 @@ std::size_t vtkAHDSampledSurface::CountInputBytes() const
 }
 
 vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
-  const vtkAHDSettings& settings, const vtkAHDContext& context) const
+  const vtkAHDContext& context) const
 {
   if (this->Lent) // the surface has all points
   {
     return this->Input->GetPointData();
   }
-  vtkNew<vtkPolyData> all;
-  vtkAHDSurface(settings, context, all).WritePoints(*this->View, this->Made.points);
-  return all->GetPointData();
+  auto all = vtkSmartPointer<vtkPointData>::New();
+  vtkAHDPointOutput(*this->View, this->Made.points).WriteData(all, context);
+  return all;
 }
 
 ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(

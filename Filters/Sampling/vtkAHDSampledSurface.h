@@ -72,8 +72,7 @@ public:
   void TakeData(vtkPointSet* input, vtkPolyData* source);
 
   /// Point data with a value for each point, added ones included.
-  vtkSmartPointer<vtkPointData> MakePointData(
-    const vtkAHDSettings& settings, const vtkAHDContext& context) const;
+  vtkSmartPointer<vtkPointData> MakePointData(const vtkAHDContext& context) const;
 
   /// The height of each point above the plane of the triangulation.
   ahd::UninitialisedVector<double> MakeHeights(

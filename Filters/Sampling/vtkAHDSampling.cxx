@@ -8,8 +8,6 @@
 
 #include "vtkCharArray.h"
 
-#include <algorithm>
-
 namespace
 {
 /// Each point's number, as a value to interpolate.
@@ -99,8 +97,7 @@ double vtkAHDSampling::EstimateBytes(const vtkAHDSampleSettings& settings,
     double(ahd::sampleMemoryEstimate(points, places, components));
   if (settings.NearestOutside && !settings.IsNearest())
   {
-    const std::size_t most = static_cast<std::size_t>(std::min(count, 0x1p60));
-    bytes += double(ahd::fillOutsideMemoryEstimate(points, most, components));
+    bytes += double(ahd::fillOutsideMemoryEstimate(points, places, components));
   }
   return bytes;
 }

@@ -65,7 +65,17 @@ Status writePoints(JobResult& m, const Target& to)
 {
   auto* const floats = static_cast<float*>(to.out);
   const bool asFloats = to.type == kFloat32;
-  SpacePoints space(asFloats ? nullptr : to.doubles(), asFloats ? floats : nullptr);
+  SpacePoints::Lend<double> lendDoubles;
+  SpacePoints::Lend<float> lendFloats;
+  if (asFloats)
+  {
+    lendFloats = [floats](std::size_t) { return floats; };
+  }
+  else
+  {
+    lendDoubles = [&to](std::size_t) { return to.doubles(); };
+  }
+  SpacePoints space(lendDoubles, lendFloats);
   const PointView points = m.spacePoints(space, to.context);
   if (asFloats ? points.floats == floats : points.doubles == to.doubles())
   {

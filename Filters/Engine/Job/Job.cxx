@@ -25,9 +25,9 @@ namespace
 PointView JobResult::spacePoints(SpacePoints& made, const Context& context)
 {
   ahd::check(made.make(input.points, input.sourcePoints, points, context));
-  if (asked.showsMeans && triangulation.report().duplicates > 0)
+  if (asked.showsMeans)
   {
-    ahd::check(made.showMeans(points, triangulation, context));
+    ahd::check(made.showMeans(*this, context));
   }
   return made.view();
 }

@@ -55,15 +55,8 @@ SamplePlaces placesOf(const GivenPlaces& given)
 std::size_t estimateOf(
   std::size_t points, const SamplePlaces& places, std::size_t components, bool fills)
 {
-  std::size_t count = places.count();
-  if (places.isRaster()) // which nobody may have asked whether so many places are a number
-  {
-    const SampleRaster& raster = places.raster();
-    const auto most = static_cast<std::size_t>(kMostNumbers);
-    count = raster.rows > 0 && raster.columns > most / raster.rows ? most : count;
-  }
   return sampleMemoryEstimate(points, places, components) +
-    (fills ? fillOutsideMemoryEstimate(points, count, components) : 0);
+    (fills ? fillOutsideMemoryEstimate(points, places, components) : 0);
 }
 
 } // namespace

@@ -111,11 +111,16 @@ bool SpacePoints::copy(Room<Number>& room, const Context& context)
   return all;
 }
 
-Status SpacePoints::showMeans(
-  const PreparedInput& points, Triangulation& triangulation, const Context& context)
+Status SpacePoints::showMeans(RunResult& made, const Context& context)
 {
+  const PreparedInput& points = made.points;
+  if (made.triangulation.report().duplicates == 0)
+  {
+    return Status::Ok;
+  }
   std::vector<Mean> means;
-  const Status status = findMeans(triangulation, points.firstCrossing(), view_, context, means);
+  const Status status = findMeans(
+    made.triangulation, points.firstCrossing(), view_, context, means);
   if (status != Status::Ok || means.empty())
   {
     return status;

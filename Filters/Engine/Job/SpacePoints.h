@@ -2,20 +2,18 @@
 #ifndef ahd_SpacePoints_h
 #define ahd_SpacePoints_h
 
-#include "../Core/Context.h"
-#include "../Points/Points.h"
-#include "../Prepare/Prepare.h"
-#include "../Result.h"
 #include "../Surface/Means.h"
-#include "../Triangulation/Triangulation.h"
+#include "Run.h"
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace ahd
 {
 
 /// The output points where the user sees them: in space, those that were added included, each place
-/// of several points at their mean if that is wanted.
+/// of several points at their mean if that is asked for.
 ///
 /// Without added points and means they are the input's own, looked at where they are; without added
 /// points a copy of the same type; else doubles. What lies between other points follows them:
@@ -23,23 +21,25 @@ namespace ahd
 class SpacePoints
 {
 public:
-  /// Copies of either type lie there, where it is not null; else in memory of its own. REQUIRES:
-  /// room for three numbers a point.
-  explicit SpacePoints(double* doubles = nullptr, float* floats = nullptr)
-    : doubles_{ doubles, {} }
-    , floats_{ floats, {} }
+  /// Gives memory for so many numbers.
+  template <typename Number>
+  using Lend = std::function<Number*(std::size_t count)>;
+
+  /// Copies of either type lie in what is lent, where it is not null; else in memory of its own.
+  explicit SpacePoints(Lend<double> doubles = {}, Lend<float> floats = {})
+    : doubles_{ std::move(doubles), nullptr, {} }
+    , floats_{ std::move(floats), nullptr, {} }
   {
   }
   SpacePoints(const SpacePoints&) = delete;
   SpacePoints& operator=(const SpacePoints&) = delete;
 
-  /// `input` and `source`: as they were prepared. Makes the tables of the triangulation that it
-  /// needs. Returns Ok, Cancelled or OutOfMemory; unless Ok, this is not to be used.
+  /// `input` and `source`: as they were prepared. Returns Ok, Cancelled or OutOfMemory; unless Ok,
+  /// this is not to be used.
   Status make(const PointView& input, const PointView& source, const PreparedInput& points,
     const Context& context);
-  /// Moves places of several points to their mean.
-  Status showMeans(
-    const PreparedInput& points, Triangulation& triangulation, const Context& context);
+  /// Moves places of several points to their mean. Makes the tables that it needs.
+  Status showMeans(RunResult& made, const Context& context);
 
   const PointView& view() const { return view_; }
 
@@ -51,13 +51,14 @@ private:
   template <typename Number>
   struct Room
   {
+    Lend<Number> lend;
     Number* numbers;
     std::vector<Number> own;
 
     Number* take(std::size_t count)
     {
-      own.resize(numbers ? 0 : count);
-      return numbers ? numbers : numbers = own.data();
+      own.resize(lend ? 0 : count);
+      return numbers = lend ? lend(count) : own.data();
     }
   };
 

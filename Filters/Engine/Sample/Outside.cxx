@@ -137,9 +137,17 @@ Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const Sam
 }
 
 std::size_t fillOutsideMemoryEstimate(
-  std::size_t pointCount, std::size_t placeCount, std::size_t components)
+  std::size_t pointCount, const SamplePlaces& places, std::size_t components)
 {
-  const std::size_t most = std::min(placeCount, kBlock);
+  std::size_t most = kBlock;
+  if (!places.isRaster())
+  {
+    most = std::min(places.count(), kBlock);
+  }
+  else if (places.raster().rows == 0 || places.raster().columns <= kBlock / places.raster().rows)
+  {
+    most = places.count();
+  }
   const PointView block(static_cast<const double*>(nullptr), most, 2);
   return most * (sizeof(std::size_t) + (2 + components) * sizeof(double)) +
     sampleMemoryEstimate(pointCount, SamplePlaces(block), components) +

@@ -16,10 +16,11 @@ namespace ahd
 Status fillOutside(const Sampler& nearest, const SamplePlaces& places, const SampleArray* arrays,
   std::size_t count, const unsigned char* mask, const Context& context);
 
-/// Upper estimate of the bytes that fillOutside() takes for so many points and places, `components`
-/// of all arrays together; what prepare() of its Sampler takes included.
+/// Upper estimate of the bytes that fillOutside() takes for so many points, and for these places,
+/// which are not looked at; `components` of all arrays together; what prepare() of its Sampler
+/// takes included.
 std::size_t fillOutsideMemoryEstimate(
-  std::size_t pointCount, std::size_t placeCount, std::size_t components);
+  std::size_t pointCount, const SamplePlaces& places, std::size_t components);
 
 } // namespace ahd
 

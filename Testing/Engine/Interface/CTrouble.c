@@ -320,6 +320,7 @@ static void test_memory(void)
   CHECK_OK(job, ahd_set_array(job, "points", &huge));
   CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_run(job));
   CHECK_SAYS(job, "1099511627776 points");
+  CHECK(ahd_counted(job, "points") == (int64_t)1 << 40);
   CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_estimate(job, &more));
   CHECK(ahd_available_memory() > 0);
   free(xy);

@@ -173,8 +173,7 @@ TEST(SampleOutside, TheEstimateIsKept)
       Status::Ok);
     ASSERT_EQ(filled.fill(places, {}), Status::Ok);
     const std::size_t taken = account.peak - before;
-    const std::size_t estimate = fillOutsideMemoryEstimate(
-      filled.given.points.size(), places.count(), 2);
+    const std::size_t estimate = fillOutsideMemoryEstimate(filled.given.points.size(), places, 2);
     EXPECT_LE(taken, estimate) << side;
     EXPECT_LE(estimate, 2 * taken + 65536) << side;
   }
