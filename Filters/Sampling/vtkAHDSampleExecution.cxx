@@ -22,17 +22,11 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <chrono>
 #include <new>
 #include <utility>
 
 namespace
 {
-double Now()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// As whole KiB, and never beyond what can be counted.
 vtkTypeInt64 InKiB(double bytes)
 {
@@ -351,7 +345,7 @@ void vtkAHDSampleExecution::TakeSurface(
 void vtkAHDSampleExecution::Interpolate(
   const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, vtkDataSet* output)
 {
-  const double begun = Now();
+  const double begun = this->Context.GetProgress().now();
   const ahd::SamplePlaces places = this->Places
     ? ahd::SamplePlaces(this->Places->Open(this->Settings, surface.GetPoints(), this->Context))
     : ahd::SamplePlaces(this->Raster.Cells);
@@ -390,7 +384,7 @@ void vtkAHDSampleExecution::Interpolate(
   {
     this->TakeFromCounts(inputs, surface, heights.data(), data);
   }
-  this->Seconds = Now() - begun;
+  this->Seconds = this->Context.GetProgress().now() - begun;
   if (inputs.SaysArrays)
   {
     vtkAHDSayArrayWarnings(this->Filter, this->Wishes, columns);

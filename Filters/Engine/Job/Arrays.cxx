@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays.h"
 
+#include "../Core/Border.h"
+#include "../Core/Loops.h"
 #include "../Surface/CellArrays.h"
 #include "Refusal.h"
-#include "Writers.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <type_traits>
 
 namespace ahd
 {
 namespace
 {
+
+using Made = JobResult;
 
 constexpr unsigned bitOf(std::int32_t type)
 {
@@ -24,44 +29,75 @@ constexpr unsigned kId = bitOf(kInt32) | bitOf(kInt64);
 constexpr unsigned kReal = bitOf(kFloat32) | bitOf(kFloat64);
 constexpr unsigned kDouble = bitOf(kFloat64);
 
-// --- What each array is ---
+// --- Writing ---
 
-Status writeTriangles(JobResult& m, const Target& to)
+/// Where an array is to be written, and as what.
+struct Target
 {
-  return withIds(to, [&](auto* ids) { return m.writeTriangles(ids, to.context); });
+  std::int32_t type;
+  void* out;
+  std::size_t numbers;
+  const Context& context;
+
+  double* doubles() const { return static_cast<double*>(out); }
+};
+
+/// Calls work(pointer to ids of the type).
+template <typename Work>
+Status withIds(const Target& to, const Work& work)
+{
+  return to.type == kInt32 ? work(static_cast<std::int32_t*>(to.out))
+                           : work(static_cast<std::int64_t*>(to.out));
 }
 
-Status writeLines(JobResult& m, const Target& to)
+/// Calls write(i) for all i in [0, count), on the threads there are.
+template <typename Write>
+Status forEach(std::size_t count, const Context& context, const Write& write)
 {
-  return fillIds(
-    m.selection.lines.size(), to, [&m](std::size_t i) { return m.selection.lines[i]; });
+  return unlessCancelled(
+    [&]
+    {
+      Ticker ticker(context.progress, Phase::Outputs, 0, context.executor);
+      return inChunksOf(count, ticker,
+        [&write](std::size_t begin, std::size_t end)
+        {
+          for (std::size_t i = begin; i < end; ++i)
+          {
+            write(i);
+          }
+        });
+    });
 }
 
-Status writeVertices(JobResult& m, const Target& to)
+/// Writes value(i) to place i, for all numbers.
+template <typename Value>
+Status fillIds(const Target& to, const Value& value)
 {
-  return fillIds(
-    m.selection.vertices.size(), to, [&m](std::size_t i) { return m.selection.vertices[i]; });
+  return withIds(to,
+    [&](auto* ids)
+    {
+      using Id = std::remove_pointer_t<decltype(ids)>;
+      return forEach(
+        to.numbers, to.context, [&](std::size_t i) { ids[i] = static_cast<Id>(value(i)); });
+    });
 }
 
-Status writeNeighborIds(JobResult& m, const Target& to)
+template <typename Value>
+Status fillDoubles(const Target& to, const Value& value)
 {
-  return withIds(
-    to, [&](auto* ids) { return writeNeighbors(m.triangulation, m.selection, ids, to.context); });
+  return forEach(to.numbers, to.context, [&](std::size_t i) { to.doubles()[i] = value(i); });
 }
 
-Status writeConstraintBits(JobResult& m, const Target& to)
+/// A list as it is.
+template <typename List>
+Status copyIds(const Target& to, const List& list)
 {
-  return writeConstraintEdges(
-    m.triangulation, m.selection, static_cast<std::uint8_t*>(to.out), to.context);
+  return fillIds(to, [&list](std::size_t i) { return list[i]; });
 }
 
-Status writeRegionIds(JobResult& m, const Target& to)
-{
-  return withIds(
-    to, [&](auto* ids) { return writeRegions(m.triangulation, m.selection, ids, to.context); });
-}
+// --- What takes more than a line ---
 
-Status writePoints(JobResult& m, const Target& to)
+Status writePoints(Made& m, const Target& to)
 {
   auto* const floats = static_cast<float*>(to.out);
   const bool asFloats = to.type == kFloat32;
@@ -99,7 +135,7 @@ Status writePoints(JobResult& m, const Target& to)
   return status;
 }
 
-Status writePlanePoints(JobResult& m, const Target& to)
+Status writePlanePoints(Made& m, const Target& to)
 {
   const PointView& points = m.points.points();
   return forEach(points.count, to.context,
@@ -110,30 +146,7 @@ Status writePlanePoints(JobResult& m, const Target& to)
     });
 }
 
-Status writeHeights(JobResult& m, const Target& to)
-{
-  return findHeights(m.points, m.triangulation, m.asked.showsMeans, to.context, to.doubles());
-}
-
-Status writePlaneMatrix(JobResult& m, const Target& to)
-{
-  if (m.asked.plane == PlaneKind::Matrix)
-  {
-    std::copy(m.matrix.begin(), m.matrix.end(), to.doubles());
-  }
-  else
-  {
-    writeMatrix(m.points.plane(), to.doubles()); // x, y where none was fitted
-  }
-  return Status::Ok;
-}
-
-Status writeStatus(JobResult& m, const Target& to)
-{
-  return withIds(to, [&](auto* ids) { return m.writeStatus(ids, to.context); });
-}
-
-Status writeVertexOfPoint(JobResult& m, const Target& to)
+Status writeVertexOfPoint(Made& m, const Target& to)
 {
   const Status status = m.triangulation.makePointMap(to.context);
   if (status != Status::Ok)
@@ -145,7 +158,7 @@ Status writeVertexOfPoint(JobResult& m, const Target& to)
     const Index vertex = m.triangulation.vertexOf(i);
     return vertex == kNoIndex ? std::int64_t(-1) : std::int64_t(vertex);
   };
-  const Status written = fillIds(m.points.points().count, to, vertexOf);
+  const Status written = fillIds(to, vertexOf);
   return written != Status::Ok ? written
                                : withIds(to,
                                    [&m](auto* ids)
@@ -155,13 +168,7 @@ Status writeVertexOfPoint(JobResult& m, const Target& to)
                                    });
 }
 
-Status writePointOfVertex(JobResult& m, const Target& to)
-{
-  return fillIds(m.triangulation.vertexCount(), to,
-    [&m](std::size_t i) { return m.triangulation.pointOf(static_cast<Index>(i)); });
-}
-
-Status writeVertexBounds(JobResult& m, const Target& to)
+Status writeVertexBounds(Made& m, const Target& to)
 {
   const PointView& points = m.points.points();
   const std::size_t count = m.triangulation.vertexCount();
@@ -188,164 +195,236 @@ Status writeVertexBounds(JobResult& m, const Target& to)
   return status;
 }
 
-Status writeOrder(JobResult& m, const Target& to)
+Status writePlaneMatrix(Made& m, const Target& to)
 {
-  return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); });
+  if (m.asked.plane == PlaneKind::Matrix)
+  {
+    std::copy(m.matrix.begin(), m.matrix.end(), to.doubles());
+  }
+  else
+  {
+    writeMatrix(m.points.plane(), to.doubles()); // x, y where none was fitted
+  }
+  return Status::Ok;
 }
 
-Status writeRanks(JobResult& m, const Target& to)
+std::int64_t leftOutNumber(const Made& m, std::size_t i)
 {
-  return withIds(
-    to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
+  const LeftOut& out = m.triangulation.constraints().leftOut[i / 4];
+  return i % 4 == 0 ? m.points.cellOf(out.chain)
+    : i % 4 == 1    ? std::int64_t(out.segment)
+    : i % 4 == 2    ? m.points.cellOf(out.otherChain)
+                    : std::int64_t(out.otherSegment);
 }
 
-Status writeWeightOffsets(JobResult& m, const Target& to)
+double boxNumber(const Made& m, std::size_t i)
 {
-  const Buffer<std::uint64_t>& offsets = m.sampling.weights.offsets;
-  return fillIds(offsets.size(), to, [&offsets](std::size_t i) { return offsets[i]; });
-}
-
-Status writeWeightPoints(JobResult& m, const Target& to)
-{
-  const Buffer<std::int32_t>& points = m.sampling.weights.points;
-  return fillIds(points.size(), to, [&points](std::size_t i) { return points[i]; });
-}
-
-Status writeWeights(JobResult& m, const Target& to)
-{
-  const Buffer<double>& weights = m.sampling.weights.weights;
-  return fillDoubles(weights.size(), to, [&weights](std::size_t i) { return weights[i]; });
+  const GridBox& box = m.triangulation.boxes()[i / 4];
+  return i % 4 == 0 ? box.xmin : i % 4 == 1 ? box.xmax : i % 4 == 2 ? box.ymin : box.ymax;
 }
 
 // --- The table ---
 
-/// What is to be done first; empty if it was or need not be.
-using Lack = std::string;
-
-Lack lacksNothing(const JobResult&)
+/// What an array takes that was to be asked for before.
+struct Need
 {
-  return Lack();
-}
-
-Lack lacksOrder(const JobResult& m)
-{
-  return m.asked.options.keepOrder ? Lack() : "\"want_order\" before the run";
-}
-
-Lack lacksBoxes(const JobResult& m)
-{
-  return m.asked.options.keepBoxes ? Lack() : "\"want_boxes\" before the run";
-}
-
-Lack lacksVoronoi(const JobResult& m)
-{
-  return m.asked.voronoi ? Lack() : "\"want_voronoi\" before the run";
-}
-
-Lack lacksMatrix(const JobResult& m)
-{
-  return m.asked.plane == PlaneKind::Callback ? "another \"plane\" before the run" : Lack();
-}
-
-Lack lacksWeights(const JobResult& m)
-{
-  return m.sampling.hasWeights ? Lack() : "ahd_sample_weights()";
-}
+  const char* what; ///< null: nothing
+  bool (*isThere)(const Made&);
+};
+constexpr Need kNothing = { nullptr, nullptr };
+constexpr Need kOrder = { "\"want_order\" before the run",
+  [](const Made& m) { return m.asked.options.keepOrder; } };
+constexpr Need kBoxes = { "\"want_boxes\" before the run",
+  [](const Made& m) { return m.asked.options.keepBoxes; } };
+constexpr Need kCells = { "\"want_voronoi\" before the run",
+  [](const Made& m) { return m.asked.voronoi; } };
+constexpr Need kMatrix = { "another \"plane\" before the run",
+  [](const Made& m) { return m.asked.plane != PlaneKind::Callback; } };
+constexpr Need kWeights = { "ahd_sample_weights()",
+  [](const Made& m) { return m.sampling.hasWeights; } };
 
 struct Row
 {
   const char* name;
   unsigned types;
   std::size_t columns;
-  std::size_t (*rows)(const JobResult&);
-  Status (*write)(JobResult&, const Target&);
+  std::size_t (*rows)(const Made&);
+  Status (*write)(Made&, const Target&);
   RunStage stage;
-  Lack (*lacks)(const JobResult&);
+  Need need = kNothing;
 };
 
-std::size_t pointCount(const JobResult& m)
+std::size_t pointCount(const Made& m)
 {
   return m.points.points().count;
 }
-
-std::size_t boxCount(const JobResult& m)
+std::size_t boxCount(const Made& m)
 {
   return m.triangulation.boxes().size();
 }
-
-std::size_t cellCount(const JobResult& m)
+std::size_t cellCount(const Made& m)
 {
   return m.cellCount();
 }
-
-std::size_t crossingCount(const JobResult& m)
+std::size_t crossingCount(const Made& m)
 {
   return m.points.crossings().size();
 }
-
-std::size_t placeCount(const JobResult& m)
+std::size_t placeCount(const Made& m)
 {
   return m.points.surfacePlaces().size();
 }
 
-constexpr auto kCells = kWritingCells;
-constexpr auto kArrays = kWritingArrays;
-constexpr auto kVoronoi = kWritingVoronoi;
-
 constexpr Row kRows[] = {
-  { "triangles", kId, 3, [](const JobResult& m) { return m.triangleCount(); }, writeTriangles,
-    kCells, lacksNothing },
-  { "lines", kId, 2, [](const JobResult& m) { return m.selection.lines.size() / 2; }, writeLines,
-    kCells, lacksNothing },
-  { "vertices", kId, 1, [](const JobResult& m) { return m.selection.vertices.size(); },
-    writeVertices, kCells, lacksNothing },
-  { "neighbors", kId, 3, cellCount, writeNeighborIds, kArrays, lacksNothing },
-  { "constraint_edges", bitOf(kUint8), 1, cellCount, writeConstraintBits, kArrays, lacksNothing },
-  { "regions", kId, 1, cellCount, writeRegionIds, kArrays, lacksNothing },
-  { "points", kReal, 3, pointCount, writePoints, kCells, lacksNothing },
-  { "plane_points", kDouble, 3, pointCount, writePlanePoints, kCells, lacksNothing },
-  { "heights", kDouble, 1, pointCount, writeHeights, kCells, lacksNothing },
-  { "plane_matrix", kDouble, 4, [](const JobResult&) { return std::size_t(4); }, writePlaneMatrix,
-    kCells, lacksMatrix },
-  { "point_status", kId, 1, pointCount, writeStatus, kArrays, lacksNothing },
-  { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kArrays, lacksNothing },
-  { "point_of_vertex", kId, 1, [](const JobResult& m) { return m.triangulation.vertexCount(); },
-    writePointOfVertex, kArrays, lacksNothing },
-  { "vertex_bounds", kDouble, 2, [](const JobResult&) { return std::size_t(2); }, writeVertexBounds,
-    kArrays, lacksNothing },
-  { "order", kId, 1, [](const JobResult& m) { return m.triangulation.report().inserted; },
-    writeOrder, kArrays, lacksOrder },
-  { "insertion_ranks", kId, 1, pointCount, writeRanks, kArrays, lacksOrder },
-  { "box_bounds", kDouble, 4, boxCount, writeBoxBounds, kArrays, lacksBoxes },
-  { "box_levels", bitOf(kInt32), 1, boxCount, writeBoxLevels, kArrays, lacksBoxes },
-  { "box_counts", kId, 1, boxCount, writeBoxCounts, kArrays, lacksBoxes },
-  { "voronoi_points", kDouble, 2, [](const JobResult& m) { return m.voronoi.points.size(); },
-    writeVoronoiPoints, kVoronoi, lacksVoronoi },
-  { "voronoi_offsets", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size() + 1; },
-    writeVoronoiOffsets, kVoronoi, lacksVoronoi },
-  { "voronoi_corners", kId, 1, [](const JobResult& m) { return m.voronoi.corners.size(); },
-    writeVoronoiCorners, kVoronoi, lacksVoronoi },
-  { "voronoi_sites", kId, 1, [](const JobResult& m) { return m.voronoi.sites.size(); },
-    writeVoronoiSites, kVoronoi, lacksVoronoi },
-  { "merged", kId, 2, [](const JobResult& m) { return m.points.merged().size(); }, writeMerged,
-    kArrays, lacksNothing },
-  { "surface_corners", kId, 3, placeCount, writeSurfaceCorners, kArrays, lacksNothing },
-  { "surface_weights", kDouble, 3, placeCount, writeSurfaceWeights, kArrays, lacksNothing },
-  { "crossing_ends", kId, 4, crossingCount, writeCrossingEnds, kArrays, lacksNothing },
-  { "crossing_fractions", kDouble, 2, crossingCount, writeCrossingFractions, kArrays,
-    lacksNothing },
-  { "crossing_cells", kId, 2, [](const JobResult& m) { return m.crossingRows(); },
-    writeCrossingCells, kArrays, lacksNothing },
-  { "left_out", kId, 4,
-    [](const JobResult& m) { return m.triangulation.constraints().leftOut.size(); }, writeLeftOut,
-    kArrays, lacksNothing },
+  { "triangles", kId, 3, [](const Made& m) { return m.triangleCount(); },
+    [](Made& m, const Target& to)
+    { return withIds(to, [&](auto* ids) { return m.writeTriangles(ids, to.context); }); },
+    kWritingCells },
+  { "lines", kId, 2, [](const Made& m) { return m.selection.lines.size() / 2; },
+    [](Made& m, const Target& to) { return copyIds(to, m.selection.lines); }, kWritingCells },
+  { "vertices", kId, 1, [](const Made& m) { return m.selection.vertices.size(); },
+    [](Made& m, const Target& to) { return copyIds(to, m.selection.vertices); }, kWritingCells },
+  { "neighbors", kId, 3, cellCount,
+    [](Made& m, const Target& to)
+    {
+      return withIds(to,
+        [&](auto* ids) { return writeNeighbors(m.triangulation, m.selection, ids, to.context); });
+    },
+    kWritingArrays },
+  { "constraint_edges", bitOf(kUint8), 1, cellCount,
+    [](Made& m, const Target& to)
+    {
+      return writeConstraintEdges(
+        m.triangulation, m.selection, static_cast<std::uint8_t*>(to.out), to.context);
+    },
+    kWritingArrays },
+  { "regions", kId, 1, cellCount,
+    [](Made& m, const Target& to)
+    {
+      return withIds(
+        to, [&](auto* ids) { return writeRegions(m.triangulation, m.selection, ids, to.context); });
+    },
+    kWritingArrays },
+  { "points", kReal, 3, pointCount, writePoints, kWritingCells },
+  { "plane_points", kDouble, 3, pointCount, writePlanePoints, kWritingCells },
+  { "heights", kDouble, 1, pointCount,
+    [](Made& m, const Target& to) {
+      return findHeights(m.points, m.triangulation, m.asked.showsMeans, to.context, to.doubles());
+    },
+    kWritingCells },
+  { "plane_matrix", kDouble, 4, [](const Made&) { return std::size_t(4); }, writePlaneMatrix,
+    kWritingCells, kMatrix },
+  { "point_status", kId, 1, pointCount,
+    [](Made& m, const Target& to)
+    { return withIds(to, [&](auto* ids) { return m.writeStatus(ids, to.context); }); },
+    kWritingArrays },
+  { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kWritingArrays },
+  { "point_of_vertex", kId, 1, [](const Made& m) { return m.triangulation.vertexCount(); },
+    [](Made& m, const Target& to)
+    {
+      return fillIds(
+        to, [&m](std::size_t i) { return m.triangulation.pointOf(static_cast<Index>(i)); });
+    },
+    kWritingArrays },
+  { "vertex_bounds", kDouble, 2, [](const Made&) { return std::size_t(2); }, writeVertexBounds,
+    kWritingArrays },
+  { "order", kId, 1, [](const Made& m) { return m.triangulation.report().inserted; },
+    [](Made& m, const Target& to)
+    { return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); }); },
+    kWritingArrays, kOrder },
+  { "insertion_ranks", kId, 1, pointCount,
+    [](Made& m, const Target& to)
+    {
+      return withIds(
+        to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
+    },
+    kWritingArrays, kOrder },
+  { "box_bounds", kDouble, 4, boxCount,
+    [](Made& m, const Target& to)
+    { return fillDoubles(to, [&m](std::size_t i) { return boxNumber(m, i); }); },
+    kWritingArrays, kBoxes },
+  { "box_levels", bitOf(kInt32), 1, boxCount,
+    [](Made& m, const Target& to)
+    { return fillIds(to, [&m](std::size_t i) { return m.triangulation.boxes()[i].level; }); },
+    kWritingArrays, kBoxes },
+  { "box_counts", kId, 1, boxCount,
+    [](Made& m, const Target& to)
+    { return fillIds(to, [&m](std::size_t i) { return m.triangulation.boxes()[i].count; }); },
+    kWritingArrays, kBoxes },
+  { "voronoi_points", kDouble, 2, [](const Made& m) { return m.voronoi.points.size(); },
+    [](Made& m, const Target& to)
+    {
+      return fillDoubles(to,
+        [&m](std::size_t i)
+        { return i % 2 == 0 ? m.voronoi.points[i / 2].x : m.voronoi.points[i / 2].y; });
+    },
+    kWritingVoronoi, kCells },
+  { "voronoi_offsets", kId, 1, [](const Made& m) { return m.voronoi.sites.size() + 1; },
+    [](Made& m, const Target& to)
+    {
+      return fillIds(
+        to, [&m](std::size_t i) { return m.voronoi.offsets.empty() ? 0 : m.voronoi.offsets[i]; });
+    },
+    kWritingVoronoi, kCells },
+  { "voronoi_corners", kId, 1, [](const Made& m) { return m.voronoi.corners.size(); },
+    [](Made& m, const Target& to) { return copyIds(to, m.voronoi.corners); }, kWritingVoronoi,
+    kCells },
+  { "voronoi_sites", kId, 1, [](const Made& m) { return m.voronoi.sites.size(); },
+    [](Made& m, const Target& to) { return copyIds(to, m.voronoi.sites); }, kWritingVoronoi,
+    kCells },
+  { "merged", kId, 2, [](const Made& m) { return m.points.merged().size(); },
+    [](Made& m, const Target& to)
+    {
+      return fillIds(to,
+        [&m](std::size_t i)
+        { return i % 2 == 0 ? m.points.merged()[i / 2].id : m.points.merged()[i / 2].keptId; });
+    },
+    kWritingArrays },
+  { "surface_corners", kId, 3, placeCount,
+    [](Made& m, const Target& to)
+    {
+      return fillIds(
+        to, [&m](std::size_t i) { return m.points.surfacePlaces()[i / 3].corners[i % 3]; });
+    },
+    kWritingArrays },
+  { "surface_weights", kDouble, 3, placeCount,
+    [](Made& m, const Target& to)
+    {
+      return fillDoubles(
+        to, [&m](std::size_t i) { return m.points.surfacePlaces()[i / 3].weights[i % 3]; });
+    },
+    kWritingArrays },
+  { "crossing_ends", kId, 4, crossingCount,
+    [](Made& m, const Target& to) {
+      return fillIds(to, [&m](std::size_t i) { return m.points.crossings()[i / 4].ends[i % 4]; });
+    },
+    kWritingArrays },
+  { "crossing_fractions", kDouble, 2, crossingCount,
+    [](Made& m, const Target& to)
+    {
+      return fillDoubles(
+        to, [&m](std::size_t i) { return m.points.crossings()[i / 2].along[i % 2]; });
+    },
+    kWritingArrays },
+  { "crossing_cells", kId, 2, [](const Made& m) { return m.crossingRows(); },
+    [](Made& m, const Target& to)
+    { return fillIds(to, [&m](std::size_t i) { return m.crossingRow(i / 2)[i % 2]; }); },
+    kWritingArrays },
+  { "left_out", kId, 4, [](const Made& m) { return m.triangulation.constraints().leftOut.size(); },
+    [](Made& m, const Target& to)
+    { return fillIds(to, [&m](std::size_t i) { return leftOutNumber(m, i); }); },
+    kWritingArrays },
   { "weight_offsets", bitOf(kInt64), 1,
-    [](const JobResult& m) { return m.sampling.weights.offsets.size(); }, writeWeightOffsets,
-    kArrays, lacksWeights },
-  { "weight_points", kId, 1, [](const JobResult& m) { return m.sampling.weights.points.size(); },
-    writeWeightPoints, kArrays, lacksWeights },
-  { "weights", kDouble, 1, [](const JobResult& m) { return m.sampling.weights.weights.size(); },
-    writeWeights, kArrays, lacksWeights },
+    [](const Made& m) { return m.sampling.weights.offsets.size(); },
+    [](Made& m, const Target& to) { return copyIds(to, m.sampling.weights.offsets); },
+    kWritingArrays, kWeights },
+  { "weight_points", kId, 1, [](const Made& m) { return m.sampling.weights.points.size(); },
+    [](Made& m, const Target& to) { return copyIds(to, m.sampling.weights.points); },
+    kWritingArrays, kWeights },
+  { "weights", kDouble, 1, [](const Made& m) { return m.sampling.weights.weights.size(); },
+    [](Made& m, const Target& to)
+    { return fillDoubles(to, [&m](std::size_t i) { return m.sampling.weights.weights[i]; }); },
+    kWritingArrays, kWeights },
 };
 
 const Row& rowOf(Job& job, const char* name)
@@ -357,10 +436,11 @@ const Row& rowOf(Job& job, const char* name)
     refuse(Reason::UnknownName,
       "There is no output array \"" + std::string(name ? name : "(null)") + "\".");
   }
-  const Lack lack = row->lacks(job.result());
-  if (!lack.empty())
+  const JobResult& made = job.result();
+  if (row->need.what && !row->need.isThere(made))
   {
-    refuse(Reason::NotAvailable, "There is no \"" + std::string(name) + "\" without " + lack + ".");
+    refuse(Reason::NotAvailable,
+      "There is no \"" + std::string(name) + "\" without " + row->need.what + ".");
   }
   return *row;
 }
@@ -395,7 +475,10 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   }
   made.sampling.forget();
   job.progress.reach(row.stage);
-  job.withThreads([&](const Context& context) { check(row.write(made, { type, out, context })); });
+  job.withThreads(
+    [&](const Context& context) {
+      check(row.write(made, { type, out, numbers, context }));
+    });
 }
 
 const char* outputArrayName(std::size_t number)
