@@ -335,7 +335,7 @@ void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
   this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
   this->InsertSeconds = report.SecondsOf(Phase::Insert);
   this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
-  this->NumberOfThreadsUsed = report.ThreadsUsed;
+  this->NumberOfThreadsUsed = static_cast<int>(report.threadsUsed);
   const ahd::ConstraintReport& constraints = report.constraints;
   this->NumberOfMergedPoints = static_cast<vtkIdType>(report.mergedPoints);
   this->NumberOfAddedPoints = static_cast<vtkIdType>(report.addedPoints);

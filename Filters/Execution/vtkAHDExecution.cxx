@@ -227,7 +227,7 @@ void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
   this->Report.Source = this->Input.GetSourceContent();
   this->Report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
   this->Report.Seconds = this->Context.GetProgress().seconds();
-  this->Report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
+  this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
 
 /// Leaves the triangulation behind, if it is to be had again and not too much. Returns false if

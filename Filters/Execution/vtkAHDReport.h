@@ -28,7 +28,6 @@ struct vtkAHDReport : ahd::RunReport
   vtkAHDInput::SourceContent Source;
   bool IsDiagramInPlane = false; ///< although the points are not: there is no way back
   std::array<double, ahd::kPhases> Seconds = {};
-  int ThreadsUsed = 1;
 
   /// Of memory, KiB.
   vtkTypeInt64 GetEstimate() const { return static_cast<vtkTypeInt64>(this->estimate / 1024); }

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -120,6 +121,37 @@ void CopyRounded(vtkDataArray* array, vtkIdType first, vtkIdType count, vtkDataA
         for (int c = 0; c < array->GetNumberOfComponents(); ++c)
         {
           array->SetComponent(first + i, c, ToWhole(from->GetComponent(i, c), array));
+        }
+      }
+    });
+}
+
+bool IsInside(const ahd::SurfacePlace& place)
+{
+  return place.isInside();
+}
+bool IsInside(const ahd::CrossingOrigin&)
+{
+  return true;
+}
+
+/// What linear interpolation gives at points that lie between others, from `first` on.
+template <typename Origin>
+void InterpolateAt(vtkDataArray* array, const std::vector<Origin>& origins, vtkIdType first,
+  const vtkAHDContext& context)
+{
+  const bool whole = IsWhole(array);
+  InPieces(static_cast<vtkIdType>(origins.size()), context,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType k = begin; k < end; ++k)
+      {
+        const Origin& origin = origins[static_cast<std::size_t>(k)];
+        for (int c = 0; c < array->GetNumberOfComponents() && IsInside(origin); ++c)
+        {
+          const double value = ahd::interpolate(
+            origin, [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
+          array->SetComponent(first + k, c, whole ? ToWhole(value, array) : value);
         }
       }
     });
@@ -272,49 +304,8 @@ void vtkAHDPointOutput::WriteArray(
   }
   if (numbers)
   {
-    this->InterpolateOnSurface(numbers, context);
-    this->Interpolate(numbers, context);
+    InterpolateAt(numbers, this->Points.surfacePlaces(), this->InputCount, context);
+    InterpolateAt(numbers, this->Points.crossings(),
+      static_cast<vtkIdType>(this->Points.firstCrossing()), context);
   }
-}
-
-/// Of points of the source that are laid on the surface of the input.
-void vtkAHDPointOutput::InterpolateOnSurface(
-  vtkDataArray* array, const vtkAHDContext& context) const
-{
-  const bool whole = IsWhole(array);
-  const std::vector<ahd::SurfacePlace>& places = this->Points.surfacePlaces();
-  InPieces(static_cast<vtkIdType>(places.size()), context,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        const ahd::SurfacePlace& place = places[static_cast<std::size_t>(k)];
-        for (int c = 0; c < array->GetNumberOfComponents() && place.isInside(); ++c)
-        {
-          const double value = ahd::interpolate(
-            place, [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
-          array->SetComponent(this->InputCount + k, c, whole ? ToWhole(value, array) : value);
-        }
-      }
-    });
-}
-
-void vtkAHDPointOutput::Interpolate(vtkDataArray* array, const vtkAHDContext& context) const
-{
-  const bool whole = IsWhole(array);
-  const vtkIdType first = static_cast<vtkIdType>(this->Points.firstCrossing());
-  InPieces(this->Count - first, context,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType k = begin; k < end; ++k)
-      {
-        for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-        {
-          const double value = ahd::interpolate(
-            this->Points.crossings()[static_cast<std::size_t>(k)],
-            [array, c](ahd::Index id) { return array->GetComponent(vtkIdType(id), c); });
-          array->SetComponent(first + k, c, whole ? ToWhole(value, array) : value);
-        }
-      }
-    });
 }

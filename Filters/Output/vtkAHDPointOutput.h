@@ -49,8 +49,6 @@ public:
 private:
   void WriteArray(
     vtkAbstractArray* array, vtkAbstractArray* from, const vtkAHDContext& context) const;
-  void InterpolateOnSurface(vtkDataArray* array, const vtkAHDContext& context) const;
-  void Interpolate(vtkDataArray* array, const vtkAHDContext& context) const;
 
   const ahd::InputRequest& Opened;
   vtkPointSet* const Input;

@@ -5,17 +5,10 @@
 
 #include "vtkAlgorithm.h"
 
-#include <chrono>
-
 vtkAHDProgress::vtkAHDProgress(vtkAlgorithm* filter, ahd::Clock clock)
   : RunProgress(clock)
   , Filter(filter)
 {
-}
-
-double vtkAHDProgress::SteadyClock()
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 bool vtkAHDProgress::isCancelled() const

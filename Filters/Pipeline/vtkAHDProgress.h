@@ -14,15 +14,13 @@ class vtkAlgorithm;
 class vtkAHDProgress : public ahd::RunProgress
 {
 public:
-  explicit vtkAHDProgress(vtkAlgorithm* filter, ahd::Clock clock = SteadyClock);
+  explicit vtkAHDProgress(vtkAlgorithm* filter, ahd::Clock clock = ahd::steadySeconds);
 
 protected:
   bool isCancelled() const override;
   void tell(double done, ahd::Phase phase) override;
 
 private:
-  static double SteadyClock();
-
   vtkAlgorithm* const Filter;
 };
 

@@ -72,7 +72,7 @@ void ForParts(Report& report, const Work& work)
   work(report.areStacked);
   work(report.IsDiagramInPlane);
   work(report.Seconds);
-  work(report.ThreadsUsed);
+  work(report.threadsUsed);
 }
 
 /// The rows of the field data array "Crossings", which all ranks put out.

@@ -342,7 +342,7 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHD
     report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;
   }
   report.Seconds = this->Context.GetProgress().seconds();
-  report.ThreadsUsed = static_cast<int>(this->Context.GetThreadsUsed());
+  report.threadsUsed = this->Context.GetThreadsUsed();
   report.estimate = this->Estimate;
   for (const ahd::LeftOut& out : counts.constraints.leftOut)
   {

@@ -61,14 +61,14 @@ const Names& vocabulary()
 
 /// The files of the engine that look at the machine, for callers who have none that does: one
 /// starts threads, waits for them by the clock, and asks how many processors there are; one asks
-/// how much memory there is; one reads the clock for the C interface, which is a C header. What
+/// how much memory there is; one reads the clock. The C interface is a C header. What
 /// they may include beyond the standard library's usual.
 const Names& machineHeaders(const fs::path& file)
 {
   static const std::map<std::string, Names> kFiles = {
     { "Core/Threads.cxx", { "chrono", "mutex", "thread", "sched.h" } },
     { "Core/Memory.cxx", { "fstream", "sys/resource.h", "unistd.h" } },
-    { "Interface/Clock.cxx", { "chrono" } }, { "Interface/ahd.h", { "stdint.h" } }
+    { "Core/Clock.cxx", { "chrono" } }, { "Interface/ahd.h", { "stdint.h" } }
   };
   static const Names kNone;
   const auto found = kFiles.find(file.generic_string());

@@ -10,7 +10,6 @@
 #include "../Job/Counts.h"
 #include "../Job/Job.h"
 #include "../Job/Refusal.h"
-#include "Clock.h"
 #include "Translate.h"
 
 #include <atomic>
@@ -24,7 +23,7 @@
 
 struct ahd_job
 {
-  ahd::Job job{ ahd::steadySeconds };
+  ahd::Job job;
   std::string message;
   /// The message, or what to say without memory for it. Atomic, as a call from a callback may be on
   /// another thread than the one that is at work, though it must not.
@@ -100,6 +99,18 @@ void mustHave(const void* pointer, const char* what)
   {
     ahd::refuse(ahd::Reason::BadArray, "The pointer to the " + std::string(what) + " is null.");
   }
+}
+
+/// Writes what work(the job) returns to `value`.
+template <typename Value, typename Work>
+ahd_status give(ahd_job* job, Value* value, const char* what, const Work& work)
+{
+  return call(job,
+    [&](ahd::Job& own)
+    {
+      mustHave(value, what);
+      *value = work(own);
+    });
 }
 
 } // namespace
@@ -188,12 +199,7 @@ ahd_status ahd_set_progress(ahd_job* job, ahd_progress progress, void* user)
 
 ahd_status ahd_estimate(ahd_job* job, uint64_t* bytes)
 {
-  return call(job,
-    [=](ahd::Job& own)
-    {
-      mustHave(bytes, "bytes");
-      *bytes = own.estimate();
-    });
+  return give(job, bytes, "bytes", [=](ahd::Job& own) { return own.estimate(); });
 }
 
 ahd_status ahd_run(ahd_job* job)
@@ -247,22 +253,12 @@ ahd_status ahd_fit_plane(ahd_job* job, double matrix[16])
 
 ahd_status ahd_count(ahd_job* job, const char* name, int64_t* value)
 {
-  return call(job,
-    [=](ahd::Job& own)
-    {
-      mustHave(value, "value");
-      *value = ahd::countOf(own, name);
-    });
+  return give(job, value, "value", [=](ahd::Job& own) { return ahd::countOf(own, name); });
 }
 
 ahd_status ahd_measure(ahd_job* job, const char* name, double* value)
 {
-  return call(job,
-    [=](ahd::Job& own)
-    {
-      mustHave(value, "value");
-      *value = ahd::measureOf(own, name);
-    });
+  return give(job, value, "value", [=](ahd::Job& own) { return ahd::measureOf(own, name); });
 }
 
 ahd_status ahd_array_size(ahd_job* job, const char* name, uint64_t* rows, uint64_t* columns)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Counts.h"
 
-#include "../Core/Dispatch.h"
 #include "../Surface/OrderDrawing.h"
 #include "Refusal.h"
 
@@ -44,23 +43,6 @@ constexpr CountRow kCounts[] = {
     [](const Made& m) { return std::uint64_t(m.sampling.report.withoutValue); } },
   { "sampled_left_out", [](const Made& m) { return std::uint64_t(m.sampling.report.leftOut); } },
   { "sampling_estimate", [](const Made& m) { return std::uint64_t(m.sampling.estimate); } },
-};
-
-/// What is known of every job besides.
-struct JobRow
-{
-  const char* name;
-  std::uint64_t (*get)(const Job&);
-};
-constexpr JobRow kJobs[] = {
-  { "threads_used", [](const Job& job) { return std::uint64_t(job.threadsUsed()); } },
-  { "dispatch_target",
-    [](const Job&)
-    {
-      return std::uint64_t(processorHas(InstructionSet::Avx512) ? InstructionSet::Avx512
-          : processorHas(InstructionSet::Avx2)                  ? InstructionSet::Avx2
-                                                                : InstructionSet::Baseline);
-    } },
 };
 
 const Report& countsOf(const Made& m)
@@ -130,10 +112,6 @@ std::int64_t countOf(Job& job, const char* name)
       return static_cast<std::int64_t>(row->get(job.report()));
     }
   }
-  if (const JobRow* const row = find(kJobs, name))
-  {
-    return static_cast<std::int64_t>(row->get(job));
-  }
   if (const CountRow* const row = find(kCounts, name))
   {
     return static_cast<std::int64_t>(row->get(job.result()));
@@ -161,10 +139,7 @@ const char* countName(std::size_t number)
     }
   }
   number -= i;
-  const std::size_t jobs = std::size(kJobs), counts = std::size(kCounts);
-  return number < jobs       ? kJobs[number].name
-    : number - jobs < counts ? kCounts[number - jobs].name
-                             : nullptr;
+  return number < std::size(kCounts) ? kCounts[number].name : nullptr;
 }
 
 const char* measureName(std::size_t number)

@@ -58,7 +58,6 @@ void Job::run()
 {
   release(std::size_t(-1));
   report_ = RunReport();
-  threadsUsed_ = 0;
   try
   {
     withThreads([this](const Context& context) { runWith(context); });

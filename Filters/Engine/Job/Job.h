@@ -45,11 +45,6 @@ void writeMatrix(const Plane& plane, double* matrix);
 class Job
 {
 public:
-  explicit Job(Clock clock)
-    : progress(clock)
-  {
-  }
-
   JobSettings settings;
   InputArrays arrays;
   JobProgress progress;
@@ -72,7 +67,6 @@ public:
   JobResult& result();
   /// Of the last run, whether it succeeded or not.
   const RunReport& report() const { return report_; }
-  unsigned threadsUsed() const { return threadsUsed_; }
 
   /// What was made of the input before is gone with it, as it looks at it.
   void setArray(const char* name, const GivenArray* array)
@@ -87,7 +81,7 @@ public:
   {
     const std::int64_t wished = settings[IntSetting::Threads];
     Threads threads(wished > 0 ? static_cast<unsigned>(wished) : availableProcessors());
-    const NoteThreads noted = { threads, threadsUsed_ };
+    const NoteThreads noted = { threads, report_.threadsUsed };
     work(Context{ &progress, &threads });
   }
 
@@ -111,7 +105,6 @@ private:
   Workspace workspace_;
   std::unique_ptr<JobResult> result_;
   RunReport report_;
-  unsigned threadsUsed_ = 0;
 };
 
 } // namespace ahd

@@ -3,6 +3,7 @@
 #define ahd_RunProgress_h
 
 #include "../Core/AskedMemory.h"
+#include "../Core/Clock.h"
 #include "../Core/Progress.h"
 #include "../Core/Stages.h"
 
@@ -12,9 +13,6 @@
 
 namespace ahd
 {
-
-/// Seconds from some beginning.
-using Clock = double (*)();
 
 /// The stages of a run, in their order: these, which Run begins itself,
 enum RunStage : std::size_t
@@ -37,7 +35,7 @@ enum RunStage : std::size_t
 class RunProgress : public Progress
 {
 public:
-  explicit RunProgress(Clock clock)
+  explicit RunProgress(Clock clock = steadySeconds)
     : now(clock)
     , toldAt_(clock())
   {

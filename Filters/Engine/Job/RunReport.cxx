@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RunReport.h"
 
+#include "../Core/Dispatch.h"
+
 #include <iterator>
 
 namespace ahd
@@ -17,6 +19,14 @@ constexpr ReportRow kRows[] = {
   { "memory_allowed", false, [](R r) { return std::uint64_t(r.allowed); } },
   { "most_boxes", false, [](R r) { return std::uint64_t(r.mostBoxes); } },
   { "most_crossings", false, [](R r) { return std::uint64_t(r.mostCrossings); } },
+  { "threads_used", false, [](R r) { return std::uint64_t(r.threadsUsed); } },
+  { "dispatch_target", false,
+    [](R)
+    {
+      return std::uint64_t(processorHas(InstructionSet::Avx512) ? InstructionSet::Avx512
+          : processorHas(InstructionSet::Avx2)                  ? InstructionSet::Avx2
+                                                                : InstructionSet::Baseline);
+    } },
   // known where it succeeded
   { "input_points", true, [](R r) { return std::uint64_t(r.inputPoints); } },
   { "source_points", true, [](R r) { return std::uint64_t(r.sourcePoints); } },

@@ -26,6 +26,7 @@ struct RunReport : RunSizes
   bool isLimited = false;        ///< that is the caller's limit, and not what there is
   std::size_t mostBoxes = 0;     ///< for which there was memory
   std::size_t mostCrossings = 0; ///< the same
+  unsigned threadsUsed = 0;      ///< that shared work
 
   // The rest means something if the status is Ok.
   Report counts;
