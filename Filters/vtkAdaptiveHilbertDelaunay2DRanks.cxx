@@ -10,6 +10,7 @@
 #include "Execution/vtkAHDOutputCache.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
 #include "Ranks/vtkAHDRankUpdates.h"
@@ -265,8 +266,7 @@ bool vtkAdaptiveHilbertDelaunay2D::WarnOfInput(vtkDataObject* input)
     vtkPointSet::SafeDownCast(input);
   if (input && !hasPoints)
   {
-    vtkWarningMacro("A " << input->GetClassName()
-                         << " has no points of its own: nothing was triangulated for it.");
+    vtkAHDSay(this, ahd::Topic::Blocks, { { "without_points", input->GetClassName() } });
   }
   return hasPoints;
 }

@@ -6,6 +6,7 @@
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
 #include "Ranks/vtkAHDRankUpdates.h"
@@ -231,8 +232,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   bool isDone = false;
   if (!this->Triangulation)
   {
-    vtkErrorMacro("Triangulation is null: nothing says how to triangulate. Give it a "
-                  "vtkAdaptiveHilbertDelaunay2D.");
+    vtkAHDSay(this, ahd::Topic::Refusal, { { "triangulation_is_null", true } });
   }
   else
   {

@@ -8,6 +8,7 @@
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
 #include "Ranks/vtkAHDRankUpdates.h"
@@ -93,9 +94,7 @@ struct RankWork
       this->Merged->Warn();
       if (points && !hasPoints)
       {
-        vtkWarningWithObjectMacro(filter,
-          "A " << points->GetClassName()
-               << " has no points of its own: nothing was triangulated for it.");
+        vtkAHDSay(filter, ahd::Topic::Blocks, { { "without_points", points->GetClassName() } });
       }
     }
   }

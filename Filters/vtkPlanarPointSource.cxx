@@ -5,8 +5,8 @@
 #include "Engine/Core/FloatingPoint.h"
 #include "Engine/Core/Memory.h"
 #include "Pipeline/vtkAHDArray.h"
-#include "Pipeline/vtkAHDMemoryWords.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSay.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -111,7 +111,9 @@ int vtkPlanarPointSource::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    vtkErrorMacro("Out of memory while making " << this->NumberOfPoints << " points.");
+    vtkAHDSay(this, ahd::Topic::Refusal,
+      { { "reason", ahd::Reason::OutOfMemory }, { "doing", "making" },
+        { "points", this->NumberOfPoints } });
   }
   return 1;
 }
@@ -125,9 +127,10 @@ bool vtkPlanarPointSource::FitsInMemory()
   const vtkTypeInt64 available = static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024);
   if (needed > available)
   {
-    vtkErrorMacro("Making " << this->NumberOfPoints << " points takes " << vtkAHDNeeded(needed)
-                            << " of memory, but " << vtkAHDButAllowed(available, false)
-                            << ". No point was made. Make fewer.");
+    vtkAHDSay(this, ahd::Topic::Refusal,
+      { { "reason", ahd::Reason::MemoryLimit }, { "doing", "making" },
+        { "points", this->NumberOfPoints }, { "memory_estimate", needed }, { "is_in_kib", true },
+        { "memory_allowed", available } });
   }
   return needed <= available;
 }

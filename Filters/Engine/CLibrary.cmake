@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The C interface as a shared library, AdaptiveHilbertDelaunay::C: libadaptivehilbertdelaunay, which
-# exports the functions of Interface/ahd.h and ahd_sample.h and nothing else. REQUIRES: the engine's target.
+# exports the functions of Interface/ahd.h and of the headers that it includes, and nothing else. REQUIRES: the engine's
+# target.
 #
 # Built on its own it is installed with its header; built by scikit-build-core (pyproject.toml) it goes
 # into the Python package.
@@ -52,6 +53,7 @@ if (CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
     LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  install(FILES "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.h" "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_sample.h"
+  install(FILES "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.h" "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_messages.h"
+    "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_sample.h"
     DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/adaptivehilbertdelaunay/Engine/Interface")
 endif ()

@@ -6,13 +6,12 @@
 #include "Execution/vtkAHDMessages.h"
 #include "Input/vtkAHDHeldCopy.h"
 #include "Pipeline/vtkAHDContext.h"
-#include "Pipeline/vtkAHDMemoryWords.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Pipeline/vtkAHDSettings.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -108,11 +107,10 @@ vtkSmartPointer<vtkPolyData> vtkAHDMergedBlocks::Merge(
   {
     return nullptr;
   }
-  vtkErrorWithObjectMacro(this->Filter,
-    "Merging blocks of " << blocks.GetCount() << " points may take " << vtkAHDNeeded(needed)
-                         << " of memory, but " << vtkAHDButAllowed(limit, this->Limit > 0)
-                         << ". Nothing was computed. Take fewer or smaller blocks, "
-                         << vtkAHDOrSetLimit(needed));
+  vtkAHDSay(this->Filter, ahd::Topic::Refusal,
+    { { "reason", ahd::Reason::MemoryLimit }, { "doing", "merging" },
+      { "points", blocks.GetCount() }, { "memory_estimate", needed }, { "is_in_kib", true },
+      { "memory_allowed", limit }, { "memory_limit", this->Limit } });
   return nullptr;
 }
 
@@ -127,57 +125,25 @@ void vtkAHDMergedBlocks::HandOnPoints(vtkPolyData* surface) const
 
 void vtkAHDMergedBlocks::Warn() const
 {
-  this->WarnOfInput();
-  this->WarnOfSource();
-}
-
-void vtkAHDMergedBlocks::WarnOfInput() const
-{
+  ahd::Facts facts;
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GivenInput))
   {
     const vtkAHDBlocks all(blocks);
-    if (all.GetNumberOfOthers() > 0)
-    {
-      vtkWarningWithObjectMacro(this->Filter,
-        "" << all.GetNumberOfOthers()
-           << (all.GetNumberOfOthers() == 1
-                  ? " block has no points of its own and was left out; it is a "
-                  : " blocks have no points of their own and were left out; the first is a ")
-           << all.GetFirstOther() << ".");
-    }
-    if (all.GetNumberOfUnfitMarks() > 0)
-    {
-      vtkWarningWithObjectMacro(this->Filter,
-        "In "
-          << all.GetNumberOfUnfitMarks()
-          << (all.GetNumberOfUnfitMarks() == 1 ? " block" : " blocks") << " the point data array "
-          << vtkDataSetAttributes::GhostArrayName()
-          << " does not have one value for each of the points, or is not of type unsigned char, so "
-             "none of these points was skipped.");
-    }
+    facts.add({ "other_blocks", all.GetNumberOfOthers() });
+    facts.add({ "first_other", std::string(all.GetFirstOther()) });
+    facts.add({ "unfit_marks", all.GetNumberOfUnfitMarks() });
   }
   else if (!vtkPointSet::SafeDownCast(this->GivenInput))
   {
     // A block of a composite data set: their types are not looked at by the pipeline.
-    vtkWarningWithObjectMacro(this->Filter,
-      "A " << (this->GivenInput ? this->GivenInput->GetClassName() : "missing block")
-           << " has no points of its own: nothing was triangulated for it.");
+    facts.add({ "without_points",
+      std::string(this->GivenInput ? this->GivenInput->GetClassName() : "missing block") });
   }
-}
-
-void vtkAHDMergedBlocks::WarnOfSource() const
-{
   if (auto* blocks = vtkCompositeDataSet::SafeDownCast(this->GivenSource))
   {
     const vtkAHDBlocks all(blocks, vtkAHDBlocks::Kind::Sources);
-    if (all.GetNumberOfOthers() > 0)
-    {
-      vtkWarningWithObjectMacro(this->Filter,
-        "" << all.GetNumberOfOthers()
-           << (all.GetNumberOfOthers() == 1
-                  ? " block of the source is no vtkPolyData and was left out; it is a "
-                  : " blocks of the source are no vtkPolyData and were left out; the first is a ")
-           << all.GetFirstOther() << ".");
-    }
+    facts.add({ "other_sources", all.GetNumberOfOthers() });
+    facts.add({ "first_other_source", std::string(all.GetFirstOther()) });
   }
+  vtkAHDSay(this->Filter, ahd::Topic::Blocks, facts);
 }

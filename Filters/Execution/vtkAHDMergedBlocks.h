@@ -51,8 +51,6 @@ public:
 
 private:
   vtkSmartPointer<vtkPolyData> Merge(const vtkAHDBlocks& blocks, const vtkAHDContext& context);
-  void WarnOfInput() const;
-  void WarnOfSource() const;
 
   vtkAlgorithm* const Filter;
   const vtkTypeInt64 Limit;

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The shared library of the engine's C interface (Filters/Engine/Interface/ahd.h, ahd_sample.h): found, loaded and
-declared.
+"""The shared library of the engine's C interface (Filters/Engine/Interface/ahd*.h): found, loaded and declared.
 Constants have the names of the header without AHD_.
 
 The library is the one that the environment variable ADAPTIVEHILBERTDELAUNAY_LIBRARY names, else the one in
@@ -13,7 +12,7 @@ import ctypes
 import functools
 import os
 import sys
-from typing import Any, Dict, List, Optional, Tuple
+from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
@@ -54,6 +53,10 @@ IN_TRIANGLE, ON_EDGE, ON_VERTEX, OUTSIDE, NOWHERE = range(5)
 
 # For Job.interpolate.
 AT_SURFACE, AT_CROSSINGS = 1, 2
+
+# Whose words a message has, and when it is said.
+WORDS_OF_C, WORDS_OF_CLASS, WORDS_OF_NUMPY = range(3)
+SAY_REFUSAL, SAY_TRIANGULATION, SAY_COLUMNS, SAY_PLACES, SAY_BLOCKS = range(5)
 
 # Kinds of names, for names().
 INT_SETTINGS, DOUBLE_SETTINGS, INPUT_ARRAYS, COUNTS, MEASURES, OUTPUT_ARRAYS = range(6)
@@ -166,6 +169,15 @@ class Sampled(ctypes.Structure):
     ]
 
 
+class Fact(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("text", ctypes.c_char_p),
+        ("number", ctypes.c_int64),
+        ("real", ctypes.c_double),
+    ]
+
+
 Progress = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_int32, ctypes.c_double)
 Projection = ctypes.CFUNCTYPE(ctypes.c_int32, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_uint64)
 
@@ -207,6 +219,7 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_sample_estimate": (status, [job, to(Places), u64, to(u64)]),
         "ahd_sample_estimate_before": (status, [job, u64, to(Places), u64, i32, to(u64)]),
         "ahd_sample_weights": (status, [job, to(Places)]),
+        "ahd_say": (u64, [job, i32, i32, to(Fact), u64, pointer, u64]),
         "ahd_name": (name, [i32, u32]),
         "ahd_status_name": (name, [status]),
         "ahd_processors": (u32, []),
@@ -278,6 +291,28 @@ def names(kind: int) -> Tuple[str, ...]:
         if name is None:
             return tuple(found)
         found.append(name.decode())
+
+
+def _fact(name: str, value: Any) -> Fact:
+    text, number = value if isinstance(value, tuple) else (value, 0) if isinstance(value, str) else (None, value)
+    written = None if text is None else text.encode(errors="surrogateescape")
+    return Fact(name.encode(), written, 0 if isinstance(number, float) else int(number), float(number))
+
+
+def say(topic: int, words: int, facts: Mapping[str, Any], job: Any = None) -> Dict[str, str]:
+    """What there is to say, by the names of messages, in order: see ahd_say. `facts`: numbers, texts, tuples of both,
+    or lists of these; `job`: a Job whose counts are facts, too."""
+    lists = {name: value if isinstance(value, list) else [value] for name, value in facts.items()}
+    rows = [_fact(name, one) for name, each in lists.items() for one in each]
+    given, size, needed = (Fact * len(rows))(*rows), 0, 4096
+    while needed > size:
+        size = needed
+        out = ctypes.create_string_buffer(size)
+        needed = C.ahd_say(job and job._handle, topic, words, given, len(rows), out, size)
+    if needed == 0:
+        raise MemoryError
+    said = out.raw[: needed - 1].decode(errors="surrogateescape").split("\0")
+    return dict(zip(said[::2], said[1::2]))
 
 
 def status_name(status: int) -> str:

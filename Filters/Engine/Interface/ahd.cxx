@@ -12,6 +12,7 @@
 #include "../Job/Refusal.h"
 #include "Translate.h"
 
+#include <algorithm>
 #include <atomic>
 #include <new>
 #include <stdexcept>
@@ -345,6 +346,45 @@ ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places)
       mustHave(places, "places");
       ahd::Sampling(own, ahd::placesOf(*places)).weights();
     });
+}
+
+uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* facts, uint64_t count,
+  char* out, uint64_t capacity)
+{
+  std::string said;
+  ahd_job none;
+  const auto say = [&](ahd::Job& own)
+  {
+    if (words < AHD_WORDS_OF_C || words > AHD_WORDS_OF_NUMPY)
+    {
+      ahd::refuse(ahd::Reason::BadValue, "There are no such words.");
+    }
+    ahd::Facts known;
+    for (uint64_t k = 0; k < count; ++k)
+    {
+      mustHave(facts, "facts");
+      mustHave(facts[k].name, "name of a fact");
+      ahd::Fact fact(facts[k].name, facts[k].text ? facts[k].text : "", facts[k].number);
+      fact.real = facts[k].real != 0.0 ? facts[k].real : fact.real;
+      known.add(std::move(fact));
+    }
+    known = job ? ahd::factsOf(own, std::move(known)) : std::move(known);
+    for (const ahd::Message& one : ahd::messages(ahd::Topic(topic), ahd::Wording(words), known))
+    {
+      said += one.name + std::string(1, '\0') + one.text + '\0';
+    }
+    said += '\0';
+  };
+  if (call(job ? job : &none, say) != AHD_OK)
+  {
+    return 0;
+  }
+  const bool fits = said.size() <= capacity;
+  if (out && capacity > 0)
+  {
+    std::copy_n(fits ? said.data() : "", fits ? said.size() : 1, out);
+  }
+  return said.size();
 }
 
 const char* ahd_name(int32_t kind, uint32_t number)

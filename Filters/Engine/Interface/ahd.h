@@ -495,6 +495,6 @@ AHD_API uint64_t ahd_available_memory(void);
 /* 128 bits that differ, in practice, where bytes or `kind` do; 0, 0 for null or absurd counts. */
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
 
-#include "ahd_sample.h" /* values between the points, at any places or on a raster */
-
+#include "ahd_messages.h" /* what there is to say of a run */
+#include "ahd_sample.h"   /* values between the points, at any places or on a raster */
 #endif

@@ -128,6 +128,22 @@ double measureOf(Job& job, const char* name)
   refuseName("measure", name);
 }
 
+Facts factsOf(const Job& job, Facts known)
+{
+  const std::size_t given = known.count();
+  if (const JobResult* const made = job.madeResult())
+  {
+    for (const CountRow& row : kCounts)
+    {
+      known.addMissing({ row.name, row.get(*made) }, given);
+    }
+    known.addMissing({ "splits", made->asked.split }, given);
+    known.addMissing({ "cell_ids", !made->asked.idsAreOfInput }, given);
+  }
+  const bool isKnown = job.madeResult() || job.report().status != Status::Ok;
+  return isKnown ? factsOf(job.report(), std::move(known)) : known;
+}
+
 const char* countName(std::size_t number)
 {
   std::size_t i = 0;

@@ -3,6 +3,7 @@
 #define ahd_JobCounts_h
 
 #include "Job.h"
+#include "Messages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,8 @@ namespace ahd
 // Counts and measures of a job by name. What is unknown, or there is no result for, is refused.
 std::int64_t countOf(Job& job, const char* name);
 double measureOf(Job& job, const char* name);
+/// What messages are made of that is not `known`: counts and what was asked for.
+Facts factsOf(const Job& job, Facts known);
 
 /// Null past the last.
 const char* countName(std::size_t number);

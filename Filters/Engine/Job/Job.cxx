@@ -10,18 +10,6 @@
 
 namespace ahd
 {
-namespace
-{
-
-[[noreturn]] void refuseForPoints(const RunReport& report)
-{
-  refuse(Reason::TooManyPoints,
-    std::to_string(report.points) + " points are too many: at most " +
-      std::to_string(kMaximumPoints) + " can be triangulated.");
-}
-
-} // namespace
-
 PointView JobResult::spacePoints(SpacePoints& made, const Context& context)
 {
   ahd::check(made.make(input.points, input.sourcePoints, points, context));
@@ -128,7 +116,7 @@ std::size_t Job::estimate()
   const Run run(asked, request(asked), callersMemory(), workspace_, report);
   if (report.points > kMaximumPoints)
   {
-    refuseForPoints(report);
+    refuse(Reason::TooManyPoints, factsOf(report));
   }
   return run.estimate();
 }
@@ -159,36 +147,11 @@ void Job::select(const Context& context)
 /// Refuses unless Ok, with the numbers of the report.
 void Job::check(Status status) const
 {
-  if (status == Status::Ok)
+  const bool isOfSize = status == Status::TooManyPoints || status == Status::TooManyBoxes ||
+    status == Status::TooManyCrossings || (status == Status::OutOfMemory && report_.isRefused);
+  if (isOfSize)
   {
-    return;
-  }
-  const char* const who = report_.isLimited ? "\"memory_limit\" allows" : "there are";
-  const std::string butAllowed = ahd::butAllowed(report_.estimate, report_.allowed, who);
-  const std::string orSetLimit = ahd::orSetLimit(report_.estimate);
-  if (status == Status::TooManyPoints)
-  {
-    refuseForPoints(report_);
-  }
-  if (status == Status::OutOfMemory && report_.isRefused)
-  {
-    refuse(Reason::MemoryLimit,
-      "Triangulating " + std::to_string(report_.points) + " points may take " + butAllowed +
-        ". Take fewer points, ask for fewer arrays, " + orSetLimit);
-  }
-  if (status == Status::TooManyCrossings)
-  {
-    refuse(Reason::TooManyCrossings,
-      "Segments cross in more than " + std::to_string(report_.mostCrossings) +
-        " places. Splitting them there and triangulating may take more than " + butAllowed +
-        ". Take fewer segments, leave out those that cross, " + orSetLimit);
-  }
-  if (status == Status::TooManyBoxes)
-  {
-    refuse(Reason::TooManyBoxes,
-      "The grid has more than " + std::to_string(report_.mostBoxes) +
-        " boxes. Keeping more may take more than " + butAllowed +
-        ". Ask for no boxes, take fewer points or a larger \"nmax\", " + orSetLimit);
+    refuse(reasonOf(status, report_.isRefused), factsOf(report_));
   }
   ahd::check(status);
 }

@@ -65,6 +65,8 @@ public:
 
   /// Refuses if there is none.
   JobResult& result();
+  /// Null if there is none.
+  const JobResult* madeResult() const { return result_.get(); }
   /// Of the last run, whether it succeeded or not.
   const RunReport& report() const { return report_; }
 

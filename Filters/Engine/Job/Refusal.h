@@ -2,9 +2,8 @@
 #ifndef ahd_Refusal_h
 #define ahd_Refusal_h
 
-#include "../Core/SizeInWords.h"
 #include "../Result.h"
-#include "Words.h"
+#include "Messages.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -52,39 +51,22 @@ inline void checkColumns(std::uint64_t count, const char* what)
   }
 }
 
-/// What refusals say of memory: "7.63 MB of memory, but "memory_limit" allows 7.47 MB".
-inline std::string butAllowed(
-  std::size_t needed, std::size_t allowed, const char* who, const char* besides = "")
+/// Refuses in the words of Messages.cxx.
+[[noreturn]] inline void refuse(Reason reason, Facts facts)
 {
-  return sizeInWords(needed, Rounded::Up) + " of memory" + besides + ", but " + who + " " +
-    sizeInWords(allowed, Rounded::Down);
-}
-
-/// The way out.
-inline std::string orSetLimit(std::size_t needed)
-{
-  return "or set \"memory_limit\" to " + std::to_string(needed) + " or more (bytes).";
+  facts.add({ "reason", reason });
+  refuse(reason, messages(Topic::Refusal, Wording::Job, facts).at(0).text);
 }
 
 /// Refuses unless Ok. What has a number in its text is refused where the number is known.
 inline void check(Status status)
 {
-  switch (status)
+  // In the order of Status.
+  const char* const texts[] = { "", "Cancelled.", "Too many points.", "Too many boxes.",
+    "Too many crossings.", "Out of memory.", "Offsets do not ascend within the ids." };
+  if (status != Status::Ok)
   {
-    case Status::Ok:
-      return;
-    case Status::Cancelled:
-      refuse(Reason::Cancelled, "Cancelled.");
-    case Status::TooManyPoints:
-      refuse(Reason::TooManyPoints, "Too many points.");
-    case Status::TooManyBoxes:
-      refuse(Reason::TooManyBoxes, "Too many boxes.");
-    case Status::TooManyCrossings:
-      refuse(Reason::TooManyCrossings, "Too many crossings.");
-    case Status::OutOfMemory:
-      refuse(Reason::OutOfMemory, "Out of memory.");
-    case Status::BadCells:
-      refuse(Reason::BadArray, "Offsets do not ascend within the ids.");
+    refuse(reasonOf(status, false), texts[std::size_t(status)]);
   }
 }
 

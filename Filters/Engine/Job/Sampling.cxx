@@ -98,10 +98,9 @@ void Sampling::checkMemory(std::size_t bytes) const
   if (bytes > allowed)
   {
     refuse(Reason::MemoryLimit,
-      "Values at " + std::to_string(places_.count()) + " places may take " +
-        butAllowed(bytes, allowed, limit > 0 ? "\"memory_limit\" leaves" : "there are",
-          " besides the triangulation") +
-        ". Take fewer places or columns at a time, " + orSetLimit(held + bytes));
+      { { "doing", "sampling" }, { "places", places_.count() }, { "memory_limit", limit },
+        { "memory_needed", bytes }, { "memory_allowed", allowed },
+        { "memory_estimate", held + bytes } });
   }
 }
 

@@ -4,6 +4,7 @@
 import numpy
 
 from .. import _library as engine
+from . import messages
 
 # Of VTK's types whole numbers with a sign, without one, floating-point numbers; VTK_ID_TYPE is 12.
 _NUMBERS = {2: "i", 3: "u", 4: "i", 5: "u", 6: "i", 7: "u", 8: "i", 9: "u", 10: "f", 11: "f", 12: "i", 15: "i", 16: "i",
@@ -205,8 +206,8 @@ def ids_of(backend, cells, what):
     bad = (begin < 0) | (begin > end) | (end > len(ids))
     if bad.any():
         cell = int(bad.argmax())
-        raise BadCells("The %s are damaged: the offsets of number %d among them are %d and %d, but offsets must ascend "
-                       "from 0 to the number of point ids, %d" % (what, cell, begin[cell], end[cell], len(ids)))
+        raise BadCells(messages.refusal(
+            reason=engine.BAD_ARRAY, cells=what, bad_cell=cell, begin=begin[cell], end=end[cell], ids=len(ids)))
     return found
 
 

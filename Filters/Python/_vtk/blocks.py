@@ -161,7 +161,7 @@ class Merged:
 
     def _merge(self, blocks):
         if blocks.count > MOST_POINTS:
-            self.speaker.error(messages.too_many_points(blocks.count))
+            self.speaker.error(messages.refusal(reason=engine.TOO_MANY_POINTS, points=blocks.count))
             return None
         self.bytes += blocks.estimate_bytes()
         needed = self.bytes // 1024
@@ -170,15 +170,13 @@ class Merged:
             if needed <= limit:
                 return blocks.merge()
         except BadCells as bad:
-            self.speaker.error(messages.not_computed(str(bad)))
+            self.speaker.error(str(bad))
             return None
         except MemoryError:
             pass
-        self.speaker.error(
-            "Merging blocks of %d points may take %s of memory, but %s. Nothing was computed. Take fewer or smaller "
-            "blocks, %s" % (
-                blocks.count, messages.needed_in_words(needed), messages.but_allowed(limit, self.limit > 0),
-                messages.or_set_limit(needed)))
+        self.speaker.error(messages.refusal(
+            reason=engine.MEMORY_LIMIT, doing="merging", points=blocks.count, memory_estimate=needed,
+            memory_allowed=limit, memory_limit=self.limit))
         return None
 
     def hand_on_points(self, surface):
@@ -188,26 +186,16 @@ class Merged:
 
     def warn(self):
         """Of blocks that are left out."""
-        vtk = self.backend
+        vtk, facts = self.backend, {}
         if isinstance(self.given, vtk.vtkCompositeDataSet):
             blocks = Blocks(vtk, self.given)
-            if blocks.others:
-                self.speaker.warn("%d %s %s." % (
-                    blocks.others, "block has no points of its own and was left out; it is a" if blocks.others == 1 else
-                    "blocks have no points of their own and were left out; the first is a", blocks.first_other))
-            if blocks.unfit_marks:
-                self.speaker.warn(
-                    "In %d block%s the point data array vtkGhostType does not have one value for each of the points, "
-                    "or is not of type unsigned char, so none of these points was skipped." % (
-                        blocks.unfit_marks, "" if blocks.unfit_marks == 1 else "s"))
+            facts.update(other_blocks=blocks.others, first_other=blocks.first_other or "",
+                         unfit_marks=blocks.unfit_marks)
         elif not isinstance(self.given, vtk.vtkPointSet):
             # A block of a composite data set: their types are not looked at by the pipeline.
-            self.speaker.warn("A %s has no points of its own: nothing was triangulated for it." % (
-                self.given.GetClassName() if self.given else "missing block"))
+            facts.update(without_points=self.given.GetClassName() if self.given else "missing block")
         if isinstance(self.given_source, vtk.vtkCompositeDataSet):
             blocks = Blocks(vtk, self.given_source, True)
-            if blocks.others:
-                self.speaker.warn("%d %s %s." % (
-                    blocks.others, "block of the source is no vtkPolyData and was left out; it is a"
-                    if blocks.others == 1 else
-                    "blocks of the source are no vtkPolyData and were left out; the first is a", blocks.first_other))
+            facts.update(other_sources=blocks.others, first_other_source=blocks.first_other or "")
+        for text in messages.said(engine.SAY_BLOCKS, facts):
+            self.speaker.warn(text)

@@ -149,7 +149,7 @@ class _Executions:
         text = "Out of memory. Nothing is put out."
         if status is not None:
             self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
-            text = messages.error_text(status, self._job, self._values, more)
+            text = messages.error_text(status, self._job, more)
         self._job.release()
         if text:
             messages.Speaker(self._backend, self).error(text)

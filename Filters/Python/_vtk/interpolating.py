@@ -101,7 +101,7 @@ class Interpolating:
             return
         asked.announce_all()
         columns, rows = self.wishes["Dimensions"]
-        places = "the places of a raster" if self.wishes["RasterSize"] == 1 else "%.9g places" % (columns * rows)
+        places = -1 if self.wishes["RasterSize"] == 1 else columns * rows
         estimate = asked.job.estimate() // 1024
         raise Stopped(raster_messages.of_memory(
             places, asked.expected_points(), estimate, allowed, limit > 0, True), estimate)
@@ -195,13 +195,13 @@ class Interpolating:
         estimate = self._memory()
         count = sum(piece.GetNumberOfPoints() for piece in self.pieces) or self.count
         return raster_messages.of_memory(
-            "%.9g places" % count, self.points, estimate, allowed, limit > 0, is_refused), estimate
+            count, self.points, estimate, allowed, limit > 0, is_refused), estimate
 
     def _what_went_wrong(self, error):
         """Text and estimate, for Stopped."""
         if error.status in (engine.MEMORY_LIMIT, engine.OUT_OF_MEMORY):
             return self._memory_is_short(error.status == engine.MEMORY_LIMIT)
-        return messages.error_text(error.status, self.job, self.values, str(error)), self._memory()
+        return messages.error_text(error.status, self.job, str(error)), self._memory()
 
     def _interpolate(self, made):
         started, surface = time.monotonic(), self.algorithm._surface

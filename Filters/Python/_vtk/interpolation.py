@@ -244,8 +244,7 @@ class _Executions:
         self._clear_measures()
         is_done = False
         if self._triangulation is None:
-            speaker.error("Triangulation is null: nothing says how to triangulate. Give it a "
-                          "vtkAdaptiveHilbertDelaunay2D.")
+            speaker.error(messages.refusal(triangulation_is_null=1))
         else:
             own = made.NewInstance()  # observers have the output, too, which is filled in the end
             own.ShallowCopy(made)

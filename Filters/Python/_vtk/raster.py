@@ -8,8 +8,8 @@ import numpy
 from .._raster import MOST, axes_by_count, axes_by_size
 
 # Why there is no raster.
-NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY = "no area", "cell size", "bounds", "too many"
-TOO_WIDE, OUT_OF_NUMBERS = "too wide", "out of numbers"
+NO_AREA, CELL_SIZE, BOUNDS, TOO_MANY = "no_area", "cell_size", "bounds", "too_many"
+TOO_WIDE, OUT_OF_NUMBERS = "too_wide", "out_of_numbers"
 
 
 class Fault(Exception):

@@ -7,7 +7,7 @@ from .. import _library as engine
 from . import settings
 from .arrays import new_array
 from .execution import Progress
-from .messages import Speaker, but_allowed, needed_in_words
+from .messages import Speaker, refusal
 from .planar import PlanarPoints
 from .vtkclass import build
 
@@ -33,15 +33,15 @@ class _Making:
         single = self._values["OutputPointsPrecision"] == 0
         needed, available = count * (16 if single else 28) // 1024, engine.available_memory() // 1024
         if needed > available:
-            say("Making %d points takes %s of memory, but %s. No point was made. Make fewer." % (
-                count, needed_in_words(needed), but_allowed(available, False)))
+            say(refusal(reason=engine.MEMORY_LIMIT, doing="making", points=count, memory_estimate=needed,
+                        memory_allowed=available))
             return 1
         try:
             if not self._make(output, count, single):
                 output.Initialize()
         except MemoryError:
             output.Initialize()
-            say("Out of memory while making %d points." % count)
+            say(refusal(reason=engine.OUT_OF_MEMORY, doing="making", points=count))
         return 1
 
     def _make(self, output, count, single):

@@ -75,6 +75,7 @@ int main(void)
   test_input();
   test_results();
   test_sample();
+  test_messages();
   test_trouble();
   test_unchanged();
   if (ahd_failures > 0)

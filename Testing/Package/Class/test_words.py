@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the class in Python says: messages word for word those of the compiled class, whichever of them a test sees;
-what it refuses, how a run that fails ends, and what each port has.
+"""What the class in Python says: which message a run that failed has, what it refuses, how a run that fails ends, and
+what each port has.
 """
 
-import ast
 import unittest
 import unittest.mock
 
@@ -13,63 +12,10 @@ import literals  # (classtests has put its folder on the path)
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
 IN_PYTHON = hasattr(Filter, "_backend")
-# Where messages are made, and what in them is of VTK's form, or put together otherwise in C++.
-MODULES = {
-    "messages.py": ("WarningEvent", "Warning", "ErrorEvent", "ERROR", ": In ", ", line ", "\n\n", "bends"),
-    "raster_messages.py": ("HeightArrayName and ValidPointMaskArrayName are both \"", "ValidPointMaskArrayName is \"",
-                           " places from ", " is \""),
-}
-
-
-class MessagesTest(unittest.TestCase):
-    def test_they_are_those_of_the_compiled_class(self):
-        compiled = literals.said_in_cxx()
-        for name, others in MODULES.items():
-            tree = ast.parse((literals.PYTHON / "_vtk" / name).read_text(encoding="utf-8"))
-            pieces = list(literals.pieces_of(tree))
-            self.assertGreater(len(pieces), 50)
-            unknown = [row for row in pieces if row[1] not in compiled and row[1] not in others]
-            self.assertEqual(unknown, [], name)
-
-
-class OfJob:
-    """What error_text() asks of a job that ended so."""
-
-    COUNTS = {"points": 40, "memory_estimate": 9 << 10, "memory_allowed": 5 << 10, "most_boxes": 77,
-              "most_crossings": 3}  # fmt: skip
-
-    def count(self, name):
-        return self.COUNTS[name]
 
 
 @unittest.skipUnless(IN_PYTHON, "the compiled class is tested in C++")
 class ErrorsTest(Case):
-    def test_what_memory_allowed(self):
-        from adaptivehilbertdelaunay import _library as engine
-        from adaptivehilbertdelaunay._vtk import messages
-
-        fewer = " Take fewer points, or switch off outputs that are not needed."
-        more = (". Nothing was computed. Take fewer points, switch off outputs that are not needed, or set MemoryLimit "
-                "to 9 or more (KiB).")  # fmt: skip
-        box = ("The grid of 40 points has more than 77 boxes. Putting out more may take more than 9.22 KB of memory, "
-               "but %s. Nothing was computed. Switch GenerateBoxes off, take fewer points or a larger Nmax, or set "
-               "MemoryLimit to 9 or more (KiB).")  # fmt: skip
-        for limit, status, text in (
-            (0, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9.22 KB are needed." + fewer),
-            (4, engine.OUT_OF_MEMORY,
-             "Out of memory while triangulating 40 points; about 9.22 KB are needed, and MemoryLimit allows "
-             "4.09 KB." + fewer),
-            (9, engine.OUT_OF_MEMORY, "Out of memory while triangulating 40 points; about 9.22 KB are needed." + fewer),
-            (0, engine.MEMORY_LIMIT,
-             "Triangulating 40 points may take 9.22 KB of memory, but there are 5.12 KB" + more),
-            (4, engine.MEMORY_LIMIT,
-             "Triangulating 40 points may take 9.22 KB of memory, but MemoryLimit allows 4.09 KB" + more),
-            (0, engine.TOO_MANY_BOXES, box % "there are 5.12 KB"),
-            (4, engine.TOO_MANY_BOXES, box % "MemoryLimit allows 4.09 KB"),
-            (0, engine.CANCELLED, None),
-        ):  # fmt: skip
-            self.assertEqual(messages.error_text(status, OfJob(), {"MemoryLimit": limit}, ""), text)
-
     def test_ranks(self):
         """One says it, once."""
         for rank, warned in ((0, 1), (1, 0)):

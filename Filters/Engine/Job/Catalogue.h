@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Catalogue_h
+#define ahd_Catalogue_h
+
+#include "Messages.h"
+
+namespace ahd
+{
+
+/// One message.
+///
+/// `when`: what must be so of facts, or of what follows from them (Messages.cxx), each after a
+/// space: "name", it is there and not 0; "!name", it is not; "name=text", it is this text.
+///
+/// `text`: in braces there is the name of a phrase or fact:
+///   {name}           its text or number; of several texts "a, b and 3 more", of four numbers a box
+///   {name?one|other} the first where the number is 1, else the second; braces may be in both
+///   {name+text}      the text where it is there and not 0
+struct Row
+{
+  Topic topic;
+  const char* name;
+  const char* when;
+  const char* text;
+};
+
+/// Of refusals the first that applies is said.
+constexpr Row kRows[] = {
+  { Topic::Refusal, "too many points", "refused=points",
+    "{points} points are too many: at most {most_points} can be triangulated." },
+  { Topic::Refusal, "too many boxes", "refused=boxes",
+    "The grid of {points} points has more than {most_boxes} boxes. Putting out more may take more "
+    "than {of_memory}. Nothing was computed. {no_boxes}, take fewer points or a larger {nmax}, "
+    "{or_set_limit}" },
+  { Topic::Refusal, "too many crossings", "refused=crossings",
+    "{the_lines} cross in more than {most_crossings} places. Splitting them there and "
+    "triangulating {own_points} points and the crossings may take more than {of_memory}. Nothing "
+    "was "
+    "computed. {fewer_lines}, {or_set_limit}" },
+  { Topic::Refusal, "memory to triangulate", "refused=limit !doing",
+    "Triangulating {points} points may take {of_memory}. Nothing was computed. Take fewer points, "
+    "{fewer_arrays}, {or_set_limit}" },
+  { Topic::Refusal, "out of memory", "refused=memory !doing",
+    "Out of memory while triangulating {points} points; about {needed} are needed{limit_is_less+, "
+    "and {memory_limit} allows {allowed}}. Take fewer points, or {fewer_arrays}." },
+  { Topic::Refusal, "memory to interpolate", "refused=limit doing=interpolating",
+    "Interpolating at {places_are_unknown?the places of a raster|{places} places} from {points} "
+    "points may take {of_memory}. Nothing was computed. Take a larger CellSize, smaller "
+    "Dimensions, fewer places or points, {or_set_limit}" },
+  { Topic::Refusal, "out of memory to interpolate", "refused=memory doing=interpolating",
+    "Out of memory while interpolating at {places_are_unknown?the places of a raster|{places} "
+    "places} from {points} points; about {needed} are needed. Take a larger CellSize, smaller "
+    "Dimensions, fewer places or points." },
+  { Topic::Refusal, "memory to sample", "refused=limit doing=sampling",
+    "Values at {places} places may take {needed_besides} of memory besides the triangulation, but "
+    "{is_limited?{memory_limit} leaves|there are} {allowed}. Take fewer places or columns at a "
+    "time, {or_set_limit}" },
+  { Topic::Refusal, "memory to merge blocks", "refused=limit doing=merging",
+    "Merging blocks of {points} points may take {of_memory}. Nothing was computed. Take fewer or "
+    "smaller blocks, {or_set_limit}" },
+  { Topic::Refusal, "memory to make points", "refused=limit doing=making",
+    "Making {points} points takes {of_memory}. No point was made. Make fewer." },
+  { Topic::Refusal, "out of memory to make points", "refused=memory doing=making",
+    "Out of memory while making {points} points." },
+  { Topic::Refusal, "damaged cells", "refused=cells cells",
+    "The {cells} are damaged: the offsets of number {bad_cell} among them are {begin} and {end}, "
+    "but offsets must ascend from 0 to the number of point ids, {ids}. Nothing was computed." },
+  { Topic::Refusal, "damaged cells of a rank", "refused=cells !cells",
+    "Cells of the source are damaged on one of the ranks: their offsets do not ascend from 0 to "
+    "the number of point ids. Nothing was computed." },
+  { Topic::Refusal, "folded surface", "folded_triangles",
+    "{folded_triangles} of the {triangles} triangles of the surface cross others in the plane of "
+    "Triangulation, or are turned over there. Nothing was computed. Set its ProjectionPlaneMode to "
+    "that of the surface, or take the points without the triangles." },
+  { Topic::Refusal, "no triangulation", "triangulation_is_null",
+    "Triangulation is null: nothing says how to triangulate. Give it a "
+    "vtkAdaptiveHilbertDelaunay2D." },
+  { Topic::Refusal, "cell size", "raster=cell_size",
+    "CellSize is {cell_width}, {cell_height}, but both numbers must be greater than 0 and finite. "
+    "Nothing was computed." },
+  { Topic::Refusal, "bounds", "raster=bounds",
+    "Bounds are {bounds}, but they must be finite, the first of each two below the second. Nothing "
+    "was computed." },
+  { Topic::Refusal, "too many cells", "raster=too_many",
+    "With a CellSize of {cell_width}, {cell_height} the raster would have {columns} x {rows} "
+    "cells, but 2147483647 along x and y are the most. Nothing was computed." },
+  { Topic::Refusal, "raster too wide", "raster=too_wide",
+    "The raster would be wider or higher than the largest number of double precision, 1.8e+308. "
+    "Nothing was computed." },
+  { Topic::Refusal, "raster out of numbers", "raster=out_of_numbers",
+    "A raster of {columns} x {rows} cells has coordinates that double precision cannot tell apart. "
+    "Nothing was computed." },
+  { Topic::Refusal, "heights named as marks", "heights_name=vtkGhostType",
+    "HeightArrayName is \"{heights_name}\", the name of the marks by which VTK hides points. "
+    "Nothing was computed." },
+  { Topic::Refusal, "mask named as marks", "mask_name=vtkGhostType",
+    "ValidPointMaskArrayName is \"{mask_name}\", the name of the marks by which VTK hides points. "
+    "Nothing was computed." },
+  { Topic::Refusal, "one name for two", "is_of_heights",
+    "HeightArrayName and ValidPointMaskArrayName are both \"{mask_name}\", but two arrays cannot "
+    "have one name. Nothing was computed." },
+  { Topic::Refusal, "mask named as gradients", "is_of_gradients",
+    "ValidPointMaskArrayName is \"{mask_name}\", the name of the gradients of the heights. Nothing "
+    "was computed." },
+
+  { Topic::Triangulation, "no transform", "transform_is_missing",
+    "ProjectionPlaneMode asks for a Transform, but none is set: the points were triangulated in x "
+    "and y." },
+  { Topic::Triangulation, "no bounding points", "bounding_is_missing",
+    "There is no bounding triangulation, because the points are triangulated in another plane than "
+    "x and y." },
+  { Topic::Triangulation, "unfit marks", "marks_are_unfit",
+    "The point data array vtkGhostType does not have one value for each of the {input_points} "
+    "points, or is not of type unsigned char, so no point was skipped." },
+  { Topic::Triangulation, "not finite", "not_finite",
+    "{not_finite} of {points} points were left out, since {is_projected?they have no finite place "
+    "in the plane of the triangulation|their x or y is NaN or infinite}; the first is point "
+    "{first_not_finite}." },
+  { Topic::Triangulation, "odd z", "odd_z",
+    "{odd_z} of {points} points have a z that is NaN or infinite. They are part of the "
+    "triangulation, which is computed in x and y{but_not_drawn}." },
+  { Topic::Triangulation, "diagram in the plane", "diagram_in_plane",
+    "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to "
+    "the points." },
+  { Topic::Triangulation, "nothing put out", "kept_triangles !cells",
+    "Nothing is put out: {size_limits} leave none of {kept_triangles} "
+    "{kept_triangles?triangle|triangles}, no line and no vertex. Larger numbers keep more, and 0 "
+    "is no limit." },
+  { Topic::Triangulation, "emptied by loops", "may_be_emptied_by_loops",
+    "There is no triangle, because {the_loops} keep none (see {fill_rule}), or all distinct points "
+    "are collinear." },
+  { Topic::Triangulation, "no triangle yet", "has_no_triangle beyond_limit",
+    "There is no triangle yet, because {insertion_limit} has only the first {inserted} of "
+    "{distinct} distinct points inserted, {are_few?fewer than three.|and these are collinear.}" },
+  { Topic::Triangulation, "no triangle", "has_no_triangle !beyond_limit",
+    "There is no triangle, because {are_few?there are fewer than three distinct points|all "
+    "distinct points are collinear}: {inserted} distinct points among {points}{merged_points+, of "
+    "which {tolerance} merged {merged_points} into others}.{is_wall+ They are not collinear in "
+    "space. {other_plane}.}" },
+  { Topic::Triangulation, "stacked", "stacked",
+    "{duplicates} of {points} points have the x and y of others and lie above or below them: of "
+    "each stack one point is in the surface (see {duplicate_policy}). {other_plane}; of a volume "
+    "mesh, triangulate one layer of points." },
+  { Topic::Triangulation, "loops keep none", "delaunay_triangles !untrimmed",
+    "There is no triangle, because {the_loops} keep none of the {delaunay_triangles} triangles "
+    "(see {fill_rule})." },
+  { Topic::Triangulation, "trimmed rim", "is_much_trimmed",
+    "{is_empty?There is no triangle left: trimming|Trimming} the rim took {is_empty?all "
+    "|}{trimmed_triangles} of {untrimmed} triangles away, {trimmed_percent} % of the area in the "
+    "plane, and left {bare_vertices} {bare_vertices?point|points} without a triangle. Set "
+    "{convex_rim} to keep them all." },
+  { Topic::Triangulation, "nothing constrained", "constrains_nothing", "{nothing_constrained}" },
+  { Topic::Triangulation, "strips", "source_strips !constrains_nothing",
+    "{source_strips} {source_strips?triangle strip|triangle strips} of the source "
+    "{source_strips?is|are} ignored: lines and polygons constrain." },
+  { Topic::Triangulation, "off the surface", "points_off_surface",
+    "{points_off_surface} of {source_points} {points_of_source} lie outside the surface of the "
+    "input and keep their own z (see {source_heights})." },
+  { Topic::Triangulation, "crossing", "segments_crossing",
+    "{segments_crossing}{of_segments} were left out, since they cross others that come before "
+    "them; the first is in {chain} {first_crossing_cell} and crosses {chain} "
+    "{first_crossed_cell}{chain_order}.{unfilled}" },
+  { Topic::Triangulation, "bent", "bent_segments",
+    "{bent_segments} {bent_segments?segment|segments}{of_the_source} {bent_segments?bends|bend} by "
+    "rounding, led through a point that is not exactly on {bent_segments?it|them}; the first is in "
+    "{chain} {first_bent_cell}{chain_order}." },
+  { Topic::Triangulation, "unfit ids", "unfit_ids",
+    "{segments_without_vertex}{of_segments} are no constraints: {unfit_ids} of the ids in its "
+    "cells are not those of points, the first is {first_unfit_id} in {chain} {first_unfit_cell}. "
+    "They refer to the points of {cell_ids?the source.|the input (see "
+    "{source_mode}).}{are_unsaid+{unfilled}}" },
+  { Topic::Triangulation, "without vertex", "segments_without_vertex delaunay_triangles !unfit_ids",
+    "{segments_without_vertex}{of_segments} are no constraints, since an end of theirs is a point "
+    "that {is_not_finite}, is skipped or lies beyond {insertion_limit}.{are_unsaid+{unfilled}}" },
+
+  { Topic::Columns, "unfit arrays", "unfit_array",
+    "Point arrays that are no numbers, have no name or not one tuple for each point are not "
+    "interpolated: {unfit_array}." },
+  { Topic::Columns, "replaced arrays", "replaced_array",
+    "Point arrays of the input whose names are those of arrays that are made are not interpolated: "
+    "{replaced_array}. See HeightArrayName and ValidPointMaskArrayName." },
+  { Topic::Columns, "no gradients", "gradients_are_missing",
+    "There are no gradients: only the Method Linear has them." },
+
+  { Topic::Places, "places not finite", "sampled_not_finite",
+    "{sampled_not_finite} of {sampled_places} places have no value, since their x or y is NaN or "
+    "infinite." },
+  { Topic::Places, "none on the surface", "sampled_outside !sampled_valued",
+    "None of {sampled_places} places is on the surface{kept_triangles+ of {kept_triangles} "
+    "triangles}. Places: {wanted}; points: {surface}." },
+  { Topic::Places, "without value", "sampled_without_value",
+    "{sampled_without_value} values at places on the surface are none, since values of points are "
+    "NaN{valueless+: {valueless}.}{heights_are_whole+ No height is "
+    "missing.}{valueless_added+{they_lack} {valueless_added}.}" },
+  { Topic::Places, "neighbours left out", "sampled_left_out",
+    "{sampled_left_out} values at places are interpolated without some of their natural "
+    "neighbours, whose values are NaN{incomplete+: {incomplete}.}{incomplete_added+{they_lack} "
+    "{incomplete_added}.}" },
+
+  { Topic::Blocks, "blocks", "other_blocks",
+    "{other_blocks} {other_blocks?block has no points of its own and was left out; it is a|blocks "
+    "have no points of their own and were left out; the first is a} {first_other}." },
+  { Topic::Blocks, "unfit marks of blocks", "unfit_marks",
+    "In {unfit_marks} {unfit_marks?block|blocks} the point data array vtkGhostType does not have "
+    "one value for each of the points, or is not of type unsigned char, so none of these points "
+    "was skipped." },
+  { Topic::Blocks, "no points", "without_points",
+    "A {without_points} has no points of its own: nothing was triangulated for it." },
+  { Topic::Blocks, "blocks of the source", "other_sources",
+    "{other_sources} {other_sources?block of the source is no vtkPolyData and was left out; it is "
+    "a|blocks of the source are no vtkPolyData and were left out; the first is a} "
+    "{first_other_source}." },
+};
+
+/// What doors call differently: the C interface, VTK's classes, NumPy; null: as the first.
+struct Phrase
+{
+  const char* name;
+  const char* in[3];
+};
+
+constexpr Phrase kPhrases[] = {
+  { "of_memory",
+    { "{needed} of memory, but {is_limited?{memory_limit}{of_triangulation+ of Triangulation} "
+      "allows|there are} {allowed}" } },
+  { "or_set_limit", { "or set {memory_limit} to {units_needed} or more ({unit})." } },
+  { "memory_limit", { "\"memory_limit\"", "MemoryLimit" } },
+  { "unit", { "bytes", "KiB" } },
+  { "no_boxes", { "Ask for no boxes", "Switch GenerateBoxes off" } },
+  { "nmax", { "\"nmax\"", "Nmax" } },
+  { "fewer_arrays", { "ask for fewer arrays", "switch off outputs that are not needed" } },
+  { "the_lines", { "Segments", "The lines and polygons of the source" } },
+  { "fewer_lines",
+    { "Take fewer segments, leave out those that cross",
+      "Take fewer lines, switch CrossingMode to Leave Out" } },
+  { "but_not_drawn", { "", ", but cannot be drawn" } },
+  { "size_limits",
+    { "\"alpha\" and \"maximum_edge_length\"", "Alpha, its switches and MaximumEdgeLength",
+      "alpha and maximum_edge_length" } },
+  { "the_loops", { "the loops", "the polygons of the source" } },
+  { "fill_rule", { "\"fill_rule\"", "FillRule", "`fill_rule`" } },
+  { "insertion_limit", { "\"insertion_limit\"", "InsertionLimit", "insertion_limit" } },
+  { "tolerance", { "\"tolerance\"", "Tolerance", "tolerance" } },
+  { "other_plane",
+    { "To triangulate a wall, set \"plane\" to AHD_PLANE_BEST_FIT",
+      "To triangulate a wall, set ProjectionPlaneMode to Best-Fitting Plane",
+      "To triangulate a wall, set plane='best_fit'" } },
+  { "duplicate_policy", { "\"duplicates\"", "DuplicatePolicy", "`duplicates`" } },
+  { "convex_rim", { "\"rim\" to AHD_RIM_CONVEX_HULL", "Rim to Convex Hull", "rim='convex_hull'" } },
+  { "nothing_constrained",
+    { "The source_points constrain nothing: there are no segments, lines or loops of two points or "
+      "more. They are points like the others.",
+      "The source constrains nothing: it has no line and no polygon of two points or more. "
+      "Found{source_strips+ (strips are ignored)}: {source_content}." } },
+  { "source_heights", { "\"source_heights\"", "SourceHeights", "`source_heights`" } },
+  { "source_mode", { "\"cell_ids\"", "SourceMode" } },
+  { "of_segments",
+    { "{splits? segments or pieces of segments| of {segments} segments}{of_the_source}" } },
+  { "points_of_source", { "source points", "points of the source" } },
+  { "of_the_source", { "", " of the source" } },
+  { "chain", { "cell", "cell", "chain" } },
+  { "chain_order", { "", "", " (segments come before lines, lines before loops)" } },
+  { "loop", { "loop", "polygon" } },
+  { "unfilled",
+    { "{unfilled_loops+ {unfilled_loops} {unfilled_loops?{loop} bounds|{loop}s bound} nothing, "
+      "since a segment is missing.}" } },
+  { "they_lack", { " Points that were added (of the source, for example) lack" } },
+  { "is_not_finite", { "is not finite", "was rejected" } },
+};
+
+} // namespace ahd
+
+#endif

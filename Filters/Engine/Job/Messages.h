@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_Messages_h
+#define ahd_Messages_h
+
+#include "RunReport.h"
+#include "Words.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+
+/// One number or text that messages are made of. The name is borrowed.
+struct Fact
+{
+  template <typename Number,
+    std::enable_if_t<std::is_arithmetic<Number>::value || std::is_enum<Number>::value, int> = 0>
+  Fact(std::string_view its, Number value)
+    : name(its)
+    , number(std::is_floating_point<Number>::value ? 0 : static_cast<std::int64_t>(value))
+    , real(static_cast<double>(value))
+  {
+  }
+  Fact(std::string_view its, std::string words, std::int64_t count = 0)
+    : name(its)
+    , text(std::move(words))
+    , number(count)
+    , real(static_cast<double>(count))
+  {
+  }
+
+  std::string_view name;
+  std::string text;
+  std::int64_t number = 0;
+  double real = 0.0;
+};
+
+/// Facts by name: counts of a job (ahd.h), and what else Catalogue.h asks for. A list is several of
+/// one name. What is not there is 0 or empty.
+class Facts
+{
+public:
+  Facts(std::initializer_list<Fact> facts = {})
+    : facts_(facts)
+  {
+  }
+  void add(Fact fact) { facts_.push_back(std::move(fact)); }
+  /// A number, unless it is 0, or there is one of this name among the first `given`.
+  void addMissing(Fact fact, std::size_t given);
+  std::size_t count() const { return facts_.size(); }
+
+  /// The first of this name.
+  const Fact& of(std::string_view name) const;
+  std::int64_t operator[](std::string_view name) const { return of(name).number; }
+  std::vector<Fact> all(std::string_view name) const;
+
+private:
+  std::vector<Fact> facts_;
+};
+
+/// What a run says of itself: all in RunReport.cxx, and what refusals are made of. Memory is in
+/// bytes. Those that are `known` take their place.
+Facts factsOf(const RunReport& report, Facts known = Facts());
+
+/// Why a run failed. `isRefused`: RunReport's.
+Reason reasonOf(Status status, bool isRefused);
+
+/// Whose names of settings and arrays a message has.
+enum class Wording : std::int32_t
+{
+  Job,   ///< the C interface's; memory in bytes
+  Class, ///< those of VTK's classes; memory in KiB
+  NumPy  ///< the keywords of delaunay(); memory in bytes
+};
+
+/// When something is said.
+enum class Topic : std::int32_t
+{
+  Refusal,       ///< why there is no result: one at most
+  Triangulation, ///< after a run
+  Columns,       ///< of arrays to interpolate
+  Places,        ///< after an interpolation
+  Blocks         ///< of blocks of data sets that are passed over
+};
+
+struct Message
+{
+  const char* name; ///< of the row in Catalogue.h
+  std::string text;
+};
+
+/// All that there is to say, in its order. Throws std::bad_alloc.
+std::vector<Message> messages(Topic topic, Wording wording, Facts facts);
+
+} // namespace ahd
+
+#endif

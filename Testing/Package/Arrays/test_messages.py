@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The engine's catalogue of messages (Filters/Engine/Job/Catalogue.h), word for word as Messages.json has it, in the
+words of the C interface and of VTK's classes (Warnings.json has NumPy's); none is left out. AHD_WRITE_HASHES=1 writes
+the file anew, to be read and committed with the change.
+"""
+
+import json
+import os
+import pathlib
+import re
+import unittest
+
+from adaptivehilbertdelaunay import _interface as engine
+from adaptivehilbertdelaunay._input import DEFAULTS
+import arraysupport
+import test_warnings
+
+FILE = pathlib.Path(__file__).with_name("Messages.json")
+ROOT = pathlib.Path(arraysupport.ROOT)
+CATALOGUE = (ROOT / "Filters" / "Engine" / "Job" / "Catalogue.h").read_text(encoding="utf-8")
+NAMES = re.findall(r'\{ Topic::\w+, "([^"]+)"', CATALOGUE)
+WORDS = {"C": engine.WORDS_OF_C, "class": engine.WORDS_OF_CLASS}
+MEMORY = {"is_in_kib": 1, "points": 40, "memory_estimate": 9300, "memory_allowed": 5200, "most_boxes": 77,
+          "most_crossings": 3, "own_points": 36}  # fmt: skip
+LIMIT = {**MEMORY, "memory_limit": 5200, "memory_allowed": 5200}
+MEANS = ("cell_width", "cell_height", "columns", "rows", "bounds", "bad_cell", "begin", "end", "ids", "triangles")
+SAMPLED = {"sampled_places": 30, "sampled_valued": 20, "kept_triangles": 50}
+MISSING = {"missing": [("", 2), ("Flow", 1), ("Class", 0)], "of_points": [1, 0, 1], "of_added": [0, 1, 1]}
+
+
+def facts_of_runs():
+    """What a run may leave: (name, facts)."""
+    for name, (counts, area, split) in test_warnings.CASES.items():
+        yield name, {**test_warnings.USUAL, "trimmed_area": area, "splits": split, **counts}
+    source = {"segments": 0, "source_points": 2, "source_vertices": 1, "source_strips": 3}
+    usual = dict(test_warnings.USUAL)
+    for name, more in (
+        ("planes", {"transform_is_missing": 1, "bounding_is_missing": 1, "diagram_in_plane": 1}),
+        ("marks", {"marks_are_unfit": 1, "input_points": 38}),
+        ("emptied", {**test_warnings.NONE, "may_be_emptied_by_loops": 1}),
+        ("collinear so far", {**test_warnings.NONE, "beyond_limit": 7}),
+        ("one triangle", {"kept_triangles": 1, "cells": 0}),
+        ("areas beyond doubles", {"bare_vertices": 2, "trimmed_area": float("nan")}),
+        ("strips alone", {**source, "source_points": 0, "source_vertices": 0, "source_strips": 1}),
+        ("all kinds", source), ("one strip too many", {"source_strips": 1}), ("strips", {"source_strips": 2}),
+        ("unfit ids", {"segments_without_vertex": 2, "unfit_ids": 1, "first_unfit_id": 2**62, "first_unfit_cell": 4}),
+        ("unfit ids of the source", {"segments_without_vertex": 1, "unfit_ids": 1, "cell_ids": 1, "unfilled_loops": 1}),
+        ("unfit ids and crossings", {"segments_crossing": 1, "unfit_ids": 1, "unfilled_loops": 1}),
+    ):  # fmt: skip
+        yield name, {**usual, **more}
+
+
+def refusals():
+    for status in (engine.TOO_MANY_POINTS, engine.TOO_MANY_BOXES, engine.OUT_OF_MEMORY, engine.MEMORY_LIMIT,
+                   engine.TOO_MANY_CROSSINGS, engine.CANCELLED):  # fmt: skip
+        for given in (MEMORY, LIMIT):
+            yield {"reason": status, **given}
+    yield {"reason": engine.OUT_OF_MEMORY, **LIMIT, "memory_allowed": 9300}
+    yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "memory_estimate": 2**62}
+    yield {"reason": engine.MEMORY_LIMIT, **LIMIT, "is_in_kib": 0}
+    for doing, more in (("interpolating", {"places": 2.0**62, "of_triangulation": 1}), ("merging", {}), ("making", {}),
+                        ("sampling", {"places": 30, "memory_needed": 700})):  # fmt: skip
+        yield {"reason": engine.MEMORY_LIMIT, "doing": doing, **LIMIT, **more}
+    yield {"reason": engine.OUT_OF_MEMORY, "doing": "interpolating", **MEMORY, "places": -1.0}
+    yield {"reason": engine.OUT_OF_MEMORY, "doing": "making", **MEMORY}
+    bad = {"bad_cell": 4, "begin": -1, "end": 7, "ids": 6}
+    yield {"reason": engine.BAD_ARRAY, "cells": "polygons of the source", **bad}
+    yield {"reason": engine.BAD_ARRAY}
+    yield {"folded_triangles": 3, "triangles": 50}
+    yield {"triangulation_is_null": 1}
+    for fault in ("cell_size", "bounds", "too_many", "too_wide", "out_of_numbers", "no_area"):
+        yield {"raster": fault, "cell_width": 0.1, "cell_height": 1e-12, "columns": 4e12, "rows": 3.0,
+               "bounds": [0.0, 0.25, -1e300, float("inf")]}  # fmt: skip
+    for heights, mask, gradients in (("vtkGhostType", "", ""), ("z", "vtkGhostType", ""), ("z", "z", ""),
+                                     ("z", "zGradient", "zGradient"), ("", "", "")):  # fmt: skip
+        yield {"heights_name": heights, "mask_name": mask, "gradients_name": gradients}
+
+
+def facts_of_places():
+    yield {**SAMPLED, "sampled_not_finite": 3}
+    yield {**SAMPLED, "sampled_outside": 30, "sampled_valued": 0, "wanted": [0.5, 1.0, 2.0, 3e9],
+           "surface": "nowhere"}  # fmt: skip
+    yield {"sampled_places": 1, "sampled_outside": 1, "surface": [0.1, 1.0, 2.0, 3.0], "wanted": "nowhere"}
+    yield {**SAMPLED, "sampled_without_value": 3, "sampled_left_out": 4, **MISSING}
+    yield {**SAMPLED, "sampled_without_value": 1, "missing": [("", 1)], "of_points": [1], "of_added": [0]}
+    yield {**SAMPLED, "sampled_without_value": 1, "missing": [("Flow", 1)], "of_points": [1], "of_added": [0]}
+
+
+def cases():
+    """(topic, name, facts)"""
+    for name, facts in facts_of_runs():
+        yield engine.SAY_TRIANGULATION, name, facts
+    for facts in refusals():
+        told = ["%s=%s" % row for row in facts.items() if MEMORY.get(row[0]) != row[1] and row[0] not in MEANS]
+        yield engine.SAY_REFUSAL, ", ".join(told), facts
+    names = ["a", "b", "c", "d", "e", "f", "ä"]
+    yield engine.SAY_COLUMNS, "arrays", {"unfit_array": names, "replaced_array": names[:5], "gradients_are_missing": 1}
+    for k, facts in enumerate(facts_of_places()):
+        yield engine.SAY_PLACES, "places %d" % k, facts
+    for count in (1, 2):
+        yield engine.SAY_BLOCKS, "blocks %d" % count, {
+            "other_blocks": count, "first_other": "vtkTable", "unfit_marks": count, "without_points": "vtkImageData",
+            "other_sources": count, "first_other_source": "vtkImageData"}  # fmt: skip
+
+
+class MessagesTest(unittest.TestCase):
+    maxDiff = None
+
+    @classmethod
+    def setUpClass(cls):
+        cls.found = {
+            words: {name: engine.say(topic, number, facts) for topic, name, facts in cases()}
+            for words, number in WORDS.items()
+        }
+        for name, said in list(cls.found["C"].items()):  # what is the same need not be there twice
+            if said == cls.found["class"][name]:
+                del cls.found["C"][name]
+        if os.environ.get("AHD_WRITE_HASHES") == "1":
+            rows = [
+                ",\n".join("  %s: %s" % (json.dumps(name), json.dumps(said)) for name, said in cls.found[words].items())
+                for words in WORDS
+            ]
+            FILE.write_text('{\n "C": {\n%s\n },\n "class": {\n%s\n }\n}\n' % tuple(rows), encoding="utf-8")
+
+    def test_they_are_those(self):
+        self.assertEqual(self.found, json.loads(FILE.read_text(encoding="utf-8")))
+
+    def test_none_is_left_out(self):
+        self.assertGreater(len(NAMES), 50)
+        self.assertEqual(len(NAMES), len(set(NAMES)))
+        said = {name for found in self.found.values() for names in found.values() for name in names}
+        self.assertEqual(said, set(NAMES))
+
+    def test_settings_that_are_named_are_there(self):
+        tables = json.loads((ROOT / "Testing/Support/settings.json").read_text(encoding="utf-8"))
+        of_class = {name for table in ("delaunay", "interpolation") for name in tables[table]["settings"]}
+        others = {"NaN", "KiB", "zGradient"}
+        for text in self.texts("class"):
+            self.assertEqual(set(re.findall(r"\b(?!vtk)\w*[a-z][A-Z]\w*", text)) - of_class - others, set(), text)
+            self.assertNotRegex(text, r"AHD_|\w=|`")
+        of_c = {*engine.names(engine.INT_SETTINGS), *engine.names(engine.DOUBLE_SETTINGS)}
+        for text in self.texts("C"):
+            quoted = set(re.findall(r'(?<!is )(?<!both )"(\w+)"', text))
+            self.assertEqual(quoted - of_c, set(), text)
+        for texts in json.loads(test_warnings.FILE.read_text(encoding="utf-8")).values():
+            for text in texts:
+                named = re.findall(r"`(\w+)`|(\w+)='|\b([a-z]+_[a-z_]+)", text)
+                known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull"}
+                self.assertEqual({name for row in named for name in row if name} - known, set(), text)
+
+    def texts(self, words):
+        return [text for said in self.found[words].values() for text in said.values()]
+
+
+if __name__ == "__main__":
+    unittest.main()
