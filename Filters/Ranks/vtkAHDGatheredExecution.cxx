@@ -2,9 +2,9 @@
 #include "Ranks/vtkAHDGatheredExecution.h"
 
 #include "Engine/Core/Memory.h"
+#include "Engine/Job/Messages.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
-#include "Pipeline/vtkAHDMemoryWords.h"
 #include "Pipeline/vtkAHDOutputArrays.h"
 
 #include "vtkCellData.h"
@@ -168,17 +168,15 @@ void vtkAHDGatheredExecution::ShareRooms(ahd::Workspace& workspace, std::vector<
 std::string vtkAHDGatheredExecution::Refuse(
   std::size_t rank, std::int64_t needed, const Room& room) const
 {
-  std::ostringstream error;
-  error << this->Setting << " is computed on one rank, with the points of all. That "
-        << (rank == this->Host ? "" : "they are sent there ") << "may take " << vtkAHDNeeded(needed)
-        << " of memory on rank " << rank << ", for "
-        << (rank == this->Host ? this->Facts.GetPoints() + this->Facts.GetSourcePoints()
-                               : static_cast<std::size_t>(this->Facts.Of[rank].Points))
-        << " points, but "
-        << vtkAHDButAllowed(rank == this->Host ? room.Limit : room.Share, room.IsByUser)
-        << ". Nothing is put out. Take fewer points, reset that setting, "
-        << vtkAHDOrSetLimit(needed, true);
-  return error.str();
+  const bool isHost = rank == this->Host;
+  const ahd::Facts known{ { "reason", ahd::Reason::MemoryLimit }, { "doing", "gathering" },
+    { "setting", this->Setting }, { "are_sent", !isHost }, { "rank", rank },
+    { "points",
+      isHost ? this->Facts.GetPoints() + this->Facts.GetSourcePoints()
+             : static_cast<std::size_t>(this->Facts.Of[rank].Points) },
+    { "of_rank", true }, { "is_in_kib", true }, { "memory_estimate", needed },
+    { "memory_allowed", isHost ? room.Limit : room.Share }, { "memory_limit", room.IsByUser } };
+  return ahd::messages(ahd::Topic::Refusal, ahd::Wording::Class, known).at(0).text;
 }
 
 std::string vtkAHDGatheredExecution::FindHost(

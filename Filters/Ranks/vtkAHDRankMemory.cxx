@@ -3,10 +3,9 @@
 
 #include "Engine/Core/Memory.h"
 #include "Engine/Distribute/BlockBytes.h"
-#include "Pipeline/vtkAHDMemoryWords.h"
+#include "Engine/Job/Messages.h"
 
 #include <cstdint>
-#include <sstream>
 #include <vector>
 
 std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFacts& facts,
@@ -30,13 +29,11 @@ std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFa
     const bool isByUser = reader.read<std::int64_t>() != 0;
     if (needed > limit)
     {
-      std::ostringstream error;
-      error << work.Doing << " " << work.Points << " points on " << all.size() << " ranks may take "
-            << vtkAHDNeeded(needed) << " of memory on rank " << k << work.Share << ", but "
-            << vtkAHDButAllowed(limit, isByUser)
-            << ". Nothing is put out. Take fewer points or more ranks, "
-            << vtkAHDOrSetLimit(needed, true);
-      return error.str();
+      const ahd::Facts known{ { "reason", ahd::Reason::MemoryLimit }, { "doing", "distributing" },
+        { "work", work.Doing }, { "points", work.Points }, { "ranks", all.size() }, { "rank", k },
+        { "share", work.Share }, { "of_rank", true }, { "is_in_kib", true },
+        { "memory_estimate", needed }, { "memory_allowed", limit }, { "memory_limit", isByUser } };
+      return ahd::messages(ahd::Topic::Refusal, ahd::Wording::Class, known).at(0).text;
     }
   }
   return std::string();

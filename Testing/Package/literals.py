@@ -7,7 +7,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 PYTHON = ROOT / "Filters" / "Python"
-FORMAT = re.compile(r"%(?:\.\d+)?[a-zA-Z]|%%|vtkGhostType")  # (the last is a name of VTK's, a variable in C++)
+FORMAT = re.compile(r"%(?:\.\d+)?[a-zA-Z]|%%")
 CXX_COMMENT = re.compile(r"//[^\n]*")
 CXX_JOINT = re.compile(r'"\s*"')  # of literals one after the other
 CXX_LITERAL = re.compile(r'"((?:\\.|[^"\\\n])*)"')

@@ -62,6 +62,16 @@ constexpr Row kRows[] = {
     "Making {points} points takes {of_memory}. No point was made. Make fewer." },
   { Topic::Refusal, "out of memory to make points", "refused=memory doing=making",
     "Out of memory while making {points} points." },
+  { Topic::Refusal, "memory of a rank", "refused=limit doing=distributing",
+    "{work} {points} points on {ranks} ranks may take {needed} of memory on rank "
+    "{rank}{share+{share}}, "
+    "but "
+    "{but_allowed}. Nothing is put out. Take fewer points or more ranks, {or_set_limit}" },
+  { Topic::Refusal, "memory of one rank for all", "refused=limit doing=gathering",
+    "{setting} is computed on one rank, with the points of all. That {are_sent+they are sent there "
+    "}may take {needed} of memory on rank {rank}, for {points} points, but {but_allowed}. Nothing "
+    "is "
+    "put out. Take fewer points, reset that setting, {or_set_limit}" },
   { Topic::Refusal, "damaged cells", "refused=cells cells",
     "The {cells} are damaged: the offsets of number {bad_cell} among them are {begin} and {end}, "
     "but offsets must ascend from 0 to the number of point ids, {ids}. Nothing was computed." },
@@ -220,10 +230,12 @@ struct Phrase
 };
 
 constexpr Phrase kPhrases[] = {
-  { "of_memory",
-    { "{needed} of memory, but {is_limited?{memory_limit}{of_triangulation+ of Triangulation} "
-      "allows|there are} {allowed}" } },
-  { "or_set_limit", { "or set {memory_limit} to {units_needed} or more ({unit})." } },
+  { "of_memory", { "{needed} of memory, but {but_allowed}" } },
+  { "but_allowed",
+    { "{is_limited?{memory_limit}{of_triangulation+ of Triangulation} allows|there are} "
+      "{allowed}" } },
+  { "or_set_limit",
+    { "or set {memory_limit} to {units_needed} or more ({unit}{of_rank+, of each rank})." } },
   { "memory_limit", { "\"memory_limit\"", "MemoryLimit" } },
   { "unit", { "bytes", "KiB" } },
   { "no_boxes", { "Ask for no boxes", "Switch GenerateBoxes off" } },

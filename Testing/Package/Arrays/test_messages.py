@@ -61,6 +61,11 @@ def refusals():
     for doing, more in (("interpolating", {"places": 2.0**62, "of_triangulation": 1}), ("merging", {}), ("making", {}),
                         ("sampling", {"places": 30, "memory_needed": 700})):  # fmt: skip
         yield {"reason": engine.MEMORY_LIMIT, "doing": doing, **LIMIT, **more}
+    on_rank = {"reason": engine.MEMORY_LIMIT, **LIMIT, "of_rank": 1, "rank": 2}
+    for share in ("", " (of its own)"):
+        yield {**on_rank, "doing": "distributing", "work": "Triangulating", "ranks": 3, "share": share}
+    for sent in (0, 1):
+        yield {**on_rank, "doing": "gathering", "setting": "Alpha", "are_sent": sent}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "interpolating", **MEMORY, "places": -1.0}
     yield {"reason": engine.OUT_OF_MEMORY, "doing": "making", **MEMORY}
     bad = {"bad_cell": 4, "begin": -1, "end": 7, "ids": 6}
