@@ -9,20 +9,7 @@
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 
-#include <cstdint>
 #include <new>
-
-void vtkAHDWriteText(ahd::BytesWriter& writer, const std::string& text)
-{
-  writer.writeAll(std::vector<char>(text.begin(), text.end()));
-}
-
-std::string vtkAHDReadText(ahd::BytesReader& reader)
-{
-  std::vector<char> text;
-  reader.readAll(text);
-  return std::string(text.begin(), text.end());
-}
 
 vtkSmartPointer<vtkDataArray> vtkAHDMakePlaces(std::size_t count, bool areFloats)
 {
@@ -52,6 +39,13 @@ vtkSmartPointer<vtkDataArray> vtkAHDPlacesOf(vtkPoints* points, bool areFloats)
     places->DeepCopy(points->GetData());
   }
   return places;
+}
+
+ahd::PointView vtkAHDViewOf(vtkDataArray* places, std::size_t count)
+{
+  auto* floats = vtkArrayDownCast<vtkFloatArray>(places);
+  return floats ? ahd::PointView(floats->GetPointer(0), count, 3)
+                : ahd::PointView(vtkArrayDownCast<vtkDoubleArray>(places)->GetPointer(0), count, 3);
 }
 
 vtkAHDArrayFacts::vtkAHDArrayFacts(vtkDataSetAttributes* data, int index)
@@ -95,29 +89,5 @@ void vtkAHDArrayFacts::AddTo(vtkDataSetAttributes* data, vtkAbstractArray* array
   if (this->Attribute >= 0)
   {
     data->SetActiveAttribute(index, this->Attribute);
-  }
-}
-
-void vtkAHDArrayFacts::Write(ahd::BytesWriter& writer) const
-{
-  vtkAHDWriteText(writer, this->Name);
-  const int shape[] = { this->Type, this->Components, this->Attribute };
-  writer.write(shape);
-  writer.write(std::uint64_t(this->ComponentNames.size()));
-  for (const std::string& name : this->ComponentNames)
-  {
-    vtkAHDWriteText(writer, name);
-  }
-}
-
-void vtkAHDArrayFacts::Read(ahd::BytesReader& reader)
-{
-  this->Name = vtkAHDReadText(reader);
-  this->Type = reader.read<int>();
-  this->Components = reader.read<int>();
-  this->Attribute = reader.read<int>();
-  for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
-  {
-    this->ComponentNames.push_back(vtkAHDReadText(reader));
   }
 }

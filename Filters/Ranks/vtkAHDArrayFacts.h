@@ -2,11 +2,12 @@
 #ifndef vtkAHDArrayFacts_h
 #define vtkAHDArrayFacts_h
 
-#include "Engine/Distribute/BlockBytes.h"
+#include "Engine/Points/Points.h"
 #include "vtkSmartPointer.h"
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkAbstractArray;
@@ -14,14 +15,12 @@ class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkPoints;
 
-/// Text among other bytes. Both throw std::bad_alloc.
-void vtkAHDWriteText(ahd::BytesWriter& writer, const std::string& text);
-std::string vtkAHDReadText(ahd::BytesReader& reader);
-
 /// Places of points, three numbers each, as floats or as doubles: as many, not set, or those of
 /// `points`, which may be null. Both throw std::bad_alloc.
 vtkSmartPointer<vtkDataArray> vtkAHDMakePlaces(std::size_t count, bool areFloats);
 vtkSmartPointer<vtkDataArray> vtkAHDPlacesOf(vtkPoints* points, bool areFloats);
+/// The first ones of these.
+ahd::PointView vtkAHDViewOf(vtkDataArray* places, std::size_t count);
 
 /// A point data array, as ranks compare theirs.
 struct vtkAHDArrayFacts
@@ -41,9 +40,12 @@ struct vtkAHDArrayFacts
   /// Adds one, and makes it the attribute that it is.
   void AddTo(vtkDataSetAttributes* data, vtkAbstractArray* array) const;
 
-  /// Throws std::bad_alloc, as the next one.
-  void Write(ahd::BytesWriter& writer) const;
-  void Read(ahd::BytesReader& reader);
+  /// See ahd::HasFields.
+  auto fields()
+  {
+    return std::tie(
+      this->Name, this->Type, this->Components, this->Attribute, this->ComponentNames);
+  }
 
   bool operator==(const vtkAHDArrayFacts& other) const
   {

@@ -18,6 +18,7 @@
 #include <new>
 #include <numeric>
 #include <sstream>
+#include <tuple>
 
 namespace
 {
@@ -33,47 +34,33 @@ void AddIds(vtkDataSetAttributes* data, const char* name, vtkIdType count)
   data->SetActiveAttribute(name, vtkDataSetAttributes::GLOBALIDS);
 }
 
-/// Calls work(part) for all of a report that can be sent.
-template <typename Report, typename Work>
-void ForParts(Report& report, const Work& work)
+/// What can be sent of a report.
+struct SentReport
 {
-  work(report.status);
-  work(report.isRefused);
-  work(report.isLimited);
-  work(report.points);
-  work(report.estimate);
-  work(report.allowed);
-  work(report.crossings);
-  work(report.mostBoxes);
-  work(report.mostCrossings);
-  work(report.counts);
-  work(report.constraints.segments);
-  work(report.constraints.points);
-  work(report.constraints.withoutVertex);
-  work(report.constraints.crossing);
-  work(report.constraints.unfilledLoops);
-  work(report.constraints.edges);
-  work(report.delaunayTriangles);
-  work(report.MayBeEmptiedByLoops);
-  work(report.Triangles);
-  work(report.Cells);
-  work(report.inputPoints);
-  work(report.mergedPoints);
-  work(report.addedPoints);
-  work(report.firstCrossing);
-  work(report.bentConstraints);
-  work(report.firstBentCell);
-  work(report.unfitIds);
-  work(report.oddPoints);
-  work(report.MarksAreUnfit);
-  work(report.Source);
-  work(report.pointsOffSurface);
-  work(report.areOnOneLine);
-  work(report.areStacked);
-  work(report.IsDiagramInPlane);
-  work(report.Seconds);
-  work(report.threadsUsed);
-}
+  vtkAHDReport Report;
+
+  auto fields()
+  {
+    vtkAHDReport& r = this->Report;
+    ahd::ConstraintReport& c = r.constraints;
+    return std::tie(r.status, r.isRefused, r.isLimited, r.points, r.estimate, r.allowed,
+      r.crossings, r.mostBoxes, r.mostCrossings, r.counts, c.segments, c.points, c.withoutVertex,
+      c.crossing, c.unfilledLoops, c.edges, r.delaunayTriangles, r.MayBeEmptiedByLoops, r.Triangles,
+      r.Cells, r.inputPoints, r.mergedPoints, r.addedPoints, r.firstCrossing, r.bentConstraints,
+      r.firstBentCell, r.unfitIds, r.oddPoints, r.MarksAreUnfit, r.Source, r.pointsOffSurface,
+      r.areOnOneLine, r.areStacked, r.IsDiagramInPlane, r.Seconds, r.threadsUsed, r.CrossingCells);
+  }
+};
+
+/// What one output is made of, without what is in it.
+struct Shape
+{
+  static constexpr int kNone = -1;
+  int Places = kNone; // the type; kNone: no points at all
+  std::vector<vtkAHDArrayFacts> PointArrays, CellArrays;
+
+  auto fields() { return std::tie(this->Places, this->PointArrays, this->CellArrays); }
+};
 
 /// The rows of the field data array "Crossings", which all ranks put out.
 std::vector<std::array<std::int64_t, 2>> ReadCrossings(vtkPolyData* surface)
@@ -87,21 +74,20 @@ std::vector<std::array<std::int64_t, 2>> ReadCrossings(vtkPolyData* surface)
   return rows;
 }
 
-void WriteShape(vtkDataSetAttributes* data, ahd::BytesWriter& writer)
+std::vector<vtkAHDArrayFacts> ListArrays(vtkDataSetAttributes* data)
 {
-  writer.write(data->GetNumberOfArrays());
+  std::vector<vtkAHDArrayFacts> arrays;
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
-    vtkAHDArrayFacts(data, i).Write(writer);
+    arrays.emplace_back(data, i);
   }
+  return arrays;
 }
 
-void ReadShape(ahd::BytesReader& reader, vtkDataSetAttributes* data)
+void AddArrays(const std::vector<vtkAHDArrayFacts>& arrays, vtkDataSetAttributes* data)
 {
-  for (int count = reader.read<int>(); count > 0; --count)
+  for (const vtkAHDArrayFacts& facts : arrays)
   {
-    vtkAHDArrayFacts facts;
-    facts.Read(reader);
     facts.AddTo(data, facts.Make(0));
   }
 }
@@ -134,35 +120,20 @@ std::size_t vtkAHDGatheredExecution::EstimateBytes(ahd::Workspace& workspace) co
     held + this->Gather.EstimateBytesOnTheWay(), execution.EstimateBytes() + kIds * points);
 }
 
-/// What each rank could take. Others that wait on the same machine take nothing but to send.
-void vtkAHDGatheredExecution::ShareRooms(ahd::Workspace& workspace, std::vector<Room>& rooms)
+/// What this rank could take. Others that wait on the same machine take nothing but to send.
+vtkAHDGatheredExecution::Room vtkAHDGatheredExecution::FindRoom(ahd::Workspace& workspace) const
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      Room room;
-      room.Needed = static_cast<std::int64_t>(this->EstimateBytes(workspace) / 1024);
-      room.IsByUser = this->Settings.MemoryLimit > 0;
-      const std::size_t there = ahd::availableMemory() / 1024 + workspace.bytes() / 1024;
-      constexpr std::size_t kPlenty = std::size_t(1) << 50;
-      room.Limit = room.IsByUser ? static_cast<std::int64_t>(this->Settings.MemoryLimit)
-                                 : static_cast<std::int64_t>(std::min(there, kPlenty));
-      room.Share = room.IsByUser
-        ? room.Limit
-        : room.Limit / static_cast<std::int64_t>(this->Facts.CountOnHostOf(this->Ranks.GetOwn()));
-      ahd::BytesWriter(own).write(room);
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      for (const ahd::BlockBytes& bytes : all)
-      {
-        rooms.push_back(ahd::BytesReader(bytes).read<Room>());
-      }
-    });
+  Room room;
+  room.Needed = static_cast<std::int64_t>(this->EstimateBytes(workspace) / 1024);
+  room.IsByUser = this->Settings.MemoryLimit > 0;
+  const std::size_t there = ahd::availableMemory() / 1024 + workspace.bytes() / 1024;
+  constexpr std::size_t kPlenty = std::size_t(1) << 50;
+  room.Limit = room.IsByUser ? static_cast<std::int64_t>(this->Settings.MemoryLimit)
+                             : static_cast<std::int64_t>(std::min(there, kPlenty));
+  room.Share = room.IsByUser
+    ? room.Limit
+    : room.Limit / static_cast<std::int64_t>(this->Facts.CountOnHostOf(this->Ranks.GetOwn()));
+  return room;
 }
 
 std::string vtkAHDGatheredExecution::Refuse(
@@ -183,8 +154,7 @@ std::string vtkAHDGatheredExecution::FindHost(
   const vtkAHDDataSets& data, ahd::Workspace& workspace, vtkAHDReport& report)
 {
   this->Gather.Measure(data);
-  std::vector<Room> rooms;
-  this->ShareRooms(workspace, rooms);
+  const auto rooms = this->Ranks.Share(this->Context, [&] { return this->FindRoom(workspace); });
   std::string refusal;
   this->Ranks.Together(this->Context,
     [&]
@@ -196,7 +166,7 @@ std::string vtkAHDGatheredExecution::FindHost(
       const std::int64_t limit = rooms[this->Host].Limit;
       report.estimate = 1024 * static_cast<std::size_t>(needed);
       report.allowed = 1024 * static_cast<std::size_t>(limit);
-      report.isLimited = rooms[this->Host].IsByUser != 0;
+      report.isLimited = rooms[this->Host].IsByUser;
       refusal = needed > limit ? this->Refuse(this->Host, needed, rooms[this->Host]) : "";
       for (std::size_t rank = 0; rank < rooms.size() && refusal.empty(); ++rank)
       {
@@ -225,7 +195,7 @@ void vtkAHDGatheredExecution::Execute(
   {
     return;
   }
-  report.Source = this->Gather.GetContent();
+  report.Source = this->Facts.GetContent();
   report.unfitIds.firstId = this->Gather.GetGivenId(report.unfitIds.firstId);
   try
   {
@@ -243,66 +213,49 @@ void vtkAHDGatheredExecution::Execute(
 
 void vtkAHDGatheredExecution::ShareReport(vtkAHDReport& report)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
   const bool isHost = this->Ranks.GetOwn() == this->Host;
+  const auto all = this->Ranks.Share(
+    this->Context, [&] { return isHost ? SentReport{ report } : SentReport(); });
   this->Ranks.Together(this->Context,
     [&]
     {
-      if (isHost)
+      if (!isHost)
       {
-        ahd::BytesWriter writer(own);
-        ForParts(report, [&writer](const auto& part) { writer.write(part); });
-        writer.writeAll(report.CrossingCells);
+        report = all[this->Host].Report;
       }
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      ahd::BytesReader reader(all[this->Host]);
-      ForParts(
-        report, [&reader](auto& part) { part = reader.read<std::decay_t<decltype(part)>>(); });
-      report.CrossingCells.clear();
-      reader.readAll(report.CrossingCells);
     });
 }
 
 /// Gives the other ranks what the one has, but for all that is in it.
 void vtkAHDGatheredExecution::ShareOutputs(const vtkAHDOutputs& outputs)
 {
-  constexpr int kNone = -1; // no points at all
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
   const bool isHost = this->Ranks.GetOwn() == this->Host;
-  this->Ranks.Together(this->Context,
+  const auto all = this->Ranks.Share(this->Context,
     [&]
     {
-      ahd::BytesWriter writer(own);
-      for (std::size_t port = 0; isHost && port < kPorts; ++port)
+      std::vector<Shape> shapes(isHost ? kPorts : 0);
+      for (std::size_t port = 0; port < shapes.size(); ++port)
       {
         vtkPoints* points = outputs[port]->GetPoints();
-        writer.write(points ? points->GetDataType() : kNone);
-        WriteShape(outputs[port]->GetPointData(), writer);
-        WriteShape(outputs[port]->GetCellData(), writer);
+        shapes[port] = { points ? points->GetDataType() : Shape::kNone,
+          ListArrays(outputs[port]->GetPointData()), ListArrays(outputs[port]->GetCellData()) };
       }
+      return shapes;
     });
-  this->Context.Check(this->Ranks.gather(own, all));
   this->Ranks.Together(this->Context,
     [&]
     {
-      ahd::BytesReader reader(all[this->Host]);
       for (std::size_t port = 0; !isHost && port < kPorts; ++port)
       {
-        const int type = reader.read<int>();
-        if (type != kNone)
+        const Shape& shape = all[this->Host][port];
+        if (shape.Places != Shape::kNone)
         {
           vtkNew<vtkPoints> points;
-          points->SetDataType(type);
+          points->SetDataType(shape.Places);
           outputs[port]->SetPoints(points);
         }
-        ReadShape(reader, outputs[port]->GetPointData());
-        ReadShape(reader, outputs[port]->GetCellData());
+        AddArrays(shape.PointArrays, outputs[port]->GetPointData());
+        AddArrays(shape.CellArrays, outputs[port]->GetCellData());
       }
     });
 }

@@ -38,12 +38,12 @@ private:
   {
     std::int64_t Needed = 0; // KiB, as this rank estimates it: it is the first whose word counts
     std::int64_t Limit = 0;  // KiB
-    std::int64_t IsByUser = 0;
+    bool IsByUser = false;
     std::int64_t Share = 0; // of the limit, where other ranks work on the same machine
   };
 
   std::size_t EstimateBytes(ahd::Workspace& workspace) const;
-  void ShareRooms(ahd::Workspace& workspace, std::vector<Room>& rooms);
+  Room FindRoom(ahd::Workspace& workspace) const;
   std::string Refuse(std::size_t rank, std::int64_t needed, const Room& room) const;
   void Execute(const vtkAHDOutputs& outputs, ahd::Workspace& workspace, vtkAHDReport& report);
   void ShareReport(vtkAHDReport& report);

@@ -181,35 +181,13 @@ bool vtkAHDBlockTree::Join(const vtkAHDBlockTree& other)
   return true;
 }
 
-void vtkAHDBlockTree::Write(std::vector<int>& numbers) const
-{
-  numbers.push_back(this->Kind);
-  numbers.push_back(static_cast<int>(this->Children.size()));
-  for (const vtkAHDBlockTree& child : this->Children)
-  {
-    child.Write(numbers);
-  }
-}
-
-void vtkAHDBlockTree::Read(const std::vector<int>& numbers, std::size_t& at)
-{
-  this->Kind = numbers[at++];
-  this->Children.resize(static_cast<std::size_t>(numbers[at++]));
-  for (vtkAHDBlockTree& child : this->Children)
-  {
-    child.Read(numbers, at);
-  }
-}
-
 // --------------------------------------------------------------------------------- blocks of ranks
 
 vtkAHDRankBlocks::vtkAHDRankBlocks(
   vtkAHDRanks& ranks, const vtkAHDContext& context, vtkDataObject* input, bool areMerged)
   : Input(input)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  ranks.Together(context,
+  const auto all = ranks.Share(context,
     [&]
     {
       auto* points = vtkPointSet::SafeDownCast(input);
@@ -222,22 +200,14 @@ vtkAHDRankBlocks::vtkAHDRankBlocks(
       {
         tree.Kind = input ? Tree::Leaf : Tree::Nothing;
       }
-      std::vector<int> numbers;
-      tree.Write(numbers);
-      ahd::BytesWriter(own).writeAll(numbers);
+      return tree;
     });
-  context.Check(ranks.gather(own, all));
   ranks.Together(context,
     [&]
     {
       for (std::size_t rank = 0; rank < all.size() && this->Difference.empty(); ++rank)
       {
-        std::vector<int> numbers;
-        ahd::BytesReader(all[rank]).readAll(numbers);
-        vtkAHDBlockTree tree;
-        std::size_t at = 0;
-        tree.Read(numbers, at);
-        if (!this->All.Join(tree))
+        if (!this->All.Join(all[rank]))
         {
           std::ostringstream words;
           words << "The input of rank " << rank

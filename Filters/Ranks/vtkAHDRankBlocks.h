@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkDataObject;
@@ -40,8 +41,8 @@ struct vtkAHDBlockTree
   /// differently.
   bool Join(const vtkAHDBlockTree& other);
 
-  void Write(std::vector<int>& numbers) const;
-  void Read(const std::vector<int>& numbers, std::size_t& at);
+  /// See ahd::HasFields.
+  auto fields() { return std::tie(this->Kind, this->Children); }
 };
 
 /**

@@ -33,7 +33,7 @@ void vtkAHDRankExecution::Run(
   this->Context.SetStages({ 0.3, 1.0, 0.05, 0.3 }); // points move, own ones, what is shared, output
   this->Context.NextStage();
   this->Meet(data);
-  this->CompareSettings();
+  this->Facts.Compare(this->Settings, this->Made.Error);
   const char* setting = this->Facts.FindUnfit(this->Settings);
   setting ? this->TriangulateOnOne(data, setting, workspace) : this->Triangulate(data);
   this->WarnOfArrays();
@@ -53,18 +53,6 @@ void vtkAHDRankExecution::Meet(const vtkAHDDataSets& data)
   this->Report.inputPoints = this->Facts.GetPoints();
   this->Report.addedPoints = this->Facts.GetSourcePoints();
   this->Report.points = this->Report.inputPoints + this->Report.addedPoints;
-}
-
-void vtkAHDRankExecution::CompareSettings()
-{
-  const std::string difference = this->Facts.FindDifference(this->Settings);
-  if (!difference.empty())
-  {
-    this->StopAll(ahd::Status::Cancelled,
-      difference +
-        ". Points are distributed over ranks only where all have the same settings. "
-        "Nothing was computed.");
-  }
 }
 
 void vtkAHDRankExecution::TriangulateOnOne(
@@ -92,8 +80,8 @@ void vtkAHDRankExecution::Triangulate(const vtkAHDDataSets& data)
   constexpr std::size_t kBounding = 8;
   this->Report.addedPoints += points.AreBounded() ? kBounding : 0;
   this->Report.points += points.AreBounded() ? kBounding : 0;
-  vtkAHDRankChains chains;
-  chains.Gather(points, this->Ranks, this->Context);
+  ahd::BlockChains chains;
+  points.JoinChains(chains);
   points.MoveToOwners();
   this->CheckPoints(points, chains);
   ahd::BlockTriangulation block;
@@ -125,11 +113,11 @@ void vtkAHDRankExecution::CheckMemory(std::size_t bytes, const char* what)
 }
 
 void vtkAHDRankExecution::CheckPoints(
-  const vtkAHDRankPoints& points, const vtkAHDRankChains& chains)
+  const vtkAHDRankPoints& points, const ahd::BlockChains& chains)
 {
   const std::size_t count = points.GetCount();
   const std::size_t block = ahd::blockMemoryEstimate(
-    count, chains.GetIdCount(), this->Settings.options);
+    count, chains.idCount(), this->Settings.options);
   if (block == std::size_t(-1))
   {
     throw vtkAHDStop{ ahd::Status::TooManyPoints };
@@ -138,8 +126,7 @@ void vtkAHDRankExecution::CheckPoints(
   // an id, a mark and a place in the plane; that in space becomes the output's
   const std::size_t perPoint = sizeof(std::int64_t) + 1 +
     (this->Settings.isProjected() ? 3 * sizeof(double) : 0);
-  this->CheckMemory(points.EstimateBytes() + count * perPoint + block +
-      kPerId * chains.GetIdCount() +
+  this->CheckMemory(points.EstimateBytes() + count * perPoint + block + kPerId * chains.idCount() +
       vtkAHDRankSurface::EstimateBytes(count, this->Settings, this->Facts),
     "");
 }
@@ -147,7 +134,7 @@ void vtkAHDRankExecution::CheckPoints(
 /// Once it is known how much ranks have to hand to one. Where that is most of all, they do so at
 /// once rather than in several steps.
 void vtkAHDRankExecution::CheckBorder(
-  ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains)
+  ahd::BlockTriangulation& blocks, const ahd::BlockChains& chains)
 {
   constexpr std::size_t kHost = 0;
   std::size_t points = 0;
@@ -179,7 +166,7 @@ void vtkAHDRankExecution::CheckBorder(
   const std::size_t more = held[own] == 0
     ? 0
     : ahd::borderMemoryEstimate(
-        std::min(held[own], ahd::kMaximumPoints), edges[own], chains.GetIdCount());
+        std::min(held[own], ahd::kMaximumPoints), edges[own], chains.idCount());
   std::ostringstream what;
   what << ", which is to join " << (gathers ? "" : "some of ") << "the " << points
        << " points that ranks do not triangulate alone";
@@ -202,43 +189,20 @@ void vtkAHDRankExecution::TakeGhosts(vtkAHDRankSurface& surface, std::size_t fir
 {
   if (this->Facts.GetGhostLevels() > 0)
   {
-    surface.GetGhosts().Begin(firstCell);
+    this->Context.Check(surface.GetGhosts().begin(firstCell));
   }
   for (int level = 0; level < this->Facts.GetGhostLevels(); ++level)
   {
-    surface.GetGhosts().Ask();
-    this->CheckGhosts(surface.GetGhosts().CountAll());
-    surface.GetGhosts().Take();
+    this->Context.Check(surface.GetGhosts().ask());
+    this->CheckGhosts(surface.GetGhosts().countAll());
+    this->Context.Check(surface.GetGhosts().take());
   }
-}
-
-void vtkAHDRankExecution::Step(ahd::BlockTriangulation& block)
-{
-  if (block.waiting() == ahd::BlockTriangulation::Waiting::ForAll)
-  {
-    std::vector<ahd::BlockBytes> all;
-    this->Context.Check(this->Ranks.gather(block.toAll(), all));
-    this->Context.Check(this->Ranks.agree(block.takeAll(all, this->Context)));
-    return;
-  }
-  std::vector<ahd::BlockMessage> out, in;
-  this->Context.Check(this->Ranks.agree(block.giveSome(out, this->Context)));
-  this->Context.Check(this->Ranks.exchange(out, in));
-  this->Context.Check(this->Ranks.agree(block.takeSome(in, this->Context)));
 }
 
 void vtkAHDRankExecution::MakeBlock(
-  const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block)
+  const vtkAHDRankPoints& points, const ahd::BlockChains& chains, ahd::BlockTriangulation& block)
 {
-  ahd::BlockInput input;
-  input.block = this->Ranks.GetOwn();
-  input.blocks = this->Ranks.GetCount();
-  input.points = points.GetView();
-  input.ids = points.GetIds().data();
-  input.constraints = chains.GetView();
-  input.rule = this->Settings.fillRule;
-  input.options = this->Settings.options;
-  this->Context.Check(this->Ranks.agree(block.begin(input, this->Context)));
+  this->Context.Check(this->Ranks.agree(block.begin(points.GetBlock(chains), this->Context)));
   this->Context.NextStage();
   while (block.waiting() != ahd::BlockTriangulation::Waiting::ForNothing)
   {
@@ -246,7 +210,7 @@ void vtkAHDRankExecution::MakeBlock(
     {
       this->CheckBorder(block, chains);
     }
-    this->Step(block);
+    this->Context.Check(ahd::takeStep(block, this->Ranks, this->Context));
   }
 }
 
@@ -276,37 +240,40 @@ std::size_t vtkAHDRankExecution::ShareOdds(
   const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles)
 {
   constexpr std::int64_t kNone = -1;
+  struct Odds
+  {
+    std::int64_t First = kNone;
+    std::size_t OddZ = 0, Triangles = 0;
+    bool AreStacked = false, AreOnLine = true;
+  };
   const ahd::PointView& mine = points.GetPrepared().points();
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
+  const auto all = this->Ranks.Share(this->Context,
     [&]
     {
       ahd::OddPoints odd;
-      bool areStacked = false, areOnLine = true;
-      this->FindStacks(points, counts, areStacked, areOnLine);
+      Odds own;
+      this->FindStacks(points, counts, own.AreStacked, own.AreOnLine);
       this->Context.Check(ahd::findOddPoints(mine, this->Context, odd));
       const std::size_t first = odd.firstNotFinite; // 0 also stands for none
       const bool isOdd = first > 0 ||
         (mine.count > 0 && !ahd::isFinite(mine[0]) && !mine.skipped(0));
-      const std::int64_t found[] = { isOdd ? points.GetId(static_cast<std::int64_t>(first)) : kNone,
-        static_cast<std::int64_t>(odd.oddZ), static_cast<std::int64_t>(triangles), areStacked,
-        areOnLine };
-      ahd::BytesWriter(own).write(found);
+      own.First = isOdd ? points.GetOwnIds().of(static_cast<std::int64_t>(first)) : kNone;
+      own.OddZ = odd.oddZ;
+      own.Triangles = triangles;
+      return own;
     });
-  this->Context.Check(this->Ranks.gather(own, all));
   std::int64_t firstOdd = kNone;
   std::size_t before = 0, cells = 0;
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
-    ahd::BytesReader reader(all[rank]);
-    const auto first = reader.read<std::int64_t>();
-    firstOdd = firstOdd == kNone || (first != kNone && first < firstOdd) ? first : firstOdd;
-    this->Report.oddPoints.oddZ += static_cast<std::size_t>(reader.read<std::int64_t>());
+    const Odds& of = all[rank];
+    firstOdd = firstOdd == kNone || (of.First != kNone && of.First < firstOdd) ? of.First
+                                                                               : firstOdd;
+    this->Report.oddPoints.oddZ += of.OddZ;
     before = rank == this->Ranks.GetOwn() ? cells : before;
-    cells += static_cast<std::size_t>(reader.read<std::int64_t>());
-    this->Report.areStacked = reader.read<std::int64_t>() != 0 || this->Report.areStacked;
-    this->Report.areOnOneLine = reader.read<std::int64_t>() != 0 && this->Report.areOnOneLine;
+    cells += of.Triangles;
+    this->Report.areStacked = of.AreStacked || this->Report.areStacked;
+    this->Report.areOnOneLine = of.AreOnLine && this->Report.areOnOneLine;
   }
   this->Report.Triangles = cells;
   this->Report.Cells = cells;
@@ -315,16 +282,16 @@ std::size_t vtkAHDRankExecution::ShareOdds(
   return before;
 }
 
-void vtkAHDRankExecution::ReportOn(const vtkAHDRankRim& rim)
+void vtkAHDRankExecution::ReportOn(const ahd::BlockRim& rim)
 {
   ahd::Report& counts = this->Report.counts;
-  counts.triangles -= rim.GetTriangles();
-  counts.trimmed = rim.GetTriangles();
-  counts.bareVertices = rim.GetBareVertices();
-  counts.trimmedArea = rim.GetArea();
+  counts.triangles -= rim.triangles;
+  counts.trimmed = rim.triangles;
+  counts.bareVertices = rim.bareVertices;
+  counts.trimmedArea = rim.area;
 }
 
-void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains)
+void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const ahd::BlockChains& chains)
 {
   vtkAHDReport& report = this->Report;
   report.counts.inserted = counts.vertices;
@@ -334,9 +301,9 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHD
   report.counts.triangles = counts.triangles;
   report.constraints = counts.constraints;
   report.delaunayTriangles = counts.triangles;
-  report.MayBeEmptiedByLoops = counts.triangles == 0 && chains.HaveLoops();
-  report.unfitIds = chains.GetUnfitIds();
-  report.Source = chains.GetContent();
+  report.MayBeEmptiedByLoops = counts.triangles == 0 && chains.haveLoops();
+  report.unfitIds = chains.unfitIds();
+  report.Source = this->Facts.GetContent();
   for (const vtkAHDRankFacts& facts : this->Facts.Of)
   {
     report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;
@@ -346,7 +313,7 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const vtkAHD
   report.estimate = this->Estimate;
   for (const ahd::LeftOut& out : counts.constraints.leftOut)
   {
-    report.CrossingCells.push_back({ { chains.CellOf(out.chain), chains.CellOf(out.otherChain) } });
+    report.CrossingCells.push_back({ { chains.cellOf(out.chain), chains.cellOf(out.otherChain) } });
   }
   if (!report.CrossingCells.empty())
   {

@@ -2,10 +2,10 @@
 #ifndef vtkAHDRankExecution_h
 #define vtkAHDRankExecution_h
 
-#include "Engine/Distribute/BlockTriangulation.h"
+#include "Engine/Distribute/BlockChains.h"
+#include "Engine/Distribute/BlockRim.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDReport.h"
-#include "Ranks/vtkAHDRankChains.h"
 #include "Ranks/vtkAHDRankFacts.h"
 #include "Ranks/vtkAHDRankPoints.h"
 #include "Ranks/vtkAHDRanks.h"
@@ -14,7 +14,6 @@
 #include <string>
 #include <vector>
 
-class vtkAHDRankRim;
 class vtkAHDRankSurface;
 
 /// What came of an execution over ranks: the same on all but for times and the estimate.
@@ -46,24 +45,22 @@ public:
 
 private:
   void Meet(const vtkAHDDataSets& data);
-  void CompareSettings();
   void TriangulateOnOne(const vtkAHDDataSets& data, const char* setting, ahd::Workspace& workspace);
   [[noreturn]] void StopAll(ahd::Status reason, const std::string& error);
   void Triangulate(const vtkAHDDataSets& data);
   void CheckMemory(std::size_t bytes, const char* what);
-  void CheckPoints(const vtkAHDRankPoints& points, const vtkAHDRankChains& chains);
-  void CheckBorder(ahd::BlockTriangulation& blocks, const vtkAHDRankChains& chains);
+  void CheckPoints(const vtkAHDRankPoints& points, const ahd::BlockChains& chains);
+  void CheckBorder(ahd::BlockTriangulation& blocks, const ahd::BlockChains& chains);
   void MakeBlock(
-    const vtkAHDRankPoints& points, const vtkAHDRankChains& chains, ahd::BlockTriangulation& block);
-  void Step(ahd::BlockTriangulation& block);
+    const vtkAHDRankPoints& points, const ahd::BlockChains& chains, ahd::BlockTriangulation& block);
   void CheckGhosts(std::size_t cells);
   void TakeGhosts(vtkAHDRankSurface& surface, std::size_t firstCell);
   void FindStacks(const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, bool& areStacked,
     bool& areOnLine);
   std::size_t ShareOdds(
     const vtkAHDRankPoints& points, const ahd::BlocksReport& counts, std::size_t triangles);
-  void ReportOn(const vtkAHDRankRim& rim);
-  void ReportOn(const ahd::BlocksReport& counts, const vtkAHDRankChains& chains);
+  void ReportOn(const ahd::BlockRim& rim);
+  void ReportOn(const ahd::BlocksReport& counts, const ahd::BlockChains& chains);
   void WarnOfArrays();
 
   const vtkAHDSettings& Settings;

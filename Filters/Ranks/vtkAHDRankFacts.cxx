@@ -3,7 +3,6 @@
 
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDFingerprint.h"
-#include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Ranks/vtkAHDRanks.h"
@@ -25,7 +24,6 @@
 #include <cstring>
 #include <functional>
 #include <set>
-#include <sstream>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -47,53 +45,6 @@ bool IsNamed(const std::vector<vtkAHDArrayFacts>& arrays, const std::string& nam
   return std::any_of(arrays.begin(), arrays.end(),
     [&name](const vtkAHDArrayFacts& array) { return array.Name == name; });
 }
-}
-
-void vtkAHDRankFacts::Write(ahd::BlockBytes& bytes) const
-{
-  ahd::BytesWriter writer(bytes);
-  writer.writeAll(this->Settings);
-  writer.writeAll(this->Transform);
-  const std::uint64_t numbers[] = { this->Points, this->SourcePoints, this->Segments, this->Host,
-    this->GhostLevels, this->AreFloats, this->HasMarks, this->MarksAreUnfit };
-  writer.write(numbers);
-  writer.write(this->Source);
-  writer.write(std::uint64_t(this->Arrays.size()));
-  for (const vtkAHDArrayFacts& array : this->Arrays)
-  {
-    array.Write(writer);
-  }
-  writer.write(std::uint64_t(this->OtherArrays.size()));
-  for (const std::string& name : this->OtherArrays)
-  {
-    vtkAHDWriteText(writer, name);
-  }
-}
-
-void vtkAHDRankFacts::Read(const ahd::BlockBytes& bytes)
-{
-  ahd::BytesReader reader(bytes);
-  reader.readAll(this->Settings);
-  reader.readAll(this->Transform);
-  this->Points = reader.read<std::uint64_t>();
-  this->SourcePoints = reader.read<std::uint64_t>();
-  this->Segments = reader.read<std::uint64_t>();
-  this->Host = reader.read<std::uint64_t>();
-  this->GhostLevels = reader.read<std::uint64_t>();
-  this->AreFloats = reader.read<std::uint64_t>() != 0;
-  this->HasMarks = reader.read<std::uint64_t>() != 0;
-  this->MarksAreUnfit = reader.read<std::uint64_t>() != 0;
-  this->Source = reader.read<ahd::Fingerprint>();
-  for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
-  {
-    vtkAHDArrayFacts array;
-    array.Read(reader);
-    this->Arrays.push_back(array);
-  }
-  for (auto count = reader.read<std::uint64_t>(); count > 0; --count)
-  {
-    this->OtherArrays.push_back(vtkAHDReadText(reader));
-  }
 }
 
 void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
@@ -237,28 +188,26 @@ int vtkAHDAllFacts::GetGhostLevels() const
   return static_cast<int>(most);
 }
 
-std::string vtkAHDAllFacts::FindDifference(const vtkAHDSettings& own) const
+void vtkAHDAllFacts::Compare(const vtkAHDSettings& own, std::string& error) const
 {
   const auto& names = own.OfRanks.Numbers;
-  std::ostringstream words;
+  const vtkAHDRankFacts& first = this->Of[0];
   for (std::size_t rank = 1; rank < this->Of.size(); ++rank)
   {
-    for (std::size_t k = 0; k < names.size(); ++k)
+    const vtkAHDRankFacts& other = this->Of[rank];
+    const char* differs = first.Transform != other.Transform ? "Transform" : nullptr;
+    for (std::size_t k = names.size(); k > 0; --k)
     {
-      const double first = this->Of[0].Settings[k], other = this->Of[rank].Settings[k];
-      if (first != other)
-      {
-        words << names[k].first << " is not the same on ranks 0 and " << rank;
-        return words.str();
-      }
+      differs = first.Settings[k - 1] != other.Settings[k - 1] ? names[k - 1].first : differs;
     }
-    if (this->Of[rank].Transform != this->Of[0].Transform)
+    if (differs)
     {
-      words << "Transform is not the same on ranks 0 and " << rank;
-      return words.str();
+      error = std::string(differs) + " is not the same on ranks 0 and " + std::to_string(rank) +
+        ". Points are distributed over ranks only where all have the same settings. Nothing was "
+        "computed.";
+      throw vtkAHDStop{ ahd::Status::Cancelled };
     }
   }
-  return words.str();
 }
 
 const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
@@ -387,6 +336,21 @@ bool vtkAHDAllFacts::IsOneSource() const
       });
 }
 
+vtkAHDInput::SourceContent vtkAHDAllFacts::GetContent() const
+{
+  vtkAHDInput::SourceContent all;
+  for (std::size_t rank = 0; rank < this->Of.size(); ++rank)
+  {
+    if (this->CountsSource(rank))
+    {
+      all.Points += this->Of[rank].Content.Points;
+      all.Vertices += this->Of[rank].Content.Vertices;
+      all.Strips += this->Of[rank].Content.Strips;
+    }
+  }
+  return all;
+}
+
 std::size_t vtkAHDAllFacts::CountOnHostOf(std::size_t rank) const
 {
   return static_cast<std::size_t>(std::count_if(this->Of.begin(), this->Of.end(),
@@ -409,9 +373,7 @@ void vtkAHDCheckBefore(
 void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkAHDRanks& ranks,
   const vtkAHDContext& context, vtkAHDAllFacts& facts)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  ranks.Together(context,
+  facts.Of = ranks.Share(context,
     [&]
     {
       vtkAHDRankFacts mine;
@@ -429,20 +391,11 @@ void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkA
       mine.Segments = ahd::segmentsOf(request);
       mine.HasMarks = request.points.skip != nullptr;
       mine.MarksAreUnfit = counts.GetMarksAreUnfit();
+      mine.Content = counts.GetSourceContent();
       if (mine.SourcePoints > 0)
       {
         mine.Source = vtkAHDFingerprintOf(data.Source, ranks.GetOwn(), context);
       }
-      mine.Write(own);
-    });
-  context.Check(ranks.gather(own, all));
-  ranks.Together(context,
-    [&]
-    {
-      facts.Of.resize(all.size());
-      for (std::size_t rank = 0; rank < all.size(); ++rank)
-      {
-        facts.Of[rank].Read(all[rank]);
-      }
+      return mine;
     });
 }

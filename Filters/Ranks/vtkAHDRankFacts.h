@@ -3,8 +3,8 @@
 #define vtkAHDRankFacts_h
 
 #include "Engine/Core/Fingerprint.h"
-#include "Engine/Distribute/BlockBytes.h"
 #include "Engine/Result.h"
+#include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Ranks/vtkAHDArrayFacts.h"
 #include "vtkSmartPointer.h"
@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -36,12 +37,17 @@ struct vtkAHDRankFacts
   bool HasMarks = false;                ///< are there ghost marks?
   bool MarksAreUnfit = false;           ///< there are some, but not one for each point
   ahd::Fingerprint Source = {};         ///< of points and cells
+  vtkAHDInput::SourceContent Content;   ///< what else is in the source
   std::vector<vtkAHDArrayFacts> Arrays; ///< that can be moved, marks excepted
   std::vector<std::string> OtherArrays; ///< that cannot
 
-  /// Throws std::bad_alloc, as the next one.
-  void Write(ahd::BlockBytes& bytes) const;
-  void Read(const ahd::BlockBytes& bytes);
+  /// See ahd::HasFields.
+  auto fields()
+  {
+    return std::tie(this->Settings, this->Transform, this->Points, this->SourcePoints,
+      this->Segments, this->Host, this->GhostLevels, this->AreFloats, this->HasMarks,
+      this->MarksAreUnfit, this->Source, this->Content, this->Arrays, this->OtherArrays);
+  }
 };
 
 /// Fills the settings.
@@ -68,8 +74,8 @@ public:
   /// Layers of ghosts that are put out: as many as any rank is asked for.
   int GetGhostLevels() const;
 
-  /// The first setting that differs between ranks, in a sentence; empty if none does.
-  std::string FindDifference(const vtkAHDSettings& own) const;
+  /// Throws vtkAHDStop if settings differ between ranks, on all alike; then `error` says the first.
+  void Compare(const vtkAHDSettings& own, std::string& error) const;
   /// The first setting that ranks have no method for: one of them has to triangulate all points.
   /// Null if there is none.
   const char* FindUnfit(const vtkAHDSettings& settings) const;
@@ -86,6 +92,8 @@ public:
   bool IsOneSource() const;
   /// A rank whose source counts.
   bool CountsSource(std::size_t rank) const { return rank == 0 || !this->IsOneSource(); }
+  /// What there is in the sources that count besides lines and polygons.
+  vtkAHDInput::SourceContent GetContent() const;
   /// How many ranks are on the machine of this one.
   std::size_t CountOnHostOf(std::size_t rank) const;
 

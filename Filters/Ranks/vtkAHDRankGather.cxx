@@ -17,6 +17,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace
 {
@@ -55,30 +56,18 @@ std::size_t BytesOf(vtkAbstractArray* array)
       static_cast<std::size_t>(std::max(1, array->GetDataTypeSize())));
 }
 
-/// Cells that come one after the other from several ranks.
-struct Chain
+vtkSmartPointer<vtkCellArray> MakeCells(const vtkAHDCellChain& chain)
 {
-  std::vector<std::int64_t> Ids;
-  std::vector<std::int64_t> Sizes;
-
-  vtkSmartPointer<vtkCellArray> Make() const
-  {
-    const auto count = static_cast<vtkIdType>(this->Sizes.size());
-    auto ids = vtkAHDNewArray<vtkTypeInt64Array>(static_cast<vtkIdType>(this->Ids.size()));
-    auto offsets = vtkAHDNewArray<vtkTypeInt64Array>(count + 1);
-    std::copy(this->Ids.begin(), this->Ids.end(), ids->GetPointer(0));
-    vtkTypeInt64 end = 0;
-    for (vtkIdType k = 0; k < count; ++k)
-    {
-      offsets->SetValue(k, end);
-      end += this->Sizes[static_cast<std::size_t>(k)];
-    }
-    offsets->SetValue(count, end);
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    cells->SetData(offsets, ids);
-    return cells;
-  }
-};
+  const auto count = static_cast<vtkIdType>(chain.Sizes.size());
+  auto ids = vtkAHDNewArray<vtkTypeInt64Array>(static_cast<vtkIdType>(chain.Ids.size()));
+  auto offsets = vtkAHDNewArray<vtkTypeInt64Array>(count + 1);
+  std::copy(chain.Ids.begin(), chain.Ids.end(), ids->GetPointer(0));
+  offsets->SetValue(0, 0);
+  std::partial_sum(chain.Sizes.begin(), chain.Sizes.end(), offsets->GetPointer(1));
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, ids);
+  return cells;
+}
 }
 
 vtkAHDRankGather::vtkAHDRankGather(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
@@ -123,26 +112,13 @@ vtkAHDRankGather::Sizes vtkAHDRankGather::MeasureOwn(const vtkAHDDataSets& data)
       const ahd::CellsView counts = vtkAHDCellsView(CellsOf(source)[kind], nullptr).GetCounts();
       own.Cells[kind] = { counts.cells, counts.ids };
     }
-    vtkNew<vtkPolyData> nothing;
-    own.Content = vtkAHDInput(this->Settings, nothing, source).GetSourceContent();
   }
   return own;
 }
 
 void vtkAHDRankGather::Measure(const vtkAHDDataSets& data)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(this->MeasureOwn(data)); });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      for (const ahd::BlockBytes& bytes : all)
-      {
-        this->Of.push_back(ahd::BytesReader(bytes).read<Sizes>());
-      }
-    });
+  this->Of = this->Ranks.Share(this->Context, [&] { return this->MeasureOwn(data); });
 }
 
 vtkAHDRankGather::CellCounts vtkAHDRankGather::GetCells(std::size_t kind) const
@@ -246,18 +222,6 @@ std::size_t vtkAHDRankGather::EstimateBytesOnTheWay() const
   return 2 * bytes; // sent, as far as that is done on the same machine, and received
 }
 
-vtkAHDInput::SourceContent vtkAHDRankGather::GetContent() const
-{
-  vtkAHDInput::SourceContent all;
-  for (const Sizes& sizes : this->Of)
-  {
-    all.Points += sizes.Content.Points;
-    all.Vertices += sizes.Content.Vertices;
-    all.Strips += sizes.Content.Strips;
-  }
-  return all;
-}
-
 // ----------------------------------------------------------------------------------------- moving
 
 void vtkAHDRankGather::MoveTo(std::size_t host, const vtkAHDDataSets& data)
@@ -291,8 +255,7 @@ void vtkAHDRankGather::MoveTo(std::size_t host, const vtkAHDDataSets& data)
 void vtkAHDRankGather::MovePoints(
   vtkPolyData* from, bool areFloats, vtkAHDRoute& route, vtkPolyData* to)
 {
-  route.ToOwners(static_cast<std::size_t>(from->GetNumberOfPoints()),
-    [this](std::size_t) { return this->Host; });
+  this->Context.Check(route.toOne(static_cast<std::size_t>(from->GetNumberOfPoints()), this->Host));
   vtkSmartPointer<vtkAbstractArray> mine, all;
   const auto move = [&](const auto& prepare)
   {
@@ -302,7 +265,7 @@ void vtkAHDRankGather::MovePoints(
   move(
     [&]
     {
-      all = vtkAHDMakePlaces(route.GetCount(), areFloats);
+      all = vtkAHDMakePlaces(route.count(), areFloats);
       mine = vtkAHDPlacesOf(from->GetPoints(), areFloats);
     });
   vtkNew<vtkPoints> points;
@@ -314,7 +277,7 @@ void vtkAHDRankGather::MovePoints(
       [&]
       {
         mine = from->GetPointData()->GetAbstractArray(facts.Name.c_str());
-        all = facts.Make(route.GetCount());
+        all = facts.Make(route.count());
       });
     facts.AddTo(to->GetPointData(), all);
   }
@@ -335,10 +298,10 @@ void vtkAHDRankGather::MoveMarks(vtkPointSet* input, vtkAHDRoute& route)
         const unsigned char* given = opened.GetRequest().points.skip;
         std::copy_n(given ? given : mine.data(), mine.size(), mine.data());
       }
-      all = vtkAHDNewArray<vtkUnsignedCharArray>(static_cast<vtkIdType>(route.GetCount()));
+      all = vtkAHDNewArray<vtkUnsignedCharArray>(static_cast<vtkIdType>(route.count()));
       all->SetName(vtkDataSetAttributes::GhostArrayName());
     });
-  route.Move(mine.data(), 1, all->GetPointer(0));
+  this->Context.Check(route.move(mine.data(), 1, all->GetPointer(0)));
   vtkAHDReplaceArray(this->Input->GetPointData(), all);
 }
 
@@ -395,72 +358,61 @@ std::int64_t vtkAHDRankGather::GetGivenId(std::int64_t id) const
 }
 
 /// What is no id of this rank's `ownIds` points becomes none of all.
-void vtkAHDRankGather::WriteCells(
-  vtkPolyData* source, std::int64_t ownIds, ahd::BlockBytes& bytes) const
+vtkAHDCellChain vtkAHDRankGather::ReadCells(vtkCellArray* array, std::int64_t ownIds) const
 {
   const std::int64_t first = this->GetFirstId(), all = this->GetIdCount();
-  ahd::BytesWriter writer(bytes);
-  for (vtkCellArray* array : CellsOf(source))
+  vtkAHDCellsView opened(array, nullptr); // what they are is not told to other ranks
+  const ahd::CellsView cells = opened.Open(this->Context);
+  vtkAHDCellChain chain;
+  chain.Ids.reserve(cells.ids);
+  chain.Sizes.reserve(cells.cells);
+  const auto offset = [&cells](std::size_t k)
+  { return cells.offsets32 ? std::int64_t(cells.offsets32[k]) : cells.offsets64[k]; };
+  for (std::size_t k = 0; k < cells.cells; ++k)
   {
-    vtkAHDCellsView opened(array, nullptr); // what they are is not told to other ranks
-    const ahd::CellsView cells = opened.Open(this->Context);
-    Chain chain;
-    chain.Ids.reserve(cells.ids);
-    chain.Sizes.reserve(cells.cells);
-    const auto offset = [&cells](std::size_t k)
-    { return cells.offsets32 ? std::int64_t(cells.offsets32[k]) : cells.offsets64[k]; };
-    for (std::size_t k = 0; k < cells.cells; ++k)
-    {
-      chain.Sizes.push_back(offset(k + 1) - offset(k));
-    }
-    for (std::size_t i = 0; i < cells.ids; ++i)
-    {
-      const std::int64_t id = cells.ids32 ? std::int64_t(cells.ids32[i]) : cells.ids64[i];
-      const bool isFar = id < 0 || id >= kFar - all;
-      chain.Ids.push_back(isFar ? id : id + (id < ownIds ? first : all));
-      if (i % (std::size_t(1) << 14) == 0)
-      {
-        this->Context.StopIfAborted();
-      }
-    }
-    writer.writeAll(chain.Ids);
-    writer.writeAll(chain.Sizes);
+    chain.Sizes.push_back(offset(k + 1) - offset(k));
   }
-}
-
-void vtkAHDRankGather::ReadCells(const std::vector<ahd::BlockMessage>& messages)
-{
-  std::array<Chain, kKinds> chains;
-  for (const ahd::BlockMessage& message : messages)
+  for (std::size_t i = 0; i < cells.ids; ++i)
   {
-    ahd::BytesReader reader(message.bytes);
-    for (Chain& chain : chains)
+    const std::int64_t id = cells.ids32 ? std::int64_t(cells.ids32[i]) : cells.ids64[i];
+    const bool isFar = id < 0 || id >= kFar - all;
+    chain.Ids.push_back(isFar ? id : id + (id < ownIds ? first : all));
+    if (i % (std::size_t(1) << 14) == 0)
     {
-      reader.readAll(chain.Ids);
-      reader.readAll(chain.Sizes);
+      this->Context.StopIfAborted();
     }
   }
-  this->Source->SetVerts(chains[0].Make());
-  this->Source->SetLines(chains[1].Make());
-  this->Source->SetPolys(chains[2].Make());
+  return chain;
 }
 
 void vtkAHDRankGather::MoveCells(vtkPolyData* source)
 {
-  std::vector<ahd::BlockMessage> out, in;
+  const vtkAHDRankFacts& own = this->Facts.Of[this->Ranks.GetOwn()];
+  const auto ids = static_cast<std::int64_t>(
+    this->Settings.idsAreOfInput ? own.Points : own.SourcePoints);
+  const auto received = this->Ranks.Exchange<vtkAHDCellChain>(this->Context,
+    [&](std::vector<std::vector<vtkAHDCellChain>>& to)
+    {
+      for (std::size_t kind = 0; source && kind < kKinds; ++kind)
+      {
+        to[this->Host].push_back(this->ReadCells(CellsOf(source)[kind], ids));
+      }
+    });
   this->Ranks.Together(this->Context,
     [&]
     {
-      if (source)
+      std::array<vtkAHDCellChain, kKinds> all;
+      for (const std::vector<vtkAHDCellChain>& some : received)
       {
-        const vtkAHDRankFacts& own = this->Facts.Of[this->Ranks.GetOwn()];
-        out.emplace_back();
-        out.back().block = this->Host;
-        this->WriteCells(source,
-          static_cast<std::int64_t>(this->Settings.idsAreOfInput ? own.Points : own.SourcePoints),
-          out.back().bytes);
+        for (std::size_t kind = 0; kind < some.size(); ++kind)
+        {
+          vtkAHDCellChain& to = all[kind];
+          to.Ids.insert(to.Ids.end(), some[kind].Ids.begin(), some[kind].Ids.end());
+          to.Sizes.insert(to.Sizes.end(), some[kind].Sizes.begin(), some[kind].Sizes.end());
+        }
       }
+      this->Source->SetVerts(MakeCells(all[0]));
+      this->Source->SetLines(MakeCells(all[1]));
+      this->Source->SetPolys(MakeCells(all[2]));
     });
-  this->Context.Check(this->Ranks.exchange(out, in));
-  this->Ranks.Together(this->Context, [&] { this->ReadCells(in); });
 }

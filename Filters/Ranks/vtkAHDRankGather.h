@@ -11,7 +11,17 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
+
+/// Cells that come one after the other from several ranks.
+struct vtkAHDCellChain
+{
+  std::vector<std::int64_t> Ids, Sizes;
+
+  /// See ahd::HasFields.
+  auto fields() { return std::tie(this->Ids, this->Sizes); }
+};
 
 /**
  * The inputs and sources of all ranks on one of them, appended in the order of the ranks.
@@ -44,8 +54,6 @@ public:
   std::size_t EstimateBytesOnTheWay() const;
   /// Of those that a rank takes to send what it has.
   std::size_t EstimateBytesToSend(std::size_t rank) const;
-  /// What there is in the appended source besides lines and polygons.
-  vtkAHDInput::SourceContent GetContent() const;
 
   /// Moves all to one rank. Collective. REQUIRES: Measure() of the same data.
   void MoveTo(std::size_t host, const vtkAHDDataSets& data);
@@ -69,7 +77,6 @@ private:
     std::uint64_t DataBytes = 0;   // of the arrays that all have
     std::uint64_t WidestBytes = 0; // of what is sent at one time
     std::array<CellCounts, kKinds> Cells = {};
-    vtkAHDInput::SourceContent Content;
   };
   using CellArrays = std::array<vtkCellArray*, kKinds>;
 
@@ -84,8 +91,7 @@ private:
   void MovePoints(vtkPolyData* from, bool areFloats, vtkAHDRoute& route, vtkPolyData* to);
   void MoveMarks(vtkPointSet* input, vtkAHDRoute& route);
   void MoveCells(vtkPolyData* source);
-  void WriteCells(vtkPolyData* source, std::int64_t ownIds, ahd::BlockBytes& bytes) const;
-  void ReadCells(const std::vector<ahd::BlockMessage>& messages);
+  vtkAHDCellChain ReadCells(vtkCellArray* cells, std::int64_t ownIds) const;
   vtkSmartPointer<vtkPolyData> ReadSourcePoints(vtkPolyData* source) const;
 
   const vtkAHDSettings& Settings;

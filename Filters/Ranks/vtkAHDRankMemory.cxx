@@ -2,7 +2,6 @@
 #include "Ranks/vtkAHDRankMemory.h"
 
 #include "Engine/Core/Memory.h"
-#include "Engine/Distribute/BlockBytes.h"
 #include "Engine/Job/Messages.h"
 
 #include <cstdint>
@@ -16,23 +15,25 @@ std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFa
   const vtkTypeInt64 there = isLimited ? settings.MemoryLimit
                                        : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 /
                                            facts.CountOnHostOf(ranks.GetOwn()));
-  const std::int64_t figures[] = { static_cast<std::int64_t>(bytes / 1024), there, isLimited };
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  ranks.Together(context, [&] { ahd::BytesWriter(own).write(figures); });
-  context.Check(ranks.gather(own, all));
+  struct Figures
+  {
+    std::int64_t Needed, Limit;
+    bool IsByUser;
+  };
+  const auto all = ranks.Share(context,
+    [&] {
+      return Figures{ static_cast<std::int64_t>(bytes / 1024), there, isLimited };
+    });
   for (std::size_t k = 0; k < all.size(); ++k)
   {
-    ahd::BytesReader reader(all[k]);
-    const auto needed = reader.read<std::int64_t>();
-    const auto limit = reader.read<std::int64_t>();
-    const bool isByUser = reader.read<std::int64_t>() != 0;
-    if (needed > limit)
+    const Figures& of = all[k];
+    if (of.Needed > of.Limit)
     {
       const ahd::Facts known{ { "reason", ahd::Reason::MemoryLimit }, { "doing", "distributing" },
         { "work", work.Doing }, { "points", work.Points }, { "ranks", all.size() }, { "rank", k },
         { "share", work.Share }, { "of_rank", true }, { "is_in_kib", true },
-        { "memory_estimate", needed }, { "memory_allowed", limit }, { "memory_limit", isByUser } };
+        { "memory_estimate", of.Needed }, { "memory_allowed", of.Limit },
+        { "memory_limit", of.IsByUser } };
       return ahd::messages(ahd::Topic::Refusal, ahd::Wording::Class, known).at(0).text;
     }
   }

@@ -68,8 +68,8 @@ vtkAHDRankPoints::vtkAHDRankPoints(const vtkAHDSettings& settings, vtkAHDRanks& 
     before += facts.Of[rank].Points;
     sourcesBefore += facts.CountsSource(rank) ? facts.Of[rank].SourcePoints : 0;
   }
-  this->FirstId = static_cast<std::int64_t>(before);
-  this->FirstSourceId = static_cast<std::int64_t>(facts.GetPoints() + sourcesBefore);
+  this->OwnIds.first = static_cast<std::int64_t>(before);
+  this->OwnIds.firstAdded = static_cast<std::int64_t>(facts.GetPoints() + sourcesBefore);
 }
 
 vtkAHDRankPoints::~vtkAHDRankPoints() = default;
@@ -99,35 +99,30 @@ void vtkAHDRankPoints::Read(vtkPointSet* input, vtkPolyData* source)
 /// Of the points of all ranks.
 void vtkAHDRankPoints::FindBounds()
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
+  const auto findOwn = [&]
+  {
+    Box box;
+    for (const ahd::PointView* points :
+      { &this->Input->GetRequest().points, &this->Input->GetRequest().sourcePoints })
     {
-      Box box;
-      for (const ahd::PointView* points :
-        { &this->Input->GetRequest().points, &this->Input->GetRequest().sourcePoints })
+      for (std::size_t i = 0; i < points->count; ++i)
       {
-        for (std::size_t i = 0; i < points->count; ++i)
+        if (i % kAsk == 0)
         {
-          if (i % kAsk == 0)
-          {
-            this->Context.StopIfAborted();
-          }
-          if (ahd::isFinite((*points)[i]) && !points->skipped(i))
-          {
-            const ahd::Vector3 p = points->place(i);
-            box.Add(p, p);
-          }
+          this->Context.StopIfAborted();
+        }
+        if (ahd::isFinite((*points)[i]) && !points->skipped(i))
+        {
+          const ahd::Vector3 p = points->place(i);
+          box.Add(p, p);
         }
       }
-      ahd::BytesWriter(own).write(box);
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
+    }
+    return box;
+  };
   Box whole;
-  for (const ahd::BlockBytes& bytes : all)
+  for (const Box& box : this->Ranks.Share(this->Context, findOwn))
   {
-    const Box box = ahd::BytesReader(bytes).read<Box>();
     whole.Add(box.Low, box.High);
   }
   this->Bounds = { { whole.Low, whole.High } };
@@ -140,20 +135,18 @@ void vtkAHDRankPoints::FitPlane()
   ahd::PlaneFitting fitting(this->Input->GetRequest().points, !this->Facts.AreFloats());
   while (!fitting.isDone())
   {
-    ahd::BlockBytes own;
-    std::vector<ahd::BlockBytes> all;
-    this->Ranks.Together(this->Context,
+    fitting.hear(this->Ranks.Share(this->Context,
       [&]
       {
         ahd::Ticker ticker(context.progress, ahd::Phase::Merge, 0, context.executor);
+        ahd::BlockBytes own;
         if (!fitting.look(ticker))
         {
           throw vtkAHDStop{ ahd::Status::Cancelled };
         }
         fitting.tell(own);
-      });
-    this->Context.Check(this->Ranks.gather(own, all));
-    fitting.hear(all);
+        return own;
+      }));
   }
   this->Plane.take(fitting.fit());
 }
@@ -165,6 +158,7 @@ void vtkAHDRankPoints::Prepare()
   request.bounds = &this->Bounds;
   request.bounding = request.bounding && this->Ranks.GetOwn() + 1 == this->Ranks.GetCount();
   this->Context.Check(ahd::prepare(request, this->Context, this->Prepared));
+  this->OwnIds.given = this->Prepared.inputCount();
   if (this->Prepared.addedCount() > 0)
   {
     this->Combined = vtkSmartPointer<vtkPolyData>::New();
@@ -174,18 +168,12 @@ void vtkAHDRankPoints::Prepare()
   }
 }
 
-std::int64_t vtkAHDRankPoints::GetId(std::int64_t local) const
-{
-  const auto own = static_cast<std::int64_t>(this->Prepared.inputCount());
-  return local < 0 ? -1 : local < own ? this->FirstId + local : this->FirstSourceId + (local - own);
-}
-
 std::size_t vtkAHDRankPoints::EstimateBytes() const
 {
   const std::size_t count = this->Prepared.points().count;
   return this->Input->EstimateBytes() + ahd::preparationMemoryEstimate(this->Input->GetRequest()) +
     (this->Combined ? vtkAHDPointOutput::EstimateBytes(this->Local, count) : 0) +
-    vtkAHDRoute::EstimateBytes(count);
+    vtkAHDRoute::memoryEstimate(count);
 }
 
 vtkPointData* vtkAHDRankPoints::GetDataToMove() const
@@ -194,7 +182,7 @@ vtkPointData* vtkAHDRankPoints::GetDataToMove() const
 }
 
 /// Some of this rank's points, as many as it has of all.
-void vtkAHDRankPoints::ShareSamples(ahd::BlockBytes& own) const
+std::vector<ahd::Point> vtkAHDRankPoints::FindSamples() const
 {
   const double all = static_cast<double>(this->Facts.GetPoints() + this->Facts.GetSourcePoints());
   const double mine = static_cast<double>(this->Prepared.points().count);
@@ -202,29 +190,24 @@ void vtkAHDRankPoints::ShareSamples(ahd::BlockBytes& own) const
   std::vector<ahd::Point> samples;
   this->Context.Check(ahd::samplePoints(this->Prepared.points(),
     static_cast<std::size_t>(all > 0.0 ? most * mine / all + 1.0 : 0.0), samples));
-  ahd::BytesWriter(own).writeAll(samples);
+  return samples;
 }
 
 void vtkAHDRankPoints::FindOwners()
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
   ahd::BlockCuts cuts;
-  this->Ranks.Together(this->Context, [&] { this->ShareSamples(own); });
-  this->Context.Check(this->Ranks.gather(own, all));
+  const auto all = this->Ranks.Share(this->Context, [&] { return this->FindSamples(); });
   this->Ranks.Together(this->Context,
     [&]
     {
       std::vector<ahd::Point> samples;
-      for (const ahd::BlockBytes& bytes : all)
+      for (const std::vector<ahd::Point>& some : all)
       {
-        ahd::BytesReader(bytes).readAll(samples);
+        samples.insert(samples.end(), some.begin(), some.end());
       }
       this->Context.Check(ahd::cutIntoBlocks(samples, this->Ranks.GetCount(), this->Context, cuts));
     });
-  const ahd::PointView& points = this->Prepared.points();
-  this->Route.ToOwners(
-    points.count, [&points, &cuts](std::size_t i) { return cuts.ownerOf(points[i]); });
+  this->Context.Check(this->Route.toOwners(this->Prepared.points(), cuts));
 }
 
 /// Ids come ascending from each rank, those of its source behind those of its input; sources' ids
@@ -250,7 +233,7 @@ void vtkAHDRankPoints::SortIds(const std::vector<std::int64_t>& arrived)
       }
     }
   }
-  this->Route.SetPlaces(std::move(places));
+  this->Route.setPlaces(std::move(places));
 }
 
 /// Where points are added, places are doubles.
@@ -277,7 +260,8 @@ void vtkAHDRankPoints::MovePlaces()
   this->Route.Move(mine, this->Places, 0);
   if (this->Settings.isProjected())
   {
-    this->Route.Move(this->Prepared.points().doubles, 3 * sizeof(double), this->InPlane.data());
+    this->Context.Check(
+      this->Route.move(this->Prepared.points().doubles, 3 * sizeof(double), this->InPlane.data()));
   }
 }
 
@@ -294,16 +278,36 @@ void vtkAHDRankPoints::MoveMarks()
       }
       this->Marks = vtkAHDNewArray<vtkUnsignedCharArray>(static_cast<vtkIdType>(this->GetCount()));
     });
-  this->Route.Move(mine.data(), 1, this->Marks->GetPointer(0));
+  this->Context.Check(this->Route.move(mine.data(), 1, this->Marks->GetPointer(0)));
+}
+
+void vtkAHDRankPoints::JoinChains(ahd::BlockChains& chains)
+{
+  this->Context.Check(chains.join(this->Input->GetRequest(), this->Prepared, this->OwnIds,
+    this->Facts.GetContent().Vertices, this->Ranks, this->Context));
+}
+
+ahd::BlockInput vtkAHDRankPoints::GetBlock(const ahd::BlockChains& chains) const
+{
+  ahd::BlockInput input;
+  input.block = this->Ranks.GetOwn();
+  input.blocks = this->Ranks.GetCount();
+  input.points = this->GetView();
+  input.ids = this->Ids.data();
+  input.constraints = chains.view();
+  input.rule = this->Settings.fillRule;
+  input.options = this->Settings.options;
+  return input;
 }
 
 void vtkAHDRankPoints::MoveToOwners()
 {
   this->FindOwners();
   std::vector<std::int64_t> arrived;
-  this->Ranks.Together(this->Context, [&] { arrived.resize(this->Route.GetCount()); });
-  this->Route.MoveValues(
-    [this](ahd::Index i) { return this->GetId(static_cast<std::int64_t>(i)); }, arrived.data());
+  this->Ranks.Together(this->Context, [&] { arrived.resize(this->Route.count()); });
+  this->Context.Check(this->Route.moveValues([this](ahd::Index i)
+    { return this->OwnIds.of(static_cast<std::int64_t>(i)); },
+    arrived.data()));
   this->Ranks.Together(this->Context,
     [&]
     {
@@ -339,20 +343,9 @@ vtkSmartPointer<vtkDataArray> vtkAHDRankPoints::TakePlaces(std::size_t count)
 
 ahd::PointView vtkAHDRankPoints::GetView() const
 {
-  ahd::PointView view;
-  if (!this->InPlane.empty())
-  {
-    view = ahd::PointView(this->InPlane.data(), this->GetCount(), 3);
-  }
-  else if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Places))
-  {
-    view = ahd::PointView(floats->GetPointer(0), this->GetCount(), 3);
-  }
-  else
-  {
-    view = ahd::PointView(
-      vtkArrayDownCast<vtkDoubleArray>(this->Places)->GetPointer(0), this->GetCount(), 3);
-  }
+  ahd::PointView view = this->InPlane.empty()
+    ? vtkAHDViewOf(this->Places, this->GetCount())
+    : ahd::PointView(this->InPlane.data(), this->GetCount(), 3);
   if (this->Marks)
   {
     view.skip = this->Marks->GetPointer(0);

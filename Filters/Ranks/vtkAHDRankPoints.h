@@ -2,6 +2,8 @@
 #ifndef vtkAHDRankPoints_h
 #define vtkAHDRankPoints_h
 
+#include "Engine/Distribute/BlockChains.h"
+#include "Engine/Distribute/BlockTriangulation.h"
 #include "Engine/Points/Points.h"
 #include "Engine/Prepare/Prepare.h"
 #include "Input/vtkAHDInput.h"
@@ -39,14 +41,16 @@ public:
   /// Reads this rank's input and source. Collective.
   void Read(vtkPointSet* input, vtkPolyData* source);
 
+  /// The constraints of all ranks. Collective.
+  void JoinChains(ahd::BlockChains& chains);
+
   /// Takes each point to its owner: places and ids. Collective.
   void MoveToOwners();
 
   /// What prepare() made of this rank's own input and source.
-  const vtkAHDInput& GetInput() const { return *this->Input; }
   const ahd::PreparedInput& GetPrepared() const { return this->Prepared; }
-  /// By its number in that; -1 for what is none.
-  std::int64_t GetId(std::int64_t local) const;
+  /// What its points are called by all.
+  const ahd::BlockIds& GetOwnIds() const { return this->OwnIds; }
   /// Are the eight bounding points added? They are on the last rank, behind all others.
   bool AreBounded() const { return this->Bounds[0][0] <= this->Bounds[1][0]; }
   /// Upper estimate of the bytes that reading takes.
@@ -58,6 +62,8 @@ public:
   const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
   /// As they are triangulated.
   ahd::PointView GetView() const;
+  /// For the engine, with these constraints.
+  ahd::BlockInput GetBlock(const ahd::BlockChains& chains) const;
   /// Where they are in space: floats or doubles.
   vtkDataArray* GetPlaces() const { return this->Places; }
   /// The same, given away, with room for so many points; there is no view of them after that.
@@ -74,7 +80,7 @@ private:
   void FitPlane();
   void FindBounds();
   void Prepare();
-  void ShareSamples(ahd::BlockBytes& own) const;
+  std::vector<ahd::Point> FindSamples() const;
   void FindOwners();
   void SortIds(const std::vector<std::int64_t>& arrived);
   bool AreFloats() const;
@@ -92,8 +98,7 @@ private:
   std::array<ahd::Vector3, 2> Bounds = { { { { 1, 1, 1 } },
     { { 0, 0, 0 } } } }; // of all, if there are to be points around them
   ahd::PreparedInput Prepared;
-  std::int64_t FirstId = 0;       // of the input's points
-  std::int64_t FirstSourceId = 0; // of the source's
+  ahd::BlockIds OwnIds;
   vtkAHDRoute Route;
   std::vector<std::int64_t> Ids;
   vtkSmartPointer<vtkDataArray> Places;

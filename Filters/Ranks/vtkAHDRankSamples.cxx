@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ranks/vtkAHDRankSamples.h"
 
-#include "Engine/Sample/BoxNeighbors.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Ranks/vtkAHDRankGather.h"
 #include "Ranks/vtkAHDRankMemory.h"
@@ -30,14 +29,7 @@ void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
 {
   vtkAHDCheckBefore(before, this->Ranks, this->Context, this->Error);
   vtkAHDMeet(this->Settings, data, this->Ranks, this->Context, this->Facts);
-  const std::string difference = this->Facts.FindDifference(this->Settings);
-  if (!difference.empty())
-  {
-    this->Error = difference +
-      ". Points are distributed over ranks only where all have the same settings. Nothing was "
-      "computed.";
-    throw vtkAHDStop{ ahd::Status::Cancelled };
-  }
+  this->Facts.Compare(this->Settings, this->Error);
   const std::string partial = this->Facts.GetPartialArrays();
   if (!partial.empty())
   {
@@ -58,7 +50,7 @@ void vtkAHDRankSamples::Begin(const vtkAHDDataSets& data, ahd::Status before)
   }
   this->Points.reset(new vtkAHDRankPoints(this->Settings, this->Ranks, this->Facts, this->Context));
   this->Points->Read(data.Input, data.Source);
-  this->Chains.Gather(*this->Points, this->Ranks, this->Context);
+  this->Points->JoinChains(this->Chains);
   this->Points->MoveToOwners();
   this->ShareOwn();
 }
@@ -97,70 +89,16 @@ void vtkAHDRankSamples::TakeAll(const vtkAHDDataSets& data)
 /// Each rank triangulates its own points, with what all have to have.
 void vtkAHDRankSamples::ShareOwn()
 {
+  const std::size_t ids = this->Chains.idCount();
   this->CheckMemory(this->Points->EstimateBytes() +
-    vtkAHDRankPart::EstimateBytes(this->Points->GetCount() + this->Chains.GetIdCount(),
-      this->Chains.GetIdCount(), this->AsksForNearest));
-  this->Part.reset(new vtkAHDRankPart(*this->Points, this->Context));
-  std::vector<vtkAHDRankPlace> shared;
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
+    ahd::needsMemoryEstimate(this->Points->GetCount() + ids, ids, this->AsksForNearest));
   this->Ranks.Together(this->Context,
     [&]
     {
-      this->Part->ListShared(this->Chains, this->Chains.HaveLoops(), shared);
-      ahd::BytesWriter(own).writeAll(shared);
+      this->Needs.reset(new ahd::BlockNeeds(
+        this->Points->GetBlock(this->Chains), this->AsksForNearest, this->Ranks, this->Context));
     });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      shared.clear();
-      for (const ahd::BlockBytes& bytes : all)
-      {
-        ahd::BytesReader(bytes).readAll(shared);
-      }
-      std::sort(shared.begin(), shared.end());
-      this->Part->Make(this->Settings, this->Chains, shared, this->AsksForNearest);
-    });
-  this->ListsAll = this->MustTakeAll();
-}
-
-/// Could others' points that a rank does not have change the order of those that it has, or which
-/// constraints are left out? The same on all ranks.
-bool vtkAHDRankSamples::MustTakeAll()
-{
-  struct Facts
-  {
-    std::uint64_t Crowd, Crosses;
-    ahd::Bounds Bounds;
-  };
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      const Facts facts{ this->Part->FindCrowd(), this->Part->HasCrossings(),
-        this->Part->GetOwnBounds() };
-      ahd::BytesWriter(own).write(facts);
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
-  bool crosses = false;
-  std::uint64_t most = 0;
-  const ahd::Bounds bounds = this->GetBounds();
-  for (const ahd::BlockBytes& bytes : all)
-  {
-    const auto one = ahd::BytesReader(bytes).read<Facts>();
-    std::uint64_t together = one.Crowd;
-    for (const ahd::BlockBytes& otherBytes : all)
-    {
-      const auto other = ahd::BytesReader(otherBytes).read<Facts>();
-      const bool isOther = &otherBytes != &bytes;
-      together += isOther && ahd::shareBox(bounds, one.Bounds, other.Bounds) ? other.Crowd : 0;
-    }
-    most = std::max(most, together);
-    crosses = crosses || one.Crosses != 0;
-  }
-  return crosses || most > ahd::crowdLimit();
+  this->Context.Check(this->Needs->begin());
 }
 
 void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
@@ -169,16 +107,15 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   {
     return;
   }
-  std::vector<std::int64_t> ids;
-  std::vector<std::size_t> owners;
-  this->FindNeeded(boxes, ids, owners);
-  this->Part.reset();
-  this->MoveNeeded(ids, owners);
+  std::vector<ahd::BlockPoint> needed;
+  this->Context.Check(this->Needs->find(boxes, needed));
+  this->Needs.reset();
+  this->MoveNeeded(needed);
   this->Points.reset();
-  this->Ranks.Together(this->Context, [&] { this->MakeSource(ids); });
-  const auto first = static_cast<std::int64_t>(this->Facts.GetPoints());
+  this->Ranks.Together(this->Context, [&] { this->MakeSource(needed); });
+  const ahd::BlockPoint first = { static_cast<std::int64_t>(this->Facts.GetPoints()), 0 };
   this->AddedPoints = static_cast<std::size_t>(
-    ids.end() - std::lower_bound(ids.begin(), ids.end(), first));
+    needed.end() - std::lower_bound(needed.begin(), needed.end(), first));
   this->LocalSettings.AddSourcePoints = false; // they are among the others
   this->LocalSettings.heightsFromSurface = false;
   this->LocalSettings.idsAreOfInput = true;
@@ -186,74 +123,18 @@ void vtkAHDRankSamples::Take(const std::vector<ahd::Bounds>& boxes)
   this->LocalSettings.split = false;
 }
 
-/// Tells all where this rank's places are, and hears which points are around them: ids, ascending.
-void vtkAHDRankSamples::FindNeeded(const std::vector<ahd::Bounds>& boxes,
-  std::vector<std::int64_t>& ids, std::vector<std::size_t>& owners)
-{
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  std::vector<ahd::BlockMessage> out, in;
-  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).writeAll(boxes); });
-  this->Context.Check(this->Ranks.gather(own, all));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      for (std::size_t rank = 0; rank < all.size(); ++rank)
-      {
-        std::vector<ahd::Bounds> others;
-        std::vector<ahd::Index> numbers;
-        ahd::BytesReader(all[rank]).readAll(others);
-        this->ListsAll && !others.empty() ? this->Part->ListAll(numbers)
-                                          : this->Part->List(others, numbers);
-        std::vector<std::int64_t> names;
-        for (const ahd::Index number : numbers)
-        {
-          names.push_back(this->Points->GetIds()[number]);
-        }
-        if (!names.empty())
-        {
-          out.emplace_back();
-          out.back().block = rank;
-          ahd::BytesWriter(out.back().bytes).writeAll(names);
-        }
-      }
-    });
-  this->Context.Check(this->Ranks.exchange(out, in));
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      std::vector<std::pair<std::int64_t, std::size_t>> coming;
-      for (const ahd::BlockMessage& message : in)
-      {
-        std::vector<std::int64_t> names;
-        ahd::BytesReader(message.bytes).readAll(names);
-        for (const std::int64_t name : names)
-        {
-          coming.emplace_back(name, message.block);
-        }
-      }
-      std::sort(coming.begin(), coming.end());
-      for (const auto& point : coming)
-      {
-        ids.push_back(point.first);
-        owners.push_back(point.second);
-      }
-    });
-}
-
 /// Places and data, as far as all ranks have it.
-void vtkAHDRankSamples::MoveNeeded(
-  const std::vector<std::int64_t>& ids, const std::vector<std::size_t>& owners)
+void vtkAHDRankSamples::MoveNeeded(const std::vector<ahd::BlockPoint>& needed)
 {
   vtkAHDRoute route(this->Ranks, this->Context);
-  route.Ask(ids, owners, this->Points->GetIds());
+  this->Context.Check(route.ask(needed, this->Points->GetIds()));
   vtkSmartPointer<vtkDataArray> places;
   this->Ranks.Together(this->Context,
     [&]
     {
       this->Input = vtkSmartPointer<vtkPolyData>::New();
       const bool areFloats = this->Points->GetPlaces()->GetDataType() == VTK_FLOAT;
-      places = vtkAHDMakePlaces(ids.size(), areFloats);
+      places = vtkAHDMakePlaces(needed.size(), areFloats);
     });
   route.Move(this->Points->GetPlaces(), places, 0);
   this->Ranks.Together(this->Context,
@@ -266,23 +147,23 @@ void vtkAHDRankSamples::MoveNeeded(
   for (const vtkAHDArrayFacts& facts : this->Facts.GetArrays())
   {
     vtkAbstractArray* from = this->Points->GetDataToMove()->GetAbstractArray(facts.Name.c_str());
-    vtkSmartPointer<vtkAbstractArray> owned, needed;
+    vtkSmartPointer<vtkAbstractArray> owned, moved;
     this->Ranks.Together(this->Context,
       [&]
       {
         owned = facts.Make(this->Points->GetCount());
-        needed = facts.Make(ids.size());
+        moved = facts.Make(needed.size());
       });
     this->Points->GetRoute().Move(from, owned, 0);
-    route.Move(owned, needed, 0);
-    this->Ranks.Together(this->Context, [&] { facts.AddTo(this->Input->GetPointData(), needed); });
+    route.Move(owned, moved, 0);
+    this->Ranks.Together(this->Context, [&] { facts.AddTo(this->Input->GetPointData(), moved); });
   }
 }
 
 /// The constraints of all, in numbers of the points that are here.
-void vtkAHDRankSamples::MakeSource(const std::vector<std::int64_t>& ids)
+void vtkAHDRankSamples::MakeSource(const std::vector<ahd::BlockPoint>& needed)
 {
-  const ahd::ConstraintView given = this->Chains.GetView();
+  const ahd::ConstraintView given = this->Chains.view();
   vtkNew<vtkCellArray> lines, polygons;
   for (std::size_t chain = 0; chain < given.chains; ++chain)
   {
@@ -290,9 +171,10 @@ void vtkAHDRankSamples::MakeSource(const std::vector<std::int64_t>& ids)
     cells->InsertNextCell(static_cast<int>(given.offsets[chain + 1] - given.offsets[chain]));
     for (std::int64_t i = given.offsets[chain]; i < given.offsets[chain + 1]; ++i)
     {
-      const auto found = std::lower_bound(ids.begin(), ids.end(), given.ids[i]);
-      const bool isHere = found != ids.end() && *found == given.ids[i];
-      cells->InsertCellPoint(isHere ? static_cast<vtkIdType>(found - ids.begin()) : -1);
+      const ahd::BlockPoint point = { given.ids[i], 0 };
+      const auto found = std::lower_bound(needed.begin(), needed.end(), point);
+      const bool isHere = found != needed.end() && *found == point;
+      cells->InsertCellPoint(isHere ? static_cast<vtkIdType>(found - needed.begin()) : -1);
     }
   }
   this->Source = vtkSmartPointer<vtkPolyData>::New();

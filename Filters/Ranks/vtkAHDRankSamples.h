@@ -2,11 +2,11 @@
 #ifndef vtkAHDRankSamples_h
 #define vtkAHDRankSamples_h
 
+#include "Engine/Distribute/BlockChains.h"
+#include "Engine/Distribute/BlockNeeds.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Pipeline/vtkAHDSettings.h"
-#include "Ranks/vtkAHDRankChains.h"
 #include "Ranks/vtkAHDRankFacts.h"
-#include "Ranks/vtkAHDRankPart.h"
 #include "Ranks/vtkAHDRankPoints.h"
 #include "Ranks/vtkAHDRanks.h"
 #include "vtkPolyData.h"
@@ -19,7 +19,7 @@
 
 /**
  * What one rank needs of all ranks' points to interpolate at places of its own as one rank would
- * that had them all: the points around these places (Engine/Sample/BoxNeighbors.h), with their
+ * that had them all: the points around these places (Engine/Distribute/BlockNeeds.h), with their
  * data, and all constraints. It goes on with them alone. Where a setting asks for what ranks have
  * no method for, each gets all.
  *
@@ -41,7 +41,7 @@ public:
   /// Does each rank get all?
   bool IsWhole() const { return this->Setting != nullptr; }
   /// Of all points that are triangulated, in their plane. REQUIRES: Begin(), !IsWhole().
-  ahd::Bounds GetBounds() const { return this->Part->GetBounds(); }
+  ahd::Bounds GetBounds() const { return this->Needs->bounds(); }
 
   /// Takes what is needed for places in these boxes; none for no place. REQUIRES: Begin(). Where
   /// IsWhole() it has been taken already.
@@ -65,11 +65,8 @@ private:
   void CheckMemory(std::size_t bytes);
   void TakeAll(const vtkAHDDataSets& data);
   void ShareOwn();
-  bool MustTakeAll();
-  void FindNeeded(const std::vector<ahd::Bounds>& boxes, std::vector<std::int64_t>& ids,
-    std::vector<std::size_t>& owners);
-  void MoveNeeded(const std::vector<std::int64_t>& ids, const std::vector<std::size_t>& owners);
-  void MakeSource(const std::vector<std::int64_t>& ids);
+  void MoveNeeded(const std::vector<ahd::BlockPoint>& needed);
+  void MakeSource(const std::vector<ahd::BlockPoint>& needed);
 
   const vtkAHDSettings& Settings;
   vtkAHDSettings LocalSettings;
@@ -79,9 +76,8 @@ private:
   vtkAHDAllFacts Facts;
   const char* Setting = nullptr; // that each gets all for
   std::unique_ptr<vtkAHDRankPoints> Points;
-  std::unique_ptr<vtkAHDRankPart> Part;
-  vtkAHDRankChains Chains;
-  bool ListsAll = false;
+  ahd::BlockChains Chains;
+  std::unique_ptr<ahd::BlockNeeds> Needs;
   std::size_t AddedPoints = 0;
   vtkSmartPointer<vtkPolyData> Input, Source;
   std::string& Error;

@@ -27,6 +27,7 @@
 #include <cstdio>
 #include <limits>
 #include <new>
+#include <tuple>
 #include <utility>
 
 namespace
@@ -77,37 +78,20 @@ private:
 /// What one rank found.
 struct Found
 {
-  std::uint64_t IsDone, IsAborted;
+  bool IsDone = false, IsAborted = false;
   ahd::SampleReport Counts;
-  std::uint64_t Places;
+  std::size_t Places = 0;
   ahd::Bounds Wanted;
-  double Seconds;
+  double Seconds = 0.0;
+  std::string Error;
+  std::vector<vtkAHDMissingValues> Missing;
+
+  auto fields()
+  {
+    return std::tie(this->IsDone, this->IsAborted, this->Counts, this->Places, this->Wanted,
+      this->Seconds, this->Error, this->Missing);
+  }
 };
-
-void Write(ahd::BytesWriter& writer, const std::vector<vtkAHDMissingValues>& all)
-{
-  writer.write(std::uint64_t(all.size()));
-  for (const vtkAHDMissingValues& one : all)
-  {
-    vtkAHDWriteText(writer, one.Name);
-    writer.write(std::uint64_t(one.Places));
-    writer.write(std::uint64_t(one.OfPoints + 2 * one.OfAdded));
-  }
-}
-
-std::vector<vtkAHDMissingValues> ReadMissing(ahd::BytesReader& reader)
-{
-  std::vector<vtkAHDMissingValues> all(static_cast<std::size_t>(reader.read<std::uint64_t>()));
-  for (vtkAHDMissingValues& one : all)
-  {
-    one.Name = vtkAHDReadText(reader);
-    one.Places = static_cast<std::size_t>(reader.read<std::uint64_t>());
-    const auto of = reader.read<std::uint64_t>();
-    one.OfPoints = (of & 1) != 0;
-    one.OfAdded = (of & 2) != 0;
-  }
-  return all;
-}
 
 void Add(const ahd::SampleReport& more, ahd::SampleReport& sum)
 {
@@ -139,10 +123,7 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   settings.split = settings.heightsFromSurface = false;
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
-  if (!facts.FindDifference(settings).empty())
-  {
-    throw vtkAHDStop{ ahd::Status::Cancelled }; // which Run() says
-  }
+  facts.Compare(settings, said);
   this->Ranks.Together(this->Context, [&] { this->FindScalars(facts); });
   if (this->Wishes.UseBounds)
   {
@@ -150,16 +131,11 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   }
   vtkAHDRankPoints points(settings, this->Ranks, facts, this->Context);
   points.Read(inputs.Data.Input, inputs.Data.Source);
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
-    { ahd::BytesWriter(own).write(vtkAHDBoundsOf(points.GetPrepared().points(), this->Context)); });
-  this->Context.Check(this->Ranks.gather(own, all));
   ahd::Bounds bounds;
-  for (const ahd::BlockBytes& bytes : all)
+  for (const ahd::Bounds& own : this->Ranks.Share(this->Context,
+         [&] { return vtkAHDBoundsOf(points.GetPrepared().points(), this->Context); }))
   {
-    bounds = ahd::joined(bounds, ahd::BytesReader(bytes).read<ahd::Bounds>());
+    bounds = ahd::joined(bounds, own);
   }
   return bounds;
 }
@@ -225,15 +201,8 @@ vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs
 /// Pieces have borders in common: a place counts on the first rank that has it.
 void vtkAHDRankSampling::FindOthers(const vtkAHDRaster& piece)
 {
-  const ahd::SampleRaster& mine = piece.Cells;
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context, [&] { ahd::BytesWriter(own).write(mine); });
-  this->Context.Check(this->Ranks.gather(own, all));
-  for (std::size_t rank = 0; rank < this->Ranks.GetOwn(); ++rank)
-  {
-    this->PiecesBefore.push_back(ahd::BytesReader(all[rank]).read<ahd::SampleRaster>());
-  }
+  this->PiecesBefore = this->Ranks.Share(this->Context, [&] { return piece.Cells; });
+  this->PiecesBefore.resize(this->Ranks.GetOwn());
 }
 
 /// Where this rank's places are, in the plane of the triangulation.
@@ -377,33 +346,30 @@ void vtkAHDRankSampling::Interpolate(const Inputs& inputs, const vtkAHDRaster& p
 void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDone,
   const std::string& error, const vtkAHDRankSamples& samples)
 {
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
   const vtkAHDSampleResult& mine = execution.GetResult();
-  const Found found{ isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Places,
-    this->Wanted, execution.GetSeconds() };
-  ahd::BytesWriter writer(own); // not Together(): an abort is told with the rest
-  writer.write(found);
-  vtkAHDWriteText(writer, error);
-  Write(writer, mine.Missing);
-  this->Context.Check(this->Ranks.gather(own, all));
+  std::vector<Found> all;
+  const auto make = [&](Found& found) // not Share(): an abort is told with the rest
+  {
+    found = { isDone, !isDone && this->Context.IsAborted(), mine.Counts, mine.Places, this->Wanted,
+      execution.GetSeconds(), error, mine.Missing };
+    return ahd::Status::Ok;
+  };
+  this->Context.Check(ahd::share(this->Ranks, make, all));
   this->Ranks.Together(this->Context,
     [&]
     {
       for (std::size_t rank = 0; rank < all.size(); ++rank)
       {
-        ahd::BytesReader reader(all[rank]);
-        const auto one = reader.read<Found>();
-        const std::string text = vtkAHDReadText(reader);
+        const Found& one = all[rank];
         if (!one.IsDone && this->Error.empty() && !one.IsAborted)
         {
           this->Error = "Rank " + std::to_string(rank) + ": " +
-            (text.empty() ? "the interpolation failed. Nothing is put out." : text);
+            (one.Error.empty() ? "the interpolation failed. Nothing is put out." : one.Error);
         }
-        this->Aborted = this->Aborted || one.IsAborted != 0;
+        this->Aborted = this->Aborted || one.IsAborted;
         Add(one.Counts, this->Result.Counts);
-        this->Result.AddMissing(ReadMissing(reader));
-        this->Result.Places += static_cast<std::size_t>(one.Places);
+        this->Result.AddMissing(one.Missing);
+        this->Result.Places += one.Places;
         this->Result.Wanted = ahd::joined(this->Result.Wanted, one.Wanted);
         this->Seconds = std::max(this->Seconds, one.Seconds);
       }
@@ -429,23 +395,20 @@ void vtkAHDRankSampling::LowerHidden(vtkStructuredGrid* surface)
     ? vtkArrayDownCast<vtkDoubleArray>(surface->GetPoints()->GetData())
     : nullptr;
   const vtkIdType count = marks && places ? marks->GetNumberOfTuples() : 0;
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      double least = kInfinity;
-      for (vtkIdType i = 0; i < count; ++i)
-      {
-        least = marks->GetValue(i) == 0 ? std::min(least, places->GetValue(3 * i + 2)) : least;
-      }
-      ahd::BytesWriter(own).write(least);
-    });
-  this->Context.Check(this->Ranks.gather(own, all));
   double least = kInfinity;
-  for (const ahd::BlockBytes& bytes : all)
+  for (const double own : this->Ranks.Share(this->Context,
+         [&]
+         {
+           double lowest = kInfinity;
+           for (vtkIdType i = 0; i < count; ++i)
+           {
+             lowest = marks->GetValue(i) == 0 ? std::min(lowest, places->GetValue(3 * i + 2))
+                                              : lowest;
+           }
+           return lowest;
+         }))
   {
-    least = std::min(least, ahd::BytesReader(bytes).read<double>());
+    least = std::min(least, own);
   }
   least = std::isfinite(least) ? least + 0.0 : 0.0;
   for (vtkIdType i = 0; i < count; ++i)

@@ -14,8 +14,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
+#include <cstring>
 #include <new>
+#include <tuple>
 #include <utility>
 
 namespace
@@ -29,64 +30,57 @@ bool IsOfSurface(vtkDataObject* input)
     piece->GetFieldData()->HasArray("NumberOfTriangles") != 0 &&
     piece->GetFieldData()->HasArray("NumberOfPointsInserted") != 0;
 }
+
+/// What one rank says of itself.
+struct Wish
+{
+  bool AreUnfit = false, IsSurface = false;
+  std::vector<double> Numbers;
+  std::vector<std::string> Texts;
+
+  auto fields() { return std::tie(this->AreUnfit, this->IsSurface, this->Numbers, this->Texts); }
+};
+
+bool IsSame(double a, double b)
+{
+  return std::memcmp(&a, &b, sizeof(a)) == 0; // NaN is NaN
+}
 }
 
 vtkAHDRankSampling::Meeting vtkAHDRankSampling::Meet(const Inputs& inputs)
 {
-  struct Head
-  {
-    std::uint64_t AreUnfit, IsSurface;
-  };
   const bool hasPlaces = inputs.Places != nullptr;
   std::vector<std::pair<const char*, double>> numbers;
-  ahd::BlockBytes own;
-  std::vector<ahd::BlockBytes> all;
-  this->Ranks.Together(this->Context,
+  const auto all = this->Ranks.Share(this->Context,
     [&]
     {
       const auto& settings = this->Wishes.OfRanks.Numbers;
       numbers.emplace_back("whether there are places", hasPlaces);
       numbers.insert(numbers.end(), settings.begin(), settings.end());
-      ahd::BytesWriter writer(own);
-      writer.write(Head{ hasPlaces && !vtkDataSet::SafeDownCast(inputs.Places),
-        !inputs.Data.Source && IsOfSurface(inputs.Data.Input) });
+      Wish own{ hasPlaces && !vtkDataSet::SafeDownCast(inputs.Places),
+        !inputs.Data.Source && IsOfSurface(inputs.Data.Input), {}, this->Wishes.OfRanks.Texts };
       for (const auto& number : numbers)
       {
-        writer.write(number.second);
+        own.Numbers.push_back(number.second);
       }
-      for (const std::string& text : this->Wishes.OfRanks.Texts)
-      {
-        vtkAHDWriteText(writer, text);
-      }
+      return own;
     });
-  this->Context.Check(this->Ranks.gather(own, all));
   Meeting meeting;
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
-    const auto head = ahd::BytesReader(all[rank]).read<Head>();
-    meeting.AreUnfit = meeting.AreUnfit || head.AreUnfit != 0;
-    this->HaveSurface = this->HaveSurface || head.IsSurface != 0;
-    const auto begin = static_cast<std::ptrdiff_t>(sizeof(Head));
-    const bool isSame = all[rank].size() == all[0].size() &&
-      std::equal(all[rank].begin() + begin, all[rank].end(), all[0].begin() + begin);
-    if (isSame || meeting.Other > 0)
+    const Wish &first = all[0], &own = all[rank];
+    meeting.AreUnfit = meeting.AreUnfit || own.AreUnfit;
+    this->HaveSurface = this->HaveSurface || own.IsSurface;
+    const auto other = std::mismatch(
+      first.Numbers.begin(), first.Numbers.end(), own.Numbers.begin(), IsSame);
+    const bool isOther = other.first != first.Numbers.end();
+    if (meeting.Other == 0 && (isOther || own.Texts != first.Texts))
     {
-      continue;
+      meeting.Other = rank;
+      meeting.Difference = isOther
+        ? numbers[static_cast<std::size_t>(other.first - first.Numbers.begin())].first
+        : "A name of an array";
     }
-    meeting.Other = rank;
-    const auto isOther = [&](std::size_t k)
-    {
-      constexpr std::size_t kSize = sizeof(double);
-      const std::size_t at = sizeof(Head) + k * kSize;
-      return !std::equal(all[0].data() + at, all[0].data() + at + kSize,
-        all[rank].data() + at); // NaN equals NaN
-    };
-    std::size_t k = 0;
-    while (k < numbers.size() && !isOther(k))
-    {
-      ++k;
-    }
-    meeting.Difference = k < numbers.size() ? numbers[k].first : "A name of an array";
   }
   return meeting;
 }

@@ -10,14 +10,11 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkDoubleArray.h"
-#include "vtkFloatArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
-#include "vtkTypeInt32Array.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -48,9 +45,13 @@ vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks
   , Foreign(ranks, context)
   , Own(points.GetCount())
   , All(points.GetCount())
-  , Rim(ranks, context, points, triangulation, this->Places)
-  , Ghosts(ranks, context, points, triangulation, this->Cells, this->Around)
+  , Ghosts(this->Stars, ranks, context)
 {
+  this->Stars.block = ranks.GetOwn();
+  this->Stars.blocks = ranks.GetCount();
+  this->Stars.ids = points.GetIds().data();
+  this->Stars.points = this->Own;
+  this->Stars.foreign = &triangulation.foreignPoints();
 }
 
 std::size_t vtkAHDRankSurface::EstimateBytes(
@@ -76,7 +77,7 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
     ? 4 * sizeof(std::size_t) + 2 * sizeof(ahd::Mean) + sizeof(ahd::Index)
     : 0;
   perPoint += (hasPlaces ? sizeof(ahd::Point) + 2 : 0) + (hasGhosts ? 1 : 0) +
-    (settings.mayTrimRim() ? vtkAHDRankRim::kBytesPerPoint : 0);
+    (settings.mayTrimRim() ? ahd::kRimBytesPerPoint : 0);
   return pointCount * (perPoint + 2 * widest + 2 * perTriangle);
 }
 
@@ -85,26 +86,9 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
 std::size_t vtkAHDRankSurface::EstimateGhostBytes(
   std::size_t cellCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts)
 {
-  constexpr std::size_t kPerPoint = 6 * sizeof(vtkAHDRankGhosts::Corner) + 8 * sizeof(vtkIdType);
-  return cellCount * (5 * sizeof(vtkAHDRankGhosts::Cell) + 3 * kPerPoint) +
+  constexpr std::size_t kPerPoint = 6 * sizeof(ahd::BlockPoint) + 8 * sizeof(vtkIdType);
+  return cellCount * (5 * sizeof(ahd::GhostTriangle) + 3 * kPerPoint) +
     EstimateBytes(3 * cellCount, settings, facts);
-}
-
-/// Asks the owners of foreign points for their places and data.
-void vtkAHDRankSurface::AskForForeign()
-{
-  std::vector<std::int64_t> ids;
-  std::vector<std::size_t> owners;
-  this->Ranks.Together(this->Context,
-    [&]
-    {
-      for (const vtkAHDRankGhosts::Corner& point : this->Others)
-      {
-        ids.push_back(point.Id);
-        owners.push_back(static_cast<std::size_t>(point.Rank));
-      }
-    });
-  this->Foreign.Ask(ids, owners, this->Points.GetIds());
 }
 
 void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
@@ -134,16 +118,7 @@ void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
 /// are on one rank. REQUIRES: the places have not been taken.
 void vtkAHDRankSurface::FindMeans(std::vector<ahd::Mean>& means)
 {
-  ahd::PointView own;
-  if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->Points.GetPlaces()))
-  {
-    own = ahd::PointView(floats->GetPointer(0), this->Own, 3);
-  }
-  else
-  {
-    own = ahd::PointView(
-      vtkArrayDownCast<vtkDoubleArray>(this->Points.GetPlaces())->GetPointer(0), this->Own, 3);
-  }
+  const ahd::PointView own = vtkAHDViewOf(this->Points.GetPlaces(), this->Own);
   this->Context.Check(
     ahd::findMeans(this->Triangulation.ownPoints(), this->Own, own, this->Context, means));
 }
@@ -205,9 +180,9 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
   auto ids = MakeArray<vtkIdTypeArray>(vtkAHDOutputArrays::GlobalPointIds.Name, this->All);
   vtkIdType* to = std::copy(
     this->Points.GetIds().begin(), this->Points.GetIds().end(), ids->GetPointer(0));
-  for (const vtkAHDRankGhosts::Corner& point : this->Others)
+  for (const ahd::BlockPoint& point : this->Others)
   {
-    *to++ = static_cast<vtkIdType>(point.Id);
+    *to++ = static_cast<vtkIdType>(point.id);
   }
   vtkAHDReplaceArray(output->GetPointData(), ids);
   output->GetPointData()->SetActiveAttribute(
@@ -222,9 +197,9 @@ void vtkAHDRankSurface::MakeStatus()
   std::vector<std::int64_t> status(this->Own);
   this->Context.Check(this->Triangulation.writePointStatus(status.data(), this->Context));
   vtkIdType* to = std::copy(status.begin(), status.end(), array->GetPointer(0));
-  for (const vtkAHDRankGhosts::Corner& point : this->Others)
+  for (const ahd::BlockPoint& point : this->Others)
   {
-    *to++ = static_cast<vtkIdType>(point.Id);
+    *to++ = static_cast<vtkIdType>(point.id);
   }
   this->Status = array;
 }
@@ -247,41 +222,49 @@ void vtkAHDRankSurface::Select()
       }
       if (isLimited)
       {
-        this->KeepShort(this->Cells);
-        this->KeepShort(this->Around);
+        this->KeepShort(this->Stars.own);
+        this->KeepShort(this->Stars.around);
       }
     });
   if (trims)
   {
-    this->Rim.Trim(this->Cells, this->Around);
+    this->Context.Check(
+      ahd::trimBlocks(this->Places, this->Ranks, this->Context, this->Stars, this->Rim));
   }
   this->Places = std::vector<ahd::Point>();
 }
 
+/// Makes room for so many.
+void vtkAHDRankSurface::Open(
+  std::size_t count, Triangles& triangles, ahd::BlockTriangles& view) const
+{
+  triangles.Corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
+  triangles.Edges.resize(this->Settings.constraintEdges ? count : 0);
+  view.corners = triangles.Corners->GetPointer(0);
+  view.edges = triangles.Edges.empty() ? nullptr : triangles.Edges.data();
+  view.count = count;
+}
+
 void vtkAHDRankSurface::ReadTriangles()
 {
-  const std::size_t count = this->Triangulation.triangles();
-  this->Cells.Resize(count);
-  this->Cells.Inside = this->Triangulation.insideTriangles();
-  this->Context.Check(this->Triangulation.writeTriangles(this->Cells.At(0), this->Context));
-  if (this->Settings.constraintEdges)
+  ahd::BlockTriangles& own = this->Stars.own;
+  this->Open(this->Triangulation.triangles(), this->Cells, own);
+  own.inside = this->Triangulation.insideTriangles();
+  this->Context.Check(this->Triangulation.writeTriangles(own.corners, this->Context));
+  if (own.edges)
   {
-    this->Cells.Edges.resize(count);
-    this->Context.Check(
-      this->Triangulation.writeConstraintEdges(this->Cells.Edges.data(), this->Context));
+    this->Context.Check(this->Triangulation.writeConstraintEdges(own.edges, this->Context));
   }
 }
 
 void vtkAHDRankSurface::ReadAround()
 {
-  const std::size_t count = this->Triangulation.ghostTriangles();
-  this->Around.Resize(count);
-  this->Context.Check(this->Triangulation.writeGhostTriangles(this->Around.At(0), this->Context));
-  if (this->Settings.constraintEdges)
+  ahd::BlockTriangles& around = this->Stars.around;
+  this->Open(this->Triangulation.ghostTriangles(), this->Around, around);
+  this->Context.Check(this->Triangulation.writeGhostTriangles(around.corners, this->Context));
+  if (around.edges)
   {
-    this->Around.Edges.resize(count);
-    this->Context.Check(
-      this->Triangulation.writeGhostConstraintEdges(this->Around.Edges.data(), this->Context));
+    this->Context.Check(this->Triangulation.writeGhostConstraintEdges(around.edges, this->Context));
   }
 }
 
@@ -300,30 +283,28 @@ void vtkAHDRankSurface::ListPlaces()
   }
 }
 
-void vtkAHDRankSurface::KeepShort(vtkAHDRankTriangles& cells) const
+void vtkAHDRankSurface::KeepShort(ahd::BlockTriangles& triangles) const
 {
   const std::vector<ahd::Point>& places = this->Places;
   const ahd::PointView view(places.empty() ? nullptr : &places[0].x, places.size(), 2);
   std::vector<unsigned char> kept;
-  const std::size_t count = cells.GetCount();
-  this->Context.Check(ahd::findShort(count > 0 ? cells.At(0) : nullptr, count, view,
+  this->Context.Check(ahd::findShort(triangles.corners, triangles.count, view,
     this->Settings.limits.maximumEdgeLength, this->Context, kept));
-  cells.Keep(kept.data());
+  triangles.keep(kept.data());
 }
 
 /// Of the points of others only those that are corners of what is put out; own triangles get their
 /// numbers.
 void vtkAHDRankSurface::ListOthers()
 {
-  using Corner = vtkAHDRankGhosts::Corner;
   const std::vector<ahd::ForeignPoint>& known = this->Triangulation.foreignPoints();
   std::vector<unsigned char> isUsed(known.size(), 0);
-  const auto isForeign = [this](vtkTypeInt32 corner)
-  { return static_cast<std::size_t>(corner) >= this->Own; };
-  vtkTypeInt32* const end = this->Cells.At(this->Cells.GetCount());
-  for (const vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
+  const ahd::BlockTriangles& own = this->Stars.own;
+  vtkTypeInt32* const begin = own.corners + 3 * own.inside;
+  vtkTypeInt32* const end = own.corners + 3 * own.count;
+  for (const vtkTypeInt32* corner = begin; corner != end; ++corner)
   {
-    if (isForeign(*corner))
+    if (!this->Stars.isOwn(*corner))
     {
       isUsed[static_cast<std::size_t>(*corner) - this->Own] = 1;
     }
@@ -335,47 +316,45 @@ void vtkAHDRankSurface::ListOthers()
       this->Others.push_back({ known[k].id, known[k].block });
     }
   }
-  this->Ghosts.AddForeign(this->Others);
+  this->Context.Check(this->Ghosts.addForeign(this->Others));
   this->All = this->Own + this->Others.size();
-  for (vtkTypeInt32* corner = this->Cells.At(this->Cells.Inside); corner != end; ++corner)
+  for (vtkTypeInt32* corner = begin; corner != end; ++corner)
   {
-    if (isForeign(*corner))
+    if (!this->Stars.isOwn(*corner))
     {
-      const ahd::ForeignPoint& point = known[static_cast<std::size_t>(*corner) - this->Own];
-      *corner = this->NumberOf(Corner{ point.id, point.block });
+      *corner = this->NumberOf(this->Stars.point(*corner));
     }
   }
 }
 
 /// In the output.
-vtkTypeInt32 vtkAHDRankSurface::NumberOf(const vtkAHDRankGhosts::Corner& corner) const
+vtkTypeInt32 vtkAHDRankSurface::NumberOf(const ahd::BlockPoint& corner) const
 {
   const std::vector<std::int64_t>& ids = this->Points.GetIds();
-  if (corner.Rank == this->Ranks.GetOwn())
+  if (corner.block == this->Ranks.GetOwn())
   {
     return static_cast<vtkTypeInt32>(
-      std::lower_bound(ids.begin(), ids.end(), corner.Id) - ids.begin());
+      std::lower_bound(ids.begin(), ids.end(), corner.id) - ids.begin());
   }
-  const auto found = std::lower_bound(
-    this->Others.begin(), this->Others.end(), corner, vtkAHDRankGhosts::IsBefore);
+  const auto found = std::lower_bound(this->Others.begin(), this->Others.end(), corner);
   return static_cast<vtkTypeInt32>(this->Own + std::size_t(found - this->Others.begin()));
 }
 
 /// The memory of own triangles becomes that of the output.
 void vtkAHDRankSurface::WriteCorners(vtkPolyData* output)
 {
-  const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
+  const std::vector<ahd::GhostTriangle>& ghosts = this->Ghosts.triangles();
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
   if (count > static_cast<std::size_t>(VTK_TYPE_INT32_MAX) / 3)
   {
     throw vtkAHDStop{ ahd::Status::TooManyPoints };
   }
   auto offsets = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(count + 1));
-  this->Cells.Resize(count);
-  vtkTypeInt32* to = this->Cells.At(own);
-  for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
+  vtkAHDResizeArray(this->Cells.Corners.Get(), static_cast<vtkIdType>(3 * count));
+  vtkTypeInt32* to = this->Cells.Corners->GetPointer(0) + 3 * own;
+  for (const ahd::GhostTriangle& ghost : ghosts)
   {
-    for (const vtkAHDRankGhosts::Corner& corner : ghost.Corners)
+    for (const ahd::BlockPoint& corner : ghost.corners)
     {
       *to++ = this->NumberOf(corner);
     }
@@ -397,7 +376,7 @@ void vtkAHDRankSurface::WriteCorners(vtkPolyData* output)
 
 void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
 {
-  const std::vector<vtkAHDRankGhosts::Cell>& ghosts = this->Ghosts.GetCells();
+  const std::vector<ahd::GhostTriangle>& ghosts = this->Ghosts.triangles();
   const std::size_t own = this->GetCellCount(), count = own + ghosts.size();
   this->WriteCorners(output);
   vtkCellData* data = output->GetCellData();
@@ -408,16 +387,15 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
     { std::iota(id + begin, id + end, static_cast<vtkIdType>(firstCell + begin)); });
   for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
-    ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].Id);
+    ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].id);
   }
   if (this->Settings.constraintEdges)
   {
     auto edges = MakeArray<vtkUnsignedCharArray>(vtkAHDOutputArrays::ConstraintEdges.Name, count);
-    unsigned char* to = std::copy(
-      this->Cells.Edges.begin(), this->Cells.Edges.end(), edges->GetPointer(0));
-    for (const vtkAHDRankGhosts::Cell& ghost : ghosts)
+    unsigned char* to = std::copy_n(this->Cells.Edges.begin(), own, edges->GetPointer(0));
+    for (const ahd::GhostTriangle& ghost : ghosts)
     {
-      *to++ = static_cast<unsigned char>(ghost.Edges);
+      *to++ = static_cast<unsigned char>(ghost.edges);
     }
     data->AddArray(edges);
   }
@@ -443,7 +421,7 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
         this->MakeStatus();
       }
     });
-  this->AskForForeign();
+  this->Context.Check(this->Foreign.ask(this->Others, this->Points.GetIds()));
   this->WritePlaces(output);
   this->WriteData(output);
   this->WriteMarks(output);

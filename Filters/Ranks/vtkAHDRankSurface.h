@@ -2,13 +2,14 @@
 #ifndef vtkAHDRankSurface_h
 #define vtkAHDRankSurface_h
 
-#include "Engine/Distribute/BlockTriangulation.h"
-#include "Ranks/vtkAHDRankGhosts.h"
+#include "Engine/Distribute/BlockGhosts.h"
+#include "Engine/Distribute/BlockRim.h"
 #include "Ranks/vtkAHDRankPoints.h"
-#include "Ranks/vtkAHDRankRim.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeInt32Array.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ahd
@@ -37,13 +38,13 @@ public:
   /// trimming.
   void Select();
   /// How many these are, ghosts not counted.
-  std::size_t GetCellCount() const { return this->Cells.GetCount(); }
+  std::size_t GetCellCount() const { return this->Stars.own.count; }
 
   /// What trimming took away. REQUIRES: Select().
-  const vtkAHDRankRim& GetRim() const { return this->Rim; }
+  const ahd::BlockRim& GetRim() const { return this->Rim; }
 
   /// The layers of ghosts. REQUIRES: Select(), and GhostLevels.
-  vtkAHDRankGhosts& GetGhosts() { return this->Ghosts; }
+  ahd::BlockGhosts& GetGhosts() { return this->Ghosts; }
 
   /// Fills the output, with the ghosts that were taken. REQUIRES: Select(). `firstCell`: how many
   /// triangles the ranks before this one have.
@@ -57,20 +58,27 @@ public:
     std::size_t cellCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts);
 
 private:
-  void AskForForeign();
+  /// Triangles of one kind.
+  struct Triangles
+  {
+    vtkSmartPointer<vtkTypeInt32Array> Corners;
+    std::vector<std::uint8_t> Edges;
+  };
+
   void WritePlaces(vtkPolyData* output);
   void FindMeans(std::vector<ahd::Mean>& means);
   void WriteData(vtkPolyData* output);
   void MoveData(const vtkAHDArrayFacts& facts, vtkPolyData* output);
   void WriteMarks(vtkPolyData* output);
   void WriteIds(vtkPolyData* output);
+  void Open(std::size_t count, Triangles& triangles, ahd::BlockTriangles& view) const;
   void ReadTriangles();
   void MakeStatus();
   void ReadAround();
   void ListPlaces();
-  void KeepShort(vtkAHDRankTriangles& cells) const;
+  void KeepShort(ahd::BlockTriangles& triangles) const;
   void ListOthers();
-  vtkTypeInt32 NumberOf(const vtkAHDRankGhosts::Corner& corner) const;
+  vtkTypeInt32 NumberOf(const ahd::BlockPoint& corner) const;
   void WriteCorners(vtkPolyData* output);
   void WriteCells(vtkPolyData* output, std::size_t firstCell);
 
@@ -83,12 +91,13 @@ private:
   vtkAHDRoute Foreign; // the way of the other ranks' points
   const std::size_t Own;
   std::size_t All; // points, with those of others
-  vtkAHDRankTriangles Cells, Around;
+  Triangles Cells, Around;
+  ahd::BlockStars Stars;          // of these
   std::vector<ahd::Point> Places; // of own points, then foreign ones, as they are triangulated
-  vtkAHDRankRim Rim;
-  vtkAHDRankGhosts Ghosts;
+  ahd::BlockRim Rim;
+  ahd::BlockGhosts Ghosts;
   vtkSmartPointer<vtkAbstractArray> Status;
-  std::vector<vtkAHDRankGhosts::Corner> Others; // points of others that are corners here, by id
+  std::vector<ahd::BlockPoint> Others; // points of others that are corners here, by id
 };
 
 #endif

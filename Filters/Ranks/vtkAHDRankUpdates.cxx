@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <tuple>
 #include <vector>
 
 namespace
@@ -44,6 +45,14 @@ vtkMTimeType FindLatest(vtkAlgorithm* filter, vtkInformationVector** inputs, vtk
   }
   return mtime;
 }
+
+/// What one rank announces.
+struct Times
+{
+  std::vector<double> Steps, Bounds;
+
+  auto fields() { return std::tie(this->Steps, this->Bounds); }
+};
 
 void Read(vtkInformation* info, vtkInformationDoubleVectorKey* key, std::vector<double>& values)
 {
@@ -103,26 +112,26 @@ void vtkAHDRankUpdates::ShareTimes(
   ranks.Execute(
     [&]
     {
-      ahd::BlockBytes own;
-      std::vector<ahd::BlockBytes> all;
+      std::vector<Times> all;
       if (filter->GetNumberOfInputConnections(0) > 0) // else they are those of the last time
       {
         vtkInformation* const info = outputs->GetInformationObject(0);
         Read(info, Pipeline::TIME_STEPS(), times);
         Read(info, Pipeline::TIME_RANGE(), bounds);
       }
-      ahd::BytesWriter writer(own);
-      writer.writeAll(times);
-      writer.writeAll(bounds);
-      if (ranks.gather(own, all) != ahd::Status::Ok)
+      const auto make = [&](Times& mine)
+      {
+        mine = { times, bounds };
+        return ahd::Status::Ok;
+      };
+      if (ahd::share(ranks, make, all) != ahd::Status::Ok)
       {
         return; // each as it is
       }
-      for (const ahd::BlockBytes& bytes : all)
+      for (const Times& one : all)
       {
-        ahd::BytesReader reader(bytes);
-        reader.readAll(times);
-        reader.readAll(bounds);
+        times.insert(times.end(), one.Steps.begin(), one.Steps.end());
+        bounds.insert(bounds.end(), one.Bounds.begin(), one.Bounds.end());
       }
       std::sort(times.begin(), times.end());
       times.erase(std::unique(times.begin(), times.end()), times.end());

@@ -11,20 +11,6 @@ namespace
 constexpr int kTag = 87931; // of messages between two ranks
 /// The most bytes in one message, and in one gathering on each rank: MPI counts with int.
 constexpr std::size_t kPiece = std::size_t(1) << 28;
-
-template <typename Work>
-ahd::Status WithoutThrowing(const Work& work)
-{
-  try
-  {
-    work();
-    return ahd::Status::Ok;
-  }
-  catch (const std::bad_alloc&)
-  {
-    return ahd::Status::OutOfMemory;
-  }
-}
 }
 
 vtkAHDRanks::vtkAHDRanks(vtkMultiProcessController* controller)
@@ -73,13 +59,14 @@ ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::Blo
   ahd::BlockBytes piece;
   const vtkIdType size = static_cast<vtkIdType>(own.size());
   const std::size_t most = std::max<std::size_t>(1, kPiece / this->Count);
-  ahd::Status status = this->agree(WithoutThrowing(
+  ahd::Status status = this->agree(ahd::withoutThrowing(
     [&]
     {
       sizes.resize(this->Count);
       lengths.resize(this->Count);
       offsets.resize(this->Count);
       all.assign(this->Count, ahd::BlockBytes());
+      return ahd::Status::Ok;
     }));
   if (status != ahd::Status::Ok)
   {
@@ -87,7 +74,7 @@ ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::Blo
   }
   this->Controller->AllGather(&size, sizes.data(), 1);
   const auto longest = static_cast<std::size_t>(*std::max_element(sizes.begin(), sizes.end()));
-  status = this->agree(WithoutThrowing(
+  status = this->agree(ahd::withoutThrowing(
     [&]
     {
       piece.resize(std::min(most, longest) * this->Count + 1);
@@ -95,6 +82,7 @@ ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::Blo
       {
         all[k].reserve(static_cast<std::size_t>(sizes[k]));
       }
+      return ahd::Status::Ok;
     }));
   for (std::size_t begin = 0; status == ahd::Status::Ok && begin < longest; begin += most)
   {
@@ -117,29 +105,16 @@ ahd::Status vtkAHDRanks::gather(const ahd::BlockBytes& own, std::vector<ahd::Blo
   return status;
 }
 
-std::size_t vtkAHDRanks::GetPartner(std::size_t round) const
-{
-  return (round + this->Count - this->Own) % this->Count;
-}
-
-void vtkAHDRanks::ExchangeSizes(
-  const std::vector<const ahd::BlockBytes*>& to, std::vector<vtkTypeUInt64>& sizes)
+/// Calls work(partner) for all other ranks, in an order in which none waits in a ring.
+template <typename Work>
+void vtkAHDRanks::ForPartners(const Work& work)
 {
   for (std::size_t round = 0; round < this->Count; ++round)
   {
-    const std::size_t partner = this->GetPartner(round);
-    const vtkTypeUInt64 size = to[partner]->size();
-    const int rank = static_cast<int>(partner);
-    sizes[partner] = size; // of what is for this rank itself
-    if (this->Own < partner)
+    const std::size_t partner = ahd::partnerOf(this->Own, this->Count, round);
+    if (partner != this->Own)
     {
-      this->Controller->Send(&size, 1, rank, kTag);
-      this->Controller->Receive(&sizes[partner], 1, rank, kTag);
-    }
-    else if (this->Own > partner)
-    {
-      this->Controller->Receive(&sizes[partner], 1, rank, kTag);
-      this->Controller->Send(&size, 1, rank, kTag);
+      work(partner);
     }
   }
 }
@@ -163,7 +138,7 @@ void vtkAHDRanks::Receive(std::size_t rank, void* to, std::size_t bytes)
 }
 
 /// The lower rank of two sends first, and each has one partner at a time: so none waits in a ring.
-void vtkAHDRanks::Swap(
+void vtkAHDRanks::swap(
   std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes)
 {
   const bool isFirst = this->Own < partner;
@@ -183,17 +158,19 @@ ahd::Status vtkAHDRanks::exchange(
 {
   std::vector<const ahd::BlockBytes*> to;
   std::vector<ahd::BlockBytes*> from;
-  std::vector<vtkTypeUInt64> sizes;
+  std::vector<vtkTypeUInt64> own, sizes;
   const ahd::BlockBytes nothing;
   ahd::BlockBytes none;
-  ahd::Status status = this->agree(WithoutThrowing(
+  ahd::Status status = this->agree(ahd::withoutThrowing(
     [&]
     {
       to.assign(this->Count, &nothing);
       from.assign(this->Count, &none);
+      own.resize(this->Count);
       sizes.resize(this->Count);
       in.clear();
       in.reserve(this->Count);
+      return ahd::Status::Ok;
     }));
   if (status != ahd::Status::Ok)
   {
@@ -203,8 +180,14 @@ ahd::Status vtkAHDRanks::exchange(
   {
     to[message.block] = &message.bytes;
   }
-  this->ExchangeSizes(to, sizes);
-  status = this->agree(WithoutThrowing(
+  for (std::size_t k = 0; k < this->Count; ++k)
+  {
+    own[k] = to[k]->size();
+  }
+  sizes[this->Own] = own[this->Own];
+  this->ForPartners([&](std::size_t partner)
+    { this->swap(partner, &own[partner], sizeof(own[0]), &sizes[partner], sizeof(sizes[0])); });
+  status = this->agree(ahd::withoutThrowing(
     [&]
     {
       for (std::size_t k = 0; k < this->Count; ++k)
@@ -217,15 +200,16 @@ ahd::Status vtkAHDRanks::exchange(
           in.back().bytes.resize(k == this->Own ? 0 : static_cast<std::size_t>(sizes[k]));
         }
       }
+      return ahd::Status::Ok;
     }));
-  for (std::size_t round = 0; status == ahd::Status::Ok && round < this->Count; ++round)
+  if (status == ahd::Status::Ok)
   {
-    const std::size_t partner = this->GetPartner(round);
-    if (partner != this->Own)
-    {
-      this->Swap(partner, to[partner]->data(), to[partner]->size(), from[partner]->data(),
-        from[partner]->size());
-    }
+    this->ForPartners(
+      [&](std::size_t partner)
+      {
+        this->swap(partner, to[partner]->data(), to[partner]->size(), from[partner]->data(),
+          from[partner]->size());
+      });
   }
   for (ahd::BlockMessage& message : out)
   {

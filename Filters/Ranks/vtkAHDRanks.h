@@ -2,7 +2,7 @@
 #ifndef vtkAHDRanks_h
 #define vtkAHDRanks_h
 
-#include "Engine/Distribute/BlockTransport.h"
+#include "Engine/Distribute/BlockRoute.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "vtkMultiProcessController.h"
 #include "vtkSmartPointer.h"
@@ -20,7 +20,7 @@
  * ranks do together is done in Execute(), and each collective begins with an agreement. A
  * controller that cannot send is not dealt with: MPI ends the program then.
  */
-class vtkAHDRanks : public ahd::BlockTransport
+class vtkAHDRanks : public ahd::PairTransport
 {
 public:
   /// Holds it.
@@ -28,14 +28,6 @@ public:
 
   std::size_t GetOwn() const { return this->Own; }
   std::size_t GetCount() const { return this->Count; }
-
-  /// The rank to exchange with in a round: in each round who exchanges with whom is mutual, and in
-  /// GetCount() rounds each rank meets each, itself included. Not collective.
-  std::size_t GetPartner(std::size_t round) const;
-  /// Exchanges bytes with the partner of a round. Both know how many go either way; 0: nothing is
-  /// sent. Called by these two alike. REQUIRES: the partner is another rank.
-  void Swap(
-    std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes);
 
   /// Does what all ranks do together. Returns the same on all: Ok, or why a rank could not go on.
   /// `work` communicates, through this object alone, and may throw vtkAHDStop and std::bad_alloc
@@ -73,6 +65,8 @@ public:
   ahd::Status gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all) override;
   ahd::Status exchange(
     std::vector<ahd::BlockMessage>& out, std::vector<ahd::BlockMessage>& in) override;
+  void swap(std::size_t partner, const void* out, std::size_t outBytes, void* in,
+    std::size_t inBytes) override;
 
   /// Does one rank's own work on each, and throws vtkAHDStop on all if one cannot go on. `work` may
   /// throw vtkAHDStop and std::bad_alloc, and is not to communicate.
@@ -80,6 +74,36 @@ public:
   void Together(const vtkAHDContext& context, const Work& work)
   {
     context.Check(this->agree(Try(context, work)));
+  }
+
+  /// What make() returns on each rank, known to all. Throws vtkAHDStop on all ranks if one cannot
+  /// go on; `make` may throw as above, and is not to communicate.
+  template <typename Make>
+  auto Share(const vtkAHDContext& context, const Make& make)
+  {
+    std::vector<decltype(make())> all;
+    const auto makeOwn = [&](auto& own) { return Try(context, [&] { own = make(); }); };
+    context.Check(ahd::share(*this, makeOwn, all));
+    return all;
+  }
+
+  /// Sends to[k] to rank k, and returns what has come from each: vectors, of which none is sent
+  /// that is empty. make(to) fills one for each rank; throws as above.
+  template <typename T, typename Make>
+  std::vector<std::vector<T>> Exchange(const vtkAHDContext& context, const Make& make)
+  {
+    std::vector<std::vector<T>> from;
+    const auto makeAll = [&](std::vector<std::vector<T>>& to)
+    {
+      return Try(context,
+        [&]
+        {
+          to.resize(this->Count);
+          make(to);
+        });
+    };
+    context.Check(ahd::exchange(*this, makeAll, from));
+    return from;
   }
 
 private:
@@ -103,8 +127,8 @@ private:
   }
 
   int Reduce(int own);
-  void ExchangeSizes(
-    const std::vector<const ahd::BlockBytes*>& to, std::vector<vtkTypeUInt64>& sizes);
+  template <typename Work>
+  void ForPartners(const Work& work);
   void Send(std::size_t rank, const void* from, std::size_t bytes);
   void Receive(std::size_t rank, void* to, std::size_t bytes);
 

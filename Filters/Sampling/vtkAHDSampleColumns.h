@@ -12,6 +12,7 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkAbstractArray;
@@ -47,6 +48,9 @@ struct vtkAHDMissingValues
   std::size_t Places = 0; ///< values at places on the surface that are none
   bool OfPoints = false;  ///< the array has NaN at vertices
   bool OfAdded = false;   ///< at such that were added, of the source for example
+
+  /// See ahd::HasFields.
+  auto fields() { return std::tie(this->Name, this->Places, this->OfPoints, this->OfAdded); }
 };
 
 /// The points from `First` to before `End`, which were added to the input; but for crossings, whose

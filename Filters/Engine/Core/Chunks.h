@@ -31,6 +31,20 @@ bool inChunks(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
   return true;
 }
 
+/// The same, one by one: calls work(i) for each i of [begin, end).
+template <typename Work>
+bool inSteps(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
+{
+  return inChunks(begin, end, ticker,
+    [&work](std::size_t a, std::size_t b)
+    {
+      for (std::size_t i = a; i != b; ++i)
+      {
+        work(i);
+      }
+    });
+}
+
 /// Writes the value all over a Buffer. Returns false if the work is to be cancelled.
 template <typename Array, typename Value>
 bool fillAll(Array& array, const Value& value, Ticker& ticker)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,18 @@ bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
 {
   std::vector<T> other(items.size() > kChunk ? items.size() : 0);
   return sortAsking(items.data(), items.size(), other.data(), ticker, less);
+}
+
+/// The same, ascending, and each once.
+template <typename T>
+bool sortOnce(std::vector<T>& items, Ticker& ticker)
+{
+  if (!sortAsking(items, ticker, std::less<T>()))
+  {
+    return false;
+  }
+  items.erase(std::unique(items.begin(), items.end()), items.end());
+  return true;
 }
 
 } // namespace ahd

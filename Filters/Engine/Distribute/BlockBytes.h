@@ -2,10 +2,13 @@
 #ifndef ahd_BlockBytes_h
 #define ahd_BlockBytes_h
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -14,7 +17,19 @@ namespace ahd
 /// What one block tells others. Numbers are as they lie in memory: all blocks run one program.
 using BlockBytes = std::vector<unsigned char>;
 
-/// Appends to bytes. Throws std::bad_alloc.
+/// Does T list what is sent of it, once for writing and reading?
+///     auto fields() { return std::tie(one, other); }
+template <typename T, typename = void>
+struct HasFields : std::false_type
+{
+};
+template <typename T>
+struct HasFields<T, std::void_t<decltype(std::declval<T&>().fields())>> : std::true_type
+{
+};
+
+/// Appends to bytes: what lists its fields, field by field; what is trivially copyable, as it lies
+/// in memory; of vectors and strings how many items, and then these. Throws std::bad_alloc.
 class BytesWriter
 {
 public:
@@ -23,84 +38,116 @@ public:
   {
   }
 
-  template <typename T>
-  void write(const T* items, std::size_t count)
+  template <typename... T>
+  void operator()(const T&... items)
   {
-    static_assert(std::is_trivially_copyable<T>::value, "written as it lies in memory");
-    const auto* const from = reinterpret_cast<const unsigned char*>(items);
-    bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
-  }
-  template <typename T>
-  void write(const T& item)
-  {
-    write(&item, 1);
-  }
-  /// How many, and then these.
-  template <typename T>
-  void writeAll(const std::vector<T>& items)
-  {
-    write(std::uint64_t(items.size()));
-    write(items.data(), items.size());
+    (write(items), ...);
   }
 
 private:
+  template <typename T>
+  void write(const T& item)
+  {
+    if constexpr (HasFields<T>::value)
+    {
+      std::apply(*this, const_cast<T&>(item).fields()); // which changes none
+    }
+    else if constexpr (std::is_trivially_copyable<T>::value)
+    {
+      append(&item, 1);
+    }
+    else
+    {
+      write(std::uint64_t(item.size()));
+      if constexpr (std::is_trivially_copyable<typename T::value_type>::value)
+      {
+        append(item.data(), item.size());
+      }
+      else
+      {
+        for (const auto& one : item)
+        {
+          write(one);
+        }
+      }
+    }
+  }
+  template <typename T>
+  void append(const T* items, std::size_t count)
+  {
+    const auto* const from = reinterpret_cast<const unsigned char*>(items);
+    bytes_.insert(bytes_.end(), from, from + count * sizeof(T));
+  }
+
   BlockBytes& bytes_;
 };
 
-/// Reads what a BytesWriter wrote, in the same order. What is not there is 0, and then isWhole() is
-/// false.
+/// Reads what a BytesWriter wrote, in the same order. What vectors and strings have stays, before
+/// what is read. What is not there is left as it is, or out. Throws std::bad_alloc.
 class BytesReader
 {
 public:
   explicit BytesReader(const BlockBytes& bytes)
-    : bytes_(bytes)
+    : at_(bytes.data())
+    , left_(bytes.size())
   {
   }
 
-  template <typename T>
-  T read()
+  template <typename... T>
+  void operator()(T&... items)
   {
-    T item{};
-    if (has(sizeof(T)))
-    {
-      std::memcpy(&item, bytes_.data() + at_, sizeof(T));
-      at_ += sizeof(T);
-    }
-    return item;
+    (read(items), ...);
   }
-  /// Adds to the items. Throws std::bad_alloc.
+
+private:
   template <typename T>
-  void readAll(std::vector<T>& items)
+  void read(T& item)
   {
-    const auto count = read<std::uint64_t>();
-    if (count <= bytes_.size() / sizeof(T) && has(std::size_t(count) * sizeof(T)))
+    if constexpr (HasFields<T>::value)
     {
-      const std::size_t before = items.size();
-      items.resize(before + std::size_t(count));
-      if (count != 0)
-      {
-        std::memcpy(items.data() + before, bytes_.data() + at_, std::size_t(count) * sizeof(T));
-      }
-      at_ += std::size_t(count) * sizeof(T);
+      std::apply(*this, item.fields());
+    }
+    else if constexpr (std::is_trivially_copyable<T>::value)
+    {
+      take(&item, 1);
     }
     else
     {
-      isWhole_ = false;
+      using Item = typename T::value_type;
+      constexpr bool isPlain = std::is_trivially_copyable<Item>::value;
+      std::uint64_t count = 0;
+      read(count);
+      const std::size_t before = item.size();
+      item.resize(before +
+        static_cast<std::size_t>(
+          std::min<std::uint64_t>(count, left_ / (isPlain ? sizeof(Item) : 1))));
+      if constexpr (isPlain)
+      {
+        take(item.data() + before, item.size() - before);
+      }
+      else
+      {
+        for (std::size_t i = before; i != item.size(); ++i)
+        {
+          read(item[i]);
+        }
+      }
     }
   }
-  /// Was all there that was read?
-  bool isWhole() const { return isWhole_; }
-
-private:
-  bool has(std::size_t count)
+  template <typename T>
+  void take(T* items, std::size_t count)
   {
-    isWhole_ = isWhole_ && count <= bytes_.size() - at_;
-    return isWhole_;
+    const std::size_t size = count * sizeof(T);
+    if (size != 0 && size <= left_)
+    {
+      std::memcpy(static_cast<void*>(items), at_, size);
+      at_ += size;
+      left_ -= size;
+    }
   }
 
-  const BlockBytes& bytes_;
-  std::size_t at_ = 0;
-  bool isWhole_ = true;
+  const unsigned char* at_;
+  std::size_t left_;
 };
 
 } // namespace ahd

@@ -10,8 +10,9 @@
 namespace ahd
 {
 
-/// The vertices of this block where segments end; what all are to know of them goes to toAll.
-bool BlockTriangulation::State::findOwnEnds(std::vector<Index>& vertices, Ticker& ticker)
+/// The vertices of this block where segments end, and what all are to know of them.
+bool BlockTriangulation::State::findOwnEnds(
+  std::vector<Index>& vertices, std::vector<ChainEnd>& found, Ticker& ticker)
 {
   const ConstraintView& given = input.constraints;
   const std::size_t places = constraintIds(given);
@@ -19,7 +20,6 @@ bool BlockTriangulation::State::findOwnEnds(std::vector<Index>& vertices, Ticker
   const std::int64_t* const begin = input.ids;
   const std::int64_t* const end = begin + input.points.count;
   TriangulationAccess::State& made = *TriangulationAccess::stateOf(own().triangulation());
-  std::vector<ChainEnd> found;
   for (std::size_t i = 0; i != places && begin != end; ++i)
   {
     const std::int64_t* const at = std::lower_bound(begin, end, ids[i]);
@@ -41,7 +41,6 @@ bool BlockTriangulation::State::findOwnEnds(std::vector<Index>& vertices, Ticker
       return false;
     }
   }
-  BytesWriter(toAll).writeAll(found);
   return true;
 }
 
@@ -87,34 +86,28 @@ bool BlockTriangulation::State::placeEnds(std::vector<std::int64_t>& placeOf, Ti
   using Place = std::pair<std::int64_t, Index>;
   const std::vector<BorderPoint>& given = parts[level].given();
   std::vector<Place> places;
-  for (std::size_t i = 0; i != given.size(); ++i)
+  const auto add = [&](std::size_t i)
   {
     if (given[i].isEnd != 0)
     {
       places.emplace_back(given[i].id, static_cast<Index>(i));
     }
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  if (!sortAsking(places, ticker, [](const Place& a, const Place& b) { return a.first < b.first; }))
+  };
+  if (!inSteps(0, given.size(), ticker, add) ||
+    !sortAsking(places, ticker, [](const Place& a, const Place& b) { return a.first < b.first; }))
   {
     return false;
   }
   placeOf.reserve(ends.size());
-  for (const ChainEnd& end : ends)
+  const auto find = [&](std::size_t i)
   {
+    const ChainEnd& end = ends[i];
     const auto found = std::lower_bound(places.begin(), places.end(), end.vertex,
       [](const Place& place, std::int64_t id) { return place.first < id; });
     const bool isThere = end.vertex >= 0 && found != places.end() && found->first == end.vertex;
     placeOf.push_back(isThere ? std::int64_t(found->second) : -1);
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  return true;
+  };
+  return inSteps(0, ends.size(), ticker, find);
 }
 
 /// The constraints, their ids as places among the points. Loops that are closed by a segment more

@@ -18,13 +18,14 @@ bool BlockTriangulation::State::beginFacts(Ticker& ticker)
   const Report& counts = made.report;
   const BlockFacts facts{ made.ranked.count == 0 ? Bounds() : made.ranked.bounds, counts.inserted,
     counts.duplicates, counts.notFinite, counts.skipped };
-  BytesWriter(toAll).write(facts);
   std::vector<Index> vertices;
-  if (!findOwnEnds(vertices, ticker) ||
+  std::vector<ChainEnd> found;
+  if (!findOwnEnds(vertices, found, ticker) ||
     !sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
   {
     return false;
   }
+  BytesWriter{ toAll }(facts, found);
   own().setEnds(std::move(vertices));
   fronts.push_back(BlockFront::ofBlocks(input.blocks));
   step = Step::Facts;
@@ -38,15 +39,14 @@ bool BlockTriangulation::State::takeFacts(const std::vector<BlockBytes>& all, Ti
   ends.assign(constraintIds(input.constraints), { 0, { 0.0, 0.0 }, -1 });
   for (const BlockBytes& bytes : all)
   {
-    BytesReader reader(bytes);
-    const auto facts = reader.read<BlockFacts>();
+    BlockFacts facts;
+    std::vector<ChainEnd> more;
+    BytesReader{ bytes }(facts, more);
     bounds.push_back(facts.bounds);
     report.vertices += facts.vertices;
     report.duplicates += facts.duplicates;
     report.notFinite += facts.notFinite;
     report.skipped += facts.skipped;
-    std::vector<ChainEnd> more;
-    reader.readAll(more);
     for (const ChainEnd& end : more)
     {
       ends[end.place] = end;
@@ -82,9 +82,7 @@ bool BlockTriangulation::State::settle(std::size_t atLevel, Ticker& ticker)
   {
     return false;
   }
-  BytesWriter writer(toAll);
-  writer.write(std::uint64_t(border.points.size()));
-  writer.write(std::uint64_t(border.edges.size()));
+  BytesWriter{ toAll }(border.points.size(), border.edges.size());
   return true;
 }
 
@@ -94,10 +92,8 @@ void BlockTriangulation::State::takeCounts(const std::vector<BlockBytes>& all)
   borders.clear();
   for (std::size_t k = 0; k != front.rows(); ++k)
   {
-    BytesReader reader(all[front.hostOf(k)]);
     BorderCount count{ front.hostOf(k) };
-    count.points = static_cast<std::size_t>(reader.read<std::uint64_t>());
-    count.edges = static_cast<std::size_t>(reader.read<std::uint64_t>());
+    BytesReader{ all[count.host] }(count.points, count.edges);
     borders.push_back(count);
     report.borderPoints += level == 0 ? count.points : 0;
   }
@@ -125,9 +121,7 @@ void BlockTriangulation::State::giveBorder(std::vector<BlockMessage>& out)
     const BlockRow row = front.row(front.rowHostedBy(input.block));
     out.emplace_back();
     out.back().block = above.hostOf(above.rowOf(row.begin));
-    BytesWriter writer(out.back().bytes);
-    writer.writeAll(found->second.points);
-    writer.writeAll(found->second.edges);
+    BytesWriter{ out.back().bytes }(found->second);
     pending.erase(found);
   }
   borders.clear();
@@ -151,9 +145,7 @@ Status BlockTriangulation::State::takeBorders(
       {
         if (message.block == below.hostOf(child))
         {
-          BytesReader reader(message.bytes);
-          reader.readAll(borderOf.back().points);
-          reader.readAll(borderOf.back().edges);
+          BytesReader{ message.bytes }(borderOf.back());
         }
       }
     }

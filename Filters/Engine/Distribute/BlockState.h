@@ -8,6 +8,7 @@
 
 #include <array>
 #include <map>
+#include <tuple>
 
 namespace ahd
 {
@@ -33,6 +34,21 @@ struct BlockFacts
 {
   Bounds bounds;
   std::uint64_t vertices, duplicates, notFinite, skipped;
+};
+
+/// What a block says of itself in the end.
+struct BlockTotals
+{
+  std::size_t own = 0, shared = 0; ///< triangles
+  bool isHostOfAll = false;
+  ConstraintReport constraints; ///< of the host of all
+
+  auto fields()
+  {
+    ConstraintReport& c = constraints;
+    return std::tie(own, shared, isHostOfAll, c.segments, c.points, c.withoutVertex, c.crossing,
+      c.unfilledLoops, c.edges, c.leftOut);
+  }
 };
 
 /// A triangle that other blocks took part in: its corners by number.
@@ -79,7 +95,7 @@ struct BlockTriangulation::State
   bool beginFacts(Ticker& ticker);
   bool takeFacts(const std::vector<BlockBytes>& all, Ticker& ticker);
   bool joinSegments(const BlockRow& row, std::size_t points, Ticker& ticker);
-  bool findOwnEnds(std::vector<Index>& vertices, Ticker& ticker);
+  bool findOwnEnds(std::vector<Index>& vertices, std::vector<ChainEnd>& found, Ticker& ticker);
   bool settle(std::size_t atLevel, Ticker& ticker);
   void takeCounts(const std::vector<BlockBytes>& all);
   void takeTotals(const std::vector<BlockBytes>& all);

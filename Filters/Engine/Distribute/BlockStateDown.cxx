@@ -40,12 +40,7 @@ bool BlockTriangulation::State::giveDown(std::vector<BlockMessage>& out, Ticker&
     }
     out.emplace_back();
     out.back().block = block;
-    BytesWriter writer(out.back().bytes);
-    writer.write(std::uint64_t(kept.isAll ? 1 : 0));
-    writer.writeAll(kept.edges);
-    writer.writeAll(some.points);
-    writer.writeAll(some.corners);
-    writer.writeAll(some.flags);
+    BytesWriter{ out.back().bytes }(kept, some);
     some = OwnedTriangles();
     if (!ticker.step())
     {
@@ -61,14 +56,9 @@ bool BlockTriangulation::State::takeDown(const std::vector<BlockMessage>& in, Ti
   --level;
   for (const BlockMessage& message : in)
   {
-    BytesReader reader(message.bytes);
     Part::Kept kept;
     OwnedTriangles some;
-    kept.isAll = reader.read<std::uint64_t>() != 0;
-    reader.readAll(kept.edges);
-    reader.readAll(some.points);
-    reader.readAll(some.corners);
-    reader.readAll(some.flags);
+    BytesReader{ message.bytes }(kept, some);
     const auto part = parts.find(level);
     if (!kept.isAll && part != parts.end() && !part->second.takeKept(kept, ticker))
     {
@@ -127,42 +117,35 @@ bool BlockTriangulation::State::numberShared(Ticker& ticker)
   sharedOwn = static_cast<std::size_t>(std::partition_point(shared.begin(), shared.end(),
                                          [&](const SharedTriangle& s) { return !isGhost(s); }) -
     shared.begin());
-  for (const BorderPoint& p : sharedPoints)
+  const auto addForeign = [&](std::size_t i)
   {
+    const BorderPoint& p = sharedPoints[i];
     if (p.block != input.block)
     {
       foreign.push_back({ p.id, p.block, p.at });
     }
-    if (!ticker.step())
-    {
-      return false;
-    }
-  }
-  const auto isLess = [](const ForeignPoint& p, const ForeignPoint& q) { return p.id < q.id; };
-  if (!sortAsking(foreign, ticker, isLess))
+  };
+  if (!inSteps(0, sharedPoints.size(), ticker, addForeign) || !sortOnce(foreign, ticker))
   {
     return false;
   }
-  const auto isSame = [](const ForeignPoint& p, const ForeignPoint& q) { return p.id == q.id; };
-  foreign.erase(std::unique(foreign.begin(), foreign.end(), isSame), foreign.end());
-  for (SharedTriangle& triangle : shared)
+  const auto number = [&](std::size_t i)
   {
-    for (Index& corner : triangle.corners)
+    for (Index& corner : shared[i].corners)
     {
       const BorderPoint& p = sharedPoints[corner];
       const std::int64_t* const ids = input.ids;
-      const std::size_t number = p.block == input.block
-        ? static_cast<std::size_t>(std::lower_bound(ids, ids + input.points.count, p.id) - ids)
-        : input.points.count +
-          static_cast<std::size_t>(std::lower_bound(foreign.begin(), foreign.end(),
-                                     ForeignPoint{ p.id, 0, p.at }, isLess) -
-            foreign.begin());
-      corner = static_cast<Index>(number);
+      corner = static_cast<Index>(p.block == input.block
+          ? static_cast<std::size_t>(std::lower_bound(ids, ids + input.points.count, p.id) - ids)
+          : input.points.count +
+            static_cast<std::size_t>(
+              std::lower_bound(foreign.begin(), foreign.end(), ForeignPoint{ p.id, 0, p.at }) -
+              foreign.begin()));
     }
-    if (!ticker.step())
-    {
-      return false;
-    }
+  };
+  if (!inSteps(0, shared.size(), ticker, number))
+  {
+    return false;
   }
   sharedPoints = std::vector<BorderPoint>();
   return true;
@@ -172,40 +155,22 @@ void BlockTriangulation::State::sayTotals()
 {
   step = Step::Totals;
   toAll.clear();
-  BytesWriter writer(toAll);
-  writer.write(std::uint64_t(own().finalTriangles()));
-  writer.write(std::uint64_t(sharedOwn));
-  writer.write(std::uint64_t(isHostOfAll ? 1 : 0));
-  if (isHostOfAll)
-  {
-    const ConstraintReport& c = report.constraints;
-    for (const std::size_t count :
-      { c.segments, c.points, c.withoutVertex, c.crossing, c.unfilledLoops, c.edges })
-    {
-      writer.write(std::uint64_t(count));
-    }
-    writer.writeAll(c.leftOut);
-  }
+  const BlockTotals totals{ own().finalTriangles(), sharedOwn, isHostOfAll,
+    isHostOfAll ? report.constraints : ConstraintReport() };
+  BytesWriter{ toAll }(totals);
 }
 
 void BlockTriangulation::State::takeTotals(const std::vector<BlockBytes>& all)
 {
   for (const BlockBytes& bytes : all)
   {
-    BytesReader reader(bytes);
-    const auto own = static_cast<std::size_t>(reader.read<std::uint64_t>());
-    report.ownTriangles += own;
-    report.triangles += own + static_cast<std::size_t>(reader.read<std::uint64_t>());
-    if (reader.read<std::uint64_t>() != 0)
+    BlockTotals totals;
+    BytesReader{ bytes }(totals);
+    report.ownTriangles += totals.own;
+    report.triangles += totals.own + totals.shared;
+    if (totals.isHostOfAll)
     {
-      ConstraintReport c;
-      for (std::size_t* const count :
-        { &c.segments, &c.points, &c.withoutVertex, &c.crossing, &c.unfilledLoops, &c.edges })
-      {
-        *count = static_cast<std::size_t>(reader.read<std::uint64_t>());
-      }
-      reader.readAll(c.leftOut);
-      report.constraints = std::move(c);
+      report.constraints = std::move(totals.constraints);
     }
   }
   step = Step::Done;

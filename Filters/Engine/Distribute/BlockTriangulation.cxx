@@ -261,26 +261,27 @@ Status BlockTriangulation::writePointStatus(std::int64_t* status, const Context&
 
 // -------------------------------------------------------------------------------- over a transport
 
+Status takeStep(BlockTriangulation& block, BlockTransport& transport, const Context& context)
+{
+  if (block.waiting() == BlockTriangulation::Waiting::ForAll)
+  {
+    std::vector<BlockBytes> all;
+    const Status status = transport.gather(block.toAll(), all);
+    return status == Status::Ok ? transport.agree(block.takeAll(all, context)) : status;
+  }
+  std::vector<BlockMessage> some, got;
+  Status status = transport.agree(block.giveSome(some, context));
+  status = status == Status::Ok ? transport.exchange(some, got) : status;
+  return status == Status::Ok ? transport.agree(block.takeSome(got, context)) : status;
+}
+
 Status distribute(const BlockInput& input, BlockTransport& transport, const Context& context,
   BlockTriangulation& out)
 {
-  using Waiting = BlockTriangulation::Waiting;
   Status status = transport.agree(out.begin(input, context));
-  while (status == Status::Ok && out.waiting() != Waiting::ForNothing)
+  while (status == Status::Ok && out.waiting() != BlockTriangulation::Waiting::ForNothing)
   {
-    if (out.waiting() == Waiting::ForAll)
-    {
-      std::vector<BlockBytes> all;
-      status = transport.gather(out.toAll(), all);
-      status = status == Status::Ok ? transport.agree(out.takeAll(all, context)) : status;
-    }
-    else
-    {
-      std::vector<BlockMessage> some, got;
-      status = transport.agree(out.giveSome(some, context));
-      status = status == Status::Ok ? transport.exchange(some, got) : status;
-      status = status == Status::Ok ? transport.agree(out.takeSome(got, context)) : status;
-    }
+    status = takeStep(out, transport, context);
   }
   if (status != Status::Ok)
   {

@@ -48,6 +48,9 @@ struct ForeignPoint
   std::int64_t id;
   std::size_t block; ///< that owns it
   Point at;
+
+  bool operator<(const ForeignPoint& other) const { return id < other.id; }
+  bool operator==(const ForeignPoint& other) const { return id == other.id; }
 };
 
 /// What some blocks hand on so that their triangulations become one: counted before it is sent.
@@ -163,6 +166,10 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// The next step, over a transport. To be called by all blocks; returns the same on all. REQUIRES:
+/// it waits.
+Status takeStep(BlockTriangulation& block, BlockTransport& transport, const Context& context);
 
 /// All of it, over a transport. To be called by all blocks; returns the same on all.
 Status distribute(const BlockInput& input, BlockTransport& transport, const Context& context,

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -40,6 +41,8 @@ struct PartBorder
 {
   std::vector<BorderPoint> points;
   std::vector<BorderEdge> edges;
+
+  auto fields() { return std::tie(points, edges); }
 };
 
 /// Triangles for a block that owns a corner of each.
@@ -52,6 +55,8 @@ struct OwnedTriangles
   std::vector<BorderPoint> points; ///< their corners
   std::vector<Index> corners;      ///< three places each, the lowest corner first
   std::vector<std::uint8_t> flags; ///< of each triangle
+
+  auto fields() { return std::tie(points, corners, flags); }
 };
 
 /// What parts ask about: the others' boxes and the segments.
@@ -101,6 +106,8 @@ public:
   {
     bool isAll = true;
     std::vector<std::uint8_t> edges;
+
+    auto fields() { return std::tie(isAll, edges); }
   };
   /// Hears it from the part above. REQUIRES: makeBorder().
   bool takeKept(const Kept& kept, Ticker& ticker);

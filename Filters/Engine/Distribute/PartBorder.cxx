@@ -45,26 +45,18 @@ bool Part::listVertices(std::vector<Index>& vertices, Ticker& ticker) const
       }
     }
   }
-  const auto add = [&](std::size_t a, std::size_t b)
+  const auto add = [&](std::size_t v)
   {
-    for (std::size_t v = a; v != b; ++v)
+    if (!hasTriangles() || given_[all.ranked.id[v]].isEnd != 0)
     {
-      if (!hasTriangles() || given_[all.ranked.id[v]].isEnd != 0)
-      {
-        vertices.push_back(static_cast<Index>(v));
-      }
+      vertices.push_back(static_cast<Index>(v));
     }
   };
-  if ((!ids_ || !hasTriangles()) && !inChunks(0, count, ticker, add))
+  if ((!ids_ || !hasTriangles()) && !inSteps(0, count, ticker, add))
   {
     return false;
   }
-  if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
-  {
-    return false;
-  }
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-  return true;
+  return sortOnce(vertices, ticker);
 }
 
 bool Part::makeBorder(PartBorder& border, Ticker& ticker)
@@ -76,14 +68,8 @@ bool Part::makeBorder(PartBorder& border, Ticker& ticker)
     return false;
   }
   border.points.reserve(vertices.size());
-  const auto add = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t i = a; i != b; ++i)
-    {
-      border.points.push_back(describe(vertices[i]));
-    }
-  };
-  return inChunks(0, vertices.size(), ticker, add) && listEdges(border, vertices, ticker);
+  const auto add = [&](std::size_t i) { border.points.push_back(describe(vertices[i])); };
+  return inSteps(0, vertices.size(), ticker, add) && listEdges(border, vertices, ticker);
 }
 
 /// The edges of what is final, here or below, on whose other side nothing is.
@@ -217,11 +203,10 @@ bool Part::listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ti
 bool Part::listCorners(OwnedTriangles& some, Ticker& ticker) const
 {
   std::vector<Index> vertices = some.corners;
-  if (!sortAsking(vertices, ticker, [](Index a, Index b) { return a < b; }))
+  if (!sortOnce(vertices, ticker))
   {
     return false;
   }
-  vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
   some.points.reserve(vertices.size());
   for (const Index vertex : vertices)
   {

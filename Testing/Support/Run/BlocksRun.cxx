@@ -13,16 +13,17 @@ namespace ahd
 {
 namespace test
 {
-namespace
-{
 
-/// The points of one block.
-struct OwnPoints
+BlockInput OwnPoints::input(std::size_t block, std::size_t blocks) const
 {
-  std::vector<double> xyz;
-  std::vector<std::int64_t> ids;
-  std::vector<unsigned char> skip;
-};
+  BlockInput result;
+  result.block = block;
+  result.blocks = blocks;
+  result.points = PointView(xyz.data(), ids.size(), 3);
+  result.points.skip = skip.data();
+  result.ids = ids.data();
+  return result;
+}
 
 std::vector<OwnPoints> deal(const PointView& points, const BlocksWay& way)
 {
@@ -44,6 +45,9 @@ std::vector<OwnPoints> deal(const PointView& points, const BlocksWay& way)
   }
   return blocks;
 }
+
+namespace
+{
 
 /// From the smallest id on, sorted by triples; flags go with them.
 void normalise(BlocksOutcome& outcome)
@@ -120,13 +124,8 @@ private:
 
   Status begin(std::size_t b, const ConstraintView& constraints, FillRule rule)
   {
-    BlockInput input;
-    input.block = b;
-    input.blocks = blocks_.size();
-    input.points = PointView(dealt_[b].xyz.data(), dealt_[b].ids.size(), 3);
+    BlockInput input = dealt_[b].input(b, blocks_.size());
     input.points.isFlat = points_.isFlat;
-    input.points.skip = dealt_[b].skip.data();
-    input.ids = dealt_[b].ids.data();
     input.constraints = constraints;
     input.rule = rule;
     input.options = way_.options;

@@ -32,6 +32,19 @@ struct BlocksWay
   Context context;
 };
 
+/// The points of one block.
+struct OwnPoints
+{
+  std::vector<double> xyz;
+  std::vector<std::int64_t> ids;
+  std::vector<unsigned char> skip;
+
+  /// As the input of a block.
+  BlockInput input(std::size_t block, std::size_t blocks) const;
+};
+
+std::vector<OwnPoints> deal(const PointView& points, const BlocksWay& way);
+
 /// What all blocks together gave.
 struct BlocksOutcome
 {

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ahd_BlockNeeds_h
+#define ahd_BlockNeeds_h
+
+#include "../Sample/BoxNeighbors.h"
+#include "../Triangulate.h"
+#include "../Triangulation/Triangulation.h"
+#include "BlockStars.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace ahd
+{
+
+class Ticker;
+
+/// Which points of all blocks one needs, to interpolate at places of its own as if it had all
+/// (Sample/BoxNeighbors.h). Each block triangulates its own points and a few of others, which all
+/// have: so it can tell which of its points others need.
+///
+/// What is collective returns Ok, Cancelled, TooManyPoints or OutOfMemory, the same on all blocks.
+class BlockNeeds
+{
+public:
+  /// Borrows all of them. `nearest`: the nearest vertices are wanted, too, which constraints may
+  /// hide. Of `input` options do not count.
+  BlockNeeds(
+    const BlockInput& input, bool nearest, BlockTransport& transport, const Context& context)
+    : input_(input)
+    , nearest_(nearest)
+    , transport_(transport)
+    , context_(context)
+  {
+  }
+
+  /// Triangulates. Collective.
+  Status begin();
+  /// Of the points of all blocks. REQUIRES: begin().
+  Bounds bounds() const { return boundsOf(made_); }
+  /// Lists what this block needs for places in these boxes, all that coincide with one of them
+  /// included, ascending; none without boxes. Collective. REQUIRES: begin().
+  Status find(const std::vector<Bounds>& boxes, std::vector<BlockPoint>& needed);
+
+private:
+  using Pair = std::pair<Index, Index>;
+  struct Shared ///< a point that all have
+  {
+    std::int64_t id;
+    Point at;
+
+    bool operator<(const Shared& other) const { return id < other.id; }
+  };
+  struct Facts
+  {
+    std::uint64_t crowd = 0;
+    bool crosses = false;
+    Bounds bounds; ///< of own points
+  };
+
+  Status listShared(std::vector<Shared>& shared, Ticker& ticker);
+  bool readOwn(Ticker& ticker);
+  std::int64_t numberOf(std::int64_t id) const;
+  bool addShared(const std::vector<std::vector<Shared>>& all, Ticker& ticker);
+  Status make(const std::vector<std::vector<Shared>>& all, Ticker& ticker);
+  Status constrain(Ticker& ticker);
+  bool listCoincident(Ticker& ticker);
+  bool addCoincident(std::vector<Index>& numbers, Ticker& ticker) const;
+  bool mustTakeAll(const std::vector<Facts>& all) const;
+  Status list(const std::vector<Bounds>& boxes, std::vector<std::int64_t>& ids, Ticker& ticker);
+
+  const BlockInput input_;
+  const bool nearest_;
+  BlockTransport& transport_;
+  const Context context_;
+  std::vector<double> places_;    ///< x, y: of own points, then of shared ones of others
+  std::vector<std::int64_t> ids_; ///< of all: own ones ascend, and so do the others behind
+  std::size_t own_ = 0;           ///< that are triangulated
+  Bounds ownBounds_;
+  std::vector<Index> shared_;    ///< own ones, as numbers
+  std::vector<Pair> coincident_; ///< who stands for a vertex, and who else is there; ascending
+  bool listsAll_ = false;
+  Workspace workspace_;
+  Triangulation plain_, made_; ///< without constraints, if need be; as all is
+};
+
+/// Upper estimate of the bytes that this takes for so many own and shared points.
+std::size_t needsMemoryEstimate(std::size_t points, std::size_t constraintIds, bool nearest);
+
+} // namespace ahd
+
+#endif
