@@ -100,17 +100,14 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
 {
   settings.Numbers = {
     { "SourceMode", double(this->SourceMode) },
-    { "SourceHeights", double(this->SourceHeights) },
     { "ClosedLines", double(this->ClosedLines) },
     { "FillRule", double(this->FillRule) },
     { "CrossingMode", double(this->CrossingMode) },
     { "MaximumEdgeLength", double(this->MaximumEdgeLength) },
     { "Alpha", double(this->Alpha) },
-    { "AlphaTris", double(this->AlphaTris) },
-    { "AlphaLines", double(this->AlphaLines) },
-    { "AlphaVerts", double(this->AlphaVerts) },
-    { "ProjectionPlaneMode", double(this->ProjectionPlaneMode) },
-    { "Rim", double(this->Rim) },
+    { "AlphaTris", double(this->AlphaTris != 0) },
+    { "AlphaLines", double(this->AlphaLines != 0) },
+    { "AlphaVerts", double(this->AlphaVerts != 0) },
     { "Tolerance", double(this->Tolerance) },
     { "DuplicatePolicy", double(this->DuplicatePolicy) },
     { "GeneratePointStatus", double(this->GeneratePointStatus) },
@@ -128,7 +125,7 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "GenerateInsertionCurve", double(this->GenerateInsertionCurve) },
     { "GenerateBoxes", double(this->GenerateBoxes) },
     { "Offset", double(this->Offset) },
-    { "BoundingTriangulation", double(this->BoundingTriangulation) },
+    { "BoundingTriangulation", double(this->BoundingTriangulation != 0) },
     { "CountWork", double(this->CountWork) },
   };
 }

@@ -45,11 +45,31 @@ bool IsNamed(const std::vector<vtkAHDArrayFacts>& arrays, const std::string& nam
   return std::any_of(arrays.begin(), arrays.end(),
     [&name](const vtkAHDArrayFacts& array) { return array.Name == name; });
 }
+
+/// Settings that must be the same on all ranks, by name: those that always have an effect as they
+/// were set, of others the effect.
+std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSettings& settings)
+{
+  std::vector<std::pair<const char*, double>> numbers;
+  for (const auto& number : settings.OfRanks.Numbers)
+  {
+    // an interpolation has no outputs of the triangulation
+    if (!settings.samples || std::strncmp(number.first, "Generate", 8) != 0)
+    {
+      numbers.push_back(number);
+    }
+  }
+  const bool isHull = settings.rim == ahd::RimKind::Automatic && !settings.isProjected();
+  numbers.emplace_back("SourceHeights", settings.heightsFromSurface);
+  numbers.emplace_back("ProjectionPlaneMode", settings.fitsPlane());
+  numbers.emplace_back("Rim", double(isHull ? ahd::RimKind::ConvexHull : settings.rim));
+  return numbers;
+}
 }
 
 void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts)
 {
-  for (const auto& setting : settings.OfRanks.Numbers)
+  for (const auto& setting : NumbersToCompare(settings))
   {
     facts.Settings.push_back(setting.second);
   }
@@ -190,7 +210,7 @@ int vtkAHDAllFacts::GetGhostLevels() const
 
 void vtkAHDAllFacts::Compare(const vtkAHDSettings& own, std::string& error) const
 {
-  const auto& names = own.OfRanks.Numbers;
+  const auto names = NumbersToCompare(own);
   const vtkAHDRankFacts& first = this->Of[0];
   for (std::size_t rank = 1; rank < this->Of.size(); ++rank)
   {

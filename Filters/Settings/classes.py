@@ -169,8 +169,8 @@ def compared_numbers(rows):
     """The rows of GetSettingsOfRanks()."""
     lines = []
     for row in _compared(rows):
-        value = _streamed(row).split(' << ", " << ')
-        lines += [f'    {{ "{row.name}", double({one}) }},' for one in value if row.type != "text"]
+        value, is_on = _streamed(row).split(' << ", " << '), " != 0" if row.type == "flag" else ""
+        lines += [f'    {{ "{row.name}", double({one}{is_on}) }},' for one in value if row.type != "text"]
     return lines
 
 

@@ -95,7 +95,7 @@ class Row:
                 f"{field.name} is of another type")
         yield self.panel not in PANELS, f"panel is one of {PANELS}"
         yield self.panel_range not in PANEL_RANGES, f"panel_range is one of {PANEL_RANGES}"
-        yield self.ranks not in ("same", "own"), 'ranks are "same" or "own"'
+        yield self.ranks not in ("same", "effect", "own"), 'ranks are "same", "effect" or "own"'
         if self.type in PLACEHOLDERS:
             return
         yield not self.help.strip(), "no help"

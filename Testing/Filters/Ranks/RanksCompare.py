@@ -25,7 +25,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
-from rankcases import Piece, cases, other_values, pieces, uniform
+from rankcases import WITHOUT_EFFECT, Piece, appended, cases, other_values, pieces, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -93,41 +93,6 @@ def make_source(source, arrays=None):
             array.InsertNextCell(len(ids), ids)
         put(array)
     return data
-
-
-def appended_id(i, first, count):
-    """What is no point's on its rank is none's."""
-    return first + i if 0 <= i < count else i + 10 ** 7 if 0 <= i < 10 ** 5 else i
-
-
-def appended(made, settings):
-    """All pieces as one rank would have them."""
-    numbers = {piece.number for piece in made if piece.points}
-    whole = Piece([], "float" if numbers == {"float"} else "double")
-    full = [piece for piece in made if piece.points] or [piece for piece in made if piece.arrays]
-    common = [name for name in (full[0].arrays if full else ())
-              if all(name in piece.arrays and piece.arrays[name][0] == full[0].arrays[name][0] for piece in full)]
-    for name in common:
-        whole.arrays[name] = (full[0].arrays[name][0], [value for piece in full for value in piece.arrays[name][1]])
-    if any(piece.marks is not None for piece in made):
-        whole.marks = [m for piece in made for m in (piece.marks or [0] * len(piece.points))]
-    of_input = not settings.get("SourceMode")
-    sources = [piece.source for piece in made]
-    if not of_input and len(made) > 1 and all(source == sources[0] for source in sources):
-        sources = sources[:1] + [None] * (len(made) - 1)
-    points, lines, polygons = [], [], []
-    for piece, source in zip(made, sources):
-        if source:
-            first = len(whole.points) if of_input else len(points)
-            count = len(piece.points) if of_input else len(source[0])
-            lines += [[appended_id(i, first, count) for i in ids] for ids in source[1]]
-            polygons += [[appended_id(i, first, count) for i in ids] for ids in source[2]]
-            points += source[0]
-            for name, (kind, values) in piece.source_arrays.items():
-                whole.source_arrays.setdefault(name, (kind, []))[1].extend(values)
-        whole.points += piece.points
-    whole.source = (points, lines, polygons) if any(sources) else None
-    return whole
 
 
 # ------------------------------------------------------------------------------------ executions
@@ -366,8 +331,8 @@ def failures_together():
         return lambda: run(made[RANK], settings, prepare=prepare)
 
     return {
-        **{name: (with_(**({name: other} if last else {})), name + " is not the same")
-           for name, other in other_values("delaunay")},
+        **{name: (with_(**needed, **({name: other} if last else {})), name + " is not the same")
+           for name, other, needed in other_values("delaunay")},
         "different planes": (with_(Rim=1, **({"Transform": True} if last else {})), "Transform is not the same"),
         "a limit on memory": (with_(MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_(MemoryLimit=int(last)), "may take"),
@@ -383,6 +348,18 @@ def try_failure(name, work, words):
         check(len(part["errors"]) == (words is not None), "rank %d says %r" % (rank, part["errors"]))
         check(words is None or words in part["errors"][0], "rank %d: %r" % (rank, part["errors"]))
         check(part["errors"] == found[0]["errors"], "rank %d says something else than rank 0" % rank)
+
+
+def try_without_effect():
+    """Ranks go on where settings differ that have no effect."""
+    made, last = pieces(uniform(300), RANKS), RANK == RANKS - 1
+
+    def on_ranks():
+        return [run(made[RANK], dict(settings, **(other if last else {}))) for settings, other in WITHOUT_EFFECT]
+
+    found = on_all_ranks("without effect", on_ranks)
+    for k, (settings, _) in enumerate(WITHOUT_EFFECT if found else ()):
+        compare([part[k] for part in found], run(appended(made, settings), settings, distribute=False))
 
 
 def try_odd_inputs(name, odd):
@@ -492,7 +469,8 @@ if __name__ == "__main__":
     for case, odd in (("no input", None), ("a table", vtkTable())):
         if WANTED in case:
             attempt(case, try_odd_inputs, case, odd)
-    others = {"pipeline": try_pipeline, "more ghosts": try_more_ghosts, "again": try_again_after_abort}
+    others = {"without effect": try_without_effect, "pipeline": try_pipeline, "more ghosts": try_more_ghosts,
+              "again": try_again_after_abort}
     for case, work in others.items():
         if WANTED in case:
             attempt(case, work)

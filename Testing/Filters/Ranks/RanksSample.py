@@ -20,12 +20,14 @@ from RanksCompare import (
     RANK, RANKS, WANTED, Said, appended, attempt, check, finish, make_filter, make_input, make_source, on_all_ranks,
 )
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertInterpolation2D
-from rankcases import cases, gathered_cases, lattice, other_values, pieces, uniform
+from rankcases import TABLE, WITHOUT_EFFECT, cases, gathered_cases, lattice, other_values, pieces, uniform
 
 COUNTS = ["NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
           "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut"]
 valued = []  # places, of each comparison
 LINEAR, NATURAL, LAPLACE, NEAREST = range(4)
+OUTPUTS = [name for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")]
+WITHOUT_EFFECT_HERE = WITHOUT_EFFECT + [({}, dict.fromkeys(OUTPUTS, True))]
 # What is asked of each input: settings, and whether at places.
 WISHES = [
     ({"Method": LINEAR, "GenerateGradients": True}, False),
@@ -217,9 +219,9 @@ def failures_together():
     return {
         **{name: (with_({name: other} if last else {}),
                   ("A name of an array" if isinstance(other, str) else name) + " is not the same")
-           for name, other in other_values("interpolation")},
-        **{name: (with_({}, **({name: other} if last else {})), name + " is not the same")
-           for name, other in other_values("delaunay")},
+           for name, other, _ in other_values("interpolation")},
+        **{name: (with_({}, **needed, **({name: other} if last else {})), name + " is not the same")
+           for name, other, needed in other_values("delaunay") if name not in OUTPUTS},
         "places on some": (with_({}, places=make_places(some, 0) if last else None), "whether there are places"),
         "a limit on memory": (with_({}, MemoryLimit=1), "MemoryLimit allows 1.02 KB"),
         "a limit on one rank": (with_({}, MemoryLimit=int(last)), "may take"),
@@ -232,6 +234,19 @@ def failures_together():
         "abort": (with_({}, prepare=abort), None),
         "abort by cell size": (with_({"RasterSize": 1, "CellSize": (0.1, 0.1)}, prepare=abort), None),
     }
+
+
+def try_without_effect():
+    """Ranks go on where settings differ that have no effect; none that adds outputs to a triangulation has one here."""
+    made, last = pieces(uniform(300), RANKS), RANK == RANKS - 1
+
+    def on_ranks():
+        return [run(made[RANK], dict(settings, **(other if last else {})), {}, None)
+                for settings, other in WITHOUT_EFFECT_HERE]
+
+    found = on_all_ranks("without effect", on_ranks)
+    for k, (settings, _) in enumerate(WITHOUT_EFFECT_HERE if found else ()):
+        compare([part[k] for part in found], run(appended(made, settings), settings, {}, None, distribute=False))
 
 
 def try_again(raster):
@@ -428,6 +443,7 @@ for case, (what, *given) in {
     "again": (try_again, {}), "again by cell size": (try_again, {"RasterSize": 1, "CellSize": (0.07, 0.05)}),
     "image": (try_places_of_an_image,), "other inputs": (try_other_inputs,), "time": (try_time,),
     "images behind": (try_images_behind,), "surface": (try_surface,), "whole": (try_whole,),
+    "without effect": (try_without_effect,),
 }.items():
     if WANTED in case:
         attempt(case, what, *given)

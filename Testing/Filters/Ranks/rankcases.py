@@ -14,8 +14,20 @@ TABLE = json.loads(
     (pathlib.Path(__file__).resolve().parents[2] / "Support" / "settings.json").read_text(encoding="utf-8"))
 
 
+# Settings that have an effect with others only, and these.
+NEEDED = {"SourceHeights": {"SourceMode": 1}}
+# Settings of all ranks, and what has no effect where the last rank sets it beside them.
+WITHOUT_EFFECT = [
+    ({"Rim": 1}, {"Rim": 0}),
+    ({"Transform": True}, {"ProjectionPlaneMode": 1}),
+    ({"SourceMode": 0}, {"SourceHeights": 1}),
+    ({"BoundingTriangulation": 1}, {"BoundingTriangulation": 2}),
+]
+
+
 def other_values(table):
-    """Of each setting that must be the same on all ranks a value that is not its default, as arguments."""
+    """Of each setting that must be the same on all ranks a value that is not its default, as arguments, and the
+    settings that it needs to have an effect."""
     for name, row in TABLE[table]["settings"].items():
         default = row["default"]
         if row["ranks"] == "own":
@@ -23,12 +35,12 @@ def other_values(table):
         if row["type"] in ("bool", "flag"):
             other = not default
         elif row["values"]:
-            other = (default + 1) % len(row["values"])
+            other = (default - 1) % len(row["values"])
         elif row["type"] == "text":
             other = default + "s"
         else:
             other = (*default[:-1], default[-1] + 1) if isinstance(default, list) else 1 + (default or 0)
-        yield name, other
+        yield name, other, NEEDED.get(name, {})
 
 
 class Piece:
@@ -41,6 +53,41 @@ class Piece:
         self.arrays = {}  # name: (type, values of each point)
         self.source = None  # (points, lines, polygons)
         self.source_arrays = {}  # of its points
+
+
+def appended_id(i, first, count):
+    """What is no point's on its rank is none's."""
+    return first + i if 0 <= i < count else i + 10 ** 7 if 0 <= i < 10 ** 5 else i
+
+
+def appended(made, settings):
+    """All pieces as one rank would have them."""
+    numbers = {piece.number for piece in made if piece.points}
+    whole = Piece([], "float" if numbers == {"float"} else "double")
+    full = [piece for piece in made if piece.points] or [piece for piece in made if piece.arrays]
+    common = [name for name in (full[0].arrays if full else ())
+              if all(name in piece.arrays and piece.arrays[name][0] == full[0].arrays[name][0] for piece in full)]
+    for name in common:
+        whole.arrays[name] = (full[0].arrays[name][0], [value for piece in full for value in piece.arrays[name][1]])
+    if any(piece.marks is not None for piece in made):
+        whole.marks = [m for piece in made for m in (piece.marks or [0] * len(piece.points))]
+    of_input = not settings.get("SourceMode")
+    sources = [piece.source for piece in made]
+    if not of_input and len(made) > 1 and all(source == sources[0] for source in sources):
+        sources = sources[:1] + [None] * (len(made) - 1)
+    points, lines, polygons = [], [], []
+    for piece, source in zip(made, sources):
+        if source:
+            first = len(whole.points) if of_input else len(points)
+            count = len(piece.points) if of_input else len(source[0])
+            lines += [[appended_id(i, first, count) for i in ids] for ids in source[1]]
+            polygons += [[appended_id(i, first, count) for i in ids] for ids in source[2]]
+            points += source[0]
+            for name, (kind, values) in piece.source_arrays.items():
+                whole.source_arrays.setdefault(name, (kind, []))[1].extend(values)
+        whole.points += piece.points
+    whole.source = (points, lines, polygons) if any(sources) else None
+    return whole
 
 
 def pieces(points, ranks, number="double"):
