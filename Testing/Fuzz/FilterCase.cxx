@@ -26,7 +26,9 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
+#include <iostream>
 #include <iterator>
 #include <limits>
 
@@ -310,9 +312,13 @@ void FilterCase::configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) c
   std::size_t other = 0;
   for (const ahdtest::SettingRow& row : ahdtest::kSettingRows)
   {
-    const auto found = values.find(row.Name);
-    set(row, found != values.end() ? found->second : anyValue(row, head_[other++ % head_.size()]),
-      filter);
+    const auto own = values.extract(row.Name);
+    set(row, own ? own.mapped() : anyValue(row, head_[other++ % head_.size()]), filter);
+  }
+  if (!values.empty())
+  {
+    std::cerr << values.begin()->first << " is no setting.\n";
+    std::abort();
   }
 }
 
