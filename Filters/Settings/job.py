@@ -44,6 +44,15 @@ class Setting:
             return 0, self.most
         return self.least, MOST[self.type] if self.most is None else self.most
 
+    def check(self):
+        """ValueError for a row that says what none can."""
+        if self.type not in (*MOST, *tables.SWITCHES, "enum"):
+            raise ValueError(f"[{self.name}]: there is no type {self.type}")
+        if None in self.ends:
+            raise ValueError(f"[{self.name}]: no least or most")
+        if self.names and len(self.names) != self.ends[1] + 1:
+            raise ValueError(f"[{self.name}]: {len(self.names)} names for 0 to {self.ends[1]}")
+
     @property
     def value(self):
         return int(self.default) if self.type != "double" else self.default
@@ -67,7 +76,9 @@ def _setting(name, said, row):
     if row:
         most = len(row.values) - 1 if row.values else row.most
         same = {"type": row.type, "default": row.default, "least": row.least, "most": most}
-    return Setting(name=name, **{**same, **said})
+    made = Setting(name=name, **{**same, **said})
+    made.check()
+    return made
 
 
 def _of_kind(settings, is_real):

@@ -171,6 +171,7 @@ class ComplaintsTest(unittest.TestCase):
                 ('type = "enum"\ndefault = 0', "an enum has values"),
                 ('type = "int"\ndefault = 1\npanel = "hidden"', "panel is one of"),
                 ('type = "int"\ndefault = 1\nvisible = ["Alhpa = 0"]', "there is no Alhpa"),
+                ('type = "int"\ndefault = 1\njob = "New"', "no row in job.toml"),
                 ('type = "double"\ndefault = [1, 2]\nleast = 0', "lists are clamped")):
             table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\n{row}\n', encoding="utf-8")
             said = lint.check_made(self.root)
@@ -178,21 +179,29 @@ class ComplaintsTest(unittest.TestCase):
             self.assertIn("New]", said[0])
             self.assertIn(complaint, said[0])
         table.write_text(rows, encoding="utf-8")
-        arrays = self.root / settings / "arrays.toml"
-        rows_of_arrays = arrays.read_text(encoding="utf-8")
-        for row, complaint in (('of = "points"', "fields are"),
-                               ('of = "lines"\ntype = "id"\nhelp = "a"', "of is one of"),
-                               ('of = "cells"\ntype = "id"\nhelp = "a"', "job: of the surface's arrays"),
-                               ('of = "ranks"\ntype = "id"\nhelp = "a"\nsetting = "Alhpa"', "no setting Alhpa")):
-            arrays.write_text(f"{rows_of_arrays}\n[New]\n{row}\n", encoding="utf-8")
-            said = lint.check_made(self.root)
-            self.assertTrue(len(said) == 1 and "[New]" in said[0] and complaint in said[0], said)
-        arrays.write_text(rows_of_arrays, encoding="utf-8")
         free = ('"int"', "3"), ('"int"', "[1, 2]"), ('"double"', "1"), ('"double"', "nan"), ('"text"', '"a"')
         for kind, default in free:
             table.write_text(f'{rows}\n[Outline.New]\nhelp = "New."\ntype = {kind}\ndefault = {default}\n',
                              encoding="utf-8")
             self.assertIn("Filters/vtkAdaptiveHilbertAlgorithm.h", str(lint.check_made(self.root)))
+
+    @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
+    def test_rows_of_arrays_and_jobs(self):
+        settings = self.copy_settings()
+        for name, row, complaint in (
+                ("arrays", 'of = "points"', "fields are"),
+                ("arrays", 'of = "lines"\ntype = "id"\nhelp = "a"', "of is one of"),
+                ("arrays", 'of = "cells"\ntype = "id"\nhelp = "a"', "job: of the surface's arrays"),
+                ("arrays", 'of = "ranks"\ntype = "id"\nhelp = "a"\nsetting = "Alhpa"', "no setting Alhpa"),
+                ("job", 'help = "a"', "type and default"), ("job", 'type = "text"\ndefault = "a"', "no type text"),
+                ("job", 'type = "int"\ndefault = 1', "no least or most"),
+                ("job", 'type = "enum"\ndefault = 1\nmost = 2\nnames = ["a", "b"]', "names for 0 to 2")):
+            other = self.root / settings / f"{name}.toml"
+            its_rows = other.read_text(encoding="utf-8")
+            other.write_text(f"{its_rows}\n[New]\n{row}\n", encoding="utf-8")
+            said = lint.check_made(self.root)
+            self.assertTrue(len(said) == 1 and "[New]" in said[0] and complaint in said[0], said)
+            other.write_text(its_rows, encoding="utf-8")
 
     def test_shell(self):
         self.need("shellcheck")
