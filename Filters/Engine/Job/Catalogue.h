@@ -13,7 +13,7 @@ namespace ahd
 /// space: "name", it is there and not 0; "!name", it is not; "name=text", it is this text.
 ///
 /// `text`: in braces there is the name of a phrase or fact:
-///   {name}           its text or number; of several texts "a, b and 3 more", of four numbers a box
+///   {name}           its text or number; of several "a, b and 3 more", but of four numbers a box
 ///   {name?one|other} the first where the number is 1, else the second; braces may be in both
 ///   {name+text}      the text where it is there and not 0
 struct Row

@@ -166,19 +166,24 @@ std::string digits(const Fact& fact)
   return made.str();
 }
 
-/// Of numbers a box; of texts "a, b and 3 more".
+std::string inWords(const Fact& fact)
+{
+  return fact.text.empty() ? digits(fact) : fact.text;
+}
+
+/// Of four numbers a box; else "a, b and 3 more".
 std::string listed(const std::vector<Fact>& facts)
 {
-  if (facts[0].text.empty())
+  if (facts.size() == 4 && facts[0].text.empty())
   {
-    return "x " + digits(facts.at(0)) + " to " + digits(facts.at(1)) + ", y " +
-      digits(facts.at(2)) + " to " + digits(facts.at(3));
+    return "x " + digits(facts[0]) + " to " + digits(facts[1]) + ", y " + digits(facts[2]) +
+      " to " + digits(facts[3]);
   }
   constexpr std::size_t kMost = 5;
-  std::string words = facts[0].text;
+  std::string words = inWords(facts[0]);
   for (std::size_t k = 1; k < std::min(facts.size(), kMost); ++k)
   {
-    words += ", " + facts[k].text;
+    words += ", " + inWords(facts[k]);
   }
   return facts.size() <= kMost ? words
                                : words + " and " + std::to_string(facts.size() - kMost) + " more";
@@ -236,9 +241,7 @@ private:
       return (*this)(own ? own : phrase->in[0]);
     }
     const auto facts = facts_.all(name);
-    return facts.size() > 1          ? listed(facts)
-      : facts_.of(name).text.empty() ? digits(facts_.of(name))
-                                     : facts_.of(name).text;
+    return facts.size() > 1 ? listed(facts) : inWords(facts_.of(name));
   }
 
   const Facts& facts_;
@@ -287,10 +290,13 @@ Facts factsOf(const RunReport& report, Facts known)
   const std::size_t given = known.count();
   for (std::size_t k = 0; const ReportRow* const row = reportRow(k); ++k)
   {
-    known.addMissing({ row->name, row->get(report) }, given);
+    if (!row->isOfResult || report.status == Status::Ok)
+    {
+      known.addMissing({ row->name, row->get(report) }, given);
+    }
   }
   // where there are too many crossings, points are those with them
-  known.add({ "own_points", report.points - report.crossings });
+  known.addMissing({ "own_points", report.points - report.crossings }, given);
   known.addMissing({ "memory_limit", report.isLimited }, given);
   known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
   return known;
@@ -298,9 +304,10 @@ Facts factsOf(const RunReport& report, Facts known)
 
 std::vector<Message> messages(Topic topic, Wording wording, Facts facts)
 {
-  topic == Topic::Refusal    ? addOfRefusal(wording, facts)
-    : topic == Topic::Places ? addOfPlaces(facts)
-                             : addOfTriangulation(facts);
+  topic == Topic::Refusal           ? addOfRefusal(wording, facts)
+    : topic == Topic::Places        ? addOfPlaces(facts)
+    : topic == Topic::Triangulation ? addOfTriangulation(facts)
+                                    : void();
   std::vector<Message> made;
   for (const Row& row : kRows)
   {

@@ -25,7 +25,7 @@ struct Fact
   Fact(std::string_view its, Number value)
     : name(its)
     , number(std::is_floating_point<Number>::value ? 0 : static_cast<std::int64_t>(value))
-    , real(static_cast<double>(value))
+    , real(std::is_floating_point<Number>::value ? static_cast<double>(value) : double(number))
   {
   }
   Fact(std::string_view its, std::string words, std::int64_t count = 0)
@@ -65,8 +65,8 @@ private:
   std::vector<Fact> facts_;
 };
 
-/// What a run says of itself: all in RunReport.cxx, and what refusals are made of. Memory is in
-/// bytes. Those that are `known` take their place.
+/// What a run says of itself: all in RunReport.cxx that is known of it, and what refusals are made
+/// of. Memory is in bytes. Those that are `known` take their place.
 Facts factsOf(const RunReport& report, Facts known = Facts());
 
 /// Why a run failed. `isRefused`: RunReport's.

@@ -51,11 +51,15 @@ static void test_room(void)
 static void test_wrong_calls(void)
 {
   const ahd_fact none = { NULL, NULL, 1, 0.0 };
+  const ahd_fact twice[] = { { "odd_z", NULL, 1, 0.0 }, { "points", NULL, 2, 0.0 },
+    { "points", NULL, 3, 0.0 } };
   CHECK(say(NULL, AHD_WORDS_OF_C, &none, 1, sizeof said) == 0 && said[0] == '?');
   CHECK(say(NULL, AHD_WORDS_OF_C, NULL, 1, sizeof said) == 0);
   CHECK(say(NULL, -1, NULL, 0, sizeof said) == 0);
   CHECK(say(NULL, AHD_WORDS_OF_NUMPY + 1, NULL, 0, sizeof said) == 0);
   CHECK(ahd_say(NULL, 99, AHD_WORDS_OF_C, NULL, 0, said, sizeof said) == 1);
+  CHECK(say(NULL, AHD_WORDS_OF_C, twice, 3, sizeof said) > 1);
+  CHECK(strncmp(text_of("odd z"), "1 of 2, 3 points have a z ", 26) == 0);
 }
 
 static void test_job(void)
@@ -83,8 +87,33 @@ static void test_job(void)
   ahd_job_free(job);
 }
 
+static int32_t stop_late(void* user, int32_t phase, double fraction)
+{
+  (void)user;
+  (void)fraction;
+  return phase == AHD_PHASE_EXTRACT;
+}
+
+/* After a run that did not succeed its counts are those of a part, and not said. */
+static void test_run_that_ended(void)
+{
+  const double xy[] = { 0, 0, 1, 0, 1, 1, 0, 1 };
+  const int64_t line[] = { -1, 2 };
+  ahd_job* job = ahd_job_of(xy, 4, 2);
+  ahd_array ids = ahd_ids(line, 1, 2);
+  CHECK_OK(job, ahd_set_array(job, "line_ids", &ids));
+  CHECK_OK(job, ahd_run(job));
+  CHECK(say(job, AHD_WORDS_OF_C, NULL, 0, sizeof said) > 1);
+  CHECK(strstr(text_of("unfit ids"), "not those of points, the first is -1 in cell 0.") != NULL);
+  CHECK_OK(job, ahd_set_progress(job, stop_late, NULL));
+  CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+  CHECK(say(job, AHD_WORDS_OF_C, NULL, 0, sizeof said) == 1);
+  ahd_job_free(job);
+}
+
 void test_messages(void)
 {
+  test_run_that_ended();
   test_room();
   test_wrong_calls();
   test_job();
