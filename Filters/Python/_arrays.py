@@ -192,5 +192,5 @@ def delaunay(
         raise TypeError("progress must be a function, not %r" % (progress,))
     request = Request(points, skip, source_points, chains, plane, given)
     made = Triangulation(request, dtype, wanted, progress)
-    warn(made.counts, made.measures["trimmed_area"], crossings == "split")
+    warn(made._job)
     return made

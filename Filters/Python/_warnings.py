@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import Mapping
+from typing import Any
 
 from ._interface import SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 
@@ -17,10 +17,10 @@ class DelaunayWarning(UserWarning):
     """
 
 
-def warn(counts: Mapping[str, int], trimmed_area: float, split: bool) -> None:
-    """One DelaunayWarning for each message of the engine, in the name of the first caller outside of this package."""
-    facts = {**counts, "trimmed_area": trimmed_area, "splits": split}
-    for message in say(SAY_TRIANGULATION, WORDS_OF_NUMPY, facts).values():
+def warn(job: Any) -> None:
+    """One DelaunayWarning for each message of a job that has run, in the name of the first caller outside of this
+    package."""
+    for message in say(SAY_TRIANGULATION, WORDS_OF_NUMPY, {}, job).values():
         warnings.warn(message, DelaunayWarning, stacklevel=_depth())
 
 

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The engine's catalogue of messages (Filters/Engine/Job/Catalogue.h), word for word as Messages.json has it, in the
-words of the C interface and of VTK's classes (Warnings.json has NumPy's); none is left out. AHD_WRITE_HASHES=1 writes
-the file anew, to be read and committed with the change.
+words of each door; none is left out. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
 """
 
 import json
@@ -9,36 +8,72 @@ import os
 import pathlib
 import re
 import unittest
+import warnings
 
-from adaptivehilbertdelaunay import _interface as engine
+from adaptivehilbertdelaunay import DelaunayWarning, _interface as engine, delaunay
 from adaptivehilbertdelaunay._input import DEFAULTS
 import arraysupport
-import test_warnings
 
 FILE = pathlib.Path(__file__).with_name("Messages.json")
 ROOT = pathlib.Path(arraysupport.ROOT)
 CATALOGUE = (ROOT / "Filters" / "Engine" / "Job" / "Catalogue.h").read_text(encoding="utf-8")
 NAMES = re.findall(r'\{ Topic::\w+, "([^"]+)"', CATALOGUE)
-WORDS = {"C": engine.WORDS_OF_C, "class": engine.WORDS_OF_CLASS}
+WORDS = {"C": engine.WORDS_OF_C, "class": engine.WORDS_OF_CLASS, "NumPy": engine.WORDS_OF_NUMPY}
 MEMORY = {"is_in_kib": 1, "points": 40, "memory_estimate": 9300, "memory_allowed": 5200, "most_boxes": 77,
           "most_crossings": 3, "own_points": 36}  # fmt: skip
 LIMIT = {**MEMORY, "memory_limit": 5200, "memory_allowed": 5200}
 MEANS = ("cell_width", "cell_height", "columns", "rows", "bounds", "bad_cell", "begin", "end", "ids", "triangles")
 SAMPLED = {"sampled_places": 30, "sampled_valued": 20, "kept_triangles": 50}
 MISSING = {"missing": [("", 2), ("Flow", 1), ("Class", 0)], "of_points": [1, 0, 1], "of_added": [0, 1, 1]}
+USUAL = {"points": 40, "inserted": 30, "delaunay_triangles": 50, "kept_triangles": 50, "cells": 50, "source_points": 9,
+         "segments": 12}  # fmt: skip
+NONE = {"delaunay_triangles": 0, "kept_triangles": 0, "cells": 0}
+# What a run of any door may leave, by name: counts, the trimmed area, are crossings split?
+CASES = {
+    "nothing to say": ({}, 0.0, False),
+    "not finite": ({"not_finite": 3, "first_not_finite": 7}, 0.0, False),
+    "not finite in a plane": ({"not_finite": 3, "first_not_finite": 7, "is_projected": 1}, 0.0, False),
+    "odd z": ({"odd_z": 2}, 0.0, False),
+    "stacked": ({"stacked": 1, "duplicates": 21}, 0.0, False),
+    "no triangle yet": ({**NONE, "inserted": 2, "beyond_limit": 38}, 0.0, False),
+    "few": ({**NONE, "inserted": 2}, 0.0, False),
+    "none at all": ({**NONE, "inserted": 0, "not_finite": 40}, 0.0, False),
+    "no points": ({**NONE, "inserted": 0, "points": 0}, 0.0, False),
+    "merged": ({**NONE, "inserted": 2, "merged_points": 38}, 0.0, False),
+    "three on a line": ({**NONE, "inserted": 3, "on_one_line": 1}, 0.0, False),
+    "collinear in the plane alone": ({**NONE, "inserted": 30}, 0.0, False),
+    "collinear in a plane that was asked for": ({**NONE, "inserted": 30, "is_projected": 1}, 0.0, False),
+    "loops keep none": ({"kept_triangles": 0, "cells": 0}, 0.0, False),
+    "limits leave none": ({"cells": 0}, 0.0, False),
+    "trimmed little": ({"trimmed_triangles": 8, "kept_triangles": 42}, 0.1, False),
+    "trimmed much": ({"trimmed_triangles": 8, "kept_triangles": 42}, 0.11, False),
+    "trimmed all": ({"trimmed_triangles": 50, "kept_triangles": 0, "cells": 0, "bare_vertices": 30}, 1.5, False),
+    "bare": ({"trimmed_triangles": 8, "kept_triangles": 42, "bare_vertices": 1}, 0.0, False),
+    "off the surface": ({"points_off_surface": 4}, 0.0, False),
+    "crossing": ({"segments_crossing": 2, "first_crossing_cell": 5, "first_crossed_cell": 1}, 0.0, False),
+    "crossing pieces": ({"segments_crossing": 2, "unfilled_loops": 1}, 0.0, True),
+    "one bends": ({"bent_segments": 1, "first_bent_cell": 6}, 0.0, True),
+    "some bend": ({"bent_segments": 3, "first_bent_cell": 6}, 0.0, True),
+    "nothing is constrained": ({"segments": 0}, 0.0, False),
+    "without vertex": ({"segments_without_vertex": 2, "unfilled_loops": 3}, 0.0, False),
+    "both": ({"segments_crossing": 2, "segments_without_vertex": 2, "unfilled_loops": 3}, 0.0, False),
+    "without vertex and triangle": ({**NONE, "inserted": 2, "segments_without_vertex": 2}, 0.0, False),
+}  # fmt: skip
 
 
 def facts_of_runs():
-    """What a run may leave: (name, facts)."""
-    for name, (counts, area, split) in test_warnings.CASES.items():
-        yield name, {**test_warnings.USUAL, "trimmed_area": area, "splits": split, **counts}
+    for name, (counts, area, split) in CASES.items():
+        yield name, {**USUAL, "trimmed_area": area, "splits": split, **counts}
+
+
+def facts_of_class():
+    """What a run of a class may leave."""
     source = {"segments": 0, "source_points": 2, "source_vertices": 1, "source_strips": 3}
-    usual = dict(test_warnings.USUAL)
     for name, more in (
         ("planes", {"transform_is_missing": 1, "bounding_is_missing": 1, "diagram_in_plane": 1}),
         ("marks", {"marks_are_unfit": 1, "input_points": 38}),
-        ("emptied", {**test_warnings.NONE, "may_be_emptied_by_loops": 1}),
-        ("collinear so far", {**test_warnings.NONE, "beyond_limit": 7}),
+        ("emptied", {**NONE, "may_be_emptied_by_loops": 1}),
+        ("collinear so far", {**NONE, "beyond_limit": 7}),
         ("one triangle", {"kept_triangles": 1, "cells": 0}),
         ("areas beyond doubles", {"bare_vertices": 2, "trimmed_area": float("nan")}),
         ("strips alone", {**source, "source_points": 0, "source_vertices": 0, "source_strips": 1}),
@@ -47,7 +82,7 @@ def facts_of_runs():
         ("unfit ids of the source", {"segments_without_vertex": 1, "unfit_ids": 1, "cell_ids": 1, "unfilled_loops": 1}),
         ("unfit ids and crossings", {"segments_crossing": 1, "unfit_ids": 1, "unfilled_loops": 1}),
     ):  # fmt: skip
-        yield name, {**usual, **more}
+        yield name, {**USUAL, **more}
 
 
 def refusals():
@@ -92,8 +127,8 @@ def facts_of_places():
 
 
 def cases():
-    """(topic, name, facts)"""
-    for name, facts in facts_of_runs():
+    """What NumPy does not say: (topic, name, facts)."""
+    for name, facts in facts_of_class():
         yield engine.SAY_TRIANGULATION, name, facts
     for facts in refusals():
         told = ["%s=%s" % row for row in facts.items() if MEMORY.get(row[0]) != row[1] and row[0] not in MEANS]
@@ -113,8 +148,12 @@ class MessagesTest(unittest.TestCase):
 
     @classmethod
     def setUpClass(cls):
+        runs = [(engine.SAY_TRIANGULATION, *row) for row in facts_of_runs()]
         cls.found = {
-            words: {name: engine.say(topic, number, facts) for topic, name, facts in cases()}
+            words: {
+                name: engine.say(topic, number, facts)
+                for topic, name, facts in runs + list(cases() if words != "NumPy" else ())
+            }
             for words, number in WORDS.items()
         }
         for name, said in list(cls.found["C"].items()):  # what is the same need not be there twice
@@ -125,10 +164,13 @@ class MessagesTest(unittest.TestCase):
                 ",\n".join("  %s: %s" % (json.dumps(name), json.dumps(said)) for name, said in cls.found[words].items())
                 for words in WORDS
             ]
-            FILE.write_text('{\n "C": {\n%s\n },\n "class": {\n%s\n }\n}\n' % tuple(rows), encoding="utf-8")
+            text = ",\n".join(' "%s": {\n%s\n }' % row for row in zip(WORDS, rows))
+            FILE.write_text("{\n%s\n}\n" % text, encoding="utf-8")
 
     def test_they_are_those(self):
-        self.assertEqual(self.found, json.loads(FILE.read_text(encoding="utf-8")))
+        """In this order."""
+        wanted = json.loads(FILE.read_text(encoding="utf-8"))
+        self.assertEqual(json.dumps(self.found, indent=1), json.dumps(wanted, indent=1))
 
     def test_none_is_left_out(self):
         self.assertGreater(len(NAMES), 50)
@@ -147,11 +189,17 @@ class MessagesTest(unittest.TestCase):
         for text in self.texts("C"):
             quoted = set(re.findall(r'(?<!is )(?<!both )"(\w+)"', text))
             self.assertEqual(quoted - of_c, set(), text)
-        for texts in json.loads(test_warnings.FILE.read_text(encoding="utf-8")).values():
-            for text in texts:
-                named = re.findall(r"`(\w+)`|(\w+)='|\b([a-z]+_[a-z_]+)", text)
-                known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull"}
-                self.assertEqual({name for row in named for name in row if name} - known, set(), text)
+        for text in self.texts("NumPy"):
+            named = re.findall(r"`(\w+)`|(\w+)='|\b([a-z]+_[a-z_]+)", text)
+            known = {*DEFAULTS, "source_points", "plane", "best_fit", "convex_hull"}
+            self.assertEqual({name for row in named for name in row if name} - known, set(), text)
+
+    def test_each_is_a_warning(self):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            delaunay([[float("nan"), 0]] * 40)
+        self.assertEqual([str(one.message) for one in caught], list(self.found["NumPy"]["none at all"].values()))
+        self.assertEqual({(one.category, one.filename) for one in caught}, {(DelaunayWarning, __file__)})
 
     def texts(self, words):
         return [text for said in self.found[words].values() for text in said.values()]
