@@ -160,6 +160,7 @@ std::string digits(const Fact& fact)
     return std::to_string(fact.number);
   }
   std::ostringstream made;
+  made.exceptions(std::ios::badbit); // bad_alloc, which a stream keeps to itself
   made.imbue(std::locale::classic());
   made.precision(9);
   made << fact.real;

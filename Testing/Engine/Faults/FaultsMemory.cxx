@@ -4,6 +4,7 @@
 // nothing is thrown or leaked, and the object goes on as a new one would. This program's operator
 // new fails when told to.
 #include "FaultsSession.h"
+#include "Job/Messages.h"
 #include "OwnMemory.h"
 
 #include <gtest/gtest.h>
@@ -101,6 +102,38 @@ TEST(FaultsMemory, AnyAllocationWhereAllPointsAreCollinear)
 {
   expectSurvived(
     chainsThrough(Distribution::Collinear, 100, 3, 1), Options(), std::size_t(-1), nullptr);
+}
+
+/// The text, or empty where memory ran out.
+std::string sayFailing(const Facts& facts, std::size_t k)
+{
+  account.allocations = 0;
+  account.failAt = k;
+  std::string text;
+  try
+  {
+    text = messages(Topic::Refusal, Wording::Class, facts).at(0).text;
+  }
+  catch (const std::bad_alloc&)
+  {
+  }
+  account.failAt = 0;
+  return text;
+}
+
+TEST(FaultsMemory, AMessageIsWholeOrNone)
+{
+  const Facts facts{ { "raster", "bounds" }, { "bounds", 0.1 }, { "bounds", -1.23456789e-300 },
+    { "bounds", 2.0 / 3.0 }, { "bounds", 1e300 } };
+  const std::string whole = sayFailing(facts, 0);
+  const std::size_t all = account.allocations;
+  ASSERT_GT(all, 5u);
+  account.failsOnce = true;
+  for (std::size_t k = 1; k <= all; ++k)
+  {
+    const std::string said = sayFailing(facts, k);
+    EXPECT_TRUE(said.empty() || said == whole) << "allocation " << k << ": " << said;
+  }
 }
 
 TEST(LongFaultsMemory, AnyAllocationUnderEverySetting)
