@@ -182,6 +182,7 @@ static void test_progress(void)
   ahd_job* job = busy_job(xy, chain);
   listener own = { 0 };
   double seconds = -1, all = 0;
+  ahd_status status;
   int calls, k;
   own.job = job;
   CHECK_OK(job, ahd_set_progress(job, listen, &own));
@@ -207,7 +208,13 @@ static void test_progress(void)
     own.calls = 0;
     own.fraction = 0;
     own.last_call = k;
-    CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
+    status = ahd_run(job);
+    if (k > 1 && own.calls < k) /* the clock adds calls, on a busy machine more: here fewer */
+    {
+      CHECK(status == AHD_OK);
+      break;
+    }
+    CHECK(status == AHD_CANCELLED);
     CHECK(own.calls == k); /* and never again */
     CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_array_size(job, "triangles", &others, &others));
   }
