@@ -258,7 +258,7 @@ bool vtkAHDExecution::Leave(
       this->Context.StopIfAborted();
       return false;
     }
-    made.selection.lines = made.selection.vertices = {};
+    made.selection = ahd::Selection{ std::move(made.selection.kept), made.selection.keptCount };
     to.Made = std::move(made); // nobody else knows the surface yet
     left.Let(kept);
     return true;

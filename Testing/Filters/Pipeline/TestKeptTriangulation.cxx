@@ -119,4 +119,23 @@ TEST(KeptTriangulation, IsGoneWhenItIsClosed)
   EXPECT_EQ(Kept::Borrow(surface.Data, work.Context, none), nullptr);
 }
 
+/// Lines and vertices that limits leave are the surface's own.
+TEST(KeptTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
+{
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
+  filter->SetInputData(
+    makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 4, 0, 0 }, { 4.5, 0, 0 }, { 4, 9, 0 } }));
+  filter->SetAlpha(1.0);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 1);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_GT(filter->GetOutput()->GetNumberOfVerts(), 0);
+  vtkSmartPointer<Kept> lender;
+  const Kept::Content content = Kept::Borrow(filter->GetOutput(), Work(1).Context, lender);
+  ASSERT_NE(content, nullptr);
+  const ahd::Selection& selection = content->Made.selection;
+  EXPECT_EQ(selection.keptCount, 1u);
+  EXPECT_EQ(selection.lines.capacity() + selection.vertices.capacity(), 0u);
+}
+
 } // namespace
