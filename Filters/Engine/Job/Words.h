@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-// The words of a job whose numbers its callers know. They stay as they are: Interface/ahd.cxx
-// compares them with those of ahd.h.
+// The words of a job whose numbers its callers know. They stay as they are:
+// Interface/Translate.h compares them with those of ahd.h.
 
 namespace ahd
 {
