@@ -177,13 +177,14 @@ bool RimTrimmer::eachHalfEdge(std::size_t triangles, const std::vector<unsigned 
 /// Of the triangles beyond those that are here.
 bool RimTrimmer::findBeyond(Ticker& ticker)
 {
-  using Wanted = std::array<std::int64_t, 3>; // a half-edge by number, and the flat triangle
+  using Wanted = std::array<std::int32_t, 3>; // a half-edge by number, and the flat triangle
   std::vector<Wanted> wanted;
   std::vector<unsigned char> isFrom(places_.size(), 0);
   wanted.reserve(flats_.size());
   for (const Flat& flat : flats_)
   {
-    wanted.push_back({ { flat.to, flat.from, &flat - flats_.data() } });
+    const auto place = static_cast<std::int32_t>(&flat - flats_.data());
+    wanted.push_back({ { flat.to, flat.from, place } });
     isFrom[std::size_t(flat.to)] = 1;
   }
   return sortAsking(wanted, ticker, std::less<Wanted>()) &&

@@ -25,7 +25,7 @@ Status trimBlocks(const std::vector<Point>& places, BlockTransport& transport,
   const Context& context, BlockStars& stars, BlockRim& rim);
 
 /// What it takes for each own point, at most: marks; two triangles, which may be flat.
-constexpr std::size_t kRimBytesPerPoint = 2 + 2 * 2 + 2 * 44;
+constexpr std::size_t kRimBytesPerPoint = 2 + 2 * 2 + 2 * 48;
 
 } // namespace ahd
 

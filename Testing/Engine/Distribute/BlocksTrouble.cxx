@@ -5,8 +5,10 @@
 // program's operator new fails when told to.
 #include "BlocksRun.h"
 #include "ConstraintMakers.h"
+#include "Distribute/BlockRim.h"
 #include "Listeners.h"
 #include "OwnMemory.h"
+#include "ThreadTransport.h"
 
 #include <gtest/gtest.h>
 
@@ -266,6 +268,42 @@ TEST(BlocksTrouble, TwoHundredBytesForEachOwnPoint)
   ASSERT_EQ(run.run(), Status::Ok);
   EXPECT_LE(run.mostPerPoint(), 200.0);
   RecordProperty("bytes_per_point", std::to_string(run.mostPerPoint()));
+}
+
+/// In a band as narrow as this, nearly all triangles are flat: two for each point.
+TEST(BlocksTrouble, TrimmingTakesNoMoreThanEstimated)
+{
+  const std::size_t count = reduced(20000);
+  std::vector<Point> points = makePoints(Distribution::Uniform, count, 1);
+  std::vector<std::int64_t> ids(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    points[i].y *= 1e-9;
+    ids[i] = std::int64_t(i);
+  }
+  onBlocks(1,
+    [&](std::size_t, BlockTransport& transport)
+    {
+      BlockInput input;
+      input.points = viewOf(points);
+      input.ids = ids.data();
+      BlockTriangulation made;
+      ASSERT_EQ(distribute(input, transport, {}, made), Status::Ok);
+      std::vector<std::int32_t> corners(3 * made.triangles());
+      ASSERT_EQ(made.writeTriangles(corners.data(), {}), Status::Ok);
+      BlockStars stars;
+      stars.ids = ids.data();
+      stars.points = count;
+      stars.foreign = &made.foreignPoints();
+      stars.own = { corners.data(), nullptr, made.triangles(), made.triangles() };
+      ASSERT_GT(stars.own.count, count + count / 2);
+      BlockRim rim;
+      account.peak = account.held.load();
+      const std::size_t before = account.held;
+      ASSERT_EQ(trimBlocks(points, transport, {}, stars, rim), Status::Ok);
+      EXPECT_LE(account.peak - before, kRimBytesPerPoint * count);
+      EXPECT_GT(2 * rim.triangles, stars.own.count);
+    });
 }
 
 } // namespace
