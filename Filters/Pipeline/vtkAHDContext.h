@@ -30,6 +30,7 @@ class vtkAHDContext
 public:
   vtkAHDContext(vtkAHDProgress& progress, ahd::Threads& threads, vtkAHDOutputMemory& memory)
     : Progress(progress)
+    , Untimed(progress)
     , Threads(threads)
     , Memory(memory)
   {
@@ -37,6 +38,8 @@ public:
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
+  /// The same for what is no phase's: its time is that of none.
+  ahd::Context WithoutPhases() const { return { &this->Untimed, &this->Threads }; }
 
   vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
 
@@ -131,7 +134,22 @@ public:
   }
 
 private:
+  /// Asks whether to go on, and begins no phase.
+  struct Asking : ahd::Progress
+  {
+    explicit Asking(vtkAHDProgress& progress)
+      : Of(progress)
+    {
+    }
+    bool advance(ahd::Phase, double) override { return this->Of.goesOn(); }
+    bool take(std::size_t bytes) override { return this->Of.take(bytes); }
+    void giveBack(std::size_t bytes) override { this->Of.giveBack(bytes); }
+
+    vtkAHDProgress& Of;
+  };
+
   vtkAHDProgress& Progress;
+  mutable Asking Untimed;
   ahd::Threads& Threads;
   vtkAHDOutputMemory& Memory;
 };

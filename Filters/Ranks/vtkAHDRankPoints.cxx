@@ -284,7 +284,7 @@ void vtkAHDRankPoints::MoveMarks()
 void vtkAHDRankPoints::JoinChains(ahd::BlockChains& chains)
 {
   this->Context.Check(chains.join(this->Input->GetRequest(), this->Prepared, this->OwnIds,
-    this->Facts.GetContent().Vertices, this->Ranks, this->Context));
+    this->Facts.GetContent().Vertices, this->Ranks, this->Context.WithoutPhases()));
 }
 
 ahd::BlockInput vtkAHDRankPoints::GetBlock(const ahd::BlockChains& chains) const

@@ -45,7 +45,7 @@ vtkAHDRankSurface::vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks
   , Foreign(ranks, context)
   , Own(points.GetCount())
   , All(points.GetCount())
-  , Ghosts(this->Stars, ranks, context)
+  , Ghosts(this->Stars, ranks, context.WithoutPhases())
 {
   this->Stars.block = ranks.GetOwn();
   this->Stars.blocks = ranks.GetCount();
@@ -228,8 +228,8 @@ void vtkAHDRankSurface::Select()
     });
   if (trims)
   {
-    this->Context.Check(
-      ahd::trimBlocks(this->Places, this->Ranks, this->Context, this->Stars, this->Rim));
+    this->Context.Check(ahd::trimBlocks(
+      this->Places, this->Ranks, this->Context.WithoutPhases(), this->Stars, this->Rim));
   }
   this->Places = std::vector<ahd::Point>();
 }

@@ -15,7 +15,7 @@ class vtkAHDRoute : public ahd::BlockRoute
 public:
   /// Borrows both.
   vtkAHDRoute(vtkAHDRanks& ranks, const vtkAHDContext& context)
-    : ahd::BlockRoute(ranks.GetOwn(), ranks.GetCount(), ranks, context)
+    : ahd::BlockRoute(ranks.GetOwn(), ranks.GetCount(), ranks, context.WithoutPhases())
     , Ranks(ranks)
     , Context(context)
   {

@@ -2,6 +2,8 @@
 //
 // On several ranks the filter says, once, that each rank works on its own points.
 #include "FilterTestSupport.h"
+#include "Pipeline/vtkAHDContext.h"
+#include "Ranks/vtkAHDRoute.h"
 
 #include "vtkAdaptiveHilbertInterpolation2D.h"
 #include "vtkDummyCommunicator.h"
@@ -55,6 +57,13 @@ protected:
     return 1;
   }
 };
+
+/// Seconds of a clock that goes on whenever it is read.
+double clockOfTests()
+{
+  static double now = 0.0;
+  return now += 1.0;
+}
 
 std::vector<std::string> warningsOfTwoRuns(int rank, int ranks, bool distribute = false)
 {
@@ -122,4 +131,30 @@ TEST(Ranks, EachAsksForItsPiece)
     EXPECT_GT(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
   }
   vtkMultiProcessController::SetGlobalController(nullptr);
+}
+
+/// Ranks wait for each other while they do: the time of no output.
+TEST(Ranks, WhileTheyMoveWhatTheyHaveNoPhaseRuns)
+{
+  vtkNew<vtkDummyController> controller;
+  vtkNew<vtkAlgorithm> nobody;
+  vtkAHDProgress progress(nobody, clockOfTests);
+  ahd::Threads threads(1);
+  vtkAHDOutputMemory memory;
+  const vtkAHDContext context(progress, threads, memory);
+  vtkAHDRanks ranks(controller);
+  vtkAHDRoute route(ranks, context);
+  const std::vector<int> mine = { 3, 1, 2 };
+  std::vector<int> moved(mine.size());
+  const auto move = [&]
+  {
+    context.Check(route.toOne(mine.size(), 0));
+    context.Check(route.move(mine.data(), sizeof(int), moved.data()));
+  };
+  EXPECT_EQ(ranks.Execute(move), ahd::Status::Ok);
+  EXPECT_EQ(moved, mine);
+  for (const double seconds : progress.seconds())
+  {
+    EXPECT_EQ(seconds, 0.0);
+  }
 }
