@@ -3,29 +3,41 @@
  * @class   vtkAdaptiveHilbertDelaunay2D
  * @brief   exact 2D Delaunay triangulation of large point sets
  *
- * Triangulates points in x and y (or another plane: ProjectionPlaneMode); z is carried along.
- * Details, and what differs from vtkDelaunay2D: Plugin/Documentation/Reference.md.
+ * Triangulates points in x and y (or another plane: ProjectionPlaneMode); z is carried along. All
+ * settings of vtkDelaunay2D keep their names. Details: Plugin/Documentation/Reference.md.
  *
- * <b>Output port 0</b>: the points of the input (the same vtkPoints, ids and point data; points
- * that are added follow them, and all are then a copy in double precision) and one triangle per
- * cell. Cells of the input are not passed on. By default the triangles
+ * <b>Features.</b> By default the triangles
  * - are the Delaunay triangulation of the distinct points, exactly, for all finite coordinates;
  * - are counterclockwise and cover the convex hull (in other planes than x, y: see Rim); points on
- * its edges are corners of triangles;
+ *   its edges are corners of triangles;
  * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull;
  * - are a function of the coordinates and constraints, and so is their order. Shuffling the input
- *   changes only the ids; of the settings of the insertion only InsertionLimit has a say.
+ *   changes only the ids; of the insertion settings only InsertionLimit changes the triangles.
  *
- * Ports 1 (order of insertion) and 2 (Voronoi diagram) are empty unless asked for.
+ * <b>Output port 0</b> has the points of the input (the same vtkPoints, ids and point data; added
+ * points follow, and all are then a copy in double precision) and one triangle per cell. Cells of
+ * the input are not passed on. Ports 1 (insertion order) and 2 (Voronoi diagram) are empty unless
+ * requested.
  *
  * <b>Point status.</b> Each point is a vertex; a duplicate (x and y of a point of smaller id);
  * merged (within Tolerance of another); rejected (x or y NaN or infinite); skipped (a ghost or
  * hidden point by vtkGhostType); or beyond InsertionLimit. All stay among the output's points and
  * are counted, by Get methods and as field data of their names.
  *
- * <b>Limits and errors.</b> At most 2^28 - 2 points. Too many points or too little memory: one
- * error, all outputs empty, nothing thrown. Aborted (SetAbortExecute): outputs empty, no error.
- * Each warning comes once per execution, with counts. With several MPI ranks: DistributePoints.
+ * <b>Caveats.</b> At most 2^28 - 2 points. Too many points or too little memory: one error, all
+ * outputs empty, nothing thrown. Aborted (SetAbortExecute): outputs empty, no error. Each warning
+ * comes once per execution, with counts. Several MPI ranks: DistributePoints.
+ *
+ * <b>Example.</b> A survey whose surface ends at a coastline:
+ *
+ * @code
+ * vtkNew<vtkAdaptiveHilbertDelaunay2D> delaunay;
+ * delaunay->SetInputData(soundings);  // any vtkPointSet
+ * delaunay->SetSourceData(coastline); // polygons bound the surface
+ * delaunay->SetSourceModeToCoordinates();
+ * delaunay->Update();
+ * vtkPolyData* surface = delaunay->GetOutput();
+ * @endcode
  *
  * @sa
  * vtkDelaunay2D vtkAdaptiveHilbertAlgorithm

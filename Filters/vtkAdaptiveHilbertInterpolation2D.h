@@ -7,39 +7,50 @@
  * their heights and point arrays on the surface: at the cell centres of a raster, or at the points
  * of any data set in port 1. Details: Plugin/Documentation/Reference.md.
  *
+ * <b>Features.</b>
+ * - Linear, by natural neighbours (Sibson, Laplace) or nearest; exact decision of each place's
+ *   triangle; the same bytes for any number of threads.
+ * - Output: without places a vtkImageData, whose points are the centres of the raster's cells
+ *   (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; with OutputType SURFACE a
+ *   vtkStructuredGrid with these centres at their heights, hidden where there is no value
+ *   (vtkGhostType, HIDDENPOINT). With places: their data set, with arrays.
+ * - Arrays: the heights (HeightArrayName), every numeric point array of the input, and a mask
+ *   (ValidPointMaskArrayName). Arrays of float stay float, others become double; with NEAREST each
+ *   keeps its type. vtkGhostType is not interpolated; arrays of strings, without a name or of
+ *   another length than the points are passed over, with a warning. Arrays of the places with the
+ *   same name are replaced. Active scalars stay active; without any, the heights are. Field data
+ *   are those of the places, or without places those of the points, and the counts below.
+ *
  * <b>Inputs.</b> Port 0: a vtkPointSet, or a composite data set, whose blocks are merged into one
- * surface; or a surface that a vtkAdaptiveHilbertDelaunay2D made, known by its field data: then,
+ * surface; or a surface made by a vtkAdaptiveHilbertDelaunay2D, recognised by its field data: then,
  * without a source, its triangles count, holes and constraints included, and of the settings of
- * Triangulation only plane, threads and memory. That filter's own triangulation is used while it is
- * still there (see ReuseLimit) and in nobody else's use, in the plane x, y: the values are those of
- * interpolating its points with its settings. Else the corners are triangulated; natural neighbours
- * then end at constraints that the cell array ConstraintEdges names, and at edges of triangles that
- * are not Delaunay. Over several ranks (DistributePoints and Controller of Triangulation) its
- * points are triangulated anew, with a warning; there port 0 may be empty or of any type. Port 1,
- * optional: the places, a vtkDataSet or a composite data set of such. Port 2, optional:
- * constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
+ * Triangulation only plane, threads and memory. That filter's own triangulation is used while it
+ * exists (see ReuseLimit) and is not lent to others, in the plane x, y: the values are those of
+ * interpolating its points with its settings. Otherwise the corners are triangulated; natural
+ * neighbours then end at constraints named by the cell array ConstraintEdges, and at edges of
+ * triangles that are not Delaunay. Over several ranks (DistributePoints and Controller of
+ * Triangulation) its points are triangulated again, with a warning; there port 0 may be empty or of
+ * any type. Port 1, optional: the places, a vtkDataSet or a composite data set of such. Port 2,
+ * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
- * <b>Output.</b> Without places a vtkImageData, whose points are the centres of the raster's cells
- * (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; or, with OutputType
- * SURFACE, a vtkStructuredGrid whose points are these centres at their heights, hidden where there
- * is no value (vtkGhostType, HIDDENPOINT). With places: their data set, with arrays.
+ * <b>Caveats.</b> Outside of the surface (beyond the hull, in holes, in triangles dropped by the
+ * settings of Triangulation) there is no value: nothing is extrapolated unless Outside says so.
+ * Where a point's value is NaN, its triangles have none (LINEAR), or only the others count
+ * (NATURAL_NEIGHBOR, LAPLACE). A senseless setting or too little memory is one error, with an empty
+ * output, and nothing thrown; memory is estimated first. Aborted: the output empty, no error. Each
+ * warning comes once per execution, of all blocks together.
  *
- * <b>Arrays.</b> The heights (HeightArrayName), every numeric point array of the input, and a mask
- * (ValidPointMaskArrayName). Arrays of float stay float, others become double; with NEAREST each
- * keeps its type. vtkGhostType is not interpolated; arrays of strings, without a name or of another
- * length than the points are passed over, with a warning. What the places have of the same name is
- * replaced. Active scalars stay active; if there are none, the heights are. Field data are those of
- * the places, or without places those of the points, and the counts below.
+ * <b>Example.</b> A raster of square cells of 2 units:
  *
- * <b>No value.</b> Outside of the surface (beyond the hull, in holes, in triangles that the
- * settings of Triangulation leave out) there is no value: nothing is extrapolated unless Outside
- * says so. Where a point's value is NaN, its triangles have none (LINEAR), or the others alone
- * count (NATURAL_NEIGHBOR, LAPLACE).
- *
- * <b>Limits and errors.</b> As in vtkAdaptiveHilbertDelaunay2D: one error, the output empty, and
- * nothing thrown, if a setting makes no sense or memory is too little; memory is estimated before
- * anything is computed. Aborted: the output empty, no error. Each warning comes once per execution,
- * of all blocks together.
+ * @code
+ * vtkNew<vtkAdaptiveHilbertInterpolation2D> raster;
+ * raster->SetInputData(points);
+ * raster->SetRasterSizeToByCellSize();
+ * raster->SetCellSize(2, 2);
+ * raster->SetMethodToNaturalNeighbor();
+ * raster->Update();
+ * vtkDataObject* heights = raster->GetOutputDataObject(0);
+ * @endcode
  *
  * @sa
  * vtkAdaptiveHilbertDelaunay2D vtkProbeFilter vtkResampleToImage

@@ -9,8 +9,8 @@
 namespace ahd
 {
 
-/// Which regions between loops are kept. A region is bounded by edges of loops only; where there is
-/// no loop, everything is kept.
+/// Which regions between loops are kept. Only edges of loops bound a region; without a loop
+/// everything is kept.
 enum class FillRule
 {
   /// Inside is on the left. A region is kept if it lies on the left of every loop edge that bounds
@@ -21,21 +21,22 @@ enum class FillRule
   EvenOdd = 1
 };
 
-/// Chains of points, looked at where the caller has them: each pair of successive points is a
-/// segment that is to be an edge of the triangulation, or a row of edges if there are vertices on
-/// it. Any ids are legal, repeated ones included.
+/// Chains of points, borrowed from the caller. Each pair of successive points is a segment that
+/// becomes an edge of the triangulation, or a row of edges if vertices lie on it. Any ids are
+/// legal, repeated ones included.
 struct ConstraintView
 {
   const std::int64_t* ids = nullptr; ///< the caller's ids of points, chain after chain
   /// Chain k is ids[offsets[k]] to ids[offsets[k + 1] - 1]: chains + 1 numbers, ascending.
   const std::int64_t* offsets = nullptr;
   std::size_t chains = 0;
-  /// So many chains, the first, are open. The others are loops: their last point is joined to their
+  /// The first `lines` chains are open. The others are loops: their last point is joined to their
   /// first.
   std::size_t lines = 0;
 };
 
-/// The segments of a chain: one less than ids; as many in a loop, unless its last id is its first.
+/// The number of segments of a chain: one less than ids; as many in a loop, unless its last id is
+/// its first.
 inline std::size_t segmentsOf(const ConstraintView& constraints, std::size_t chain)
 {
   const std::int64_t begin = constraints.offsets[chain], end = constraints.offsets[chain + 1];
@@ -48,14 +49,14 @@ inline std::size_t segmentsOf(const ConstraintView& constraints, std::size_t cha
   return static_cast<std::size_t>(end - begin) - (isClosed ? 0 : 1);
 }
 
-/// A segment that was left out, since it crosses another one that comes before it.
+/// A segment that was left out because it crosses an earlier one.
 struct LeftOut
 {
   std::size_t chain, segment;           ///< the segment, from 0 within its chain
   std::size_t otherChain, otherSegment; ///< the one it crosses first on its way
 };
 
-/// What became of the constraints. segments = points + withoutVertex + crossing + those that became
+/// The outcome of the constraints. segments = points + withoutVertex + crossing + those that became
 /// edges.
 struct ConstraintReport
 {

@@ -7,8 +7,8 @@
 namespace ahd
 {
 
-/// In which order the points are inserted. It changes the time, never the result.
-/// RG, MG and HG are the names in Su et al., Computers & Graphics 54 (2016).
+/// The order in which points are inserted. It changes the time, never the result. RG, MG and HG are
+/// the names in Su et al., Computers & Graphics 54 (2016).
 enum class InsertionOrder
 {
   AdaptiveHilbert = 0, ///< HG: multi-grid, boxes along an adaptive Hilbert curve
@@ -17,8 +17,8 @@ enum class InsertionOrder
   AsGiven = 3          ///< the caller's order
 };
 
-/// Which points are inserted before all others, to keep long thin triangles from being built.
-/// Used by AdaptiveHilbert and MultiGrid; RegularGrid and AsGiven have none.
+/// Points inserted before all others, to prevent long thin triangles. Used by AdaptiveHilbert and
+/// MultiGrid; RegularGrid and AsGiven have none.
 enum class ControlPoints
 {
   Off = 0,
@@ -26,8 +26,8 @@ enum class ControlPoints
   EveryLevel = 2   ///< a sparse subset of the order, of that subset another, and so on
 };
 
-/// Which of several points at one place stands for the vertex there: in the triples that are
-/// written and wherever else a vertex has a point's id. It changes ids, nothing else.
+/// Which of several points at one place represents the vertex, in the written triples and wherever
+/// a vertex has a point's id. It changes ids only.
 enum class Representative
 {
   FirstId = 0, ///< the one of smallest id
@@ -36,7 +36,7 @@ enum class Representative
 };
 
 /// Settings of a triangulation. Every combination is legal and, without insertionLimit, gives the
-/// same triangles; the representative alone has a say in their ids.
+/// same triangles; only the representative changes their ids.
 struct Options
 {
   InsertionOrder order = InsertionOrder::AdaptiveHilbert;
@@ -45,15 +45,16 @@ struct Options
   /// Turn the curve in each divided box so that it meets its neighbours (AdaptiveHilbert only).
   bool geneRotation = true;
 
-  /// A box with more points than this is divided. At least 1; the paper finds 50 to 200 good. Has
-  /// no say where the curve goes on inside the boxes: AdaptiveHilbert, EveryLevel and geneRotation.
+  /// A box with more points than this is divided. At least 1; the paper recommends 50 to 200.
+  /// Without effect if the curve goes on inside the boxes: AdaptiveHilbert, EveryLevel and
+  /// geneRotation.
   int nmax = 50;
 
   /// Count NP and NR (see Report). Costs a few percent.
   bool countWork = false;
 
-  /// Stop after so many points of the insertion order: the triangles are then the Delaunay
-  /// triangulation of these. 0 stands for all. With a limit one thread inserts.
+  /// Stop after this many points of the insertion order: the triangles are then the Delaunay
+  /// triangulation of these. 0 means all. With a limit one thread inserts.
   std::size_t insertionLimit = 0;
 
   /// Keep the insertion order, for Triangulation::writeOrder and writeInsertionRanks. 4 bytes per
@@ -65,7 +66,7 @@ struct Options
 
   Representative representative = Representative::FirstId;
 
-  /// A run that would have to keep more boxes ends with Status::TooManyBoxes, before it inserts.
+  /// A run with more boxes ends with Status::TooManyBoxes, before it inserts.
   std::size_t mostBoxes = std::size_t(-1);
 };
 

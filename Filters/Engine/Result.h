@@ -12,7 +12,7 @@ namespace ahd
 enum class Status
 {
   Ok,            ///< done; fewer than three distinct points or all collinear is Ok with no triangle
-  Cancelled,     ///< the caller's Progress said so
+  Cancelled,     ///< by the caller's Progress
   TooManyPoints, ///< more than kMaximumPoints
   TooManyBoxes,  ///< more than Options::mostBoxes
   TooManyCrossings, ///< more than InputRequest::mostCrossings
@@ -26,12 +26,12 @@ enum class Status
 enum : std::int64_t
 {
   kStatusNotFinite = -1, ///< x or y is NaN or infinite
-  /// left out on the caller's wish (PointView::skip), beyond the limit, or a duplicate of a point
-  /// beyond it
+  /// left out at the caller's request (PointView::skip), beyond the limit, or a duplicate of a
+  /// point beyond it
   kStatusNotInserted = -2
 };
 
-/// What Triangulation::writeInsertionRanks writes for a point that is in no order.
+/// Written by Triangulation::writeInsertionRanks for a point that is not in the order.
 enum : std::int64_t
 {
   kRankNone = -1
@@ -52,14 +52,14 @@ struct Report
 {
   std::size_t inserted = 0;    ///< points that are vertices
   std::size_t beyondLimit = 0; ///< distinct points that Options::insertionLimit left out
-  std::size_t duplicates = 0;  ///< points with the same x, y as another that stands for the vertex
-  std::size_t notFinite = 0;   ///< points with a NaN or infinite x or y
-  std::size_t skipped = 0;     ///< points left out on the caller's wish
-  std::size_t triangles = 0;   ///< triangles of the result
+  std::size_t duplicates = 0; ///< points with the same x, y as the point that represents the vertex
+  std::size_t notFinite = 0;  ///< points with a NaN or infinite x or y
+  std::size_t skipped = 0;    ///< points left out at the caller's request
+  std::size_t triangles = 0;  ///< triangles of the result
 
-  // What trim() did.
-  std::size_t trimmed = 0;      ///< triangles that it took away
-  std::size_t bareVertices = 0; ///< vertices that it left in no triangle
+  // Removed by trim().
+  std::size_t trimmed = 0;      ///< triangles
+  std::size_t bareVertices = 0; ///< vertices left in no triangle
   double trimmedArea = 0.0;     ///< of those triangles, as a part of the convex hull's; rounded
 
   // Work, counted if Options::countWork is set, else 0.

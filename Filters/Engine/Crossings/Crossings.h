@@ -14,7 +14,7 @@
 namespace ahd
 {
 
-/// A point added where two segments cross, and where that is on them. Segments are those of the
+/// A point added where two segments cross, and its position on them. Segments are those of the
 /// input: segment k of a chain runs from its point k to the next, the last one of a loop to point
 /// 0.
 struct CrossingPoint
@@ -26,9 +26,8 @@ struct CrossingPoint
     segmentB; ///< the next one; a point on more than two names the first two found
   double alongB;
 
-  /// Two of them again, for what is interpolated: of the pairs that cross there the first one by
-  /// places, left end, then right end. Neither the order of the segments nor their directions have
-  /// a say.
+  /// Two of them again, for interpolation: of the pairs that cross there the first one by places,
+  /// left end, then right end, whatever the order and directions of the segments.
   struct Side
   {
     std::size_t chain, segment;
@@ -43,10 +42,10 @@ struct SegmentName
   std::size_t chain, segment;
 };
 
-/// What splitAtCrossings gives.
+/// The result of splitAtCrossings().
 struct SplitConstraints
 {
-  /// Added points; their ids go on where those given end: point k has the id points.count + k. In
+  /// Added points; their ids follow the given ones: point k has the id points.count + k. In
   /// the order of the segments, then along them; those of a later round come after.
   std::vector<CrossingPoint> points;
 
@@ -59,15 +58,15 @@ struct SplitConstraints
   /// from there; the last point of a line repeats that of the segment before it.
   std::vector<std::int64_t> segments;
 
-  /// Segments that were led through a vertex that is not exactly on them, and so bend: through an
-  /// end of another one, or a point that was there already. Each once, ascending.
+  /// Segments that bend because they were led through a vertex not exactly on them: an end of
+  /// another one, or an existing point. Each once, ascending.
   std::vector<SegmentName> bent;
 
   std::size_t crossings = 0;  ///< pairs of segments that crossed, those of all rounds together
   std::size_t unresolved = 0; ///< pairs that still cross after the last round
   int rounds = 0;             ///< rounds of splitting that were needed
 
-  /// The chains, as constrain() takes them. This object is to outlive the view.
+  /// The chains, as constrain() takes them. The view borrows this object.
   ConstraintView view() const
   {
     ConstraintView result;
@@ -79,49 +78,49 @@ struct SplitConstraints
   }
 };
 
-/// After so many rounds of splitting no further is begun.
+/// The most rounds of splitting.
 constexpr int kMostSplittingRounds = 16;
 
 /// Splits the segments of the chains where they cross.
 ///
-/// Two segments cross if they have one point in common that is an end of neither. Segments that
-/// only touch, share an end or overlap do not cross. This is decided exactly. Segments of no
-/// length, and those with an end that is not finite, is left out (PointView::skip) or is no point
-/// at all, are kept and cross nothing; so are chains that have no segment. Ids that are no point's
-/// become -1, as they might name an added point otherwise.
+/// Two segments cross if they have one point in common that is an end of neither; touching, shared
+/// ends and overlaps are no crossings. This is decided exactly. Segments of no length, and those
+/// with an end that is not finite, left out (PointView::skip) or no point at all, are kept and
+/// cross nothing; so are chains without a segment. Ids that are no point's become -1, since they
+/// might otherwise name an added point.
 ///
 /// A point rounds to the nearest double in each coordinate, ties to even. Where a point of one of
-/// the two rounds to an end of the other, the one is led through that end, and no point is needed.
-/// Else the point added is the exact crossing, rounded: one point however many segments cross there
-/// and whichever way they run. Where it coincides with a point that is given, that one is used: the
-/// one of smallest id, but before all others those that are ends of segments. So whatever is put
-/// into a segment is a point of it, rounded, and the pieces run within its box, in the same
-/// directions as it does.
+/// the two rounds to an end of the other, the one is led through that end, and no point is added.
+/// Otherwise the added point is the exact crossing, rounded: one point however many segments cross
+/// there and whatever their directions. If it coincides with a given point, that one is used: the
+/// one of smallest id, ends of segments before all others. So every point put into a segment is a
+/// point of it, rounded, and the pieces run within its box, in its direction.
 ///
-/// The pieces are bent by this and may cross others. So it is repeated until nothing crosses, or
-/// until kMostSplittingRounds rounds are over. Without the rule for ends, segments that differ
-/// in their last bits only would cross ever more often; with it they still may, tens of copies of
-/// one line cross some thousand times.
+/// Rounding bends the pieces, which may cross others. So splitting is repeated until nothing
+/// crosses, or for kMostSplittingRounds rounds. Without the rule for ends, segments that differ in
+/// their last bits only would cross ever more often; with it tens of copies of one line cross some
+/// thousand times.
 ///
-/// The points of the result and the pieces, as a set of pairs of places, are a function of the set
-/// of the segments: neither their order nor their directions have a say.
+/// The added points and the pieces, as a set of pairs of places, are a function of the set of the
+/// segments, whatever their order and directions.
 ///
-/// `progress` may be null; the phase is Phase::Split. Returns Ok, Cancelled, OutOfMemory,
-/// TooManyPoints if there are more than kMaximumPoints, the added ones included, or more than
-/// 2^31 ids in the chains, or TooManyCrossings as soon as there are more than `mostCrossings`
-/// places to lead segments through, or four times as many pairs that cross, those that pass exactly
-/// through one place not counted each; unless Ok, `out` is not to be used. Takes
-/// splitMemoryEstimate() bytes for no crossings at most, and what it asks for (Progress::take()):
-/// for crossings as they are found, and for a search by strips if it comes to that. Cost: for n
-/// segments with k crossings n log^2 n + k log n steps a round at most, where k does not count
-/// pairs of those that pass exactly through one place; mostly one round splits, and the second
-/// finds nothing, quickly.
+/// The phase is Phase::Split. Takes at most splitMemoryEstimate() bytes for no crossings, and
+/// requests (Progress::take()) for crossings as they are found, and for a search by strips if
+/// needed. Cost: for n segments with k crossings at most n log^2 n + k log n steps a round, where k
+/// does not count pairs exactly through one place; usually one round splits, and the second finds
+/// nothing, quickly.
+///
+/// @param progress may be null
+/// @param out undefined unless the result is Ok
+/// @param mostCrossings limit on the places to lead segments through; the search stops at four
+///   times as many crossing pairs, without counting each of those exactly through one place
+/// @return Ok, Cancelled, OutOfMemory, TooManyCrossings, or TooManyPoints: more than
+///   kMaximumPoints, added ones included, or more than 2^31 ids in the chains
 Status splitAtCrossings(const PointView& points, const ConstraintView& chains, Progress* progress,
   SplitConstraints& out, std::size_t mostCrossings = std::size_t(-1));
 
-/// Upper estimate of the bytes that it takes, `out` included, for so many segments and crossings,
-/// but for a search by strips. Segments: a loop has as many as ids, a line one less; of lines
-/// without an id, which few have, that may be one less than none.
+/// Upper bound of the bytes that it takes, `out` included, except for a search by strips. Segments:
+/// a loop has as many as ids, a line one less (so a line without an id may count as minus one).
 std::size_t splitMemoryEstimate(std::size_t segments, std::size_t crossings);
 
 } // namespace ahd

@@ -72,9 +72,8 @@ struct BlocksReport
 };
 
 /// One block's part in the triangulation of the points of all blocks: exact, canonical, the same
-/// triangles as if one block had all points, constraints included (Algorithm.md, "One triangulation
-/// over many blocks"). Each triangle is on one block: the one that owns its lexicographically
-/// lowest corner.
+/// triangles as if one block had all points, constraints included (README.md has the proof). Each
+/// triangle is on one block: the one that owns its lexicographically lowest corner.
 ///
 /// Goes step by step, all blocks alike, and never waits: the caller carries what blocks have to
 /// tell each other, as distribute() does.

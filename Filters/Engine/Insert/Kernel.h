@@ -61,8 +61,8 @@ enum class Access
 };
 
 /// Inserts one point after the other: locate, carve the cavity, fill it with the star.
-/// This is the hot loop of the engine; see Algorithm.md for what was measured. kExact: for frames
-/// on a grid. Ties are broken there without a branch; elsewhere that would take the registers.
+/// This is the hot loop of the engine; README.md has the measurements. kExact: for frames on a
+/// grid. Ties are broken there without a branch; elsewhere that would take the registers.
 template <bool kCount, Access kAccess, bool kExact>
 class Kernel
 {

@@ -75,7 +75,7 @@ private:
 /// The two axes with their separate spans, as in the paper's rule of grid division, but no box more
 /// than twice (Quantiser::kLongestBox) as long as it is wide: where the bounds are, the grid
 /// reaches beyond them on their shorter side. Else, in a long strip, neighbours along it are far
-/// apart on the curve, as it has to visit all rows first; Algorithm.md has the numbers.
+/// apart on the curve, as it has to visit all rows first; README.md has the numbers.
 struct Grid
 {
   explicit Grid(const Bounds& b)

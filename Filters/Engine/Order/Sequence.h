@@ -52,7 +52,7 @@ constexpr std::size_t kSequenceScratchPerPoint = 56;
 /// visited along the Hilbert curve (AdaptiveHilbert; turned by the gene of the divided box if
 /// options.geneRotation) or row by row, left to right (MultiGrid). Points of an undivided box come
 /// in ascending order of the caller's id. RegularGrid divides once, whatever nmax, and never again.
-/// A departure from the paper, measured (Algorithm.md): with AdaptiveHilbert and EveryLevel the
+/// A departure from the paper, measured (../Algorithm.md): with AdaptiveHilbert and EveryLevel the
 /// curve goes on inside undivided boxes, down to the single point; with geneRotation the order of
 /// the boxes and their points then is the order of rank, whatever nmax. Another: where a crowded
 /// box is too small to be divided on the finest grid (2^32 x 2^32), its points come in order of

@@ -16,8 +16,8 @@ namespace ahd
 using Index = std::uint32_t;
 constexpr Index kNoIndex = 0xFFFFFFFFu;
 
-/// Most points the engine takes in one run: a half-edge is named by 8 * triangle + edge in 32 bits,
-/// and n points have 2n - 2 triangles, those at infinity included. Tests of what is refused are
+/// Most points in one run: a half-edge is numbered by 8 * triangle + edge in 32 bits,
+/// and n points have 2n - 2 triangles, those at infinity included. Tests of the limit are
 /// compiled with fewer.
 #ifndef AHD_MAXIMUM_POINTS
 #define AHD_MAXIMUM_POINTS ((std::size_t(1) << 28) - 2)
@@ -48,9 +48,8 @@ inline bool isFinite(const Point& p)
   return std::isfinite(p.x) && std::isfinite(p.y);
 }
 
-/// The caller's points, looked at where they are: x, y of point i are the first two numbers at
-/// data + i * stride, z is the third one unless the points are flat. Widening float to double is
-/// exact.
+/// The caller's points, read in place: x, y of point i are the first two numbers at data + i *
+/// stride, z is the third unless the points are flat. Widening float to double is exact.
 struct PointView
 {
   PointView() = default;
@@ -87,7 +86,7 @@ struct PointView
     return isFlat ? 0.0 : doubles ? doubles[at] : double(floats[at]);
   }
 
-  /// Point i is about to be read: fetches it. It need not exist.
+  /// Fetches point i, which will be read soon and need not exist.
   void prefetch(std::size_t i) const
   {
     const std::size_t first = i * stride, last = first + stride - 1; // mostly in the same line
@@ -95,7 +94,7 @@ struct PointView
     doubles ? prefetchForRead(doubles + last) : prefetchForRead(floats + last);
   }
 
-  /// Is point i to be left out on the caller's wish?
+  /// Is point i left out at the caller's request?
   bool skipped(std::size_t i) const { return skip && (skip[i] & skipMask) != 0; }
 
   const double* doubles = nullptr;

@@ -15,17 +15,19 @@ int orient2d(const Point& a, const Point& b, const Point& c);
 /// their circumcircle, -1 strictly outside, 0 on it. Exact for all finite coordinates.
 int inCircle(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// Is d in conflict with the counterclockwise triangle a, b, c? As inCircle > 0, but cocircular
-/// points are told apart by an infinitesimal weight per point, in lexicographic order of (x, y), so
-/// the answers describe one unique triangulation of the point set. REQUIRES: four distinct points.
+/// Is d in conflict with the counterclockwise triangle a, b, c? As inCircle > 0, with ties between
+/// cocircular points broken by an infinitesimal weight per point, in lexicographic order of (x, y):
+/// the answers describe one unique triangulation of the point set.
+///
+/// @pre four distinct points
 bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// Is the angle at c of the counterclockwise triangle a, b, c so wide that the triangle is flat:
-/// above 180 degrees less the arc tangent of 1/2, 153.4? That is (a - c) . (b - c) < -2 times the
-/// cross product of the two. Exact for all finite coordinates.
+/// above 180 degrees less the arc tangent of 1/2, 153.4? That is, (a - c) . (b - c) < -2 times
+/// their cross product. Exact for all finite coordinates.
 bool isFlat(const Point& a, const Point& b, const Point& c);
 
-/// The same answers without the floating-point filter, for callers whose own has failed.
+/// The same without the floating-point filter, for callers whose own filter has failed.
 int orient2dExact(const Point& a, const Point& b, const Point& c);
 int inCircleExact(const Point& a, const Point& b, const Point& c, const Point& d);
 bool inConflictExact(const Point& a, const Point& b, const Point& c, const Point& d);

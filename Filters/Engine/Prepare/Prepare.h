@@ -21,9 +21,10 @@ namespace ahd
 
 class Triangulation;
 
-/// Cells of a source, looked at where the caller has them: cell k has the ids offsets[k] to
-/// offsets[k + 1] - 1. Either both arrays have 32 bits or both have 64. REQUIRES: findBadCell()
-/// finds none.
+/// Cells of a source, borrowed from the caller: cell k has the ids offsets[k] to offsets[k + 1] -
+/// 1. Both arrays have 32 bits, or both 64.
+///
+/// @pre findBadCell() finds none
 struct CellsView
 {
   const std::int32_t* offsets32 = nullptr;
@@ -34,19 +35,21 @@ struct CellsView
   std::size_t ids = 0; ///< of all cells
 };
 
-/// Where points lie from a plane that the caller chose.
+/// The places of points relative to a plane that the caller chose.
 class Projection
 {
 public:
   virtual ~Projection() = default;
 
   /// Writes three numbers for each point: its place in the plane, and its height above it; three
-  /// NaN for a point with a coordinate that is not finite. `to` may be where the points are.
-  /// Returns false if cancelled; throws std::bad_alloc at most.
+  /// NaN for a point with a coordinate that is not finite. `to` may be the points' own memory.
+  /// Throws at most std::bad_alloc.
+  ///
+  /// @return false if cancelled
   virtual bool project(const PointView& points, double* to, const Context& context) const = 0;
 };
 
-/// What is to be triangulated, and what is to be done to it before.
+/// The input of a triangulation, and the steps to take before it.
 struct InputRequest
 {
   PointView points;       ///< of the input, those to be left out marked
@@ -56,14 +59,14 @@ struct InputRequest
   CellsView polygons;         ///< of the source: loops
   std::int64_t firstCell = 0; ///< the number of the first line in reports; polygons follow lines
   bool idsAreOfInput = false; ///< the ids in cells name points of the input, not of the source
-  /// Lines whose ends are one point, or have the same x and y in the plane, are loops. They come
-  /// behind the open lines and before the polygons.
+  /// Lines whose ends are one point, or have the same x and y in the plane, are loops. They follow
+  /// the open lines and precede the polygons.
   bool closedLinesAreLoops = false;
 
   /// Points of the source take their height from the triangulation of the input alone, by linear
   /// interpolation; those outside of it keep their own.
   bool heightsFromSurface = false;
-  /// Of input points at one place: whose height that surface has.
+  /// Of input points at one place: the one whose height that surface has.
   Representative representative = Representative::FirstId;
   bool meanHeights = false; ///< it has the mean of all instead
 
@@ -73,26 +76,26 @@ struct InputRequest
   double tolerance = 0.0;                 ///< merge within this part of the diagonal of the points
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
   double offset = 1.0;   ///< how far out they lie
-  /// Around what they lie, if it is more than these points: the lowest and the highest coordinates
-  /// of those with finite x, y; z the finite ones. None: low is above high.
+  /// Their box, if it is more than that of these points: the lowest and the highest coordinates of
+  /// those with finite x, y; of z the finite ones. None: low is above high.
   const std::array<Vector3, 2>* bounds = nullptr;
   bool split = false; ///< split constraints where they cross
-  /// A run that would have to split in more places (splitAtCrossings()) ends with
-  /// Status::TooManyCrossings, before it does.
+  /// A run that must split in more places (splitAtCrossings()) ends with Status::TooManyCrossings
+  /// before it does.
   std::size_t mostCrossings = std::size_t(-1);
 };
 
-/// A point that was added at the crossing of two segments: between which others it lies. Segments
-/// and their ends are in the order of their places, so that neither the order of the constraints
-/// nor their directions have a say; of more than two segments it is the first two that cross there.
+/// The neighbours of a point added at the crossing of two segments. Segments and their ends are in
+/// the order of their places, whatever the order and directions of the constraints; of more than
+/// two segments, the first two that cross there.
 struct CrossingOrigin
 {
   std::array<Index, 4> ends;   ///< of either segment the smaller end, by x, then y, and the other
   std::array<double, 2> along; ///< the fraction of the way from the first end to the second
 };
 
-/// What linear interpolation gives at a crossing, as a mean over both segments; `value(id)` is the
-/// value at a point.
+/// The linear interpolation at a crossing, as a mean over both segments; `value(id)` is the value
+/// at a point.
 template <typename Value>
 double interpolate(const CrossingOrigin& crossing, const Value& value)
 {
@@ -104,7 +107,7 @@ double interpolate(const CrossingOrigin& crossing, const Value& value)
   return 0.5 * along(0) + 0.5 * along(1);
 }
 
-/// Where a point of the source lies on the triangulation of the input: between which points.
+/// The position of a source point on the triangulation of the input: its corners and weights.
 struct SurfacePlace
 {
   std::array<Index, 3> corners = {};
@@ -113,14 +116,15 @@ struct SurfacePlace
   bool isInside() const { return weights[0] + weights[1] + weights[2] > 0.0; }
 };
 
-/// What linear interpolation gives there. REQUIRES: isInside().
+/// The linear interpolation there.
+/// @pre isInside()
 template <typename Value>
 double interpolate(const SurfacePlace& place, const Value& value)
 {
   double sum = 0.0;
   for (std::size_t k = 0; k < 3; ++k)
   {
-    // what has no weight may be NaN
+    // a corner without weight may be NaN
     sum += place.weights[k] > 0.0 ? place.weights[k] * value(place.corners[k]) : 0.0;
   }
   return sum;
@@ -134,11 +138,11 @@ struct UnfitIds
   std::int64_t firstCell = 0;
 };
 
-/// Points and constraints, ready to be triangulated, each with the id that it has in the output:
-/// the input's, then the source's, the eight bounding points, the crossings.
+/// Points and constraints, ready to be triangulated, each with its id in the output: the input's,
+/// then the source's, the eight bounding points, the crossings.
 ///
-/// The places are the input's own where these lie, as long as they are triangulated in x, y and
-/// nothing is added: then it borrows them. Else they are a copy in double precision.
+/// Borrows the input's places while they are triangulated in x, y and nothing is added; otherwise
+/// has a copy in double precision.
 class PreparedInput
 {
 public:
@@ -148,7 +152,7 @@ public:
   PreparedInput(const PreparedInput&) = delete;
   PreparedInput& operator=(const PreparedInput&) = delete;
 
-  /// All points: x and y in the plane of the triangulation, and what is above it.
+  /// All points: x and y in the plane of the triangulation, and the height above it.
   const PointView& points() const { return points_; }
   std::size_t inputCount() const { return inputCount_; }
   std::size_t sourceCount() const { return sourceCount_; }
@@ -172,7 +176,7 @@ public:
   /// The constraints, lines before polygons; merged points replaced by those they were merged into.
   ConstraintView constraints() const;
   bool hasConstraints() const { return !ids_.empty(); }
-  /// The cell of the source that a chain is made of.
+  /// The source cell of a chain.
   std::int64_t cellOf(std::size_t chain) const;
   const UnfitIds& unfitIds() const { return unfit_; }
 
@@ -181,13 +185,15 @@ public:
   /// The cells of the first thousand of them: the later one, the earlier one.
   const std::vector<std::array<std::int64_t, 2>>& crossingCells() const { return crossingCells_; }
 
-  /// Segments that were led through a vertex which is not exactly on them, and so bend; and the
-  /// cell of the first of these, if there is one.
+  /// Segments that bend because they were led through a vertex not exactly on them; and the cell of
+  /// the first of these, if there is one.
   std::size_t bentCount() const { return bentCount_; }
   std::int64_t firstBentCell() const { return firstBentCell_; }
 
-  /// Lets the crossings lie between the points that stand for the vertices at the ends of their
-  /// segments: their heights follow. REQUIRES: a triangulation of these points.
+  /// Lets crossings lie between the points that represent the vertices at the ends of their
+  /// segments: their heights follow.
+  ///
+  /// @pre a triangulation of these points
   Status endCrossingsAtVertices(Triangulation& triangulation, const Context& context);
 
 private:
@@ -218,20 +224,24 @@ private:
 
 /// Prepares the input: reads it, moves it into the plane, takes heights from the surface, merges
 /// near points, adds bounding points, reads the constraints and splits them, in this order. The
-/// phases are Phase::Merge and, from the constraints on, Phase::Split. `out` is to be new. Returns
-/// Ok, Cancelled, OutOfMemory, TooManyPoints or TooManyCrossings; unless Ok, `out` is not to be
-/// used.
+/// phases are Phase::Merge and, from the constraints on, Phase::Split.
+///
+/// @pre `out` is new
+/// @param out undefined unless the result is Ok
+/// @return Ok, Cancelled, OutOfMemory, TooManyPoints or TooManyCrossings
 Status prepare(const InputRequest& request, const Context& context, PreparedInput& out);
 
-/// How high each point of the surface lies above the plane: as it was prepared; with `means`, at a
-/// place of several points the mean of all that have a finite z (Means.h), as the height of the one
-/// that stands for the vertex, and at crossings what lies between those. `triangulation`: of these
-/// points; makes the tables it needs. `heights`: one number for each. Returns Ok, Cancelled or
-/// OutOfMemory.
+/// The height of each point of the surface above the plane: as prepared; with `means`, at a place
+/// of several points the mean of all with a finite z (Means.h), as the height of the representing
+/// point, and at crossings the values between those.
+///
+/// @param triangulation of these points; its missing tables are made
+/// @param heights one number for each
+/// @return Ok, Cancelled or OutOfMemory
 Status findHeights(const PreparedInput& points, Triangulation& triangulation, bool means,
   const Context& context, double* heights);
 
-/// A cell whose offsets do not ascend, or are not among the ids there are.
+/// A cell whose offsets do not ascend, or lie outside the ids.
 struct BadCell
 {
   std::size_t cell = 0;
@@ -239,26 +249,27 @@ struct BadCell
   std::size_t ids = 0;             ///< that there are, of all cells
 };
 
-/// Looks at the offsets of cells that come from elsewhere. Ids that no cell has are no fault.
-/// Returns Ok, Cancelled, OutOfMemory, or BadCells with the first such cell; the phase is
+/// Checks the offsets of cells from elsewhere. Ids in no cell are no fault. The phase is
 /// Phase::Merge.
+///
+/// @return Ok, Cancelled, OutOfMemory, or BadCells with the first such cell
 Status findBadCell(const CellsView& cells, const Context& context, BadCell& bad);
 
-/// The points that prepare() has to deal with, crossings excepted.
+/// The number of points for prepare(), crossings excepted.
 std::size_t expectedPoints(const InputRequest& request);
 
-/// Segments that the source asks for, at most.
+/// The number of segments of the source, at most.
 std::size_t segmentsOf(const InputRequest& request);
 
-/// Upper estimate of the bytes that prepare() takes, but for crossings, which nobody knows before
-/// (splitMemoryEstimate() has their share, most of which is given back again), and for a
-/// triangulation of the input with its tables (heightsFromSurface), which it gives back.
+/// Upper bound of the bytes that prepare() takes, except for crossings, unknown before
+/// (splitMemoryEstimate() has their share, most of which is returned), and for a triangulation of
+/// the input with its tables (heightsFromSurface), which it returns.
 std::size_t preparationMemoryEstimate(const InputRequest& request);
 
-/// The same of what is left of it for the triangulation.
+/// The part of it that remains during the triangulation.
 std::size_t preparedMemoryEstimate(const InputRequest& request);
 
-/// What is worth a warning.
+/// Points that deserve a warning.
 struct OddPoints
 {
   std::size_t firstNotFinite = 0; ///< smallest id of a point with an x or y that is not finite; 0
@@ -266,8 +277,9 @@ struct OddPoints
   std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
 };
 
-/// One pass over points, those left out excepted. The phase is Phase::Extract. Returns
-/// Ok, Cancelled or OutOfMemory.
+/// One pass over points, without those left out. The phase is Phase::Extract.
+///
+/// @return Ok, Cancelled or OutOfMemory
 Status findOddPoints(const PointView& points, const Context& context, OddPoints& odd);
 
 } // namespace ahd

@@ -9,8 +9,8 @@
 namespace ahd
 {
 
-// Points that x and y hardly tell apart, as those of a wall or of a volume: what messages say of
-// them. Those left out or with a coordinate that is not finite do not count.
+// For messages on points that x and y hardly distinguish, as in a wall or a volume. Points left out
+// or with a coordinate that is not finite do not count.
 // The phase is Phase::Extract. Both return Ok, Cancelled or OutOfMemory.
 
 /// Do all points lie on one line in space, give or take a millionth of its length?

@@ -17,18 +17,20 @@ namespace ahd
 
 class Triangulation;
 
-/// Which vertices have a say in the value at a place, and how much.
+/// The vertices that determine the value at a place, and their weights.
 enum class SampleMethod
 {
   Linear = 0,          ///< the corners of its triangle, by areas
-  NaturalNeighbor = 1, ///< those it would be joined to, by the area it takes of their Voronoi cells
+  NaturalNeighbor = 1, ///< those it would be joined to, by the area taken from their Voronoi cells
   Laplace = 2,         ///< the same vertices, by the length of their cells' borders over distances
   Nearest = 3          ///< the nearest vertex; of several the lexicographically smallest (x, y)
 };
 
 /// Places in rows: number row * columns + column is origin + (firstColumn + column, firstRow + row)
-/// * spacing, the products and the sums rounded. So the places of a piece of a raster are those of
-/// the whole one. REQUIRES: column and row numbers are less than 2^53.
+/// * spacing, products and sums rounded. So the places of a piece of a raster are those of the
+/// whole one.
+///
+/// @pre column and row numbers are less than 2^53
 struct SampleRaster
 {
   Point at(std::size_t column, std::size_t row) const
@@ -45,7 +47,7 @@ struct SampleRaster
   std::size_t firstRow = 0;
 };
 
-/// Where values are wanted: at points, or on a raster. Borrows the points.
+/// The places to interpolate at: points (borrowed) or a raster.
 class SamplePlaces
 {
 public:
@@ -53,7 +55,7 @@ public:
     : points_(points)
   {
   }
-  /// REQUIRES: columns * rows is a std::size_t.
+  /// @pre columns * rows fits into a std::size_t
   explicit SamplePlaces(const SampleRaster& raster)
     : raster_(raster)
     , isRaster_(true)
@@ -75,8 +77,8 @@ private:
   bool isRaster_ = false;
 };
 
-/// Values to interpolate: `components` doubles for each point of the triangulation, and as many
-/// for each place, to be written.
+/// Values to interpolate: `components` doubles for each point of the triangulation, and as many to
+/// write for each place.
 struct SampleArray
 {
   const double* values = nullptr; ///< by the caller's ids
@@ -86,20 +88,20 @@ struct SampleArray
   double* gradients = nullptr;
 };
 
-/// What became of the places. valued + outside + notFinite = their number.
+/// The outcome for the places. valued + outside + notFinite = their number.
 struct SampleReport
 {
   std::size_t valued = 0;    ///< on the surface, or any with Nearest
   std::size_t outside = 0;   ///< outside of the hull, in a hole or a dropped triangle
   std::size_t notFinite = 0; ///< with a NaN or infinite x or y
-  /// Components of valued places that are NaN, as values there are (with NaturalNeighbor and
-  /// Laplace, all that have a weight).
+  /// Components of valued places that are NaN because of NaN values (with NaturalNeighbor and
+  /// Laplace, where all weighted ones are NaN).
   std::size_t withoutValue = 0;
-  /// Components of valued places that some neighbours, whose values are NaN, were left out of.
+  /// Components of valued places without some neighbours, whose values are NaN.
   std::size_t leftOut = 0;
 };
 
-/// Which points make up the value at each place, for who interpolates himself.
+/// The points and weights of the value at each place, for callers that interpolate themselves.
 struct SampleWeights
 {
   Buffer<std::uint64_t> offsets; ///< place k has the entries offsets[k] .. offsets[k + 1] - 1
@@ -109,29 +111,37 @@ struct SampleWeights
 
 /// Values at any places of a triangulation, from those at its points.
 ///
-/// Contract. Which triangle, edge or vertex a place lies on is decided exactly: on a vertex the
-/// value is that of the vertex (of several points there, that of the one that stands for it), on an
-/// edge it depends on its two ends alone and is the same from either side. Values are those of
-/// `out` = sum of weights * values, never beyond the values at the vertices but for rounding.
-/// Outside of the kept triangles there is no value: the mask is 0, values are NaN.
+/// - Exact place: the triangle, edge or vertex of a place is decided exactly. A vertex has its own
+///   value (of several points, that of the representing one), an edge that of its two ends, the
+///   same from either side.
+/// - Values are sums of weights * values, never beyond the values at the vertices but for rounding.
+/// - Outside of the kept triangles there is no value: the mask is 0, values are NaN.
+/// - A function of points, constraints, `kept` and place alone: independent of threads, of other
+///   places, and of raster or points.
 ///
-/// *Linear*: weights are right to some 1e-12, whatever the triangle's shape. A NaN at a corner is
-/// one in all of the triangle, and on the edges and vertices that have it.
-/// *NaturalNeighbor*, *Laplace*: Sibson's and Laplace's coordinates. Both are linear where the
-/// values are. The cavity ends at constraint edges and at dropped triangles as at the hull; on such
-/// edges the value is linear between the ends, which is the limit from either side. Neighbours with
-/// a NaN are left out and the other weights grow in proportion; so close to such a neighbour that
-/// no other has a weight there is no value. Weights are right to some 1e-12 for all finite
-/// coordinates, before any are left out. Where that takes more bits than a double has a place takes
-/// longer: mostly some microseconds, milliseconds where exponents are hundreds of powers of two
-/// apart.
+/// *Linear*: weights are right to some 1e-12, whatever the triangle's shape. A NaN at a corner
+/// makes all of the triangle NaN, and its edges and vertices at that corner.
+///
+/// *NaturalNeighbor*, *Laplace*: Sibson's and Laplace's coordinates, both linear where the values
+/// are. The cavity ends at constraint edges and dropped triangles as at the hull; on such edges the
+/// value is linear between the ends, the limit from either side. Neighbours with a NaN are left out
+/// and the other weights grow in proportion; so close to such a neighbour that no other has a
+/// weight there is no value. Weights are right to some 1e-12 for all finite coordinates, before any
+/// are left out. A place that needs more bits than a double takes longer: mostly some microseconds,
+/// milliseconds if exponents are hundreds of powers of two apart.
+///
 /// *Nearest*: of all vertices, whatever the triangles; everywhere.
 ///
-/// All vertices collinear: Linear, NaturalNeighbor and Laplace are linear between neighbours on
-/// their line, and have no value elsewhere; one vertex: at its place alone.
+/// Collinear vertices: Linear, NaturalNeighbor and Laplace are linear between neighbours on the
+/// line, without a value elsewhere; one vertex has a value at its place alone.
 ///
-/// Results are a function of points, constraints, `kept` and place alone: not of the threads, of
-/// the other places or of whether these are a raster.
+/// Example:
+///
+///     ahd::Sampler sampler;
+///     ahd::SampleReport report;
+///     ahd::SampleArray heights{ z, 1, out };
+///     ahd::Status s = sampler.prepare(made, nullptr, ahd::SampleMethod::Linear, context);
+///     if (s == ahd::Status::Ok) s = sampler.values(places, &heights, 1, mask, report, context);
 class Sampler
 {
 public:
@@ -140,19 +150,23 @@ public:
   Sampler(Sampler&&) noexcept;
   Sampler& operator=(Sampler&&) noexcept;
 
-  /// Begins with a surface, which is to outlive this, and of which nothing is to be made or written
-  /// from now on (it may use the memory of the vertices' places). Makes the tables that are needed.
-  /// `kept`: one byte per triangle, as in a Selection (borrowed); null: see isKept(). Returns Ok,
-  /// Cancelled or OutOfMemory; unless Ok, there is no surface.
+  /// Begins with a surface and makes the tables needed.
+  ///
+  /// @pre `surface` outlives this, and nothing else makes tables of it or writes it from now on
+  ///   (its memory for the vertices' places may be reused)
+  /// @param kept one byte per triangle, as in a Selection (borrowed); null: see isKept()
+  /// @return Ok, Cancelled or OutOfMemory; unless Ok, there is no surface
   Status prepare(
     Triangulation& surface, const unsigned char* kept, SampleMethod method, const Context& context);
 
-  // By several threads at once, each with its own results. Return Ok, Cancelled or OutOfMemory;
-  // unless Ok, what was to be written is not to be used. Without a surface all places are outside.
+  // For several threads at once, each with its own results. Return Ok, Cancelled or OutOfMemory;
+  // unless Ok, the outputs are undefined. Without a surface all places are outside.
 
-  /// Interpolates `count` arrays. `mask`: null, or a byte for each place, 1 where it has a value.
-  /// Time: the logarithm of their number for each place, to put them in order, and some steps of a
-  /// walk; for Linear on a raster, a few steps for each triangle and a part of one for each place.
+  /// Interpolates `count` arrays. Time: the logarithm of their number for each place, to sort them,
+  /// and some steps of a walk; for Linear on a raster, a few steps per triangle and a part of one
+  /// per place.
+  ///
+  /// @param mask null, or a byte for each place, 1 where it has a value
   Status values(const SamplePlaces& places, const SampleArray* arrays, std::size_t count,
     unsigned char* mask, SampleReport& report, const Context& context) const;
 
@@ -165,14 +179,14 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Upper estimate of the bytes that a Sampler takes besides the tables of the triangulation
-/// (tableMemoryEstimate) and what it is given to write to: prepare() for so many points and
-/// values() for so many places, `components` of all arrays together, at least one of each.
+/// Upper bound of the bytes that a Sampler takes beside the tables of the triangulation
+/// (tableMemoryEstimate) and the outputs: prepare() for this many points and values() for these
+/// places, `components` of all arrays together, at least one of each.
 ///
-/// Not counted: for each thread 1024 bytes; and with NaturalNeighbor and Laplace 64 KiB more where
-/// a place asks for more bits than two doubles have, and at most 450 bytes for each neighbour of a
-/// place, the most that a place has on each thread. Mostly that is nothing: a place has some six
-/// neighbours, and many only amidst points on a circle.
+/// Not counted: 1024 bytes per thread; and with NaturalNeighbor and Laplace 64 KiB more where a
+/// place needs more bits than two doubles have, and at most 450 bytes for each neighbour of a
+/// place, for the largest number of neighbours on each thread. Mostly that is negligible: a place
+/// has some six neighbours, and many only amidst points on a circle.
 std::size_t sampleMemoryEstimate(
   std::size_t pointCount, const SamplePlaces& places, std::size_t components);
 

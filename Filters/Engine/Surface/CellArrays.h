@@ -7,16 +7,16 @@
 namespace ahd
 {
 
-// What is known of each cell that is put out: first Selection::vertices, then Selection::lines,
-// then the selected triangles in canonical order; numbered in this order from 0. A triangle's edge
-// 0 runs from its first corner to its second, edge 1 from there to its third, edge 2 back. All make
-// the tables they need, and return Ok, Cancelled or OutOfMemory. Id: a signed integer of 32 or 64
-// bits.
+// Arrays of the written cells: first Selection::vertices, then Selection::lines, then the selected
+// triangles in canonical order; numbered in this order from 0. A triangle's edge 0 runs from its
+// first corner to its second, edge 1 from there to its third, edge 2 back. All functions make the
+// missing tables, and return Ok, Cancelled or OutOfMemory. Id: a signed integer of 32 or 64 bits.
 
-/// Cells that are put out.
+/// The number of cells.
 std::size_t cellCount(const Triangulation& triangulation, const Selection& selection);
 
-/// The selected triangles: three point ids each. REQUIRES: Selection::kept is not empty.
+/// The selected triangles: three point ids each.
+/// @pre Selection::kept is not empty
 template <typename Id>
 Status writeSelected(
   Triangulation& triangulation, const Selection& selection, Id* triples, const Context& context);
@@ -27,8 +27,8 @@ template <typename Id>
 Status writeNeighbors(
   Triangulation& triangulation, const Selection& selection, Id* neighbors, const Context& context);
 
-/// Where to write triangles and neighbours: three point ids for each selected triangle, and what
-/// writeNeighbors() writes.
+/// Memory for triangles and neighbours: three point ids for each selected triangle, and the output
+/// of writeNeighbors().
 template <typename Id>
 struct CellsWithNeighbors
 {
@@ -36,7 +36,7 @@ struct CellsWithNeighbors
   Id* neighbors;
 };
 
-/// Both in one pass, for less than one after the other.
+/// Both in one pass, faster than one after the other.
 template <typename Id>
 Status writeWithNeighbors(Triangulation& triangulation, const Selection& selection,
   const CellsWithNeighbors<Id>& to, const Context& context);
@@ -45,9 +45,9 @@ Status writeWithNeighbors(Triangulation& triangulation, const Selection& selecti
 Status writeConstraintEdges(Triangulation& triangulation, const Selection& selection,
   std::uint8_t* edges, const Context& context);
 
-/// One number per cell: its region. Regions are what constraint edges, those of lines included,
-/// separate among the triangles that loops keep; numbered from 0 in the order in which they appear
-/// among the cells; -1 for vertices and lines.
+/// One number per cell: its region. Constraint edges, those of lines included, separate regions
+/// among the triangles that loops keep; numbered from 0 in order of appearance among the cells; -1
+/// for vertices and lines.
 template <typename Id>
 Status writeRegions(
   Triangulation& triangulation, const Selection& selection, Id* regions, const Context& context);

@@ -14,18 +14,21 @@ namespace ahd
 
 class Triangulation;
 
-/// Where the vertex of several points at one place is shown at their mean.
+/// The mean of several points at one place, where the vertex is shown.
 struct Mean
 {
   Index id;         ///< the point that stands for the vertex
   Vector3 position; ///< the mean of all at its place that have a finite z
 };
 
-/// The means of all places with several points of which one at least has a finite z, by increasing
-/// id. Of the points with a number below `count` only. `inSpace`: what is averaged, the same points
-/// in space; z: that of the triangulated points. Each coordinate is the double
-/// nearest to the exact mean: what all have in common is kept to the last bit, and the order of the
-/// points has no say. Makes the tables it needs. Returns Ok, Cancelled or OutOfMemory.
+/// The means of all places with several points of which at least one has a finite z, by increasing
+/// id. Each coordinate is the double nearest to the exact mean: common values are kept to the last
+/// bit, and the order of the points does not matter. Makes the missing tables.
+///
+/// @param count only points with a smaller number
+/// @param inSpace the coordinates to average: the same points in space; z is that of the
+///   triangulated points
+/// @return Ok, Cancelled or OutOfMemory
 Status findMeans(Triangulation& triangulation, std::size_t count, const PointView& inSpace,
   const Context& context, std::vector<Mean>& means);
 

@@ -15,7 +15,7 @@ class Triangulation;
 /// Corners of a box.
 constexpr std::size_t kBoxCorners = 4;
 
-/// Where to write the insertion order as it is drawn. Id: a signed integer of 32 or 64 bits.
+/// Memory for the drawing of the insertion order. Id: a signed integer of 32 or 64 bits.
 template <typename Id>
 struct OrderDrawing
 {
@@ -26,7 +26,7 @@ struct OrderDrawing
   Id* counts;  ///< per cell: the points that the curve passes; the distinct points in each box
 };
 
-/// What there is to draw.
+/// The size of a drawing.
 struct DrawnOrder
 {
   std::size_t points() const { return passed + kBoxCorners * boxes; }
@@ -39,8 +39,11 @@ struct DrawnOrder
 DrawnOrder drawnOrder(const Triangulation& triangulation, bool withCurve);
 
 /// Writes the drawing. Corners are counterclockwise from the lower left; their z is the lowest
-/// finite one of all points that have a place, 0 if there is none, so that it stays while the limit
-/// changes. Returns Ok or Cancelled. REQUIRES: with a curve Options::keepOrder.
+/// finite one of all points with a place, 0 if there is none, so that it stays while the limit
+/// changes.
+///
+/// @pre with a curve Options::keepOrder
+/// @return Ok or Cancelled
 template <typename Id>
 Status drawOrder(Triangulation& triangulation, bool withCurve, const OrderDrawing<Id>& drawing,
   const Context& context);

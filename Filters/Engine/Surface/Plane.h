@@ -14,28 +14,29 @@ namespace ahd
 
 struct PlaneFit;
 
-/// The plane that fits points best, and where a point lies in it.
+/// The plane that fits points best, and the places of points in it.
 ///
-/// Best: least sum of squared distances from the plane (total least squares), so that no direction
-/// is preferred and planes may be vertical. Duplicates count as often as they are there. A function
-/// of the points alone: neither their order nor the number of threads changes a bit; that is why no
-/// library's fit is used here.
+/// - Least sum of squared distances from the plane (total least squares): no direction is
+///   preferred, and planes may be vertical. Duplicates count as often as they occur.
+/// - A function of the points alone: neither their order nor the number of threads changes a bit.
+///   (Fits of libraries do not have this property.)
 ///
-/// The normal points to the side on which its component of largest magnitude is positive (within a
-/// millionth of each other: z before y before x). If that is the component k of (x, y, z), the
-/// first axis in the plane is the axis k + 1 (x after z) laid into the plane, the second makes them
-/// right handed: for a normal of z, the axes are x and y. Coincident points have a normal of z;
-/// points on a line (up to the precision of their numbers) the one closest to z, and y for a line
-/// along z.
+/// The normal points to the side where its component of largest magnitude is positive (within a
+/// millionth of each other: z before y before x). If that is component k of (x, y, z), the first
+/// axis is axis k + 1 (x after z) projected into the plane, the second makes them right handed: for
+/// a normal of z, the axes are x and y. Coincident points have a normal of z; points on a line (up
+/// to the precision of their numbers) the one closest to z, and y for a line along z.
 ///
-/// The plane's origin is a point close by from which the distances of all points are exact, with as
-/// few digits as do; it is the coordinates' own origin where that is near, and with
+/// The origin is a nearby point from which the distances of all points are exact, with as few
+/// digits as possible; it is the coordinates' own origin if that is near, and with
 /// isOfCoordinates().
 class Plane
 {
 public:
-  /// Fits. Points that are left out or have a coordinate that is not finite do not count; without
-  /// any others the plane is z = 0. Returns Ok, Cancelled or OutOfMemory.
+  /// Fits. Points left out or with a coordinate that is not finite do not count; without others the
+  /// plane is z = 0.
+  ///
+  /// @return Ok, Cancelled or OutOfMemory
   Status fit(const PointView& points, const Context& context);
   /// Becomes one that was fitted in steps.
   void take(const PlaneFit& fit);
@@ -45,11 +46,11 @@ public:
   const Vector3& secondAxis() const { return axes_[1]; }
   const Vector3& normal() const { return axes_[2]; }
 
-  /// Have all points that it was fitted to one z, or one x or y and are on no line? Then the two
-  /// other coordinates are the place of every point in the plane, not rounded: x, y; y, z; or z, x.
+  /// Do all fitted points have one z, or one x or y without being collinear? Then the two other
+  /// coordinates are the place of every point in the plane, not rounded: x, y; y, z; or z, x.
   bool isOfCoordinates() const { return isOfCoordinates_; }
 
-  /// Where the point lies along the two axes, and its height above the plane. All three are NaN or
+  /// The point's place along the two axes, and its height above the plane. All three are NaN or
   /// infinite if one of its coordinates is.
   Vector3 project(const Vector3& p) const
   {

@@ -16,26 +16,27 @@ namespace ahd
 /// Plane.h).
 struct PlaneFit
 {
-  /// About one long; z if all points coincide or there is none. Of points on a line (up to the
+  /// Of length about 1; z if all points coincide or there are none. For points on a line (up to the
   /// precision of their numbers) the one closest to z, or to y where the line's largest component
   /// is z.
   Vector3 normal = { { 0, 0, 1 } };
 
-  /// A point close by from which the distance of every point is exact, along each coordinate.
+  /// A nearby point from which the distance of every point is exact, along each coordinate.
   Vector3 origin = { { 0, 0, 0 } };
 
   /// Of the plane above the origin, along the normal.
   double height = 0.0;
 
-  /// A power of two; what has been multiplied with it can be added up.
+  /// A power of two; coordinates multiplied by it can be added up.
   double shrink = 1.0;
 
-  /// Is the plane that of a coordinate which all points have in common? Then the normal is its axis
-  /// and the origin 0.
+  /// Is the plane that of a coordinate common to all points? Then the normal is its axis and the
+  /// origin 0.
   bool isOfCoordinates = true;
 };
 
-/// Returns false if the work is to be cancelled; throws std::bad_alloc. `fit` is to be new.
+/// Returns false if cancelled; throws std::bad_alloc.
+/// @pre `fit` is new
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
 
 /// fitPlane() in steps, for points of which others have parts: the plane of all, bit for bit as if

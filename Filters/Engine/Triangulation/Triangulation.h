@@ -31,7 +31,7 @@ inline HalfEdge previousInTriangle(HalfEdge h)
 
 class Ticker;
 
-/// Where a place lies in a triangulation.
+/// The position of a place in a triangulation.
 struct Location
 {
   enum Kind
@@ -46,21 +46,20 @@ struct Location
   HalfEdge halfEdge = kNoHalfEdge;
 };
 
-/// A (constrained) Delaunay triangulation, as ahd::triangulate() and ahd::constrain() make it
-/// (Triangulate.h). It never changes; it can be asked, and written out.
+/// A (constrained) Delaunay triangulation, made by ahd::triangulate() and ahd::constrain()
+/// (Triangulate.h), for queries and output.
 ///
-/// Vertices are numbered by their canonical rank, along a Hilbert curve; triangles are in canonical
-/// order, each from its lowest vertex. So all numbers are functions of the point set alone, and
-/// neighbours are close in memory. Triangles that loops or trim() drop stay, flagged; what is
-/// written out, and report().triangles, are the kept ones.
-///
-/// What costs memory or time is made by make...() when it is first wanted: these and write...() may
-/// be called by one thread at a time, return Ok, Cancelled or OutOfMemory, and may be called again
-/// after any outcome. const functions only read, on any number of threads at once; they name the
-/// table they need.
-///
-/// Borrows the points it was made of: they are to outlive it, unchanged. It can be moved, not
-/// copied. One made by default is that of no points.
+/// - Immutable and canonical: vertices are numbered by rank along a Hilbert curve, triangles are in
+///   canonical order, each from its lowest vertex. All numbers are functions of the point set
+///   alone, and neighbours are close in memory.
+/// - Triangles dropped by loops or trim() stay, flagged; outputs and report().triangles have the
+///   kept ones.
+/// - Tables cost memory and are made by make...() on demand. These and write...() may be called by
+///   one thread at a time, return Ok, Cancelled or OutOfMemory, and may be called again after any
+///   outcome. const functions only read, on any number of threads at once, and name the table they
+///   need.
+/// - Borrows its points: they must outlive it, unchanged. Movable, not copyable. A default one has
+///   no points.
 class Triangulation
 {
 public:
@@ -72,13 +71,13 @@ public:
   // --- Known without a table ---
 
   const Report& report() const;
-  /// What became of the constraints; empty without constrain().
+  /// The outcome of the constraints; empty without constrain().
   const ConstraintReport& constraints() const;
   /// The points, as they were given.
   const PointView& points() const;
   /// Distinct finite points, those beyond the limit included: vertices are numbered 0 to this - 1.
   std::size_t vertexCount() const;
-  /// The id of the point that stands for the vertex (see Options::representative).
+  /// The id of the point that represents the vertex (see Options::representative).
   Index pointOf(Index vertex) const;
   /// The undivided boxes of the grid in the order in which they are visited, empty ones included.
   /// Empty without Options::keepBoxes, with InsertionOrder::AsGiven and without points.
@@ -90,23 +89,26 @@ public:
   /// bits; 32 always fit (kMaximumPoints).
   template <typename Id>
   Status writeTriangles(Id* triples, const Context& context);
-  /// What became of each point (Result.h): points().count numbers.
+  /// The status of each point (Result.h): points().count numbers.
   template <typename Id>
   Status writePointStatus(Id* status, const Context& context);
-  /// Point ids in the order of insertion: report().inserted of them. The order is that of one
-  /// thread. REQUIRES: Options::keepOrder.
+  /// Point ids in the order of insertion by one thread: report().inserted numbers.
+  ///
+  /// @pre Options::keepOrder
   template <typename Id>
   Status writeOrder(Id* ids, const Context& context);
-  /// Each point's place in the insertion order, from 0, those beyond the limit included; kRankNone
-  /// for those that are in none. points().count numbers. REQUIRES: Options::keepOrder.
+  /// Each point's position in the insertion order, from 0, points beyond the limit included;
+  /// kRankNone for points outside the order. points().count numbers.
+  ///
+  /// @pre Options::keepOrder
   template <typename Id>
   Status writeInsertionRanks(Id* ranks, const Context& context);
 
   // --- Tables ---
 
-  /// The place of each triangle in the canonical order: 8 bytes a point. Nothing needs to be asked
-  /// for it: who will want neighbours, regions or constraint edges and calls it before
-  /// writeTriangles() has the triangles put in order once, not twice.
+  /// The place of each triangle in the canonical order: 8 bytes a point. Optional; called before
+  /// writeTriangles() by callers that will need neighbours, regions or constraint edges, it sorts
+  /// the triangles once, not twice.
   Status makeNumbers(const Context& context);
   /// Corners, constraint edges, which triangles are kept: 24 bytes a point, 10 more with
   /// constraints; 16 more where the vertices' places have to be read again.
@@ -139,8 +141,8 @@ public:
   HalfEdge start(Index vertex) const;
   /// The next half-edge from the same vertex counterclockwise; kNoHalfEdge past the hull.
   HalfEdge nextAround(HalfEdge h) const { return twin(previousInTriangle(h)); }
-  /// Where the place lies: exact. `hint`: a triangle to start from; the closer, the sooner.
-  /// Cost: the triangles between the two, about the square root of their number on the way.
+  /// The exact position of a place. `hint`: a triangle to start from, the closer the faster. Cost:
+  /// the triangles between the two, about the square root of their number.
   Location locate(const Point& place, std::size_t hint = 0) const;
   /// The same, with its steps counted; Nowhere if the work is to be cancelled.
   Location locate(const Point& place, std::size_t hint, Ticker& ticker) const;
