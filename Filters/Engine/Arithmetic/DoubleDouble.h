@@ -9,7 +9,7 @@ namespace ahd
 /// technique for extending the available precision, Numerische Mathematik 18 (1971) 224-242.
 ///
 /// Sums and products have a relative error of some 2^-100 (sums: relative to the larger operand)
-/// as long as nothing overflows or underflows: who uses it scales first. For coordinates, never for
+/// as long as nothing overflows or underflows: callers scale first. For coordinates, never for
 /// decisions that the triangulation rests on.
 /// REQUIRES: rounding to nearest, no contraction.
 struct DoubleDouble

@@ -30,7 +30,7 @@ public:
     sum_ = exactSum(high.high, low.high);
   }
 
-  /// Returns false where this sum does not say what is nearest: then ask a LongSum.
+  /// Returns false where this sum does not determine the nearest double: use a LongSum then.
   bool mean(std::size_t count, double& mean) const
   {
     mean = 0.0;
@@ -110,7 +110,7 @@ private:
   static constexpr std::uint64_t kMask = 0xFFFFFFFFu;
   static constexpr std::size_t kDigits = 70; ///< 2098 places, and 28 for the count
 
-  /// Brings all digits to [0, 2^32). Returns what is carried out of the last: -1 of a negative sum.
+  /// Brings all digits to [0, 2^32). Returns the carry out of the last: -1 of a negative sum.
   static std::int64_t carry(std::array<std::int64_t, kDigits>& digits)
   {
     std::int64_t carried = 0;

@@ -54,7 +54,7 @@ struct WideFloat
 /// Sums, products and inverses of WideFloats, cut off behind so many digits: sums and products are
 /// wrong by less than unit() of themselves, inverses by 4 unit(). A result may be an operand.
 ///
-/// Proof. Of n digits the highest is at least 1, what is cut off is less than 1 of the lowest. A
+/// Proof. Of n digits the highest is at least 1, and less than 1 of the lowest is cut off. A
 /// summand that is left out is less than 2^(-64 (n + 1)) of the other. Of an inverse x of a that is
 /// wrong by e, x (2 - a x) is wrong by e^2, and by the rounding of a x, of the difference from 2
 /// and of the product.

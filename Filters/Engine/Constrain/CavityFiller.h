@@ -12,7 +12,7 @@ namespace ahd
 
 /// Makes a segment an edge: the triangles it crosses give way to those of the two polygons on its
 /// sides (M. V. Anglada, "An improved incremental algorithm for constructing restricted Delaunay
-/// triangulations", 1997). What was a constraint stays one.
+/// triangulations", 1997). Constraints stay.
 class CavityFiller
 {
 public:
@@ -24,7 +24,7 @@ public:
   }
 
   /// `crossed` are the edges that the segment crosses, as SegmentWalk gives them. Returns false if
-  /// the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  /// cancelled: the mesh is then unusable. Throws std::bad_alloc.
   bool fill(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
 
   /// The half-edge from -> to that was made. REQUIRES: fill() returned true.

@@ -22,11 +22,11 @@ enum : std::uint8_t
   kInCavity = 64         ///< about to be replaced
 };
 
-/// A triangulation, where its vertices are, and what is known of its triangles beyond that.
+/// A triangulation, its vertices' locations, and flags of its triangles.
 class ConstrainedMesh
 {
 public:
-  /// No marks. Returns false if the caller wants to cancel, as below; throws std::bad_alloc.
+  /// No marks. Returns false if cancelled, as below; throws std::bad_alloc.
   /// REQUIRES: a mesh with a triangle; xy outlives this.
   bool begin(Mesh& mesh, const Point* xy, Ticker& ticker);
   /// Looks at every triangle once, so that a triangle of each vertex is known: what asks for that

@@ -28,8 +28,8 @@ public:
   /// Throws std::bad_alloc.
   Constrainer(ConstrainedMesh& mesh, const Buffer<Index>& rankOf, Ticker& ticker);
 
-  /// `vertices` of the mesh are expected to have edges, at most. Returns false if the caller wants
-  /// to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  /// `vertices` of the mesh are expected to have edges, at most. Returns false if cancelled: the
+  /// mesh is then unusable. Throws std::bad_alloc.
   bool insertAll(const ConstraintView& constraints, std::size_t vertices);
 
   /// The edges of loops; of loops that are whole only.
@@ -63,7 +63,7 @@ private:
   const Index* rankOf_;
   std::size_t points_;
   Ticker& ticker_;
-  GrowingMemory grown_; ///< for lists that nobody knows the length of before
+  GrowingMemory grown_; ///< for lists of unknown length
   SegmentWalk walk_;
   CavityFiller cavity_;
   EdgeRows rows_;

@@ -12,8 +12,8 @@
 namespace ahd
 {
 
-/// Where a segment runs from one vertex to another without any between them, or passes what is
-/// known to be a row of edges.
+/// A part of a segment from one vertex to another without any between them, or along a known row of
+/// edges.
 struct WalkPiece
 {
   Index from, to;
@@ -21,9 +21,8 @@ struct WalkPiece
   std::size_t begin, end; ///< else the edges that are crossed, as places in a list of these
 };
 
-/// Long rows of edges on one line that are there to stay, so that what runs along one of them
-/// passes it in a few steps. Of the edges of a row one in kStride is remembered: what runs along
-/// more than these meets one.
+/// Long permanent rows of edges on one line: a segment along one passes it in a few steps. One edge
+/// in kStride of a row is remembered, so a segment along more than these meets one.
 class EdgeRows
 {
 public:
@@ -47,8 +46,8 @@ public:
     return !rows_.empty() && piece.edge != kNoIndex && mesh_.destination(piece.edge) != piece.to;
   }
 
-  /// These pieces of one segment, in this order, are edges from now on. Returns false if the caller
-  /// wants to cancel. Throws std::bad_alloc.
+  /// These pieces of one segment, in this order, are edges from now on. Returns false if cancelled.
+  /// Throws std::bad_alloc.
   bool remember(const WalkPiece* begin, const WalkPiece* end)
   {
     const bool isLong = static_cast<std::size_t>(end - begin) > kStride;

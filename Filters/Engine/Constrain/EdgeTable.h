@@ -32,12 +32,12 @@ public:
   {
   }
 
-  /// Makes room for so many edges; to be called before add() and find(). Returns false if the
-  /// caller wants to cancel. Throws std::bad_alloc.
+  /// Makes room for so many edges; to be called before add() and find(). Returns false if
+  /// cancelled. Throws std::bad_alloc.
   bool begin(std::size_t expected) { return allocate(roomFor(expected)); }
 
-  /// The number of the edge between two vertices; a new edge gets `value`. Null if the caller wants
-  /// to cancel: then the table is unusable. Throws std::bad_alloc.
+  /// The number of the edge between two vertices; a new edge gets `value`. Null if cancelled: then
+  /// the table is unusable. Throws std::bad_alloc.
   Value* add(Index u, Index v, Value value)
   {
     if (2 * (count_ + 1) > edges_.size() && !grow())

@@ -22,10 +22,10 @@ namespace ahd
 
 struct Share;
 
-/// Makes all segments edges that cross no other. Of these the order does not matter. Of those that
-/// cross one another it does: they are left to be inserted in the order given.
+/// Makes all segments edges that cross no other; their order does not matter. Crossing segments are
+/// left for insertion in the given order.
 ///
-/// Those that cross few edges come along the curve on which vertices are numbered: they are then
+/// Segments that cross few edges come along the curve on which vertices are numbered: they are then
 /// close in memory, and threads can share them. Long ones come afterwards, in rounds: half of them
 /// in the last one, drawn at random, a quarter in the one before, and so on, each along the curve.
 /// In order they might each undo what the one before made; at random, n vertices and k segments
@@ -33,13 +33,13 @@ struct Share;
 /// construction of constrained Delaunay triangulations", 2005; rounds: N. Amenta, S. Choi, G. Rote,
 /// "Incremental constructions con BRIO", 2003).
 ///
-/// Which ones cross is seen at the end. Whatever came first is an edge then, and what crosses that
-/// is not. So the latter are walked once more, and the segments of the edges that they cross taken
-/// out again.
+/// Crossings are detected afterwards: the segment that came first is an edge then, one that crosses
+/// it is not. The latter are walked once more, and the segments of the edges that they cross are
+/// taken out again.
 ///
 /// Each task has a territory, some successive vertices, and inserts the segments of which all
-/// vertices of all crossed triangles lie there. What it changes are triangles with three vertices
-/// of its own, links across edges with two, and marks of triangles with two; it reads triangles
+/// vertices of all crossed triangles lie there. It changes triangles with three vertices of its
+/// own, links across edges with two, and marks of triangles with two; it reads triangles
 /// with one, links across edges with one, and marks of triangles with two: nothing that another
 /// task changes. The other segments come afterwards, on one thread.
 class InCurveOrder
@@ -55,7 +55,7 @@ public:
   {
   }
 
-  /// Returns false if the caller wants to cancel: the mesh is then unusable. Throws std::bad_alloc.
+  /// Returns false if cancelled: the mesh is then unusable. Throws std::bad_alloc.
   /// REQUIRES: the Delaunay triangulation, no constraints; offsets ascend.
   bool insertAll(const ConstraintView& constraints);
 
@@ -76,7 +76,7 @@ public:
     return sizeof(Segment) + 2 + kGrown * (4 * sizeof(Segment) + 2 * sizeof(Made)) +
       8 * 2 * sizeof(Edges::Edge) * 2 / kMostCrossing;
   }
-  /// Of these, what is not asked for (Progress::take()).
+  /// Of these, the part not requested from Progress::take().
   static constexpr std::size_t knownBytesPerSegment() { return sizeof(Segment) + 1 + sizeof(Made); }
   /// And for few of them.
   static constexpr std::size_t bytesAtLeast()
@@ -85,7 +85,7 @@ public:
   }
 
 private:
-  /// What crosses more edges is long.
+  /// A segment that crosses more edges is long.
   static constexpr std::size_t kMostInOrder = 32;
   static constexpr std::size_t kLeastInTerritory = std::size_t(1) << 10; ///< segments
   static constexpr unsigned kRounds = 24;
@@ -94,14 +94,14 @@ private:
   /// up, as too many are left to the end.
   static constexpr std::size_t kMostCrossing = 8, kCrossingAtLeast = 64;
 
-  /// What a segment became, by its place.
+  /// The outcome of a segment, by its place.
   enum : std::uint8_t
   {
     kNothing,
     kEdge,
     kRow ///< of edges, as vertices lie on it
   };
-  /// What is known of an edge.
+  /// The state of an edge.
   enum : std::uint8_t
   {
     kFound,
@@ -131,11 +131,11 @@ private:
     std::size_t edges = 0;         ///< that became constraints
     std::vector<Segment> left;     ///< as they leave it
     std::vector<Segment> late;     ///< as they are long
-    std::vector<Segment> crossing; ///< what was an edge when they came
+    std::vector<Segment> crossing; ///< edges when they came
     std::vector<Made> made;        ///< in this order
   };
 
-  /// What inserts the segments of a territory.
+  /// Tools to insert the segments of a territory.
   struct Work
   {
     Work(ConstrainedMesh& mesh, Ticker& ticker)
@@ -151,7 +151,7 @@ private:
     bool isLate = false; ///< long ones come
   };
 
-  /// What looks for edges in rows of edges.
+  /// Tools to look for edges in rows of edges.
   struct Uses
   {
     Uses(ConstrainedMesh& mesh, Ticker& ticker)
@@ -220,11 +220,11 @@ private:
   const Index* rankOf_;
   std::size_t points_;
   Ticker& ticker_;
-  GrowingMemory grown_; ///< for lists that nobody knows the length of before
+  GrowingMemory grown_; ///< for lists of unknown length
   ConstraintView constraints_;
   Buffer<std::uint8_t> became_;          ///< by place; empty if nothing became an edge
   Buffer<Segment> segments_;             ///< along the curve
-  std::vector<Territory> territories_;   ///< and two more, for what they leave and what is late
+  std::vector<Territory> territories_;   ///< and two more, for segments left over and late ones
   std::vector<Mesh::Halfedge> suspects_; ///< edges that need not be locally Delaunay
   std::atomic<bool> gaveUp_{ false };
   std::size_t edges_ = 0;

@@ -33,7 +33,7 @@ public:
 
   /// Fills the polygon with corners[0], corners[1], ... counterclockwise, in the slots given: two
   /// fewer than corners. The half-edge along the polygon's edge p, from corner p to the next, is
-  /// then inner(p); it has no twin yet. Returns false if the caller wants to cancel. Throws
+  /// then inner(p); it has no twin yet. Returns false if cancelled. Throws
   /// std::bad_alloc.
   ///
   /// REQUIRES: three corners or more. The polygon lies on the left of its base, the edge from the
@@ -44,7 +44,7 @@ public:
   Mesh::Halfedge inner(std::size_t p) const { return inner_[p]; }
 
 private:
-  /// What is on the other side of an edge: a half-edge, or the border of the polygon. No half-edge
+  /// The other side of an edge: a half-edge, or the border of the polygon. No half-edge
   /// ends in seven.
   using Side = std::uint32_t;
   static constexpr Side border(std::size_t p) { return static_cast<Side>(p * 8 + 7); }

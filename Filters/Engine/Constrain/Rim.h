@@ -17,8 +17,8 @@ struct TrimmedRim
   double area = 0.0;            ///< of these triangles, as a part of the convex hull's; rounded
 };
 
-/// Marks flat triangles at the rim as dropped: see trim() in Triangulate.h. Returns false if the
-/// caller wants to cancel. Throws std::bad_alloc. REQUIRES: a mesh with a triangle.
+/// Marks flat triangles at the rim as dropped: see trim() in Triangulate.h. Returns false if
+/// cancelled. Throws std::bad_alloc. REQUIRES: a mesh with a triangle.
 bool trimRim(ConstrainedMesh& mesh, Ticker& ticker, TrimmedRim& out);
 
 } // namespace ahd

@@ -41,7 +41,7 @@ public:
 
   // `origin`: where rounding is finest; finite.
 
-  /// Nothing meets what is no number; infinity is what large numbers round to.
+  /// NaN meets nothing; large numbers round to infinity.
   void clear(std::size_t k)
   {
     xmin_[k] = ymin_[k] = xmax_[k] = ymax_[k] = std::numeric_limits<float>::quiet_NaN();
@@ -96,11 +96,11 @@ public:
   static constexpr std::size_t kInLeaf = LeafBoxes::kMost; ///< pieces in a box of level 0
   static constexpr std::size_t kInNode = 4;                ///< boxes in a box of the next level
 
-  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if the work is
-  /// to be cancelled. Throws std::bad_alloc.
+  /// Adds `more` to the pieces, sorted, and builds the tree of these. Returns false if cancelled.
+  /// Throws std::bad_alloc.
   bool build(const Pieces& more, Pieces& pieces, Ticker& ticker);
 
-  /// Makes the boxes anew: around what is not dead. Returns false if the work is to be cancelled.
+  /// Makes the boxes anew, around the live pieces. Returns false if cancelled.
   bool fit(const Pieces& pieces, Ticker& ticker);
 
   bool empty() const { return first_ == last_; }
@@ -186,7 +186,7 @@ public:
     Cancelled
   };
 
-  /// What is listed asks for memory, if `taken` is not null.
+  /// Listing requests memory, if `taken` is not null.
   BoxSearch(const Pieces& pieces, const BoxSearchLimits& limits, Ticker& ticker,
     std::vector<Crossing>& crossings, TakenMemory* taken = nullptr)
     : pieces_(pieces)

@@ -24,7 +24,7 @@ namespace ahd
 class Hubs
 {
 public:
-  /// A piece, or what is between two hubs of it.
+  /// A piece, or its part between two hubs.
   struct Part
   {
     Segment segment;
@@ -42,12 +42,12 @@ public:
 
   /// Looks for each piece of the last tree where the first few that cross it do, and makes hubs of
   /// places that several of them have. Takes at most L^2 steps for a piece and L^2 for each piece
-  /// of a hub, L = log2 of their number; so it may miss some. Returns false if the work is to be
-  /// cancelled. Throws std::bad_alloc.
+  /// of a hub, L = log2 of their number; so it may miss some. Returns false if cancelled. Throws
+  /// std::bad_alloc.
   bool look(const Pieces& pieces, const std::vector<BoxTree>& trees);
 
   /// Looks where the crossings lie, which are some of those there are, and makes hubs of places
-  /// with many of them. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+  /// with many of them. Returns false if cancelled. Throws std::bad_alloc.
   bool add(const Pieces& pieces, const std::vector<Crossing>& crossings);
 
   std::size_t count() const { return places_.size(); }

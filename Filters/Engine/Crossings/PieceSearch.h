@@ -35,8 +35,8 @@ public:
 
   /// Adds `more` to the pieces, in an order of its own, and finds what crosses. REQUIRES: the
   /// pieces are those that the calls before left, some of them dead by now, and those that are not
-  /// dead do not cross each other. Stops as soon as more than `most` pairs are to be listed, and
-  /// lists more. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+  /// dead do not cross each other. Stops as soon as there are more than `most` pairs, and
+  /// lists more. Returns false if cancelled. Throws std::bad_alloc.
   ///
   /// Cost: mostly the new pieces and those near them, and m log^2 m for m pieces through a hub.
   /// Where boxes tell too little apart, as among long segments side by side, all pieces are
@@ -53,7 +53,7 @@ private:
   bool findByStrips(const Pieces& pieces, std::size_t most, Hubs& hubs, FoundCrossings& found);
 
   Ticker& ticker_;
-  TakenMemory listed_;         ///< for what is listed
+  TakenMemory listed_;         ///< for the list
   std::vector<BoxTree> trees_; ///< one for each call
 };
 

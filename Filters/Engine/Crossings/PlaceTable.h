@@ -45,8 +45,8 @@ public:
   /// Fetches what find() and add() look at first.
   void prefetch(const Point& p) const { prefetchForWrite(&slots_[firstSlotOf(p)]); }
 
-  /// Adds the place unless it is there, and tells its number. Returns false if the work is to be
-  /// cancelled. Throws std::bad_alloc.
+  /// Adds the place unless it is there, and tells its number. Returns false if cancelled. Throws
+  /// std::bad_alloc.
   bool add(const Point& p, Index& number)
   {
     if (slots_.size() < 2 * (places_.size() + 1) && !reserve(2 * places_.size() + 32))
@@ -64,7 +64,7 @@ public:
     return true;
   }
 
-  /// Makes room for so many places, mostly. Returns false if the work is to be cancelled. Throws
+  /// Makes room for so many places, mostly. Returns false if cancelled. Throws
   /// std::bad_alloc.
   bool reserve(std::size_t count)
   {

@@ -29,7 +29,7 @@ struct RankedSegments
 
 /// Finds all pairs of segments that have one point in common which is an end of neither, each pair
 /// once, in no particular order: a < b, and b is new. Stops once it has found more than `most`.
-/// Returns false if the work is to be cancelled. Throws std::bad_alloc.
+/// Returns false if cancelled. Throws std::bad_alloc.
 ///
 /// After Balaban, "An optimal algorithm for finding segments intersections" (SCG 1995), his
 /// "intermediate" algorithm: strips between two ends are halved again and again. Of the segments

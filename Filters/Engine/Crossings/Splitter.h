@@ -47,7 +47,7 @@ inline Index placeOf(OnSegment item)
   return static_cast<Index>(item);
 }
 
-/// What lies on one piece: a range of what is sorted by pieces.
+/// The range of one piece in a list sorted by pieces.
 struct OnPiece
 {
   Index position; ///< of its segment
@@ -156,7 +156,7 @@ private:
   std::vector<OnSegment> insertions_; ///< this round's: by pieces
   Buffer<OnSegment> sorted_;          ///< these, sorted
   std::vector<OnPiece> onPieces_;     ///< in the order of the segments, then along them
-  std::vector<PlaceAlong> along_;     ///< what is on one of them
+  std::vector<PlaceAlong> along_;     ///< on one of them
   std::vector<Inserted> inserted_;    ///< in all rounds, those of one as in onPieces_
   std::vector<Index> bent_;           ///< positions
 };

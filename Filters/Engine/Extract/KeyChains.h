@@ -64,7 +64,7 @@ public:
     aligned(extra_.data(), extra_.data() + extra_.size(), extraKeys_);
   }
 
-  /// Returns false if the work is to be cancelled.
+  /// Returns false if cancelled.
   bool fill(Ticker& ticker)
   {
     std::fill(chains_.begin(), chains_.end(), Chain());

@@ -136,7 +136,7 @@ private:
 
 /// Sorts distinct keys that differ in their `bits` lowest bits only, in place, in time linear in
 /// their number: by eight bits at a time, the highest first, each key swapped to where it belongs.
-/// Returns false if the caller wants to cancel.
+/// Returns false if cancelled.
 inline bool sortManyKeys(TriangleKeys::Key* keys, std::size_t count, unsigned bits, Ticker& ticker)
 {
   if (count <= SmallBlockSorter::kMostKeys)

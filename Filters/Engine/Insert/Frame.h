@@ -10,7 +10,7 @@
 namespace ahd
 {
 
-/// The points as an insertion sees them, and what is known of all of them.
+/// The points as an insertion sees them, with properties common to all.
 struct Frame
 {
   const RankedPoints& points;
@@ -30,7 +30,7 @@ struct Frame
 ///   orientation determinants keep their signs, and so does the order of locations.
 /// - The ghost gets a location far away, so that the filters answer for it, too (kGhostDistance in
 ///   Filters.h).
-/// What is done is a function of the set of points.
+/// The frame is a function of the set of points.
 class Framing
 {
 public:
@@ -39,10 +39,10 @@ public:
   {
   }
 
-  /// Cost: nothing or, where coordinates have few bits or are to be scaled, one pass over them.
-  /// Returns false if the work is to be cancelled; then the locations are of no use.
+  /// Cost: nothing, or one pass over coordinates that have few bits or need scaling.
+  /// Returns false if cancelled; then the locations are of no use.
   bool begin(Ticker& ticker);
-  /// The points, the ghost included, get back what they had.
+  /// Restores the points, the ghost included.
   bool end(Ticker& ticker);
 
   Frame frame() const { return { points_, guard_, squaredGuard_, exactBelow_, perturbation_ }; }

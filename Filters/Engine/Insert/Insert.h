@@ -12,7 +12,7 @@
 namespace ahd
 {
 
-/// What the insertion did; filled only when counting is asked for.
+/// Counts of the insertion; filled only on request.
 struct InsertionWork
 {
   std::uint64_t trianglesWalked = 0;
@@ -59,19 +59,19 @@ constexpr std::size_t kLeastShared = 30000;
 /// - A part owns the vertices of a range of ranks, a territory, and inserts its points. It removes
 ///   a triangle only if it owns all its finite vertices. Two such triangles of different parts have
 ///   no finite vertex in common, so no edge (each has a finite vertex): neither part removes what
-///   the other removes, nor what is beside it.
+///   the other removes, nor its neighbours.
 /// - A triangle with a vertex of a part's own is removed by that part or by none, and the link
 ///   across an edge with an end of its own is changed by that part or by none. The part reads
 ///   nothing else: a walk that would cross an edge without an end of its own stops. So no number is
 ///   written by one thread while another one reads it, and there is nothing to lock or to mark.
 /// - Every insertion has two slots for the two triangles it adds, known from the point's place in
 ///   the order. It fills these and those of the triangles it removes, no others.
-/// - Where a cavity turns out to have a triangle that may not be removed, what was done for it is
-///   taken back, in the same slots and links.
-/// What a part cannot insert waits for the next pass, in which four parts are one. The last pass
-/// has one part, which owns all. Curve and territories are such that few points wait: those whose
-/// cavities reach across the border of the part's region, about a constant times the root of the
-/// number of its points.
+/// - Where a cavity turns out to have a triangle that must stay, its changes are undone, in the
+///   same slots and links.
+/// Points that a part cannot insert wait for the next pass, in which four parts are one. The last
+/// pass has one part, which owns all. Curve and territories are such that few points wait: those
+/// whose cavities reach across the border of the part's region, about a constant times the root of
+/// the number of its points.
 InsertionEnd insertByRounds(
   RankedPoints& points, Mesh& mesh, Ticker& ticker, InsertionWork* work, SharedWork& shared);
 

@@ -41,13 +41,13 @@ struct Territory
   bool owns(Index vertex) const { return vertex - begin < size; }
 };
 
-/// What became of one insertion.
+/// The outcome of one insertion.
 enum class Insertion
 {
   Done,
   Strayed,  ///< the walk left the territory: nothing was changed; another hint may do
-  Deferred, ///< the cavity reaches out of the territory: what was changed is as it was
-  Cancelled ///< the caller wants to cancel: the mesh is unusable
+  Deferred, ///< the cavity leaves the territory: all changes were undone
+  Cancelled ///< the mesh is unusable
 };
 
 /// Alone: the mesh belongs to this kernel. Shared: others insert at the same time, each in a
@@ -191,7 +191,7 @@ private:
   }
 
   /// From a hint to a slot that is in conflict with p. After `untilJump` steps, if that is not 0,
-  /// it goes on from what is noted near p, once.
+  /// it continues from a note near p, once.
   Mesh::Slot walkFrom(Index p, Mesh::Slot hint, unsigned untilJump)
   {
     return isGhost(hint) ? walkAlongHull(p, hint, untilJump) : walk(p, hint, untilJump);
@@ -303,7 +303,7 @@ private:
   // A walk is long where successive points of the order are far from each other: the curve left a
   // region with points and came into another one. The ranks before that of p lie in the former,
   // those after it in the latter. So triangles at control points are noted by rank, and a walk that
-  // turns out long goes on from what is noted for the ranks after p (jump and walk: Mücke, Saias,
+  // turns out long continues from notes for the ranks after p (jump and walk: Mücke, Saias,
   // Zhu 1996).
 
   /// Where the k-th note stands: in a number of a slot that is not used.
@@ -371,7 +371,7 @@ private:
 
   /// Is p in conflict with the triangle a, b, c? One of them may be the ghost. The slow path.
   AHD_NEVER_INLINE bool conflicts(Index a, Index b, Index c, Index p);
-  /// The same where no closer filter is to be asked.
+  /// The same without the closer filter.
   AHD_NEVER_INLINE bool conflictsExactly(Index a, Index b, Index c, Index p);
   bool conflictsWithGhost(Index from, Index to, Index p);
   AHD_NEVER_INLINE int orientation(Index a, Index b, Index p);
@@ -398,7 +398,7 @@ private:
   Index ghost_;
   Territory territory_;
   Ticker& ticker_;
-  /// Of the star in work: the edges across which what was split was met.
+  /// Of the star in work: the edges across which the split ones were met.
   std::array<Mesh::Halfedge, kShared ? kMostSplits : 1> splits_;
   bool isOutside_ = false; ///< the last hint was a ghost, or a walk ended in one
   bool takesNotes_ = false;

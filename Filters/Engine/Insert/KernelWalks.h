@@ -4,7 +4,7 @@
 
 #include "Kernel.h"
 
-/// What of the kernel finds its way where the next triangle is not the hint: hints and walks on the
+/// The part of the kernel that locates points outside of the hint: hints and walks on the
 /// hull, and jumps. For Kernel.cxx.
 namespace ahd
 {

@@ -35,10 +35,10 @@ public:
   /// least kControlStride points of the round. Throws std::bad_alloc.
   Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
 
-  /// Inserts the round; the last that wait by `alone`. Returns false if the work is to be
-  /// cancelled. `isBetterAlone`: cavities here are so large (points on a parabola, or hundreds of
-  /// orders of magnitude apart), or it takes so many steps to insert points that waited (nearly
-  /// collinear ones), that one thread alone is faster.
+  /// Inserts the round; the last that wait by `alone`. Returns false if cancelled. `isBetterAlone`:
+  /// cavities here are so large (points on a parabola, or hundreds of orders of magnitude apart),
+  /// or it takes so many steps to insert points that waited (nearly collinear ones), that one
+  /// thread alone is faster.
   template <typename KernelAlone>
   bool insert(KernelAlone& alone, SharedWork& work, bool& isBetterAlone)
   {

@@ -20,7 +20,7 @@ struct Located
 /// The finite points that are not left out, without most of those that have no other one near: a
 /// point that `found` lacks differs from every other point by more than `distance` (1 + 2^-50) in x
 /// or in y. A point at the place of another is never lacking. `flags` is scratch, a byte per point.
-/// Returns false if the work is to be cancelled. Throws std::bad_alloc.
+/// Returns false if cancelled. Throws std::bad_alloc.
 ///
 /// Cost: a few steps per point on all threads; 2 bytes per point and thread, for four threads at
 /// most, while it works, and `found`. Where more than half of the points may be near others,

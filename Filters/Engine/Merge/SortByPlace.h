@@ -13,7 +13,7 @@ namespace ahd
 
 /// Sorts points by place, lexicographically, those of one place by id, on all threads: first into
 /// strips of equal width in x, then strip by strip. n log n steps however they are spread. `items`
-/// is used up. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+/// is consumed. Returns false if cancelled. Throws std::bad_alloc.
 bool sortByPlace(std::vector<Located>& items, Buffer<Located>& sorted, Ticker& ticker);
 
 } // namespace ahd

@@ -40,7 +40,7 @@ public:
   }
 
   /// The boxes of one division that are not empty, in the order in which `options` visit them.
-  /// Returns false if the work is to be cancelled. REQUIRES: 2 * levels <= box.bits.
+  /// Returns false if cancelled. REQUIRES: 2 * levels <= box.bits.
   bool divide(
     const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const;
 
@@ -52,7 +52,7 @@ private:
 };
 
 /// Writes the ranks of all points to `to`, box by box as makeSequence says, and advances it.
-/// `levels` is the first division's, 0 for none. Returns false if the work is to be cancelled.
+/// `levels` is the first division's, 0 for none. Returns false if cancelled.
 class BoxWalk
 {
 public:

@@ -35,7 +35,7 @@ public:
 
   /// Takes the records [begin, end), whose keys differ at most in their low `bits` bits. Buckets
   /// come in ascending order of key and, without gaps, of place: begin is the end of the bucket
-  /// before. Returns false if the work is to be cancelled.
+  /// before. Returns false if cancelled.
   bool take(std::size_t begin, std::size_t end, unsigned bits);
 
   /// Behind the last rank given.

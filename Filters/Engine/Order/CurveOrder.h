@@ -12,12 +12,12 @@
 namespace ahd
 {
 
-/// Places in an order in which neighbours follow each other, for who looks for each from where the
-/// one before it was.
+/// Places in an order in which neighbours follow each other, for searches that start each from
+/// where the one before it was.
 class CurveOrder
 {
 public:
-  /// So many are ordered at once by who has many, for the memory it takes.
+  /// Callers with many places order this many at once, to save memory.
   static constexpr std::size_t kBlock = std::size_t(1) << 22;
 
   /// Upper estimate of the bytes taken where so many places are ordered, block by block.

@@ -19,7 +19,7 @@ inline std::uint64_t packed(std::uint32_t number, std::uint32_t value)
 
 /// Sorts items[0, n) by their high 32 bits; equal ones keep their order or are in ascending order
 /// of the low bits. Few items: std::sort. Many: radix sort, least significant digit first, with
-/// scratch of the same size. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+/// scratch of the same size. Returns false if cancelled. Throws std::bad_alloc.
 bool sortPacked(Buffer<std::uint64_t>& items, std::size_t n, Ticker& ticker);
 
 } // namespace ahd

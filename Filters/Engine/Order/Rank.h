@@ -30,11 +30,11 @@ constexpr std::size_t rankScratchBytes(std::size_t n)
   return n * kRankScratchPerPoint + 128;
 }
 
-// Both functions use all threads that are lent to the phase; what they find does not depend on how
-// many those are, nor does the order of the duplicates.
+// Both functions use all threads that are lent to the phase; the result, the order of duplicates
+// included, does not depend on their number.
 
-/// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; a point
-/// that is to be skipped is not looked at. out.count becomes the number of finite points.
+/// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; skipped
+/// points are not read. out.count becomes the number of finite points.
 Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
 
 /// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch is made

@@ -29,7 +29,7 @@ struct RankedPoints
   Buffer<Index> id;          ///< rank -> the caller's id (the smallest among coincident points)
   Buffer<std::uint64_t> key; ///< rank -> Hilbert key, ascending
   /// Where the keys lie, and at its very end the duplicates. The rest is free for other things once
-  /// nobody needs the keys.
+  /// the keys are not needed.
   Scratch scratch;
   Bounds bounds;                ///< of the distinct points
   Buffer<Duplicate> duplicates; ///< in no particular order, but the same for any number of threads

@@ -28,7 +28,7 @@ public:
   static constexpr std::size_t counterBytes(std::size_t n) { return 8 * n + 64; }
 
   /// Fills `records`, with `keys` (one per finite point) and `counters` as scratch. Moves the
-  /// fraction by half a unit per point. Returns false if the work is to be cancelled.
+  /// fraction by half a unit per point. Returns false if cancelled.
   /// REQUIRES: counterBytes() bytes at `counters`, aligned to 64.
   bool run(Record* records, std::uint64_t* keys, void* counters, Ticker& ticker);
 

@@ -42,7 +42,7 @@ struct SeenTriangle
 /// those that no scale brings into a frame, and its guard is less.
 ///
 /// Proof, continued from step 4 there: the error is below ((1 + u)^10 - 1) a b c (a + b + c), and
-/// (a + b + c)^2 <= 3 (a^2 + b^2 + c^2). What is compared are the squares of both; their roundings,
+/// (a + b + c)^2 <= 3 (a^2 + b^2 + c^2). The squares of both are compared; their roundings,
 /// some 20 factors 1 + u, are paid for by 10.01 in place of 10. Of middle size, the product is
 /// between 2^-880 and 2^881, with its factor above 2^-980, and |det| below 2^442: nothing
 /// overflows, and what underflows in det, e times a length or two, is below 2^-850, while a 2^-10th

@@ -58,7 +58,7 @@ AHD_ALWAYS_INLINE Pair sharpCross(const VectorPair& a, const VectorPair& b)
 ///
 /// Proof: that of inCircleBySharpCrosses() for one triangle, but that any size is allowed, and the
 /// guard pays for underflow. A.z may be wrong by 3e more and a cross product by 4e, its three
-/// roundings and that of what they lose; the other factor of their term multiplies that, and each
+/// roundings and their errors' rounding; the other factor of their term multiplies that, and each
 /// term is wrong by e more. As in inCircleIsCertain() that is less than 12e (la + lb + lc + 1), and
 /// the guard is 2^51 as big. Where a term overflows the sum of magnitudes does, or is NaN, and the
 /// comparison fails.

@@ -36,7 +36,7 @@ private:
   // All lengths times scale_, a power of two: then the triangle is about 1 wide. The centre is a +
   // (x_, y_) / divisor_, the radius radius_ / divisor_.
   double scale_, x_, y_, divisor_, radius_;
-  double sizeOfDivisor_, sizeOfOffset_; ///< of what they are sums of
+  double sizeOfDivisor_, sizeOfOffset_; ///< of their summands
 };
 
 /// Have the counterclockwise triangle and the segment from p to q a point in common? p may be q.

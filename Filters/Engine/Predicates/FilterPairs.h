@@ -376,7 +376,7 @@ AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair&
 /// 4. By the Cauchy-Schwarz inequality |C.x B.y| + |C.y B.x| <= c b, and the same with a: again the
 ///    error is below ((1 + u)^10 - 1) (a^2 b c + b^2 c a + c^2 a b) = E a b c (a + b + c).
 /// 5'. (a + b + c)^2 <= 3 (a^2 + b^2 + c^2), so the error is at most F = 3^(1/2) E p^(1/2) with
-///    p = a^2 b^2 c^2 (a^2 + b^2 + c^2). What is compared are squares: the bound has less than 30
+///    p = a^2 b^2 c^2 (a^2 + b^2 + c^2). Squares are compared: the bound has less than 30
 ///    factors 1 + u, and 10.01 u exceeds E by 0.0009 E and more. So |det| > 1.0009 F.
 /// Underflow in det: A.z, B.z, C.z and A x B may be wrong by 3e, each product by e more; what
 ///    multiplies these is at most a length or two: U < 24e (la + lb + lc + 1) in all. In the bound:
@@ -386,8 +386,8 @@ AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair&
 ///    U <= 0.0009 F, |det| > F + U by the former; else F + U < 1200 U < 2^-1020 m is less than the
 ///    root of the latter. det^2 itself is normal, as it is above the guard.
 /// The ghost (kGhostDistance): with c its distance F is less than 10.1 u c^2 a b and the bound, by
-///    its p^(1/2) >= c^2 a b, above 17.3 u c^2 a b, while |R| <= 2^-67 c^2 a b. So what is certain
-///    has the sign of alpha x beta.
+///    its p^(1/2) >= c^2 a b, above 17.3 u c^2 a b, while |R| <= 2^-67 c^2 a b. So the certain
+///    answer has the sign of alpha x beta.
 AHD_ALWAYS_INLINE InCirclePair inCircle(const EdgePair& e, const LiftedPair& c, Pair guard)
 {
   const Pair det = inCircleDeterminant(e, c);
@@ -395,7 +395,7 @@ AHD_ALWAYS_INLINE InCirclePair inCircle(const EdgePair& e, const LiftedPair& c, 
   return { signs(det) ^ 3u, bits(exceeds(det * det, bound)) };
 }
 
-/// What is known of points on a grid (Frame.h): determinants with bounds below this are exact.
+/// Properties of points on a grid (Frame.h): determinants with bounds below this are exact.
 struct Exactly
 {
   double below;

@@ -11,8 +11,8 @@ namespace ahd
 {
 
 // Each finds the weights at one place after the other, from where the last one was. Weights are
-// those of the last call until the next one. weightsAt() returns false if the work is to be
-// cancelled; the natural neighbours' throws std::bad_alloc. REQUIRES: finite places.
+// those of the last call until the next one. weightsAt() returns false if cancelled; the natural
+// neighbours' throws std::bad_alloc. REQUIRES: finite places.
 
 /// The weights of a place on an edge or vertex, by any method that is linear along edges.
 class RimWeights

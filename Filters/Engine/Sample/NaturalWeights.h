@@ -23,7 +23,7 @@ class NaturalWeights
 {
 public:
   /// Puts weights that sum to 1 into `weights`, one for each vertex of the cavity. `scale`: a power
-  /// of two. Returns false if the work is to be cancelled; throws std::bad_alloc.
+  /// of two. Returns false if cancelled; throws std::bad_alloc.
   bool compute(const SampledSurface& surface, const Cavity& cavity, const Point& place,
     double scale, bool isLaplace, Ticker& ticker, std::vector<double>& weights);
 

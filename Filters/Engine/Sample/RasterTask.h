@@ -38,7 +38,7 @@ public:
   RasterTask(const SampledSurface& surface, const RasterGrid& grid, const SampledColumns& columns,
     unsigned char* mask);
 
-  /// Writes the cells that the triangle owns. Returns false if the work is to be cancelled.
+  /// Writes the cells that the triangle owns. Returns false if cancelled.
   bool scan(std::size_t triangle, Ticker& ticker);
 
   /// Of the cells with a value.

@@ -36,7 +36,7 @@ struct Spot
     OnVertex    ///< where halfEdge begins
   };
   Kind kind = Outside;
-  /// Of a kept triangle: the same one for all who ask.
+  /// Of a kept triangle: the same one for all callers.
   HalfEdge halfEdge = kNoHalfEdge;
 };
 
@@ -52,7 +52,7 @@ public:
 
   /// REQUIRES: the place lies on the edge, between its ends.
   Spot ofEdge(HalfEdge h) const;
-  /// Returns false if the work is to be cancelled.
+  /// Returns false if cancelled.
   bool ofVertex(Index vertex, Ticker& ticker, Spot& spot) const;
 
 private:
@@ -68,7 +68,7 @@ public:
   {
   }
 
-  /// Returns false if the work is to be cancelled. REQUIRES: triangles; a finite place.
+  /// Returns false if cancelled. REQUIRES: triangles; a finite place.
   bool find(const Point& place, Ticker& ticker, Spot& spot);
 
 private:

@@ -69,7 +69,7 @@ public:
   {
   }
 
-  /// Returns false if the work is to be cancelled.
+  /// Returns false if cancelled.
   bool put(std::size_t place, const Weights& weights, Ticker& ticker);
   /// There is no value.
   void putNone(std::size_t place, bool isFinite);

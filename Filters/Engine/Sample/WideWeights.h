@@ -20,7 +20,7 @@ class WideWeights
 {
 public:
   /// Puts weights that sum to 1 into `weights`, one for each vertex of the cavity. Returns false if
-  /// the work is to be cancelled; throws std::bad_alloc.
+  /// cancelled; throws std::bad_alloc.
   bool compute(const SampledSurface& surface, const Cavity& cavity, const Point& place,
     bool isLaplace, Ticker& ticker, std::vector<double>& weights);
 

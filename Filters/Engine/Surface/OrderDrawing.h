@@ -32,7 +32,7 @@ struct DrawnOrder
   std::size_t points() const { return passed + kBoxCorners * boxes; }
   std::size_t cells() const { return curves + boxes; }
 
-  std::size_t passed; ///< points: if there is to be a curve, report().inserted
+  std::size_t passed; ///< points: with a curve, report().inserted
   std::size_t curves; ///< 1, or 0 where it would pass fewer than two
   std::size_t boxes;
 };

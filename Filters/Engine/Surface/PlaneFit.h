@@ -40,7 +40,7 @@ struct PlaneFit
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
 
 /// fitPlane() in steps, for points of which others have parts: the plane of all, bit for bit as if
-/// one had them. All who have a part go on alike:
+/// one had them. All holders of parts proceed alike:
 ///
 ///     while not isDone(): look(), tell() each other, hear() what all have told
 class PlaneFitting
@@ -52,7 +52,7 @@ public:
   ~PlaneFitting();
 
   bool isDone() const;
-  /// Looks at the own part. Returns false if the work is to be cancelled; throws std::bad_alloc.
+  /// Reads the own part. Returns false if cancelled; throws std::bad_alloc.
   bool look(Ticker& ticker);
   /// Some thousand bytes at most. Throws std::bad_alloc.
   void tell(std::vector<unsigned char>& bytes) const;

@@ -38,7 +38,7 @@ inline double clampedPowerOfTwo(int e)
   return std::ldexp(1.0, std::max(-1022, std::min(e, 1023)));
 }
 
-/// What it is doing, and what it has found.
+/// The state of the fit.
 class PlaneFitting::Work
 {
 public:

@@ -124,7 +124,7 @@ AHD_ALWAYS_INLINE SumTerms alongAxis(const Vector3& axis, const PlaneBlock& bloc
   return along;
 }
 
-// What is found of a block. Each is a pass over points, see runPass().
+// Results for a block. Each is a pass over points, see runPass().
 
 /// Sums, for the mean.
 struct PlaneSums

@@ -24,7 +24,7 @@ public:
   {
   }
 
-  /// Nowhere if the work is to be cancelled: the ticker has the steps.
+  /// Nowhere if cancelled: the ticker has the steps.
   /// REQUIRES: corners and neighbours; a finite place; from < triangles.
   Location locate(
     const Point& place, std::size_t from, std::size_t mostSteps, Ticker& ticker) const;

@@ -89,7 +89,7 @@ struct TwoTriangleArrays
 
 /// Calls visit(triangle, its slot, OrderedTriangle) for all triangles that have numbers, in the
 /// order of the slots, in which neighbours are near to each other, on all threads lent. It writes
-/// to `array`, one or two. Returns false if the work is to be cancelled.
+/// to `array`, one or two. Returns false if cancelled.
 template <typename Arrays, typename Visit>
 bool inMeshOrder(const Mesh& mesh, const Buffer<std::uint32_t>& numbers, const Arrays& array,
   Ticker& ticker, const Visit& visit)

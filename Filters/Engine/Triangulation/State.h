@@ -21,7 +21,7 @@ struct Triangulation::State
   PointView points;
   RankedPoints ranked;
   Mesh mesh;              ///< in the memory of ranked.scratch
-  Buffer<Index> sequence; ///< of ranks; empty if nobody needs it
+  Buffer<Index> sequence; ///< of ranks; empty if not needed
   std::vector<GridBox> boxes;
   Report report;
   std::size_t allTriangles = 0; ///< dropped ones included
@@ -32,7 +32,7 @@ struct Triangulation::State
   ConstraintReport constraints;
 
   /// The place of the triangle in each slot in the canonical order of all, dropped ones included;
-  /// kNotExtracted for ghosts. What it holds is there if hasNumbers.
+  /// kNotExtracted for ghosts. Valid if hasNumbers.
   Buffer<std::uint32_t> numbers;
   bool hasNumbers = false;
   Tables tables;
@@ -51,7 +51,7 @@ struct Triangulation::State
     return points.count < kLeastForThreads ? nullptr : lent;
   }
 
-  /// What is known of the triangle in a slot beyond its corners: see ConstrainedMesh.
+  /// Flags of the triangle in a slot: see ConstrainedMesh.
   std::uint8_t marksOf(std::size_t slot) const
   {
     return hasMarks ? constrained.marks(Mesh::slotOfTriangle(slot)) : std::uint8_t(0);
@@ -60,7 +60,7 @@ struct Triangulation::State
   /// Reads the places of the vertices again where they are gone. Returns false if cancelled, as all
   /// below; throws std::bad_alloc.
   bool restorePlaces(Ticker& ticker);
-  /// Who has read them all tells it here; returns true.
+  /// Records that all were read; returns true.
   bool havePlaces();
 
   enum class PlacesAre

@@ -144,7 +144,7 @@ public:
   /// The exact position of a place. `hint`: a triangle to start from, the closer the faster. Cost:
   /// the triangles between the two, about the square root of their number.
   Location locate(const Point& place, std::size_t hint = 0) const;
-  /// The same, with its steps counted; Nowhere if the work is to be cancelled.
+  /// The same, with its steps counted; Nowhere if cancelled.
   Location locate(const Point& place, std::size_t hint, Ticker& ticker) const;
 
   // --- Asked: needs makePointMap() ---

@@ -27,7 +27,7 @@ public:
   bool build(Ticker& ticker) override;
   void follow(Index site, const Gap& gap, bool isOpen, std::vector<CornerId>& cell) override;
 
-  /// What is left of the bisector of p and q, without ends of its own.
+  /// The part inside of the bisector of p and q, without ends of its own.
   ClippedEdge chord(const Point& p, const Point& q);
 
 protected:

@@ -26,8 +26,8 @@ inline Stretch stretch(unsigned number)
   return static_cast<Stretch>(number);
 }
 
-/// What is left of an edge of the diagram inside the border: nothing, or from one corner to
-/// another. The edge between the cells of p and q is followed as who goes counterclockwise around
+/// The part of an edge of the diagram inside the border: nothing, or from one corner to
+/// another. The edge between the cells of p and q is followed counterclockwise around
 /// p.
 struct ClippedEdge
 {
@@ -63,7 +63,7 @@ inline void addTo(std::vector<CornerId>& cell, CornerId corner)
 /// The convex border where cells are cut off. Each edge of the diagram is cut once, for both of its
 /// cells, so these share the corners on the border too.
 ///
-/// What is inside, which edges cross where and what cells pass is decided for the exact diagram, by
+/// Inside, crossings of edges and corners of cells are decided for the exact diagram, by
 /// exact signs. Only then is each corner rounded, and do centres that are one by their rounding
 /// (Diagram::standIn) become one corner: cells keep their shape, whatever rounding does.
 class CellBorder
@@ -165,8 +165,8 @@ protected:
     return !diagram_.hasJoined() || inChunks(0, inside_.size(), ticker, settle);
   }
 
-  /// What is left of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of the
-  /// two half-edges.
+  /// The part inside of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of
+  /// the two half-edges.
   virtual ClippedEdge cut(HalfEdge h) = 0;
 
   CornerId centre(std::size_t triangle) const
@@ -175,7 +175,7 @@ protected:
   }
 
   Diagram& diagram_;
-  std::deque<Point> points_; ///< which never takes twice what it needs, as a vector that grows
+  std::deque<Point> points_; ///< never takes twice its size, unlike a growing vector
 
 private:
   Buffer<std::uint8_t> inside_; ///< of each triangle

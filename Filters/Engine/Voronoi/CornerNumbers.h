@@ -26,7 +26,7 @@ public:
   {
   }
 
-  /// Finds the first cell of each centre. REQUIRES: the border knows what is inside. Returns false
+  /// Finds the first cell of each centre. REQUIRES: the border has found the inside. Returns false
   /// if cancelled, as all below; throws std::bad_alloc.
   bool begin(const Buffer<Index>& cellOf, Ticker& ticker);
 
