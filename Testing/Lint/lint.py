@@ -6,7 +6,8 @@
     lint.py sizes                             files, functions and comments of public headers are short
     lint.py python                            lines of Python are short, pyflakes is content
     lint.py shell                             shellcheck is content
-    lint.py made                              what is made of the tables of settings is up to date
+    lint.py made                              files made from the tables of settings are up to date
+    lint.py docs                              links in Markdown lead somewhere, pages are short
     lint.py tidy --build FOLDER [--only REGEX] [--jobs N]
                                               clang-tidy is content; FOLDER has compile_commands.json
 
@@ -48,6 +49,11 @@ LONG = {
 }
 # A line of Python has at most so many characters.
 PYTHON_COLUMNS = 120
+
+# Pages of Markdown have at most so many words, each, or all that a pattern finds together.
+PAGE_WORDS = {"README.md": 800, "Filters/Engine/*/README.md": 1500}
+MAPS = ("README.md", "CONTRIBUTING.md", "Filters/README.md", "Filters/Engine/README.md", "Testing/README.md")
+MAPS_WORDS = 6000
 
 # What pyflakes says of `from x import *`, which ParaView's scripts begin with.
 STARRED = re.compile(r"import \* ?' used|may be undefined, or defined from star imports|\.\*' imported but unused")
@@ -234,6 +240,50 @@ def check_made(root):
     return output.splitlines() if code else []
 
 
+# --- Markdown --------------------------------------------------------------------------------------
+
+
+def pages(root):
+    """{path: text} of the pages, without templates."""
+    found = [*root.glob("*.md"), *files(root, ".md")]
+    return {path: path.read_text(encoding="utf-8") for path in found if not path.name.endswith(".in.md")}
+
+
+def anchors(text):
+    """The anchors of a page's headings, as GitHub makes them."""
+    headings = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```", "", text, flags=re.M | re.S), re.M)
+    titles = [re.sub(r"\]\([^)]*\)", "", title) for title in headings]
+    return {re.sub(r"[^\w\- ]", "", title.lower()).strip().replace(" ", "-") for title in titles}
+
+
+def dead_links(path, text):
+    """Relative links of a page without a file, or a heading, at the other end. Code has none."""
+    prose = re.sub(r"^```.*?^```|^ {4}.*?$|`[^`\n]*`", "", text, flags=re.M | re.S)
+    for link in re.findall(r"\]\(([^)\s]+)\)", prose):
+        target, _, anchor = link.partition("#")
+        end = path.parent / target if target else path
+        if re.match(r"\w+:", link) or end.suffix == ".html":
+            continue
+        if not end.exists() or (anchor and anchor not in anchors(end.read_text(encoding="utf-8"))):
+            yield link
+
+
+def check_docs(root):
+    """Dead links, and pages that are too long."""
+    texts = pages(root)
+    complaints = [f"{path.relative_to(root)}: {link} leads nowhere"
+                  for path, text in texts.items() for link in dead_links(path, text)]
+    words = {str(path.relative_to(root)): len(text.split()) for path, text in texts.items()}
+    for name, count in words.items():
+        for pattern, most in PAGE_WORDS.items():
+            if pathlib.PurePath("/" + name).match("/" + pattern) and count > most:
+                complaints.append(f"{name}: {count} words, more than {most}")
+    together = sum(words.get(name, 0) for name in MAPS)
+    if together > MAPS_WORDS:
+        complaints.append(f"{', '.join(MAPS)}: {together} words, more than {MAPS_WORDS}")
+    return complaints
+
+
 # --- clang-tidy -----------------------------------------------------------------------------------
 
 
@@ -270,7 +320,7 @@ def check_tidy(root, build, only, jobs):
 def main():
     """Runs the check that the command line names."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("check", choices=("format", "sizes", "python", "shell", "made", "tidy"))
+    parser.add_argument("check", choices=("format", "sizes", "python", "shell", "made", "docs", "tidy"))
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the project (default: this one)")
     parser.add_argument("--clang-format", default="clang-format")
     parser.add_argument("--build", type=pathlib.Path, help="a folder with compile_commands.json")
@@ -282,7 +332,8 @@ def main():
     elif options.check == "tidy":
         complaints = check_tidy(options.root, options.build, options.only, options.jobs)
     else:
-        checks = {"sizes": check_sizes, "python": check_python, "shell": check_shell, "made": check_made}
+        checks = {"sizes": check_sizes, "python": check_python, "shell": check_shell, "made": check_made,
+                  "docs": check_docs}
         complaints = checks[options.check](options.root)
     for complaint in complaints:
         print(complaint)

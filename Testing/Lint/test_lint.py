@@ -134,6 +134,24 @@ class ComplaintsTest(unittest.TestCase):
             self.assertTrue(said and all(line.startswith("Plugin/bad.py:1:") for line in said), said)
             self.assertIn(complaint, said[0])
 
+    def test_docs(self):
+        self.write("Filters/a.md", "# A page\n\n## `More`, of [it](a.md)\n")
+        page = "[a](Filters/a.md#a-page) [b](Filters/a.md#more-of-it) [c](#top) [d](https://e.f) `[g](h)`\n"
+        page += "\n    [i](j)\n"
+        self.write("README.md", "# Top\n" + page)
+        self.assertEqual(lint.check_docs(self.root), [])
+        for link in ("b.md", "Filters/a.md#less", "#bottom"):
+            self.write("README.md", f"# Top\n[x]({link})\n")
+            self.assertEqual(lint.check_docs(self.root), [f"README.md: {link} leads nowhere"])
+        self.write("README.md", "word " * 801)
+        self.write("Filters/Engine/Merge/README.md", "word " * 1501)
+        self.write("Filters/README.md", "word " * 1501)
+        self.write("CONTRIBUTING.md", "word " * 3699)
+        self.assertEqual(sorted(lint.check_docs(self.root)), [
+            "Filters/Engine/Merge/README.md: 1501 words, more than 1500",
+            ", ".join(lint.MAPS) + ": 6001 words, more than 6000",
+            "README.md: 801 words, more than 800"])
+
     def copy_settings(self):
         """What the tables' generator reads."""
         settings = pathlib.Path("Filters/Settings")

