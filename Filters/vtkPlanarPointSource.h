@@ -3,13 +3,24 @@
  * @class   vtkPlanarPointSource
  * @brief   make the point sets that triangulations are compared on
  *
- * Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of
- * Su et al., Computers & Graphics 54 (2016) 65-74, figure 10, and a lattice. Their formulas:
+ * Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of Su
+ * et al., Computers & Graphics 54 (2016) 65-74, figure 10, and a lattice. Formulas:
  * Plugin/Documentation/Reference.md.
  *
- * The points are a function of Distribution, NumberOfPoints and Seed, to the last bit, wherever
- * doubles are those of IEEE 754. 28 bytes per point (16 in single precision); too little memory is
- * one error and an empty output. On several ranks, the first has all points.
+ * <b>Features.</b> The points are a function of Distribution, NumberOfPoints and Seed, to the last
+ * bit, wherever doubles are those of IEEE 754.
+ *
+ * <b>Caveats.</b> 28 bytes per point (16 in single precision); too little memory is one error and
+ * an empty output. On several ranks, the first has all points.
+ *
+ * <b>Example.</b>
+ *
+ * @code
+ * vtkNew<vtkPlanarPointSource> points;
+ * points->SetDistributionToSpiral();
+ * points->SetNumberOfPoints(100000);
+ * delaunay->SetInputConnection(points->GetOutputPort());
+ * @endcode
  *
  * @sa
  * vtkAdaptiveHilbertDelaunay2D vtkPointSource
