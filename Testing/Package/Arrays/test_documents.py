@@ -66,6 +66,16 @@ class DocumentTest(unittest.TestCase):
                     self.assertTrue(parameter == "self" or parameter in hints, "%s: %s" % (name, parameter))
         self.assertGreater(seen, 30)
 
+    def test_the_first_lines_of_the_project(self):
+        """Run as they stand in its README, on the first screen."""
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+            begin, code = file.read().split("```python\n")[:2]
+        self.assertLess(begin.count("\n"), 20)
+        names = {}
+        exec(code.split("```")[0], names)
+        self.assertEqual(names["triangles"].shape[1], 3)
+        self.assertGreater(len(names["triangles"]), len(names["points"]))
+
     def test_the_readme_names_every_array(self):
         with open(README, encoding="utf-8") as file:
             text = file.read()
