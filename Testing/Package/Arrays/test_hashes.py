@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The results are those of the engine, byte for byte: rows of Data/Hashes/Engine.txt, as Testing/README.md describes
-them."""
+"""The results are those of the engine, byte for byte: rows of Data/Hashes/Engine.txt, as Testing/Engine/README.md
+describes them."""
 
 import unittest
 import warnings
