@@ -21,7 +21,9 @@ installs what is missing (Debian 12, 13 or testing, as root or with sudo) and bu
 takes minutes, the runs after it seconds.
 
 file       default: Data/survey.csv, soundings of an invented sea
-  .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces; with or without column names
+  .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces. Column names that say x, y and z are
+                        understood (Easting, lat, Elevation_NAVD88, Tiefe ...), columns that count (ID, FID, Nr)
+                        passed over; without names the first columns are taken; names that say too little are refused
   .vtk .vtp .vtu .ply   whatever has points
   .las .laz             lidar; for the first .laz, laspy and lazrs are fetched from PyPI into build/
 

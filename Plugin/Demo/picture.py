@@ -14,7 +14,7 @@ from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from pointfiles import DEGREE_NAMES, InputError, plain
+from pointfiles import InputError, are_degrees
 
 METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
 RELIEF = 0.11  # the drawn relief, as a share of the horizontal diagonal
@@ -90,10 +90,6 @@ def choose_exaggeration(relief, diagonal):
     if relief == 0 or diagonal == 0 or 0.5 * RELIEF < relief / diagonal < 1.5 * RELIEF:
         return 1.0  # as it is: nothing to bend
     return two_digits(RELIEF * diagonal / relief)
-
-
-def are_degrees(names):
-    return all(plain(name) in DEGREE_NAMES for name in names[:2])
 
 
 def two_digits(value):

@@ -6,6 +6,7 @@ counted, and the count and the first of them stand in PointSet.notes. A file tha
 at all raises InputError with a message for the person who gave the file.
 """
 
+import codecs
 import collections
 import csv
 import math
@@ -13,6 +14,7 @@ import os
 import re
 import string
 import struct
+import unicodedata
 
 import numpy
 
@@ -23,14 +25,26 @@ COMMENTS = ("#", "%", "//", "!", ">")  # what a line that is no data begins with
 
 MINUS = dict.fromkeys(map(ord, "\u2212\u2010\u2011\u2013\ufe63\uff0d"), "-")  # as word processors write it
 
-# Column names taken for x, y and z, most telling first. Compared in lower case, without units.
+# Column names taken for x, y and z, most telling first: as spelled() writes them.
 NAMES = {
-    "x": ("x", "lon", "long", "longitude", "easting", "east", "e", "utm_x", "x_coord", "xcoord", "point_x"),
-    "y": ("y", "lat", "latitude", "northing", "north", "n", "utm_y", "y_coord", "ycoord", "point_y"),
+    "x": ("x", "lon", "long", "longitude", "easting", "east", "e", "utm_x", "utm_e", "x_coord", "xcoord", "point_x"),
+    "y": ("y", "lat", "latitude", "northing", "north", "n", "utm_y", "utm_n", "y_coord", "ycoord", "point_y"),
     "z": ("z", "depth", "elevation", "elev", "height", "altitude", "alt", "bathymetry", "topography",
           "h", "z_coord", "zcoord", "point_z"),
 }  # fmt: skip
-DEGREE_NAMES = ("lon", "long", "longitude", "lat", "latitude")
+# Words in other names that say the same: a whole word; what one begins with; what one begins or ends with.
+WORDS = {
+    "x": "x|lon|long|east|este|rechts|(longitude|easting|rechtswert|langengrad|laengengrad|ostwert).*",
+    "y": "y|lat|north|norte|hoch|(latitude|northing|hochwert|breitengrad|nordwert).*",
+    "z": "z|alt|cota|quota|(elev|altitude|altura|bathym|topogr|profond|profund|hauteur|hoogte|diepte).*"
+         "|(height|depth|hohe|hoehe|tiefe).*|.*(height|depth|hohe|hoehe|tiefe)",
+}  # fmt: skip
+# Words of columns that count or tell of another column: never x, y or z by themselves.
+COUNTING = frozenset("""id ids fid oid gid uid objectid pointid rowid nr no num number nummer numero index idx row line
+    count unnamed punktnr punktnummer pktnr""".split())
+TELLING = frozenset("""err error std stddev sigma rms rmse variance uncertainty accuracy quality flag source datum
+    date time unit""".split())
+DEGREES = "lon|long|lat|(longitude|latitude|langengrad|laengengrad|breitengrad).*"
 
 # Bytes of a point record, by LAS point format 0 to 10. Longer ones carry extra bytes.
 LAS_RECORD = (20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67)
@@ -78,8 +92,9 @@ def read_rows(path, columns):
     if not rows:
         raise InputError("%s holds a header and no data" % path)
     width = max(len(layout.split(line)) for _, line in rows[:200])
-    names = header.names if header else [str(i + 1) for i in range(width)]
-    chosen, notes = choose_columns(columns, names, layout, rows, bool(header))
+    names = header.names if header else []
+    names = names + [str(i + 1) for i in range(len(names), width)]
+    chosen, notes = choose_columns(columns, names, layout, rows, header)
     values, bad = parse(rows, layout, chosen)
     if not len(values):
         raise InputError(
@@ -101,7 +116,12 @@ def read_text(path):
     zero = data.find(b"\0")
     if zero >= 0:
         raise InputError("%s is not a text file: byte %s is zero" % (path, thousands(zero + 1)))
-    return data.decode("utf-8-sig", errors="replace")
+    return data.decode("utf-8-sig", errors="as cp1252")
+
+
+# What is not UTF-8 is taken for the one other way in which text tables are written.
+codecs.register_error(
+    "as cp1252", lambda error: (error.object[error.start : error.end].decode("cp1252", "replace"), error.end))
 
 
 def significant_lines(text):
@@ -244,30 +264,78 @@ def without_brackets(text):
         begin = closing.end()
 
 
-def choose_columns(wanted, names, layout, rows, has_header):
+def spelled(name):
+    """plain(name) without accents: "Höhe [m]" is hohe."""
+    parts = unicodedata.normalize("NFKD", plain(name).casefold())
+    return "".join(part for part in parts if not unicodedata.combining(part))
+
+
+def words_of(name):
+    """The words in a column's name, as spelled() writes them: of PunktNr_2 punkt and nr."""
+    name = re.sub(r"(?<=[a-zäöü])(?=[A-ZÄÖÜ])", " ", without_brackets(name))
+    return re.findall(r"[a-z]+", spelled(name))
+
+
+def counts(name):
+    """Does a column of this name count its rows (ID, FID, Nr)? One without a name among others does."""
+    return not name.strip(' "\'') or not COUNTING.isdisjoint(words_of(name))
+
+
+def says(pattern, name):
+    """Does one of the words in a column's name say this?"""
+    words = words_of(name)
+    return TELLING.isdisjoint(words) and any(re.fullmatch(pattern, word) for word in words)
+
+
+def are_degrees(names):
+    """Do the names of x and y say longitude and latitude?"""
+    return all(says(DEGREES, name) for name in names[:2])
+
+
+def choose_columns(wanted, names, layout, rows, header):
     """Index of the x, y and z columns (z may be None), and notes on what was guessed."""
-    chosen = [None, None, None]
-    notes = []
-    for axis, want in enumerate(wanted):
-        if want is not None and not (axis == 2 and want.lower() == "none"):
-            chosen[axis] = named_column(want, names, "xyz"[axis], has_header)
     no_z = wanted[2] is not None and wanted[2].lower() == "none"
-    for axis in range(2 if no_z else 3):
-        if chosen[axis] is None and has_header:
-            chosen[axis] = guess_by_name("xyz"[axis], names, chosen)
-    for axis in range(2 if no_z else 3):
-        if chosen[axis] is None:
-            chosen[axis] = first_free_number(chosen, layout, rows)
-            if chosen[axis] is not None and has_header:
-                notes.append("no column is called %s: took %s" % (
-                    " or ".join(NAMES["xyz"[axis]][:3]), names[chosen[axis]]))
+    chosen = [None, None, None]
+    for axis, want in enumerate(wanted):
+        if want is not None and not (axis == 2 and no_z):
+            chosen[axis] = named_column(want, names, "xyz"[axis], bool(header))
+    axes = range(2 if no_z else 3)
+    numbers = columns_of_numbers(layout, rows)
+    guess = list(chosen)
+    told = header and guess_by_names(axes, names, numbers, guess)
+    # a comment that does not name x and y is prose
+    told = told and (header.in_data or guess[0] is not None and guess[1] is not None)
+    chosen = guess if told else chosen
+    free = [column for column in numbers if column not in chosen and not (header and counts(names[column]))]
+    missing = [axis for axis in axes if chosen[axis] is None]
+    if len(numbers) < 2 and any(axis < 2 for axis in missing):
+        raise InputError("fewer than two columns of numbers: x and y are needed")
+    # a row that has numbers, too, need not be a header
+    if told or header and header.in_data and not any(map(layout.is_number, header.names)):
+        if len(missing) > 1 or len(missing) == 1 and len(free) != 1 and (free or missing != [2]):
+            refuse_to_guess(missing, names, numbers)
+    notes = []
+    for axis, column in zip(missing, free):
+        chosen[axis] = column
+        if header:
+            notes.append("no column is called %s: took %s" % (" or ".join(NAMES["xyz"[axis]][:3]), names[column]))
     if chosen[0] is None or chosen[1] is None:
         raise InputError("fewer than two columns of numbers: x and y are needed")
     if chosen[2] is None and not no_z:
         notes.append("no third column of numbers: z is 0 everywhere")
-    if not has_header and len(names) > 3 and not any(wanted):
+    if not header and len(names) > 3 and not any(wanted):
         notes.append("%d columns without names; choose others with --columns X,Y,Z" % len(names))
     return chosen, notes
+
+
+def refuse_to_guess(missing, names, numbers, found=()):
+    """Raises InputError: these axes have no column, or one of several that are found."""
+    which = " and ".join("xyz"[axis] for axis in missing)
+    why = "several could be: " + ", ".join(found) if found else "no name says it"
+    listed = ", ".join("%d %s" % pair for pair in enumerate(names, 1))
+    example = ",".join(str(column + 1) for column in [c for c in numbers if not counts(names[c])][:3])
+    raise InputError("which column is %s? (%s) This file has %s; choose with --columns X,Y,Z, by name or number, "
+                     "such as --columns %s" % (which, why, listed, example or "1,2,3"))
 
 
 def named_column(want, names, axis, has_header):
@@ -281,22 +349,28 @@ def named_column(want, names, axis, has_header):
     raise InputError('no column "%s" for %s; this file has %s' % (want, axis, known))
 
 
-def guess_by_name(axis, names, taken):
-    bare = [plain(name) for name in names]
-    for candidate in NAMES[axis]:
-        if candidate in bare and bare.index(candidate) not in taken:
-            return bare.index(candidate)
-    return None
+def guess_by_names(axes, names, numbers, chosen):
+    """Sets what the names tell: whole names first, then words in those of columns of numbers. True if one told."""
+    bare = ["" if counts(name) else spelled(name) for name in names]
+    open_axes = [axis for axis in axes if chosen[axis] is None]
+    for axis in open_axes:
+        chosen[axis] = next((bare.index(candidate) for candidate in NAMES["xyz"[axis]]
+                             if candidate in bare and bare.index(candidate) not in chosen), None)
+    for axis in open_axes:
+        found = [column for column in numbers if column not in chosen and bare[column]
+                 and says(WORDS["xyz"[axis]], names[column])]
+        if chosen[axis] is None and len(found) > 1:
+            refuse_to_guess([axis], names, numbers, [names[column] for column in found])
+        if chosen[axis] is None and found:
+            chosen[axis] = found[0]
+    return any(chosen[axis] is not None for axis in open_axes)
 
 
-def first_free_number(taken, layout, rows):
-    """The first column not taken that holds a number in most of the first rows."""
+def columns_of_numbers(layout, rows):
+    """The columns that hold a number in most of the first rows."""
     sample = [layout.split(line) for _, line in rows[:20]]
-    for column in range(max(len(fields) for fields in sample)):
-        numbers = sum(column < len(fields) and layout.is_number(fields[column]) for fields in sample)
-        if column not in taken and 2 * numbers >= len(sample):
-            return column
-    return None
+    return [column for column in range(max(map(len, sample))) if 2 * sum(
+        column < len(fields) and layout.is_number(fields[column]) for fields in sample) >= len(sample)]
 
 
 def parse(rows, layout, chosen):

@@ -165,6 +165,63 @@ class Columns(FileTest):
         self.assert_points(found, [[1, 2, 3]])
         self.assertIn("no column is called z or depth or elevation: took flux", found.notes)
 
+    def check_names(self, names, expected):
+        """Rows under these names give the columns with these indexes as x, y and z."""
+        rows = [[10.0 * row + column for column in range(len(names.split(",")))] for row in range(1, 4)]
+        text = "\n".join(",".join(map(repr, row)) for row in rows)
+        found = self.read(names + "\n" + text + "\n")
+        self.assert_points(found, [[row[column] for column in expected] for row in rows])
+        return found
+
+    def test_words_within_names(self):
+        for names, expected in (
+                ("ID,Easting,Northing,Elevation_NAVD88", (1, 2, 3)), ("Tiefe,Rechtswert,Hochwert", (1, 2, 0)),
+                ("PunktNr,Höhe ü. NN,Hochwert (GK3),Rechtswert (GK3)", (3, 2, 1)),
+                ("FID,Nr,OBJECTID,Water depth,POINT_X,POINT_Y", (4, 5, 3)),
+                ("row,lat_wgs84,Lon_wgs84,altGPS", (2, 1, 3)),
+                ("Wassertiefe,Breitengrad,Längengrad", (2, 1, 0)), ("X (ETRS89),Y (ETRS89),HOEHE_DHHN", (0, 1, 2)),
+                ("elevation_err,UTM_N,UTM_E,Elevation_NGVD", (2, 1, 3)), ("least,x,y,Surface_Elevation", (1, 2, 3)),
+                ("latest,north_m,east_m,depth_std,z_min", (2, 1, 4)), (",x,y,z", (1, 2, 3)),
+                ("Unnamed: 0,x,y,z", (1, 2, 3)),
+                ("depth_sensor,x,y,height", (1, 2, 3))):
+            with self.subTest(names=names):
+                self.check_names(names, expected)
+        found = self.read("Rechts;H\xf6he;Hoch\n1;2;3\n4;5;6\n".encode("cp1252"))
+        self.assert_points(found, [[1, 3, 2], [4, 6, 5]])
+        self.assertEqual(found.names, ("Rechts", "Hoch", "H\u00f6he"))
+
+    def test_one_column_left_is_the_missing_one_and_counting_is_none(self):
+        self.assert_points(self.read("x,y,ID\n1,2,3\n4,5,6\n"), [[1, 2, 0], [4, 5, 0]])
+        self.check_names("OID,flux,x,y", (2, 3, 1))
+        self.check_names("x,z,across", (0, 2, 1))
+
+    def test_names_that_tell_too_little_are_refused(self):
+        end = "choose with --columns X,Y,Z, by name or number, such as --columns "
+        for names, words, example in (
+                ("ID,foo,bar,baz", "which column is x and y and z? (no name says it)", "2,3,4"),
+                ("x,y,temperature,salinity", "which column is z? (no name says it)", "1,2,3"),
+                ("x,y,Elevation_NAVD88,Elevation_NGVD29",
+                 "which column is z? (several could be: Elevation_NAVD88, Elevation_NGVD29)", "1,2,3"),
+                ("foo,bar,depth,ID", "which column is x and y? (no name says it)", "1,2,3")):
+            with self.subTest(names=names):
+                text = names + "\n" + "\n".join(["1,2,3,4", "5,6,7,8"])
+                listed = ", ".join("%d %s" % pair for pair in enumerate(names.split(","), 1))
+                self.assert_refused(words, text)
+                self.assert_refused(" This file has %s" % listed, text)
+                self.assert_refused(end + example, text)
+        chosen = self.read("ID,foo,bar,baz\n1,2,3,4\n5,6,7,8\n", "foo", "bar", "4")
+        self.assert_points(chosen, [[2, 3, 4], [6, 7, 8]])
+
+    def test_a_comment_or_a_row_with_numbers_that_names_nothing_is_no_header(self):
+        for comment in ("made by hand", "depth in metres"):
+            self.assert_points(self.read("# %s\n1 2 3\n4 5 6\n" % comment), [[1, 2, 3], [4, 5, 6]])
+        self.assert_points(self.read("Bay 2020\n1 2 3\n4 5 6\n"), [[1, 2, 3], [4, 5, 6]])
+
+    def test_longitude_and_latitude_in_words(self):
+        for names, degrees in ((("Longitude_WGS84", "lat (deg)"), True), (("Längengrad", "Breitengrad"), True),
+                               (("long", "latitude"), True), (("Easting", "lat"), False), (("x", "y"), False)):
+            self.assertEqual(pointfiles.are_degrees(names + ("z",)), degrees)
+
     def test_unknown_names_and_numbers(self):
         self.assert_refused('no column "height" for z; this file has x, y, z', "x,y,z\n1,2,3\n", None, None, "height")
         self.assert_refused('no column "4" for x; this file has numbers 1 to 3', "1,2,3\n", "4")
