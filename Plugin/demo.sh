@@ -32,7 +32,8 @@ options
   --columns X,Y,Z              the same in one go, for example --columns lon,lat,depth or 2,3,5
   --exaggeration FACTOR        how much steeper than it is to draw the relief (default: chosen, and told)
   --edges                      draw the triangles' edges
-  --raster CELL                write the heights on a raster, too, with cells of this size in the unit of x and y:
+  --raster CELL                write the heights on a raster, too, with cells of this size in the unit of x and y
+                               (degrees, where these are longitude and latitude):
                                <name>.vti, and a GeoTIFF <name>.tif where Python has GDAL (python3-gdal) or rasterio;
                                outside the surface NaN, the borders of cells multiples of CELL
   --method METHOD              how heights come about: linear (default), natural, laplace or nearest

@@ -245,7 +245,7 @@ def read(chosen):
 def run(chosen):
     print("Reading %s" % chosen.file, flush=True)
     source, points = read(chosen)
-    for note in points.notes:
+    for note in points.notes + (raster.check_unit(points, chosen.raster) if chosen.raster else []):
         print("  " + note)
     print("Triangulating", flush=True)
     proxy, surface, measures = triangulate(source, chosen.plugin)

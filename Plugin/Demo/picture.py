@@ -14,9 +14,8 @@ from paraview.vtk.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import VTK_ID_TYPE, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
-from pointfiles import InputError, are_degrees
+from pointfiles import METRES_PER_DEGREE, InputError, are_degrees
 
-METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
 RELIEF = 0.11  # the drawn relief, as a share of the horizontal diagonal
 SIZE = (1920, 1080)
 VIEW_ANGLE = 18.0  # degrees, of the camera
@@ -56,7 +55,7 @@ def choose_scale(xyz, names, exaggeration=None):
         low, high = 0.0, 0.0
     west, south = xyz[:, :2].min(axis=0)
     east, north = xyz[:, :2].max(axis=0)
-    geographic = are_degrees(names) and abs(south) <= 90 and abs(north) <= 90
+    geographic = are_degrees(names, south, north)
     shrink = math.cos(math.radians((south + north) / 2)) if geographic else 1.0
     unit = METRES_PER_DEGREE if geographic else 1.0
     diagonal = unit * math.hypot((east - west) * shrink, north - south)

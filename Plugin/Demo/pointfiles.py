@@ -44,6 +44,7 @@ COUNTING = frozenset("""id ids fid oid gid uid objectid pointid rowid nr no num 
     count unnamed punktnr punktnummer pktnr""".split())
 TELLING = frozenset("""err error std stddev sigma rms rmse variance uncertainty accuracy quality flag source datum
     date time unit""".split())
+METRES_PER_DEGREE = 111195.0  # of latitude, on a sphere of 6371 km
 DEGREES = "lon|long|lat|(longitude|latitude|langengrad|laengengrad|breitengrad).*"
 
 # Bytes of a point record, by LAS point format 0 to 10. Longer ones carry extra bytes.
@@ -287,9 +288,9 @@ def says(pattern, name):
     return TELLING.isdisjoint(words) and any(re.fullmatch(pattern, word) for word in words)
 
 
-def are_degrees(names):
-    """Do the names of x and y say longitude and latitude?"""
-    return all(says(DEGREES, name) for name in names[:2])
+def are_degrees(names, south, north):
+    """Do the names of x and y say longitude and latitude, and can the range of y be one of latitudes?"""
+    return all(says(DEGREES, name) for name in names[:2]) and abs(south) <= 90 and abs(north) <= 90
 
 
 def choose_columns(wanted, names, layout, rows, header):

@@ -7,9 +7,10 @@ import time
 import numpy
 
 import geotiff
-from pointfiles import InputError, thousands
+from pointfiles import METRES_PER_DEGREE, InputError, are_degrees, thousands
 
 ENDINGS = (".vti", ".tif")
+FEW = 10  # cells along the longer side
 METHODS = {"linear": "Linear", "natural": "NaturalNeighbor", "laplace": "Laplace", "nearest": "Nearest"}
 
 
@@ -28,6 +29,24 @@ def check(chosen, parser):
         parser.error("--raster must be greater than 0 and finite")
     if chosen.crs is not None:
         geotiff.check_crs(chosen.crs)
+
+
+def check_unit(points, cell):
+    """What to tell where cells are few. InputError for degrees of half the extent or more: metres were meant."""
+    places = points.xyz[numpy.isfinite(points.xyz[:, :2]).all(axis=1), :2]
+    if not len(places):
+        return []
+    (west, south), (east, north) = places.min(axis=0), places.max(axis=0)
+    width, height = east - west, north - south
+    if not 0 < max(width, height) < FEW * cell:
+        return []
+    degrees = are_degrees(points.names, south, north)
+    size = math.sqrt(width) * math.sqrt(height) / math.sqrt(len(places)) or max(width, height) / FEW
+    said = "--raster %g is in %s, and x and y span %.3g × %.3g; for about a point in a cell: --raster %.1g" % (
+        cell, "degrees, the unit of x and y" if degrees else "the unit of x and y", width, height, size)
+    if degrees and max(width, height) <= 2 * cell:
+        raise InputError("%s (%g m are about %.2g degrees)" % (said, cell, cell / METRES_PER_DEGREE))
+    return ["few cells: " + said]
 
 
 def results(chosen, stem):

@@ -378,6 +378,24 @@ class Rasters(InFolder):
         self.assertGreater(os.path.getsize(self.path("plane.vti")), 1000)
         self.assertTrue(os.path.exists(self.path("plane.png")))
 
+    def test_the_unit_of_the_cells(self):
+        rows = ["%g,%g,%d" % (10 + 0.02 * (i % 10), 50 + 0.01 * (i // 10), i % 7) for i in range(100)]
+        path = self.write_text("degrees.csv", "\n".join(["longitude,lat_wgs84,depth"] + rows))
+        span = r" is in degrees, the unit of x and y, and x and y span 0\.18 × 0\.09; for about a point in a cell: "
+        words = "--raster 5" + span + r"--raster 0\.01 \(5 m are about 4\.5e-05 degrees\)"
+        with self.assertRaisesRegex(InputError, words):
+            self.run_demo(path, "--raster=5")
+        self.assertRegex(self.run_demo(path, "--raster=0.05"), "few cells: --raster 0.05" + span)
+        os.remove(self.path("degrees.vti"))
+        with self.assertRaisesRegex(InputError, "--raster 0.09" + span):
+            self.run_demo(path, "--raster=0.09")
+        self.assertFalse(os.path.exists(self.path("degrees.vti")))
+        self.assertIn("Raster   18 × 9 cells of 0.01", self.run_demo(path, "--raster=0.01"))
+        path = self.write_text("metres.csv", "\n".join(["x,y,z"] + rows))
+        said = self.run_demo(path, "--raster=5")
+        self.assertIn("few cells: --raster 5 is in the unit of x and y, and x and y span 0.18 × 0.09", said)
+        self.assertNotIn("few cells", self.run_demo(path, "--raster=0.01"))
+
     def test_a_raster_that_is_too_large(self):
         with self.assertRaisesRegex(InputError, "no raster of cells of 1e-09"):
             self.run_demo(self.write_text("plane.csv", self.rows), "--raster=1e-9")

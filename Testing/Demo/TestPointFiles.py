@@ -220,7 +220,8 @@ class Columns(FileTest):
     def test_longitude_and_latitude_in_words(self):
         for names, degrees in ((("Longitude_WGS84", "lat (deg)"), True), (("Längengrad", "Breitengrad"), True),
                                (("long", "latitude"), True), (("Easting", "lat"), False), (("x", "y"), False)):
-            self.assertEqual(pointfiles.are_degrees(names + ("z",)), degrees)
+            self.assertEqual(pointfiles.are_degrees(names + ("z",), -90.0, 90.0), degrees)
+            self.assertFalse(pointfiles.are_degrees(names + ("z",), -90.0, 90.5))
 
     def test_unknown_names_and_numbers(self):
         self.assert_refused('no column "height" for z; this file has x, y, z', "x,y,z\n1,2,3\n", None, None, "height")
