@@ -114,6 +114,17 @@ refresh_lists() {
     fail 1 "the package lists could not be fetched. Is the network there?"
 }
 
+# Fails where nothing can be built, before anything is installed.
+# VTK's CMake files hand paths to the shell without quotes; CMakeLists.txt says the same to those who call cmake.
+require_folders() {
+  local path
+  for path in "$root" "$build"; do
+    [[ $path != *[\"\'\`\(\)\{\}\[\]\<\>\&\|\;\$\#\,\*\?\!\\]* ]] ||
+      fail 2 "nothing can be built in $path, as the path has one of  \" ' \` ( ) { } [ ] < > & | ; \$ # , * ? ! \\" \
+        "Spaces are no trouble. Move or rename the folder."
+  done
+}
+
 # cached <build folder> <NAME=VALUE>: does the build folder's cache say so?
 cached() {
   grep -q "^${2%%=*}:[A-Z]*=${2#*=}\$" "$1/CMakeCache.txt" 2>/dev/null

@@ -88,6 +88,7 @@ arguments+=("--output=$output")
 [ "$output" != "$build/demo" ] || arguments+=(--own-output)
 
 require_release
+require_folders
 export PYTHONDONTWRITEBYTECODE=1
 # shellcheck disable=SC2046
 install_packages $(packages_to build "$release") $(packages_to draw "$release")

@@ -94,6 +94,7 @@ run_ctest() {
 }
 
 require_release
+require_folders
 # shellcheck disable=SC2046
 install_packages $(packages_to build "$release") $(packages_to draw "$release") $(packages_to test "$release") \
   ${more[@]+"${more[@]}"}

@@ -50,6 +50,7 @@ while [ $# -gt 0 ]; do
 done
 
 require_release
+require_folders
 export PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
 if [ -n "$plots" ]; then
   install_packages python3-matplotlib python3-pil

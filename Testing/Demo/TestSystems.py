@@ -5,6 +5,7 @@ Systems are played by files like /etc/os-release, which AHD_OS_RELEASE names.
 """
 
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -88,6 +89,29 @@ class Systems(unittest.TestCase):
                     ' require_release; echo "$release"')
                 done = self.run_in(text, "bash", "-c", script.format(ROOT))
                 self.assertEqual((done.returncode, done.stdout.strip(), done.stderr), (0, name, ""))
+
+    def checkout(self, name):
+        """A copy of the commands, in a folder of this name."""
+        root = os.path.join(self.folder, name)
+        for part in (*COMMANDS, ".ci/setup.sh", ".ci/packages.sh"):
+            os.makedirs(os.path.dirname(os.path.join(root, part)), exist_ok=True)
+            shutil.copy(os.path.join(ROOT, part), os.path.join(root, part))
+        return root
+
+    def test_paths_that_the_shell_cannot_take_are_refused_at_once(self):
+        for name in ("a (b)", "a'b", "a&b", "a$b", "a,b"):
+            root = self.checkout(name)
+            for command in COMMANDS:
+                with self.subTest(path=name, command=command):
+                    done = self.run_in(SUPPORTED["13"], os.path.join(root, command))
+                    self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                    self.assertIn("nothing can be built in %s, as the path has one of" % root, done.stderr)
+                    self.assertFalse(os.path.exists(self.touched), "something was run")
+
+    def test_a_space_in_the_path_is_none_of_them(self):
+        done = self.run_in(SUPPORTED["13"], os.path.join(self.checkout("a b-c.d+ä"), "Plugin/demo.sh"))
+        self.assertEqual(done.returncode, 1)
+        self.assertNotIn("nothing can be built", done.stderr)
 
     def test_every_release_has_its_packages(self):
         for release, qt in (("12", "qttools5-dev"), ("13", "qttools5-dev"), ("testing", "qt6-tools-dev")):
