@@ -123,6 +123,9 @@ require_folders() {
       fail 2 "nothing can be built in $path, as the path has one of  \" ' \` ( ) { } [ ] < > & | ; \$ # , * ? ! \\" \
         "Spaces are no trouble. Move or rename the folder."
   done
+  { mkdir -p "$build" && path=$(mktemp "$build/.writable.XXXXXX") && rm "$path"; } 2>/dev/null ||
+    fail 2 "nothing can be written in $build, where this builds (a read-only checkout? a full disk?)." \
+      "Name a folder elsewhere: AHD_BUILD_DIR=/somewhere/else $0"
 }
 
 # cached <build folder> <NAME=VALUE>: does the build folder's cache say so?

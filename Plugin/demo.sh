@@ -42,7 +42,7 @@ options
   --help                       this text
 
 exit code  0 done, 1 something failed (a log is named), 2 the file, an option or this system cannot be used
-environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
+environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree, which must then be writable)
 EOF
 }
 

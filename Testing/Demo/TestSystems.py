@@ -113,6 +113,19 @@ class Systems(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertNotIn("nothing can be built", done.stderr)
 
+    def test_a_build_folder_that_cannot_be_written_is_named_with_the_way_out(self):
+        """As in a read-only checkout; /proc is one for root, too."""
+        for command in COMMANDS:
+            for build in ("/proc/build", "/proc"):
+                with self.subTest(command=command, build=build):
+                    command = os.path.join(ROOT, command)
+                    done = self.run_in(SUPPORTED["13"], "env", "AHD_BUILD_DIR=" + build, command)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
+                    self.assertIn("nothing can be written in %s, where this builds" % build, done.stderr)
+                    self.assertIn("AHD_BUILD_DIR=/somewhere/else %s\n" % command, done.stderr)
+                    self.assertNotIn("line ", done.stderr)
+                    self.assertFalse(os.path.exists(self.touched), "something was run")
+
     def test_every_release_has_its_packages(self):
         for release, qt in (("12", "qttools5-dev"), ("13", "qttools5-dev"), ("testing", "qt6-tools-dev")):
             build = self.packages("build", release)
