@@ -85,7 +85,7 @@ become_root() {
 }
 
 apt() {
-  as_root env DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a \
+  as_root env LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a \
     apt-get -y -q --no-install-recommends -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 "$@"
 }
 
@@ -98,20 +98,26 @@ install_packages() {
   missing=$(missing_packages "$@")
   [ -z "$missing" ] && return
   become_root "$missing"
-  # The lists of a fresh system are empty, those of an old one name files that are gone.
-  if [ -n "$(find /var/lib/apt/lists -maxdepth 1 -name '*_Packages*' -mtime -1 2>/dev/null | head -n 1)" ]; then
-    apt install -s $missing >/dev/null 2>&1 || refresh_lists
-  else
-    refresh_lists
-  fi
+  refresh_lists
   step "Installing $(wc -w <<<"$missing") packages and what they need: $missing" install apt install $missing ||
     fail 1 "the packages could not be installed." \
-      "Is the network there, is there room on the disk (3 GB), is another apt running?"
+      "Is there room on the disk (3 GB), is another apt running?"
 }
 
+# The lists of a fresh system are empty, those of an old one name files that are gone. This is also where it shows that
+# there is no network: the first try has no retries, which take apt minutes for each package then.
 refresh_lists() {
-  step "Fetching the package lists" update apt update ||
-    fail 1 "the package lists could not be fetched. Is the network there?"
+  local status=0
+  step "Fetching the package lists" update apt -o Acquire::Retries=0 -o Acquire::EnableSrvRecords=false \
+    -o Acquire::http::Timeout=10 -o Acquire::https::Timeout=10 update || status=$?
+  if grep -q '^Err:' "$logs/update.log"; then
+    grep -Eq '^(Hit|Get):' "$logs/update.log" ||
+      fail 1 "none of apt's sources answers, so no packages can be installed. Is the network there?" \
+        "What apt says is in $logs/update.log"
+    status=0
+    step "Fetching them once more" update apt update || status=$?
+  fi
+  [ $status -eq 0 ] || fail 1 "the package lists could not be fetched. Is another apt running?"
 }
 
 # Fails where nothing can be built, before anything is installed.

@@ -113,6 +113,38 @@ class Systems(unittest.TestCase):
         self.assertEqual(done.returncode, 1)
         self.assertNotIn("nothing can be built", done.stderr)
 
+    def install(self, *updates):
+        """install_packages with an apt-get whose updates say this in turn: what it was asked, and the end."""
+        log = os.path.join(self.folder, "asked")
+        for number, words in enumerate(updates, 1):
+            with open("%s.%d" % (log, number), "w", encoding="utf-8") as file:
+                file.write(words)
+        stub = '#!/bin/sh\necho "$*" >> "{0}"\ncase "$*" in *update) cat "{0}.$(wc -l < "{0}")" ;; esac\n'
+        with open(os.path.join(self.folder, "bin", "apt-get"), "w", encoding="utf-8") as file:
+            file.write(stub.format(log))
+        script = ('program=test logs={0}/logs; . "{1}/.ci/setup.sh"; id() {{ echo 0; }}; install_packages a b')
+        done = self.run_in(SUPPORTED["13"], "bash", "-c", script.format(self.folder, ROOT))
+        with open(log, encoding="utf-8") as file:
+            return file.read().splitlines(), done
+
+    def test_without_a_network_one_try_and_the_message(self):
+        """apt-get's update ends with 0 there, and its install takes minutes over retries."""
+        asked, done = self.install("Err:1 http://a b InRelease\n  Could not resolve 'a'\nErr:2 http://c d InRelease\n")
+        self.assertEqual((done.returncode, len(asked)), (1, 1), (asked, done.stderr))
+        self.assertRegex(asked[0], "Retries=3 .*Retries=0 .*http::Timeout=10 .*https::Timeout=10 update$")
+        self.assertIn("none of apt's sources answers, so no packages can be installed. Is the net", done.stderr)
+
+    def test_with_a_network_lists_are_fetched_and_packages_installed(self):
+        asked, done = self.install("Hit:1 http://a b InRelease\n")
+        self.assertEqual((done.returncode, len(asked)), (0, 2), (asked, done.stderr))
+        self.assertTrue(asked[1].endswith("install a b"))
+
+    def test_where_one_source_fails_all_are_tried_again_with_retries(self):
+        asked, done = self.install("Get:1 http://a b\nErr:2 http://c d\n", "Get:1 http://a b\n")
+        self.assertEqual((done.returncode, len(asked)), (0, 3), (asked, done.stderr))
+        self.assertNotIn("Retries=0", asked[1])
+        self.assertTrue(asked[2].endswith("install a b"))
+
     def test_a_build_folder_that_cannot_be_written_is_named_with_the_way_out(self):
         """As in a read-only checkout; /proc is one for root, too."""
         for command in COMMANDS:
