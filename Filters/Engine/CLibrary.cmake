@@ -35,9 +35,15 @@ if (SKBUILD)
   install(TARGETS AdaptiveHilbertDelaunayC
     LIBRARY DESTINATION adaptivehilbertdelaunay
     RUNTIME DESTINATION adaptivehilbertdelaunay)
-  install(DIRECTORY "${CMAKE_CURRENT_LIST_DIR}/../Python/" DESTINATION adaptivehilbertdelaunay
-    FILES_MATCHING PATTERN "*.py" PATTERN "py.typed"
-    PATTERN "__pycache__" EXCLUDE PATTERN "_compiled.py" EXCLUDE) # which needs a VTK of its own
+  get_filename_component(ahd_python_sources "${CMAKE_CURRENT_LIST_DIR}/../Python" ABSOLUTE)
+  if (SKBUILD_STATE STREQUAL "editable")
+    configure_file("${ahd_python_sources}/editable.py.in" "editable/__init__.py" @ONLY)
+    install(FILES "${CMAKE_CURRENT_BINARY_DIR}/editable/__init__.py" DESTINATION adaptivehilbertdelaunay)
+  else ()
+    install(DIRECTORY "${ahd_python_sources}/" DESTINATION adaptivehilbertdelaunay
+      FILES_MATCHING PATTERN "*.py" PATTERN "py.typed"
+      PATTERN "__pycache__" EXCLUDE PATTERN "_compiled.py" EXCLUDE) # which needs a VTK of its own
+  endif ()
   set(AHD_PYTHON_DIR ".")
   add_subdirectory("${CMAKE_CURRENT_LIST_DIR}/../../Plugin/Python" PythonPlugin) # one file, for ParaView
   return ()

@@ -5,7 +5,9 @@ import argparse
 import os
 import sys
 
-PLUGIN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "AdaptiveHilbertDelaunayPlugin.py")
+from . import __path__ as _folders
+
+PLUGIN = os.path.join(os.path.abspath(_folders[-1]), "AdaptiveHilbertDelaunayPlugin.py")
 
 
 def main() -> int:

@@ -16,6 +16,8 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 
 import numpy as np
 
+from . import __path__ as _folders
+
 #: The AHD_ABI_VERSION of the header that this file follows.
 ABI_VERSION = 1
 
@@ -235,8 +237,8 @@ def _file_name() -> str:
 
 
 def library_path() -> str:
-    """Where the library is looked for."""
-    return os.environ.get(LIBRARY_VARIABLE) or os.path.join(os.path.dirname(os.path.abspath(__file__)), _file_name())
+    """Where the library is looked for: in the package's last folder (see editable.py.in)."""
+    return os.environ.get(LIBRARY_VARIABLE) or os.path.join(os.path.abspath(_folders[-1]), _file_name())
 
 
 def _load(path: str) -> ctypes.CDLL:

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `pip install .` in a clean venv with the system's compiler, and whether what it installed is right:
+# `pip install .` in a clean venv with the system's compiler, then `pip install -e .`, and whether what they installed
+# is right:
 #   pip_install.sh PYTHON FOLDER [COMPILER_LAUNCHER]
 # FOLDER is made anew. Needs PyPI.
 set -euo pipefail
@@ -12,7 +13,29 @@ launcher=${3-}
 rm -rf "$folder"
 mkdir -p "$folder"
 "$python" -m venv "$folder/venv"
-"$folder/venv/bin/pip" install --no-input --disable-pip-version-check "$root" \
-  "--config-settings=build-dir=$folder/build" "--config-settings=cmake.define.CMAKE_CXX_COMPILER_LAUNCHER=$launcher"
-cd "$folder"
-venv/bin/python "$root/Testing/Package/Wheels/check_wheel.py" "$root/Data"
+
+# install <pip's arguments>...: all is there, the triangles are right.
+install() {
+  "$folder/venv/bin/pip" install --no-input --disable-pip-version-check "$@" \
+    "--config-settings=build-dir=$folder/build" "--config-settings=cmake.define.CMAKE_CXX_COMPILER_LAUNCHER=$launcher"
+  (cd "$folder" && venv/bin/python "$root/Testing/Package/Wheels/check_wheel.py" "$root/Data")
+}
+
+# in_package <expression>: Python's value of it, of the package p
+in_package() {
+  (cd "$folder" && venv/bin/python -c "import adaptivehilbertdelaunay._vtk as v, adaptivehilbertdelaunay as p; print($1)")
+}
+
+install "$root"
+[[ $(in_package p.__file__) == "$folder"/venv/* ]]
+
+# Edits take effect: Python comes from the sources. ParaView's plugin, which is made, is where Python said.
+install -e "$root"
+[ "$(in_package p.__file__)" = "$root/Filters/Python/__init__.py" ]
+[ "$(in_package v.__file__)" = "$root/Filters/Python/_vtk/__init__.py" ]
+(cd "$folder" && test -f "$(venv/bin/python -m adaptivehilbertdelaunay --paraview-plugin)")
+
+# The wheels that `pip wheel .` leaves here are ignored.
+if [ -e "$root/.git" ]; then
+  git -C "$root" check-ignore --quiet adaptivehilbertdelaunay-1.0.0-py3-none-linux_x86_64.whl
+fi
