@@ -99,9 +99,18 @@ install_packages() {
   [ -z "$missing" ] && return
   become_root "$missing"
   refresh_lists
-  step "Installing $(wc -w <<<"$missing") packages and what they need: $missing" install apt install $missing ||
+  local room
+  room=$(room_for $missing)
+  step "Installing $(wc -w <<<"$missing") packages and what they need${room:+ ($room on the disk)}: $missing" \
+    install apt install $missing ||
     fail 1 "the packages could not be installed." \
-      "Is there room on the disk (3 GB), is another apt running?"
+      "Is there room on the disk (${room:-5 GB} and the downloads), is another apt running?"
+}
+
+# What apt says that packages and what they need take when installed, like "3,245 MB"; nothing where it does not say.
+room_for() {
+  LC_ALL=C apt-get install --assume-no --no-install-recommends -o Debug::NoLocking=1 "$@" </dev/null 2>/dev/null |
+    sed -n 's/^After this operation, \(.*\) of additional disk space.*/\1/p; s/^ *Space needed: \([^/]*\) .*/\1/p'
 }
 
 # The lists of a fresh system are empty, those of an old one name files that are gone. This is also where it shows that

@@ -122,7 +122,8 @@ class Systems(unittest.TestCase):
         stub = '#!/bin/sh\necho "$*" >> "{0}"\ncase "$*" in *update) cat "{0}.$(wc -l < "{0}")" ;; esac\n'
         with open(os.path.join(self.folder, "bin", "apt-get"), "w", encoding="utf-8") as file:
             file.write(stub.format(log))
-        script = ('program=test logs={0}/logs; . "{1}/.ci/setup.sh"; id() {{ echo 0; }}; install_packages a b')
+        script = ('program=test logs={0}/logs; . "{1}/.ci/setup.sh"; id() {{ echo 0; }};'
+                  ' room_for() {{ :; }}; install_packages a b')
         done = self.run_in(SUPPORTED["13"], "bash", "-c", script.format(self.folder, ROOT))
         with open(log, encoding="utf-8") as file:
             return file.read().splitlines(), done
@@ -157,6 +158,21 @@ class Systems(unittest.TestCase):
                     self.assertIn("AHD_BUILD_DIR=/somewhere/else %s\n" % command, done.stderr)
                     self.assertNotIn("line ", done.stderr)
                     self.assertFalse(os.path.exists(self.touched), "something was run")
+
+    def test_room_is_told_before_packages_are_installed(self):
+        """As apt says it, in its words of Debian 12 and those that `apt` has since version 3."""
+        apt = os.path.join(self.folder, "bin", "apt-get")
+        script = (
+            'program=test logs="{1}/logs"; . "{0}/.ci/setup.sh"; become_root() {{ :; }}; refresh_lists() {{ :; }};'
+            ' as_root() {{ return 100; }}; install_packages one two').format(ROOT, self.folder)  # fmt: skip
+        for words in ("After this operation, 3,245 MB of additional disk space will be used.",
+                      "  Space needed: 3,245 MB / 10.2 GB available"):  # fmt: skip
+            with open(apt, "w", encoding="utf-8") as file:
+                file.write('#!/bin/sh\n[ "$*" != "${*#*--assume-no}" ] && echo "%s"\nexit 1\n' % words)
+            done = self.run_in(SUPPORTED["12"], "bash", "-c", script)
+            self.assertEqual(done.returncode, 1, done.stderr)
+            self.assertIn("Installing 2 packages and what they need (3,245 MB on the disk): one two", done.stdout)
+            self.assertIn("Is there room on the disk (3,245 MB and the downloads)", done.stderr)
 
     def test_every_release_has_its_packages(self):
         for release, qt in (("12", "qttools5-dev"), ("13", "qttools5-dev"), ("testing", "qt6-tools-dev")):
