@@ -67,8 +67,8 @@ require_release() {
     "development files, Python modules and MPI; without ParaView, VTK 9.1 or newer. On Debian 13 these packages:" \
     "  $(packages_to build 13 | xargs)" \
     "Then, in $root:" \
-    "  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF    (VTK alone: -DAHD_BUILD_PARAVIEW_PLUGIN=OFF)" \
-    "  cmake --build build" \
+    "  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DPython3_EXECUTABLE=/usr/bin/python3" \
+    "  cmake --build build    (VTK alone: -DAHD_BUILD_PARAVIEW_PLUGIN=OFF in the line above)" \
     "and the plugin is build/lib/paraview-VERSION/plugins/AdaptiveHilbertDelaunay/AdaptiveHilbertDelaunay.so" \
     "For the tests: -DBUILD_TESTING=ON, and what Debian 13 calls" \
     "  $(packages_to test 13 | xargs) $(packages_to draw 13)"

@@ -74,6 +74,15 @@ class Systems(unittest.TestCase):
                     self.assertFalse(os.path.exists(self.touched), "something was run")
                     self.assertFalse(os.path.exists(os.path.join(self.folder, "build")))
 
+    def test_by_hand_with_the_systems_python(self):
+        """CMake takes the Python of an active venv, which has no VTK, unless it is told."""
+        for name in (".ci/packages.sh", "CONTRIBUTING.md", "Plugin/Documentation/Installing.md"):
+            with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+                lines = [line for line in file if "cmake -S . " in line]
+            self.assertTrue(lines, name)
+            for line in lines:
+                self.assertIn(" -DPython3_EXECUTABLE=/usr/bin/python3", line, name)
+
     def test_without_a_word_about_the_system(self):
         for text in (None, ""):
             done = self.run_in(text, os.path.join(ROOT, "Plugin/demo.sh"))
