@@ -95,7 +95,7 @@ install_packages $(packages_to build "$release") $(packages_to draw "$release")
 /usr/bin/python3 "$root/Plugin/Demo/demo.py" --check "${arguments[@]}" || exit
 [[ ${file,,} != *.laz ]] || install_laz
 configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_WRAP_PYTHON=ON \
-  Python3_EXECUTABLE=/usr/bin/python3 -- AdaptiveHilbertDelaunay AdaptiveHilbertDelaunayFiltersPython
+  Python3_EXECUTABLE=/usr/bin/python3 -- AHDInstalled
 
 plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)
 [ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"

@@ -9,6 +9,7 @@ The table needs columns x, y and elevation; the coastline is polygonal data: pol
 (Data/Bay has both). The picture shows the soundings by themselves, and with the coastline.
 """
 
+import os
 import sys
 
 from paraview.simple import *
@@ -17,7 +18,7 @@ if len(sys.argv) != 5:
     sys.exit("usage: pvpython coastline.py <AdaptiveHilbertDelaunay.so> <soundings.csv> <coastline.vtp> <picture.png>")
 plugin, table, coastline, picture = sys.argv[1:]
 
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 rows = CSVReader(FileName=[table])
 soundings = TableToPoints(Input=rows, XColumn="x", YColumn="y", ZColumn="elevation", KeepAllDataArrays=1)

@@ -17,7 +17,7 @@ if len(sys.argv) < 2:
 plugin = sys.argv[1]
 folder = sys.argv[2] if len(sys.argv) > 2 else "."
 
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 points = PlanarPointSource(Distribution="Spiral", NumberOfPoints=2000)
 surface = AdaptiveHilbertDelaunay2D(

@@ -8,6 +8,7 @@ it in, both on average: Su et al. compare the orders by these (Computers & Graph
 triangles are the same each time.
 """
 
+import os
 import sys
 
 from paraview.simple import *
@@ -17,7 +18,7 @@ if len(sys.argv) < 2:
 plugin = sys.argv[1]
 count = int(sys.argv[2]) if len(sys.argv) > 2 else 50000
 
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 # Points at random in the unit ball; the filter uses x and y.
 points = PointSource(NumberOfPoints=count, Radius=1.0)

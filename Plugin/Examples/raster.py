@@ -6,6 +6,7 @@
 The soundings are a table with columns x, y and elevation; Data/Bay of the sources has such files.
 """
 
+import os
 import sys
 
 from paraview import servermanager
@@ -14,7 +15,7 @@ from paraview.simple import *
 if len(sys.argv) != 6:
     sys.exit("usage: pvpython raster.py <AdaptiveHilbertDelaunay.so> <points.csv> <coastline.vtp> <out.vti> <out.png>")
 plugin, soundings, coastline, raster, picture = sys.argv[1:]
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 points = TableToPoints(Input=CSVReader(FileName=[soundings]), XColumn="x", YColumn="y", ZColumn="elevation")
 shore = XMLPolyDataReader(FileName=[coastline])

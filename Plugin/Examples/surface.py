@@ -6,6 +6,7 @@
 The table needs columns lon, lat and elevation (Data/survey.csv has them).
 """
 
+import os
 import sys
 
 from paraview.simple import *
@@ -15,7 +16,7 @@ if len(sys.argv) != 4:
 plugin, table, picture = sys.argv[1:]
 
 # Makes AdaptiveHilbertDelaunay2D known here. With a remote server: once more with remote=True.
-LoadPlugin(plugin, remote=False, ns=globals())
+LoadPlugin(os.path.abspath(plugin), remote=False, ns=globals())
 
 rows = CSVReader(FileName=[table])
 points = TableToPoints(Input=rows, XColumn="lon", YColumn="lat", ZColumn="elevation")

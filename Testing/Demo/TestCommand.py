@@ -5,6 +5,7 @@
 """
 
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -57,6 +58,32 @@ class Command(unittest.TestCase):
                        "--output"):
             self.assertIn(option, said)
             self.assertIn(option if len(option) > 3 else '"--" + axis', source)
+
+    def test_the_demo_builds_all_that_is_installed(self):
+        """So that `cmake --install build` works after it: of what is installed the demo's targets need all that the
+        build makes. ninja knows what they need."""
+        with open(os.path.join(ROOT, "Plugin", "demo.sh"), encoding="utf-8") as file:
+            targets = re.search(r"/usr/bin/python3 -- (.*)", file.read()).group(1).split()
+        if not os.path.exists(os.path.join(BUILD, "build.ninja")):
+            self.skipTest("not built by ninja")
+
+        def ninja(*arguments):
+            command = ["ninja", "-C", BUILD, "-t", *arguments]
+            return subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True).stdout
+
+        made = {line.rpartition(": ")[0] for line in ninja("targets", "all").splitlines()}
+        needed = {path[len(BUILD) + 1:] if path.startswith(BUILD + "/") else path
+                  for path in re.findall('label="([^"]*)"', ninja("graph", *targets))}  # fmt: skip
+        installed = set()
+        for folder, folders, files in os.walk(BUILD):
+            folders[:] = [name for name in folders if name not in ("CMakeFiles", "Testing")]
+            if "cmake_install.cmake" in files:
+                with open(os.path.join(folder, "cmake_install.cmake"), encoding="utf-8") as file:
+                    installed.update(re.findall('"%s/([^"]*)"' % re.escape(BUILD), file.read()))
+        installed &= made
+        self.assertGreater(len(installed), 4, "what is installed was not found")
+        for path in installed:  # links are made with what they lead to
+            self.assertIn(os.path.relpath(os.path.realpath(os.path.join(BUILD, path)), os.path.realpath(BUILD)), needed)
 
     def test_what_cannot_be_used(self):
         self.assert_refused("no such file: /nowhere.csv", "/nowhere.csv")

@@ -7,6 +7,7 @@
 import math
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -196,16 +197,38 @@ class Examples(unittest.TestCase):
         self.assertRegex(said, "area above the level: 0$")
 
     def test_cxx(self):
-        self.run_example(
-            CMAKE, "-S", os.path.join(EXAMPLES, "cxx"), "-B", "example", "-G", GENERATOR,
-            "-DCMAKE_PREFIX_PATH=" + BUILD, "-DCMAKE_CXX_COMPILER=" + COMPILER)  # fmt: skip
-        self.run_example(CMAKE, "--build", "example")
-        program = os.path.join(self.folder, "example", "triangulate_xyz")
+        """With either generator of CMake, as far as its program is there: the demo installs ninja alone."""
         with open(os.path.join(self.folder, "points.xyz"), "w", encoding="ascii") as file:
             file.write("0 0 1\n1 0 2\n1 1 3\n0 1 4\n0.5 0.5 5\n1 0 6\n")
-        said = self.run_example(program, "points.xyz", "surface.vtp")
-        self.assertIn("6 points, 1 duplicates, 4 triangles in ", said)
-        self.assertTrue(os.path.exists(os.path.join(self.folder, "surface.vtp")))
+        programs = {"Ninja": "ninja", "Unix Makefiles": "make"}
+        for generator in {GENERATOR, *(name for name, program in programs.items() if shutil.which(program))}:
+            folder = generator.replace(" ", "")
+            self.run_example(
+                CMAKE, "-S", os.path.join(EXAMPLES, "cxx"), "-B", folder, "-G", generator,
+                "-DCMAKE_PREFIX_PATH=" + BUILD, "-DCMAKE_CXX_COMPILER=" + COMPILER)  # fmt: skip
+            self.run_example(CMAKE, "--build", folder)
+            said = self.run_example(os.path.join(self.folder, folder, "triangulate_xyz"), "points.xyz", folder + ".vtp")
+            self.assertIn("6 points, 1 duplicates, 4 triangles in ", said)
+            self.assertTrue(os.path.exists(os.path.join(self.folder, folder + ".vtp")))
+
+    def test_lines_of_the_documents(self):
+        """They name a generator, whose program the demo installs, and plugins by whole paths: ParaView 5.13 takes no
+        others."""
+        for name in ("Plugin/Examples/README.md", "Plugin/Examples/cxx/CMakeLists.txt",
+                     "Filters/Engine/Interface/README.md", "Testing/Engine/README.md"):  # fmt: skip
+            with open(os.path.join(ROOT, name), encoding="utf-8") as file:
+                text = file.read()
+            for line in re.findall(r"cmake -S .*", text):
+                self.assertIn(" -G Ninja ", line, name)
+            for start in re.findall(r"(.{5})build/lib/paraview-", text):
+                self.assertTrue(start.endswith(("$PWD/", "/to/")), name + ": " + start)
+
+    def test_a_relative_path_of_the_plugin(self):
+        for name in sorted(os.listdir(EXAMPLES)):
+            if name.endswith(".py"):
+                with open(os.path.join(EXAMPLES, name), encoding="utf-8") as file:
+                    for loaded in re.findall(r"LoadPlugin\((.*?), remote", file.read()):
+                        self.assertEqual(loaded, "os.path.abspath(plugin)", name)
 
 
 if __name__ == "__main__":
