@@ -143,7 +143,7 @@ inline std::size_t bytesOf(const PartBorder& border)
 inline std::size_t bytesOf(const OwnedTriangles& some)
 {
   return some.corners.empty() ? 0
-                              : 8 + 4 * 8 + some.points.size() * sizeof(BorderPoint) +
+                              : 1 + 4 * 8 + some.points.size() * sizeof(BorderPoint) +
       some.corners.size() * sizeof(Index) + some.flags.size();
 }
 
