@@ -35,8 +35,7 @@ constexpr Row kRows[] = {
   { Topic::Refusal, "too many crossings", "refused=crossings",
     "{the_lines} cross in more than {most_crossings} places. Splitting them there and "
     "triangulating {own_points} points and the crossings may take more than {of_memory}. Nothing "
-    "was "
-    "computed. {fewer_lines}, {or_set_limit}" },
+    "was computed. {fewer_lines}, {or_set_limit}" },
   { Topic::Refusal, "memory to triangulate", "refused=limit !doing",
     "Triangulating {points} points may take {of_memory}. Nothing was computed. Take fewer points, "
     "{fewer_arrays}, {or_set_limit}" },
@@ -64,14 +63,12 @@ constexpr Row kRows[] = {
     "Out of memory while making {points} points." },
   { Topic::Refusal, "memory of a rank", "refused=limit doing=distributing",
     "{work} {points} points on {ranks} ranks may take {needed} of memory on rank "
-    "{rank}{share+{share}}, "
-    "but "
-    "{but_allowed}. Nothing is put out. Take fewer points or more ranks, {or_set_limit}" },
+    "{rank}{share+{share}}, but {but_allowed}. Nothing is put out. Take fewer points or more "
+    "ranks, {or_set_limit}" },
   { Topic::Refusal, "memory of one rank for all", "refused=limit doing=gathering",
     "{setting} is computed on one rank, with the points of all. That {are_sent+they are sent there "
     "}may take {needed} of memory on rank {rank}, for {points} points, but {but_allowed}. Nothing "
-    "is "
-    "put out. Take fewer points, reset that setting, {or_set_limit}" },
+    "is put out. Take fewer points, reset that setting, {or_set_limit}" },
   { Topic::Refusal, "damaged cells", "refused=cells cells",
     "The {cells} are damaged: the offsets of number {bad_cell} among them are {begin} and {end}, "
     "but offsets must ascend from 0 to the number of point ids, {ids}. Nothing was computed." },
