@@ -132,11 +132,15 @@ refresh_lists() {
 # Fails where nothing can be built, before anything is installed.
 # VTK's CMake files hand paths to the shell without quotes; CMakeLists.txt says the same to those who call cmake.
 require_folders() {
-  local path
+  local path unquoted character characters
+  read -r unquoted <"$root/.ci/unquoted.txt"
+  read -ra characters <<<"$unquoted"
   for path in "$root" "$build"; do
-    [[ $path != *[\"\'\`\(\)\{\}\[\]\<\>\&\|\;\$\#\,\*\?\!\\]* ]] ||
-      fail 2 "nothing can be built in $path, as the path has one of  \" ' \` ( ) { } [ ] < > & | ; \$ # , * ? ! \\" \
-        "Spaces are no trouble. Move or rename the folder."
+    for character in "${characters[@]}"; do
+      [[ $path != *"$character"* ]] ||
+        fail 2 "nothing can be built in $path, as the path has one of  $unquoted" \
+          "Spaces are no trouble. Move or rename the folder."
+    done
   done
   { mkdir -p "$build" && path=$(mktemp "$build/.writable.XXXXXX") && rm "$path"; } 2>/dev/null ||
     fail 2 "nothing can be written in $build, where this builds (a read-only checkout? a full disk?)." \

@@ -102,7 +102,7 @@ class Systems(unittest.TestCase):
     def checkout(self, name):
         """A copy of the commands, in a folder of this name."""
         root = os.path.join(self.folder, name)
-        for part in (*COMMANDS, ".ci/setup.sh", ".ci/packages.sh"):
+        for part in (*COMMANDS, ".ci/setup.sh", ".ci/packages.sh", ".ci/unquoted.txt"):
             os.makedirs(os.path.dirname(os.path.join(root, part)), exist_ok=True)
             shutil.copy(os.path.join(ROOT, part), os.path.join(root, part))
         return root
