@@ -104,12 +104,19 @@ bool SegmentTree::cut(const Box& region, std::size_t extra, Ticker& ticker)
 /// Along the curve, and boxes around them.
 bool SegmentTree::sort(Ticker& ticker)
 {
-  Box all;
-  for (const Part& part : parts_)
-  {
-    all.add(part.box);
-  }
   const std::size_t n = parts_.size();
+  Box all;
+  const auto bound = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      all.add(parts_[k].box);
+    }
+  };
+  if (!inChunks(0, n, ticker, bound))
+  {
+    return false;
+  }
   const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
   Buffer<std::uint64_t> keys;
   keys.allocate(n);
