@@ -3,7 +3,6 @@
 // Tuples on their way from block to block, against where each of them belongs.
 #include "BlocksRun.h"
 #include "Distribute/BlockRoute.h"
-#include "Listeners.h"
 #include "ThreadTransport.h"
 
 #include <gtest/gtest.h>
@@ -185,32 +184,15 @@ TEST(BlocksRoute, WhatIsAskedForComesToItsPlace)
 TEST(BlocksRoute, OneThatIsToldToCancelEndsAll)
 {
   const Plan plan(40000, 3);
-  const auto run = [&](std::size_t cancelAt, std::size_t& askings)
+  const auto work = [&](std::size_t b, PairTransport& transport, const Context& context)
   {
-    std::vector<Status> statuses(3);
-    Listener listener(cancelAt);
-    onBlocks(3,
-      [&](std::size_t b, PairTransport& transport)
-      {
-        Context context;
-        context.progress = b == 2 ? &listener : nullptr;
-        BlockRoute route(b, 3, transport, context);
-        const std::vector<unsigned char> own = tuplesOf(plan.idsOf(b), 8);
-        Status status = route.toOwners(plan.pointsOf(b), plan.cuts);
-        std::vector<unsigned char> moved(8 * route.count());
-        status = status == Status::Ok ? route.move(own.data(), 8, moved.data()) : status;
-        statuses[b] = status;
-      });
-    askings = listener.askings();
-    return statuses;
+    BlockRoute route(b, 3, transport, context);
+    const std::vector<unsigned char> own = tuplesOf(plan.idsOf(b), 8);
+    const Status status = route.toOwners(plan.pointsOf(b), plan.cuts);
+    std::vector<unsigned char> moved(8 * route.count());
+    return status == Status::Ok ? route.move(own.data(), 8, moved.data()) : status;
   };
-  std::size_t askings = 0, more = 0;
-  EXPECT_EQ(run(0, askings), std::vector<Status>(3, Status::Ok));
-  ASSERT_GE(askings, 5u);
-  for (std::size_t at = 1; at <= askings; ++at)
-  {
-    EXPECT_EQ(run(at, more), std::vector<Status>(3, Status::Cancelled)) << at;
-  }
+  expectThatOneEndsAll(2, 5, [&] { return work; });
 }
 
 } // namespace

@@ -7,7 +7,6 @@
 #include "Distribute/BlockGhosts.h"
 #include "Distribute/BlockRim.h"
 #include "HashedResults.h"
-#include "Listeners.h"
 #include "ThreadTransport.h"
 
 #include <gtest/gtest.h>
@@ -16,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <set>
 
 namespace ahd
@@ -364,34 +364,21 @@ TEST(BlocksStars, OneThatIsToldToCancelEndsAll)
   const std::vector<Point> points = makePoints(Distribution::OnParabola, 300, 1);
   BlocksWay way;
   way.blocks = 3;
-  const auto run = [&](std::size_t cancelAt, std::size_t& askings)
+  const auto make = [&]
   {
-    AllStars all(viewOf(points), ConstraintView(), way);
-    std::vector<Status> statuses(way.blocks);
-    Listener listener(cancelAt);
-    onBlocks(way.blocks,
-      [&](std::size_t b, BlockTransport& transport)
-      {
-        Context context;
-        context.progress = b == 1 ? &listener : nullptr;
-        OwnStars& own = all.of[b];
-        BlockRim rim;
-        Status status = trimBlocks(own.places, transport, context, own.stars, rim);
-        BlockGhosts ghosts(own.stars, transport, context);
-        status = status == Status::Ok ? ghosts.begin(1000 * b) : status;
-        status = status == Status::Ok ? ghosts.ask() : status;
-        statuses[b] = status == Status::Ok ? ghosts.take() : status;
-      });
-    askings = listener.askings();
-    return statuses;
+    auto all = std::make_shared<AllStars>(viewOf(points), ConstraintView(), way);
+    return [all](std::size_t b, BlockTransport& transport, const Context& context)
+    {
+      OwnStars& own = all->of[b];
+      BlockRim rim;
+      Status status = trimBlocks(own.places, transport, context, own.stars, rim);
+      BlockGhosts ghosts(own.stars, transport, context);
+      status = status == Status::Ok ? ghosts.begin(1000 * b) : status;
+      status = status == Status::Ok ? ghosts.ask() : status;
+      return status == Status::Ok ? ghosts.take() : status;
+    };
   };
-  std::size_t askings = 0, more = 0;
-  EXPECT_EQ(run(0, askings), std::vector<Status>(3, Status::Ok));
-  ASSERT_GE(askings, 8u);
-  for (std::size_t at = 1; at <= askings; ++at)
-  {
-    EXPECT_EQ(run(at, more), std::vector<Status>(3, Status::Cancelled)) << at;
-  }
+  expectThatOneEndsAll(1, 8, make);
 }
 
 } // namespace

@@ -3,6 +3,9 @@
 #define ahd_ThreadTransport_h
 
 #include "Distribute/BlockRoute.h"
+#include "Listeners.h"
+
+#include <gtest/gtest.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -155,6 +158,33 @@ void onBlocks(std::size_t blocks, const Work& work)
   {
     thread.join();
   }
+}
+
+/// Of three blocks block `listening` is told to cancel, at each of its askings in turn, of which
+/// there are `least` or more: all end alike. make() gives the work of one run, which is called as
+/// work(block, transport, context) and returns how it ended.
+template <typename Make>
+void expectThatOneEndsAll(std::size_t listening, std::size_t least, const Make& make)
+{
+  constexpr std::size_t kBlocks = 3;
+  std::size_t askings = 0;
+  for (std::size_t at = 0; at <= askings; ++at)
+  {
+    std::vector<Status> statuses(kBlocks);
+    Listener listener(at);
+    const auto work = make();
+    onBlocks(kBlocks,
+      [&](std::size_t b, ThreadTransport& transport)
+      {
+        Context context;
+        context.progress = b == listening ? &listener : nullptr;
+        statuses[b] = work(b, transport, context);
+      });
+    const Status expected = at == 0 ? Status::Ok : Status::Cancelled;
+    EXPECT_EQ(statuses, std::vector<Status>(kBlocks, expected)) << at;
+    askings = at == 0 ? listener.askings() : askings;
+  }
+  EXPECT_GE(askings, least);
 }
 
 } // namespace test
