@@ -22,8 +22,18 @@ target_include_directories(AdaptiveHilbertDelaunayC INTERFACE
 target_link_libraries(AdaptiveHilbertDelaunayC PRIVATE AdaptiveHilbertDelaunayEngine)
 
 # Whatever templates of the standard library make visible stays inside.
-if (APPLE)
-  target_link_options(AdaptiveHilbertDelaunayC PRIVATE "LINKER:-exported_symbol,_ahd_*")
+if (WIN32)
+  # One name whoever compiles it, and one file: no DLLs of a compiler's own beside it.
+  set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES PREFIX "")
+  if (MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # zig links its own statically anyway
+    target_link_options(AdaptiveHilbertDelaunayC PRIVATE -static)
+  endif ()
+elseif (APPLE)
+  include(CheckLinkerFlag)
+  check_linker_flag(CXX "LINKER:-exported_symbol,_ahd_*" AHD_EXPORTED_SYMBOL) # that of zig does not know it
+  if (AHD_EXPORTED_SYMBOL)
+    target_link_options(AdaptiveHilbertDelaunayC PRIVATE "LINKER:-exported_symbol,_ahd_*")
+  endif ()
 elseif (UNIX)
   set(ahd_exports "${CMAKE_CURRENT_LIST_DIR}/Interface/exports.map")
   target_link_options(AdaptiveHilbertDelaunayC PRIVATE

@@ -11,7 +11,7 @@ file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Core/AskedMemory.h Core/Border.h Core/Buffer.h Core/Chunks.h Core/Clock.h Core/Context.h Core/Executor.h
-  Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Prefetch.h
+  Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Prefetch.h Core/Processors.h
   Core/Progress.h Core/SizeInWords.h Core/Stages.h Core/Threads.h Core/Uninitialised.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
   Distribute/BlockChains.h Distribute/BlockGhosts.h Distribute/BlockNeeds.h Distribute/BlockRim.h Distribute/BlockRoute.h

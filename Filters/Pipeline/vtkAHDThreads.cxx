@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline/vtkAHDThreads.h"
 
-#include "Engine/Core/Threads.h"
+#include "Engine/Core/Processors.h"
 
 #include "vtkSMPTools.h"
 

@@ -6,9 +6,21 @@
 #include <limits>
 #include <string>
 
-#if defined(__unix__) || defined(__APPLE__)
+#if defined(_WIN32)
+#ifndef NOMINMAX
+#define NOMINMAX
+#endif
+#define WIN32_LEAN_AND_MEAN
+#define PSAPI_VERSION 2 // of kernel32
+#include <windows.h>
+
+#include <psapi.h>
+#else
 #include <sys/resource.h>
 #include <unistd.h>
+#if defined(__APPLE__)
+#include <mach/mach.h>
+#endif
 #endif
 
 namespace ahd
@@ -33,8 +45,8 @@ struct Taken
 
 Taken takenByProcess()
 {
-  Taken taken;
 #if defined(__linux__)
+  Taken taken;
   if (std::ifstream("/proc/self/statm") >> taken.space >> taken.resident)
   {
     const std::size_t page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
@@ -46,7 +58,7 @@ Taken takenByProcess()
 
 std::size_t addressSpaceLeft(const Taken& taken)
 {
-#if defined(__unix__) || defined(__APPLE__)
+#if !defined(_WIN32)
   rlimit limit;
   if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
   {
@@ -73,7 +85,7 @@ std::size_t containerLeft(const std::string& groups, const Taken& taken)
 }
 
 /// What Linux takes for available: free memory, and caches that it would give up.
-std::size_t machineLeft(const std::string& meminfo)
+std::size_t linuxLeft(const std::string& meminfo)
 {
   std::ifstream info(meminfo);
   std::string name, unit;
@@ -87,17 +99,71 @@ std::size_t machineLeft(const std::string& meminfo)
   return kUnknown;
 }
 
+#if defined(_WIN32)
+/// What the job that the process is in, if any, still lets it commit. What other processes of the
+/// job have taken is not known.
+std::size_t jobLeft()
+{
+  JOBOBJECT_EXTENDED_LIMIT_INFORMATION job = {};
+  PROCESS_MEMORY_COUNTERS taken = {};
+  taken.cb = sizeof(taken);
+  if (!QueryInformationJobObject(
+        nullptr, JobObjectExtendedLimitInformation, &job, sizeof(job), nullptr) ||
+    !GetProcessMemoryInfo(GetCurrentProcess(), &taken, sizeof(taken)))
+  {
+    return kUnknown;
+  }
+  const DWORD set = job.BasicLimitInformation.LimitFlags;
+  return less(std::min((set & JOB_OBJECT_LIMIT_PROCESS_MEMORY) ? job.ProcessMemoryLimit : kUnknown,
+                (set & JOB_OBJECT_LIMIT_JOB_MEMORY) ? job.JobMemoryLimit : kUnknown),
+    taken.PagefileUsage);
+}
+
+/// Memory that is free, but no more than can be committed: beyond that allocations fail.
+std::size_t windowsLeft()
+{
+  MEMORYSTATUSEX machine = {};
+  machine.dwLength = sizeof(machine);
+  if (!GlobalMemoryStatusEx(&machine))
+  {
+    return kUnknown;
+  }
+  return static_cast<std::size_t>(
+    std::min({ machine.ullAvailPhys, machine.ullAvailPageFile, machine.ullAvailVirtual }));
+}
+#elif defined(__APPLE__)
+/// Pages that are free, and those that Mach would give up.
+std::size_t machLeft()
+{
+  vm_statistics64_data_t pages = {};
+  mach_msg_type_number_t count = HOST_VM_INFO64_COUNT;
+  const mach_port_t host = mach_host_self();
+  const bool told = host_statistics64(host, HOST_VM_INFO64, reinterpret_cast<host_info64_t>(&pages),
+                      &count) == KERN_SUCCESS;
+  mach_port_deallocate(mach_task_self(), host);
+  return told
+    ? vm_page_size * (std::size_t(pages.free_count) + pages.inactive_count + pages.purgeable_count)
+    : kUnknown;
+}
+#endif
+
 } // namespace
 
 std::size_t availableMemory()
 {
+#if defined(_WIN32)
+  return std::min(windowsLeft(), jobLeft());
+#elif defined(__APPLE__)
+  return std::min(machLeft(), addressSpaceLeft(takenByProcess()));
+#else
   return availableMemoryBy("/proc/meminfo", "/sys/fs/cgroup");
+#endif
 }
 
 std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups)
 {
   const Taken taken = takenByProcess();
-  return std::min({ machineLeft(meminfo), containerLeft(groups, taken), addressSpaceLeft(taken) });
+  return std::min({ linuxLeft(meminfo), containerLeft(groups, taken), addressSpaceLeft(taken) });
 }
 
 } // namespace ahd

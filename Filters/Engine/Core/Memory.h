@@ -9,9 +9,16 @@ namespace ahd
 {
 
 /// Bytes that this process can still get without swapping: the least of what the machine has
-/// available and what the limits on this process leave (address space; the memory limit of a
-/// container). The largest number where none of them is known: only Linux tells all, other POSIX
-/// systems the address space. For who sets limits; the engine itself does not ask.
+/// available and what the limits on this process leave.
+///
+///          machine                              limits
+/// Linux    MemAvailable                         address space, container (both versions of groups)
+/// Windows  free memory, memory to be committed  job: of each process, of all together
+/// macOS    free, inactive and purgeable pages   address space
+/// others   (not known)                          address space
+///
+/// Of what counts against a limit this process's part is known alone. The largest number where
+/// nothing is known. For who sets limits; the engine itself does not ask.
 std::size_t availableMemory();
 
 /// The same by other files than those in which Linux tells of memory: `meminfo` in place of

@@ -13,10 +13,6 @@
 #include <thread>
 #include <vector>
 
-#if defined(__linux__)
-#include <sched.h>
-#endif
-
 namespace ahd
 {
 namespace
@@ -26,18 +22,6 @@ namespace
 constexpr std::chrono::milliseconds kIdle(3);
 
 } // namespace
-
-unsigned availableProcessors()
-{
-#if defined(__linux__)
-  cpu_set_t allowed; // of 1024 processors: where there are more, the call fails
-  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0)
-  {
-    return static_cast<unsigned>(std::max(1, CPU_COUNT(&allowed)));
-  }
-#endif
-  return std::max(1u, std::thread::hardware_concurrency());
-}
 
 /// Threads that wait for jobs. A job is a number of tasks; the calling thread brings it, works on
 /// it as well, and waits only for those who took a task of it: a thread that comes late, or never,

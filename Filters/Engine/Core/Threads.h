@@ -9,9 +9,6 @@
 namespace ahd
 {
 
-/// Processors that this process may run on (on Linux its affinity is respected); at least 1.
-unsigned availableProcessors();
-
 /// An Executor with threads of its own, for who has none to lend.
 ///
 /// The calling thread takes tasks like the others, one by one from a common counter. The others are

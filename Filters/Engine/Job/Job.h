@@ -2,6 +2,7 @@
 #ifndef ahd_Job_h
 #define ahd_Job_h
 
+#include "../Core/Processors.h"
 #include "../Core/Threads.h"
 #include "InputArrays.h"
 #include "Progress.h"

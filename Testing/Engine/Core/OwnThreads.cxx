@@ -2,6 +2,7 @@
 //
 // The engine's own threads: each task once, the calling thread among the workers and never held up
 // by the others.
+#include "Core/Processors.h"
 #include "Core/Threads.h"
 
 #include "HostModes.h"

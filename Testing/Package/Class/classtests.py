@@ -169,7 +169,7 @@ class Said:
 
         @calldata_type(core.VTK_STRING)
         def keep(_caller, event, text):
-            lists[event].append(re.sub(r"^(Warning|ERROR|Error): In .*\n.*?\(0x[0-9a-f]+\): ", "", text).strip())
+            lists[event].append(re.sub(r"^(Warning|ERROR|Error): In .*\n.*?\((0x)?[0-9A-Fa-f]+\): ", "", text).strip())
 
         @calldata_type(core.VTK_STRING)
         def keep_of_pipeline(_caller, _event, text):

@@ -2,7 +2,6 @@
 """The steps of the world of pipelines that happen while a filter works: aborts, observers, Ctrl-C."""
 
 import contextlib
-import os
 import signal
 import threading
 import time
@@ -81,7 +80,7 @@ class WhileItWorks:
         def press():
             if asked.wait(5):
                 time.sleep(0.001)  # until the observer has returned
-                os.kill(os.getpid(), signal.SIGINT)
+                signal.raise_signal(signal.SIGINT)
 
         tags.append(self._observe(filter, rng.randrange(1, 4), act))
         thread = threading.Thread(target=press)
