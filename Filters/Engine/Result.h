@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 namespace ahd
 {
@@ -80,6 +81,13 @@ struct Report
   double np() const { return perPoint(trianglesWalked); }
   /// The paper's NR: triangles removed, per inserted point.
   double nr() const { return perPoint(trianglesRemoved); }
+
+  auto fields()
+  {
+    return std::tie(inserted, beyondLimit, duplicates, notFinite, skipped, triangles, trimmed,
+      bareVertices, trimmedArea, trianglesWalked, trianglesRemoved, exactInCircle, exactOrient,
+      insertionAttempts, deferredPoints, criticalPath);
+  }
 
 private:
   double perPoint(std::uint64_t n) const

@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <tuple>
 #include <vector>
 
 /**
@@ -40,6 +41,8 @@ private:
     std::int64_t Limit = 0;  // KiB
     bool IsByUser = false;
     std::int64_t Share = 0; // of the limit, where other ranks work on the same machine
+
+    auto fields() { return std::tie(this->Needed, this->Limit, this->IsByUser, this->Share); }
   };
 
   std::size_t EstimateBytes(ahd::Workspace& workspace) const;

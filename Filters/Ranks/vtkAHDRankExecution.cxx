@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <numeric>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
 vtkAHDRankExecution::vtkAHDRankExecution(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
@@ -245,6 +246,11 @@ std::size_t vtkAHDRankExecution::ShareOdds(
     std::int64_t First = kNone;
     std::size_t OddZ = 0, Triangles = 0;
     bool AreStacked = false, AreOnLine = true;
+
+    auto fields()
+    {
+      return std::tie(this->First, this->OddZ, this->Triangles, this->AreStacked, this->AreOnLine);
+    }
   };
   const ahd::PointView& mine = points.GetPrepared().points();
   const auto all = this->Ranks.Share(this->Context,

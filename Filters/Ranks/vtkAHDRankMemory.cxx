@@ -5,6 +5,7 @@
 #include "Engine/Job/Messages.h"
 
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFacts& facts,
@@ -19,6 +20,8 @@ std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFa
   {
     std::int64_t Needed, Limit;
     bool IsByUser;
+
+    auto fields() { return std::tie(this->Needed, this->Limit, this->IsByUser); }
   };
   const auto all = ranks.Share(context,
     [&] {

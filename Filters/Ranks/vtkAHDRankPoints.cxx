@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace
@@ -31,6 +32,7 @@ struct Box
   ahd::Vector3 Low = { { kInfinity, kInfinity, kInfinity } };
   ahd::Vector3 High = { { -kInfinity, -kInfinity, -kInfinity } };
 
+  auto fields() { return std::tie(this->Low, this->High); }
   /// What is NaN or infinite, or between none, does not count.
   void Add(const ahd::Vector3& low, const ahd::Vector3& high)
   {

@@ -2,7 +2,10 @@
 #ifndef ahd_BlockBytes_h
 #define ahd_BlockBytes_h
 
+#include "../Points/Points.h"
+
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -28,8 +31,43 @@ struct HasFields<T, std::void_t<decltype(std::declval<T&>().fields())>> : std::t
 {
 };
 
-/// Appends to bytes: what lists its fields, field by field; what is trivially copyable, as it lies
-/// in memory; of vectors and strings how many items, and then these. Throws std::bad_alloc.
+/// Does each byte of T belong to a number? Then it is sent as it lies in memory, and so are many in
+/// a row. A struct with doubles lists its fields() to show it; with padding, or where it lists only
+/// some, it is sent field by field, so that no byte is sent that nobody has set.
+template <typename T, typename = void>
+struct IsSolid
+  : std::integral_constant<bool,
+      std::is_same<T, double>::value || std::has_unique_object_representations<T>::value>
+{
+};
+template <>
+struct IsSolid<Point> : std::integral_constant<bool, sizeof(Point) == 2 * sizeof(double)>
+{
+};
+template <>
+struct IsSolid<Bounds> : std::integral_constant<bool, sizeof(Bounds) == 4 * sizeof(double)>
+{
+};
+template <typename T, std::size_t N>
+struct IsSolid<std::array<T, N>> : IsSolid<T>
+{
+};
+template <typename T, typename Fields = decltype(std::declval<T&>().fields())>
+struct AreSolid;
+template <typename T, typename... Fields>
+struct AreSolid<T, std::tuple<Fields&...>>
+  : std::integral_constant<bool,
+      std::is_trivially_copyable<T>::value && (IsSolid<Fields>::value && ...) &&
+        (sizeof(Fields) + ...) == sizeof(T)>
+{
+};
+template <typename T>
+struct IsSolid<T, std::enable_if_t<HasFields<T>::value>> : AreSolid<T>
+{
+};
+
+/// Appends to bytes: what is solid, as it lies in memory; what lists its fields, field by field; of
+/// vectors and strings how many items, and then these. Throws std::bad_alloc.
 class BytesWriter
 {
 public:
@@ -48,18 +86,19 @@ private:
   template <typename T>
   void write(const T& item)
   {
-    if constexpr (HasFields<T>::value)
-    {
-      std::apply(*this, const_cast<T&>(item).fields()); // which changes none
-    }
-    else if constexpr (std::is_trivially_copyable<T>::value)
+    if constexpr (IsSolid<T>::value)
     {
       append(&item, 1);
     }
+    else if constexpr (HasFields<T>::value)
+    {
+      std::apply(*this, const_cast<T&>(item).fields()); // which changes none
+    }
     else
     {
+      static_assert(!std::is_trivially_copyable<T>::value, "its fields() say what is sent");
       write(std::uint64_t(item.size()));
-      if constexpr (std::is_trivially_copyable<typename T::value_type>::value)
+      if constexpr (IsSolid<typename T::value_type>::value)
       {
         append(item.data(), item.size());
       }
@@ -103,18 +142,18 @@ private:
   template <typename T>
   void read(T& item)
   {
-    if constexpr (HasFields<T>::value)
-    {
-      std::apply(*this, item.fields());
-    }
-    else if constexpr (std::is_trivially_copyable<T>::value)
+    if constexpr (IsSolid<T>::value)
     {
       take(&item, 1);
+    }
+    else if constexpr (HasFields<T>::value)
+    {
+      std::apply(*this, item.fields());
     }
     else
     {
       using Item = typename T::value_type;
-      constexpr bool isPlain = std::is_trivially_copyable<Item>::value;
+      constexpr bool isPlain = IsSolid<Item>::value;
       std::uint64_t count = 0;
       read(count);
       const std::size_t before = item.size();

@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,12 +53,15 @@ private:
     Point at;
 
     bool operator<(const Shared& other) const { return id < other.id; }
+    auto fields() { return std::tie(id, at); }
   };
   struct Facts
   {
     std::uint64_t crowd = 0;
     bool crosses = false;
     Bounds bounds; ///< of own points
+
+    auto fields() { return std::tie(crowd, crosses, bounds); }
   };
 
   Status listShared(std::vector<Shared>& shared, Ticker& ticker);

@@ -15,6 +15,7 @@
 #include <array>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace ahd
@@ -46,6 +47,8 @@ struct Counts
 {
   std::uint64_t triangles = 0, bare = 0;
   double lost = 0.0, whole = 0.0; ///< twice the areas
+
+  auto fields() { return std::tie(triangles, bare, lost, whole); }
 };
 
 /// One block's part. Functions that return bool return false if the work is to be cancelled.

@@ -72,6 +72,7 @@ public:
   template <typename Value, typename ValueOf>
   Status moveValues(const ValueOf& valueOf, Value* to)
   {
+    static_assert(IsSolid<Value>::value, "moved as it lies in memory");
     return carry(sizeof(Value), to,
       [&valueOf](const Index* tuples, std::size_t some, unsigned char* bytes)
       {

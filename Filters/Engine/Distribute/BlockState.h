@@ -19,6 +19,8 @@ struct ChainEnd
   std::uint64_t place; ///< among the ids of the constraints
   Point at;
   std::int64_t vertex; ///< the id of the point that stands for it
+
+  auto fields() { return std::tie(place, at, vertex); }
 };
 
 /// How many ids the constraints have.
@@ -34,6 +36,8 @@ struct BlockFacts
 {
   Bounds bounds;
   std::uint64_t vertices, duplicates, notFinite, skipped;
+
+  auto fields() { return std::tie(bounds, vertices, duplicates, notFinite, skipped); }
 };
 
 /// What a block says of itself in the end.

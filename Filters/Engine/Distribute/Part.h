@@ -27,6 +27,8 @@ struct BorderPoint
   std::int64_t id;     ///< the caller's
   std::uint32_t block; ///< that owns it
   std::uint32_t isEnd; ///< 1 if a segment ends there
+
+  auto fields() { return std::tie(at, id, block, isEnd); }
 };
 static_assert(sizeof(BorderPoint) == 4 * sizeof(double), "a PointView looks at it");
 

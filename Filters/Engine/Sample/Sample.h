@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <tuple>
 
 namespace ahd
 {
@@ -38,6 +39,8 @@ struct SampleRaster
     return { origin.x + double(firstColumn + column) * spacing.x,
       origin.y + double(firstRow + row) * spacing.y };
   }
+
+  auto fields() { return std::tie(origin, spacing, columns, rows, firstColumn, firstRow); }
 
   Point origin{ 0.0, 0.0 };
   Point spacing{ 1.0, 1.0 };

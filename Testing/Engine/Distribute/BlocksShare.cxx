@@ -40,6 +40,33 @@ struct Outer
   auto fields() { return std::tie(isOne, number, pairs, inner); }
 };
 
+struct Padded
+{
+  std::int64_t number;
+  bool isOne;
+
+  auto fields() { return std::tie(number, isOne); }
+};
+
+struct Full
+{
+  Point at;
+  std::int64_t id;
+
+  auto fields() { return std::tie(at, id); }
+};
+
+struct Half ///< which lists only a part
+{
+  double sent, own;
+
+  auto fields() { return std::tie(sent); }
+};
+static_assert(
+  IsSolid<Full>::value && IsSolid<std::array<Full, 2>>::value && IsSolid<Bounds>::value, "");
+static_assert(!IsSolid<Padded>::value && !IsSolid<Half>::value && !IsSolid<Outer>::value, "");
+static_assert(IsSolid<Report>::value, "Report::fields() lists all of it");
+
 Outer made(int k)
 {
   Outer outer;
@@ -72,6 +99,21 @@ TEST(BlocksShare, WhatIsWrittenIsRead)
     EXPECT_EQ(read.number, 0.1 * k);
     EXPECT_EQ(read.inner.size(), std::size_t(k));
   }
+}
+
+/// Of what lies between its numbers nothing is sent: nobody has set it.
+TEST(BlocksShare, PaddingIsNotSent)
+{
+  BlockBytes sent;
+  BytesWriter{ sent }(std::vector<Padded>(3, { 7, true }));
+  EXPECT_EQ(sent.size(), sizeof(std::uint64_t) + 3 * (sizeof(std::int64_t) + sizeof(bool)));
+  std::vector<Padded> read;
+  BytesReader{ sent }(read);
+  ASSERT_EQ(read.size(), 3u);
+  EXPECT_TRUE(read[2].number == 7 && read[2].isOne);
+  BlockBytes full;
+  BytesWriter{ full }(std::vector<Full>(3, { { 1.0, 2.0 }, 3 }));
+  EXPECT_EQ(full.size(), sizeof(std::uint64_t) + 3 * sizeof(Full));
 }
 
 TEST(BlocksShare, WhatIsNotThereIsLeftOut)
