@@ -48,8 +48,8 @@ public:
     return done;
   }
 
-  /// How many stages there are.
-  std::size_t count() const { return ends_.empty() ? 1 : ends_.size() - 1; }
+  /// How many stages were set.
+  std::size_t count() const { return ends_.empty() ? 0 : ends_.size() - 1; }
   /// The number of the stage, from 1; 0 before the first.
   std::size_t current() const { return stage_; }
 

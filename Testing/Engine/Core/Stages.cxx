@@ -2,6 +2,7 @@
 //
 // What part of the whole is done in each stage and phase.
 #include "Core/Stages.h"
+#include "Job/RunProgress.h"
 
 #include <gtest/gtest.h>
 
@@ -80,6 +81,22 @@ TEST(Stages, WithoutWeightsThereIsOne)
   Stages stages;
   stages.beginPhase(Phase::Insert);
   EXPECT_EQ(stages.whole(0.5), 0.5);
+}
+
+class SilentProgress : public RunProgress
+{
+  bool isCancelled() const override { return false; }
+  void tell(double, Phase) override {}
+};
+
+TEST(Stages, WithoutWeightsThereIsNoneToReach)
+{
+  SilentProgress progress;
+  progress.reach(3);
+  EXPECT_TRUE(progress.stagesBegun().empty());
+  progress.setStages({ 1.0, 1.0 });
+  progress.reach(3);
+  EXPECT_EQ(progress.stagesBegun().size(), 2u);
 }
 
 } // namespace
