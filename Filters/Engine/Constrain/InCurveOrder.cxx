@@ -390,7 +390,7 @@ bool InCurveOrder::gather(std::vector<Segment> Territory::*kind, std::vector<Seg
     {
       return false;
     }
-    some = {};
+    some = std::vector<Segment>(); // = {} would keep its memory
   }
   return true;
 }

@@ -327,7 +327,7 @@ bool InCurveOrder::undo()
     {
       return false;
     }
-    territory->made = {};
+    territory->made = std::vector<Made>();
   }
   return releaseRest();
 }

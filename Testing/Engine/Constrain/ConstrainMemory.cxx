@@ -87,6 +87,19 @@ TEST(ConstrainMemory, OfTheWorstTwiceAsMuchIs)
   expectAsked(nestedLoops(60), 2.0, "nested");
 }
 
+/// Of segments that cross, lists are made in one place of those of all territories, which go then.
+TEST(ConstrainMemory, ListsThatWereGatheredAreGone)
+{
+  constexpr std::size_t segments = 20000;
+  const ConstraintCase given = latticeSegments(150, segments);
+  Engine engine;
+  EXPECT_EQ(engine.run(given.view(), Options(), nullptr), Status::Ok);
+  const std::size_t before = account.held;
+  account.peak = before;
+  EXPECT_EQ(engine.constrain(given.constraints.view(), FillRule::EvenOdd, nullptr), Status::Ok);
+  EXPECT_LT(account.peak - before, 105 * segments); // 109 with them
+}
+
 TEST(ConstrainMemory, WhatIsAskedForMayBeRefused)
 {
   for (const ConstraintCase& given : { shores(true), latticeSegments(150, 20000) })
