@@ -13,6 +13,7 @@
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDProgress.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Pipeline/vtkAHDThreads.h"
 #include "Ranks/vtkAHDRankUpdates.h"
@@ -36,7 +37,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdio>
 #include <new>
 #include <utility>
 
@@ -215,14 +215,8 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
   }
   this->Cache->Forget();
   this->ClearMeasures();
-  try
-  {
-    vtkErrorMacro("Out of memory. Nothing is put out.");
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::fputs("vtkAdaptiveHilbertDelaunay2D: out of memory, nothing is put out.\n", stderr);
-  }
+  vtkAHDSayOutOfMemory("vtkAdaptiveHilbertDelaunay2D",
+    [this] { vtkErrorMacro("Out of memory. Nothing is put out."); });
 }
 
 /// Passes on what the last execution made, if that was of the same. Returns false if it was not.

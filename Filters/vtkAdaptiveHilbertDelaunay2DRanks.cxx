@@ -33,9 +33,7 @@
 #endif
 
 #include <array>
-#include <cstdio>
 #include <memory>
-#include <new>
 #include <string>
 #include <vector>
 
@@ -367,21 +365,18 @@ void vtkAdaptiveHilbertDelaunay2D::EndOnRanks(
   this->MemoryEstimate = result.Report.GetEstimate();
   result.Report.status = status;
   this->SayAbort(status);
-  try
-  {
-    if (result.Error.empty())
+  vtkAHDSayOutOfMemory("vtkAdaptiveHilbertDelaunay2D",
+    [&]
     {
-      vtkAHDSayError(this, result.Report);
-    }
-    else
-    {
-      vtkErrorMacro(<< result.Error);
-    }
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::fputs("vtkAdaptiveHilbertDelaunay2D: out of memory, nothing is put out.\n", stderr);
-  }
+      if (result.Error.empty())
+      {
+        vtkAHDSayError(this, result.Report);
+      }
+      else
+      {
+        vtkErrorMacro(<< result.Error);
+      }
+    });
 #else
   static_cast<void>(status);
   static_cast<void>(result);

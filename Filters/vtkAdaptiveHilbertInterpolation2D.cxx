@@ -33,7 +33,6 @@
 #include "vtkStructuredGrid.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <new>
 #include <utility>
 
@@ -268,14 +267,8 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
 /// Where memory ran out elsewhere than in an execution's steps, which say more of it.
 void vtkAdaptiveHilbertInterpolation2D::SayOutOfMemory()
 {
-  try
-  {
-    vtkErrorMacro("Out of memory. Nothing is put out.");
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
-  }
+  vtkAHDSayOutOfMemory("vtkAdaptiveHilbertInterpolation2D",
+    [this] { vtkErrorMacro("Out of memory. Nothing is put out."); });
 }
 
 /// Once for each filter.

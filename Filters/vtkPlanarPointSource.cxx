@@ -111,9 +111,13 @@ int vtkPlanarPointSource::RequestData(
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    vtkAHDSay(this, ahd::Topic::Refusal,
-      { { "reason", ahd::Reason::OutOfMemory }, { "doing", "making" },
-        { "points", this->NumberOfPoints } });
+    vtkAHDSayOutOfMemory("vtkPlanarPointSource",
+      [this]
+      {
+        vtkAHDSay(this, ahd::Topic::Refusal,
+          { { "reason", ahd::Reason::OutOfMemory }, { "doing", "making" },
+            { "points", this->NumberOfPoints } });
+      });
   }
   return 1;
 }

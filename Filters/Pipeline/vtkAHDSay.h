@@ -6,6 +6,9 @@
 
 #include "vtkAlgorithm.h"
 
+#include <cstdio>
+#include <new>
+
 /// Says what these facts give cause for (Engine/Job/Catalogue.h) in the name of a filter: refusals
 /// as errors, all else as warnings. Returns whether anything was said.
 inline bool vtkAHDSay(vtkAlgorithm* filter, ahd::Topic topic, const ahd::Facts& facts)
@@ -23,6 +26,21 @@ inline bool vtkAHDSay(vtkAlgorithm* filter, ahd::Topic topic, const ahd::Facts& 
     }
   }
   return !said.empty();
+}
+
+/// Calls say(), which says in the name of the filter that memory has run out. If there is none left
+/// for that either, a line on the standard error says it, and nothing is thrown.
+template <typename Say>
+void vtkAHDSayOutOfMemory(const char* filter, const Say& say)
+{
+  try
+  {
+    say();
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::fprintf(stderr, "%s: out of memory, nothing is put out.\n", filter);
+  }
 }
 
 #endif

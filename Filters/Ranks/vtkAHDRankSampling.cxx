@@ -4,6 +4,7 @@
 #include "Engine/Points/JoinedBounds.h"
 #include "Engine/Sample/BoxNeighbors.h"
 #include "Execution/vtkAHDMessages.h"
+#include "Pipeline/vtkAHDSay.h"
 #include "Ranks/vtkAHDArrayFacts.h"
 #include "Sampling/vtkAHDPlaces.h"
 #include "Sampling/vtkAHDSampleBounds.h"
@@ -24,7 +25,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <new>
 #include <tuple>
@@ -236,14 +236,7 @@ bool vtkAHDRankSampling::Run(const Inputs& inputs, vtkDataObject* output)
   {
     output->Initialize();
   }
-  try
-  {
-    this->SayError(status);
-  }
-  catch (const std::bad_alloc&)
-  {
-    std::fputs("vtkAdaptiveHilbertInterpolation2D: out of memory, nothing is put out.\n", stderr);
-  }
+  vtkAHDSayOutOfMemory("vtkAdaptiveHilbertInterpolation2D", [&] { this->SayError(status); });
   return isDone;
 }
 

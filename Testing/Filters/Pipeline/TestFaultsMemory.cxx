@@ -190,9 +190,11 @@ TEST(LongFaultsMemory, RunningOutAtAThousandOfALargeInputWithThreads)
   }
 }
 
-TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
+/// Where no memory comes back there may be none to say so, but on the standard error.
+void expectSourceSurvives(bool andAllLater)
 {
   vtkNew<FaultySource> source;
+  source->AndAllLater = andAllLater;
   vtkNew<Messages> said;
   said->Watch(source);
   source->SetNumberOfPoints(100);
@@ -211,7 +213,8 @@ TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
     const bool didWithout = source->GetOutput()->GetNumberOfPoints() > 0; // as a stream does
     EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), didWithout ? 100 : 0);
     EXPECT_EQ(source->GetOutput()->GetNumberOfCells(), didWithout ? 1 : 0);
-    EXPECT_EQ(said->Errors.size(), didWithout ? 0u : 1u);
+    EXPECT_LE(said->Errors.size(), didWithout ? 0u : 1u);
+    EXPECT_TRUE(didWithout || andAllLater || said->Errors.size() == 1);
     refused += didWithout ? 0 : 1;
   }
   EXPECT_GT(refused, 2u);
@@ -219,6 +222,12 @@ TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
   source->Modified();
   source->Update();
   EXPECT_EQ(source->GetOutput()->GetNumberOfPoints(), 100);
+}
+
+TEST(FaultsMemory, TheSourceOfPointsSaysSoToo)
+{
+  expectSourceSurvives(false);
+  expectSourceSurvives(true);
 }
 
 using FaultyInterpolation = Faulty<vtkAdaptiveHilbertInterpolation2D>;
