@@ -4,13 +4,14 @@
 # exports the functions of Interface/ahd.h and of the headers that it includes, and nothing else. REQUIRES: the engine's
 # target.
 #
-# Built on its own it is installed with its header; built by scikit-build-core (pyproject.toml) it goes
-# into the Python package.
+# Package.cmake installs it; built by scikit-build-core (pyproject.toml) it goes into the Python package.
 add_library(AdaptiveHilbertDelaunayC SHARED "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.cxx")
 add_library(AdaptiveHilbertDelaunay::C ALIAS AdaptiveHilbertDelaunayC)
 set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES
   EXPORT_NAME               C
   OUTPUT_NAME               adaptivehilbertdelaunay
+  CXX_STANDARD              17
+  CXX_EXTENSIONS            OFF
   CXX_VISIBILITY_PRESET     hidden
   VISIBILITY_INLINES_HIDDEN ON)
 target_compile_definitions(AdaptiveHilbertDelaunayC PRIVATE AHD_BUILDING_LIBRARY)
@@ -64,12 +65,3 @@ string(REGEX REPLACE "[^0-9]" "" ahd_abi_version "${ahd_abi_version}")
 set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES
   VERSION   "${ahd_engine_version}"
   SOVERSION "${ahd_abi_version}")
-if (CMAKE_SOURCE_DIR STREQUAL CMAKE_CURRENT_SOURCE_DIR)
-  install(TARGETS AdaptiveHilbertDelaunayC
-    LIBRARY DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
-  install(FILES "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.h" "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_messages.h"
-    "${CMAKE_CURRENT_LIST_DIR}/Interface/ahd_sample.h"
-    DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/adaptivehilbertdelaunay/Engine/Interface")
-endif ()

@@ -6,7 +6,8 @@
 #   ahd_engine_headers   the headers of its C++ interface, relative to this directory, to be installed
 #   ahd_engine_options   compile options without which the predicates are not exact
 #   ahd_engine_warnings  what the compiler is asked to warn of
-#   ahd_engine_errors    makes warnings errors, with the compilers that are known to give none
+#   ahd_engine_errors    makes warnings errors, where tests are built (AHD_WARNINGS_ARE_ERRORS) and with the compilers
+#                        that are known to give none
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
@@ -43,8 +44,9 @@ if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
 elseif (MSVC)
   set(ahd_engine_options /fp:precise)
 endif ()
-if ((CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.") OR
-    (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^14\\."))
+if (AHD_WARNINGS_ARE_ERRORS AND (
+    (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.") OR
+    (CMAKE_CXX_COMPILER_ID STREQUAL "Clang" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^14\\.")))
   set(ahd_engine_errors -Werror)
 endif ()
 

@@ -15,6 +15,7 @@ mark_as_advanced(AHD_GMP_LIBRARY AHD_GMPXX_LIBRARY)
 
 get_filename_component(ahd_testing_dir "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 get_filename_component(ahd_root_dir "${CMAKE_CURRENT_LIST_DIR}/../.." ABSOLUTE)
+set(AHD_WARNINGS_ARE_ERRORS ON)
 include("${ahd_root_dir}/Filters/Engine/Sources.cmake")
 include("${ahd_root_dir}/Filters/Distributions/Sources.cmake")
 if (NOT ahd_engine_dir)
