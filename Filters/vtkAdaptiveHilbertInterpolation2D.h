@@ -26,9 +26,9 @@
  * without a source, its triangles count, holes and constraints included, and of the settings of
  * Triangulation only plane, threads and memory. That filter's own triangulation is used while it
  * exists (see ReuseLimit) and is not lent to others, in the plane x, y: the values are those of
- * interpolating its points with its settings. Otherwise the corners are triangulated; natural
- * neighbours then end at constraints named by the cell array ConstraintEdges, and at edges of
- * triangles that are not Delaunay. Over several ranks (DistributePoints and Controller of
+ * interpolating its points with its settings. Otherwise the corners are triangulated, with the
+ * constraints that the cell array ConstraintEdges names; without it natural neighbours end at the
+ * edges of triangles that are not Delaunay. Over several ranks (DistributePoints and Controller of
  * Triangulation) its points are triangulated again, with a warning; there port 0 may be empty or of
  * any type. Port 1, optional: the places, a vtkDataSet or a composite data set of such. Port 2,
  * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.

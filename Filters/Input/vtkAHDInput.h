@@ -33,6 +33,9 @@ public:
   /// std::bad_alloc.
   void Open(const vtkAHDContext& context);
 
+  /// Triangles of a surface, or their number alone, which the run is to have. Borrows them.
+  void GiveTriangles(const ahd::GivenTriangles& surface) { this->Request.surface = surface; }
+
   vtkPointSet* GetInput() const { return this->Input; }
 
   /// The source whose points are added; null if none are.

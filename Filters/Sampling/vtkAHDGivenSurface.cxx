@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sampling/vtkAHDGivenSurface.h"
 
-#include "Engine/Surface/FindTriangles.h"
-#include "Engine/Triangulate.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDOutputArrays.h"
@@ -13,9 +11,6 @@
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
-
-#include <algorithm>
-#include <utility>
 
 namespace
 {
@@ -81,138 +76,28 @@ vtkAHDGivenSurface::vtkAHDGivenSurface(vtkPolyData* surface)
 {
 }
 
-void vtkAHDGivenSurface::Open(const vtkAHDContext& context)
+ahd::GivenTriangles vtkAHDGivenSurface::GetCounts() const
 {
-  if (this->Triangles.cells == 0)
-  {
-    this->Triangles = this->Cells.Open(context);
-  }
+  ahd::GivenTriangles counts;
+  counts.count = this->Cells.GetCounts().cells;
+  return counts;
 }
 
-std::int64_t vtkAHDGivenSurface::IdAt(std::size_t k) const
+ahd::GivenTriangles vtkAHDGivenSurface::Open(const vtkAHDContext& context)
 {
-  return this->Triangles.ids32 ? this->Triangles.ids32[k] : this->Triangles.ids64[k];
+  const ahd::CellsView cells = this->Cells.Open(context);
+  auto* edges = vtkAHDOutputArrays::ConstraintEdges.Find(this->Surface->GetCellData());
+  const bool fit = edges && edges->GetNumberOfValues() == this->Surface->GetNumberOfCells();
+  const vtkIdType first = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
+  return { cells.ids32, cells.ids64, cells.cells, fit ? edges->GetPointer(first) : nullptr };
 }
 
-vtkSmartPointer<vtkUnsignedCharArray> vtkAHDGivenSurface::MarkOthers(const vtkAHDContext& context)
+vtkSmartPointer<vtkUnsignedCharArray> vtkAHDMarkOthers(
+  const ahd::GivenTriangles& triangles, vtkIdType points, const vtkAHDContext& context)
 {
-  this->Open(context);
-  const vtkIdType points = this->Surface->GetNumberOfPoints();
   auto marks = vtkAHDNewArray<vtkUnsignedCharArray>(points);
   marks->SetName(vtkDataSetAttributes::GhostArrayName());
-  unsigned char* const mark = marks->GetPointer(0);
-  std::fill_n(mark, static_cast<std::size_t>(points), vtkDataSetAttributes::HIDDENPOINT);
-  for (std::size_t k = 0; k < this->Triangles.ids; ++k)
-  {
-    if (k % (std::size_t(1) << 14) == 0)
-    {
-      context.StopIfAborted();
-    }
-    const std::int64_t id = this->IdAt(k);
-    if (id >= 0 && id < points)
-    {
-      mark[id] = 0;
-    }
-  }
+  context.Check(ahd::markOthers(triangles, static_cast<std::size_t>(points),
+    vtkDataSetAttributes::HIDDENPOINT, marks->GetPointer(0), context));
   return marks;
-}
-
-std::size_t vtkAHDGivenSurface::FindOnce(
-  ahd::Triangulation& triangulation, std::vector<unsigned char>& kept, const vtkAHDContext& context)
-{
-  ahd::FoundTriangles found;
-  const std::size_t count = this->Triangles.cells;
-  context.Check(this->Triangles.ids32
-      ? ahd::findTriangles(triangulation, this->Triangles.ids32, count, context, found)
-      : ahd::findTriangles(triangulation, this->Triangles.ids64, count, context, found));
-  kept = std::move(found.kept);
-  this->Missing = std::move(found.missing);
-  return this->Missing.size();
-}
-
-void vtkAHDGivenSurface::AddEdge(std::size_t triangle, std::size_t edge)
-{
-  this->Ends.push_back(this->IdAt(3 * triangle + edge));
-  this->Ends.push_back(this->IdAt(3 * triangle + (edge + 1) % 3));
-}
-
-/// Makes room for so many. The memory that they and what constrains by them take is known only
-/// here: the report is told, and where there is none, that is the end.
-void vtkAHDGivenSurface::ReserveEdges(std::size_t edges, std::size_t points, vtkAHDReport& report)
-{
-  const std::size_t bytes = this->Missing.capacity() * sizeof(std::size_t) +
-    edges * 3 * sizeof(std::int64_t) + ahd::constraintMemoryEstimate(points, edges);
-  report.estimate += bytes / 1024 * 1024;
-  if (report.GetEstimate() > report.GetLimit())
-  {
-    throw vtkAHDStop{ ahd::Status::OutOfMemory };
-  }
-  this->Ends.reserve(2 * edges);
-}
-
-/// Calls with each edge that the array ConstraintEdges names, if it is there.
-template <typename Call>
-void vtkAHDGivenSurface::ForMarkedEdges(const vtkAHDContext& context, const Call& call) const
-{
-  auto* edges = vtkAHDOutputArrays::ConstraintEdges.Find(this->Surface->GetCellData());
-  if (!edges || edges->GetNumberOfValues() != this->Surface->GetNumberOfCells())
-  {
-    return;
-  }
-  const vtkIdType first = this->Surface->GetNumberOfVerts() + this->Surface->GetNumberOfLines();
-  for (std::size_t t = 0; t < this->Triangles.cells; ++t)
-  {
-    if (t % (std::size_t(1) << 14) == 0)
-    {
-      context.StopIfAborted();
-    }
-    const unsigned bits = edges->GetValue(first + static_cast<vtkIdType>(t));
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      if ((bits >> k & 1u) != 0)
-      {
-        call(t, k);
-      }
-    }
-  }
-}
-
-std::size_t vtkAHDGivenSurface::Find(ahd::Triangulation& triangulation,
-  std::vector<unsigned char>& kept, vtkAHDReport& report, const vtkAHDContext& context)
-{
-  this->Open(context);
-  this->Ends.clear();
-  std::size_t count = 3 * this->FindOnce(triangulation, kept, context);
-  this->ForMarkedEdges(context, [&count](std::size_t, std::size_t) { ++count; });
-  if (count == 0)
-  {
-    return 0;
-  }
-  this->ReserveEdges(count, triangulation.points().count, report);
-  for (const std::size_t t : this->Missing)
-  {
-    for (std::size_t k = 0; k < 3; ++k)
-    {
-      this->AddEdge(t, k);
-    }
-  }
-  this->ForMarkedEdges(context,
-    [this](std::size_t t, std::size_t k) { this->AddEdge(t, k); }); // natural neighbours end there
-  const std::size_t segments = this->Ends.size() / 2;
-  std::vector<std::int64_t> offsets(segments + 1);
-  for (std::size_t k = 0; k <= segments; ++k)
-  {
-    offsets[k] = static_cast<std::int64_t>(2 * k);
-  }
-  const ahd::ConstraintView edges{ this->Ends.data(), offsets.data(), segments, segments };
-  context.Check(ahd::constrain(
-    std::move(triangulation), edges, ahd::FillRule::Orientation, context, triangulation));
-  return this->FindOnce(triangulation, kept, context);
-}
-
-std::size_t vtkAHDGivenSurface::EstimateBytes(vtkPolyData* surface)
-{
-  const vtkAHDCellsView cells(surface->GetPolys(), nullptr);
-  const std::size_t points = static_cast<std::size_t>(surface->GetNumberOfPoints());
-  return cells.EstimateBytes() + 3 * points; // a mark, and a byte for each of two triangles
 }

@@ -2,9 +2,8 @@
 #ifndef vtkAHDGivenSurface_h
 #define vtkAHDGivenSurface_h
 
+#include "Engine/Surface/FindTriangles.h"
 #include "Engine/Surface/Plane.h"
-#include "Engine/Triangulation/Triangulation.h"
-#include "Execution/vtkAHDReport.h"
 #include "Pipeline/vtkAHDCellsView.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDSettings.h"
@@ -13,8 +12,6 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cstddef>
-#include <cstdint>
-#include <vector>
 
 class vtkDataObject;
 class vtkPolyData;
@@ -36,44 +33,30 @@ ahd::Plane vtkAHDFitPlaneOf(
   const vtkAHDSettings& settings, vtkPolyData* surface, const vtkAHDContext& context);
 
 /**
- * The triangles of a surface, to be had in a triangulation of the points that are their corners.
- * Borrows the surface.
+ * The triangles of a surface, as the engine looks at them. Borrows the surface.
  */
 class vtkAHDGivenSurface
 {
 public:
   explicit vtkAHDGivenSurface(vtkPolyData* surface);
 
-  /// A ghost mark for each point that is no corner. Throws vtkAHDStop and std::bad_alloc, as
-  /// Find().
-  vtkSmartPointer<vtkUnsignedCharArray> MarkOthers(const vtkAHDContext& context);
+  /// How many triangles; Open() tells where they are.
+  ahd::GivenTriangles GetCounts() const;
 
-  /// Makes the triangles of the surface triangles of the triangulation: adds constraints where it
-  /// has others, and those that the cell array ConstraintEdges names. Returns how many could not be
-  /// had: none, unless the surface folds over itself in the plane. `kept`: as a Selection has it.
-  /// Adds what constraints take to the report's estimate, and stops where that is beyond its limit.
-  std::size_t Find(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
-    vtkAHDReport& report, const vtkAHDContext& context);
+  /// With the constraints that the cell array ConstraintEdges names. Good as long as this. To be
+  /// called once. Throws vtkAHDStop and std::bad_alloc.
+  ahd::GivenTriangles Open(const vtkAHDContext& context);
 
-  /// Upper estimate of the bytes of marks and masks, for so many points; without those of
-  /// constraints.
-  static std::size_t EstimateBytes(vtkPolyData* surface);
+  /// Bytes that Open() takes.
+  std::size_t EstimateBytes() const { return this->Cells.EstimateBytes(); }
 
 private:
-  void Open(const vtkAHDContext& context);
-  std::int64_t IdAt(std::size_t k) const;
-  std::size_t FindOnce(ahd::Triangulation& triangulation, std::vector<unsigned char>& kept,
-    const vtkAHDContext& context);
-  void AddEdge(std::size_t triangle, std::size_t edge);
-  void ReserveEdges(std::size_t edges, std::size_t points, vtkAHDReport& report);
-  template <typename Call>
-  void ForMarkedEdges(const vtkAHDContext& context, const Call& call) const;
-
   vtkPolyData* const Surface;
   vtkAHDCellsView Cells;
-  ahd::CellsView Triangles;
-  std::vector<std::size_t> Missing;
-  std::vector<std::int64_t> Ends;
 };
+
+/// A ghost mark for each point that is no corner of these. Throws vtkAHDStop and std::bad_alloc.
+vtkSmartPointer<vtkUnsignedCharArray> vtkAHDMarkOthers(
+  const ahd::GivenTriangles& triangles, vtkIdType points, const vtkAHDContext& context);
 
 #endif

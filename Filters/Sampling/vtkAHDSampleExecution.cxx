@@ -40,6 +40,18 @@ double BytesKept(std::size_t points, const vtkAHDSettings& settings)
   return double(ahd::triangulationMemoryEstimate(points, settings.options)) +
     double(ahd::tableMemoryEstimate(points));
 }
+
+ahd::GivenTriangles CountsOf(const vtkAHDSampleInputs& inputs)
+{
+  return inputs.Surface ? vtkAHDGivenSurface(inputs.Surface).GetCounts() : ahd::GivenTriangles();
+}
+
+/// Of the input, before it is triangulated.
+std::size_t BytesOf(const vtkAHDSampleInputs& inputs)
+{
+  return inputs.InputBytes +
+    (inputs.Surface ? vtkAHDGivenSurface(inputs.Surface).EstimateBytes() : 0);
+}
 }
 
 vtkAHDSampleExecution::vtkAHDSampleExecution(vtkAlgorithm* filter, const vtkAHDSettings& settings,
@@ -61,7 +73,6 @@ bool vtkAHDSampleExecution::Run(
   try
   {
     this->Context.StopIfAborted();
-    this->IsSurface = inputs.Surface != nullptr;
     if (kept.Surface)
     {
       // One that is lent is there between the pieces of an execution alone.
@@ -251,8 +262,9 @@ bool vtkAHDSampleExecution::FitsToFindPlaces(const vtkAHDSampleInputs& inputs)
   }
   vtkAHDInput view(this->Settings, inputs.Points, inputs.Source);
   ahd::Workspace none;
+  view.GiveTriangles(CountsOf(inputs));
   memory.Estimate = InKiB(double(
-    vtkAHDExecution(this->Settings, view, none, this->Context, inputs.InputBytes).EstimateBytes()));
+    vtkAHDExecution(this->Settings, view, none, this->Context, BytesOf(inputs)).EstimateBytes()));
   memory.Points = ahd::expectedPoints(view.GetRequest());
   const auto& dimensions = this->Wishes.Raster.Dimensions;
   memory.Places = this->Wishes.Raster.ByCellSize ? -1.0
@@ -267,11 +279,11 @@ bool vtkAHDSampleExecution::FitsInMemory(
 {
   vtkAHDInput view(this->Settings, inputs.Points, inputs.Source);
   ahd::Workspace none;
-  const vtkAHDExecution execution(this->Settings, view, none, this->Context, inputs.InputBytes);
+  view.GiveTriangles(CountsOf(inputs));
+  const vtkAHDExecution execution(this->Settings, view, none, this->Context, BytesOf(inputs));
   const std::size_t points = ahd::expectedPoints(view.GetRequest());
   this->EstimateSampling(inputs, points);
-  const double toMake = double(execution.EstimateBytes()) +
-    (inputs.Surface ? double(vtkAHDGivenSurface::EstimateBytes(inputs.Surface)) : 0.0);
+  const double toMake = double(execution.EstimateBytes());
   vtkAHDSampleMemory& memory = this->Memory;
   memory.Points = points;
   memory.Estimate = InKiB(toMake + this->BytesOfSampling);
@@ -297,7 +309,7 @@ std::vector<double> vtkAHDSampleExecution::StagesBehind(std::size_t points) cons
     : this->Wishes.Method == ahd::SampleMethod::Linear ? 0.6
                                                        : 2.0;
   const double sampling = 0.1 + perPlace * double(this->Result.Places) / double(points + 1);
-  return { this->Settings.limitsSize() || this->IsSurface ? 1.5 : 0.0, sampling };
+  return { this->Settings.limitsSize() ? 1.5 : 0.0, sampling };
 }
 
 /// The surface that was kept, or a new one in its place.
@@ -317,7 +329,7 @@ void vtkAHDSampleExecution::TakeSurface(
   kept.Surface = std::make_unique<vtkAHDSampledSurface>(
     this->Settings, inputs.Points, inputs.Source, inputs.Surface, this->Context);
   vtkAHDExecution execution(
-    this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, inputs.InputBytes);
+    this->Settings, kept.Surface->GetInput(), kept.Workspace, this->Context, BytesOf(inputs));
   this->Report = kept.Surface->Make(execution,
     static_cast<std::size_t>(std::min(this->BytesOfSampling, 0x1p60)), this->StagesBehind(points));
   this->Triangulated = this->Report.status != ahd::Status::BadCells && !this->Report.isRefused;
@@ -327,13 +339,11 @@ void vtkAHDSampleExecution::TakeSurface(
   }
   this->Memory.Estimate = this->Report.GetEstimate();
   this->Context.NextStage();
-  const std::size_t missing = kept.Surface->Select(this->Settings, this->Context, this->Report);
-  this->Memory.Estimate = this->Report.GetEstimate();
-  if (missing > 0)
+  kept.Surface->Select(this->Settings, this->Context, this->Report);
+  if (this->Report.foldedTriangles > 0)
   {
-    vtkAHDSayFolded(this->Filter, this->Report.Triangles, missing);
-    this->Report.status = ahd::Status::Cancelled; // it was said
-    return;
+    vtkAHDSayFolded(this->Filter, this->Report.Triangles, this->Report.foldedTriangles);
+    throw vtkAHDStop{ ahd::Status::Cancelled };
   }
   this->Context.NextStage();
   if (!inputs.PiecesBefore)

@@ -124,7 +124,6 @@ private:
   vtkAHDSampleMemory Memory;
   bool IsKept = false; // the surface is there: that of the execution before, or borrowed
   bool Triangulated = false;
-  bool IsSurface = false; // the input is one
   double Seconds = 0.0;
 };
 

@@ -6,7 +6,6 @@
 #include "Output/vtkAHDPointOutput.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Pipeline/vtkAHDOutputArrays.h"
-#include "Sampling/vtkAHDGivenSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -48,14 +47,18 @@ vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPo
   , Surface(CopyOf(surface))
   , GivenMarks(this->Input->GetPointGhostArray())
 {
+  ahd::GivenTriangles triangles;
   if (surface)
   {
     this->Corners = PointsOf(input);
-    this->Marks = vtkAHDGivenSurface(surface).MarkOthers(context);
+    this->Given = std::make_unique<vtkAHDGivenSurface>(this->Surface);
+    triangles = this->Given->Open(context);
+    this->Marks = vtkAHDMarkOthers(triangles, input->GetNumberOfPoints(), context);
     this->Corners->GetPointData()->AddArray(this->Marks);
   }
   this->View = std::make_unique<vtkAHDInput>(
     settings, surface ? this->Corners : this->Input, this->Source);
+  this->View->GiveTriangles(triangles);
 }
 
 vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPolyData* surface,
@@ -81,21 +84,20 @@ vtkAHDReport vtkAHDSampledSurface::Make(
   return execution.Triangulate(this->Made, bytesBehind, stagesBehind);
 }
 
-std::size_t vtkAHDSampledSurface::Select(
+void vtkAHDSampledSurface::Select(
   const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report)
 {
   if (this->Surface)
   {
-    const std::size_t missing = vtkAHDGivenSurface(this->Surface)
-                                  .Find(this->Made.triangulation, this->Made.selection.kept, report,
-                                    context);
     report.Triangles = report.Cells = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
-    return missing;
+    this->View->GiveTriangles({});
+    this->Given.reset();
+    return;
   }
   report.Triangles = report.Cells = this->Made.triangulation.report().triangles;
   if (!settings.limitsSize() || this->Made.points.points().count == 0)
   {
-    return 0;
+    return;
   }
   ahd::SpacePoints space;
   const ahd::InputRequest& opened = this->View->GetRequest();
@@ -106,7 +108,6 @@ std::size_t vtkAHDSampledSurface::Select(
   }
   context.Check(this->Made.select(settings, space.view(), context));
   report.Triangles = report.Cells = this->Made.triangleCount();
-  return 0;
 }
 
 std::vector<vtkDataArray*> vtkAHDSampledSurface::ArraysOf(

@@ -8,6 +8,7 @@
 #include "Execution/vtkAHDKeptTriangulation.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDSettings.h"
+#include "Sampling/vtkAHDGivenSurface.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPointSet.h"
@@ -51,14 +52,12 @@ public:
   /// Points and segments as they are known before, for estimates.
   vtkAHDInput& GetInput() { return *this->View; }
 
-  /// Triangulates: see vtkAHDExecution::Triangulate().
+  /// Triangulates: see vtkAHDExecution::Triangulate(). Of a surface it finds the triangles.
   vtkAHDReport Make(
     vtkAHDExecution& execution, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
 
-  /// Finds which triangles count, and tells the report. After Make(), once. Returns how many of a
-  /// surface could not be had.
-  std::size_t Select(
-    const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
+  /// Finds which triangles count, and tells the report. After Make(), once.
+  void Select(const vtkAHDSettings& settings, const vtkAHDContext& context, vtkAHDReport& report);
 
   /// Remembers what it was made of, as the settings were changed last at `settings`.
   void Remember(const vtkAHDSettingsTimes& settings, const vtkAHDContext& context);
@@ -119,6 +118,7 @@ private:
   vtkSmartPointer<vtkPointSet> Corners; // of the surface: the input, others marked as hidden
   vtkSmartPointer<vtkUnsignedCharArray> GivenMarks; // those of the input; null: none
   vtkSmartPointer<vtkUnsignedCharArray> Marks;      // of the corners
+  std::unique_ptr<vtkAHDGivenSurface> Given;        // of the surface, until its triangles are found
   std::unique_ptr<vtkAHDInput> View;
   ahd::RunResult Made;
   vtkAHDKeptTriangulation::Content Lent; // null: Made is to be used

@@ -258,7 +258,7 @@ AHD_API ahd_status ahd_set_double(ahd_job* job, const char* name, double value);
 AHD_API ahd_status ahd_get_int(ahd_job* job, const char* name, int64_t* value);
 AHD_API ahd_status ahd_get_double(ahd_job* job, const char* name, double* value);
 
-/* --- Input -----------------------------------------------------------------------------------
+/* --- Input (for a surface that was made before: ahd_sample.h) ---------------------------------
  *
  *   points         real     (n, 2 or 3)     x, y and perhaps z, else z is 0; NaN is legal
  *   skip           uint8    (n)             marks of points that are left out; see skip_mask

@@ -37,6 +37,21 @@
  * Measure:
  *   seconds_sample        wall-clock time of the last one
  *
+ * A surface that was made before, in place of constraints. Input arrays:
+ *   surface          integer  (t, 3)   corners of its triangles: ids of points
+ *   surface_edges    uint8    (t)      bit e is set if edge e of the row is a constraint
+ * Setting, of type int:
+ *   unfitted_points  0        0 to 2^62: the last of points, which were added where the surface was
+ *                             made: AHD_PLANE_BEST_FIT is not fitted to them
+ * Count, known after every run:
+ *   folded_triangles          of the surface, that cross others in the plane or are clockwise: they
+ *                             cannot be had, and ahd_run() returns AHD_BAD_VALUE
+ * With a row or more, ahd_run() makes these triangles, and they alone are put out and sampled. Of
+ * the points, their corners are triangulated, whatever is in skip. Edges become constraints if
+ * surface_edges says so, or if a triangle cannot be had otherwise. AHD_BAD_ARRAY: with source
+ * points, lines or loops. AHD_BAD_VALUE: with tolerance, bounding, alpha, maximum_edge_length,
+ * insertion_limit, or a rim that may be trimmed.
+ *
  * Arrays, made by ahd_sample_weights():
  *   weight_offsets   int64    (places + 1)   place i has the entries from offset i to i + 1
  *   weight_points    id       (entries)      points that have a say in it, of a place each once

@@ -40,6 +40,8 @@ constexpr Row kRows[] = {
   { "line_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "loop_offsets", kInteger, 1, 1, "AHD_INT32 or AHD_INT64, of one column" },
   { "matrix", bitOf(kFloat64), 4, 4, "AHD_FLOAT64, of 4 rows and columns" },
+  { "surface", kInteger, 3, 3, "AHD_INT32 or AHD_INT64, of 3 columns" },
+  { "surface_edges", bitOf(kUint8), 1, 1, "AHD_UINT8, of one column" },
 };
 static_assert(sizeof(kRows) / sizeof(kRows[0]) == kInputArrays, "a row for each");
 
@@ -114,6 +116,28 @@ void InputArrays::count(InputRequest& request) const
   }
   countCells(InputArray::LineIds, InputArray::LineOffsets, request.lines);
   countCells(InputArray::LoopIds, InputArray::LoopOffsets, request.polygons);
+  countSurface(request.surface);
+}
+
+/// It is what points, constraints and limits have made already.
+void InputArrays::countSurface(GivenTriangles& surface) const
+{
+  surface = GivenTriangles();
+  surface.count = static_cast<std::size_t>((*this)[InputArray::Surface].rows);
+  const auto edges = static_cast<std::size_t>((*this)[InputArray::SurfaceEdges].rows);
+  if (has(InputArray::SurfaceEdges) && edges != surface.count)
+  {
+    refuse(Reason::BadArray,
+      quoted(InputArray::SurfaceEdges) + " has " + std::to_string(edges) + " rows, and " +
+        quoted(InputArray::Surface) + " " + std::to_string(surface.count) + ".");
+  }
+  const bool isAlone = (*this)[InputArray::SourcePoints].rows == 0 &&
+    (*this)[InputArray::LineIds].rows == 0 && (*this)[InputArray::LoopIds].rows == 0;
+  if (surface.count > 0 && !isAlone)
+  {
+    refuse(Reason::BadArray,
+      quoted(InputArray::Surface) + " goes with no source points, lines or loops.");
+  }
 }
 
 void InputArrays::countCells(InputArray idArray, InputArray offsetArray, CellsView& cells) const

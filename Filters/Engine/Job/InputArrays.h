@@ -34,9 +34,11 @@ enum class InputArray : std::size_t
   LoopIds,
   LineOffsets,
   LoopOffsets,
-  Matrix
+  Matrix,
+  Surface,
+  SurfaceEdges
 };
-constexpr std::size_t kInputArrays = std::size_t(InputArray::Matrix) + 1;
+constexpr std::size_t kInputArrays = std::size_t(InputArray::SurfaceEdges) + 1;
 
 /// The arrays that a job was given, looked at where they are. What is wrong with one is refused.
 class InputArrays
@@ -51,8 +53,8 @@ public:
   const GivenArray& operator[](InputArray array) const { return arrays_[std::size_t(array)]; }
   bool has(InputArray array) const { return (*this)[array].type != 0; }
 
-  /// Sets the counts of points, cells and ids; looks at no number. Refuses what does not fit
-  /// together.
+  /// Sets the counts of points, cells, ids and triangles; looks at no number. Refuses what does not
+  /// fit together.
   void count(InputRequest& request) const;
 
   /// Bytes of the copies that OpenInput makes.
@@ -62,6 +64,7 @@ public:
   std::array<double, 16> matrix() const;
 
 private:
+  void countSurface(GivenTriangles& surface) const;
   void countCells(InputArray ids, InputArray offsets, CellsView& cells) const;
 
   std::array<GivenArray, kInputArrays> arrays_ = {};
@@ -76,11 +79,15 @@ public:
   void openPoints(const InputArrays& arrays, const Context& context);
   /// Opens lines and loops, and refuses offsets that do not ascend within the ids.
   void openCells(const InputArrays& arrays, const Context& context);
+  /// Opens the triangles of a surface, if there are any, and marks the points that are no corner in
+  /// place of those that were marked.
+  void openSurface(const InputArrays& arrays, const Context& context);
 
   PointView points;
   PointView sourcePoints;
   CellsView lines;
   CellsView loops;
+  GivenTriangles surface;
 
 private:
   struct Copies
@@ -99,7 +106,8 @@ private:
 
   Copies pointCopies_, sourceCopies_;
   std::vector<unsigned char> marks_;
-  CellCopies lineCopies_, loopCopies_;
+  CellCopies lineCopies_, loopCopies_, surfaceCopies_;
+  std::vector<unsigned char> edges_, others_;
 };
 
 } // namespace ahd

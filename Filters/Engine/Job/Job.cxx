@@ -81,6 +81,13 @@ void Job::runWith(const Context& context)
     return request;
   };
   check(run.make(open, {}, progress, context.executor, made));
+  if (report_.foldedTriangles > 0)
+  {
+    refuse(Reason::BadValue,
+      std::to_string(report_.foldedTriangles) + " of the " +
+        std::to_string(made.input.surface.count) +
+        " triangles of \"surface\" cross others in the plane, or are turned over there.");
+  }
   select(context);
   check(run.findStacks(made, context));
 }
@@ -98,6 +105,14 @@ InputRequest Job::request(const RunSettings& asked) const
     refuse(Reason::BadValue, "\"plane\" is AHD_PLANE_CALLBACK, but ahd_set_projection() set none.");
   }
   arrays.count(request);
+  const bool dropsTriangles = asked.limitsSize() || asked.addsBounding() || asked.mayTrimRim();
+  if (request.surface.count > 0 &&
+    (dropsTriangles || asked.tolerance > 0.0 || asked.options.insertionLimit > 0))
+  {
+    refuse(Reason::BadValue,
+      "With \"surface\" there is no \"tolerance\", \"bounding\", \"alpha\", "
+      "\"maximum_edge_length\" or \"insertion_limit\", and \"rim\" is AHD_RIM_CONVEX_HULL.");
+  }
   request.firstCell = settings[IntSetting::FirstCell];
   asked.ask(request);
   return request;
@@ -126,8 +141,15 @@ void Job::open(const Context& context, InputRequest& request)
   OpenInput& input = result_->input;
   input.openPoints(arrays, context);
   input.openCells(arrays, context);
+  input.points.skipMask = static_cast<unsigned char>(settings[IntSetting::SkipMask]);
+  if (request.fitPlane && (request.surface.count > 0 || settings[IntSetting::UnfittedPoints] > 0))
+  {
+    check(fit(input.points, result_->fitted, context));
+    request.plane = &result_->fitted;
+  }
+  input.openSurface(arrays, context);
+  request.surface = input.surface;
   request.points = input.points;
-  request.points.skipMask = static_cast<unsigned char>(settings[IntSetting::SkipMask]);
   request.sourcePoints = input.sourcePoints;
   request.lines = input.lines;
   request.polygons = input.loops;
@@ -156,6 +178,14 @@ void Job::check(Status status) const
   ahd::check(status);
 }
 
+Status Job::fit(const PointView& points, Plane& plane, const Context& context) const
+{
+  PointView fitted = points;
+  fitted.count -= std::min(
+    fitted.count, static_cast<std::size_t>(settings[IntSetting::UnfittedPoints]));
+  return plane.fit(fitted, context);
+}
+
 void Job::fitPlane(double* matrix)
 {
   Plane plane;
@@ -167,7 +197,7 @@ void Job::fitPlane(double* matrix)
       OpenInput input;
       input.openPoints(arrays, context);
       input.points.skipMask = static_cast<unsigned char>(settings[IntSetting::SkipMask]);
-      ahd::check(plane.fit(input.points, context));
+      ahd::check(fit(input.points, plane, context));
     });
   writeMatrix(plane, matrix);
 }

@@ -116,6 +116,16 @@ const Id* idsOf(const GivenArray& array, std::vector<Id>& copy, const Context& c
                                          : copyIds(array, copy, context);
 }
 
+/// The same of marks.
+const unsigned char* bytesOf(
+  const GivenArray& array, std::vector<unsigned char>& copy, const Context& context)
+{
+  return isContiguous(array)
+    ? static_cast<const unsigned char*>(array.data)
+    : copyNumbers(array, copy, context,
+        [&](std::size_t row, std::size_t column) { return *at(array, row, column); });
+}
+
 /// Offsets of so many cells of the same size.
 template <typename Id>
 const Id* evenOffsets(
@@ -203,8 +213,13 @@ std::size_t InputArrays::copiedBytes() const
       ? static_cast<std::size_t>(array.rows * array.columns) * sizeOf(array.type)
       : 0;
   }
-  const GivenArray& skip = own[InputArray::Skip];
-  return bytes + (isContiguous(skip) ? 0 : static_cast<std::size_t>(skip.rows));
+  for (const InputArray marks : { InputArray::Skip, InputArray::SurfaceEdges })
+  {
+    bytes += isContiguous(own[marks]) ? 0 : static_cast<std::size_t>(own[marks].rows);
+  }
+  const GivenArray& surface = own[InputArray::Surface];
+  return bytes +
+    (isContiguous(surface) ? 0 : 3 * sizeOf(surface.type) * static_cast<std::size_t>(surface.rows));
 }
 
 PointView OpenInput::open(const GivenArray& array, Copies& copies, const Context& context)
@@ -236,20 +251,27 @@ void OpenInput::openPoints(const InputArrays& arrays, const Context& context)
   {
     return;
   }
-  points.skip = static_cast<const unsigned char*>(skip.data);
-  if (!isContiguous(skip))
+  points.skip = bytesOf(skip, marks_, context);
+}
+
+void OpenInput::openSurface(const InputArrays& arrays, const Context& context)
+{
+  const GivenArray& given = arrays[InputArray::Surface];
+  surface = GivenTriangles();
+  if (given.rows == 0)
   {
-    marks_.resize(points.count);
-    forRows(points.count, context,
-      [&](std::size_t begin, std::size_t end)
-      {
-        for (std::size_t i = begin; i < end; ++i)
-        {
-          marks_[i] = *at(skip, i, 0);
-        }
-      });
-    points.skip = marks_.data();
+    return;
   }
+  surface.count = static_cast<std::size_t>(given.rows);
+  surface.ids32 = given.type == kInt32 ? idsOf(given, surfaceCopies_.ids32, context) : nullptr;
+  surface.ids64 = given.type == kInt64 ? idsOf(given, surfaceCopies_.ids64, context) : nullptr;
+  surface.edges = arrays.has(InputArray::SurfaceEdges)
+    ? bytesOf(arrays[InputArray::SurfaceEdges], edges_, context)
+    : nullptr;
+  others_.resize(points.count);
+  check(markOthers(surface, points.count, 1, others_.data(), context));
+  points.skip = others_.data();
+  points.skipMask = 1;
 }
 
 void OpenInput::openCells(const InputArrays& arrays, const Context& context)

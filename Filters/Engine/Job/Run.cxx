@@ -100,8 +100,7 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
 
 /// Calls what asks for memory while it works, which may be as much as there is. `asked`: of the
 /// report.
-template <typename Call>
-Status Run::withAsking(std::size_t& asked, const Call& call)
+Status Run::withAsking(std::size_t& asked, const std::function<Status()>& call)
 {
   AskedMemory& memory = progress_->asked();
   const std::size_t most = mostThatFit(kTooMuchAsked,
@@ -129,7 +128,8 @@ std::vector<double> Run::firstStages() const
       weight(settings_.heightsFromSurface, 1.5) + weight(settings_.split && constrains, 2.0),
     1.0,
     weight(settings_.voronoi, 3.0),
-    weight(constrains, 0.6) + weight(settings_.mayTrimRim(), 0.05),
+    weight(constrains, 0.6) + weight(settings_.mayTrimRim(), 0.05) +
+      weight(counts_.surface.count > 0, 1.5),
   };
 }
 
@@ -173,6 +173,7 @@ Status Run::make(
   if (status == Status::Ok)
   {
     reportOn(made);
+    status = findSurface(made);
   }
   return status;
 }
@@ -182,6 +183,7 @@ Status Run::prepare(const Open& open, RunResult& made)
   progress_->reach(kPreparing);
   InputRequest request = open();
   request.mostCrossings = report_.mostCrossings;
+  surface_ = request.surface;
   const Status status = withAsking(
     report_.askedToSplit, [&] { return ahd::prepare(request, context_, made.points); });
   if (status == Status::TooManyCrossings)

@@ -5,6 +5,7 @@
 #include "../Core/Context.h"
 #include "../Prepare/Prepare.h"
 #include "../Surface/CellArrays.h"
+#include "../Surface/FindTriangles.h"
 #include "../Surface/Selection.h"
 #include "../Triangulate.h"
 #include "../Voronoi/Voronoi.h"
@@ -109,9 +110,10 @@ public:
   /// Lends memory to the cells of the Voronoi diagram.
   using Lend = std::function<void(const Report&, VoronoiCells&)>;
 
-  /// Opens the input, prepares, triangulates and constrains, and fills in the report. Returns what
-  /// the engine's calls do; throws what `open` and `lend` throw. REQUIRES: checkMemory(), and
-  /// stages that begin with firstStages().
+  /// Opens the input, prepares, triangulates and constrains, finds the triangles of a surface that
+  /// is given, and fills in the report. Returns what the engine's calls do; throws what `open` and
+  /// `lend` throw. REQUIRES: checkMemory(), and stages that begin with firstStages(); with a
+  /// surface no constraints, and nothing that drops triangles.
   Status make(
     const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made);
 
@@ -122,12 +124,13 @@ public:
 private:
   bool fits() const { return estimate() <= report_.allowed; }
   Status end(Status status);
-  template <typename Call>
-  Status withAsking(std::size_t& asked, const Call& call);
+  Status withAsking(std::size_t& asked, const std::function<Status()>& call);
   Status prepare(const Open& open, RunResult& made);
   Status triangulate(RunResult& made);
   Status makeVoronoi(const Lend& lend, RunResult& made);
   Status constrain(RunResult& made);
+  Status findSurface(RunResult& made);
+  Status constrainEdges(const std::vector<std::size_t>& missing, RunResult& made);
   void reportOn(const RunResult& made);
 
   const RunSettings& settings_;
@@ -136,6 +139,7 @@ private:
   Workspace& workspace_;
   RunReport& report_;
   RunProgress* progress_ = nullptr; ///< during make()
+  GivenTriangles surface_;          ///< the same
   Context context_;
 };
 

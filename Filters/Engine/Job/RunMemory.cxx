@@ -48,7 +48,7 @@ public:
     , settings_(settings)
     , sizes_(sizes)
     , callers_(callers)
-    , hasMarks_(sizes.segments > 0 || settings.mayTrimRim())
+    , hasMarks_(sizes.segments + sizes.surfaceEdges > 0 || settings.mayTrimRim())
     , adds_(sizes.points > request.points.count)
   {
   }
@@ -65,6 +65,7 @@ private:
   std::size_t perPoint(bool is, std::size_t bytes) const { return is ? sizes_.points * bytes : 0; }
   bool selectsByAlpha() const { return settings_.limits.alpha > 0.0; }
   bool selectsByLength() const { return settings_.limits.maximumEdgeLength > 0.0; }
+  bool hasSurface() const { return request_.surface.count > 0; }
   bool writesCells() const { return !settings_.samples; }
   bool keepsTables() const { return settings_.voronoi && sizes_.segments == 0; }
 
@@ -110,7 +111,7 @@ std::size_t Estimate::preparing() const
 /// What is left of that.
 std::size_t Estimate::prepared() const
 {
-  std::size_t bytes = preparedMemoryEstimate(request_);
+  std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1); // marks
   if (sizes_.crossings > 0)
   {
     bytes += sizes_.points * (kPlace + 1) +
@@ -154,9 +155,11 @@ std::size_t Estimate::inSpace() const
 /// Trimming, and averaging, take less than what is held when cells are written.
 std::size_t Estimate::constraining() const
 {
-  const std::size_t segments = sizes_.segments + 2 * sizes_.crossings;
+  const std::size_t edges = sizes_.surfaceEdges;
+  const std::size_t segments = sizes_.segments + 2 * sizes_.crossings + edges;
   return segments == 0 ? 0
-                       : knownConstraintMemory(sizes_.points, segments) + sizes_.askedToConstrain;
+                       : knownConstraintMemory(sizes_.points, segments) + sizes_.askedToConstrain +
+      edges * 3 * kId; // their ends, and where they begin
 }
 
 /// The cells and the tables are in held().
@@ -214,10 +217,10 @@ std::size_t Estimate::writing() const
     (hasMarks_ && (settings_.regions || settings_.constraintEdges || byCorners));
   if (settings_.samples) // all tables are made, but for what there is already
   {
-    return perPoint(settings_.limitsSize(), 2) + perPoint(true, kTables);
+    return perPoint(settings_.limitsSize() || hasSurface(), 2) + perPoint(true, kTables);
   }
-  return perPoint(settings_.limitsSize(), 2 + ends + places) + perPoint(byCorners, 24) +
-    (selectsByAlpha() ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
+  return perPoint(settings_.limitsSize() || hasSurface(), 2 + ends + places) +
+    perPoint(byCorners, 24) + (selectsByAlpha() ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
     perPoint(hasMarks_ && settings_.regions, kRegions);
 }
 

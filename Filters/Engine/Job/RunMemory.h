@@ -10,13 +10,14 @@ namespace ahd
 {
 
 /// What is known of sizes: points and segments before the work begins; crossings once they are
-/// split, boxes once the points are sorted.
+/// split, boxes once the points are sorted, edges of a surface once its triangles are looked for.
 struct RunSizes
 {
   std::size_t points = 0; ///< added ones included
   std::size_t segments = 0;
   std::size_t crossings = 0;
   std::size_t boxes = 0;
+  std::size_t surfaceEdges = 0; ///< of given triangles, to become constraints
   /// Bytes that show while segments are split, and while they are inserted (Progress::take()).
   std::size_t askedToSplit = 0, askedToConstrain = 0;
 };

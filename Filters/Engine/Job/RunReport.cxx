@@ -19,6 +19,7 @@ constexpr ReportRow kRows[] = {
   { "memory_allowed", false, [](R r) { return std::uint64_t(r.allowed); } },
   { "most_boxes", false, [](R r) { return std::uint64_t(r.mostBoxes); } },
   { "most_crossings", false, [](R r) { return std::uint64_t(r.mostCrossings); } },
+  { "folded_triangles", false, [](R r) { return std::uint64_t(r.foldedTriangles); } },
   { "threads_used", false, [](R r) { return std::uint64_t(r.threadsUsed); } },
   { "dispatch_target", false,
     [](R)

@@ -46,6 +46,8 @@ struct RunReport : RunSizes
   /// In space, as far as it is known: found out if there is no triangle in x, y.
   bool areOnOneLine = true;
   bool areStacked = false; ///< found out if most points are duplicates
+  /// Given triangles that cannot be had: others cross them in the plane, or they are clockwise.
+  std::size_t foldedTriangles = 0;
 
   /// Is it worth looking whether x and y tell the points apart?
   bool mayBeStacked() const { return !isProjected && counts.beyondLimit == 0; }

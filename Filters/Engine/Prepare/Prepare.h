@@ -9,6 +9,7 @@
 #include "../Options.h"
 #include "../Points/Points.h"
 #include "../Result.h"
+#include "../Surface/FindTriangles.h"
 #include "../Surface/Plane.h"
 
 #include <array>
@@ -83,6 +84,10 @@ struct InputRequest
   /// A run that must split in more places (splitAtCrossings()) ends with Status::TooManyCrossings
   /// before it does.
   std::size_t mostCrossings = std::size_t(-1);
+
+  /// For Run, which finds them in the triangulation; prepare() looks at nothing of it. None: count
+  /// is 0.
+  GivenTriangles surface;
 };
 
 /// The neighbours of a point added at the crossing of two segments. Segments and their ends are in

@@ -5,6 +5,7 @@
 #include "../Core/Progress.h"
 #include "../Triangulation/Triangulation.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -108,6 +109,29 @@ bool findAll(const Triangulation& triangulation, const Id* ids, std::size_t coun
 }
 
 } // namespace
+
+Status markOthers(const GivenTriangles& given, std::size_t points, unsigned char mark,
+  unsigned char* marks, const Context& context)
+{
+  Ticker ticker(context.progress, Phase::Read, given.count, context.executor);
+  std::fill_n(marks, points, mark);
+  for (std::size_t i = 0; i < given.count; ++i)
+  {
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      const std::int64_t id = given.corner(i, k);
+      if (id >= 0 && static_cast<std::uint64_t>(id) < points)
+      {
+        marks[id] = 0;
+      }
+    }
+    if (!ticker.step())
+    {
+      return Status::Cancelled;
+    }
+  }
+  return Status::Ok;
+}
 
 template <typename Id>
 Status findTriangles(Triangulation& triangulation, const Id* ids, std::size_t count,

@@ -14,6 +14,28 @@ namespace ahd
 
 class Triangulation;
 
+/// Triangles of a caller, borrowed: three ids of points each, any at all.
+struct GivenTriangles
+{
+  std::int64_t corner(std::size_t triangle, std::size_t k) const
+  {
+    const std::size_t i = 3 * triangle + k;
+    return ids32 ? ids32[i] : ids64[i];
+  }
+
+  const std::int32_t* ids32 = nullptr; ///< of all, or ids64
+  const std::int64_t* ids64 = nullptr;
+  std::size_t count = 0;
+  /// Null, or a byte for each: bit e is set if the edge from corner e to the next is a constraint.
+  const unsigned char* edges = nullptr;
+};
+
+/// Writes a mark for each of the points: 0 for corners, else this one.
+///
+/// @return Ok or Cancelled
+Status markOthers(const GivenTriangles& given, std::size_t points, unsigned char mark,
+  unsigned char* marks, const Context& context);
+
 /// Triangles of a caller, looked up in a triangulation of their points.
 struct FoundTriangles
 {

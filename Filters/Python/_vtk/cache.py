@@ -26,23 +26,26 @@ def _of_cells(cells):
 
 
 class Inputs:
-    """What a triangulation is made of: the arrays of points, ghost marks and source, held."""
+    """What a triangulation is made of: the arrays of points, ghost marks, source and given surface, held."""
 
-    def __init__(self, given, source):
+    def __init__(self, given, source, surface=None):
         marks, points = given.GetPointData().GetAbstractArray(GHOSTS), given.GetPoints()
         self.is_small = given.GetNumberOfPoints() <= MOST_POINTS
         self.arrays = [points.GetData() if points else None,
                        marks if marks and marks.IsA("vtkUnsignedCharArray") else None]
-        self.vertices = 0
+        self.numbers = []
         if source is not None:
             self.arrays += [source.GetPoints().GetData() if source.GetPoints() else None]
             self.arrays += _of_cells(source.GetLines()) + _of_cells(source.GetPolys())
-            self.vertices = source.GetNumberOfVerts()  # cells are numbered behind the vertices
+            self.numbers.append(source.GetNumberOfVerts())  # cells are numbered behind the vertices
+        if surface is not None:
+            self.arrays += surface.arrays()
+            self.numbers += [surface.triangles, surface.added]
 
     def fingerprints(self):
         """Of all; None where that cannot be known."""
         try:
-            return [_fingerprint(data) for data in self.arrays] + [self.vertices] if self.is_small else None
+            return [_fingerprint(data) for data in self.arrays] + self.numbers if self.is_small else None
         except Unknown:
             return None
 

@@ -16,7 +16,8 @@ SKIPPED = 1 | 2  # vtkDataSetAttributes' DUPLICATEPOINT and HIDDENPOINT
 STEP, SILENCE = 0.01, 1.0 / 12.0  # of the whole; seconds, at most
 MOST_BYTES = 2**62
 MOST_THREADS = 1024
-INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix")
+INPUT = ("points", "skip", "source_points", "line_ids", "line_offsets", "loop_ids", "loop_offsets", "matrix", "surface",
+         "surface_edges")
 
 
 def threads_to_use(backend, wished):
@@ -62,11 +63,13 @@ class Progress:
 
 
 class Execution:
-    """Of a filter with a `job` that it keeps. `bytes_before`: of memory that merging blocks took."""
+    """Of a filter with a `job` that it keeps. `bytes_before`: of memory that merging blocks took. `surface`: None, or
+    one whose triangles are to be had, of the points that are given (sampling.GivenSurface)."""
 
-    def __init__(self, backend, algorithm, given, source, bytes_before=0):
+    def __init__(self, backend, algorithm, given, source, bytes_before=0, surface=None):
         self.backend, self.algorithm, self.job = backend, algorithm, algorithm._job
-        self.given, self.source, self.bytes_before = given, source, bytes_before
+        self.given, self.source, self.bytes_before, self.surface = given, source, bytes_before, surface
+        self.unfitted = surface.added if surface else 0  # of the points, to which no plane is fitted
         self.values, self.transform = dict(algorithm._values), algorithm._transform  # observers may set others
         mode = self.values["ProjectionPlaneMode"]
         self.fits_plane = mode == 2
@@ -141,7 +144,8 @@ class Execution:
         cells = (self.source.GetLines(), self.source.GetPolys()) if self.source else ()
         return sum(24 * points.GetNumberOfPoints() for points in (
             self.given.GetPoints(), source.GetPoints() if source else None) if must_be_converted(points)) + sum(
-                bytes_to_convert(self.backend, some) for some in cells)
+                bytes_to_convert(self.backend, some) for some in cells) + (
+                    self.surface.bytes_to_convert() if self.surface else 0)
 
     def _give_input(self):
         vtk, job = self.backend, self.job
@@ -160,7 +164,10 @@ class Execution:
             self.found.source_points = source.GetNumberOfPoints()
             self.found.source_vertices = source.GetNumberOfVerts()
             self.found.source_strips = source.GetNumberOfStrips()
-        job.set(first_cell=self.found.source_vertices)  # verts come before lines
+        job.set(first_cell=self.found.source_vertices, unfitted_points=self.unfitted)  # verts come before lines
+        if self.surface is not None:
+            self.found.marks_are_unfit = False  # they are not looked at
+            self.surface.give(job)
         self._give_plane()
 
     def _give_plane(self):

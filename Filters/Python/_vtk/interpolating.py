@@ -14,7 +14,7 @@ from .arrays import GHOSTS, must_be_converted, new_array, view
 from .blocks import MOST_POINTS
 from .columns import NEAREST, Columns, blocks_of
 from .execution import Execution, Progress, threads_to_use
-from .sampling import SampledSurface, area_of, count_added
+from .sampling import SampledSurface, area_of
 
 HIDDENPOINT = 2  # of vtkDataSetAttributes
 TRIANGULATION = 0.7  # how much of the time it takes, about
@@ -42,15 +42,14 @@ class _Stage(Progress):
 
 class Interpolating:
     """Of a filter. `asked`: the filter with the settings of the triangulation, these, and those of the interpolation,
-    as they were when the execution began; `merged`: the points and constraints; `places`: of one piece, None for a
-    raster. The triangulation is kept until the last piece is done. `pieces`: the places of all, if they are several;
-    the first piece answers for the memory of all."""
+    as they were when the execution began, and the surface that is given or None; `merged`: the points and constraints;
+    `places`: of one piece, None for a raster. The triangulation is kept until the last piece is done. `pieces`: the
+    places of all, if they are several; the first piece answers for the memory of all."""
 
     def __init__(self, algorithm, asked, merged, places, speaker, is_first=True, is_last=True, pieces=()):
         self.algorithm, self.backend, self.job = algorithm, algorithm._backend, algorithm._job
-        self.triangulation, self.values, self.wishes, self.speaker = *asked, speaker
+        self.triangulation, self.values, self.wishes, self.surface, self.speaker = *asked, speaker
         self.given, self.source, self.bytes_before = merged.input, merged.source, merged.bytes
-        self.added_before = count_added(self.backend, merged.given)
         self.places, self.cells, self.count, self.points = places, None, 0, 0
         self.is_kept = self.is_triangulated = False
         self.bytes_behind = 0
@@ -85,7 +84,7 @@ class Interpolating:
             else:
                 self._check_memory_to_find_places()
                 self.cells = raster.make_raster(self.wishes, area_of(
-                    self.backend, self.triangulation, self.values, self.given, self.source))
+                    self.backend, self.triangulation, self.values, self.given, self.source, self.surface))
         except raster.Fault as fault:
             if fault.kind != raster.NO_AREA:
                 raise
@@ -110,7 +109,7 @@ class Interpolating:
         """One that triangulates, to be asked what it takes, with a job of its own."""
         asked = types.SimpleNamespace(
             _job=engine.Job(), _values=dict(self.values), _transform=self.triangulation.GetTransform())
-        return Execution(self.backend, asked, self.given, self.source, self.bytes_before)
+        return Execution(self.backend, asked, self.given, self.source, self.bytes_before, self.surface)
 
     def _estimate_behind(self):
         """Bytes that interpolating takes, as the compiled class's (vtkAHDSampleExecution::EstimateSampling): columns
@@ -152,7 +151,7 @@ class Interpolating:
         self.points = self._execution().expected_points()
         may_keep = self.values["KeepTriangulation"] or not self.is_last
         self.is_kept = not self.is_first or bool(  # all pieces are of one surface, whatever observers do meanwhile
-            may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source))
+            may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source, self.surface))
         self.bytes_behind = self._estimate_behind()
         if self.is_kept:
             self.is_triangulated = True
@@ -163,7 +162,8 @@ class Interpolating:
             filter_._surface = None
             kept.give_back()
         filter_._surface = SampledSurface(
-            self.backend, self.job, self.triangulation, self.values, self.given, source, self.bytes_before)
+            self.backend, self.job, self.triangulation, self.values, self.given, source, self.bytes_before,
+            self.surface)
         try:
             filter_._values["NumberOfTriangulations"] += 1
             filter_._surface.make(_Stage(filter_, 0.0, TRIANGULATION), self.bytes_behind, may_keep)
@@ -201,6 +201,9 @@ class Interpolating:
         """Text and estimate, for Stopped."""
         if error.status in (engine.MEMORY_LIMIT, engine.OUT_OF_MEMORY):
             return self._memory_is_short(error.status == engine.MEMORY_LIMIT)
+        if self.surface is not None and self.job.count("folded_triangles"):
+            return messages.refusal(folded_triangles=self.job.count("folded_triangles"),
+                                    triangles=self.surface.triangles), self._memory()
         return messages.error_text(error.status, self.job, str(error)), self._memory()
 
     def _interpolate(self, made):
@@ -214,7 +217,7 @@ class Interpolating:
         mask = self._sample(columns, heights, xy, found)
         found.missing = []
         if found.without_value + found.left_out:
-            added = self.added_before + self.job.count("added_points")
+            added = self.surface.added if self.surface else self.job.count("added_points")
             found.missing = columns.find_missing(self.job, heights, self.job.count("points") - added)
         if self.places is not None:
             self.places.put_into(made)

@@ -9,7 +9,7 @@ from .arrays import held
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
-from .sampling import area_of, is_surface
+from .sampling import USED_UP, area_of, surface_of
 from .vtkclass import Followers, Inputs, Pieces, build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkAdaptiveHilbertInterpolationAlgorithm", "vtkDataSetAlgorithm")
@@ -190,6 +190,8 @@ class _Executions:
         given = merged.input
         if given is None:
             return
+        surface = surface_of(merged)
+        values.update(USED_UP if surface else {})
         data = given.GetPointData()
         kind = Columns(vtk, self._values, data, data, given.GetNumberOfPoints()).kind_of_scalars()
         vtk.vtkDataObject.SetPointDataActiveScalarInfo(info, *kind)
@@ -198,7 +200,7 @@ class _Executions:
         if self._values["UseBounds"]:
             cells = raster.make_raster_within(self._values, self._values["Bounds"])
         else:
-            area = area_of(vtk, self._triangulation, values, given, merged.source)
+            area = area_of(vtk, self._triangulation, values, given, merged.source, surface)
             cells = raster.make_raster(self._values, area)
         # Filters for images behind may make room for one as large before the data are there.
         if 9 * cells.count() <= (values["MemoryLimit"] * 1024 or engine.available_memory()):
@@ -269,14 +271,14 @@ class _Executions:
         if unfit is not None:
             speaker.error(unfit)
             return False
-        asked = self._triangulation, self._surface_settings(), dict(self._values)
-        merged = Merged(self._backend, speaker, asked[1], points, source)
+        triangulation, values, wishes = self._triangulation, self._surface_settings(), dict(self._values)
+        merged = Merged(self._backend, speaker, values, points, source)
         if merged.input is None:
             return False
         merged.warn()
-        if is_surface(self._backend, points):
-            speaker.warn("The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
-                         "anew by the settings of Triangulation: its own triangles count in the compiled class only.")
+        surface = surface_of(merged)
+        values.update(USED_UP if surface else {})
+        asked = triangulation, values, wishes, surface
         pieces, found = self._pieces(places, made), None
         all_places = [piece for piece, _ in pieces] if isinstance(places, self._backend.vtkCompositeDataSet) else ()
         try:

@@ -7,7 +7,7 @@ import numpy
 
 from .. import _library as engine
 from . import cache
-from .arrays import coordinates, ghost_marks, held, held_points
+from .arrays import bytes_to_convert, coordinates, ghost_marks, held, held_points, ids_of, view
 from .columns import blocks_of
 from .execution import SKIPPED, Execution, let_go
 from .outputs import Surface
@@ -21,24 +21,58 @@ def times_of(backend, triangulation):
     return backend.vtkObject.GetMTime(triangulation), transform.GetMTime() if transform is not None else 0
 
 
+# Of the settings of a triangulation those that a surface has used up.
+USED_UP = dict(DuplicatePolicy=0, InsertionLimit=0, Alpha=0.0, MaximumEdgeLength=0.0, SourceMode=0, SourceHeights=0,
+               CrossingMode=0, Tolerance=0.0, BoundingTriangulation=False, Rim=engine.RIM_CONVEX_HULL)
+CONSTRAINT_EDGES = "ConstraintEdges"
+
+
+class GivenSurface:
+    """A surface that vtkAdaptiveHilbertDelaunay2D made, whatever is done to its data set meanwhile: its triangles are
+    to be had again. `added`: how many of its points, the last ones, were added there."""
+
+    def __init__(self, backend, given):
+        self.backend, self._held = backend, held(backend, given)
+        self.triangles, self.added = given.GetNumberOfPolys(), count_added(given)
+
+    def arrays(self):
+        """What it consists of besides its points."""
+        return [self._held.GetPolys().GetConnectivityArray(), self._held.GetCellData().GetArray(CONSTRAINT_EDGES)]
+
+    def bytes_to_convert(self):
+        return bytes_to_convert(self.backend, self._held.GetPolys())
+
+    def corners(self):
+        """(t, 3) ids of points."""
+        return ids_of(self.backend, self._held.GetPolys(), "triangles of the surface")[1].reshape(-1, 3)
+
+    def give(self, job):
+        """Its triangles, and the edges of these that are constraints."""
+        job.set_array("surface", self.corners())
+        edges, cells = self.arrays()[1], self._held.GetNumberOfCells()
+        fits = edges is not None and edges.IsA("vtkUnsignedCharArray") and (
+            edges.GetNumberOfComponents() * edges.GetNumberOfTuples() == cells)
+        job.set_array("surface_edges", view(edges).reshape(-1)[cells - self.triangles:] if fits else None)
+
+
 class SampledSurface:
     """A triangulation, which can be kept for the next execution. Its job reads the numbers of VTK's arrays where they
     lie: these arrays are held, and is_of() asks whether they still lie there and are the same. `triangulation`: the
     filter with the settings, `values` these settings."""
 
-    def __init__(self, backend, job, triangulation, values, given, source, bytes_before):
-        self.backend, self.job, self.values = backend, job, values
+    def __init__(self, backend, job, triangulation, values, given, source, bytes_before, surface):
+        self.backend, self.job, self.values, self.surface = backend, job, values, surface
         self.settings, self.known = times_of(backend, triangulation), None
         self.held = self.places = None
         self.given, self.source = held_points(backend, given), held(backend, source)
         asked = types.SimpleNamespace(_job=job, _values=values, _transform=triangulation.GetTransform())
-        self.execution = Execution(backend, asked, self.given, self.source, bytes_before)
+        self.execution = Execution(backend, asked, self.given, self.source, bytes_before, surface)
         self.transform = self.execution.transform
 
     def make(self, progress, bytes_behind, is_kept):
         """Triangulates. `bytes_behind`: what interpolating will take. `is_kept`: may another execution use it?
         engine.EngineError."""
-        self.held = cache.Inputs(self.given, self.source) if is_kept else None
+        self.held = cache.Inputs(self.given, self.source, self.surface) if is_kept else None
         self.known = self.held and self.held.fingerprints()
         self.places = self.known and self.held.places()
         self.execution.triangulate(progress, bytes_behind)
@@ -48,13 +82,13 @@ class SampledSurface:
         self.execution.announce(bytes_behind)
         return self.job.estimate()
 
-    def is_of(self, triangulation, given, source):
+    def is_of(self, triangulation, given, source, surface):
         """Is it the surface of these, with these settings, and what its job reads still what it was?"""
         if self.known is None or self.settings != times_of(self.backend, triangulation):
             return False
         if self.held.places() != self.places:
             return False
-        now = cache.Inputs(given, source)
+        now = cache.Inputs(given, source, surface)
         return now.fingerprints() == self.known and (
             now.are_the_same_arrays(self.held) or self.held.fingerprints() == self.known)
 
@@ -79,8 +113,12 @@ class SampledSurface:
         return self.job.array("heights")
 
     def bounds(self):
-        """The box of all points that are finite and not skipped, in the plane; None without any."""
-        return box_of(self.plane_points(), skipped_of(self.given, self.job.count("points")))
+        """The box of all points that are finite and not left out, in the plane; None without any."""
+        left_out = skipped_of(self.given, self.job.count("points"))
+        if self.surface is not None:
+            left_out[:] = True
+            left_out[self.surface.corners()] = False
+        return box_of(self.plane_points(), left_out)
 
     def places_in_plane(self, places):
         """x and y of the points of a vtkDataSet, where they lie in the plane: (k, 2)."""
@@ -115,9 +153,9 @@ def skipped_of(given, count):
     return made
 
 
-def area_of(backend, triangulation, values, given, source):
-    """The box of all points that will be triangulated, in the plane, found without triangulating; None without any.
-    engine.EngineError, MemoryError."""
+def area_of(backend, triangulation, values, given, source, surface):
+    """The box of all points that will be triangulated or are those of a surface, in the plane, found without
+    triangulating; None without any. engine.EngineError, MemoryError."""
     asked = types.SimpleNamespace(_job=engine.Job(), _values=dict(values), _transform=triangulation.GetTransform())
     execution = Execution(backend, asked, given, source)
     adds = source is not None and values["SourceMode"] and source.GetNumberOfPoints()
@@ -128,6 +166,7 @@ def area_of(backend, triangulation, values, given, source):
     asked._values.update(MemoryLimit=0, Tolerance=0.0, CrossingMode=0, SourceHeights=0, InsertionLimit=1)
     only_points = source and held_points(backend, source)
     execution = Execution(backend, asked, given, only_points)
+    execution.unfitted = surface.added if surface else 0
     execution.triangulate(None, 0)
     return box_of(asked._job.array("plane_points"), skipped_of(given, asked._job.count("points")))
 
@@ -136,15 +175,21 @@ def is_surface(backend, given):
     """Is it a surface that vtkAdaptiveHilbertDelaunay2D made?"""
     if not isinstance(given, backend.vtkPolyData) or not given.GetNumberOfPolys():
         return False
-    count = given.GetFieldData().GetAbstractArray("NumberOfTriangles")
-    return bool(count is not None and given.GetFieldData().HasArray("NumberOfPointsInserted") and (
-        count.GetNumberOfValues() == 1 and count.GetValue(0) == given.GetNumberOfPolys()))
+    count, cells = given.GetFieldData().GetAbstractArray("NumberOfTriangles"), given.GetPolys()
+    is_ours = count is not None and given.GetFieldData().HasArray("NumberOfPointsInserted") and (
+        count.GetNumberOfValues() == 1 and count.GetValue(0) == cells.GetNumberOfCells())
+    return bool(is_ours and cells.GetMaxCellSize() == 3 and (
+        cells.GetNumberOfConnectivityIds() == 3 * cells.GetNumberOfCells()))
 
 
-def count_added(backend, given):
-    """How many of the last points of a surface were added where that was made; 0 of what is none."""
-    if not is_surface(backend, given):
-        return 0
-    array = given.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
+def surface_of(merged):
+    """The surface that the input is, whose triangles count unless there are constraints; None if it is none."""
+    vtk, given = merged.backend, merged.given
+    return GivenSurface(vtk, given) if merged.source is None and is_surface(vtk, given) else None
+
+
+def count_added(surface):
+    """How many of the last points of a surface were added where that was made."""
+    array = surface.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
     added = array.GetValue(0) if array is not None and array.GetNumberOfValues() == 1 else 0
-    return added if 0 < added < given.GetNumberOfPoints() else 0
+    return added if 0 < added < surface.GetNumberOfPoints() else 0

@@ -75,6 +75,7 @@ int main(void)
   test_input();
   test_results();
   test_sample();
+  test_given_surface();
   test_messages();
   test_trouble();
   test_unchanged();

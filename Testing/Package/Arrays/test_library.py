@@ -82,7 +82,7 @@ class HeaderTest(unittest.TestCase):
         without = {
             "skip_mask": "a mark that is not zero",
             "cell_ids": "source_points",
-            "first_cell": "for VTK's cells",
+            "first_cell": "for VTK's cells", "unfitted_points": "for surfaces that were made before",
             "alpha_triangles": "kinds are arrays of their own", "alpha_lines": "", "alpha_vertices": "",
             "want_curve": "for VTK's drawing",
             "other_memory": "for VTK's arrays", "other_memory_per_point": "",

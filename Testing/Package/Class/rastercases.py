@@ -3,7 +3,7 @@
 
 import math
 
-from classtests import array, blocks, cloud, core, model, vtk
+from classtests import Filter, Said, array, blocks, cloud, core, model, source, vtk
 from inputs import full, lines_and_loops, scattered, square
 
 NAN = math.nan
@@ -375,3 +375,75 @@ def a_memory_limit():
 @case
 def no_triangulation():
     return full(), {"Triangulation": None}
+
+
+def surface(given, constraints=None, **settings):
+    """What a filter made, without the filter: its own triangles are all that there is."""
+    maker, made = Filter(), model.vtkPolyData()
+    Said(maker)
+    maker.SetInputDataObject(given)
+    maker.SetSourceData(constraints)
+    for name, value in settings.items():
+        getattr(maker, "Set" + name)(value)
+    maker.Update()
+    made.DeepCopy(maker.GetOutput())
+    return made
+
+
+INSIDE = {"SourceMode": 1, "FillRule": 1, "CrossingMode": 1}
+SURFACES = {
+    "outline_and_island": lambda: surface(full(), lines_and_loops(), GenerateConstraintEdges=True, **INSIDE),
+    "outline_and_island_unnamed": lambda: surface(full(), lines_and_loops(), **INSIDE),
+    "breaklines": lambda: surface(full(), source([], lines=[(0, 150, 77), (20, 110)]), GenerateConstraintEdges=True),
+    "size_limits": lambda: surface(full(), Alpha=70.0, MaximumEdgeLength=130.0, Tolerance=0.001, DuplicatePolicy=3),
+    "size_limits_and_constraints": lambda: surface(
+        full(), lines_and_loops(), GenerateConstraintEdges=True, Alpha=90.0, SourceMode=1),
+}
+for _name, _make in SURFACES.items():
+    for _method in range(4):
+        CASES["surface_%s_%d" % (_name, _method)] = lambda make=_make, method=_method: (
+            make(), dict(SMALL, Method=method, Outside=method % 2, GenerateGradients=True))
+
+
+@case
+def surface_and_places():
+    return SURFACES["outline_and_island"](), {"PlacesData": wanted_places(), "Method": 1}
+
+
+@case
+def surface_and_places_none_of_which_is_on_it():
+    return SURFACES["outline_and_island"](), {"PlacesData": cloud([(5000, 1, 0), (6000, 2, 0)])}
+
+
+@case
+def surface_in_the_best_plane():
+    """To which points count that are no corner, and none that were added."""
+    added = source([(500.0, 500.0, 2000.0)])
+    made = surface(full(), added, SourceMode=1, ProjectionPlaneMode=2, MaximumEdgeLength=130.0)
+    return made, dict(SMALL, Method=1, **{"Triangulation.ProjectionPlaneMode": 2})
+
+
+@case
+def surface_in_another_plane():
+    there = {"ProjectionPlaneMode": 1, "Transform": turned()}
+    made = surface(full(), lines_and_loops(), GenerateConstraintEdges=True, **INSIDE, **there)
+    return made, dict(SMALL, Method=2, **{"Triangulation." + name: value for name, value in there.items()})
+
+
+@case
+def surface_that_is_turned_over():
+    mirror = vtk("vtkCommonTransforms").vtkTransform()
+    mirror.Scale(-1.0, 1.0, 1.0)
+    return surface(full()), dict(
+        SMALL, **{"Triangulation.ProjectionPlaneMode": 1, "Triangulation.Transform": mirror})
+
+
+@case
+def surface_and_constraints():
+    """Its points count alone."""
+    return surface(full(), MaximumEdgeLength=130.0), dict(SMALL, SourceData=lines_and_loops())
+
+
+@case
+def surface_without_memory():
+    return SURFACES["outline_and_island"](), dict(SMALL, **{"Triangulation.MemoryLimit": 20})

@@ -5,12 +5,11 @@ writes the file anew."""
 
 import json
 import re
-import unittest
 
 from classtests import (FOLDER, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests, source,
                         tested_class, values_of, vtk, write_rows)
 from inputs import full, square
-from rastercases import CASES, image, wanted_places
+from rastercases import CASES, SURFACES, image, wanted_places
 from test_cases import masked, of_array, of_attributes
 from test_kept import scattered
 from test_settings import described
@@ -351,18 +350,25 @@ class InterpolationTest(Case):
             algorithm.Update()
             self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT())[1], cells - 1)
 
-    @unittest.skipUnless(hasattr(Interpolation, "_backend"), "the compiled class takes its triangles")
-    def test_a_surface_that_was_made(self):
-        """The class in Python says that its triangles do not count."""
-        surface = Filter()
-        surface.SetInputData(cloud(square()))
-        surface.Update()
-        algorithm = Interpolation()
-        said = Said(algorithm)
-        algorithm.SetInputData(surface.GetOutput())
-        algorithm.Update()
-        self.assertSaid(said, warnings=1)
-        self.assertIn("triangulated anew", said.warnings[0])
+    def test_a_surface_that_changes(self):
+        """Kept with its triangles and constraints, and no other's."""
+        surface = SURFACES["breaklines"]()
+        algorithm = silent()
+        algorithm.SetMethod(1)
+        algorithm.SetInputData(surface)
+        found = []
+        for change in (None, None, "edges", "triangles"):
+            if change == "edges":
+                surface.GetCellData().GetArray("ConstraintEdges").Fill(0)
+            if change == "triangles":
+                surface.ShallowCopy(SURFACES["size_limits"]())
+            surface.Modified()
+            algorithm.Update()
+            found.append((algorithm.GetNumberOfTriangulations(), values_of(
+                algorithm.GetOutput().GetPointData().GetArray("Elevation"))))
+        self.assertEqual([count for count, _ in found], [1, 1, 2, 3])
+        self.assertEqual(str(found[0][1]), str(found[1][1]))
+        self.assertNotEqual(str(found[1][1]), str(found[2][1]))
 
     def test_aborted(self):
         """The output is empty, and nothing is said."""
