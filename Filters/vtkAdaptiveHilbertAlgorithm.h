@@ -4,8 +4,8 @@
  * @class   vtkAdaptiveHilbertAlgorithm
  * @brief   settings and measures of vtkAdaptiveHilbertDelaunay2D
  *
- * The superclass of vtkAdaptiveHilbertDelaunay2D: its settings that are numbers, and what was
- * measured. In what is said here, values of settings have the names of ParaView's panel.
+ * The superclass of vtkAdaptiveHilbertDelaunay2D: its numeric settings and its measures. The
+ * descriptions name values of settings as ParaView's panel does.
  *
  * Methods: T. Su, W. Wang, Z. Lv, W. Wu, X. Li, Computers & Graphics 54 (2016) 65-74,
  * doi:10.1016/j.cag.2015.07.019. Details: Plugin/Documentation/Reference.md.
@@ -30,7 +30,7 @@
 class vtkFieldData;
 struct vtkAHDSettingsOfRanks;
 
-// The values of ProjectionPlaneMode, by the names that vtkDelaunay2D.h gives them.
+// The values of ProjectionPlaneMode, named as in vtkDelaunay2D.h.
 #ifndef VTK_DELAUNAY_XY_PLANE
 #define VTK_DELAUNAY_XY_PLANE 0
 #endif
@@ -60,18 +60,18 @@ public:
   /// The values of SourceHeights.
   enum SourceHeightsValues
   {
-    /// points of the source have their own z and data
+    /// points of the source keep their own z and data
     OWN = 0,
-    /// they are laid on the surface of the input
+    /// they take z and data from the surface of the input
     FROM_SURFACE = 1
   };
 
   /// The values of ClosedLines.
   enum ClosedLinesValues
   {
-    /// they are lines as others are
+    /// they are edges, like other lines
     LINES = 0,
-    /// they bound what is kept, as polygons do
+    /// they bound the surface, like polygons
     LOOPS = 1
   };
 
@@ -96,11 +96,11 @@ public:
   /// The values of Rim.
   enum RimValues
   {
-    /// the convex hull in a plane of coordinates, else trimmed
+    /// the convex hull in a plane of coordinates, otherwise trimmed
     AUTOMATIC = 0,
     /// the triangles cover the convex hull
     CONVEX_HULL = 1,
-    /// less the flat ones along it
+    /// without the flat triangles along the rim
     TRIMMED = 2
   };
 
@@ -142,7 +142,7 @@ public:
   /// The values of ControlPoints.
   enum ControlPointsValues
   {
-    /// none
+    /// off: no control points
     NO_CONTROL_POINTS = 0,
     /// one point of each box of the first level
     SINGLE_LEVEL = 1,
@@ -152,21 +152,20 @@ public:
 
   ///@{
   /// Triangulate the points of all blocks of a multiblock data set together, into one surface
-  /// without seams: lidar tiles, for instance. Point arrays that all blocks have are passed on.
-  /// Without it each block becomes a surface by itself. Off by default.
-  /// The points are numbered block after block. Costs a copy of the points and their data.
+  /// without seams, for example of lidar tiles. Point arrays that all blocks have are passed on. If
+  /// off, each block becomes a surface of its own. Off by default.
+  /// The points are numbered block after block. The points and their data are copied.
   vtkSetMacro(MergeBlocks, bool);
   vtkGetMacro(MergeBlocks, bool);
   vtkBooleanMacro(MergeBlocks, bool);
   ///@}
 
   ///@{
-  /// How the source says where its lines run. Coordinates: by its own points, which are added to
-  /// the surface (a point that is there already, at the same x and y, is not added twice). Point
-  /// ids: its points stand for the points of the input with the same ids, and their coordinates are
-  /// not looked at, as in VTK's vtkDelaunay2D. Default: SOURCE_COORDINATES in ParaView, SOURCE_IDS
-  /// in VTK.
-  /// Points of the source are added behind those of the input.
+  /// How the source gives its lines. Coordinates: by its own points, which are added to the surface
+  /// (a point with the same x and y as one of the input is not added again). Point ids: its points
+  /// stand for the points of the input with the same ids, and their coordinates are ignored, as in
+  /// VTK's vtkDelaunay2D. Default: SOURCE_COORDINATES in ParaView, SOURCE_IDS in VTK.
+  /// Points of the source are numbered after those of the input.
   vtkSetClampMacro(SourceMode, int, SOURCE_IDS, SOURCE_COORDINATES);
   vtkGetMacro(SourceMode, int);
   void SetSourceModeToIds() { this->SetSourceMode(SOURCE_IDS); }
@@ -174,12 +173,11 @@ public:
   ///@}
 
   ///@{
-  /// Which heights the points of the source have. Own: their own z. A line of two dimensions, as
-  /// from most maps, lies at z = 0 and pulls the surface down to it. From Surface: the height, and
-  /// all point data, of the surface of the input where they lie, by linear interpolation; outside
-  /// of it they keep their own z, and a warning counts them. Not used with Source Mode Point ids.
-  /// Default: OWN.
-  /// From Surface triangulates the input twice: first alone.
+  /// The heights of the source's points. Own: their own z. Two-dimensional lines, as in most maps,
+  /// lie at z = 0 and pull the surface down to it. From Surface: height and point data are
+  /// interpolated linearly on the surface of the input; points outside it keep their own z, and a
+  /// warning counts them. Not used with Source Mode Point ids. Default: OWN.
+  /// From Surface triangulates twice: first the input alone, then with the source.
   vtkSetClampMacro(SourceHeights, int, OWN, FROM_SURFACE);
   vtkGetMacro(SourceHeights, int);
   void SetSourceHeightsToOwn() { this->SetSourceHeights(OWN); }
@@ -187,11 +185,11 @@ public:
   ///@}
 
   ///@{
-  /// What lines of the source are that end where they begin. Lines: edges of the surface, as other
-  /// lines are; right for contours. Loops: outlines that bound the surface, as polygons do; right
-  /// for coastlines, lakes and borders from GeoJSON, shapefiles and .csv, which come as lines.
-  /// Default: LINES.
-  /// A line is closed if its ends are one point, or have the same x and y in the plane of the
+  /// How lines of the source that end where they begin are treated. Lines: as edges of the surface,
+  /// like other lines; right for contours. Loops: as outlines that bound the surface, like
+  /// polygons; right for coastlines, lakes and borders from GeoJSON, shapefiles and .csv, which
+  /// come as lines. Default: LINES.
+  /// A line is closed if its ends are the same point or have the same x and y in the plane of the
   /// triangulation. In the order of the constraints, loops come after the other lines.
   vtkSetClampMacro(ClosedLines, int, LINES, LOOPS);
   vtkGetMacro(ClosedLines, int);
@@ -200,12 +198,13 @@ public:
   ///@}
 
   ///@{
-  /// Which side of the outlines (polygons and loops of the source) is kept. Even-odd: what lies
-  /// inside an odd number of outlines, whichever way they run. Orientation, as in vtkDelaunay2D:
-  /// the left side of each, so counterclockwise outlines are filled, clockwise ones are holes, and
-  /// they may be nested; outlines of shapefiles run the other way. Default: EVEN_ODD in ParaView,
+  /// Which side of the outlines (polygons and loops of the source) is kept. Even-odd: the inside of
+  /// an odd number of outlines, whatever their direction. Orientation, as in vtkDelaunay2D: the
+  /// left side of each, so counterclockwise outlines are filled, clockwise ones are holes, and they
+  /// may be nested; outlines in shapefiles run the other way. Default: EVEN_ODD in ParaView,
   /// ORIENTATION in VTK.
-  /// With Orientation, what no loop bounds is kept, too. Without loops all is.
+  /// With Orientation, regions that no loop bounds are kept, too. Without loops, all triangles are
+  /// kept.
   vtkSetClampMacro(FillRule, int, ORIENTATION, EVEN_ODD);
   vtkGetMacro(FillRule, int);
   void SetFillRuleToOrientation() { this->SetFillRule(ORIENTATION); }
@@ -213,12 +212,12 @@ public:
   ///@}
 
   ///@{
-  /// What to do where two lines of the source cross each other between their points. Leave out: the
-  /// later one of the two segments is left out and counted (Number Of Crossings), and an outline
-  /// that lacks a segment bounds nothing. Split: a point is added where they cross, its height and
-  /// data taken from both lines, and no segment is left out. Default: LEAVE_OUT.
-  /// Lines come before polygons; then the order of the cells counts. The height and data of an
-  /// added point are the mean of what linear interpolation along either segment gives.
+  /// How two lines of the source that cross between their points are treated. Leave out: the later
+  /// of the two segments is left out and counted (Number Of Crossings), and an outline that lacks a
+  /// segment bounds nothing. Split: a point is added at the crossing, with height and data from
+  /// both lines, and no segment is left out. Default: LEAVE_OUT.
+  /// Lines come before polygons, then cells in their order. The height and data of an added point
+  /// are the mean of those interpolated linearly along the two segments.
   vtkSetClampMacro(CrossingMode, int, LEAVE_OUT, SPLIT);
   vtkGetMacro(CrossingMode, int);
   void SetCrossingModeToLeaveOut() { this->SetCrossingMode(LEAVE_OUT); }
@@ -226,20 +225,20 @@ public:
   ///@}
 
   ///@{
-  /// Leave out every triangle that has an edge longer than this, measured in the plane of the
-  /// triangulation, in the units of the points. It gives a survey its concave outline instead of
-  /// the convex hull. 0: none is left out. Default 0, at least 0.
-  /// Lines of Alpha that are longer are left out, too.
+  /// Remove every triangle with an edge longer than this, measured in the plane of the
+  /// triangulation, in the units of the points. A survey then gets its concave outline instead of
+  /// the convex hull. 0: no limit. Default 0, at least 0.
+  /// Longer lines of Alpha are removed, too.
   virtual void SetMaximumEdgeLength(double value);
   vtkGetMacro(MaximumEdgeLength, double);
   ///@}
 
   ///@{
-  /// The alpha shape, as in Delaunay 2D: triangles whose circle through the corners has a radius of
-  /// at most Alpha, edges of at most 2 Alpha that are in none of these triangles as lines, and
-  /// points that are in neither as vertices. Radius and length are those in space, z included. 0:
-  /// off, all triangles. Default 0, at least 0.
-  /// Where it differs from vtkDelaunay2D: Reference.md.
+  /// The alpha shape, as in Delaunay 2D: triangles with a circumradius of at most Alpha; as lines,
+  /// edges of at most 2 Alpha that belong to none of these triangles; as vertices, points that
+  /// belong to neither. Radii and lengths are measured in space, z included. 0: off, all triangles.
+  /// Default 0, at least 0.
+  /// Reference.md says where it differs from vtkDelaunay2D.
   virtual void SetAlpha(double value);
   virtual double GetAlphaMinValue() { return 0.0; }
   virtual double GetAlphaMaxValue() { return VTK_DOUBLE_MAX; }
@@ -247,14 +246,14 @@ public:
   ///@}
 
   ///@{
-  /// Put out the triangles of the alpha shape. On by default.
+  /// Output the triangles of the alpha shape. On by default.
   vtkSetMacro(AlphaTris, vtkTypeBool);
   vtkGetMacro(AlphaTris, vtkTypeBool);
   vtkBooleanMacro(AlphaTris, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Put out, as lines, the edges of the alpha shape that are in none of its triangles. On by
+  /// Output, as lines, the edges of the alpha shape that belong to none of its triangles. On by
   /// default.
   vtkSetMacro(AlphaLines, vtkTypeBool);
   vtkGetMacro(AlphaLines, vtkTypeBool);
@@ -262,7 +261,7 @@ public:
   ///@}
 
   ///@{
-  /// Put out, as vertices, the points of the alpha shape that are in none of its triangles and
+  /// Output, as vertices, the points of the alpha shape that belong to none of its triangles and
   /// lines. On by default.
   vtkSetMacro(AlphaVerts, vtkTypeBool);
   vtkGetMacro(AlphaVerts, vtkTypeBool);
@@ -271,27 +270,28 @@ public:
 
   ///@{
   /// The plane in which the points are triangulated. XY plane: z is the height. Transform plane: x
-  /// and y after the Transform. Best-fitting plane: the plane from which the points are least far,
-  /// for a rock face or a scanned wall. The points of the surface stay where they are. Default:
-  /// VTK_DELAUNAY_XY_PLANE.
-  /// After a transform or in a fitted plane, exactness is for the coordinates there, rounded to
-  /// double precision, and duplicates are judged there. In the x, y plane a Transform counts if one
-  /// is set; in the transform plane a warning says that none is. For the best-fitting plane see
-  /// ComputeBestFittingPlane; Transform is not used.
+  /// and y after the Transform. Best-fitting plane: the plane with the least sum of squared
+  /// distances from the points, for a rock face or a scanned wall. The output has the points at
+  /// their original positions. Default: VTK_DELAUNAY_XY_PLANE.
+  /// After a transform or in a fitted plane, the triangulation is exact for the coordinates there,
+  /// rounded to double precision, and duplicates are determined there. In the x, y plane a
+  /// Transform is applied if one is set; in the transform plane a missing Transform causes a
+  /// warning. For the best-fitting plane see ComputeBestFittingPlane; Transform is not used.
   vtkSetClampMacro(ProjectionPlaneMode, int, VTK_DELAUNAY_XY_PLANE, VTK_BEST_FITTING_PLANE);
   vtkGetMacro(ProjectionPlaneMode, int);
   ///@}
 
   ///@{
-  /// How far the surface reaches where no outline bounds it. Convex hull: all triangles. Trimmed:
-  /// without the flat ones along the rim, those with an angle above 153 degrees whose longest edge
-  /// lies there; in a fitted plane these stand as walls along a rim that is straight in space.
+  /// Where the surface ends if no outline bounds it. Convex hull: it has all triangles. Trimmed:
+  /// without the flat triangles along the rim, those with an angle above 153 degrees whose longest
+  /// edge lies there; in a fitted plane these stand as walls along a rim that is straight in space.
   /// Automatic: the convex hull in the XY plane, and in the best-fitting plane of points that all
-  /// have the same z, x or y; else trimmed. No effect with Alpha, Maximum Edge Length or Bounding
-  /// Triangulation. Number Of Trimmed Triangles counts what went. Default: AUTOMATIC.
-  /// The angle is exactly 180 degrees less the arc tangent of 1/2; of what lies behind, triangles
-  /// go likewise. Constraints stay edges. A warning where a point is left without a triangle, or a
-  /// tenth of the area goes.
+  /// have the same z, x or y; otherwise trimmed. No effect with Alpha, Maximum Edge Length or
+  /// Bounding Triangulation. Number Of Trimmed Triangles counts the triangles removed. Default:
+  /// AUTOMATIC.
+  /// The angle is exactly 180 degrees less the arc tangent of 1/2. Triangles that thereby come to
+  /// the rim are trimmed likewise. Constraints stay edges. A warning appears if a point is left
+  /// without a triangle or a tenth of the area is removed.
   vtkSetClampMacro(Rim, int, AUTOMATIC, TRIMMED);
   vtkGetMacro(Rim, int);
   void SetRimToAutomatic() { this->SetRim(AUTOMATIC); }
@@ -301,12 +301,12 @@ public:
 
   ///@{
   /// Merge points that are closer to each other than this fraction of the diagonal of the points'
-  /// bounding box, in the plane of the triangulation. 0: only points with the very same x and y are
-  /// merged. Number Of Merged Points counts what more was merged; Generate Point Status says into
-  /// which point. From 0 to 1. Default 0.
-  /// Points are taken in lexicographic order of x, y; one that has vertices within that distance is
-  /// merged into the nearest. Constraints follow. vtkDelaunay2D's default is 1e-5, of the diagonal
-  /// in space.
+  /// bounding box, in the plane of the triangulation. 0: only points with exactly the same x and y
+  /// are merged. Number Of Merged Points counts the points merged beyond these; Generate Point
+  /// Status shows into which point. From 0 to 1. Default 0.
+  /// Points are processed in lexicographic order of x, y; a point within that distance of vertices
+  /// is merged into the nearest. Constraints follow. vtkDelaunay2D's default is 1e-5, of the
+  /// diagonal in space.
   virtual void SetTolerance(double value);
   virtual double GetToleranceMinValue() { return 0.0; }
   virtual double GetToleranceMaxValue() { return 1.0; }
@@ -314,11 +314,11 @@ public:
   ///@}
 
   ///@{
-  /// Which of the points with the same x and y becomes the vertex, and so shows its height. First:
-  /// the one with the smallest id. Lowest z, highest z: the deepest or the shoalest sounding, for
-  /// instance. Mean z: the first, with the mean of the heights. Default: FIRST.
-  /// Heights that are finite come first; the mean is that of all that are finite, in a copy of the
-  /// points. Merged points have no say. Changes ids and z, never the shape in the plane.
+  /// Which of the points with the same x and y becomes the vertex and gives the surface its height.
+  /// First: the point with the smallest id. Lowest z, highest z: the deepest or the shoalest
+  /// sounding, for example. Mean z: the first point, at the mean of the heights. Default: FIRST.
+  /// Finite heights take precedence; the mean is that of all finite heights, in a copy of the
+  /// points. Merged points do not count. Changes ids and z, never the shape in the plane.
   vtkSetClampMacro(DuplicatePolicy, int, FIRST, MEAN_Z);
   vtkGetMacro(DuplicatePolicy, int);
   void SetDuplicatePolicyToFirst() { this->SetDuplicatePolicy(FIRST); }
@@ -329,10 +329,10 @@ public:
 
   ///@{
   /// Add a point array, Fate, with the status of each point: its own id if it is a vertex of the
-  /// surface; the id of another point if it is a duplicate of it or was merged into it; -1 if its x
-  /// or y is not a finite number; -2 if it was not inserted, because it is marked as a ghost or
-  /// hidden, lies beyond the Insertion Limit, or is a duplicate of a point that does. Switch it on
-  /// to find the points that are not in the surface. Off by default.
+  /// surface; the id of another point if it is a duplicate of it or was merged into it; -1 if it
+  /// was rejected, because x or y is NaN or infinite; -2 if it was not inserted, because it is
+  /// marked as a ghost or hidden, is beyond the Insertion Limit, or is a duplicate of a point
+  /// beyond it. Switch it on to find the points that are not in the surface. Off by default.
   /// The array is a vtkIdTypeArray.
   vtkSetMacro(GeneratePointStatus, bool);
   vtkGetMacro(GeneratePointStatus, bool);
@@ -374,22 +374,22 @@ public:
   ///@}
 
   ///@{
-  /// Fill the third output, Voronoi: for each vertex a polygon, the places that are nearer to it
-  /// than to any other vertex. The polygons have the point data of their vertices as cell data, and
-  /// lie at z = 0. ParaView does not show them at once, as they may cover the surface: click the
+  /// Fill the third output, Voronoi, with a polygon for each vertex: the region that is nearer to
+  /// it than to any other vertex. The polygons lie at z = 0 and have the point data of their
+  /// vertices as cell data. ParaView hides them at first, as they may cover the surface: click the
   /// eye of the output Voronoi. Off by default.
   /// Output port 2: convex counterclockwise polygons, with the vertex's id as "OriginalPointIds"
   /// (vtkIdTypeArray). Corners are those of the exact polygons, rounded once to double precision;
-  /// those that differ by no more than 4 units in the last place may be one. Constraints have no
-  /// say.
+  /// corners that differ by at most 4 units in the last place may be merged. Constraints are
+  /// ignored.
   vtkSetMacro(GenerateVoronoi, bool);
   vtkGetMacro(GenerateVoronoi, bool);
   vtkBooleanMacro(GenerateVoronoi, bool);
   ///@}
 
   ///@{
-  /// Where the Voronoi diagram ends, as its outer polygons are unbounded. Hull: at the convex hull
-  /// of the points. Bounds: at their bounding box. Default: CLIP_TO_HULL.
+  /// Where the outer polygons of the Voronoi diagram, which are unbounded, are clipped. Hull: at
+  /// the convex hull of the points. Bounds: at their bounding box. Default: CLIP_TO_HULL.
   /// Both are those of the vertices, in the plane of the triangulation.
   vtkSetClampMacro(VoronoiClip, int, CLIP_TO_HULL, CLIP_TO_BOUNDS);
   vtkGetMacro(VoronoiClip, int);
@@ -398,11 +398,11 @@ public:
   ///@}
 
   ///@{
-  /// In which order the points are inserted. It changes the time, never the triangles. Adaptive
-  /// Hilbert (HG), the fastest: boxes that are divided where points are crowded, visited along a
-  /// Hilbert curve. Multi-grid (MG): the same boxes, visited line by line. Regular grid (RG): boxes
-  /// of one size, visited line by line. As given: the order of the input; very slow where the
-  /// points come at random. Change it to compare. Default: ADAPTIVE_HILBERT.
+  /// The order in which the points are inserted. It changes the time, never the triangles. Adaptive
+  /// Hilbert (HG), the fastest: boxes, divided where points are crowded, visited along a Hilbert
+  /// curve. Multi-grid (MG): the same boxes, visited line by line. Regular grid (RG): boxes of one
+  /// size, visited line by line. As given: the order of the input; very slow for points in random
+  /// order. Change it to compare. Default: ADAPTIVE_HILBERT.
   vtkSetClampMacro(InsertionOrder, int, ADAPTIVE_HILBERT, AS_GIVEN);
   vtkGetMacro(InsertionOrder, int);
   void SetInsertionOrderToAdaptiveHilbert() { this->SetInsertionOrder(ADAPTIVE_HILBERT); }
@@ -416,17 +416,17 @@ public:
   /// follow crowded points more closely and take longer to sort. It changes the time, never the
   /// triangles. It has an effect with the Insertion Order Multi-grid, and with Adaptive Hilbert if
   /// Control Points is Off or First level, Gene Rotation is off, or Generate Boxes is on, which
-  /// shows the boxes; else it has none, as the curve goes on inside the boxes to the single point,
-  /// and ParaView greys it. Default 50, at least 1.
+  /// outputs the boxes. Otherwise it has none, since the curve continues inside the boxes down to
+  /// single points, and ParaView greys it out. Default 50, at least 1.
   vtkSetClampMacro(Nmax, int, 1, VTK_INT_MAX);
   vtkGetMacro(Nmax, int);
   ///@}
 
   ///@{
-  /// A sparse selection of the points, inserted before all others so that long thin triangles are
-  /// not built first and removed later. It changes the time, never the triangles. Off: none. First
-  /// level: one point of each box of the first division, as Su et al. do. Every level: a sparse
-  /// selection of the points, of that selection another, and so on, from coarse to fine. Used by
+  /// A sparse subset of the points, inserted before all others so that fewer long thin triangles
+  /// are built and removed again. It changes the time, never the triangles. Off: none. First level:
+  /// one point of each box of the first division, as Su et al. do. Every level: a sparse subset of
+  /// the points, a sparser subset of that, and so on, inserted from coarse to fine. Used by
   /// Adaptive Hilbert and Multi-grid. Change it to compare. Default: EVERY_LEVEL.
   vtkSetClampMacro(ControlPoints, int, NO_CONTROL_POINTS, EVERY_LEVEL);
   vtkGetMacro(ControlPoints, int);
@@ -436,9 +436,9 @@ public:
   ///@}
 
   ///@{
-  /// Turn the Hilbert curve in each divided box so that it enters and leaves where its neighbours
-  /// on the curve expect it (the paper's "gene"). Switched off, the curve jumps between boxes, and
-  /// after each jump the next point is searched from farther away. It changes the time, never the
+  /// Turn the Hilbert curve in each divided box so that it connects to the curve in the boxes
+  /// before and after (the paper's "gene"). If off, the curve jumps between boxes, and after each
+  /// jump the search for the next point starts farther away. It changes the time, never the
   /// triangles. Used by Adaptive Hilbert. Change it to compare. On by default.
   vtkSetMacro(GeneRotation, bool);
   vtkGetMacro(GeneRotation, bool);
@@ -446,20 +446,21 @@ public:
   ///@}
 
   ///@{
-  /// Stop after so many points: the surface is the triangulation of these, as it was when the last
-  /// of them was inserted. 0, and numbers that are large enough: all points. Which points come
-  /// first depends on the settings of the insertion. In ParaView move the slider, or animate it, to
-  /// see the surface grow: both go from 3, the first that may give a triangle, to the number of
-  /// points; for all points type 0. Default 0, at least 0.
-  /// Distinct points count. The others are in no triangle and counted by NumberOfPointsBeyondLimit.
-  /// With a limit, one thread inserts.
+  /// Stop after this number of points: the surface is the triangulation of these alone. 0, or any
+  /// number that is large enough: all points. The insertion settings determine which points come
+  /// first. In ParaView move the slider, or animate it, to watch the surface grow: both go from 3,
+  /// the fewest points that can form a triangle, to the number of points; for all points type 0.
+  /// Default 0, at least 0.
+  /// Only distinct points count. The others are in no triangle; NumberOfPointsBeyondLimit counts
+  /// them. With a limit, one thread inserts.
   vtkSetClampMacro(InsertionLimit, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(InsertionLimit, vtkIdType);
   ///@}
 
   ///@{
-  /// Add a point array, InsertionRank: the place of each point in the order of insertion, from 0;
-  /// -1 for duplicates, rejected and skipped points. Colour by it to see the order. Off by default.
+  /// Add a point array, InsertionRank: the position of each point in the order of insertion, from
+  /// 0; -1 for duplicates, rejected and skipped points. Colour by it to see the order. Off by
+  /// default.
   /// The array is a vtkIdTypeArray; the order is that of one thread.
   vtkSetMacro(GenerateInsertionRank, bool);
   vtkGetMacro(GenerateInsertionRank, bool);
@@ -467,9 +468,9 @@ public:
   ///@}
 
   ///@{
-  /// Put a line through the inserted points, in the order of their insertion, into the second
-  /// output, Insertion order. Its point array InsertionRank counts along the line; OriginalPointIds
-  /// has the points' ids in the input. Off by default.
+  /// Add a line through the inserted points, in the order of insertion, to the second output,
+  /// Insertion order. Its point array InsertionRank counts along the line; OriginalPointIds has the
+  /// points' ids in the input. Off by default.
   /// Output port 1.
   vtkSetMacro(GenerateInsertionCurve, bool);
   vtkGetMacro(GenerateInsertionCurve, bool);
@@ -477,10 +478,10 @@ public:
   ///@}
 
   ///@{
-  /// Put the boxes of the grid that decides the order into the second output, Insertion order:
-  /// those that are not divided further, in the order in which they are visited, at the height of
-  /// the lowest point. Their cell arrays: Level, the number of divisions that made the box; Count,
-  /// the points in it. The order As given has no boxes. Off by default.
+  /// Add the boxes of the grid that determines the order to the second output, Insertion order: the
+  /// boxes that are not divided further, in the order in which they are visited, at the height of
+  /// the lowest point. Cell arrays: Level, the number of divisions that made the box; Count, the
+  /// number of points in it. The order As given has no boxes. Off by default.
   /// Output port 1; about 300 bytes a box.
   vtkSetMacro(GenerateBoxes, bool);
   vtkGetMacro(GenerateBoxes, bool);
@@ -488,9 +489,9 @@ public:
   ///@}
 
   ///@{
-  /// As in Delaunay 2D: how far away the eight points of Bounding Triangulation lie. It changes
-  /// nothing else. Default 1, at least 0.75.
-  /// In diagonals, in space, of the bounding box.
+  /// As in Delaunay 2D: how far away the eight points of Bounding Triangulation are. No other
+  /// effect. Default 1, at least 0.75.
+  /// In multiples of the diagonal, in space, of the bounding box.
   virtual void SetOffset(double value);
   virtual double GetOffsetMinValue() { return 0.75; }
   virtual double GetOffsetMaxValue() { return VTK_DOUBLE_MAX; }
@@ -498,24 +499,24 @@ public:
   ///@}
 
   ///@{
-  /// As in Delaunay 2D: add eight points on a circle around all others, and the triangles that join
-  /// them. Only where the points are triangulated in x and y. Off by default.
-  /// The circle is about the centre of the bounding box. In other planes a warning.
+  /// As in Delaunay 2D: add eight points on a circle around all others, and the triangles that
+  /// connect them. Only if the points are triangulated in x and y. Off by default.
+  /// The circle is centred on the bounding box. In other planes there is a warning.
   vtkSetMacro(BoundingTriangulation, vtkTypeBool);
   vtkGetMacro(BoundingTriangulation, vtkTypeBool);
   vtkBooleanMacro(BoundingTriangulation, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Does nothing: there for scripts written for vtkDelaunay2D. The order of insertion is set by
-  /// Insertion Order and never changes the triangles. Off by default.
+  /// No effect: present for scripts written for vtkDelaunay2D. Insertion Order sets the order of
+  /// insertion, which never changes the triangles. Off by default.
   vtkSetMacro(RandomPointInsertion, vtkTypeBool);
   vtkGetMacro(RandomPointInsertion, vtkTypeBool);
   vtkBooleanMacro(RandomPointInsertion, vtkTypeBool);
   ///@}
 
   ///@{
-  /// Does nothing: there for scripts written for vtkDelaunay2D. Points are inserted along a Hilbert
+  /// No effect: present for scripts written for vtkDelaunay2D. Points are inserted along a Hilbert
   /// curve anyway, unless Insertion Order says otherwise. Off by default.
   vtkSetMacro(UseHilbertSorter, vtkTypeBool);
   vtkGetMacro(UseHilbertSorter, vtkTypeBool);
@@ -523,103 +524,104 @@ public:
   ///@}
 
   ///@{
-  /// How many processors the filter works on. It changes the time, never the triangles. 0: all that
-  /// the program (ParaView; with a server, the server) may use, unless VTK was told to use fewer,
-  /// for example by the environment variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly so many. Set
-  /// it where others need the processors too. With Count Work, an Insertion Limit, another
-  /// Insertion Order than Adaptive Hilbert, or other insertion settings than the defaults, the
-  /// points are inserted by one; so are few points. From 0 to 1024. Default 0.
-  /// The calling thread is one of them; it alone reports progress and is asked for an abort. 0
-  /// heeds vtkSMPTools::Initialize(n), too.
+  /// The number of threads. It changes the time, never the triangles. 0: one for each processor
+  /// that the program (ParaView; with a server, the server) may use, unless VTK is limited to
+  /// fewer, for example by the environment variable VTK_SMP_MAX_THREADS. 1 to 1024: exactly this
+  /// number. Set it if other programs need processors, too. With Count Work, an Insertion Limit,
+  /// another Insertion Order than Adaptive Hilbert, or insertion settings other than the defaults,
+  /// one thread inserts the points; also if there are few points. From 0 to 1024. Default 0.
+  /// The calling thread is one of them; only there is progress reported and an abort checked. 0
+  /// also respects vtkSMPTools::Initialize(n).
   vtkSetClampMacro(NumberOfThreads, int, 0, 1024);
   vtkGetMacro(NumberOfThreads, int);
   ///@}
 
   ///@{
   /// On a server with several ranks: triangulate the points of all ranks together, into one surface
-  /// without seams, exactly the triangles that one rank would give. The points move to the rank
-  /// that owns their place, with the point arrays that all ranks have; filters behind get the ghost
-  /// cells that they ask for. Off: each rank triangulates its own points. For some settings one
-  /// rank does it all, which a warning says once. All ranks have to update the filter: a script of
-  /// pvbatch --sym that does so on one alone waits for ever. No effect with one rank, nor in
-  /// Python's class and plugin, where each rank works on its own. On by default in ParaView, off in
-  /// VTK.
-  /// Off, there is a warning where there are several ranks. The ranks are those of Controller. The
+  /// without seams, with exactly the triangles that one rank would give. Each point moves to the
+  /// rank that owns its location, with the point arrays that all ranks have; downstream filters get
+  /// the ghost cells they request. If off, each rank triangulates its own points. With some
+  /// settings one rank computes the whole surface; a warning says so once. All ranks must update
+  /// the filter: a script of pvbatch --sym that updates it on one rank alone never returns. No
+  /// effect with one rank, nor in the class and plugin in Python, where each rank works on its own.
+  /// On by default in ParaView, off in VTK.
+  /// If off, there is a warning with several ranks. The ranks are those of Controller. The
   /// triangles are those of one rank that has all inputs and sources, appended in the order of the
-  /// ranks. All ranks have to update alike, with the same settings: where one has to execute, all
-  /// do. Each puts out the triangles that it owns, by place; with its points; and behind these the
-  /// points of others that are corners, with vtkGhostType DUPLICATEPOINT. Layers of ghost cells are
-  /// marked as well. The global ids "GlobalPointIds" number the points as appended, those of
-  /// sources last; "GlobalCellIds" the triangles. Counts are of all ranks. Ids in the source's
-  /// cells are those of the rank's own points. Sources that are the same on all ranks count once
-  /// where their points are added. What fails on one rank ends in one error on each. Settings that
-  /// ranks have no method for have one rank triangulate all points and put out everything, if there
-  /// is room on it; a warning names the first: Reference.md lists them. With MergeBlocks off, block
-  /// k of all ranks is triangulated by itself, for each k.
+  /// ranks. All ranks must update with the same settings: if one executes, all do. Each outputs the
+  /// triangles that it owns, by location, with its points, and after these the points of other
+  /// ranks that are corners, with vtkGhostType DUPLICATEPOINT. Layers of ghost cells are marked as
+  /// well. The global ids "GlobalPointIds" number the points as appended, those of sources last;
+  /// "GlobalCellIds" the triangles. Counts are those of all ranks. Ids in the source's cells refer
+  /// to the rank's own points. Sources that are the same on all ranks count once if their points
+  /// are added. A failure on one rank is one error on each. With settings that have no method for
+  /// several ranks, one rank triangulates all points and outputs the whole surface, if its memory
+  /// suffices; a warning names the first such setting, and Reference.md lists them. With
+  /// MergeBlocks off, block k of all ranks is triangulated by itself, for each k.
   vtkSetMacro(DistributePoints, bool);
   vtkGetMacro(DistributePoints, bool);
   vtkBooleanMacro(DistributePoints, bool);
   ///@}
 
   ///@{
-  /// Triangulate again only what is new: where points, source and settings are those of the last
-  /// two runs, as in time steps of which only the arrays change, the triangles are passed on from
-  /// the third on, with the arrays of now. Switch it off to triangulate at each run. On by default.
-  /// Coordinates, ghost marks, source and settings are compared; point data and field data are
-  /// those of now.
+  /// Reuse triangles while points, source and settings stay the same, as in time steps in which
+  /// only the arrays change: from the third run on, the triangles are passed on, with the current
+  /// arrays. Switch it off to triangulate in each run. On by default.
+  /// Coordinates, ghost marks, source and settings are compared; point data and field data are the
+  /// current ones.
   vtkSetMacro(KeepTriangulation, bool);
   vtkGetMacro(KeepTriangulation, bool);
   vtkBooleanMacro(KeepTriangulation, bool);
   ///@}
 
   ///@{
-  /// The most memory the filter may take beyond its input, in kibibytes (1024 bytes). What is
-  /// estimated to need more is refused with an error before anything is computed. 0: what the
-  /// machine has left. Set it where others need the machine's memory too. Default 0, at least 0.
-  /// The output is included. 0 heeds the limits of the process, too. With GenerateBoxes the error
-  /// comes before anything is inserted.
+  /// The most memory the filter may use beyond its input, in kibibytes (1024 bytes). A run that is
+  /// estimated to need more is refused with an error before anything is computed. 0: the memory
+  /// that the machine has left. Set it if other programs need memory, too. Default 0, at least 0.
+  /// The output is included. 0 also respects the limits of the process. With GenerateBoxes the
+  /// error comes before any point is inserted.
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
   ///@{
-  /// The most memory, in kibibytes (1024 bytes), that the filter keeps for its next run, which is
-  /// then faster: its working memory, and that of former outputs. What takes more is given back
-  /// after each run. The default, 256 MiB, is enough for 2 million points. 0 keeps nothing. Raise
-  /// it where larger data change in time, lower it where many such filters are in one pipeline.
-  /// Default 262144, at least 0.
-  /// Working memory comes first: what took more, failed or was aborted gives all back. Within it a
-  /// triangulation stays whole until the next execution, for filters that interpolate on its
-  /// surface. What is left of it keeps the memory of outputs that nobody has any more.
+  /// The most memory, in kibibytes (1024 bytes), that the filter keeps to make its next run faster:
+  /// working memory, and the memory of former outputs. Memory beyond that is freed after each run.
+  /// The default, 256 MiB, is enough for 2 million points. 0 keeps nothing. Raise it for larger
+  /// data that change in time, lower it if many such filters are in one pipeline. Default 262144,
+  /// at least 0.
+  /// Working memory comes first: a run that took more, failed or was aborted frees all of it.
+  /// Within the limit a triangulation stays whole until the next execution, for filters that
+  /// interpolate on its surface. The rest of the limit is for the memory of outputs that have been
+  /// released.
   vtkSetClampMacro(ReuseLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(ReuseLimit, vtkTypeInt64);
   ///@}
 
   ///@{
-  /// Count the triangles tested to find where each point goes (NP) and the triangles removed to
-  /// make room for it (NR). Switch it on to compare insertion orders by their work, which is the
-  /// same on every machine, rather than by seconds. Counting takes time, and one thread inserts; it
-  /// never changes the triangles. Off by default.
+  /// Count the triangles tested to locate each point (NP) and the triangles removed to insert it
+  /// (NR). Switch it on to compare insertion orders by their work, which is the same on every
+  /// machine, rather than by seconds. Counting takes time, and one thread inserts; it never changes
+  /// the triangles. Off by default.
   vtkSetMacro(CountWork, bool);
   vtkGetMacro(CountWork, bool);
   vtkBooleanMacro(CountWork, bool);
   ///@}
 
   ///@{
-  /// Threads that shared the work of the last run; 1 if there was too little to share.
+  /// Threads that shared the work of the last run; 1 if there was too little work to share.
   vtkGetMacro(NumberOfThreadsUsed, int);
   ///@}
 
   ///@{
-  /// How often this filter has triangulated since it was made; runs that passed on the triangles of
-  /// the one before do not count.
+  /// How often this filter has triangulated since it was created; runs that passed on existing
+  /// triangles do not count.
   vtkGetMacro(NumberOfTriangulations, int);
   ///@}
 
   ///@{
   /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
-  /// input, or was refused: what Memory Limit is compared with.
-  /// If there were too many crossings: what one more than fits would need.
+  /// input, or was refused: the number that is compared with Memory Limit.
+  /// After too many crossings: the estimate for one more than fits.
   vtkGetMacro(MemoryEstimate, vtkTypeInt64);
   ///@}
 
@@ -630,8 +632,8 @@ public:
 
   ///@{
   /// Points that are vertices of the surface, in the last run.
-  /// Counts are 0 if the run was aborted or ended in an error; else those of points add up to all
-  /// points, added ones included.
+  /// Counts are 0 if the run was aborted or failed; otherwise those of points add up to all points,
+  /// added ones included.
   vtkGetMacro(NumberOfPointsInserted, vtkIdType);
   ///@}
 
@@ -642,24 +644,25 @@ public:
   ///@}
 
   ///@{
-  /// Points that were merged into another by the Tolerance, in the last run. Points with the very
+  /// Points that were merged into another by Tolerance, in the last run. Points with exactly the
   /// same x and y are counted as duplicates.
   vtkGetMacro(NumberOfMergedPoints, vtkIdType);
   ///@}
 
   ///@{
-  /// Points of the surface that are not in the input, in the last run: points of the source, where
-  /// lines cross, and those of Bounding Triangulation.
+  /// Points of the surface that are not in the input, in the last run: points of the source, points
+  /// at crossings, and those of Bounding Triangulation.
   vtkGetMacro(NumberOfAddedPoints, vtkIdType);
   ///@}
 
   ///@{
-  /// Points whose x or y is NaN or infinite, in the last run. They are not in the surface.
+  /// Points rejected because x or y is NaN or infinite, in the last run. They are not in the
+  /// surface.
   vtkGetMacro(NumberOfRejectedPoints, vtkIdType);
   ///@}
 
   ///@{
-  /// Points left out because they are marked as ghosts or hidden, in the last run.
+  /// Points skipped because they are marked as ghosts or hidden, in the last run.
   vtkGetMacro(NumberOfSkippedPoints, vtkIdType);
   ///@}
 
@@ -670,71 +673,71 @@ public:
 
   ///@{
   /// Edges of the triangulation that are edges of the source, in the last run.
-  /// Those of triangles that were dropped are included.
+  /// Edges of removed triangles are included.
   vtkGetMacro(NumberOfConstraintEdges, vtkIdType);
   ///@}
 
   ///@{
-  /// Segments of the source that were left out as they cross an earlier one, in the last run; with
-  /// the crossing mode Split, the points added where segments cross. The field data array Crossings
-  /// says which lines.
+  /// Segments of the source left out because they cross an earlier one, in the last run; with
+  /// Crossing Mode Split, the points added where segments cross. The field data array Crossings
+  /// lists the lines.
   vtkGetMacro(NumberOfCrossings, vtkIdType);
   ///@}
 
   ///@{
-  /// With the crossing mode Split: segments of the source that were led, in the last run, through a
-  /// point that lies beside them by less than rounding tells apart.
+  /// With Crossing Mode Split: segments of the source that bend by rounding, in the last run,
+  /// because they pass through a point that is not exactly on them.
   vtkGetMacro(NumberOfBentConstraints, vtkIdType);
   ///@}
 
   ///@{
-  /// Segments of the source that are no edges of the triangulation, in the last run: they cross
-  /// another, or have an end that is no vertex.
+  /// Segments of the source left out of the triangulation, in the last run: they cross another, or
+  /// an end is not a vertex.
   vtkGetMacro(NumberOfConstraintsLeftOut, vtkIdType);
   ///@}
 
   ///@{
-  /// Outlines that bound nothing, as one of their segments was left out, in the last run.
+  /// Outlines that bound nothing because one of their segments was left out, in the last run.
   vtkGetMacro(NumberOfUnfilledLoops, vtkIdType);
   ///@}
 
   ///@{
-  /// Flat triangles that Rim took away, in the last run.
+  /// Flat triangles that Rim removed, in the last run.
   vtkGetMacro(NumberOfTrimmedTriangles, vtkIdType);
   ///@}
 
   ///@{
-  /// Triangles tested to find where a point goes, per inserted point, in the last run. The time of
-  /// finding is proportional to it. -1 if it was not counted: switch Count Work on.
-  /// The triangle that the search starts from is included.
+  /// Triangles tested to locate a point, per inserted point, in the last run. The time to locate
+  /// points is proportional to it. -1 if it was not counted: switch Count Work on.
+  /// The triangle where the search starts is included.
   vtkGetMacro(NP, double);
   ///@}
 
   ///@{
-  /// Triangles removed to make room for a point, per inserted point, in the last run. The time of
-  /// updating is proportional to it. -1 if it was not counted: switch Count Work on.
+  /// Triangles removed to insert a point, per inserted point, in the last run. The time to update
+  /// the triangles is proportional to it. -1 if it was not counted: switch Count Work on.
   vtkGetMacro(NR, double);
   ///@}
 
   ///@{
-  /// Wall-clock seconds of reading the points and sorting them into the order of insertion, in the
-  /// last run.
+  /// Wall-clock seconds to read the points and sort them into the order of insertion, in the last
+  /// run.
   /// Seconds are 0 if triangles were passed on.
   vtkGetMacro(SortSeconds, double);
   ///@}
 
   ///@{
-  /// Wall-clock seconds of inserting the points, in the last run.
+  /// Wall-clock seconds to insert the points, in the last run.
   vtkGetMacro(InsertSeconds, double);
   ///@}
 
   ///@{
-  /// Wall-clock seconds of making the lines of the source edges, in the last run.
+  /// Wall-clock seconds to insert the lines of the source as edges, in the last run.
   vtkGetMacro(ConstrainSeconds, double);
   ///@}
 
   ///@{
-  /// Wall-clock seconds of putting the triangles out in their canonical order, in the last run.
+  /// Wall-clock seconds to write the triangles in their canonical order, in the last run.
   vtkGetMacro(OutputSeconds, double);
   ///@}
 
@@ -742,7 +745,7 @@ protected:
   vtkAdaptiveHilbertAlgorithm();
   ~vtkAdaptiveHilbertAlgorithm() override;
 
-  /// Sets all measures to what they are after an execution that came to nothing.
+  /// Sets all measures to their values after a failed execution.
   void ClearMeasures();
 
   /// Sets those that are seconds to 0.

@@ -216,7 +216,7 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
   this->Cache->Forget();
   this->ClearMeasures();
   vtkAHDSayOutOfMemory("vtkAdaptiveHilbertDelaunay2D",
-    [this] { vtkErrorMacro("Out of memory. Nothing is put out."); });
+    [this] { vtkErrorMacro("Out of memory. The output is empty."); });
 }
 
 /// Passes on what the last execution made, if that was of the same. Returns false if it was not.

@@ -4,14 +4,14 @@
  * @brief   exact 2D Delaunay triangulation of large point sets
  *
  * Triangulates points in x and y (or another plane: ProjectionPlaneMode); z is carried along. All
- * settings of vtkDelaunay2D keep their names. Details: Plugin/Documentation/Reference.md.
+ * settings of vtkDelaunay2D have the same names. Details: Plugin/Documentation/Reference.md.
  *
  * <b>Features.</b> By default the triangles
  * - are the Delaunay triangulation of the distinct points, exactly, for all finite coordinates;
  * - are counterclockwise and cover the convex hull (in other planes than x, y: see Rim); points on
  *   its edges are corners of triangles;
  * - number 2v - 2 - h, for v distinct points of which h lie on the boundary of the hull;
- * - are a function of the coordinates and constraints, and so is their order. Shuffling the input
+ * - depend, like their order, on the coordinates and constraints alone. Shuffling the input
  *   changes only the ids; of the insertion settings only InsertionLimit changes the triangles.
  *
  * <b>Output port 0</b> has the points of the input (the same vtkPoints, ids and point data; added
@@ -83,52 +83,52 @@ public:
 
   ///@{
   /// The constraints, input port 1, a vtkPolyData; none by default. Lines and polylines become
-  /// edges of the triangulation, polygons edges and loops that bound what is kept. Points on a
+  /// edges of the triangulation, polygons edges and loops that bound the surface. Points on a
   /// segment divide it; segments may overlap. A segment that crosses an earlier one (see
-  /// CrossingMode) or has an end that is no vertex is left out, and its loop bounds nothing: both
-  /// are counted. The field data array "Crossings" names the first 1000 pairs of cells that cross,
-  /// later one first. Of a composite data set (SetSourceConnection, SetInputData(1, ...)) all
-  /// vtkPolyData are appended to one source, cells by kind; GetSource() is null then.
+  /// CrossingMode) or has an end that is not a vertex is left out, and its loop bounds nothing:
+  /// both are counted. The field data array "Crossings" lists the first 1000 pairs of cells that
+  /// cross, the later cell first. All vtkPolyData of a composite data set (SetSourceConnection,
+  /// SetInputData(1, ...)) are appended to one source, cells by type; GetSource() is null then.
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSource();
   ///@}
 
   ///@{
-  /// What the points are transformed by before they are triangulated, linear or not; null, the
-  /// default: nothing. Its changes are noticed; it is never changed, and stays set.
+  /// The transform applied to the points before they are triangulated, linear or not; null by
+  /// default: none. If it is modified, the filter executes again; the filter never modifies it.
   virtual void SetTransform(vtkAbstractTransform* transform);
   vtkGetObjectMacro(Transform, vtkAbstractTransform);
   ///@}
 
-  /// The plane with the least sum of squared distances of the finite points, as a vtkTransform that
-  /// turns and shifts it to z = 0; up is where the normal's largest component is positive. Points
-  /// that all have one z, x or y keep the two other coordinates, to the bit. The caller owns what
-  /// is returned; null without input or memory.
+  /// The plane with the least sum of squared distances from the finite points, as a vtkTransform
+  /// that rotates and translates it to z = 0; up is where the normal's largest component is
+  /// positive. Points that all have the same z, x or y keep the two other coordinates, to the bit.
+  /// The caller owns the result; null without input or memory.
   static VTK_NEWINSTANCE vtkAbstractTransform* ComputeBestFittingPlane(vtkPointSet* input);
 
-  /// The input port has blocks, too.
+  /// Also changes the data types that the input port accepts.
   void SetMergeBlocks(bool merge) override;
 
-  /// Inputs may be missing on a rank.
+  /// Also makes the input optional, as a rank may have none.
   void SetDistributePoints(bool distribute) override;
 
   ///@{
   /// The ranks of DistributePoints; by default those of the global controller when the filter is
-  /// made. Null: this process alone. Always null where VTK was built without ParallelCore.
+  /// created. Null: this process alone. Always null if VTK was built without ParallelCore.
   virtual void SetController(vtkMultiProcessController* controller);
   virtual vtkMultiProcessController* GetController();
   ///@}
 
-  /// When the filter or its Transform was changed last.
+  /// The later of the modification times of the filter and its Transform.
   vtkMTimeType GetMTime() override;
 
-  /// Across ranks, the pipeline of each is modified whenever that of one is: so all execute, or
+  /// With several ranks, the pipeline is modified on all ranks if it is on one: so all execute, or
   /// none. Collective there.
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int requestFromOutputPort, vtkMTimeType* mtime) override;
 
-  /// Across ranks, the outputs have blocks where these are triangulated each by itself.
+  /// With several ranks, the outputs have blocks if each block is triangulated by itself.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 

@@ -180,11 +180,12 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOnRanks(
   }
   else if (!blocks->GetDifference().empty())
   {
-    vtkErrorMacro(<< blocks->GetDifference()
-                  << ". Where MergeBlocks is off, block by block is triangulated over all ranks, "
-                     "and each must have the same ones, but for those that it lacks. Nothing was "
-                     "computed. Switch MergeBlocks on for one surface of all, or DistributePoints "
-                     "off: each rank then triangulates its own.");
+    vtkErrorMacro(
+      << blocks->GetDifference()
+      << ". With MergeBlocks off, each block is triangulated over all ranks by itself, so "
+         "all ranks must have the same blocks, except missing ones. Nothing was "
+         "computed. Switch MergeBlocks on for one surface of all blocks, or "
+         "DistributePoints off: each rank then triangulates its own.");
   }
   else if (blocks->HaveBlocks())
   {

@@ -268,7 +268,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
 void vtkAdaptiveHilbertInterpolation2D::SayOutOfMemory()
 {
   vtkAHDSayOutOfMemory("vtkAdaptiveHilbertInterpolation2D",
-    [this] { vtkErrorMacro("Out of memory. Nothing is put out."); });
+    [this] { vtkErrorMacro("Out of memory. The output is empty."); });
 }
 
 /// Once for each filter.
@@ -277,10 +277,11 @@ void vtkAdaptiveHilbertInterpolation2D::WarnOfOtherRaster()
   if (!this->WarnedOfOtherRaster)
   {
     this->WarnedOfOtherRaster = true;
-    vtkWarningMacro("The points have other bounds at this time, so the raster is another than "
-                    "filters behind it were told. Until the next update those for images place it "
-                    "where it was before, or take a part of it. Set UseBounds, so that all times "
-                    "have one raster. This is said once.");
+    vtkWarningMacro(
+      "The points have other bounds at this time, so the raster differs from the "
+      "one announced to downstream filters. Until the next update image filters place "
+      "it where it was before, or use a part of it. Set UseBounds to have one raster "
+      "at all times. This warning appears once.");
   }
 }
 
@@ -290,9 +291,9 @@ int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataOb
 {
   if (isDone)
   {
-    vtkErrorMacro("The points have other bounds at this time, so the raster is another than "
-                  "filters behind it were told, and lacks cells that they ask for. Update again, "
-                  "or set UseBounds, so that all times have one raster.");
+    vtkErrorMacro("The points have other bounds at this time, so the raster differs from the "
+                  "one announced to downstream filters, and lacks cells that they request. Update "
+                  "again, or set UseBounds to have one raster at all times.");
     output->Initialize();
     this->ClearCounts();
   }

@@ -8,8 +8,8 @@
  * of any data set in port 1. Details: Plugin/Documentation/Reference.md.
  *
  * <b>Features.</b>
- * - Linear, by natural neighbours (Sibson, Laplace) or nearest; exact decision of each place's
- *   triangle; the same bytes for any number of threads.
+ * - Linear, by natural neighbours (Sibson, Laplace) or nearest; the triangle of each place is
+ *   located exactly; the same bytes for any number of threads.
  * - Output: without places a vtkImageData, whose points are the centres of the raster's cells
  *   (GeoTIFF's "pixel is area"), in the plane z = 0 of the triangulation; with OutputType SURFACE a
  *   vtkStructuredGrid with these centres at their heights, hidden where there is no value
@@ -17,28 +17,28 @@
  * - Arrays: the heights (HeightArrayName), every numeric point array of the input, and a mask
  *   (ValidPointMaskArrayName). Arrays of float stay float, others become double; with NEAREST each
  *   keeps its type. vtkGhostType is not interpolated; arrays of strings, without a name or of
- *   another length than the points are passed over, with a warning. Arrays of the places with the
- *   same name are replaced. Active scalars stay active; without any, the heights are. Field data
- *   are those of the places, or without places those of the points, and the counts below.
+ *   another length than the points are not interpolated, with a warning. Arrays of the places with
+ *   the same name are replaced. Active scalars stay active; without any, the heights are. Field
+ *   data are those of the places, or without places those of the points, and the counts below.
  *
  * <b>Inputs.</b> Port 0: a vtkPointSet, or a composite data set, whose blocks are merged into one
  * surface; or a surface made by a vtkAdaptiveHilbertDelaunay2D, recognised by its field data: then,
- * without a source, its triangles count, holes and constraints included, and of the settings of
+ * without a source, its triangles are used, holes and constraints included, and of the settings of
  * Triangulation only plane, threads and memory. That filter's own triangulation is used while it
  * exists (see ReuseLimit) and is not lent to others, in the plane x, y: the values are those of
  * interpolating its points with its settings. Otherwise the corners are triangulated, with the
  * constraints that the cell array ConstraintEdges names; without it natural neighbours end at the
  * edges of triangles that are not Delaunay. Over several ranks (DistributePoints and Controller of
  * Triangulation) its points are triangulated again, with a warning; there port 0 may be empty or of
- * any type. Port 1, optional: the places, a vtkDataSet or a composite data set of such. Port 2,
+ * any type. Port 1, optional: the places, a vtkDataSet or a composite data set of these. Port 2,
  * optional: constraints, as the source of vtkAdaptiveHilbertDelaunay2D.
  *
- * <b>Caveats.</b> Outside of the surface (beyond the hull, in holes, in triangles dropped by the
+ * <b>Caveats.</b> Outside of the surface (beyond the hull, in holes, in triangles removed by the
  * settings of Triangulation) there is no value: nothing is extrapolated unless Outside says so.
- * Where a point's value is NaN, its triangles have none (LINEAR), or only the others count
- * (NATURAL_NEIGHBOR, LAPLACE). A senseless setting or too little memory is one error, with an empty
+ * If a point's value is NaN, its triangles have none (LINEAR), or only the other neighbours count
+ * (NATURAL_NEIGHBOR, LAPLACE). An invalid setting or too little memory is one error, with an empty
  * output, and nothing thrown; memory is estimated first. Aborted: the output empty, no error. Each
- * warning comes once per execution, of all blocks together.
+ * warning comes once per execution, for all blocks together.
  *
  * <b>Example.</b> A raster of square cells of 2 units:
  *
@@ -83,34 +83,34 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
-  /// How the points are triangulated: a filter of which the settings count, threads, memory and
-  /// KeepTriangulation included; it is not executed. There is one from the beginning, with the
-  /// defaults. Not used: GenerateX, VoronoiClip, MergeBlocks. Null is an error.
+  /// The settings of the triangulation, threads, memory and KeepTriangulation included: a filter
+  /// that is not executed. By default one with default settings. Not used: GenerateX, VoronoiClip,
+  /// MergeBlocks. Null is an error.
   virtual void SetTriangulation(vtkAdaptiveHilbertDelaunay2D* triangulation);
   vtkGetObjectMacro(Triangulation, vtkAdaptiveHilbertDelaunay2D);
   ///@}
 
   ///@{
-  /// The places, input port 1, any vtkDataSet: its points, by x and y. Where the points are
-  /// triangulated in another plane, the places are moved into it as the points are. Of a composite
-  /// data set (SetPlacesConnection, SetInputData(1, ...)) all blocks; GetPlaces() is null then.
-  /// Without places there is a raster.
+  /// The places, input port 1, any vtkDataSet: its points, by x and y. If the points are
+  /// triangulated in another plane, the places are moved into it like the points. All blocks of a
+  /// composite data set (SetPlacesConnection, SetInputData(1, ...)) are used; GetPlaces() is null
+  /// then. Without places the output is a raster.
   void SetPlacesData(vtkDataSet* places);
   void SetPlacesConnection(vtkAlgorithmOutput* output);
   vtkDataSet* GetPlaces();
   ///@}
 
   ///@{
-  /// The constraints, input port 2, as those of vtkAdaptiveHilbertDelaunay2D.
+  /// The constraints, input port 2, like those of vtkAdaptiveHilbertDelaunay2D.
   void SetSourceData(vtkPolyData* source);
   void SetSourceConnection(vtkAlgorithmOutput* output);
   vtkPolyData* GetSource();
   ///@}
 
-  /// When the filter or Triangulation was changed last.
+  /// The later of the modification times of the filter and Triangulation.
   vtkMTimeType GetMTime() override;
 
-  /// Across ranks, the pipeline of each is modified whenever that of one is: so all execute, or
+  /// With several ranks, the pipeline is modified on all ranks if it is on one: so all execute, or
   /// none. Collective there.
   int ComputePipelineMTime(vtkInformation* request, vtkInformationVector** inputs,
     vtkInformationVector* outputs, int requestFromOutputPort, vtkMTimeType* mtime) override;
@@ -157,8 +157,8 @@ private:
   const std::unique_ptr<vtkAHDRankUpdates> Updates;   // agreed on by ranks
   bool WarnedAboutRanks = false;
   bool WarnedOfOtherRaster = false;
-  bool HasPortsOfRanks = false;  // what FillInputPortInformation() said last
-  bool MustDescribeAnew = false; // the raster is another than RequestInformation() said
+  bool HasPortsOfRanks = false;  // the last answer of FillInputPortInformation()
+  bool MustDescribeAnew = false; // the raster differs from that of RequestInformation()
 };
 
 #endif

@@ -4,9 +4,9 @@
  * @class   vtkAdaptiveHilbertInterpolationAlgorithm
  * @brief   settings and measures of vtkAdaptiveHilbertInterpolation2D
  *
- * The superclass of vtkAdaptiveHilbertInterpolation2D: its settings that are numbers and names, and
- * what was measured. In what is said here, values of settings have the names of ParaView's panel.
- * How the points are triangulated is said by the filter's Triangulation.
+ * The superclass of vtkAdaptiveHilbertInterpolation2D: its numeric settings, names of arrays and
+ * measures. The descriptions name values of settings as ParaView's panel does. The filter's
+ * Triangulation has the settings of the triangulation.
  *
  * @sa
  * vtkAdaptiveHilbertInterpolation2D
@@ -46,9 +46,9 @@ public:
   /// The values of RasterSize.
   enum RasterSizeValues
   {
-    /// so many cells
+    /// by the number of cells
     BY_DIMENSIONS = 0,
-    /// cells of this size
+    /// by the size of a cell
     BY_CELL_SIZE = 1
   };
 
@@ -57,28 +57,29 @@ public:
   {
     /// vtkImageData
     IMAGE = 0,
-    /// vtkStructuredGrid, its points at their heights
+    /// vtkStructuredGrid with its points at their heights
     SURFACE = 1
   };
 
   /// The values of Outside.
   enum OutsideValues
   {
-    /// none
+    /// no value
     NO_VALUE = 0,
     /// that of the nearest vertex
     NEAREST_VERTEX = 1
   };
 
   ///@{
-  /// How values come about between the points. Linear: linear in each triangle; the fastest.
-  /// Natural Neighbor: of the points around, by the area that the place would take from their
-  /// Voronoi cells (Sibson); smooth everywhere but at the points, and for scattered points the best
-  /// to look at. Laplace: of the same points, by the lengths of the borders; alike, a little
-  /// faster. Nearest: the value of the nearest point, its type kept. Default: LINEAR.
-  /// Natural Neighbor and Laplace end at constraints, as at the rim. Nearest is there on the whole
-  /// plane; of several vertices that are as near, the one of smallest x, then y, counts. Collinear
-  /// points: linear between neighbours on their line.
+  /// The method of interpolation. Linear: linear in each triangle; the fastest. Natural Neighbor:
+  /// the surrounding points, weighted by the areas that the place would take from their Voronoi
+  /// cells (Sibson); smooth everywhere except at the points, and the best-looking for scattered
+  /// points. Laplace: the same points, weighted by the lengths of the common borders over the
+  /// distances; similar, a little faster. Nearest: the value of the nearest point, in the array's
+  /// own type. Default: LINEAR.
+  /// Constraint edges and the rim end the reach of Natural Neighbor and Laplace. Nearest has values
+  /// on the whole plane; of several vertices at the same distance it takes the one with the
+  /// smallest x, then y. Collinear points: linear between neighbours on their line.
   vtkSetClampMacro(Method, int, LINEAR, NEAREST);
   vtkGetMacro(Method, int);
   void SetMethodToLinear() { this->SetMethod(LINEAR); }
@@ -88,8 +89,8 @@ public:
   ///@}
 
   ///@{
-  /// How the number of cells of the raster is given. Dimensions: by their number along x and y.
-  /// Cell Size: by the width and height of one cell. Default: BY_DIMENSIONS.
+  /// How the number of cells of the raster is set. Dimensions: by their number along x and y. Cell
+  /// Size: by the width and height of a cell. Default: BY_DIMENSIONS.
   vtkSetClampMacro(RasterSize, int, BY_DIMENSIONS, BY_CELL_SIZE);
   vtkGetMacro(RasterSize, int);
   void SetRasterSizeToByDimensions() { this->SetRasterSize(BY_DIMENSIONS); }
@@ -105,20 +106,20 @@ public:
   ///@}
 
   ///@{
-  /// The width and height of a cell, in the units of the points: more than 0. Metres for projected
-  /// points, degrees where x and y are longitude and latitude. The raster begins at the lower bound
-  /// and covers all of the points; what asks for more memory than there is is refused with figures.
-  /// Default 1, 1.
-  /// Any but a positive finite size is an error of the execution. As many cells as cover the area,
-  /// at least one. Whether the last one is needed is judged by the numbers as they are written in
-  /// decimal (15 digits): 100 cells of 0.1 cover 0 to 10.
+  /// The width and height of a cell, greater than 0, in the units of the points: metres for
+  /// projected points, degrees if x and y are longitude and latitude. The raster begins at the
+  /// lower bounds and covers all points; one that needs more memory than available is refused with
+  /// an error that says how much. Default 1, 1.
+  /// A size that is not positive and finite is an error of the execution. The raster has as many
+  /// cells as cover the area, at least one. Whether the last one is needed is decided on the
+  /// numbers as written in decimal (15 digits): 100 cells of 0.1 cover 0 to 10.
   vtkSetVector2Macro(CellSize, double);
   vtkGetVector2Macro(CellSize, double);
   ///@}
 
   ///@{
-  /// Put the borders between cells at multiples of the cell size, so that rasters of neighbouring
-  /// tiles and of different surveys lie cell on cell (as -tap of GDAL). Off by default.
+  /// Align the borders between cells with multiples of the cell size, so that the cells of
+  /// neighbouring tiles and of different surveys coincide (like -tap of GDAL). Off by default.
   /// Used with BY_CELL_SIZE. The area's lower bounds are rounded down, the upper ones up.
   vtkSetMacro(AlignToCellSize, bool);
   vtkGetMacro(AlignToCellSize, bool);
@@ -126,28 +127,28 @@ public:
   ///@}
 
   ///@{
-  /// Give the raster an area of its own (Bounds) instead of the bounding box of the points: two
-  /// surveys whose difference is wanted need the same. Off by default.
-  /// Off: the bounding box of all points that are triangulated, in the plane of the triangulation;
-  /// a side of length 0 makes one cell, as long as the other side's (or 1).
+  /// Use Bounds as the area of the raster instead of the bounding box of the points: two surveys to
+  /// be subtracted from each other need the same area. Off by default.
+  /// If off, the area is the bounding box of all triangulated points, in the plane of the
+  /// triangulation; a side of length 0 makes one cell, as long as the other side's (or 1).
   vtkSetMacro(UseBounds, bool);
   vtkGetMacro(UseBounds, bool);
   vtkBooleanMacro(UseBounds, bool);
   ///@}
 
   ///@{
-  /// The area of the raster: least x, largest x, least y, largest y, to the outer borders of its
-  /// cells. Default 0, 1, 0, 1.
-  /// Bounds that are not finite, or of which the lower is not below the upper, are an error of the
-  /// execution.
+  /// The area of the raster, to the outer borders of its cells: least x, greatest x, least y,
+  /// greatest y. Default 0, 1, 0, 1.
+  /// Bounds that are not finite, or with a lower bound that is not below the upper, are an error of
+  /// the execution.
   vtkSetVector4Macro(Bounds, double);
   vtkGetVector4Macro(Bounds, double);
   ///@}
 
   ///@{
-  /// What the raster becomes. Image: an image in the plane z = 0 with the heights as an array,
-  /// small and fast, for GIS and for calculating. Surface: a grid of points at their heights, to be
-  /// seen as terrain; points without a value are hidden. Default: IMAGE.
+  /// The type of the raster. Image: an image in the plane z = 0 with the heights as an array, small
+  /// and fast, for GIS and for calculations. Surface: a grid of points at their heights, to show
+  /// terrain; points without a value are hidden. Default: IMAGE.
   vtkSetClampMacro(OutputType, int, IMAGE, SURFACE);
   vtkGetMacro(OutputType, int);
   void SetOutputTypeToImage() { this->SetOutputType(IMAGE); }
@@ -155,10 +156,10 @@ public:
   ///@}
 
   ///@{
-  /// What places outside the surface get. No Value: NaN in floating point arrays, 0 in others.
+  /// The values at places outside the surface. No Value: NaN in floating-point arrays, 0 in others.
   /// Nearest Vertex: the values of the nearest point of the triangulation. Either way
   /// vtkValidPointMask is 0 there. Default: NO_VALUE.
-  /// In place of NaN, what NoValue says. Counts of places outside are the same either way.
+  /// NoValue replaces NaN. Counts of places outside do not depend on this.
   vtkSetClampMacro(Outside, int, NO_VALUE, NEAREST_VERTEX);
   vtkGetMacro(Outside, int);
   void SetOutsideToNoValue() { this->SetOutside(NO_VALUE); }
@@ -166,17 +167,17 @@ public:
   ///@}
 
   ///@{
-  /// What arrays of floating-point numbers have where there is no value. Arrays of whole numbers
-  /// (Nearest) have 0 there. Default NaN.
+  /// The number in floating-point arrays where there is no value. Integer arrays (Nearest) have 0
+  /// there. Default NaN.
   virtual void SetNoValue(double value);
   vtkGetMacro(NoValue, double);
   ///@}
 
   ///@{
   /// For each array of one component add its gradient, an array of two components: the change per
-  /// unit of x and of y (NameGradient). Slope and aspect of a terrain come from that of Elevation.
-  /// With Linear only, constant in each triangle. Off by default.
-  /// With other methods there is a warning. On an edge and at a vertex they are those of one of its
+  /// unit of x and of y (NameGradient). The gradient of Elevation gives the slope and aspect of a
+  /// terrain. Only with Linear; constant in each triangle. Off by default.
+  /// With other methods there is a warning. On an edge or at a vertex it is that of one of its
   /// triangles.
   vtkSetMacro(GenerateGradients, bool);
   vtkGetMacro(GenerateGradients, bool);
@@ -186,16 +187,16 @@ public:
   ///@{
   /// The name of the array of heights: z of the points or, in another plane, the height above it.
   /// Default "Elevation".
-  /// The array is a vtkDoubleArray; an array of the input of that name is passed over, with a
-  /// warning. Empty: no such array. The name of the mask, or "vtkGhostType", is an error of the
-  /// execution.
+  /// The array is a vtkDoubleArray; an array of the input with that name is not interpolated, and
+  /// there is a warning. Empty: no such array. The name of the mask, or "vtkGhostType", is an error
+  /// of the execution.
   virtual void SetHeightArrayName(const std::string& name);
   virtual std::string GetHeightArrayName() { return this->HeightArrayName; }
   ///@}
 
   ///@{
-  /// The name of the array that says where there is a value: 1 on the surface, 0 elsewhere; by
-  /// default as that of ParaView's own resampling filters. Default "vtkValidPointMask".
+  /// The name of the array that marks where there is a value: 1 on the surface, 0 elsewhere. The
+  /// default is the name that ParaView's own resampling filters use. Default "vtkValidPointMask".
   /// The array is a vtkCharArray; with Nearest, 1 for all places with finite x and y. Empty: no
   /// mask. The name of the heights or of their gradients, or "vtkGhostType", is an error of the
   /// execution.
@@ -204,36 +205,36 @@ public:
   ///@}
 
   ///@{
-  /// How often this filter has triangulated since it was made. Another method or cell size needs no
-  /// new triangulation.
-  /// A triangulation is kept where KeepTriangulation is on and ReuseLimit is large enough, for the
+  /// How often this filter has triangulated since it was created. Another method or cell size needs
+  /// no new triangulation.
+  /// A triangulation is kept if KeepTriangulation is on and ReuseLimit is large enough, for the
   /// next execution with the same points, constraints and Triangulation. It stays 0 on a surface
-  /// whose own triangulation is there.
+  /// whose own triangulation is available.
   vtkGetMacro(NumberOfTriangulations, int);
   ///@}
 
   ///@{
   /// The most memory, in kibibytes (1024 bytes), that the last run may have needed beyond its
-  /// input, or was refused: what Memory Limit is compared with.
+  /// input, or was refused: the number that is compared with Memory Limit.
   /// That is the MemoryLimit of Triangulation.
   vtkGetMacro(MemoryEstimate, vtkTypeInt64);
   ///@}
 
   ///@{
   /// Places, or cells of the raster, in the last run.
-  /// They are those on the surface, those outside and those that are not finite. Counts are 0 if
-  /// the run was aborted or ended in an error; they are field data of the output, too.
+  /// The sum of those on the surface, those outside it and those that are not finite. Counts are 0
+  /// if the run was aborted or failed; they are field data of the output, too.
   vtkGetMacro(NumberOfPlaces, vtkIdType);
   ///@}
 
   ///@{
-  /// Places that lie on the surface, in the last run: those where vtkValidPointMask is 1.
+  /// Places on the surface, in the last run: those where vtkValidPointMask is 1.
   vtkGetMacro(NumberOfValidPlaces, vtkIdType);
   ///@}
 
   ///@{
-  /// Places outside the surface, in the last run: beyond its hull, in a hole or in a triangle that
-  /// was left out.
+  /// Places outside the surface, in the last run: beyond its hull, in a hole or in a removed
+  /// triangle.
   vtkGetMacro(NumberOfPlacesOutside, vtkIdType);
   ///@}
 
@@ -243,21 +244,21 @@ public:
   ///@}
 
   ///@{
-  /// Values that are NaN, though their place is on the surface, as points around them have NaN, in
-  /// the last run.
-  /// A value is one for each component of an array at a valid place.
+  /// Values that are NaN at places on the surface, because points around them have NaN, in the last
+  /// run.
+  /// There is one value for each component of an array at a valid place.
   vtkGetMacro(NumberOfPlacesWithoutValue, vtkIdType);
   ///@}
 
   ///@{
-  /// With Natural Neighbor and Laplace: values that were made without some neighbours, as these
-  /// have NaN, in the last run.
+  /// With Natural Neighbor and Laplace: values interpolated without some natural neighbours,
+  /// because these have NaN, in the last run.
   vtkGetMacro(NumberOfPlacesWithNeighborsLeftOut, vtkIdType);
   ///@}
 
   ///@{
-  /// Wall-clock seconds of finding the places and interpolating, in the last run; triangulating is
-  /// not among them.
+  /// Wall-clock seconds to locate the places and interpolate, in the last run, without the
+  /// triangulation.
   vtkGetMacro(SampleSeconds, double);
   ///@}
 
@@ -265,7 +266,7 @@ protected:
   vtkAdaptiveHilbertInterpolationAlgorithm();
   ~vtkAdaptiveHilbertInterpolationAlgorithm() override;
 
-  /// Sets all measures to what they are after an execution that came to nothing.
+  /// Sets all measures to their values after a failed execution.
   void ClearMeasures();
 
   /// Throws std::bad_alloc.

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPlanarPointSource
- * @brief   make the point sets that triangulations are compared on
+ * @brief   make the point sets used to compare triangulations
  *
  * Points of the plane z = 0 and one VTK_POLY_VERTEX cell with all of them: the distributions of Su
  * et al., Computers & Graphics 54 (2016) 65-74, figure 10, and a lattice. Formulas:
  * Plugin/Documentation/Reference.md.
  *
- * <b>Features.</b> The points are a function of Distribution, NumberOfPoints and Seed, to the last
- * bit, wherever doubles are those of IEEE 754.
+ * <b>Features.</b> The points depend on Distribution, NumberOfPoints and Seed alone, to the last
+ * bit, on every machine with doubles of IEEE 754.
  *
  * <b>Caveats.</b> 28 bytes per point (16 in single precision); too little memory is one error and
- * an empty output. On several ranks, the first has all points.
+ * an empty output. On several ranks, the first rank has all points.
  *
  * <b>Example.</b>
  *
@@ -48,11 +48,11 @@ public:
     CIRCLE = 3,  ///< a ring
     SPIRAL = 4,  ///< three turns of a spiral
     MIXED = 5,   ///< half of the points in the unit square, half in 20 clusters
-    LATTICE = 6  ///< whole coordinates, row by row
+    LATTICE = 6  ///< integer coordinates, row by row
   };
 
   ///@{
-  /// How the points are distributed: one of Distributions. Default UNIFORM.
+  /// The distribution of the points, one of Distributions. Default UNIFORM.
   vtkSetClampMacro(Distribution, int, UNIFORM, LATTICE);
   vtkGetMacro(Distribution, int);
   void SetDistributionToUniform() { this->SetDistribution(UNIFORM); }
@@ -65,8 +65,8 @@ public:
   ///@}
 
   ///@{
-  /// How many points: from 0 to 2^29, twice what the filter takes; default 10000. Seed: where the
-  /// random numbers start, any int, default 1; LATTICE has none.
+  /// The number of points, from 0 to 2^29, twice the most that the filter takes; default 10000.
+  /// Seed: of the random numbers, any int, default 1; LATTICE has none.
   vtkSetClampMacro(NumberOfPoints, vtkIdType, 0, 1 << 29);
   vtkGetMacro(NumberOfPoints, vtkIdType);
   vtkSetMacro(Seed, int);

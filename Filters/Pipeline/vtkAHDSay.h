@@ -39,7 +39,7 @@ void vtkAHDSayOutOfMemory(const char* filter, const Say& say)
   }
   catch (const std::bad_alloc&)
   {
-    std::fprintf(stderr, "%s: out of memory, nothing is put out.\n", filter);
+    std::fprintf(stderr, "%s: out of memory, the output is empty.\n", filter);
   }
 }
 

@@ -5,10 +5,10 @@
 
     from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D, vtkPlanarPointSource    # for VTK
 
-The first needs NumPy alone. The second are a VTK filter and a source of point sets; vtkAdaptiveHilbertInterpolation2D,
-values between the points on rasters and at places, is there, too: the classes that were compiled with VTK, where they
-were and Python has that VTK (its first two numbers decide); else the same classes in Python, over `vtkmodules` or
-`cvista`, the one that is imported. ImportError without VTK.
+The first needs NumPy alone. The second are a VTK filter and a source of point sets; with
+vtkAdaptiveHilbertInterpolation2D, values between the points on rasters and at places. They are the compiled classes if
+the package was built with VTK and Python has that version (the first two numbers count); otherwise the same classes in
+Python, over the imported `vtkmodules` or `cvista`. ImportError without VTK.
 
 Code that uses vtkDelaunay2D runs on this filter after `import adaptivehilbertdelaunay.drop_in`.
 """
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from ._raster import Raster as Raster
     from ._sampling import Weights as Weights
 
-# Modules are loaded when a name of theirs is first asked for: arrays need no VTK, and VTK no arrays.
+# Modules are loaded when one of their names is first used: arrays need no VTK, and VTK no arrays.
 _ARRAYS = ("Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory")
 _MODULES = {
     **dict.fromkeys(_ARRAYS, "._arrays"),

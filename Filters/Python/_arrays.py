@@ -60,65 +60,66 @@ def delaunay(
     Parameters
     ----------
     points : (n, 2) or (n, 3) array of real numbers, n at most 2**28 - 2
-        x, y and perhaps z, in any one unit. float32 and float64 are not copied, whatever their strides (but those whose
-        coordinates do not lie side by side); other types are converted to float64. A point whose x or y is NaN or
-        infinite is no vertex, and a warning counts them. Do not change arrays while the triangulation is in use.
+        x, y and optionally z, in one unit. float32 and float64 are not copied, whatever their strides, if the
+        coordinates of a point are contiguous; other types are converted to float64. Points whose x or y is NaN or
+        infinite are rejected, and a warning counts them. Do not change arrays while the triangulation is in use.
     segments : (m, 2) array of int, optional
         Pairs of ids that become edges. A segment that passes through points becomes several edges.
     lines : sequence of sequences of int, or (c, w) array, optional
         Open chains of ids, such as breaklines: each pair of successive ones is a segment. A flat sequence is one line.
     loops : sequence of sequences of int, or (c, w) array, optional
-        Closed chains, whose last point is joined to the first: outlines and holes. They are edges too, and bound what
-        is kept (see `fill_rule`).
+        Closed chains, whose last point is joined to the first: outlines and holes. They are edges too, and bound the
+        surface (see `fill_rule`).
     source_points : (m, 2) or (m, 3) array of real numbers, optional
         Points of the constraints. The ids in segments, lines and loops are then rows of these, and all of them are
-        triangulated with the others; their ids in the result go on where those of `points` end.
+        triangulated with the others; in the result their ids follow those of `points`.
     skip : (n,) array of bool or uint8, optional
-        Points that are left out are those where it is not zero.
+        Points with a nonzero value are skipped.
     crossings : {'leave_out', 'split'}, default 'leave_out'
-        What is done where segments cross. 'leave_out': the later one is no constraint, a loop that has it bounds
-        nothing, and a warning says so (segments come before lines, lines before loops). 'split': a point is added.
+        How crossing segments are treated. 'leave_out': the later one is left out, its loop bounds nothing, and a
+        warning counts them (segments come before lines, lines before loops). 'split': a point is added.
     fill_rule : {'even_odd', 'orientation'}, default 'even_odd'
-        What loops keep. 'even_odd': what is inside an odd number of loops, whichever way they run. 'orientation': what
-        is on the left of every loop edge that bounds it, and what no loop bounds.
+        The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
+        'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.
     closed_lines_are_loops : bool, default False
-        Are lines that end where they begin loops?
+        Treat lines that end where they begin as loops.
     source_heights : {'own', 'surface'}, default 'own'
-        'surface': z of the source points, where they lie on the triangulation of the others, is interpolated there.
+        'surface': z of source points is interpolated on the triangulation of the others, where they lie on it.
     plane : {'xy', 'best_fit'}, (4, 4) array or function, default 'xy'
-        Where to triangulate: x and y; the plane of least squares of distances (of points that all have one z, or one
-        x or y, the two other coordinates as they are); x and y after the matrix is applied to (x, y, z, 1); x and y of
-        what the function gives. It is called with (k, 3) float64, k at most 2**14, which it changes in place or returns
-        anew: the place in the plane and the height above it. Exactness is for the numbers in that plane, in float64.
+        The plane of the triangulation: x and y; the plane with the least sum of squared distances (if all points have
+        the same z, x or y: the two other coordinates, unchanged); x and y after the matrix is applied to (x, y, z, 1);
+        x and y of the function's result. The function gets (k, 3) float64, k at most 2**14, and changes it in place or
+        returns an array: the position in the plane and the height above it. The result is exact for the coordinates in
+        that plane, in float64.
     rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
         'trimmed': without the flat triangles (an angle above 153.4 degrees) along the hull. 'automatic': the convex
-        hull in the plane 'xy', and in 'best_fit' of points that all have one z, x or y; else trimmed. Nothing is
+        hull in the plane 'xy', and in 'best_fit' if all points have the same z, x or y; else trimmed. Nothing is
         trimmed with alpha, maximum_edge_length or bounding.
     duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
-        Which of several points at one place is the vertex: that of smallest id; of lowest or highest finite z; of
-        smallest id, moved to the mean of all that have a finite z.
+        Which of several points at one place is the vertex: the one with the smallest id; with the lowest or highest
+        finite z; with the smallest id, moved to the mean of all with a finite z.
     tolerance : float from 0 to 1, default 0.0
-        Merge points nearer to each other than this part of the diagonal of the bounding box of all; 0: those that
-        coincide are duplicates, and none is merged.
+        Merge points closer to each other than this fraction of the diagonal of the bounding box of all; 0: coinciding
+        points are duplicates, and none is merged.
     alpha : float, 0 or more, default 0.0
-        Keep triangles whose circumradius in space is not greater, in the unit of the points; 0: all. See `lines` and
-        `vertices` of the result.
+        The largest circumradius in space, in the unit of the points; 0: no limit. See `lines` and `vertices` of the
+        result.
     maximum_edge_length : float, 0 or more, default 0.0
-        Keep triangles whose edges in the plane are not longer; 0: all.
+        The longest edge in the plane; 0: no limit.
     bounding : bool, default False
         Add eight points on a circle around all others, `offset` diagonals of their bounding box away. In 'xy' only.
     offset : float, 0.75 or more, default 1.0
-        How far out the points of `bounding` lie.
+        The distance of the points of `bounding`.
     insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}, default 'adaptive_hilbert'
         This and the next three change the time, never the triangles.
     nmax : int, 1 or more, default 50
-        A box of the grid with more points is divided.
+        Boxes of the grid with more points are divided.
     control_points : {'off', 'single_level', 'every_level'}, default 'every_level'
-        Which points are inserted before all others.
+        Points inserted before all others.
     gene_rotation : bool, default True
-        Does the curve turn in each box to meet its neighbours?
+        Turn the curve in each box to connect to the boxes before and after.
     insertion_limit : int, 0 or more, default 0
-        Stop after so many points of the insertion order; 0: all.
+        Insert only so many points of the order; 0: all.
     count_work : bool, default False
         Count np and nr, see `Triangulation.measures`. One thread inserts.
     voronoi_clip : {'hull', 'bounds'}, default 'hull'
@@ -126,15 +127,15 @@ def delaunay(
     id_dtype : numpy.int32 or numpy.int64, default numpy.int32
         The type of all ids in the result. 32 bits are always enough.
     want : sequence of str, optional
-        What to make in this call: 'neighbors', 'constraint_edges', 'regions', 'point_status', 'insertion_ranks',
-        'order', 'boxes', 'voronoi'. All can be asked for later too; the last four then triangulate once more.
+        Results to compute in this call: 'neighbors', 'constraint_edges', 'regions', 'point_status', 'insertion_ranks',
+        'order', 'boxes', 'voronoi'. All are available later, too; the last four then triangulate once more.
     threads : int from 0 to 1024, default 0
-        How many work; 0: one for each processor that the process may run on. The result is the same.
+        Number of threads; 0: one for each processor that the process may run on. The result is the same.
     memory_limit : int, 0 or more, default 0
-        Bytes that may be taken; 0: what the process can get without swapping.
+        The most bytes to allocate; 0: what the process can get without swapping.
     progress : function of (str, float), optional
-        Is told the phase ('merge', 'split', 'read', 'sort', 'insert', 'constrain', 'extract', 'outputs') and the
-        fraction that is done, 0 to 1, about each hundredth and in this thread. To stop the work, raise an exception.
+        Called with the phase ('merge', 'split', 'read', 'sort', 'insert', 'constrain', 'extract', 'outputs') and the
+        fraction done, 0 to 1, about every hundredth, in this thread. To stop the work, raise an exception.
 
     Returns
     -------
@@ -143,24 +144,25 @@ def delaunay(
     Raises
     ------
     ValueError
-        An array is of another shape, an id is that of no point, a value is out of its range, there are too many points.
+        An array has the wrong shape, an id is not the id of a point, a value is out of range, there are too many
+        points.
     TypeError
-        An array or a value is of another type.
+        An array or a value has the wrong type.
     MemoryError
-        There is not enough memory, or `memory_limit` allows less than is needed: then at once, but for what shows
-        while segments are split or inserted.
+        There is not enough memory, or `memory_limit` allows less than needed: then before the work, unless the need
+        is only known while segments are split or inserted.
     KeyboardInterrupt
-        Ctrl-C: at once.
+        Ctrl-C, at once.
 
     Warns
     -----
     DelaunayWarning
-        Points that are not finite, segments that were left out, no triangle, ...: see there.
+        Rejected points, segments that were left out, no triangle, ...: see there.
 
     Notes
     -----
-    Other Python threads go on while the engine works. Several calls may be at work at once. The arrays are not to be
-    changed meanwhile.
+    Other Python threads run while the engine works, and several calls may run at once. The arrays must not be changed
+    meanwhile.
 
     Examples
     --------
@@ -187,7 +189,7 @@ def delaunay(
     wanted = (want,) if isinstance(want, str) else tuple(want)
     for name in wanted:
         if name not in WANTED:
-            raise ValueError("want: %r is none of %s" % (name, ", ".join(map(repr, WANTED))))
+            raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function, not %r" % (progress,))
     request = Request(points, skip, source_points, chains, plane, given)

@@ -148,7 +148,7 @@ def _ids(name: str, given: Any, wanted: str = _CHAINS) -> np.ndarray:
         hint = ": coordinates go to source_points" if ids.dtype.kind == "f" else ""
         raise TypeError("%s must be whole numbers, the ids of points, not of type %s%s" % (name, ids.dtype, hint))
     if ids.dtype.kind == "u" and ids.dtype.itemsize == 8 and ids.max() > 2**63 - 1:
-        raise ValueError("%s: %d is no point" % (name, ids.max()))
+        raise ValueError("%s: %d is not the id of a point" % (name, ids.max()))
     isReady = ids.dtype in (np.int32, np.int64) and ids.dtype.isnative and ids.flags.aligned
     return ids if isReady else ids.astype(np.int64)
 
@@ -240,7 +240,7 @@ class Request:
             self._take("source_points", points_of("source_points", source_points), source_points)
             self.settings["cell_ids"] = library.IDS_OF_SOURCE
         elif self.settings["source_heights"] != library.HEIGHTS_OWN:
-            raise ValueError("source_heights='surface' is for source_points, and there are none")
+            raise ValueError("source_heights='surface' needs source_points")
         self._take_chains(chains)
         self._take_plane(plane)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Objects that are called with places and give values there, as those of scipy.interpolate are."""
+"""Callable interpolators, like those of scipy.interpolate."""
 
 from __future__ import annotations
 
@@ -85,8 +85,8 @@ class LinearInterpolator(_Interpolator):
     """Linear interpolation on the exact Delaunay triangulation of points in the plane; behaves like
     `scipy.interpolate.LinearNDInterpolator`.
 
-    Called with x and y, which broadcast, with a tuple of both, or with one array of shape (..., 2); gives values of
-    the shape of these and of a row of `values`.
+    Call it with x and y, which broadcast, with a tuple of both, or with one array of shape (..., 2); the result has the
+    shape of these followed by that of a row of `values`.
 
     Parameters
     ----------
@@ -144,10 +144,10 @@ class LinearInterpolator(_Interpolator):
 
 
 class NaturalNeighborInterpolator(LinearInterpolator):
-    """Natural neighbour interpolation, after Sibson; called as `LinearInterpolator` is, of which it has the parameters.
+    """Natural neighbour interpolation, after Sibson; called like `LinearInterpolator`, with the same parameters.
 
-    Smooth but at the points, and local; gives back linear functions, and never goes beyond the values around. A NaN
-    among the values is left out, and its neighbours count for more.
+    Smooth except at the points, and local; reproduces linear functions and never exceeds the surrounding values. A
+    point whose value is NaN is left out, and its neighbours get its weight.
 
     Examples
     --------
@@ -161,8 +161,8 @@ class NaturalNeighborInterpolator(LinearInterpolator):
 
 
 class NearestInterpolator(_Interpolator):
-    """The value of the nearest point; behaves like `scipy.interpolate.NearestNDInterpolator`. Called as
-    `LinearInterpolator` is. Exact: of several that are as near it is that of smallest (x, y).
+    """The value of the nearest point; behaves like `scipy.interpolate.NearestNDInterpolator`. Called like
+    `LinearInterpolator`. Exact: of several points at the same distance it takes the one with the smallest (x, y).
 
     Parameters
     ----------

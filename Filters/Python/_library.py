@@ -144,7 +144,7 @@ class Job:
             else:
                 number = value.__index__() if hasattr(value, "__index__") else None
                 if number is None and name in _INTS:
-                    raise TypeError("%s is a whole number, not %r" % (name, value))
+                    raise TypeError("%s must be a whole number, not %r" % (name, value))
                 if number is not None and not -(1 << 63) <= number < 1 << 63:
                     raise BadInput("%s: %d is out of range" % (name, number))
                 self._check(C.ahd_set_int(self._handle, name.encode(), number or 0))
@@ -201,7 +201,7 @@ class Job:
 
     def set_progress(self, progress: Optional[ProgressFunction]) -> None:
         """A function that is told the phase, a number of PHASES, and the fraction that is done, 0 to 1, by the
-        thread that makes the call; what it returns cancels if it is true. None: nobody is told."""
+        thread that makes the call; a true result cancels. None: no calls."""
         self._progress = progress
 
     def reset(self, most: int) -> None:
@@ -299,7 +299,7 @@ class Job:
         types = (np.float64, ids.dtype, ids.dtype, np.int32, ids.dtype)
         for name, array, size, dtype in zip(("xyz", "ranks", "ids", "levels", "counts"), arrays, sizes, types):
             if not array.flags.c_contiguous or array.dtype != dtype or array.size != size:
-                raise BadInput("%s: %d numbers of type %s are wanted" % (name, size, np.dtype(dtype).str), BAD_ARRAY)
+                raise BadInput("%s: must be %d numbers of type %s" % (name, size, np.dtype(dtype).str), BAD_ARRAY)
             _check_writeable(name, array)
         drawing = Drawing(*(array.ctypes.data for array in arrays))
         self._call(C.ahd_draw_order, TYPES[ids.dtype], drawing, arrays=arrays)
@@ -424,7 +424,7 @@ def _check_writeable(name: str, array: np.ndarray) -> None:
 
 
 def _busy() -> NotAvailable:
-    return NotAvailable("the triangulation is at work: a progress function cannot ask it", BUSY)
+    return NotAvailable("the triangulation is being computed: a progress function cannot use it", BUSY)
 
 
 @functools.lru_cache(None)

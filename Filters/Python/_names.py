@@ -46,7 +46,7 @@ def by_any_name(*more: str) -> Callable[[Function], Function]:
             for other in others.keys() & keywords.keys():
                 name = others[other]
                 if name in keywords or name in list(signature.parameters)[: len(arguments)]:
-                    raise TypeError("%s() has %s and %s, which are two names for one thing" % (
+                    raise TypeError("%s() got %s and %s, which are two names for one argument" % (
                         function.__name__, name, other))  # fmt: skip
                 keywords[name] = keywords.pop(other)
             return function(*arguments, **keywords)

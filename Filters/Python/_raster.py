@@ -15,7 +15,7 @@ MOST = 2**31 - 1  # rows or columns
 
 @dataclass(frozen=True)
 class Raster:
-    """Places in rows and columns, such as the centres of the cells of a map: value ``[row, column]`` is the one at
+    """Places in rows and columns, such as the centres of the cells of a map: value ``[row, column]`` is at
     ``origin + (column, row) * spacing``.
 
     Attributes
@@ -78,18 +78,18 @@ class Raster:
 
     @property
     def geotransform(self) -> Tuple[float, float, float, float, float, float]:
-        """What GDAL calls the geotransform, of pixels that are areas: corner, width and 0; corner, 0 and height. Row 0
-        is in the south, the height positive; for a GeoTIFF from the north on, of values[::-1], x and y of the upper
-        corner are (bounds[0], bounds[3]), and the height is negative."""
+        """GDAL's geotransform, for pixels that are areas: corner, width and 0; corner, 0 and height. Row 0 is in the
+        south, the height positive; for a GeoTIFF that begins in the north, values[::-1], the upper corner is
+        (bounds[0], bounds[3]), and the height is negative."""
         (x, y), (dx, dy) = self.origin, self.spacing
         return x - dx / 2, dx, 0.0, y - dy / 2, 0.0, dy
 
 
 def unmasked(name: str, given: Any) -> np.ndarray:
-    """The array, which may be a masked one of which nothing is masked. TypeError."""
+    """The array; a masked array only without masked values. TypeError."""
     parts = given if isinstance(given, (list, tuple)) else (given,)
     if any(isinstance(part, np.ma.MaskedArray) and np.ma.is_masked(part) for part in parts):
-        raise TypeError("%s are a masked array, whose mask would be lost: NaN stands for what is missing" % name)
+        raise TypeError("%s are a masked array, whose mask would be lost: use NaN for missing numbers" % name)
     return np.asarray(given)
 
 
@@ -102,9 +102,9 @@ def real_numbers(name: str, given: Any) -> np.ndarray:
 
 
 def number_of(given: Any) -> float:
-    """A real number; words are none. TypeError, ValueError."""
+    """A real number, not a str. TypeError, ValueError."""
     if isinstance(given, (str, bytes)):
-        raise TypeError("%r is no number" % (given,))
+        raise TypeError("%r is not a number" % (given,))
     return float(given)
 
 
@@ -160,12 +160,12 @@ def raster_over(
     """The raster of cells of this size, or of so many rows and columns, that covers the bounds; bit for bit that of
     vtkAdaptiveHilbertInterpolation2D (vtkAHDRaster.h)."""
     if (cell_size is None) == (shape is None):
-        raise ValueError("a raster is made by its cell_size or by its shape: one of both")
+        raise ValueError("a raster needs either a cell_size or a shape")
     area = bounds_of(bounds)
     if shape is None:
         x, y = axes_by_size(area, size_of(cell_size), align)
     elif align:
-        raise ValueError("align is for rasters that are made by their cell_size")
+        raise ValueError("align needs a raster with a cell_size")
     else:
         rows, columns = shape_of(shape, 1)
         x, y = axes_by_count(area, (columns, rows))

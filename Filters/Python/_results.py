@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arrays that belong together, as a Triangulation gives them."""
+"""Results of a Triangulation that consist of several arrays."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from . import _library as library
 
 @dataclass(frozen=True)
 class Voronoi:
-    """The Voronoi diagram of the vertices: cell `i` is what is nearer to point `sites[i]` than to any other.
+    """The Voronoi diagram of the vertices: cell `i` is the region nearer to point `sites[i]` than to any other.
 
     Attributes
     ----------
@@ -22,11 +22,11 @@ class Voronoi:
         Corners of the cells, in the plane of the triangulation, in the unit of the points; each shared by the cells
         that meet there.
     offsets : (c + 1,) int
-        Cell `i` has the corners ``corners[offsets[i]:offsets[i + 1]]``, three at least, counterclockwise.
+        Cell `i` has the corners ``corners[offsets[i]:offsets[i + 1]]``, at least three, counterclockwise.
     corners : (k,) int
         Rows of `points`.
     sites : (c,) int
-        The ids of the points that the cells belong to. A row of `points` of the triangulation.
+        The ids of the points of the cells: rows of `points` of the triangulation.
     """
 
     points: np.ndarray

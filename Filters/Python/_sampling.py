@@ -18,8 +18,8 @@ ProgressFunction = Callable[[str, float], Any]
 
 
 class Weights(NamedTuple):
-    """Which points make up the value at each place: place `i`, of all in a row, has the entries ``offsets[i]`` to
-    ``offsets[i + 1]`` of the others; none where it has no value. As a matrix for values of all points:
+    """The weights of the points in the value at each place: place `i`, in flattened order, has the entries
+    ``offsets[i]`` to ``offsets[i + 1]`` of the others; none if it has no value. As a matrix for values of all points:
     ``scipy.sparse.csr_matrix((weights, points, offsets), (places, n))``."""
 
     offsets: np.ndarray  #: (places + 1,) int64
@@ -36,7 +36,7 @@ def method_of(given: Any) -> int:
 
 
 def places_of(given: Any) -> Tuple[Union[Raster, np.ndarray], Tuple[int, ...]]:
-    """Places as a job takes them, and the shape that values at them have."""
+    """Places as a job takes them, and the shape of values at them."""
     if isinstance(given, Raster):
         return given, given.shape
     places = unmasked("places", given)
@@ -73,7 +73,7 @@ def _numbers_of(values: Any, counts: Mapping[str, int], kinds: str) -> np.ndarra
 
 
 class Sampled(Made):
-    """What a Triangulation says of places between its points."""
+    """The interpolation on a Triangulation."""
 
     def _for_places(self) -> library.Job:
         """The job. The first time the engine makes tables of its own, and reads no points after that. REQUIRES: the
@@ -93,13 +93,13 @@ class Sampled(Made):
         Parameters
         ----------
         cell_size : float or (dx, dy), greater than 0, in the unit of the points
-            The size of a cell. There are as many as cover the bounds, one at least; a bound that is a border between
-            cells but for rounding counts as that.
+            The size of a cell. As many cells as cover the bounds, at least one; a bound within rounding of a border
+            between cells counts as that border.
         shape : (rows, columns) of int, from 1 to 2**31 - 1
-            How many cells there are; they fill the bounds, and a side of length 0 has one row. One of both,
-            `cell_size` or `shape`, must be given.
+            The number of cells; they fill the bounds, and a side of length 0 has one row. Give either `cell_size` or
+            `shape`.
         bounds : (xmin, xmax, ymin, ymax) of float, default: those of the vertices, in the plane of the triangulation
-            What is covered.
+            The area to cover.
         align : bool, default False
             With `cell_size`: are the borders of the cells multiples of it (as with -tap of GDAL's programs)? Else
             the first cell begins at xmin and ymin.
@@ -144,19 +144,19 @@ class Sampled(Made):
         gradient: bool = False,
         progress: Optional[ProgressFunction] = None,
     ) -> Any:
-        """Values between the points, at any places; or, without `at`, for all points, also for those that were added.
+        """Values between the points, at any places; or, without `at`, for all points, also for added ones.
 
-        Which triangle, edge or vertex a place lies on is decided exactly: on a vertex there is the value of that
-        vertex, on an edge one of its two ends alone, the same from either side. Outside of the triangles (of the hull,
-        in a hole, where a limit left none) there is no value.
+        The triangle, edge or vertex of a place is determined exactly: a place on a vertex gets the value of that
+        vertex, one on an edge a value from its two ends alone, the same from either side. Outside the triangles
+        (outside the hull, in a hole, in removed triangles) there is no value.
 
         Parameters
         ----------
         values : (m,) or (m, ...) array of numbers
-            One row for each point that was given: `points` and then, if there are any, `source_points`. NaN may be
-            among them: with 'linear' all of a triangle that has one is NaN, with 'natural' and 'laplace' it is left
-            out and the other neighbours count for more. Of several points at one place the row of the one that stands
-            for the vertex counts (`point_status`). With duplicates='mean_z' a column that is the z of the points as
+            One row for each given point: `points` and then, if there are any, `source_points`. NaN is allowed: with
+            'linear' the whole triangle of such a point is NaN, with 'natural' and 'laplace' the point is left out and
+            the other neighbours get its weight. Of several points at one place the row of the one that represents the
+            vertex is used (`point_status`). With duplicates='mean_z' a column that is the z of the points as
             they were given becomes that of `points`, the means among them; any other is not averaged.
         at : (..., 2) array of real numbers or Raster, optional
             Places in the plane of the triangulation, in the unit of the points, anywhere; at those with NaN there is no
@@ -214,8 +214,8 @@ class Sampled(Made):
         return self._at(values, at, method, outside, gradient, progress)
 
     def weights(self, at: Any, method: str = "linear") -> Weights:
-        """Which points make up the value at each place, and how much: for who interpolates many times at the same
-        places, or with them something that is no array of numbers.
+        """The weights of the points in the value at each place: to interpolate many times at the same places, or to
+        interpolate something other than an array of numbers.
 
         Parameters
         ----------

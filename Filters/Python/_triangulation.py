@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What `delaunay` gives back."""
+"""The result of `delaunay`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ._results import Boxes, Location, Voronoi, chained
 from ._raster import real_numbers, unmasked
 from ._sampling import Sampled
 
-#: Attributes that `delaunay` can be asked to make at once.
+#: Attributes that `delaunay` can compute at once.
 WANTED = (
     "neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi"
 )  # fmt: skip
@@ -37,16 +37,16 @@ _NAMES_OF_SCIPY = {"simplices": "triangles", "find_simplex": "locate(places).tri
 class Triangulation(Sampled):
     """A Delaunay triangulation, made by `delaunay`. It never changes; its arrays are read-only.
 
-    Ids are rows of `points`. Everything is a function of the points, constraints and settings that it was made of,
-    the same to the byte for any number of threads and on any machine.
+    Ids are rows of `points`. All results depend on the points, constraints and settings alone, the same to the byte
+    for any number of threads and on any machine.
 
-    What is not there yet when it is asked for is made then, and kept: `triangles` and `counts` are always there, what
-    the keyword `want` of `delaunay` named as well. For that it keeps the engine's memory, 64 bytes per point, later
-    110, until it is gone or `release` is called, and reads the arrays that it was given: these must not be
-    changed. If they were, it says so (RuntimeError) rather than give what does not fit.
+    Attributes are computed when first used, and kept; `triangles`, `counts` and those in the keyword `want` of
+    `delaunay` are available at once. For this it keeps the engine's memory, 64 bytes per point, later 110, until it is
+    deleted or `release` is called, and reads the arrays that it was given: these must not be changed. If they were, it
+    raises RuntimeError instead of returning inconsistent results.
 
-    Several threads may use one triangulation. It can be pickled: with its input and what has been made. `copy.copy`
-    gives itself, `copy.deepcopy` one with points of its own.
+    Several threads may use one triangulation. It can be pickled, with its input and all computed attributes.
+    `copy.copy` returns the same object, `copy.deepcopy` one with its own points.
 
     Examples
     --------
@@ -94,7 +94,7 @@ class Triangulation(Sampled):
         return self._counts["lines"] + self._counts["vertices"]
 
     def release(self) -> None:
-        """Gives the engine's memory back to the system. What has been made stays; what is asked for later is made by
+        """Returns the engine's memory to the system. Computed attributes stay; others are computed later by
         triangulating once more."""
         with self._locked():
             self._job = None
@@ -103,8 +103,8 @@ class Triangulation(Sampled):
 
     @property
     def points(self) -> np.ndarray:
-        """(n, 2) or (n, 3) float32 or float64: the points that ids refer to. Those that were given, not copied; or,
-        where points are added (source points, bounding points, crossings, in this order behind the others) or moved
+        """(n, 2) or (n, 3) float32 or float64: the points that ids refer to. The given points, not copied; or, if
+        points are added (source points, bounding points, crossings, in this order after the others) or moved
         (duplicates='mean_z'), a copy in float64."""
 
         def make() -> np.ndarray:
@@ -124,31 +124,31 @@ class Triangulation(Sampled):
 
     @property
     def plane_matrix(self) -> np.ndarray:
-        """(4, 4) float64: what takes a point (x, y, z, 1) to its place in the plane. NotAvailable, a RuntimeError,
-        where the plane is a function."""
+        """(4, 4) float64: the matrix that moves a point (x, y, z, 1) to its position in the plane. NotAvailable, a
+        RuntimeError, if the plane is a function."""
         return self._array("plane_matrix", np.float64)
 
     @property
     def point_status(self) -> np.ndarray:
-        """(n,) int: what became of each point. Its own id: it is a vertex. Another id: that of the vertex that stands
-        for it, a duplicate or merged point. -1: x or y is not finite. -2: it was not inserted (skipped, or beyond
+        """(n,) int: the status of each point. Its own id: it is a vertex. Another id: the vertex that represents it, a
+        duplicate or merged point. -1: rejected, x or y is NaN or infinite. -2: not inserted (skipped, or beyond
         insertion_limit)."""
         return self._array("point_status")
 
     @property
     def vertex_of_point(self) -> np.ndarray:
-        """(n,) int: the vertex at each point's place, numbered from 0 in canonical order without gaps; -1: none. For
-        arrays with one value per vertex; `point_of_vertex` is the way back."""
+        """(n,) int: the vertex at each point's position, numbered from 0 in canonical order without gaps; -1: none. For
+        arrays with one value per vertex; `point_of_vertex` is the inverse."""
         return self._array("vertex_of_point")
 
     @property
     def point_of_vertex(self) -> np.ndarray:
-        """(v,) int: the id of the point that stands for each vertex, those beyond insertion_limit included."""
+        """(v,) int: the id of the point that represents each vertex, those beyond insertion_limit included."""
         return self._array("point_of_vertex")
 
     @property
     def merged(self) -> np.ndarray:
-        """(m, 2) int: points that `tolerance` merged, and the points into which."""
+        """(m, 2) int: points merged by `tolerance`, and the points they were merged into."""
         return self._array("merged")
 
     # --- cells ---
@@ -161,8 +161,8 @@ class Triangulation(Sampled):
 
     @property
     def neighbors(self) -> np.ndarray:
-        """(t, 3) int: ``neighbors[i, k]`` is the triangle behind the edge of triangle `i` from its corner `k` to the
-        next one; -1: none. (In `scipy.spatial.Delaunay` it is the one behind the edge opposite of corner `k`.)"""
+        """(t, 3) int: ``neighbors[i, k]`` is the triangle across the edge of triangle `i` from its corner `k` to the
+        next one; -1: none. (In `scipy.spatial.Delaunay` it is the one across the edge opposite to corner `k`.)"""
 
         def make() -> np.ndarray:
             rows = self._engine().array("neighbors", self._dtype)[self._others :]
@@ -175,16 +175,15 @@ class Triangulation(Sampled):
 
     @property
     def edges(self) -> np.ndarray:
-        """(e, 2) int: the edges of the triangles, each once, as it runs around the first triangle that has it, in the
-        order of these."""
+        """(e, 2) int: the edges of the triangles, each once, in the direction of its first triangle, in the order of
+        the triangles."""
 
         made: np.ndarray = self._made("edges", lambda: self._edges_where(self._is_first()))
         return made
 
     @property
     def boundary(self) -> np.ndarray:
-        """(b, 2) int: the edges that have a triangle on one side only, which is on their left, in the order of the
-        triangles."""
+        """(b, 2) int: the edges with a triangle on one side only, their left, in the order of the triangles."""
         made: np.ndarray = self._made("boundary", lambda: self._edges_where(self.neighbors < 0))
         return made
 
@@ -200,8 +199,8 @@ class Triangulation(Sampled):
     @property
     def hull(self) -> np.ndarray:
         """(h,) int: the ids of the vertices on the boundary of the convex hull of all, counterclockwise, those on its
-        straight edges included; empty where all vertices are collinear. The hull, too, where loops, alpha, lengths
-        or the rim leave less than it in triangles: `boundary` is what bounds these."""
+        straight edges included; empty if all vertices are collinear. If loops, alpha, lengths or the rim removed
+        triangles, it is still the hull of all: `boundary` bounds the remaining triangles."""
         made: np.ndarray = self._made("hull", lambda: frozen(self._find_hull()))
         return made
 
@@ -221,12 +220,12 @@ class Triangulation(Sampled):
 
     @property
     def lines(self) -> np.ndarray:
-        """(l, 2) int: with `alpha`, edges of triangles that are all too large, not longer than twice alpha."""
+        """(l, 2) int: with `alpha`, edges of at most twice alpha whose triangles are all too large."""
         return self._array("lines")
 
     @property
     def vertices(self) -> np.ndarray:
-        """(v,) int: with `alpha`, points that are in no triangle and on no line."""
+        """(v,) int: with `alpha`, points in no triangle and on no line."""
         return self._array("vertices")
 
     # --- constraints ---
@@ -252,25 +251,25 @@ class Triangulation(Sampled):
 
     @property
     def regions(self) -> np.ndarray:
-        """(t,) int: triangles with one number are those between which a way crosses no constraint; numbered from 0 in
-        the order of the triangles."""
+        """(t,) int: the region of each triangle; regions are separated by constraints and numbered from 0 in the order
+        of the triangles."""
         return self._of_triangles("regions")
 
     @property
     def left_out(self) -> np.ndarray:
-        """(o, 4) int: segments that were left out as they cross earlier ones: chain and segment of each, and of the
+        """(o, 4) int: segments left out because they cross earlier ones: chain and segment of each, and of the
         one it crosses first. Chains are numbered from 0: segments, lines, loops; segments from 0 within each."""
         return self._array("left_out")
 
     @property
     def crossing_ends(self) -> np.ndarray:
-        """(x, 4) int: for each point that crossings='split' added, the last x of `points`: the ends of the two segments
+        """(x, 4) int: for each point added by crossings='split', the last x of `points`: the ends of the two segments
         that cross there."""
         return self._array("crossing_ends")
 
     @property
     def crossing_fractions(self) -> np.ndarray:
-        """(x, 2) float64: where that is on the two segments, from 0, their first end, to 1."""
+        """(x, 2) float64: the position of the crossing on each of the two segments, from 0, the first end, to 1."""
         return self._array("crossing_fractions", np.float64)
 
     # --- insertion ---
@@ -282,12 +281,12 @@ class Triangulation(Sampled):
 
     @property
     def insertion_ranks(self) -> np.ndarray:
-        """(n,) int: the place of each point in that order, those beyond insertion_limit included; -1: in none."""
+        """(n,) int: the position of each point in that order, those beyond insertion_limit included; -1: none."""
         return self._array("insertion_ranks", told="insertion_ranks")
 
     @property
     def boxes(self) -> Boxes:
-        """The boxes of the grid along which the insertion order runs; none with 'as_given'."""
+        """The boxes of the grid behind the insertion order; none with 'as_given'."""
 
         def make() -> Boxes:
             job = self._engine("boxes")
@@ -303,15 +302,15 @@ class Triangulation(Sampled):
     # --- questions ---
 
     def voronoi(self, clip: Optional[str] = None) -> Voronoi:
-        """The Voronoi diagram of the vertices. Constraints and dropped triangles have no say in it.
+        """The Voronoi diagram of the vertices, without regard to constraints and removed triangles.
 
-        Which cells meet where is exact, as the triangles are; corners are rounded to float64.
+        Its topology is exact, like the triangles; corners are rounded to float64.
 
         Parameters
         ----------
         clip : {'hull', 'bounds'}, optional
-            Where the outer cells end: at the convex hull of the vertices or at their bounding box. Default: the
-            `voronoi_clip` that the triangulation was made with, 'hull' if none was.
+            Clip the outer cells at the convex hull of the vertices or at their bounding box. Default: `voronoi_clip` of
+            the triangulation, 'hull' if it was not given.
 
         Returns
         -------
@@ -351,18 +350,18 @@ class Triangulation(Sampled):
         return made
 
     def locate(self, places: Any) -> Location:
-        """Where places lie in the triangulation; exact.
+        """Locates places in the triangulation; exact.
 
         Parameters
         ----------
         places : (k, 2) array of real numbers
-            Places in the plane of the triangulation, in the unit of the points. They may be anywhere, and NaN.
+            Places in the plane of the triangulation, in the unit of the points. Any values are allowed, NaN included.
 
         Returns
         -------
         Location
-            Where triangles were dropped (by loops, alpha, ...), `kind` and
-            `corners` are those of the whole triangulation, and `triangle` is -1.
+            In removed triangles (by loops, alpha, ...), `kind` and `corners`
+            are those of the whole triangulation, and `triangle` is -1.
         """
         given = unmasked("places", places)
         if given.ndim != 2 or given.shape[1] != 2:
@@ -376,14 +375,14 @@ class Triangulation(Sampled):
 
     @property
     def counts(self) -> Mapping[str, int]:
-        """What was counted, by name: points, inserted, duplicates, not_finite, skipped, merged_points, beyond_limit,
+        """Counts by name: points, inserted, duplicates, not_finite, skipped, merged_points, beyond_limit,
         added_points, triangles, constraint_edges, segments_crossing, unfilled_loops, ...; the C interface
         (``Filters/Engine/Interface/ahd.h``) describes all."""
         return MappingProxyType(self._counts)
 
     @property
     def measures(self) -> Mapping[str, float]:
-        """What was measured, by name: np and nr (-1 without count_work), trimmed_area, the seconds of each phase."""
+        """Measures by name: np and nr (-1 without count_work), trimmed_area, the seconds of each phase."""
         return MappingProxyType(self._measures)
 
     # --- as an object ---
@@ -391,7 +390,7 @@ class Triangulation(Sampled):
     if not TYPE_CHECKING:  # for which any name would be one of a Triangulation
 
         def __getattr__(self, name: str) -> Any:
-            """Of what there is none: what scipy.spatial.Delaunay calls otherwise is named."""
+            """AttributeError, which gives the name here of an attribute of scipy.spatial.Delaunay."""
             if name in _NAMES_OF_SCIPY:
                 raise AttributeError("a Triangulation has no %s: see %s" % (name, _NAMES_OF_SCIPY[name]))
             return object.__getattribute__(self, name)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a run has to say, though it succeeded."""
+"""The warnings of a run that succeeded."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from ._interface import SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 
 
 class DelaunayWarning(UserWarning):
-    """Something of the input is not in the triangulation, or there is no triangle: which, why, and how many.
+    """Part of the input is not in the triangulation, or there is no triangle: which part, why, and how many.
 
-    `warnings.simplefilter("error", DelaunayWarning)` makes errors of them.
+    `warnings.simplefilter("error", DelaunayWarning)` turns them into errors.
     """
 
 

@@ -4,7 +4,7 @@
     import adaptivehilbertdelaunay.drop_in
 
 From then on `vtkmodules.vtkFiltersCore.vtkDelaunay2D`, and that of `cvista`, is the class vtkDelaunay2D of this
-module. Modules that have taken the name from there before get the new class too, whatever they call it: `vtk`,
+module. Modules that imported the name before get the new class too, whatever they call it: `vtk`,
 `vtkmodules.all`, PyVista, your own `from vtkmodules.vtkFiltersCore import vtkDelaunay2D`. So it makes no
 difference whether this import comes first or last, as long as it comes before the filter is made.
 
@@ -13,11 +13,11 @@ difference whether this import comes first or last, as long as it comes before t
     with drop_in.suspended():      # the original is back inside the block
         ...
 
-Not reached, since no module holds them under a name: a class derived from the original before, the original
-in somebody's list or default argument or local variable, filters made before, filters that C++ code makes. Not
-touched: what a module has taken from this one, `drop_in.original` or `drop_in.vtkDelaunay2D`, and keeps under a name.
+Not replaced, because no module has a name for them: classes derived from the original before, the original in a list,
+default argument or local variable, filters created before, filters created by C++ code. Left alone: names that a module
+imported from this one, `drop_in.original` or `drop_in.vtkDelaunay2D`.
 
-README.md beside the source of this file says in what the two classes differ.
+README.md beside the source of this file describes how the two classes differ.
 """
 
 import contextlib

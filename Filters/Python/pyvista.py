@@ -197,14 +197,14 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     Parameters
     ----------
     mesh : pyvista.DataSet or pyvista.MultiBlock
-        With points of its own; its cells have no say. The points of all blocks are triangulated together.
+        With points of its own; its cells are ignored. The points of all blocks are triangulated together.
     tol : float, default: 0.0
-        Points nearer to another than this part (0 to 1) of the diagonal of the bounding box are merged. PyVista's
-        default is 1e-5; here only points at exactly one place are one.
+        Points closer to another than this fraction (0 to 1) of the diagonal of the bounding box are merged. PyVista's
+        default is 1e-5; here only points that coincide exactly are merged.
     alpha : float, default: 0.0
-        The largest circumradius of a triangle that is put out; 0: no limit.
+        The largest circumradius of a triangle; 0: no limit.
     offset : float, default: 1.0
-        Where the points of `bound` lie: so many diagonals of the bounding box from its centre; at least 0.75.
+        The distance of the points of `bound` from the centre of the bounding box, in diagonals; at least 0.75.
     bound : bool, default: False
         Add eight points around all others, in the plane x, y only.
     inplace : bool, default: False
@@ -212,35 +212,35 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     edge_source : pyvista.PolyData, optional
         Constraints whose lines and polygons refer to the points of the mesh, by their ids.
     progress_bar : bool, default: False
-        Show one.
+        Show a progress bar.
     constraints : pyvista.PolyData or pyvista.MultiBlock, optional
         Constraints with points of their own, which are triangulated too and follow those of the mesh.
     crossings : {"leave_out", "split"}
-        Of two constraints that cross, leave out the later one with a warning, or split both by a point.
+        Of two constraints that cross, leave out the later one with a warning, or split both at an added point.
     closed_lines : {"loops", "lines"}
-        What lines are that end where they begin: outlines as polygons are, or just lines.
+        Whether lines that end where they begin are outlines, like polygons, or just lines.
     fill_rule : {"even_odd", "orientation"}
-        What outlines keep: what lies inside an odd number of them, or, as VTK does, what lies on the left of each.
+        What outlines keep: the inside of an odd number of them, or, as in VTK, the left side of each.
     heights : {"own", "surface"}
-        Which z the points of `constraints` have: their own, or that of the surface of the mesh's points.
+        The z of the points of `constraints`: their own, or that of the surface of the mesh's points.
     plane : {"automatic", "best_fit", "xy"} or vtkAbstractTransform
-        In which plane to triangulate: the best fitting one, x and y ("xy"), x and y of the points as a transform moves
-        them; "automatic": x and y if all z are the same, else the best fitting one. The points stay where they are.
+        The plane of the triangulation: the best-fitting plane, x and y ("xy"), or x and y of the transformed points;
+        "automatic": x and y if all z are the same, otherwise the best-fitting plane. The points keep their positions.
     rim : {"automatic", "convex_hull", "trimmed"}
-        How far the surface reaches without outlines: to the convex hull, or less the flat triangles along it;
-        "automatic": to the hull in x, y, and in the best fitting plane of points that all have one z, x or y; else
-        trimmed, as these would stand as walls.
+        Where the surface ends without outlines: at the convex hull, or without the flat triangles along it;
+        "automatic": at the hull in x, y, and in the best-fitting plane of points that all have the same z, x or y;
+        otherwise trimmed, as these triangles would stand as walls.
     duplicates : {"first", "lowest_z", "highest_z", "mean_z"}
-        Which of several points at one place in the plane is in the surface: the one of smallest id, that of lowest or
-        highest z, the one of smallest id at the mean of all z.
+        Which of several points at one place in the plane is in the surface: the one with the smallest id, with the
+        lowest or highest z, or the one with the smallest id at the mean of all z.
     maximum_edge_length : float, default: 0.0
-        Triangles with a longer edge in the plane are not put out; 0: no limit.
+        The longest edge of a triangle in the plane; 0: no limit.
     arrays : iterable of {"status", "rank", "constraint_edges", "regions", "neighbors"}
         Arrays to add: point data "Fate" and "InsertionRank", cell data "ConstraintEdges", "RegionId" and "Neighbors".
     threads : int, default: 0
-        How many work; 0: one for each processor.
+        Number of threads; 0: one for each processor.
     memory_limit : int, default: 0
-        Bytes that may be taken; 0: what there is.
+        The most bytes to allocate; 0: all available memory.
 
     Returns
     -------
@@ -250,11 +250,11 @@ def delaunay_2d(mesh, tol=0.0, alpha=0.0, offset=1.0, bound=False, inplace=False
     Raises
     ------
     MemoryError: not enough memory, or `memory_limit` allows less. RuntimeError: more than 2^28 - 2 points.
-    TypeError, ValueError: an argument is none of those above.
+    TypeError, ValueError: an argument is not as described above.
 
     Warns
     -----
-    DelaunayWarning: points that are not finite, constraints that are left out, no triangle and the like, with numbers.
+    DelaunayWarning: rejected points, constraints that are left out, no triangle and the like, with numbers.
     """
     if inplace and not isinstance(mesh, pyvista.PolyData):
         raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
@@ -279,7 +279,7 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="automatic", duplicates="fir
     tol, plane, duplicates, threads, memory_limit, progress_bar
         As in `delaunay_2d`.
     clip : {"hull", "bounds"}
-        Where the outer cells end: at the convex hull of the points, or at their bounding box in the plane.
+        Clip the outer cells at the convex hull of the points, or at their bounding box in the plane.
 
     Returns
     -------
@@ -304,10 +304,10 @@ def voronoi_2d(mesh, tol=0.0, clip="hull", *, plane="automatic", duplicates="fir
 
 def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads,
                  memory_limit, progress_bar, bounds_of_surface):
-    """What vtkAdaptiveHilbertInterpolation2D puts out, with settings of its raster."""
+    """The output of vtkAdaptiveHilbertInterpolation2D, with settings of its raster."""
     unknown = [name for name in bounds_of_surface if name not in BOUNDS_OF_SURFACE]
     if unknown:
-        raise TypeError("an unknown argument: %r" % unknown[0])
+        raise TypeError("unknown argument: %r" % unknown[0])
     if not isinstance(elevation, str):
         raise TypeError("elevation must be a name, a str, not %r" % (elevation,))
     triangulation, _ = _make_filter(mesh, plane, tol, duplicates, threads, memory_limit)
@@ -328,14 +328,14 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
 
 def _raster_settings(cell_size, shape, bounds, align):
     if (cell_size is None) == (shape is None):
-        raise ValueError("how large is the raster? Give cell_size, or shape=(rows, columns)")
+        raise ValueError("the raster needs a size: give cell_size, or shape=(rows, columns)")
     made = {"UseBounds": bounds is not None}
     if cell_size is not None:
         made.update(RasterSize=1, CellSize=_raster.size_of(cell_size), AlignToCellSize=bool(align))
     else:
         rows, columns = _raster.shape_of(shape, 1)
         if align:
-            raise ValueError("align: borders are laid on multiples of cell_size, but shape is given")
+            raise ValueError("align needs cell_size, but shape is given")
         made.update(RasterSize=0, Dimensions=(columns, rows))
     if bounds is not None:
         given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 else bounds  # of those of a mesh, without its z
@@ -354,36 +354,36 @@ def to_raster(mesh, cell_size=None, *, shape=None, bounds=None, align=False, met
     Parameters
     ----------
     mesh : pyvista.DataSet or pyvista.MultiBlock
-        With points of its own; its cells have no say, and the points of all blocks are one surface.
+        With points of its own; its cells are ignored, and the points of all blocks are one surface.
     cell_size : float or (float, float), optional
-        The size of a cell along x and y, in the unit of the points. There are as many cells as cover the bounds.
+        The size of a cell along x and y, in the unit of the points. As many cells as cover the bounds.
     shape : (int, int), optional
-        In place of `cell_size`: how many rows and columns of cells fill the bounds.
+        Instead of `cell_size`: the number of rows and columns of cells that fill the bounds.
     bounds : (float, float, float, float), optional
-        xmin, xmax, ymin, ymax of the raster; of more numbers, such as the bounds of a mesh, the first four. Default:
-        those of the points.
+        xmin, xmax, ymin, ymax of the raster; if there are more numbers, as in the bounds of a mesh, the first four.
+        Default: those of the points.
     align : bool, default: False
-        Lay the borders of cells on multiples of `cell_size`, as GDAL's -tap does, so that rasters of several surveys
-        fit.
+        Align the borders of cells with multiples of `cell_size`, like GDAL's -tap, so that the cells of several surveys
+        coincide.
     method : {"linear", "natural", "laplace", "nearest"}
-        How values come about: linear in each triangle; by natural neighbours (Sibson), smooth but at the points; by the
-        same neighbours with Laplace's weights; the value of the nearest point.
+        The method: linear in each triangle; natural neighbours (Sibson), smooth except at the points; the same
+        neighbours with Laplace's weights; the value of the nearest point.
     outside : {"none", "nearest"}
-        What there is outside of the surface: no value, or that of the nearest point.
+        The values outside the surface: none, or those of the nearest point.
     no_value : float, default: NaN
-        What arrays have where there is no value.
+        The number where there is no value.
     gradients : bool, default: False
         Add slopes: for the heights and each array of one component "<name>Gradient", d/dx and d/dy. With "linear" only.
     surface : bool, default: False
-        Give the raster as a surface, its points at their heights, hidden where there is no value.
+        Return the raster as a surface with its points at their heights, hidden where there is no value.
     elevation : str, default: "Elevation"
         The name of the array of heights. Empty: none.
     plane : {"xy", "best_fit", "automatic"} or vtkAbstractTransform
-        In which plane, as in `delaunay_2d`. In another plane than x, y the raster lies in that plane.
+        The plane, as in `delaunay_2d`. The raster lies in that plane.
     tol, duplicates, threads, memory_limit, progress_bar
         As in `delaunay_2d`.
     **bounds_of_surface
-        What bounds the surface, as in `delaunay_2d`: edge_source, constraints, crossings, closed_lines, fill_rule,
+        Constraints and limits, as in `delaunay_2d`: edge_source, constraints, crossings, closed_lines, fill_rule,
         heights, rim, alpha, maximum_edge_length.
 
     Returns
@@ -399,7 +399,7 @@ def to_raster(mesh, cell_size=None, *, shape=None, bounds=None, align=False, met
 
     Warns
     -----
-    DelaunayWarning: as `delaunay_2d`; no cell on the surface, point data that are no numbers, and the like.
+    DelaunayWarning: as `delaunay_2d`; no cell on the surface, point data that are not numeric, and the like.
     """
     raster = _raster_settings(cell_size, shape, bounds, align)
     return _interpolate(mesh, None, dict(raster, OutputType=int(bool(surface))), method, outside, no_value, gradients,
@@ -428,14 +428,14 @@ def sample(mesh, places, *, method="linear", outside="none", no_value=math.nan, 
            progress_bar=False, **bounds_of_surface):
     """Heights and point data of scattered points at other places, such as the points of a line: a profile.
 
-    It is the points of `mesh` that have values; PyVista's own `sample` goes the other way.
+    The values are those of the points of `mesh`; PyVista's own `sample` works in the other direction.
 
     Parameters
     ----------
     mesh : pyvista.DataSet or pyvista.MultiBlock
         With points of its own, as in `to_raster`.
     places : pyvista.DataSet or array-like of shape (k, 2) or (k, 3)
-        Where values are wanted: at these points, by x and y.
+        The points at which to interpolate, by x and y.
     method, outside, no_value, gradients, elevation, plane, tol, duplicates, threads, memory_limit, progress_bar
         As in `to_raster`.
     **bounds_of_surface
@@ -444,7 +444,7 @@ def sample(mesh, places, *, method="linear", outside="none", no_value=math.nan, 
     Returns
     -------
     pyvista.DataSet
-        The places with their data, and what was interpolated as point data.
+        The places with their data, and the interpolated values as point data.
 
     Raises
     ------

@@ -282,6 +282,6 @@ std::string vtkAHDGatheredExecution::GetWarning() const
   std::ostringstream words;
   words << this->Setting << " is computed on one rank: rank " << this->Host << " of "
         << this->Ranks.GetCount()
-        << " has triangulated the points of all, and puts out the whole surface.";
+        << " has triangulated the points of all, and outputs the whole surface.";
   return words.str();
 }

@@ -211,7 +211,7 @@ vtkAHDRankBlocks::vtkAHDRankBlocks(
         {
           std::ostringstream words;
           words << "The input of rank " << rank
-                << " is not put together of blocks as those of the ranks before it";
+                << " does not have the same structure of blocks as those of the ranks before it";
           this->Difference = words.str();
         }
       }

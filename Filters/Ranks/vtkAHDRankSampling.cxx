@@ -251,12 +251,12 @@ void vtkAHDRankSampling::SayError(ahd::Status status)
   else if (status == ahd::Status::OutOfMemory)
   {
     vtkErrorWithObjectMacro(
-      this->Filter, "Out of memory on a rank while interpolating. Nothing is put out.");
+      this->Filter, "Out of memory on a rank while interpolating. The output is empty.");
   }
   else if (status == ahd::Status::TooManyPoints)
   {
     vtkErrorWithObjectMacro(
-      this->Filter, "A rank has too many points to be triangulated. Nothing is put out.");
+      this->Filter, "A rank has too many points to be triangulated. The output is empty.");
   }
   else if (status == ahd::Status::BadCells)
   {
@@ -357,7 +357,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
         if (!one.IsDone && this->Error.empty() && !one.IsAborted)
         {
           this->Error = "Rank " + std::to_string(rank) + ": " +
-            (one.Error.empty() ? "the interpolation failed. Nothing is put out." : one.Error);
+            (one.Error.empty() ? "the interpolation failed. The output is empty." : one.Error);
         }
         this->Aborted = this->Aborted || one.IsAborted;
         Add(one.Counts, this->Result.Counts);
@@ -432,8 +432,8 @@ void vtkAHDRankSampling::Say(const vtkAHDSampleExecution& execution,
   if (this->HaveSurface)
   {
     vtkWarningWithObjectMacro(this->Filter,
-      "The input is a surface that vtkAdaptiveHilbertDelaunay2D made. Its points are triangulated "
-      "anew by the settings of Triangulation: its own triangles do not count across ranks.");
+      "The input is a surface made by vtkAdaptiveHilbertDelaunay2D. Its points are triangulated "
+      "again with the settings of Triangulation: its own triangles are not used across ranks.");
   }
   vtkAHDSayPlaceWarnings(this->Filter, this->Result);
   if (!samples.GetWarning().empty())

@@ -92,8 +92,8 @@ void vtkAHDRankSampling::MeetAll(const Inputs& inputs)
   const Meeting meeting = this->Meet(inputs);
   if (meeting.AreUnfit)
   {
-    this->Error = "Over ranks, places must be a data set without blocks. Nothing was computed. "
-                  "Merge blocks before (Merge Blocks).";
+    this->Error = "On several ranks, places must be a data set without blocks. Nothing was "
+                  "computed. Merge the blocks first (Merge Blocks).";
     throw vtkAHDStop{ ahd::Status::Cancelled };
   }
   if (meeting.Other > 0)

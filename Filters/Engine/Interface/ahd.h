@@ -21,23 +21,23 @@
  *       puts(ahd_message(job));
  *     ahd_job_free(job);
  *
- * Settings, arrays and counts are known by names; ahd_name() lists them, a wrong one is an error.
- * They keep name and meaning while AHD_ABI_VERSION is the same; new ones may come.
+ * Settings, arrays and counts have names; ahd_name() lists them, and a wrong name is an error. They
+ * keep name and meaning while AHD_ABI_VERSION is the same; new ones may be added.
  *
- * Errors. Functions return an ahd_status; ahd_message() then says what was wrong, and with which.
- * Nothing is thrown, printed or read from the environment. A call that failed changed nothing but
- * the message, the caller's memory that it was to write to, times and threads_used; after
- * ahd_run() there is no result, and the counts are those of this run.
+ * Errors. Functions return an ahd_status; ahd_message() then has the error. Nothing is thrown,
+ * printed or read from the environment. A call that failed changed only the message, the memory it
+ * was given to write to, times and threads_used; after ahd_run() there is no result, and the counts
+ * are those of this run.
  *
- * Threads. A job is for one thread at a time; several jobs may be at work in several threads. Only
- * ahd_cancel() may be called while another call of the same job is at work: from another thread or
- * from a callback. Other calls from a callback return AHD_BUSY. A callback must return: where
+ * Threads. One thread at a time may use a job; several jobs may run in several threads. Only
+ * ahd_cancel() may be called while another call of the same job runs: from another thread or from a
+ * callback. Other calls from a callback return AHD_BUSY. A callback must return: if
  * longjmp() leaves it, its call never ends, the job stays busy and must not be freed. No state
- * outlives the jobs, but what the processor can do, which is looked up once.
+ * outlives the jobs, except the processor's instruction sets, which are looked up once.
  *
- * Memory. Arrays given to ahd_set_array() are looked at where they are: they must stay,
- * unchanged, until another one takes their place or the job is freed. Floats and doubles are not
- * copied if their rows are a whole number of numbers apart and have their numbers side by side.
+ * Memory. Arrays given to ahd_set_array() are read in place: they must stay unchanged until they
+ * are replaced or the job is freed. Floats and doubles are not copied if the distance between rows
+ * is a multiple of their size and the numbers of a row are contiguous.
  * Results are written into the caller's memory.
  *
  * The same triangles in the same order, byte for byte, for every setting that does not say
@@ -61,10 +61,10 @@
 #define AHD_API AHD_EXPORT
 #endif
 
-/* Changes when a program compiled with the header before could not use the library any more. */
+/* Changes when programs compiled with the previous header can no longer use the library. */
 #define AHD_ABI_VERSION 1
 
-/* The AHD_ABI_VERSION that the library was built with: to be compared before any other call. */
+/* The AHD_ABI_VERSION that the library was built with: compare it before any other call. */
 AHD_API uint32_t ahd_abi_version(void);
 /* The version of the project, like "1.0.0". */
 AHD_API const char* ahd_version(void);
@@ -75,18 +75,18 @@ AHD_API const char* ahd_version(void);
 typedef int32_t ahd_status;
 enum
 {
-  AHD_OK = 0,                 /* done; that there is no triangle is no error */
-  AHD_CANCELLED = 1,          /* a callback or ahd_cancel() said so */
+  AHD_OK = 0,                 /* done; a result without triangles is no error */
+  AHD_CANCELLED = 1,          /* by a callback or ahd_cancel() */
   AHD_TOO_MANY_POINTS = 2,    /* more than 2^28 - 2 */
   AHD_TOO_MANY_BOXES = 3,     /* with want_boxes: more than most_boxes */
   AHD_OUT_OF_MEMORY = 4,      /* an allocation failed */
   AHD_MEMORY_LIMIT = 5,       /* the estimate is above the limit */
   AHD_TOO_MANY_CROSSINGS = 6, /* with split_crossings: more than most_crossings */
   AHD_UNKNOWN_NAME = 7,       /* no setting, array or count has this name */
-  AHD_BAD_VALUE = 8,          /* out of its range, or does not go with the others */
+  AHD_BAD_VALUE = 8,          /* out of range, or inconsistent with other values */
   AHD_BAD_ARRAY = 9,          /* wrong type, shape or size, or a null pointer */
-  AHD_NOT_AVAILABLE = 10,     /* there is no result, or this was not asked for before the run */
-  AHD_BUSY = 11,              /* the job is at work */
+  AHD_NOT_AVAILABLE = 10,     /* no result, or not requested before the run */
+  AHD_BUSY = 11,              /* a call of the job is running */
   AHD_NO_JOB = 12,            /* the job is a null pointer */
   AHD_FAILED = 13             /* a fault of the library */
 };
@@ -101,16 +101,16 @@ enum
   AHD_UINT8 = 5
 };
 
-/* What the library is doing. They come in this order and may be left out; the last two, which each
- * array that is written begins, may come earlier and again. */
+/* Phases of the work. They come in this order, and some may be absent; the last two, which begin
+ * with each array that is written, may come earlier and repeatedly. */
 enum
 {
-  AHD_PHASE_MERGE = 0,     /* copy points, move them into the plane, merge those near each other */
+  AHD_PHASE_MERGE = 0,     /* copy points, project them, merge points near each other */
   AHD_PHASE_SPLIT = 1,     /* read constraints, split them where they cross */
-  AHD_PHASE_READ = 2,      /* look at every point once */
+  AHD_PHASE_READ = 2,      /* read every point once */
   AHD_PHASE_SORT = 3,      /* canonical order, duplicates, insertion order */
-  AHD_PHASE_INSERT = 4,    /* insert point after point */
-  AHD_PHASE_CONSTRAIN = 5, /* make the constraints edges, drop what is outside */
+  AHD_PHASE_INSERT = 4,    /* insert the points */
+  AHD_PHASE_CONSTRAIN = 5, /* insert constraints, remove triangles outside loops */
   AHD_PHASE_EXTRACT = 6,   /* number and sort triangles */
   AHD_PHASE_OUTPUTS = 7    /* make tables, write arrays */
 };
@@ -124,7 +124,7 @@ enum
   AHD_ORDER_AS_GIVEN = 3
 };
 
-/* control_points: which points are inserted before all others */
+/* control_points: points inserted before all others */
 enum
 {
   AHD_CONTROL_OFF = 0,
@@ -132,7 +132,7 @@ enum
   AHD_CONTROL_EVERY_LEVEL = 2
 };
 
-/* duplicates: which of several points at one place stands for the vertex */
+/* duplicates: which of several points at one place represents the vertex */
 enum
 {
   AHD_DUPLICATES_FIRST = 0,     /* the one of smallest id */
@@ -141,14 +141,14 @@ enum
   AHD_DUPLICATES_MEAN_Z = 3     /* of smallest id, moved to the mean of all with a finite z */
 };
 
-/* cell_ids: whose points line_ids and loop_ids name */
+/* cell_ids: the points that line_ids and loop_ids refer to */
 enum
 {
   AHD_IDS_OF_INPUT = 0,
   AHD_IDS_OF_SOURCE = 1 /* rows of source_points, from 0 */
 };
 
-/* source_heights: whence source_points have their z and point data */
+/* source_heights: the origin of z and point data of source_points */
 enum
 {
   AHD_HEIGHTS_OWN = 0,
@@ -158,27 +158,27 @@ enum
 /* fill_rule: which regions between loops are kept */
 enum
 {
-  AHD_FILL_ORIENTATION = 0, /* those on the left of every loop edge that bounds them */
-  AHD_FILL_EVEN_ODD = 1     /* those a way to which crosses loops an odd number of times */
+  AHD_FILL_ORIENTATION = 0, /* regions on the left of every loop edge that bounds them */
+  AHD_FILL_EVEN_ODD = 1     /* regions inside an odd number of loops */
 };
 
 /* plane: of the triangulation */
 enum
 {
   AHD_PLANE_XY = 0,
-  AHD_PLANE_BEST_FIT = 1, /* least squares of distances; see plane_matrix. Of points that have a
-                             coordinate in common the other two, as they are: x, y; y, z; z, x */
-  AHD_PLANE_MATRIX = 2,   /* x, y of the points that the array matrix has moved */
-  AHD_PLANE_CALLBACK = 3  /* x, y of the points that ahd_set_projection() has moved */
+  AHD_PLANE_BEST_FIT = 1, /* least squares of distances; see plane_matrix. If all points share a
+                             coordinate, the other two unchanged: x, y; y, z; z, x */
+  AHD_PLANE_MATRIX = 2,   /* x, y of the points transformed by the array matrix */
+  AHD_PLANE_CALLBACK = 3  /* x, y of the points projected by ahd_set_projection() */
 };
 
 /* rim: of a surface; nothing is trimmed with alpha, maximum_edge_length or bounding */
 enum
 {
-  AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, and in AHD_PLANE_BEST_FIT of points that
-                              have a coordinate in common; trimmed in any other plane */
+  AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, and in AHD_PLANE_BEST_FIT if all points
+                              share a coordinate; trimmed in any other plane */
   AHD_RIM_CONVEX_HULL = 1, /* the triangles cover the convex hull */
-  AHD_RIM_TRIMMED = 2      /* less the flat ones (an angle above 153.4 degrees) along it */
+  AHD_RIM_TRIMMED = 2      /* without flat triangles (an angle above 153.4 degrees) along it */
 };
 
 /* voronoi_clip: where outer cells end */
@@ -188,24 +188,24 @@ enum
   AHD_CLIP_BOUNDS = 1 /* at their bounding box */
 };
 
-/* What is no id in point_status. */
+/* Values of point_status that are not ids. */
 enum
 {
-  AHD_POINT_NOT_FINITE = -1,
+  AHD_POINT_NOT_FINITE = -1,  /* rejected: x or y is NaN or infinite */
   AHD_POINT_NOT_INSERTED = -2 /* skipped, or beyond insertion_limit */
 };
 
 /* --- Jobs ------------------------------------------------------------------------------------ */
 
-/* Settings, input, and what was made of them. Working memory is kept from run to run. */
+/* Settings, input and result. Working memory is kept from run to run. */
 typedef struct ahd_job ahd_job;
 
 /* A job with default settings and no input; null if there is no memory for it. */
 AHD_API ahd_job* ahd_job_new(void);
-/* Null is allowed. REQUIRES: the job is not at work. */
+/* Null is allowed. REQUIRES: no call of the job is running. */
 AHD_API void ahd_job_free(ahd_job* job);
-/* What was wrong in the last call, empty if nothing was; UTF-8, good until the next call of the
- * job. Never null. In a callback: of the last call from it. */
+/* The error of the last call, empty if there was none; UTF-8, valid until the next call of the job.
+ * Never null. In a callback: of the last call from it. */
 AHD_API const char* ahd_message(const ahd_job* job);
 
 /* --- Settings --------------------------------------------------------------------------------
@@ -216,39 +216,39 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   control_points   2        AHD_CONTROL_...
  *   gene_rotation    1        0, 1: the curve in a divided box turns to meet its neighbours
  *   count_work       0        0, 1: count np, nr, exact tests; one thread inserts
- *   insertion_limit  0        stop after so many points of the order; 0: none is left out
+ *   insertion_limit  0        insert only so many points of the order; 0: all
  *   duplicates       0        AHD_DUPLICATES_...
- *   skip_mask        255      1 to 255: a point is left out if its mark has one of these bits
+ *   skip_mask        255      1 to 255: a point is skipped if its mark has one of these bits
  *   cell_ids         0        AHD_IDS_...
  *   first_cell       0        0 to 2^62: number of the first line in reports; loops follow lines
  *   closed_lines     0        0, 1: lines whose ends coincide in the plane are loops
- *   split_crossings  0        0, 1: split segments that cross by points; 0: the later is left out
+ *   split_crossings  0        0, 1: split crossing segments by points; 0: the later is left out
  *   source_heights   0        AHD_HEIGHTS_...
  *   fill_rule        0        AHD_FILL_...
  *   plane            0        AHD_PLANE_...
  *   rim              0        AHD_RIM_...
  *   bounding         0        0, 1: add VTK's eight bounding points; in AHD_PLANE_XY only
- *   alpha_triangles  1        0, 1: with alpha, put out triangles
- *   alpha_lines      1        0, 1: and edges of triangles that are too large
- *   alpha_vertices   1        0, 1: and points that are left over
+ *   alpha_triangles  1        0, 1: with alpha, output triangles
+ *   alpha_lines      1        0, 1: with alpha, output other edges of at most 2 alpha
+ *   alpha_vertices   1        0, 1: with alpha, output the points in neither
  *   voronoi_clip     0        AHD_CLIP_...
- *   want_voronoi     0        0, 1: make the Voronoi diagram (constraints have no say in it)
+ *   want_voronoi     0        0, 1: compute the Voronoi diagram, which ignores constraints
  *   want_order       0        0, 1: keep the insertion order
  *   want_boxes       0        0, 1: keep the boxes of the grid, and the order
  *   want_curve       0        0, 1: draw the curve in ahd_draw_order(), and keep the order
- *   want_point_status  0      0, 1: announce this array, as the next four, for estimate, progress
- *   want_insertion_ranks  0   0, 1: without it they cannot be had; keep the order
+ *   want_point_status  0      0, 1: announce this array, like the next four, for estimate, progress
+ *   want_insertion_ranks  0   0, 1: required to get them; keeps the order
  *   want_constraint_edges  0  0, 1: as want_point_status
  *   want_regions     0        0, 1: as want_point_status
  *   want_neighbors   0        0, 1: as want_point_status
- *   want_samples     0        0, 1: announce values between points, in place of triangles
+ *   want_samples     0        0, 1: announce values between points instead of triangles
  *   threads          0        0 to 1024; 0: one for each processor the process may run on
  *   memory_limit     0        bytes, 0 to 2^62; 0: what the process can get without swapping
- *   other_memory     0        bytes, 0 to 2^62: that the caller takes: added to the estimate
- *   other_memory_per_point  0  bytes, 0 to 2^31 - 1: the same of each point, where some are added
+ *   other_memory     0        bytes, 0 to 2^62: of the caller, added to the estimate
+ *   other_memory_per_point  0  bytes, 0 to 2^31 - 1: the same for each point, if points are added
  * double
- *   tolerance        0        0 to 1: merge points within this part of the diagonal of all
- *   offset           1        0.75 to 1.7e308: how far out bounding points lie, in diagonals
+ *   tolerance        0        0 to 1: merge points within this fraction of the diagonal of all
+ *   offset           1        0.75 to 1.7e308: distance of the bounding points, in diagonals
  *   alpha            0        0 to infinity: largest circumradius in space; 0: no limit
  *   maximum_edge_length  0    0 to infinity: of edges in the plane; 0: no limit
  *
@@ -260,20 +260,20 @@ AHD_API ahd_status ahd_get_double(ahd_job* job, const char* name, double* value)
 
 /* --- Input (for a surface that was made before: ahd_sample.h) ---------------------------------
  *
- *   points         real     (n, 2 or 3)     x, y and perhaps z, else z is 0; NaN is legal
- *   skip           uint8    (n)             marks of points that are left out; see skip_mask
+ *   points         real     (n, 2 or 3)     x, y and optionally z, else z is 0; NaN is legal
+ *   skip           uint8    (n)             marks of points to skip; see skip_mask
  *   source_points  real     (m, 2 or 3)     triangulated too, with the ids n to n + m - 1
  *   line_ids       integer  (k) or (c, w)   points of open chains. Each segment is constrained
- *   loop_ids       integer  (k) or (c, w)   points of closed chains, which bound what is kept.
+ *   loop_ids       integer  (k) or (c, w)   points of closed chains, which bound the surface.
  *                                           With several columns each row is a chain
  *   line_offsets   integer  (c + 1)         with one column: chain i has the ids from offset i
  *   loop_offsets   integer  (c + 1)         to offset i + 1, which is not in it; ascending.
  *                                           Without, the ids are one chain
  *   matrix         float64  (4, 4)          for AHD_PLANE_MATRIX: applied to (x, y, z, 1)
  *
- * real: AHD_FLOAT32 or AHD_FLOAT64. integer: AHD_INT32 or AHD_INT64. Ids that are no point's are
- * counted, and the segments left out. What does not fit together (skip and points, offsets and
- * ids) is refused by ahd_run(). */
+ * real: AHD_FLOAT32 or AHD_FLOAT64. integer: AHD_INT32 or AHD_INT64. Ids of no point are counted,
+ * and their segments left out. Inconsistent arrays (skip and points, offsets and ids) are refused
+ * by ahd_run(). */
 typedef struct ahd_array
 {
   const void* data;      /* the first number; may be null only without rows */
@@ -284,43 +284,42 @@ typedef struct ahd_array
   int64_t column_stride; /* bytes from column to column; the same */
 } ahd_array;
 
-/* Null in place of an array takes it away. There is no result any more. AHD_UNKNOWN_NAME,
- * AHD_BAD_ARRAY. */
+/* A null `array` removes it. Discards the result. AHD_UNKNOWN_NAME, AHD_BAD_ARRAY. */
 AHD_API ahd_status ahd_set_array(ahd_job* job, const char* name, const ahd_array* array);
 
-/* Moves points (x, y, z each) in place: to where they lie in the plane, and their height above it.
+/* Moves points (x, y, z each) in place: to their position in the plane, and their height above it.
  * Called on the calling thread, with at most 2^14 points at a time. Non-zero cancels. A point with
- * a coordinate that is not finite counts as such whatever becomes of it here. */
+ * a coordinate that is not finite is rejected whatever the result is. */
 typedef int32_t (*ahd_projection)(void* user, double* xyz, uint64_t count);
 AHD_API ahd_status ahd_set_projection(ahd_job* job, ahd_projection projection, void* user);
 
-/* Told on the calling thread what is being done, and how much of the run and of writing what was
- * announced is done: `fraction`, 0 to 1, never falling. Called where a phase begins, at each
- * hundredth, and at least ten times a second. Non-zero cancels. Null: nobody is told. */
+/* Reports the phase, and the fraction of the run and of writing the announced arrays that is done:
+ * 0 to 1, never falling. Called on the calling thread when a phase begins, at each hundredth, and
+ * at least ten times a second. Non-zero cancels. Null: no reports. */
 typedef int32_t (*ahd_progress)(void* user, int32_t phase, double fraction);
 AHD_API ahd_status ahd_set_progress(ahd_job* job, ahd_progress progress, void* user);
 
 /* --- Running --------------------------------------------------------------------------------- */
 
-/* Upper estimate of the bytes that ahd_run() and the arrays that are announced take, other_memory
- * included, but for what shows as it works: crossings, loops, what is long or crosses others. */
+/* Upper estimate of the bytes that ahd_run() and the announced arrays take, other_memory included;
+ * without what is only known during the run: crossings, loops, segments that are long or cross. */
 AHD_API ahd_status ahd_estimate(ahd_job* job, uint64_t* bytes);
 
-/* Triangulates. What was made before is gone. */
+/* Triangulates. Discards the previous result. */
 AHD_API ahd_status ahd_run(ahd_job* job);
 
-/* Ends the call that is at work; if there is none, the next one that can be cancelled. */
+/* Cancels the running call; if there is none, the next one that can be cancelled. */
 AHD_API void ahd_cancel(ahd_job* job);
 
-/* Bytes of working memory that are kept for the next run; those of a result not counted. 0 while
- * the job is at work. */
+/* Bytes of working memory kept for the next run, without those of a result. 0 while a call of the
+ * job runs. */
 AHD_API uint64_t ahd_kept_bytes(ahd_job* job);
-/* Drops the result and keeps its memory for the next run, unless all that is kept would be more
- * than `most` bytes: then it goes back to the system. Settings and input stay, and the counts that
- * are known after every run. */
+/* Discards the result and keeps its memory for the next run, unless more than `most` bytes would be
+ * kept in all: then it is returned to the system. Settings and input stay, and the counts that are
+ * known after every run. */
 AHD_API ahd_status ahd_release(ahd_job* job, uint64_t most);
 
-/* The plane that fits the input points best, without a run: (4, 4) numbers, row by row, that take
+/* The plane that fits the input points best, without a run: a (4, 4) matrix, row by row, that moves
  * points to the plane (x, y) and their height above it. AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
 AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
 
@@ -328,36 +327,36 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *
  * Counts, known after every run:
  *   points              input, source, bounding points and crossings, as far as they were known
- *   memory_estimate     bytes, for what was known last
- *   memory_allowed      bytes that it was held against
- *   most_boxes          for which there was memory
- *   most_crossings      the same, of those that are split
+ *   memory_estimate     bytes, the last estimate
+ *   memory_allowed      bytes, the limit it was compared with
+ *   most_boxes          that fit in memory
+ *   most_crossings      that fit in memory, of those that are split
  *   threads_used        that shared work, later calls included; 1 if nothing was worth sharing
- *   dispatch_target     what the processor can do: 0 the baseline, 1 AVX2, 2 AVX-512
+ *   dispatch_target     instruction set of the processor: 0 baseline, 1 AVX2, 2 AVX-512
  * Known after AHD_OK:
  *   input_points, source_points, added_points (source, bounding points, crossings),
  *   split_crossings     crossings that were split
  *   inserted, duplicates, not_finite, skipped, merged_points, beyond_limit
- *                       what became of points; they sum up to that
+ *                       numbers of points by status; their sum is points. not_finite: rejected
  *   first_not_finite    smallest id of these, 0 if there is none
  *   odd_z               points with finite x, y and a z that is not finite
  *   delaunay_triangles  before constraints
- *   kept_triangles      that loops and trimming leave
+ *   kept_triangles      not removed by loops or trimming
  *   trimmed_triangles, bare_vertices (left in no triangle by trimming)
  *   triangles, lines, vertices, cells (all three)
- *                       that are put out
+ *                       of the output
  *   segments            = segments_of_no_length + segments_without_vertex + segments_crossing
  *                       (left out) + those that became edges
- *   unfilled_loops      that bound nothing, as a segment of theirs is missing
+ *   unfilled_loops      that bound nothing, because a segment is missing
  *   constraint_edges    distinct edges that are constraints
  *   first_crossing_cell, first_crossed_cell
- *                       of the first segment that was left out, and of what it crosses; else 0
+ *                       of the first segment left out, and of the one it crosses; else 0
  *   unfit_ids, first_unfit_id, first_unfit_cell
- *                       ids of chains that are no point's, the first, and in which cell
+ *                       ids of chains that are not ids of points, the first, and its cell
  *   bent_segments, first_bent_cell
- *                       segments led through a vertex that is not exactly on them
- *   points_off_surface  of the source, outside of the triangulation of the input
- *   is_projected        0, 1: the plane is another than x, y
+ *                       segments through a vertex that is not exactly on them
+ *   points_off_surface  of the source, outside the triangulation of the input
+ *   is_projected        0, 1: the plane is not that of x, y
  *   on_one_line         0, 1: there are no triangles and all points are on one line in space
  *   stacked             0, 1: most points are above or below another one
  *   boxes               of the grid, with want_boxes
@@ -366,7 +365,7 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *   triangles_walked, triangles_removed, exact_in_circle, exact_orient
  *                       with count_work, else 0
  *   insertion_attempts, deferred_points, critical_path
- *                       how the insertion was shared: see Report in Result.h
+ *                       how threads shared the insertion: see Report in Result.h
  * Measures, known after AHD_OK:
  *   np, nr              triangles tested to locate a point, and removed to insert it, as means;
  *                       -1 without count_work
@@ -387,29 +386,29 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *   triangles           id       (t, 3)       counterclockwise in the plane, canonical order
  *   lines               id       (l, 2)       with alpha
  *   vertices            id       (v)          with alpha
- *   neighbors           id       (cells, 3)   cell behind the edge from corner e to e + 1, or -1
+ *   neighbors           id       (cells, 3)   cell across the edge from corner e to e + 1, or -1
  *   constraint_edges    uint8    (cells)      bit e is set if edge e is a constraint
- *   regions             id       (cells)      what constraints separate, numbered from 0; -1
- *                                             where the cell is no triangle
+ *   regions             id       (cells)      separated by constraints, numbered from 0; -1
+ *                                             if the cell is not a triangle
  *   points              real     (points, 3)  in space
  *   plane_points        float64  (points, 3)  in the plane, and the height above it
- *   heights             float64  (points)     the surface's: AHD_DUPLICATES_MEAN_Z has its say
- *   plane_matrix        float64  (4, 4)       takes points there; but for AHD_PLANE_CALLBACK
- *   point_status        id       (points)     its own id if the point stands for a vertex, that of
- *                                             the point that does, or AHD_POINT_...
+ *   heights             float64  (points)     of the surface, means of duplicates included
+ *   plane_matrix        float64  (4, 4)       moves points there; not AHD_PLANE_CALLBACK
+ *   point_status        id       (points)     its own id if it represents a vertex, the id of the
+ *                                             point that does, or AHD_POINT_...
  *   vertex_of_point     id       (points)     number of its vertex in canonical order, or -1
- *   point_of_vertex     id       (vertices)   the id that stands for each
+ *   point_of_vertex     id       (vertices)   the id that represents it
  *   vertex_bounds       float64  (2, 2)       smallest and largest x, y of these; NaN without any
  *   order               id       (inserted)   ids in the order of insertion
- *   insertion_ranks     id       (points)     place of each point in it, or -1
+ *   insertion_ranks     id       (points)     position of each point in it, or -1
  *   box_bounds          float64  (boxes, 4)   xmin, xmax, ymin, ymax
  *   box_levels          int32    (boxes)      divisions that made it
  *   box_counts          id       (boxes)      distinct points in it
  *   voronoi_points      float64  (p, 2)       corners of Voronoi cells, in the plane
  *   voronoi_offsets     id       (c + 1)      cell i has the corners from offset i to i + 1
  *   voronoi_corners     id       (k)          rows of voronoi_points, counterclockwise
- *   voronoi_sites       id       (c)          the point whose cell it is; ascending vertices' ids
- *   merged              id       (m, 2)       points that tolerance merged, and into which
+ *   voronoi_sites       id       (c)          the point of the cell; ascending vertices' ids
+ *   merged              id       (m, 2)       points merged by tolerance, and into which
  *   surface_corners     id       (s, 3)       with AHD_HEIGHTS_FROM_SURFACE, of each source point:
  *   surface_weights     float64  (s, 3)       between which it lies; weights 0: outside
  *   crossing_ends       id       (x, 4)       of each crossing that was added: the ends of its two
@@ -418,11 +417,11 @@ AHD_API ahd_status ahd_measure(ahd_job* job, const char* name, double* value);
  *                                             first those split, then those left out; to 1000
  *   left_out            id       (o, 4)       cell and segment left out, cell and segment crossed
  *
- * order, insertion_ranks, box_... and voronoi_... must be asked for by their want_... before the
- * run. Cancelled and failed writes may be called again.
+ * order, insertion_ranks, box_... and voronoi_... must be requested by their want_... before the
+ * run. Cancelled and failed calls may be repeated.
  *
- * `columns`: 1 for a list. `out` has room for `capacity` numbers (not bytes), as many as there are
- * at least; they are written row by row. AHD_UNKNOWN_NAME, AHD_NOT_AVAILABLE, AHD_BAD_ARRAY,
+ * `columns`: 1 for a list. `out` has room for `capacity` numbers (not bytes), at least rows *
+ * columns; they are written row by row. AHD_UNKNOWN_NAME, AHD_NOT_AVAILABLE, AHD_BAD_ARRAY,
  * AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
 AHD_API ahd_status ahd_array_size(
   ahd_job* job, const char* name, uint64_t* rows, uint64_t* columns);
@@ -435,7 +434,7 @@ AHD_API ahd_status ahd_get_array(
 typedef struct ahd_drawing
 {
   double* xyz;     /* 3 * drawn_points */
-  void* ranks;     /* drawn_points: the place in the order; -1 for corners */
+  void* ranks;     /* drawn_points: the position in the order; -1 for corners */
   void* ids;       /* drawn_points: the id; -1 for corners */
   int32_t* levels; /* drawn_cells: -1 for the curve; divisions that made the box */
   void* counts;    /* drawn_cells: points on the curve; distinct points in the box */
@@ -447,7 +446,7 @@ AHD_API ahd_status ahd_draw_order(ahd_job* job, int32_t type, const ahd_drawing*
 /* Point data of points that lie between others. `values`: `columns` numbers for each output point,
  * row by row, with those of input points and of source points filled in. Replaces them, by linear
  * interpolation, at source points laid on the surface (AHD_AT_SURFACE) and then at crossings
- * (AHD_AT_CROSSINGS); `where` is one of these or their sum. Not to be cancelled. */
+ * (AHD_AT_CROSSINGS); `where` is one of these or their sum. Cannot be cancelled. */
 enum
 {
   AHD_AT_SURFACE = 1,
@@ -466,7 +465,7 @@ enum
 };
 /* xy: `count` places in the plane, x and y each. kinds: one of these for each place. ids: three for
  * each; the corners of the triangle, the ends of the edge or the vertex, else -1. cells: the number
- * of a triangle that is put out and has the place in it or on its edge, or -1; may be null. */
+ * of an output triangle that has the place inside or on its edge, or -1; may be null. */
 AHD_API ahd_status ahd_locate(
   ahd_job* job, const double* xy, uint64_t count, int32_t* kinds, int64_t* ids, int64_t* cells);
 
@@ -483,18 +482,18 @@ enum
 };
 /* The names of one kind, numbered from 0; null past the last. */
 AHD_API const char* ahd_name(int32_t kind, uint32_t number);
-/* "AHD_BAD_VALUE"; "?" for a number that is no status. */
+/* "AHD_BAD_VALUE"; "?" if the number is not a status. */
 AHD_API const char* ahd_status_name(ahd_status status);
 
 /* --- The machine ----------------------------------------------------------------------------- */
 
 /* Processors that this process may run on; at least 1. */
 AHD_API uint32_t ahd_processors(void);
-/* Bytes that this process can still get without swapping. */
+/* Bytes that this process can still allocate without swapping. */
 AHD_API uint64_t ahd_available_memory(void);
 /* 128 bits that differ, in practice, where bytes or `kind` do; 0, 0 for null or absurd counts. */
 AHD_API void ahd_fingerprint(const void* bytes, uint64_t count, uint64_t kind, uint64_t out[2]);
 
-#include "ahd_messages.h" /* what there is to say of a run */
+#include "ahd_messages.h" /* messages about a run */
 #include "ahd_sample.h"   /* values between the points, at any places or on a raster */
 #endif

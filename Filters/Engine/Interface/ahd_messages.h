@@ -3,8 +3,8 @@
 #define ahd_messages_h
 
 /*
- * The part of the C interface that says what there is to say of a run: points that were left out,
- * constraints that could not be kept, why there is no triangle. ahd.h includes it.
+ * The messages of the C interface about a run: points that were rejected, constraints that were
+ * left out, the reason why there is no triangle. ahd.h includes it.
  *
  *     char said[4096];
  *     ahd_say(job, AHD_SAY_TRIANGULATION, AHD_WORDS_OF_C, NULL, 0, said, sizeof said);
@@ -18,25 +18,25 @@
 
 #include "ahd.h"
 
-/* Whose names of settings and arrays texts have. */
+/* The names of settings and arrays in the texts. */
 enum
 {
-  AHD_WORDS_OF_C = 0,     /* those of ahd.h; memory in bytes */
-  AHD_WORDS_OF_CLASS = 1, /* those of the classes for VTK; memory in KiB */
-  AHD_WORDS_OF_NUMPY = 2  /* those of the package for NumPy; memory in bytes */
+  AHD_WORDS_OF_C = 0,     /* names of ahd.h; memory in bytes */
+  AHD_WORDS_OF_CLASS = 1, /* names of the classes for VTK; memory in KiB */
+  AHD_WORDS_OF_NUMPY = 2  /* names of the package for NumPy; memory in bytes */
 };
 
 enum
 {
-  AHD_SAY_REFUSAL = 0,       /* why there is no result, by the fact "reason": one message at most */
+  AHD_SAY_REFUSAL = 0, /* the reason of no result, by the fact "reason": at most one message */
   AHD_SAY_TRIANGULATION = 1, /* after ahd_run() */
-  AHD_SAY_COLUMNS = 2,       /* of arrays to interpolate */
+  AHD_SAY_COLUMNS = 2,       /* about arrays to interpolate */
   AHD_SAY_PLACES = 3,        /* after ahd_sample() */
-  AHD_SAY_BLOCKS = 4         /* of blocks of VTK's data sets that are passed over */
+  AHD_SAY_BLOCKS = 4         /* about blocks of VTK's data sets that are ignored */
 };
 
-/* What the caller knows and the job does not, or knows better: counts by their names, and those
- * that Job/Catalogue.h asks for besides. A list is several facts of one name. */
+/* Facts that the job does not know, or that replace its own: counts by their names, and others
+ * named in Job/Catalogue.h. A list is several facts of one name. */
 typedef struct ahd_fact
 {
   const char* name;
@@ -45,10 +45,9 @@ typedef struct ahd_fact
   double real; /* 0: the number */
 } ahd_fact;
 
-/* Writes all that there is to say, in its order: of each message its name and its text, each with a
- * 0 at the end; then one more 0. Returns how many bytes that takes, and writes no more than a 0 if
- * `capacity` is less; 0 if it cannot be said: ahd_message() has the reason. `job`: null, or what
- * knows facts that are not given. */
+/* Writes all messages in their order: the name and the text of each, each with a 0 at the end; then
+ * one more 0. Returns the number of bytes, and writes only a 0 if `capacity` is less. On an error
+ * returns 0; ahd_message() then has it. `job`: null, or the source of facts that are not given. */
 AHD_API uint64_t ahd_say(ahd_job* job, int32_t topic, int32_t words, const ahd_fact* facts,
   uint64_t count, char* out, uint64_t capacity);
 

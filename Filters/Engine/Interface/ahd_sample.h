@@ -15,11 +15,11 @@
  *     if (ahd_sample(job, &cells, &array, 1, mask) != AHD_OK)
  *       puts(ahd_message(job));
  *
- * Which triangle, edge or vertex a place lies on is decided exactly: on a vertex there is the value
- * of the vertex, on an edge one of its two ends alone, the same from either side. Outside of the
- * triangles that are put out there is no value, but on request: the mask is 0 and values are NaN.
+ * The triangle, edge or vertex of a place is determined exactly: a place on a vertex gets the value
+ * of the vertex, one on an edge a value from its two ends alone, the same from either side. Outside
+ * the output triangles there is no value, unless requested: the mask is 0 and values are NaN.
  *
- * The settings, of type int, hold for the calls that follow:
+ * The settings, of type int, apply to subsequent calls:
  *   sample_method    0   AHD_SAMPLE_...
  *   sample_outside   0   AHD_OUTSIDE_...
  * besides them threads, memory_limit and other_memory.
@@ -28,12 +28,12 @@
  * before:
  *   sampled_places        = sampled_valued + sampled_outside + sampled_not_finite
  *   sampled_valued        on the surface; with AHD_SAMPLE_NEAREST all that are finite
- *   sampled_outside       outside of the hull, in a hole or in a triangle that is not put out
+ *   sampled_outside       outside the hull, in a hole or in a removed triangle
  *   sampled_not_finite    with a NaN or infinite x or y
- *   sampled_without_value numbers at valued places that are NaN, as values at points are
- *   sampled_left_out      numbers that some neighbours, whose values are NaN, have no say in (with
- *                         AHD_SAMPLE_NATURAL_NEIGHBOR and _LAPLACE: they leave such out)
- *   sampling_estimate     bytes that it was thought to take besides the result
+ *   sampled_without_value numbers at valued places that are NaN, because values at points are NaN
+ *   sampled_left_out      numbers computed without some neighbours, whose values are NaN (with
+ *                         AHD_SAMPLE_NATURAL_NEIGHBOR and _LAPLACE)
+ *   sampling_estimate     bytes that it was estimated to take besides the result
  * Measure:
  *   seconds_sample        wall-clock time of the last one
  *
@@ -54,30 +54,30 @@
  *
  * Arrays, made by ahd_sample_weights():
  *   weight_offsets   int64    (places + 1)   place i has the entries from offset i to i + 1
- *   weight_points    id       (entries)      points that have a say in it, of a place each once
+ *   weight_points    id       (entries)      points with a weight there, each once
  *   weights          float64  (entries)      not negative; those of a place sum to 1 when rounded
  */
 
 #include "ahd.h"
 
-/* sample_method: which points have a say in the value at a place, and how much */
+/* sample_method: the points that determine the value at a place, and their weights */
 enum
 {
   AHD_SAMPLE_LINEAR = 0,           /* the corners of its triangle, by areas */
-  AHD_SAMPLE_NATURAL_NEIGHBOR = 1, /* by the area it would take of their Voronoi cells (Sibson) */
-  AHD_SAMPLE_LAPLACE = 2,          /* by the borders of its cell with theirs, over distances */
+  AHD_SAMPLE_NATURAL_NEIGHBOR = 1, /* by the area it would take from their Voronoi cells (Sibson) */
+  AHD_SAMPLE_LAPLACE = 2,          /* by the common borders of its cell, over distances */
   AHD_SAMPLE_NEAREST = 3           /* the nearest vertex; of several the smallest in (x, y) */
 };
 
-/* sample_outside: what finite places outside of the surface have */
+/* sample_outside: the values at finite places outside the surface */
 enum
 {
   AHD_OUTSIDE_NO_VALUE = 0,
   AHD_OUTSIDE_NEAREST_VERTEX = 1 /* the values of the nearest vertex; the mask stays 0 */
 };
 
-/* Where values are wanted, in the plane of the triangulation: `count` places `xy`, x and y each;
- * or, where `xy` is null, the raster whose place row * columns + column lies at origin + (column,
+/* The places of the values, in the plane of the triangulation: `count` places `xy`, x and y each;
+ * or, if `xy` is null, the raster whose place row * columns + column lies at origin + (column,
  * row) * spacing. Spacing is finite and not 0. */
 typedef struct ahd_places
 {
@@ -89,8 +89,8 @@ typedef struct ahd_places
 } ahd_places;
 
 /* Numbers to interpolate: `columns` for each output point, row by row; NaN is legal. Of several
- * points at one place those of the one that stands for the vertex count, whatever they are: heights
- * that follow "duplicates" are the array heights, or z of points. */
+ * points at one place, the numbers of the one that represents the vertex are used: for heights that
+ * follow "duplicates" take the array heights, or z of points. */
 typedef struct ahd_sampled
 {
   const double* values;
@@ -99,34 +99,34 @@ typedef struct ahd_sampled
   double* gradients; /* null; with AHD_SAMPLE_LINEAR x and y slope of each of them */
 } ahd_sampled;
 
-/* Moves `count` points, (x, y, z) each, in place: to where they lie in the plane of the result, and
- * their height above it, to the bit as points of a source are if x, y and z are finite.
- * AHD_NOT_AVAILABLE: also with AHD_PLANE_CALLBACK, which the caller knows. AHD_BAD_ARRAY. */
+/* Moves `count` points, (x, y, z) each, in place: to their position in the plane of the result, and
+ * their height above it, to the bit like points of a source if x, y and z are finite.
+ * AHD_NOT_AVAILABLE: also with AHD_PLANE_CALLBACK, as the caller projects. AHD_BAD_ARRAY. */
 AHD_API ahd_status ahd_to_plane(ahd_job* job, double* xyz, uint64_t count);
 
 /* Interpolates `count` arrays. `mask`: null, or 1 for each place that has a value of its own, else
- * 0. The fraction that a callback hears of is that of this call. Refused, before anything is
- * written, is what may take more memory than memory_limit or the process can get; a cancelled or
- * failed call may be repeated, and what it was to write is not to be used. AHD_NOT_AVAILABLE,
+ * 0. A callback gets the fraction of this call. A call that may take more memory than memory_limit
+ * or than the process can get is refused before anything is written; a cancelled or failed call may
+ * be repeated, and its outputs must not be used. AHD_NOT_AVAILABLE,
  * AHD_BAD_VALUE, AHD_BAD_ARRAY, AHD_MEMORY_LIMIT, AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
 AHD_API ahd_status ahd_sample(
   ahd_job* job, const ahd_places* places, const ahd_sampled* arrays, uint64_t count, uint8_t* mask);
 
-/* Upper estimate of the bytes that ahd_sample() takes for arrays of so many columns together, what
- * it is given to write to not counted but as other_memory. AHD_MEMORY_LIMIT, with `bytes` written,
- * where it would be refused. */
+/* Upper estimate of the bytes that ahd_sample() takes for arrays of so many columns together,
+ * without the memory it writes to, except as other_memory. AHD_MEMORY_LIMIT, with `bytes` written,
+ * if it would be refused. */
 AHD_API ahd_status ahd_sample_estimate(
   ahd_job* job, const ahd_places* places, uint64_t columns, uint64_t* bytes);
 
-/* The same before there is a result, for so many points: what sampling takes beyond the
- * triangulation and its tables (want_samples). `fills`: whether places outside have the values of
- * the nearest vertex, by another method than AHD_SAMPLE_NEAREST, which has one column. Places are
- * counted, and not looked at. AHD_BAD_VALUE, AHD_BAD_ARRAY. */
+/* The same before there is a result, for so many points: the memory of sampling beyond the
+ * triangulation and its tables (want_samples). `fills`: whether places outside get the values of
+ * the nearest vertex, with a method other than AHD_SAMPLE_NEAREST, which has one column. Places are
+ * counted, not read. AHD_BAD_VALUE, AHD_BAD_ARRAY. */
 AHD_API ahd_status ahd_sample_estimate_before(ahd_job* job, uint64_t points,
   const ahd_places* places, uint64_t columns, int32_t fills, uint64_t* bytes);
 
-/* Makes the arrays weight_... and weights, for who interpolates himself. sample_outside has no say
- * in them. Those of the last call are kept until these are there, and count until then. */
+/* Makes the arrays weight_... and weights, for callers that interpolate themselves. sample_outside
+ * does not affect them. Those of the last call are kept, and counted, until these are complete. */
 AHD_API ahd_status ahd_sample_weights(ahd_job* job, const ahd_places* places);
 
 #endif

@@ -9,13 +9,13 @@ namespace ahd
 
 /// One message.
 ///
-/// `when`: what must be so of facts, or of what follows from them (Messages.cxx), each after a
-/// space: "name", it is there and not 0; "!name", it is not; "name=text", it is this text.
+/// `when`: conditions on facts, given or derived (Messages.cxx), separated by spaces: "name", it is
+/// there and not 0; "!name", it is not; "name=text", it is this text.
 ///
-/// `text`: in braces there is the name of a phrase or fact:
-///   {name}           its text or number; of several "a, b and 3 more", but of four numbers a box
-///   {name?one|other} the first where the number is 1, else the second; braces may be in both
-///   {name+text}      the text where it is there and not 0
+/// `text`: braces hold the name of a phrase or fact:
+///   {name}           its text or number; several as "a, b and 3 more", four numbers as a box
+///   {name?one|other} the first if the number is 1, else the second; both may have braces
+///   {name+text}      the text if it is there and not 0
 struct Row
 {
   Topic topic;
@@ -24,13 +24,13 @@ struct Row
   const char* text;
 };
 
-/// Of refusals the first that applies is said.
+/// Of refusals only the first that applies is given.
 constexpr Row kRows[] = {
   { Topic::Refusal, "too many points", "refused=points",
     "{points} points are too many: at most {most_points} can be triangulated." },
   { Topic::Refusal, "too many boxes", "refused=boxes",
-    "The grid of {points} points has more than {most_boxes} boxes. Putting out more may take more "
-    "than {of_memory}. Nothing was computed. {no_boxes}, take fewer points or a larger {nmax}, "
+    "The grid of {points} points has more than {most_boxes} boxes. Writing more may take more than "
+    "{of_memory}. Nothing was computed. {no_boxes}, take fewer points or a larger {nmax}, "
     "{or_set_limit}" },
   { Topic::Refusal, "too many crossings", "refused=crossings",
     "{the_lines} cross in more than {most_crossings} places. Splitting them there and "
@@ -63,12 +63,12 @@ constexpr Row kRows[] = {
     "Out of memory while making {points} points." },
   { Topic::Refusal, "memory of a rank", "refused=limit doing=distributing",
     "{work} {points} points on {ranks} ranks may take {needed} of memory on rank "
-    "{rank}{share+{share}}, but {but_allowed}. Nothing is put out. Take fewer points or more "
+    "{rank}{share+{share}}, but {but_allowed}. The output is empty. Take fewer points or more "
     "ranks, {or_set_limit}" },
   { Topic::Refusal, "memory of one rank for all", "refused=limit doing=gathering",
-    "{setting} is computed on one rank, with the points of all. That {are_sent+they are sent there "
-    "}may take {needed} of memory on rank {rank}, for {points} points, but {but_allowed}. Nothing "
-    "is put out. Take fewer points, reset that setting, {or_set_limit}" },
+    "{setting} is computed on one rank, with the points of all. {are_sent?Sending them there|This} "
+    "may take {needed} of memory on rank {rank}, for {points} points, but {but_allowed}. The "
+    "output is empty. Take fewer points, reset that setting, {or_set_limit}" },
   { Topic::Refusal, "damaged cells", "refused=cells cells",
     "The {cells} are damaged: the offsets of number {bad_cell} among them are {begin} and {end}, "
     "but offsets must ascend from 0 to the number of point ids, {ids}. Nothing was computed." },
@@ -77,10 +77,10 @@ constexpr Row kRows[] = {
     "the number of point ids. Nothing was computed." },
   { Topic::Refusal, "folded surface", "folded_triangles",
     "{folded_triangles} of the {triangles} triangles of the surface cross others in the plane of "
-    "Triangulation, or are turned over there. Nothing was computed. Set its ProjectionPlaneMode to "
+    "Triangulation, or are inverted there. Nothing was computed. Set its ProjectionPlaneMode to "
     "that of the surface, or take the points without the triangles." },
   { Topic::Refusal, "no triangulation", "triangulation_is_null",
-    "Triangulation is null: nothing says how to triangulate. Give it a "
+    "Triangulation is null, so there are no settings to triangulate with. Set it to a "
     "vtkAdaptiveHilbertDelaunay2D." },
   { Topic::Refusal, "cell size", "raster=cell_size",
     "CellSize is {cell_width}, {cell_height}, but both numbers must be greater than 0 and finite. "
@@ -98,10 +98,10 @@ constexpr Row kRows[] = {
     "A raster of {columns} x {rows} cells has coordinates that double precision cannot tell apart. "
     "Nothing was computed." },
   { Topic::Refusal, "heights named as marks", "heights_name=vtkGhostType",
-    "HeightArrayName is \"{heights_name}\", the name of the marks by which VTK hides points. "
+    "HeightArrayName is \"{heights_name}\", the name of the array by which VTK hides points. "
     "Nothing was computed." },
   { Topic::Refusal, "mask named as marks", "mask_name=vtkGhostType",
-    "ValidPointMaskArrayName is \"{mask_name}\", the name of the marks by which VTK hides points. "
+    "ValidPointMaskArrayName is \"{mask_name}\", the name of the array by which VTK hides points. "
     "Nothing was computed." },
   { Topic::Refusal, "one name for two", "is_of_heights",
     "HeightArrayName and ValidPointMaskArrayName are both \"{mask_name}\", but two arrays cannot "
@@ -111,8 +111,8 @@ constexpr Row kRows[] = {
     "was computed." },
 
   { Topic::Triangulation, "no transform", "transform_is_missing",
-    "ProjectionPlaneMode asks for a Transform, but none is set: the points were triangulated in x "
-    "and y." },
+    "ProjectionPlaneMode needs a Transform, but none is set: the points were triangulated in x and "
+    "y." },
   { Topic::Triangulation, "no bounding points", "bounding_is_missing",
     "There is no bounding triangulation, because the points are triangulated in another plane than "
     "x and y." },
@@ -120,84 +120,83 @@ constexpr Row kRows[] = {
     "The point data array vtkGhostType does not have one value for each of the {input_points} "
     "points, or is not of type unsigned char, so no point was skipped." },
   { Topic::Triangulation, "not finite", "not_finite",
-    "{not_finite} of {points} points were left out, since {is_projected?they have no finite place "
-    "in the plane of the triangulation|their x or y is NaN or infinite}; the first is point "
-    "{first_not_finite}." },
+    "{not_finite} of {points} points were rejected, because {is_projected?they have no finite "
+    "position in the plane of the triangulation|their x or y is NaN or infinite}; the first is "
+    "point {first_not_finite}." },
   { Topic::Triangulation, "odd z", "odd_z",
     "{odd_z} of {points} points have a z that is NaN or infinite. They are part of the "
     "triangulation, which is computed in x and y{but_not_drawn}." },
   { Topic::Triangulation, "diagram in the plane", "diagram_in_plane",
-    "The Voronoi diagram lies in the plane z = 0, as Transform has no inverse to take it back to "
-    "the points." },
-  { Topic::Triangulation, "nothing put out", "kept_triangles !cells",
-    "Nothing is put out: {size_limits} leave none of {kept_triangles} "
-    "{kept_triangles?triangle|triangles}, no line and no vertex. Larger numbers keep more, and 0 "
-    "is no limit." },
+    "The Voronoi diagram lies in the plane z = 0, because Transform has no inverse to move it back "
+    "to the points." },
+  { Topic::Triangulation, "limits keep none", "kept_triangles !cells",
+    "The output is empty: {size_limits} keep none of {kept_triangles} "
+    "{kept_triangles?triangle|triangles}, no line and no vertex. Larger values keep more, and 0 is "
+    "no limit." },
   { Topic::Triangulation, "emptied by loops", "may_be_emptied_by_loops",
     "There is no triangle, because {the_loops} keep none (see {fill_rule}), or all distinct points "
     "are collinear." },
   { Topic::Triangulation, "no triangle yet", "has_no_triangle beyond_limit",
-    "There is no triangle yet, because {insertion_limit} has only the first {inserted} of "
-    "{distinct} distinct points inserted, {are_few?fewer than three.|and these are collinear.}" },
+    "There is no triangle yet, because {insertion_limit} stops after the first {inserted} of "
+    "{distinct} distinct points, {are_few?fewer than three.|and these are collinear.}" },
   { Topic::Triangulation, "no triangle", "has_no_triangle !beyond_limit",
     "There is no triangle, because {are_few?there are fewer than three distinct points|all "
     "distinct points are collinear}: {inserted} distinct points among {points}{merged_points+, of "
     "which {tolerance} merged {merged_points} into others}.{is_wall+ They are not collinear in "
     "space. {other_plane}.}" },
   { Topic::Triangulation, "stacked", "stacked",
-    "{duplicates} of {points} points have the x and y of others and lie above or below them: of "
-    "each stack one point is in the surface (see {duplicate_policy}). {other_plane}; of a volume "
+    "{duplicates} of {points} points have the x and y of others and lie above or below them: the "
+    "surface has one point of each stack (see {duplicate_policy}). {other_plane}; for a volume "
     "mesh, triangulate one layer of points." },
   { Topic::Triangulation, "loops keep none", "delaunay_triangles !untrimmed",
     "There is no triangle, because {the_loops} keep none of the {delaunay_triangles} triangles "
     "(see {fill_rule})." },
   { Topic::Triangulation, "trimmed rim", "is_much_trimmed",
-    "{is_empty?There is no triangle left: trimming|Trimming} the rim took {is_empty?all "
-    "|}{trimmed_triangles} of {untrimmed} triangles away, {trimmed_percent} % of the area in the "
-    "plane, and left {bare_vertices} {bare_vertices?point|points} without a triangle. Set "
-    "{convex_rim} to keep them all." },
+    "{is_empty?There is no triangle left: trimming|Trimming} the rim removed {is_empty?all "
+    "|}{trimmed_triangles} of {untrimmed} triangles, {trimmed_percent} % of the area in the plane, "
+    "and left {bare_vertices} {bare_vertices?point|points} without a triangle. Set {convex_rim} to "
+    "keep them all." },
   { Topic::Triangulation, "nothing constrained", "constrains_nothing", "{nothing_constrained}" },
   { Topic::Triangulation, "strips", "source_strips !constrains_nothing",
     "{source_strips} {source_strips?triangle strip|triangle strips} of the source "
-    "{source_strips?is|are} ignored: lines and polygons constrain." },
+    "{source_strips?is|are} ignored: only lines and polygons constrain." },
   { Topic::Triangulation, "off the surface", "points_off_surface",
     "{points_off_surface} of {source_points} {points_of_source} lie outside the surface of the "
     "input and keep their own z (see {source_heights})." },
   { Topic::Triangulation, "crossing", "segments_crossing",
-    "{segments_crossing}{of_segments} were left out, since they cross others that come before "
+    "{segments_crossing}{of_segments} were left out, because they cross others that come before "
     "them; the first is in {chain} {first_crossing_cell} and crosses {chain} "
     "{first_crossed_cell}{chain_order}.{unfilled}" },
   { Topic::Triangulation, "bent", "bent_segments",
     "{bent_segments} {bent_segments?segment|segments}{of_the_source} {bent_segments?bends|bend} by "
-    "rounding, led through a point that is not exactly on {bent_segments?it|them}; the first is in "
+    "rounding, through a point that is not exactly on {bent_segments?it|them}; the first is in "
     "{chain} {first_bent_cell}{chain_order}." },
   { Topic::Triangulation, "unfit ids", "unfit_ids",
-    "{segments_without_vertex}{of_segments} are no constraints: {unfit_ids} of the ids in its "
-    "cells are not those of points, the first is {first_unfit_id} in {chain} {first_unfit_cell}. "
-    "They refer to the points of {cell_ids?the source.|the input (see "
-    "{source_mode}).}{are_unsaid+{unfilled}}" },
+    "{segments_without_vertex}{of_segments} were left out: {unfit_ids} of the ids in its cells are "
+    "not ids of points; the first is {first_unfit_id} in {chain} {first_unfit_cell}. Ids refer to "
+    "the points of {cell_ids?the source.|the input (see {source_mode}).}{are_unsaid+{unfilled}}" },
   { Topic::Triangulation, "without vertex", "segments_without_vertex delaunay_triangles !unfit_ids",
-    "{segments_without_vertex}{of_segments} are no constraints, since an end of theirs is a point "
-    "that {is_not_finite}, is skipped or lies beyond {insertion_limit}.{are_unsaid+{unfilled}}" },
+    "{segments_without_vertex}{of_segments} were left out, because an end is a point that was "
+    "rejected, was skipped or is beyond {insertion_limit}.{are_unsaid+{unfilled}}" },
 
   { Topic::Columns, "unfit arrays", "unfit_array",
-    "Point arrays that are no numbers, have no name or not one tuple for each point are not "
-    "interpolated: {unfit_array}." },
+    "Point arrays that are not numeric, have no name or do not have one tuple for each point are "
+    "not interpolated: {unfit_array}." },
   { Topic::Columns, "replaced arrays", "replaced_array",
-    "Point arrays of the input whose names are those of arrays that are made are not interpolated: "
+    "Point arrays of the input with the name of an output array are not interpolated: "
     "{replaced_array}. See HeightArrayName and ValidPointMaskArrayName." },
   { Topic::Columns, "no gradients", "gradients_are_missing",
-    "There are no gradients: only the Method Linear has them." },
+    "There are no gradients: only Method Linear computes them." },
 
   { Topic::Places, "places not finite", "sampled_not_finite",
-    "{sampled_not_finite} of {sampled_places} places have no value, since their x or y is NaN or "
+    "{sampled_not_finite} of {sampled_places} places have no value, because their x or y is NaN or "
     "infinite." },
   { Topic::Places, "none on the surface", "sampled_outside !sampled_valued",
     "None of {sampled_places} places is on the surface{kept_triangles+ of {kept_triangles} "
     "triangles}. Places: {wanted}; points: {surface}." },
   { Topic::Places, "without value", "sampled_without_value",
-    "{sampled_without_value} values at places on the surface are none, since values of points are "
-    "NaN{valueless+: {valueless}.}{heights_are_whole+ No height is "
+    "{sampled_without_value} values at places on the surface are missing, because values of points "
+    "are NaN{valueless+: {valueless}.}{heights_are_whole+ No height is "
     "missing.}{valueless_added+{they_lack} {valueless_added}.}" },
   { Topic::Places, "neighbours left out", "sampled_left_out",
     "{sampled_left_out} values at places are interpolated without some of their natural "
@@ -214,12 +213,12 @@ constexpr Row kRows[] = {
   { Topic::Blocks, "no points", "without_points",
     "A {without_points} has no points of its own: nothing was triangulated for it." },
   { Topic::Blocks, "blocks of the source", "other_sources",
-    "{other_sources} {other_sources?block of the source is no vtkPolyData and was left out; it is "
-    "a|blocks of the source are no vtkPolyData and were left out; the first is a} "
+    "{other_sources} {other_sources?block of the source is not a vtkPolyData and was left out; it "
+    "is a|blocks of the source are not vtkPolyData and were left out; the first is a} "
     "{first_other_source}." },
 };
 
-/// What doors call differently: the C interface, VTK's classes, NumPy; null: as the first.
+/// Phrases that differ between the C interface, VTK's classes and NumPy; null: as the first.
 struct Phrase
 {
   const char* name;
@@ -241,7 +240,7 @@ constexpr Phrase kPhrases[] = {
   { "the_lines", { "Segments", "The lines and polygons of the source" } },
   { "fewer_lines",
     { "Take fewer segments, leave out those that cross",
-      "Take fewer lines, switch CrossingMode to Leave Out" } },
+      "Take fewer lines, set CrossingMode to Leave Out" } },
   { "but_not_drawn", { "", ", but cannot be drawn" } },
   { "size_limits",
     { "\"alpha\" and \"maximum_edge_length\"", "Alpha, its switches and MaximumEdgeLength",
@@ -272,9 +271,8 @@ constexpr Phrase kPhrases[] = {
   { "loop", { "loop", "polygon" } },
   { "unfilled",
     { "{unfilled_loops+ {unfilled_loops} {unfilled_loops?{loop} bounds|{loop}s bound} nothing, "
-      "since a segment is missing.}" } },
-  { "they_lack", { " Points that were added (of the source, for example) lack" } },
-  { "is_not_finite", { "is not finite", "was rejected" } },
+      "because a segment is missing.}" } },
+  { "they_lack", { " Added points (of the source, for example) lack" } },
 };
 
 } // namespace ahd

@@ -71,7 +71,7 @@ std::string faultOf(const Row& row, const GivenArray& array)
   }
   if (array.rows < 0 || isTooLarge(array))
   {
-    return "has " + std::to_string(array.rows) + " rows, or strides beyond all memory.";
+    return "has " + std::to_string(array.rows) + " rows, or strides that fit in no memory.";
   }
   if (row.leastColumns == 4 && array.rows != 4)
   {

@@ -209,7 +209,7 @@ void Job::toPlane(double* xyz, std::size_t count)
   const ScopedFloatingPoint asAssumed;
   if (plane == PlaneKind::Callback)
   {
-    refuse(Reason::NotAvailable, "With AHD_PLANE_CALLBACK it is for the caller to move points.");
+    refuse(Reason::NotAvailable, "With AHD_PLANE_CALLBACK the caller projects the points.");
   }
   if (plane == PlaneKind::Matrix)
   {

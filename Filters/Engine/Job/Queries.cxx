@@ -174,7 +174,7 @@ void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing)
   if (!made.asked.drawsOrder())
   {
     refuse(Reason::NotAvailable,
-      "The order can be drawn with \"want_curve\" or \"want_boxes\" before the run.");
+      "Drawing the order requires \"want_curve\" or \"want_boxes\" before the run.");
   }
   if ((type != kInt32 && type != kInt64) || !drawing.xyz || !drawing.ranks || !drawing.ids ||
     !drawing.levels || !drawing.counts)

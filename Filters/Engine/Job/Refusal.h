@@ -36,7 +36,7 @@ inline void checkCount(std::uint64_t count, const char* what)
 {
   if (count > kMostNumbers)
   {
-    refuse(Reason::BadArray, std::to_string(count) + " " + what + " are beyond all memory.");
+    refuse(Reason::BadArray, std::to_string(count) + " " + what + " do not fit in any memory.");
   }
 }
 

@@ -42,7 +42,7 @@ SamplePlaces placesOf(const GivenPlaces& given)
   {
     refuse(Reason::MemoryLimit,
       "A raster of " + std::to_string(given.columns) + " x " + std::to_string(given.rows) +
-        " cells is beyond all memory.");
+        " cells does not fit in any memory.");
   }
   SampleRaster raster;
   raster.origin = { given.origin[0], given.origin[1] };
@@ -176,14 +176,14 @@ std::vector<SampleArray> Sampling::arraysOf(const std::vector<GivenSamples>& giv
     }
     if (array.columns > 0 && ((hasPoints && !array.values) || (places_.count() > 0 && !array.out)))
     {
-      refuse(Reason::BadArray, name + "has no values, or nowhere to write to: a pointer is null.");
+      refuse(Reason::BadArray, name + "has no values or no output: a pointer is null.");
     }
     if (array.gradients && method_ != SampleMethod::Linear)
     {
       refuse(Reason::BadValue,
         name +
-          "has a place for gradients: there are none but with \"sample_method\" "
-          "AHD_SAMPLE_LINEAR.");
+          "has an output for gradients, which only \"sample_method\" "
+          "AHD_SAMPLE_LINEAR computes.");
     }
     arrays[k] = { array.values, static_cast<std::size_t>(array.columns), array.out,
       array.gradients };

@@ -153,7 +153,7 @@ class Columns:
         return (per_point + copied) * points + per_place * places
 
     def output_bytes(self, places):
-        """Those of it that the arrays have which are put out, mask included."""
+        """Bytes of the output arrays, mask included."""
         return self._output_per_place() * places
 
     def _output_per_place(self):
@@ -169,7 +169,7 @@ class Columns:
         return column.components + 2 * self._has_slopes(column)
 
     def _bytes_per_place(self, column):
-        """What is put out of a column."""
+        """The output array of a column."""
         of_type = max(1, column.given.GetDataTypeSize()) if column.given is not None else 8
         size = of_type if self.is_nearest else 4 if self._is_float(column) else 8
         return size * self._numbers_per_place(column)

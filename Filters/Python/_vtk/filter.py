@@ -140,13 +140,13 @@ class _Executions:
         return True
 
     def _end(self, made, status, more=""):
-        """Nothing is put out, and that is said. `status`: of the job, None for memory that ran out elsewhere. `more`:
+        """Empties the outputs and reports why. `status`: of the job, None for memory that ran out elsewhere. `more`:
         what is said of faults for which there are no words here."""
         for output in made:
             output.Initialize()
         self._cache.forget()
         self._clear_measures()
-        text = "Out of memory. Nothing is put out."
+        text = "Out of memory. The output is empty."
         if status is not None:
             self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
             text = messages.error_text(status, self._job, more)

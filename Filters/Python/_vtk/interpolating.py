@@ -22,7 +22,7 @@ KEPT_BYTES = 110  # of a triangulation, for each point
 
 
 class Stopped(Exception):
-    """Nothing is put out. `text`: the error to be said, None where the work was aborted. `estimate`: KiB."""
+    """The output is empty. `text`: the error to report, None if the work was aborted. `estimate`: KiB."""
 
     def __init__(self, text=None, estimate=0):
         super().__init__(text)

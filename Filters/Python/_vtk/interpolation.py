@@ -57,7 +57,7 @@ class _Triangulations:
         super().Update(*given)
 
     def _surface_settings(self):
-        """Those of Triangulation, but for what it would put out."""
+        """Those of Triangulation, without its outputs."""
         made = {setting.name: getattr(self._triangulation, "Get" + setting.name)() for setting in settings.SETTINGS}
         made.update({name: False for name in made if name.startswith("Generate")})
         return made
@@ -265,7 +265,7 @@ class _Executions:
         return 1
 
     def _execute(self, given, made, speaker):
-        """False where nothing is put out."""
+        """False if the output is empty."""
         points, places, source = given
         unfit = raster_messages.of_names(self._values)
         if unfit is not None:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the filter has to say, in the engine's words (Filters/Engine/Job/Catalogue.h), through VTK's channels: events,
-or its output window where nobody observes these."""
+"""The filter's messages, worded by the engine (Filters/Engine/Job/Catalogue.h), through VTK's channels: events, or its
+output window if no observer handles these."""
 
 import sys
 
@@ -22,7 +22,7 @@ def _say(backend, algorithm, event, word, text):
 
 
 class Speaker:
-    """Says things of one filter."""
+    """Reports warnings and errors of one filter."""
 
     def __init__(self, backend, algorithm):
         self.backend, self.algorithm = backend, algorithm
@@ -35,7 +35,7 @@ class Speaker:
 
 
 class Silence:
-    """A Speaker of nobody."""
+    """A Speaker without an audience."""
 
     def warn(self, text):
         pass
@@ -49,19 +49,18 @@ def said(topic, facts, job=None):
 
 
 def refusal(**facts):
-    """Why nothing is put out; None without a reason. Memory is in KiB."""
+    """The text of a refusal; None without a reason. Memory is in KiB."""
     return next(iter(said(engine.SAY_REFUSAL, dict(facts, is_in_kib=1))), None)
 
 
 def error_text(status, job, more):
-    """What ended an execution; None for one that was aborted. `more`: for faults that the engine has no words of the
-    class for."""
+    """The error of an execution; None if it was aborted. `more`: the text for faults that are not in the catalogue."""
     if status == engine.CANCELLED:
         return None
     if status == engine.BAD_ARRAY:
         return not_computed(more)
     if status > engine.TOO_MANY_CROSSINGS:
-        return "%s. Nothing is put out." % more
+        return "%s. The output is empty." % more
     return said(engine.SAY_REFUSAL, {"reason": status}, job)[0]
 
 
@@ -70,6 +69,6 @@ def not_computed(why):
 
 
 def warnings(job, values, found):
-    """The texts, in order. `found`: facts that were found out beside the job, and adds_bounding."""
+    """The texts, in order. `found`: facts from outside the job, and adds_bounding."""
     facts = dict(vars(found), bounding_is_missing=values["BoundingTriangulation"] and not found.adds_bounding)
     return said(engine.SAY_TRIANGULATION, facts, job)

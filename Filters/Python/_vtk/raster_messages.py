@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The facts that messages of vtkAdaptiveHilbertInterpolation2D are made of."""
+"""The facts in the messages of vtkAdaptiveHilbertInterpolation2D."""
 
 import types
 
@@ -9,7 +9,7 @@ from .columns import GRADIENT
 
 
 def of_raster(fault, values):
-    """Why there is no raster; None where only points are missing."""
+    """The reason why there is no raster; None if only points are missing."""
     width, height = values["CellSize"]
     columns, rows = fault.wished
     return messages.refusal(
@@ -18,7 +18,7 @@ def of_raster(fault, values):
 
 
 def of_names(values):
-    """Why arrays that are made cannot have their names; None where they can."""
+    """The reason why output arrays cannot have their names; None if they can."""
     heights = values["HeightArrayName"]
     has_gradients = heights and values["GenerateGradients"] and values["Method"] == 0
     return messages.refusal(
@@ -27,21 +27,21 @@ def of_names(values):
 
 
 def of_memory(places, points, estimate, limit, is_limited, is_refused):
-    """KiB that are too many, or that were not enough. `places`: how many, below 0 if that is not known."""
+    """The refusal of so many KiB, or the error that they were not enough. `places`: below 0 if unknown."""
     return messages.refusal(
         reason=engine.MEMORY_LIMIT if is_refused else engine.OUT_OF_MEMORY, doing="interpolating", of_triangulation=1,
         places=float(places), points=points, memory_estimate=estimate, memory_allowed=limit, memory_limit=is_limited)
 
 
 def of_arrays(values, columns):
-    """Of arrays that are passed over, and of gradients that there are none of."""
+    """Warnings about arrays that are not interpolated, and about missing gradients."""
     return messages.said(engine.SAY_COLUMNS, dict(
         unfit_array=columns.unfit, replaced_array=columns.replaced,
         gradients_are_missing=values["GenerateGradients"] and values["Method"] != 0))
 
 
 def together(found, more):
-    """What places and others on the same surface came to; None: nothing yet."""
+    """The sum of the results of two sets of places on the same surface; None: no result yet."""
     if found is None:
         return more
     counts = {name: getattr(found, name) + getattr(more, name) for name in (
@@ -62,8 +62,9 @@ def _missing_together(all_missing):
 
 
 def of_places(found):
-    """Of places and values, in order. `found`: places, valued, outside, not_finite, without_value, left_out, triangles,
-    wanted and surface, the boxes of the places and of the points, and missing, of which arrays values are."""
+    """Warnings about places and values. `found`: places, valued, outside, not_finite, without_value, left_out,
+    triangles, wanted and surface, the boxes of the places and of the points, and missing, the arrays without some
+    values."""
     counts = {"sampled_" + name: getattr(found, name) for name in (
         "places", "valued", "outside", "not_finite", "without_value", "left_out")}
     boxes = {name: list(getattr(found, name) or ("nowhere",)) for name in ("wanted", "surface")}

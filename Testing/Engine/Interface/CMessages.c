@@ -74,7 +74,7 @@ static void test_job(void)
   CHECK_OK(job, ahd_run(job));
   CHECK(say(job, AHD_WORDS_OF_C, NULL, 0, sizeof said) > 100);
   CHECK(strcmp(text_of("not finite"),
-          "1 of 5 points were left out, since their x or y is NaN or infinite; the first is point "
+          "1 of 5 points were rejected, because their x or y is NaN or infinite; the first is point "
           "2.") == 0);
   CHECK(strncmp(text_of("crossing"), "1 of 2 segments were left out", 29) == 0);
   CHECK(say(job, AHD_WORDS_OF_CLASS, &first, 1, sizeof said) > 100);
@@ -104,7 +104,7 @@ static void test_run_that_ended(void)
   CHECK_OK(job, ahd_set_array(job, "line_ids", &ids));
   CHECK_OK(job, ahd_run(job));
   CHECK(say(job, AHD_WORDS_OF_C, NULL, 0, sizeof said) > 1);
-  CHECK(strstr(text_of("unfit ids"), "not those of points, the first is -1 in cell 0.") != NULL);
+  CHECK(strstr(text_of("unfit ids"), "not ids of points; the first is -1 in cell 0.") != NULL);
   CHECK_OK(job, ahd_set_progress(job, stop_late, NULL));
   CHECK_STATUS(job, AHD_CANCELLED, ahd_run(job));
   CHECK(say(job, AHD_WORDS_OF_C, NULL, 0, sizeof said) == 1);

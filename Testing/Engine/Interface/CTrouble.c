@@ -107,7 +107,7 @@ static void test_absurd_counts(void)
     ahd_places places = { triangle, 1, { 0, 0 }, { 1, 1 }, 0, 0 };
     ahd_sampled array = { triangle, 1, &value, NULL };
     CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_locate(job, triangle, absurd[k], &kind, &id, NULL));
-    CHECK_SAYS(job, "places are beyond all memory");
+    CHECK_SAYS(job, "places do not fit in any memory");
     CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_to_plane(job, &value, absurd[k]));
     CHECK_STATUS(job, AHD_BAD_VALUE, ahd_sample(job, &places, &array, absurd[k], NULL));
     CHECK_SAYS(job, "arrays are too many");

@@ -115,7 +115,7 @@ TEST(BadDataPoints, WithoutAPlaceTheyHaveNoCellAnywhere)
     filter->SetTolerance(0.01);
     filter->SetAlpha(1e9); // those that are used by nothing become vertices
     filter->Update();
-    expectWarnings(filter, 1, { "5 of 105 points were left out", "the first is point 50" });
+    expectWarnings(filter, 1, { "5 of 105 points were rejected", "the first is point 50" });
     expectCountsOfFates(filter.Filter);
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < filter->GetOutput()->GetNumberOfCells(); ++cell)
@@ -294,7 +294,7 @@ TEST(BadDataPoints, OfATransformThatGivesNoNumbersAreAllRejected)
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 100);
     EXPECT_TRUE(std::any_of(filter.Said->Warnings.begin(), filter.Said->Warnings.end(),
       [](const std::string& said)
-      { return said.find("100 of 100 points were left out") != std::string::npos; }));
+      { return said.find("100 of 100 points were rejected") != std::string::npos; }));
   }
 }
 

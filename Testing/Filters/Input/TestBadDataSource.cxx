@@ -131,7 +131,7 @@ TEST(BadDataSource, PointsThatAreNoNumbersAreRejectedWithTheirSegments)
   filter->GenerateFateOn();
   filter.Run();
   ASSERT_EQ(filter.Said->Warnings.size(), 3u);
-  EXPECT_NE(filter.Said->Warnings[0].find("2 of 8 points were left out"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find("2 of 8 points were rejected"), std::string::npos);
   EXPECT_NE(filter.Said->Warnings[0].find("first is point 6"), std::string::npos);
   EXPECT_NE(filter.Said->Warnings[1].find("1 of 8 points have a z"), std::string::npos);
   EXPECT_NE(filter.Said->Warnings[2].find("rejected"), std::string::npos);

@@ -383,7 +383,8 @@ TEST(Constraints, PiecesOfSplitSegmentsAreNotCountedAsTheSources)
   filter->SetCrossingModeToSplit();
   filter.Run();
   ASSERT_EQ(filter.Said->Warnings.size(), 1u);
-  EXPECT_NE(filter.Said->Warnings[0].find("1 segments or pieces of segments of the source are no"),
+  EXPECT_NE(
+    filter.Said->Warnings[0].find("1 segments or pieces of segments of the source were left"),
     std::string::npos)
     << filter.Said->Warnings[0];
 }

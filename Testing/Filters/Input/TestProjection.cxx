@@ -222,7 +222,7 @@ TEST(Projection, GhostsAndOddPointsHaveNoSayInThePlane)
   EXPECT_EQ(filter->GetNumberOfRejectedPoints(), 1);
   EXPECT_EQ(filter->GetNumberOfSkippedPoints(), 1);
   ASSERT_EQ(filter.Said->Warnings.size(), 1u);
-  EXPECT_NE(filter.Said->Warnings[0].find("no finite place in the plane"), std::string::npos)
+  EXPECT_NE(filter.Said->Warnings[0].find("no finite position in the plane"), std::string::npos)
     << filter.Said->Warnings[0];
 }
 

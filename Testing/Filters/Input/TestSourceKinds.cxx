@@ -154,7 +154,7 @@ TEST(SourceKinds, BlocksThatAreNoPolygonalDataAreCounted)
   map->SetBlock(5, image);
   MapFilter filter(map);
   filter->Update();
-  EXPECT_TRUE(contains(onlyWarning(filter), "1 block of the source is no vtkPolyData"));
+  EXPECT_TRUE(contains(onlyWarning(filter), "1 block of the source is not a vtkPolyData"));
   EXPECT_EQ(filter->GetNumberOfAddedPoints(), 12);
 }
 

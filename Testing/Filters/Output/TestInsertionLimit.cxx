@@ -317,10 +317,10 @@ TEST(InsertionLimit, TellsWhyThereIsNoTriangle)
   const std::vector<Xyz> points = { { 0, 0, 0 }, { 1, 1, 0 }, { 2, 2, 0 }, { 3, 3, 0 },
     { 0, 3, 0 } };
   const std::pair<vtkIdType, std::string> expected[] = {
-    { 1, "only the first 1 of 5 distinct points inserted, fewer than three." },
-    { 2, "only the first 2 of 5 distinct points inserted, fewer than three." },
-    { 3, "only the first 3 of 5 distinct points inserted, and these are collinear." },
-    { 4, "only the first 4 of 5 distinct points inserted, and these are collinear." }, { 5, "" },
+    { 1, "stops after the first 1 of 5 distinct points, fewer than three." },
+    { 2, "stops after the first 2 of 5 distinct points, fewer than three." },
+    { 3, "stops after the first 3 of 5 distinct points, and these are collinear." },
+    { 4, "stops after the first 4 of 5 distinct points, and these are collinear." }, { 5, "" },
     { 0, "" }
   };
   for (const auto& [limit, text] : expected)

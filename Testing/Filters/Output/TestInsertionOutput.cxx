@@ -230,7 +230,7 @@ TEST(InsertionOutput, BoxesThatDoNotFitAreRefused)
   filter->SetMemoryLimit(needed - 1); // enough for all but the boxes
   filter->Update();
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  for (const char* part : { "The grid of 10000 points has more than ", " boxes. Putting out more ",
+  for (const char* part : { "The grid of 10000 points has more than ", " boxes. Writing more ",
          "MemoryLimit allows ", "Nothing was computed", "Switch GenerateBoxes off" })
   {
     EXPECT_NE(filter.Said->Errors[0].find(part), std::string::npos) << filter.Said->Errors[0];

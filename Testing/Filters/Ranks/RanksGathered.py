@@ -185,7 +185,7 @@ def failures():
         "a limit on all": (with_(GenerateVoronoi=True, MemoryLimit=400), "GenerateVoronoi is computed on one rank"),
         "the limit's figure": (with_(Alpha=0.1, MemoryLimit=400), "MemoryLimit allows 409 KB"),
         "a limit where it is sent": (with_(GenerateNeighbors=True, MemoryLimit=int(last)),
-                                     "they are sent there may take"),
+                                     "Sending them there may take"),
         "too many boxes": (with_(GenerateBoxes=True, Nmax=1, MemoryLimit=3000),
                            "of memory, but MemoryLimit allows 3.07 MB"),
         "abort at the beginning": (with_(abort_at(RANKS - 1, 0.0), GenerateVoronoi=True, Tolerance=0.01), None),

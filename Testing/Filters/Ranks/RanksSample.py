@@ -401,7 +401,7 @@ def try_surface():
 
     found = on_all_ranks("surface", on_ranks)
     if found:
-        said = [words for words in found[0] if "do not count across ranks" in words]
+        said = [words for words in found[0] if "are not used across ranks" in words]
         check(len(said) == 1, "rank 0 says %r" % found[0])
         check(not any(found[1:]), "others warn: %r" % found[1:])
 

@@ -322,7 +322,7 @@ TEST(InterpolationSurface, TurnedOverItIsAnError)
   filter->SetInputData(turned);
   filter->Update();
   ASSERT_EQ(filter.Said->Errors.size(), 1u);
-  EXPECT_NE(filter.Said->Errors[0].find("turned over"), std::string::npos);
+  EXPECT_NE(filter.Said->Errors[0].find("inverted"), std::string::npos);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 }
 

@@ -206,7 +206,7 @@ class RefusedTest(unittest.TestCase):
         (TypeError, "id_dtype", np.int16, "id_dtype"),
         (TypeError, "id_dtype", np.float64, "id_dtype"),
         (TypeError, "id_dtype", ">i4", "id_dtype"),
-        (ValueError, "want", "triangle", "want: 'triangle' is none of 'neighbors'"),
+        (ValueError, "want", "triangle", "want: 'triangle' is not one of 'neighbors'"),
         (ValueError, "want", ["order", "x"], "want: 'x'"),
         (ValueError, "threads", 1025, "threads .* 1024"),
         (TypeError, "threads", True, "threads"),
@@ -289,7 +289,7 @@ class NamesTest(unittest.TestCase):
                 np.testing.assert_array_equal(made.points, expected.points, other)
                 np.testing.assert_array_equal(made.voronoi().points, expected.voronoi().points, other)
                 if other != name:
-                    text = r"delaunay\(\) has %s and %s, which are two names" % (name, other)
+                    text = r"delaunay\(\) got %s and %s, which are two names" % (name, other)
                     with self.assertRaisesRegex(TypeError, text):
                         delaunay(given, **{name: own, other: value})
         own = delaunay(points, source_points=[[0.5, 0.5, 3]], heights="surface")

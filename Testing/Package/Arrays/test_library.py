@@ -298,7 +298,7 @@ class JobTest(unittest.TestCase):
                 ("xyz", np.empty((299, 3))), ("ranks", np.empty(300, np.int64)), ("ids", np.empty(600, np.int32)[::2]),
                 ("levels", np.empty(1, np.int64)), ("counts", np.empty(2, np.int32))):
             arrays = dict(drawn_by(job, np.int32), **{name: given})
-            self.refuse(library.BAD_ARRAY, "%s: [0-9]+ numbers of type" % name,
+            self.refuse(library.BAD_ARRAY, "%s: must be [0-9]+ numbers of type" % name,
                         lambda arrays=arrays: job.draw_order(**arrays))
 
     def test_to_plane(self):

@@ -67,7 +67,7 @@ class CallbackTest(unittest.TestCase):
 
     def test_projections_of_wrong_points(self):
         """A function that gives what is no place leaves points out."""
-        with self.assertWarnsRegex(UserWarning, "no finite place in the plane"):
+        with self.assertWarnsRegex(UserWarning, "no finite position in the plane"):
             made = delaunay(SQUARE, plane=lambda xyz: np.where(xyz[:, :1] > 3, np.nan, xyz))
         self.assertEqual(made.counts["not_finite"], 2)
 

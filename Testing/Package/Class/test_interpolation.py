@@ -126,8 +126,8 @@ class InterpolationTest(Case):
             given.GetPointData().AddArray(array("vtkDoubleArray", name, values))
         shore = source([(4, 2, 0), (4, 6, 0)], lines=[(0, 1)])
         places = cloud([(2, 1, 0), (5, 4, 0), (7.5, 7, 0), (0.5, 0.5, 0)])
-        added = " Points that were added (of the source, for example) lack %s."
-        none = "values at places on the surface are none, since values of points are NaN"
+        added = " Added points (of the source, for example) lack %s."
+        none = "values at places on the surface are missing, because values of points are NaN"
         left = "values at places are interpolated without some of their natural neighbours, whose values are NaN"
 
         def check(wanted, begin=none, given=given, places=places, **settings):

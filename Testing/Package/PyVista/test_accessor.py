@@ -201,7 +201,7 @@ class DelaunayTest(unittest.TestCase):
     def test_warnings_and_errors(self):
         points = scattered(40)
         points[7, 0] = numpy.nan
-        with self.warns("1 of 40 points were left out.*first is point 7"):
+        with self.warns("1 of 40 points were rejected.*first is point 7"):
             mesh_of(points).adaptive.delaunay_2d(plane="xy")
         with self.assertRaisesRegex(MemoryError, "40 points may take .* set memory_limit to [0-9]+ or more"):
             mesh_of(points).adaptive.delaunay_2d(memory_limit=4096)
@@ -257,11 +257,11 @@ class DelaunayTest(unittest.TestCase):
             self.assertTrue(numpy.array_equal(made.faces, expected.faces), (other, value))
             self.assertTrue(numpy.array_equal(made.points, expected.points), (other, value))
             if other != name:
-                self.assertRefused(TypeError, "delaunay_2d() has %s and %s, which are two names for one thing" % (
+                self.assertRefused(TypeError, "delaunay_2d() got %s and %s, which are two names for one argument" % (
                     name, other), mesh.adaptive.delaunay_2d, **{name: own, other: value})
         self.assertEqual(mesh_of(scattered(20)).adaptive.delaunay_2d(bounding=True, offset=2.0).n_points, 28)
         self.assertEqual(area(mesh.adaptive.delaunay_2d(plane="xy")), area(mesh.adaptive.delaunay_2d(0.0, plane="xy")))
-        with self.assertRaisesRegex(TypeError, "has tol and tolerance"):
+        with self.assertRaisesRegex(TypeError, "got tol and tolerance"):
             mesh.adaptive.delaunay_2d(0.0, tolerance=0.0)
         boxed = mesh.adaptive.voronoi_2d(voronoi_clip="bounds", plane="xy")
         self.assertEqual(boxed.area, mesh.adaptive.voronoi_2d(clip="bounds", plane="xy").area)
@@ -269,7 +269,7 @@ class DelaunayTest(unittest.TestCase):
             raster = mesh.adaptive.to_raster(20.0, duplicates="mean", **more)
             self.assertEqual(int(raster["vtkValidPointMask"].sum()), int(mesh.adaptive.to_raster(
                 20.0, duplicates="mean_z", maximum_edge_length=60.0)["vtkValidPointMask"].sum()))
-        with self.assertRaisesRegex(TypeError, "two names for one thing"):
+        with self.assertRaisesRegex(TypeError, "two names for one argument"):
             mesh.adaptive.sample(mesh, heights="own", source_heights="own")
 
     def test_nothing_is_left_at_a_transform(self):
