@@ -31,18 +31,15 @@ string(REGEX REPLACE "^[^0-9]*([0-9.]+).*" "\\1" ahd_engine_version "${ahd_engin
 set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/Interface/ahd.cxx" PROPERTIES
   COMPILE_DEFINITIONS "AHD_VERSION=\"${ahd_engine_version}\"")
 
-# The error bounds of the predicates are derived for products and sums that are each rounded. A
-# compiler that contracts a * b + c into one fused operation gives results of neither kind.
-set(ahd_engine_options)
+include("${CMAKE_CURRENT_LIST_DIR}/Rounding.cmake")
+set(ahd_engine_options ${ahd_rounding_options})
 set(ahd_engine_warnings)
 set(ahd_engine_errors)
-if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT MSVC)
   # Without SLP vectorization, which packs the kernel's scalars into vectors and unpacks them again:
   # 2 to 4 % of the time of the insertion.
-  set(ahd_engine_options -ffp-contract=off -fno-tree-slp-vectorize)
+  list(APPEND ahd_engine_options -fno-tree-slp-vectorize)
   set(ahd_engine_warnings -Wall -Wextra -Wconversion -Wsign-conversion -Wshadow -Wmissing-declarations)
-elseif (MSVC)
-  set(ahd_engine_options /fp:precise)
 endif ()
 if (AHD_WARNINGS_ARE_ERRORS AND (
     (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION MATCHES "^12\\.") OR

@@ -27,7 +27,7 @@ target_compile_features(ahd_fuzz_filter PUBLIC cxx_std_17)
 set_target_properties(ahd_fuzz_filter PROPERTIES POSITION_INDEPENDENT_CODE ON)
 # of VTK's classes, which are not watched, the type is not to be had in all of the program
 target_compile_options(ahd_fuzz_filter PRIVATE
-  ${ahd_fuzz_watched} -fno-sanitize=vptr ${ahd_distribution_options}
+  ${ahd_fuzz_watched} -fno-sanitize=vptr ${ahd_rounding_options}
   -Wno-ignored-optimization-argument)
 target_include_directories(ahd_fuzz_filter PUBLIC "${ahd_root_dir}/Filters" "${ahd_fuzz_export}")
 target_link_libraries(ahd_fuzz_filter PUBLIC

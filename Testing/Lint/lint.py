@@ -7,7 +7,9 @@
     lint.py python                            lines of Python are short, pyflakes is content
     lint.py shell                             shellcheck is content
     lint.py made                              files made from the tables of settings are up to date
+    lint.py mathematics                       results need no function whose bits are each system's own
     lint.py docs                              links in Markdown lead somewhere, pages are short
+    lint.py rounding --build FOLDER           every object of the filter and the engine is compiled without contraction
     lint.py tidy --build FOLDER [--only REGEX] [--jobs N]
                                               clang-tidy is content; FOLDER has compile_commands.json
 
@@ -21,6 +23,7 @@ import json
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -54,6 +57,12 @@ PYTHON_COLUMNS = 120
 PAGE_WORDS = {"README.md": 800, "Filters/Engine/*/README.md": 1500}
 MAPS = ("README.md", "CONTRIBUTING.md", "Filters/README.md", "Filters/Engine/README.md", "Testing/README.md")
 MAPS_WORDS = 6000
+
+# Functions of <cmath> that IEEE 754 does not define: every system's library rounds them as it likes.
+OWN_BITS = re.compile(r"\b(hypot|a?(sin|cos|tan)h?|atan2|exp(2|m1)?|log(2|10|1p)?|pow|cbrt|erfc?|[lt]gamma)[fl]?\(")
+# How each object that computes results is compiled (Filters/Engine/Rounding.cmake), and what would undo that.
+ROUNDING = {"-ffp-contract=off", "/clang:-ffp-contract=off", "/fp:precise", "/fp:strict"}
+UNROUNDED = re.compile(r"-Ofast|[-/].*(ffp-contract|fast-math|associative-math|unsafe-math|reciprocal-math|fp:fast)")
 
 # What pyflakes says of `from x import *`, which ParaView's scripts begin with.
 STARRED = re.compile(r"import \* ?' used|may be undefined, or defined from star imports|\.\*' imported but unused")
@@ -240,6 +249,28 @@ def check_made(root):
     return output.splitlines() if code else []
 
 
+def check_mathematics(root):
+    """Calls of OWN_BITS in the filter, the engine and the package; comments aside."""
+    for path in files(root, ".cxx", ".h", ".py"):
+        if path.relative_to(root).parts[0] == "Filters":
+            for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+                for found in OWN_BITS.finditer(re.sub(r"//.*|^ *(\*|/\*|#).*", "", line)):
+                    yield f"{path.relative_to(root)}:{number}: {found[1]} differs between systems"
+
+
+def check_rounding(root, build):
+    """Objects of Filters/ without an option of ROUNDING, or with another that has a say."""
+    with open(build / "compile_commands.json", encoding="utf-8") as file:
+        entries = [(entry, pathlib.Path(build, entry["file"]).resolve()) for entry in json.load(file)]
+    entries = [(entry, path) for entry, path in entries if path.is_relative_to(root / "Filters")]
+    for entry, path in entries:
+        words = [word for word in shlex.split(entry["command"]) if word in ROUNDING or UNROUNDED.match(word)]
+        if len(words) != 1 or words[0] not in ROUNDING:
+            yield f"{path.relative_to(root)}: compiled with {' '.join(words) or 'no option for rounding'}"
+    if len(entries) < 100:
+        yield f"only {len(entries)} objects were looked at"
+
+
 # --- Markdown --------------------------------------------------------------------------------------
 
 
@@ -320,7 +351,8 @@ def check_tidy(root, build, only, jobs):
 def main():
     """Runs the check that the command line names."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("check", choices=("format", "sizes", "python", "shell", "made", "docs", "tidy"))
+    parser.add_argument("check", choices=("format", "sizes", "python", "shell", "made", "mathematics", "docs",
+                                          "rounding", "tidy"))
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the project (default: this one)")
     parser.add_argument("--clang-format", default="clang-format")
     parser.add_argument("--build", type=pathlib.Path, help="a folder with compile_commands.json")
@@ -329,12 +361,14 @@ def main():
     options = parser.parse_args()
     if options.check == "format":
         complaints = check_format(options.root, options.clang_format)
+    elif options.check == "rounding":
+        complaints = list(check_rounding(options.root, options.build))
     elif options.check == "tidy":
         complaints = check_tidy(options.root, options.build, options.only, options.jobs)
     else:
         checks = {"sizes": check_sizes, "python": check_python, "shell": check_shell, "made": check_made,
-                  "docs": check_docs}
-        complaints = checks[options.check](options.root)
+                  "mathematics": check_mathematics, "docs": check_docs}
+        complaints = list(checks[options.check](options.root))
     for complaint in complaints:
         print(complaint)
     print(f"{len(complaints)} complaints")

@@ -233,6 +233,21 @@ class ComplaintsTest(unittest.TestCase):
             self.assertTrue(said[0].startswith(name))
             path.unlink()
 
+    def test_mathematics(self):
+        for text, count in (("return std::hypot(x, y);", 1), ("f = math.sin(x) + np.exp2(y)", 2), ("sine(x);", 0),
+                            ("// std::hypot(x, y) would be", 0), ("std::sqrt(x); std::fma(x, y, z);", 0)):  # fmt: skip
+            self.write("Filters/Engine/a.cxx", text)
+            self.assertEqual(len(list(lint.check_mathematics(self.root))), count, text)
+
+    def test_rounding(self):
+        for options, is_well in (("-ffp-contract=off", True), ("", False), ("-ffp-contract=off -ffast-math", False),
+                                 ("-ffp-contract=off -ffp-contract=fast", False), ("/fp:precise", True)):  # fmt: skip
+            entry = {"file": str(self.root / "Filters" / "a.cxx"), "command": f"c++ {options} -c a.cxx"}
+            self.write("compile_commands.json", json.dumps([entry] * 100))
+            self.assertEqual(list(lint.check_rounding(self.root, self.root)) == [], is_well, options)
+        self.write("compile_commands.json", "[]")
+        self.assertEqual(len(list(lint.check_rounding(self.root, self.root))), 1)
+
     def test_tidy(self):
         self.need("clang-tidy")
         source = self.write("Filters/a.cxx", CLEAN)

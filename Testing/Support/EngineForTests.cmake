@@ -5,7 +5,7 @@
 #   ahd_point_makers    Testing/Support/Points/Distributions.cxx and Filters/Distributions, no engine
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
-# ahd_distribution_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and what
+# ahd_rounding_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and what
 # ahd_point_makers is made of, to make it otherwise: ahd_point_maker_sources, ahd_point_maker_includes.
 # ahd_engine_dir, if it is set: where the engine's headers are.
 find_package(Threads REQUIRED)
@@ -44,7 +44,7 @@ endif ()
 
 add_library(ahd_point_makers STATIC EXCLUDE_FROM_ALL ${ahd_point_maker_sources})
 target_compile_features(ahd_point_makers PUBLIC cxx_std_17)
-target_compile_options(ahd_point_makers PRIVATE ${ahd_distribution_options} ${ahd_warnings})
+target_compile_options(ahd_point_makers PRIVATE ${ahd_rounding_options} ${ahd_warnings})
 target_include_directories(ahd_point_makers PUBLIC ${ahd_point_maker_includes})
 
 file(GLOB ahd_support_sources CONFIGURE_DEPENDS "${ahd_testing_dir}/Support/*/*.cxx")

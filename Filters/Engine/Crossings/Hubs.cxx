@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Hubs.h"
 
+#include "../Arithmetic/Length.h"
 #include "../Core/Chunks.h"
 #include "../Core/SortAsking.h"
 #include "../Predicates/Predicates.h"
@@ -33,7 +34,7 @@ double sineBetween(const Segment& s, const Segment& t)
 {
   const double ux = s.right.x - s.left.x, uy = s.right.y - s.left.y;
   const double vx = t.right.x - t.left.x, vy = t.right.y - t.left.y;
-  const double u = std::hypot(ux, uy), v = std::hypot(vx, vy);
+  const double u = lengthOf(ux, uy), v = lengthOf(vx, vy);
   return std::fabs((ux / u) * (vy / v) - (uy / u) * (vx / v));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Preparation.h"
 
+#include "../Arithmetic/Length.h"
 #include "../Core/FloatingPoint.h"
 #include "../Core/Loops.h"
 #include "Bounding.h"
@@ -63,7 +64,7 @@ bool findBox(const PointView& points, Ticker& ticker, Box& box)
 /// The length of the box's diagonal; the largest double if it is longer.
 double diagonalOf(const Box& box)
 {
-  const double length = std::hypot(box.high[0] - box.low[0], box.high[1] - box.low[1]);
+  const double length = lengthOf(box.high[0] - box.low[0], box.high[1] - box.low[1]);
   return std::min(length, std::numeric_limits<double>::max());
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Circumradius.h"
 
+#include "../Arithmetic/Length.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,25 +26,13 @@ double areaOf(const Vector3& u, const Vector3& v)
   return lengthOf(cross(u, v));
 }
 
-/// A power of two that brings lengths up to this one near 1, or 1 where that is not needed.
-double scaleOf(double length)
-{
-  if (length > 1e-60 && length < 1e60)
-  {
-    return 1.0;
-  }
-  int exponent = 0;
-  std::frexp(length, &exponent);
-  return std::ldexp(1.0, std::min(std::max(-exponent, -1020), 1020));
-}
-
 } // namespace
 
 double lengthOf(const Vector3& v)
 {
-  // std::hypot takes many times as long.
+  // The other takes many times as long.
   const double square = dot(v, v);
-  return isOrdinarySquare(square) ? std::sqrt(square) : std::hypot(v[0], v[1], v[2]);
+  return isOrdinarySquare(square) ? std::sqrt(square) : lengthOf(v[0], v[1], v[2]);
 }
 
 double circumradius(const Vector3& a, const Vector3& b, const Vector3& c)
