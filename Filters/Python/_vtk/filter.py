@@ -9,6 +9,7 @@ from .arrays import coordinates, ghost_marks, new_array, without_points
 from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
+from .left import left_of
 from .outputs import plane_transform
 from .vtkclass import Followers, Inputs, Pieces, build
 
@@ -115,6 +116,7 @@ class _Executions:
         if merged.input is None:
             self._cache.forget()
             return
+        self._take_back()
         self._values["NumberOfTriangulations"] += 1
         execution = Execution(vtk, self, merged.input, merged.source, merged.bytes)
         execution.run(made)
@@ -123,10 +125,19 @@ class _Executions:
         self._add_counts(made[0])
         for text in execution.warnings():
             speaker.warn(text)
-        self._job.release(min(self._values["ReuseLimit"] * 1024, 2**62))
         if self._values["KeepTriangulation"]:
             self._cache.keep(merged.input, made)
         merged.hand_on_points(made[0])
+        self._left = left_of(execution, made[0], self._values["ReuseLimit"])
+        if self._left is not None:
+            self._job = engine.Job()
+        else:
+            self._job.release(min(self._values["ReuseLimit"] * 1024, 2**62))
+
+    def _take_back(self):
+        """What the last execution left, for its memory."""
+        left, self._left = self._left, None
+        self._job = left and left.close() or self._job
 
     def _pass_on(self, merged, made):
         """What the last execution made, if that was of the same."""
@@ -136,6 +147,8 @@ class _Executions:
         if not self._cache.fits(merged.input, merged.source, self.GetMTime()):
             return False
         self._cache.pass_on(merged.input, made)
+        if self._left is not None and not self._left.reads(merged.input):
+            self._take_back()  # no other input is to be held
         self._values.update(dict.fromkeys(settings.SECONDS, 0.0))
         return True
 
@@ -287,7 +300,7 @@ def make_class(backend):
         self._transform = None
         self._warned_about_ranks = False
         self._job = engine.Job()
-        self._cache = OutputCache(backend)
+        self._cache, self._left = OutputCache(backend), None
         self._empty, self._empty_of = [], None  # the last outputs without a point, and the time of their settings
 
     members = dict(settings.all_methods(), __doc__=ABOUT,

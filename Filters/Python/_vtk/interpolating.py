@@ -14,6 +14,7 @@ from .arrays import GHOSTS, must_be_converted, new_array, view
 from .blocks import MOST_POINTS
 from .columns import NEAREST, Columns, blocks_of
 from .execution import Execution, Progress, threads_to_use
+from .left import borrow
 from .sampling import SampledSurface, area_of
 
 HIDDENPOINT = 2  # of vtkDataSetAttributes
@@ -153,8 +154,14 @@ class Interpolating:
         self.is_kept = not self.is_first or bool(  # all pieces are of one surface, whatever observers do meanwhile
             may_keep and kept is not None and kept.is_of(self.triangulation, self.given, source, self.surface))
         self.bytes_behind = self._estimate_behind()
+        if not self.is_kept and self.surface is not None:
+            lent = borrow(self._execution())
+            if lent is not None:
+                self.algorithm._let_go()
+                filter_._surface, self.is_kept, kept = lent, True, lent
         if self.is_kept:
             self.is_triangulated = True
+            self.job = kept.job
             self._check_memory(kept)
             kept.take_data(self.given, source)
             return
@@ -303,10 +310,12 @@ class Interpolating:
 
     def _keep(self):
         """Leaves the surface to the next execution, or its memory."""
-        most = self.values["ReuseLimit"] * 1024
+        surface, most = self.algorithm._surface, self.values["ReuseLimit"] * 1024
         if not self.is_last or (
-                self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most):
+                not surface.is_lent and self.values["KeepTriangulation"] and (
+                    self.job.count("points") * KEPT_BYTES <= most)):
             return
-        self.algorithm._surface.give_back()
+        surface.give_back()
         self.algorithm._surface = None
-        self.job.release(min(most, 2**62))
+        if not surface.is_lent:
+            self.job.release(min(most, 2**62))

@@ -60,6 +60,8 @@ class SampledSurface:
     lie: these arrays are held, and is_of() asks whether they still lie there and are the same. `triangulation`: the
     filter with the settings, `values` these settings."""
 
+    is_lent = False  # for one execution, by the filter that made the surface
+
     def __init__(self, backend, job, triangulation, values, given, source, bytes_before, surface):
         self.backend, self.job, self.values, self.surface = backend, job, values, surface
         self.settings, self.known = times_of(backend, triangulation), None

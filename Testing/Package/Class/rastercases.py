@@ -377,42 +377,77 @@ def no_triangulation():
     return full(), {"Triangulation": None}
 
 
-def surface(given, constraints=None, **settings):
-    """What a filter made, without the filter: its own triangles are all that there is."""
-    maker, made = Filter(), model.vtkPolyData()
+def maker_of(given, constraints=None, **settings):
+    """A filter that has made a surface."""
+    maker = Filter()
     Said(maker)
     maker.SetInputDataObject(given)
     maker.SetSourceData(constraints)
     for name, value in settings.items():
         getattr(maker, "Set" + name)(value)
     maker.Update()
-    made.DeepCopy(maker.GetOutput())
+    return maker
+
+
+def copy_of(data):
+    made = model.vtkPolyData()
+    made.DeepCopy(data)
     return made
 
 
+def surface(*given, **settings):
+    """What a filter made, without the filter: its own triangles are all that there is."""
+    return copy_of(maker_of(*given, **settings).GetOutput())
+
+
 INSIDE = {"SourceMode": 1, "FillRule": 1, "CrossingMode": 1}
-SURFACES = {
-    "outline_and_island": lambda: surface(full(), lines_and_loops(), GenerateConstraintEdges=True, **INSIDE),
-    "outline_and_island_unnamed": lambda: surface(full(), lines_and_loops(), **INSIDE),
-    "breaklines": lambda: surface(full(), source([], lines=[(0, 150, 77), (20, 110)]), GenerateConstraintEdges=True),
-    "size_limits": lambda: surface(full(), Alpha=70.0, MaximumEdgeLength=130.0, Tolerance=0.001, DuplicatePolicy=3),
-    "size_limits_and_constraints": lambda: surface(
+MAKERS = {
+    "outline_and_island": lambda: maker_of(full(), lines_and_loops(), GenerateConstraintEdges=True, **INSIDE),
+    "outline_and_island_unnamed": lambda: maker_of(full(), lines_and_loops(), **INSIDE),
+    "breaklines": lambda: maker_of(
+        full(), source([], lines=[(0, 150, 77), (20, 110)]), GenerateConstraintEdges=True),
+    "size_limits": lambda: maker_of(full(), Alpha=70.0, MaximumEdgeLength=130.0, Tolerance=0.001, DuplicatePolicy=3),
+    "size_limits_and_constraints": lambda: maker_of(
         full(), lines_and_loops(), GenerateConstraintEdges=True, Alpha=90.0, SourceMode=1),
 }
-for _name, _make in SURFACES.items():
+ALIVE = []  # makers of surfaces that are interpolated on
+
+
+def behind(name):
+    """The surface of a filter that is there."""
+    ALIVE.append(MAKERS[name]())
+    return ALIVE[-1].GetOutput()
+
+
+def surface_of(name):
+    return copy_of(MAKERS[name]().GetOutput())
+
+
+for _name in MAKERS:
     for _method in range(4):
-        CASES["surface_%s_%d" % (_name, _method)] = lambda make=_make, method=_method: (
-            make(), dict(SMALL, Method=method, Outside=method % 2, GenerateGradients=True))
+        _wishes = dict(SMALL, Method=_method, Outside=_method % 2, GenerateGradients=True)
+        CASES["surface_%s_%d" % (_name, _method)] = lambda name=_name, wishes=_wishes: (surface_of(name), wishes)
+        CASES["behind_%s_%d" % (_name, _method)] = lambda name=_name, wishes=_wishes: (behind(name), wishes)
+
+
+@case
+def behind_without_memory():
+    return behind("outline_and_island"), dict(SMALL, **{"Triangulation.MemoryLimit": 20})
+
+
+@case
+def behind_and_places_none_of_which_is_on_it():
+    return behind("outline_and_island"), {"PlacesData": cloud([(5000, 1, 0), (6000, 2, 0)])}
 
 
 @case
 def surface_and_places():
-    return SURFACES["outline_and_island"](), {"PlacesData": wanted_places(), "Method": 1}
+    return surface_of("outline_and_island"), {"PlacesData": wanted_places(), "Method": 1}
 
 
 @case
 def surface_and_places_none_of_which_is_on_it():
-    return SURFACES["outline_and_island"](), {"PlacesData": cloud([(5000, 1, 0), (6000, 2, 0)])}
+    return surface_of("outline_and_island"), {"PlacesData": cloud([(5000, 1, 0), (6000, 2, 0)])}
 
 
 @case
@@ -446,4 +481,4 @@ def surface_and_constraints():
 
 @case
 def surface_without_memory():
-    return SURFACES["outline_and_island"](), dict(SMALL, **{"Triangulation.MemoryLimit": 20})
+    return surface_of("outline_and_island"), dict(SMALL, **{"Triangulation.MemoryLimit": 20})

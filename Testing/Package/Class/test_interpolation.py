@@ -9,7 +9,7 @@ import re
 from classtests import (FOLDER, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests, source,
                         tested_class, values_of, vtk, write_rows)
 from inputs import full, square
-from rastercases import CASES, SURFACES, image, wanted_places
+from rastercases import CASES, image, surface_of, wanted_places
 from test_cases import masked, of_array, of_attributes
 from test_kept import scattered
 from test_settings import described
@@ -352,7 +352,7 @@ class InterpolationTest(Case):
 
     def test_a_surface_that_changes(self):
         """Kept with its triangles and constraints, and no other's."""
-        surface = SURFACES["breaklines"]()
+        surface = surface_of("breaklines")
         algorithm = silent()
         algorithm.SetMethod(1)
         algorithm.SetInputData(surface)
@@ -361,7 +361,7 @@ class InterpolationTest(Case):
             if change == "edges":
                 surface.GetCellData().GetArray("ConstraintEdges").Fill(0)
             if change == "triangles":
-                surface.ShallowCopy(SURFACES["size_limits"]())
+                surface.ShallowCopy(surface_of("size_limits"))
             surface.Modified()
             algorithm.Update()
             found.append((algorithm.GetNumberOfTriangulations(), values_of(

@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Interpolation on the triangulation that a surface was written from: as long as that is there, and nothing has
+changed; else on its own triangles, with the same values. What the values are: the cases behind_... of
+test_interpolation.py."""
+
+import gc
+import threading
+import weakref
+
+from classtests import IN_PYTHON, Case, Said, cloud, core, model, run_tests, source, tested_class, values_of
+from rastercases import copy_of, maker_of
+from test_kept import scattered
+
+Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
+COUNT = 1500
+
+
+def interpolation(surface):
+    algorithm = Interpolation()
+    algorithm.said = Said(algorithm)
+    algorithm.SetDimensions(40, 30)
+    algorithm.SetMethod(1)
+    algorithm.SetInputData(surface)
+    return algorithm
+
+
+def shallow(data):
+    made = model.vtkPolyData()
+    made.ShallowCopy(data)
+    return made
+
+
+class LeftTest(Case):
+    def setUp(self):
+        self.given = cloud(scattered(COUNT))
+        # a Delaunay edge: that it is a constraint is known to the filter alone
+        self.maker = maker_of(self.given, source([], lines=[(700, 3)]))
+
+    def assertTriangulates(self, algorithm, count):
+        """Updated, this often; returns the values."""
+        algorithm.Update()
+        self.assertSaid(algorithm.said)
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), count)
+        return values_of(algorithm.GetOutput().GetPointData().GetArray("Elevation"))
+
+    def test_of_the_surface_and_its_shallow_copies(self):
+        surface = self.maker.GetOutput()
+        algorithm = interpolation(surface)
+        found = self.assertTriangulates(algorithm, 0)
+        self.assertEqual(str(self.assertTriangulates(interpolation(shallow(surface)), 0)), str(found))
+        self.assertTriangulates(interpolation(copy_of(surface)), 1)
+        algorithm.SetMethod(0)
+        self.assertTriangulates(algorithm, 0)
+
+    def test_gone_with_its_filter(self):
+        surface = shallow(self.maker.GetOutput())
+        algorithm = interpolation(surface)
+        maker = weakref.ref(self.maker)
+        del self.maker
+        gc.collect()
+        is_gone = maker() is None  # VTK 9.2 never lets go of filters in Python
+        self.assertTrue(is_gone or IN_PYTHON)
+        self.assertTriangulates(algorithm, int(is_gone))
+
+    def test_too_large_for_the_limit(self):
+        for limit, count in ((1000, 1), (2000, 0)):
+            self.maker.SetReuseLimit(limit)
+            self.maker.Update()
+            self.assertTriangulates(interpolation(self.maker.GetOutput()), count)
+
+    def test_of_the_last_execution(self):
+        surface = shallow(self.maker.GetOutput())
+        self.maker.SetMaximumEdgeLength(6e4)
+        self.maker.Update()
+        self.assertTriangulates(interpolation(surface), 1)
+        self.assertTriangulates(interpolation(self.maker.GetOutput()), 0)
+
+    def test_points_that_moved(self):
+        """Without a word to VTK, and in arrays of the surface's own."""
+        surface = self.maker.GetOutput()
+        x, y, z = self.given.GetPoint(700)
+        self.given.GetPoints().SetPoint(700, x, y, z + 1.0)
+        self.assertTriangulates(interpolation(surface), 1)
+        means = maker_of(self.given, DuplicatePolicy=3)
+        surface = means.GetOutput()
+        self.given.GetPoints().SetPoint(700, x, y, z)
+        self.assertTriangulates(interpolation(surface), 1)
+
+    def test_corners_that_are_new(self):
+        self.maker.GetOutput().GetPolys().GetConnectivityArray().Modified()
+        self.assertTriangulates(interpolation(self.maker.GetOutput()), 1)
+
+    def test_another_plane(self):
+        algorithm = interpolation(self.maker.GetOutput())
+        algorithm.GetTriangulation().SetProjectionPlaneMode(2)
+        self.assertTriangulates(algorithm, 1)
+
+    def test_lent_to_one_at_a_time(self):
+        """An interpolation during another one makes its own, and both have values; then it is there again."""
+        surface, counts = self.maker.GetOutput(), []
+        outer = interpolation(surface)
+
+        def during(caller, _event):
+            if caller.GetProgress() > 0.3 and not counts:
+                inner = interpolation(shallow(surface))
+                inner.Update()
+                counts.append((inner.GetNumberOfTriangulations(), inner.GetNumberOfValidPlaces()))
+
+        outer.AddObserver("ProgressEvent", during)
+        self.assertTriangulates(outer, 0)
+        self.assertEqual(counts, [(1, outer.GetNumberOfValidPlaces())])
+        self.assertTriangulates(interpolation(surface), 0)
+
+    def test_the_filter_executes_while_it_is_lent(self):
+        surface, runs = shallow(self.maker.GetOutput()), []
+        expected = str(self.assertTriangulates(interpolation(surface), 0))
+        outer = interpolation(surface)
+
+        def during(caller, _event):
+            if caller.GetProgress() > 0.3 and not runs:
+                runs.append(1)
+                self.maker.SetMaximumEdgeLength(6e4)
+                self.maker.Update()
+
+        outer.AddObserver("ProgressEvent", during)
+        self.assertEqual(str(self.assertTriangulates(outer, 0)), expected)
+        self.assertTriangulates(interpolation(surface), 1)
+        self.assertTriangulates(interpolation(self.maker.GetOutput()), 0)
+
+    def test_given_back_by_who_was_aborted(self):
+        surface = self.maker.GetOutput()
+        algorithm = interpolation(surface)
+        tag = algorithm.AddObserver("ProgressEvent", lambda caller, _event: caller.SetAbortExecute(1))
+        algorithm.Update()
+        self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
+        algorithm.RemoveObserver(tag)
+        algorithm.SetAbortExecute(0)
+        algorithm.Modified()
+        self.assertTriangulates(algorithm, 0)
+
+    def test_no_input_of_before_is_held(self):
+        arrays = []
+        for _ in range(3):  # the third passes on
+            arrays.append(self.given.GetPoints().GetData())
+            points = core.vtkPoints()
+            points.SetDataType(self.given.GetPoints().GetDataType())
+            points.DeepCopy(self.given.GetPoints())
+            self.given.SetPoints(points)
+            self.maker.Update()
+        del points
+        self.assertEqual([data.GetReferenceCount() for data in arrays], [1, 1, 1])
+
+    def test_several_threads(self):
+        """Whoever finds it lent has its own, of a surface that says all."""
+        self.maker.GenerateConstraintEdgesOn()
+        self.maker.Update()
+        filters = [interpolation(shallow(self.maker.GetOutput())) for _ in range(3)]
+        threads = [threading.Thread(target=one.Update) for one in filters]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        found = {str(values_of(one.GetOutput().GetPointData().GetArray("Elevation"))) for one in filters}
+        self.assertEqual(len(found), 1)
+        self.assertTriangulates(interpolation(self.maker.GetOutput()), 0)
+
+
+if __name__ == "__main__":
+    run_tests()
