@@ -315,6 +315,36 @@ def check_docs(root):
     return complaints
 
 
+# --- The version ----------------------------------------------------------------------------------
+
+
+def numbers(text):
+    """(1, 2, 0) of 1.2 or 1.2.0."""
+    return tuple([*map(int, text.split(".")), 0, 0][:3])
+
+
+def check_version(root):
+    """The number is that of CMakeLists.txt: where it has to be repeated, and in the change notes' order."""
+    project = (root / "CMakeLists.txt").read_text(encoding="utf-8")
+    number = re.search(r"^project\(\w+ VERSION ([\d.]+)", project, re.M)[1]
+    complaints = []
+    recipe = root / "Testing" / "Package" / "conda" / "recipe.yaml"
+    repeated = re.search(r'^  version: "([\d.]+)"', recipe.read_text(encoding="utf-8"), re.M)
+    if not repeated or repeated[1] != number:
+        complaints.append(f"{recipe.relative_to(root)}: the version is not {number}, that of CMakeLists.txt")
+    notes = root / "Plugin" / "Documentation" / "ChangeNotes.md"
+    first, *sections = re.findall(r"^## (Next|[\d.]+)", notes.read_text(encoding="utf-8"), re.M)
+    released = sections if first == "Next" else [first, *sections]
+    order = [numbers(section) for section in released]
+    if order != sorted(set(order), reverse=True):
+        complaints.append(f"{notes.relative_to(root)}: the versions are not in order, newest first")
+    elif first == "Next" and order and order[0] >= numbers(number):
+        complaints.append(f"CMakeLists.txt: {number} is not newer than {released[0]}, the newest in the change notes")
+    elif first != "Next" and order[0] != numbers(number):
+        complaints.append(f"CMakeLists.txt: {number} is not {first}, the newest in the change notes")
+    return complaints
+
+
 # --- clang-tidy -----------------------------------------------------------------------------------
 
 
@@ -352,7 +382,7 @@ def main():
     """Runs the check that the command line names."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("check", choices=("format", "sizes", "python", "shell", "made", "mathematics", "docs",
-                                          "rounding", "tidy"))
+                                          "rounding", "version", "tidy"))
     parser.add_argument("--root", type=pathlib.Path, default=ROOT, help="the project (default: this one)")
     parser.add_argument("--clang-format", default="clang-format")
     parser.add_argument("--build", type=pathlib.Path, help="a folder with compile_commands.json")
@@ -367,7 +397,7 @@ def main():
         complaints = check_tidy(options.root, options.build, options.only, options.jobs)
     else:
         checks = {"sizes": check_sizes, "python": check_python, "shell": check_shell, "made": check_made,
-                  "mathematics": check_mathematics, "docs": check_docs}
+                  "mathematics": check_mathematics, "docs": check_docs, "version": check_version}
         complaints = list(checks[options.check](options.root))
     for complaint in complaints:
         print(complaint)

@@ -162,6 +162,21 @@ class ComplaintsTest(unittest.TestCase):
         return settings
 
     @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
+    def test_version(self):
+        def complaints(number, recipe, *sections):
+            self.write("CMakeLists.txt", f"# x\nproject(A VERSION {number} LANGUAGES C)\n")
+            self.write("Testing/Package/conda/recipe.yaml", f'context:\n  version: "{recipe}"\n')
+            self.write("Plugin/Documentation/ChangeNotes.md", "".join(f"## {name}\n\n" for name in sections))
+            return lint.check_version(self.root)
+
+        for number, *sections in (
+                ("1.0.0", "Next", "0.9"), ("1.0.0", "1.0.0 (2027-01-01)", "0.9"), ("1.10.0", "Next", "1.9.2", "1.9.1")):
+            self.assertEqual(complaints(number, number, *sections), [])
+        self.assertIn("the version is not 1.0.1", complaints("1.0.1", "1.0.0", "Next", "0.9")[0])
+        self.assertIn("1.0.0 is not newer than 1.0", complaints("1.0.0", "1.0.0", "Next", "1.0")[0])
+        self.assertIn("1.0.0 is not 1.1.0", complaints("1.0.0", "1.0.0", "1.1.0", "1.0.0")[0])
+        self.assertIn("not in order", complaints("1.2.0", "1.2.0", "Next", "1.0.0", "1.1.0")[0])
+
     def test_made(self):
         """A row that was changed by hand where it is made, or in its table without making the rest of it."""
         settings = self.copy_settings()
