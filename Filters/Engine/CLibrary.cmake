@@ -31,9 +31,13 @@ if (WIN32)
   endif ()
 elseif (APPLE)
   include(CheckLinkerFlag)
-  check_linker_flag(CXX "LINKER:-exported_symbol,_ahd_*" AHD_EXPORTED_SYMBOL) # that of zig does not know it
+  check_linker_flag(CXX "LINKER:-exported_symbol,_ahd_*" AHD_EXPORTED_SYMBOL)
   if (AHD_EXPORTED_SYMBOL)
     target_link_options(AdaptiveHilbertDelaunayC PRIVATE "LINKER:-exported_symbol,_ahd_*")
+  else () # zig's, which knows neither that nor a list, and would export the operators of its standard library
+    set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/Interface/HiddenOperators.cxx" PROPERTIES
+      COMPILE_DEFINITIONS AHD_HIDDEN_OPERATORS
+      COMPILE_OPTIONS     -fvisibility-global-new-delete=force-hidden)
   endif ()
 elseif (UNIX)
   set(ahd_exports "${CMAKE_CURRENT_LIST_DIR}/Interface/exports.map")

