@@ -41,10 +41,11 @@ packages_to() {
 
     draw-*) echo xvfb xauth ;;
 
-    # ranks; sanitizers, benchmarks, lint, wheels; PyPI's, GeoTIFFs; the development files of an unpacked VTK want TBB
+    # ranks; compiling once what several builds need; sanitizers, benchmarks, lint, wheels; PyPI's, GeoTIFFs; the
+    # development files of an unpacked VTK want TBB
     test-*)
       echo openmpi-bin libglew-dev git libgtest-dev libbenchmark-dev libcgal-dev libgmp-dev libmpfr-dev
-      echo clang llvm valgrind shellcheck pyflakes3 libtbb-dev python3-venv python3-pip python3-gdal
+      echo ccache clang llvm valgrind shellcheck pyflakes3 libtbb-dev python3-venv python3-pip python3-gdal
       ;;&
     test-12) echo clang-format libclang-rt-14-dev ;;
     test-13 | test-testing) echo libclang-rt-dev ;;

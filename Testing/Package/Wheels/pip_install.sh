@@ -1,15 +1,16 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `pip install .` in a clean venv with the system's compiler, then `pip install -e .`, and whether what they installed
+# `pip install .` in a clean venv, then `pip install -e .`, and whether what they installed
 # is right:
-#   pip_install.sh PYTHON FOLDER [COMPILER_LAUNCHER]
-# FOLDER is made anew. Needs PyPI.
+#   pip_install.sh PYTHON FOLDER [NAME=VALUE]...
+# FOLDER is made anew. The others are entries of CMake's cache: the compiler and its launchers. Needs PyPI.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../.." && pwd)
 python=$1
 folder=$2
-launcher=${3-}
+shift 2
+defines=("${@/#/--config-settings=cmake.define.}")
 rm -rf "$folder"
 mkdir -p "$folder"
 "$python" -m venv "$folder/venv"
@@ -17,7 +18,7 @@ mkdir -p "$folder"
 # install <pip's arguments>...: all is there, the triangles are right.
 install() {
   "$folder/venv/bin/pip" install --no-input --disable-pip-version-check "$@" \
-    "--config-settings=build-dir=$folder/build" "--config-settings=cmake.define.CMAKE_CXX_COMPILER_LAUNCHER=$launcher"
+    "--config-settings=build-dir=$folder/build" ${defines[@]+"${defines[@]}"}
   (cd "$folder" && venv/bin/python "$root/Testing/Package/Wheels/check_wheel.py" "$root/Data")
 }
 
