@@ -18,6 +18,7 @@ file(WRITE "${ahd_fuzz_export}/AdaptiveHilbertDelaunayFiltersModule.h"
   "#define ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT\n")
 
 include("${ahd_root_dir}/Filters/Distributions/Sources.cmake")
+include("${ahd_root_dir}/Filters/Precompiled.cmake")
 file(GLOB ahd_fuzz_filter_sources CONFIGURE_DEPENDS "${ahd_root_dir}/Filters/vtk*.cxx"
   "${ahd_root_dir}/Filters/Input/*.cxx" "${ahd_root_dir}/Filters/Output/*.cxx"
   "${ahd_root_dir}/Filters/Pipeline/*.cxx" "${ahd_root_dir}/Filters/Execution/*.cxx"
@@ -33,6 +34,7 @@ target_include_directories(ahd_fuzz_filter PUBLIC "${ahd_root_dir}/Filters" "${a
 target_link_libraries(ahd_fuzz_filter PUBLIC
   ahd_fuzz_engine VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::CommonMath
   VTK::CommonTransforms)
+ahd_precompile_vtk(ahd_fuzz_filter)
 
 ahd_add_fuzz_target(FilterFuzz FilterFuzz.cxx FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
 target_link_libraries(FilterFuzz PRIVATE ahd_fuzz_filter)
