@@ -44,6 +44,7 @@ target_include_directories(ahd_fuzz_engine PUBLIC "${ahd_engine_dir}")
 target_link_libraries(ahd_fuzz_engine PUBLIC Threads::Threads)
 
 include("${CMAKE_CURRENT_LIST_DIR}/../Support/EngineForTests.cmake")
+ahd_precompile_engine(ahd_fuzz_engine)
 foreach (library IN ITEMS ahd_point_makers ahd_test_support)
   target_compile_options(${library} PRIVATE ${ahd_fuzz_quiet} -Wno-ignored-optimization-argument)
 endforeach ()

@@ -38,8 +38,10 @@ if (TARGET ahd_test_support)
   return ()
 endif ()
 
+include("${CMAKE_CURRENT_LIST_DIR}/QuickToCompile.cmake")
 if (NOT TARGET AdaptiveHilbertDelaunay::Engine)
   add_subdirectory("${ahd_root_dir}/Filters/Engine" "${CMAKE_CURRENT_BINARY_DIR}/engine")
+  ahd_precompile_engine(AdaptiveHilbertDelaunayEngine)
 endif ()
 
 add_library(ahd_point_makers STATIC EXCLUDE_FROM_ALL ${ahd_point_maker_sources})
@@ -55,6 +57,7 @@ if (AHD_SANITIZE MATCHES "address") # the judges are not what is judged: faster 
   target_compile_options(ahd_test_support PRIVATE -fno-sanitize=all)
 endif ()
 target_include_directories(ahd_test_support PUBLIC ${ahd_support_includes})
+ahd_precompile_engine(ahd_test_support)
 target_link_libraries(ahd_test_support
   PUBLIC ahd_point_makers AdaptiveHilbertDelaunay::Engine
   PRIVATE ${AHD_GMPXX_LIBRARY} ${AHD_GMP_LIBRARY})

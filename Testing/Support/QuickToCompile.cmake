@@ -24,3 +24,13 @@ function (ahd_quick_to_compile target level)
     set_property(DIRECTORY PROPERTY ahd_first_quick_target ${target})
   endif ()
 endfunction ()
+
+# ahd_precompile_engine(<target>)
+# Compiles the standard library's headers that most files of the engine include beforehand: for builds of the engine
+# that are only tested. Those that are installed are compiled without, so that a missing #include is noticed.
+function (ahd_precompile_engine target)
+  if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+    target_precompile_headers(${target} PRIVATE <algorithm> <array> <atomic> <cmath> <cstddef> <cstdint> <functional>
+      <limits> <memory> <string> <utility> <vector>)
+  endif ()
+endfunction ()
