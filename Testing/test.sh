@@ -28,7 +28,8 @@ others         go to ctest, for example  -R Corpus  or  -L engine
 exit code  0 all passed, 1 something could not be installed or built (a log is named), 2 this system is not
            supported (nothing was installed), else ctest's
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
-             CTEST_PARALLEL_LEVEL: how many tests at a time (default: one per processor)
+             CTEST_PARALLEL_LEVEL: how many tests at a time (default: one more than there are processors, as
+             some wait for a server, a window or PyPI)
 EOF
 }
 
@@ -81,7 +82,7 @@ run_ctest() {
   shift 2
   printf '\nTesting with %s\n' "$name"
   with_display ctest --test-dir "$folder" --output-on-failure --no-tests=ignore \
-    --output-log "$logs/ctest.log" --parallel "${CTEST_PARALLEL_LEVEL:-$(nproc)}" "$@"
+    --output-log "$logs/ctest.log" --parallel "${CTEST_PARALLEL_LEVEL:-$(($(nproc) + 1))}" "$@"
   code=$?
   summary=$(grep -o '[0-9]* tests failed out of [0-9]*' "$logs/ctest.log" | tail -n 1)
   if [ -n "$summary" ]; then
