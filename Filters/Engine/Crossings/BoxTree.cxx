@@ -55,25 +55,12 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
   const std::size_t n = more.size();
   Box all;
   Buffer<std::uint64_t> keys;
-  keys.allocate(n);
-  const auto bound = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      all.add(boxOf(more[k].segment));
-    }
-  };
-  if (!inChunks(0, n, ticker, bound))
+  if (!sortAlongCurve(
+        n, [&](std::size_t k) { return boxOf(more[k].segment); }, keys, all, ticker))
   {
     return false;
   }
   origin_ = all.middle();
-  const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
-  const auto makeKeys = [&](std::size_t a, std::size_t b)
-  {
-    curve.write([a](std::size_t k) { return static_cast<std::uint32_t>(a + k); },
-      [&](std::size_t number) { return boxOf(more[number].segment).middle(); }, &keys[a], b - a);
-  };
   const auto add = [&](std::size_t a, std::size_t b)
   {
     constexpr std::size_t kAhead = 16;
@@ -85,8 +72,7 @@ bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
     ticker.finished(SplitUnits::kInTree * (b - a));
   };
   pieces.reserve(pieces.size() + n);
-  return inChunks(0, n, ticker, makeKeys) && sortPacked(keys, n, ticker) &&
-    inChunks(0, n, ticker, add);
+  return inChunks(0, n, ticker, add);
 }
 
 bool BoxTree::build(const Pieces& more, Pieces& pieces, Ticker& ticker)

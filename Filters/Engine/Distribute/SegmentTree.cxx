@@ -105,26 +105,13 @@ bool SegmentTree::cut(const Box& region, std::size_t extra, Ticker& ticker)
 bool SegmentTree::sort(Ticker& ticker)
 {
   const std::size_t n = parts_.size();
+  const auto boxOf = [&](std::size_t k) -> const Box& { return parts_[k].box; };
   Box all;
-  const auto bound = [&](std::size_t a, std::size_t b)
-  {
-    for (std::size_t k = a; k != b; ++k)
-    {
-      all.add(parts_[k].box);
-    }
-  };
-  if (!inChunks(0, n, ticker, bound))
+  Buffer<std::uint64_t> keys;
+  if (!sortAlongCurve(n, boxOf, keys, all, ticker))
   {
     return false;
   }
-  const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
-  Buffer<std::uint64_t> keys;
-  keys.allocate(n);
-  const auto makeKeys = [&](std::size_t a, std::size_t b)
-  {
-    curve.write([a](std::size_t k) { return static_cast<Index>(a + k); },
-      [&](std::size_t number) { return parts_[number].box.middle(); }, keys.data() + a, b - a);
-  };
   std::vector<Part> sorted(n);
   const auto take = [&](std::size_t a, std::size_t b)
   {
@@ -133,14 +120,13 @@ bool SegmentTree::sort(Ticker& ticker)
       sorted[k] = parts_[static_cast<Index>(keys[k])];
     }
   };
-  if (!inChunks(0, n, ticker, makeKeys) || !sortPacked(keys, n, ticker) ||
-    !inChunks(0, n, ticker, take))
+  if (!inChunks(0, n, ticker, take))
   {
     return false;
   }
   parts_ = std::move(sorted);
   levels_.allocate(n);
-  return levels_.fitItems([&](std::size_t k) -> const Box& { return parts_[k].box; }, ticker);
+  return levels_.fitItems(boxOf, ticker);
 }
 
 SegmentTree::Answer SegmentTree::ask(const Corners& triangle, Ticker& ticker) const

@@ -2,7 +2,9 @@
 #ifndef ahd_CurveKeys_h
 #define ahd_CurveKeys_h
 
-#include "../Points/Points.h"
+#include "../Core/Buffer.h"
+#include "../Core/Chunks.h"
+#include "../Points/BoxLevels.h"
 #include "HilbertKeys.h"
 #include "Quantise.h"
 #include "RadixSort.h"
@@ -59,6 +61,34 @@ private:
   const Bounds bounds_;
   const Grid grid_;
 };
+
+/// Sorts boxes along a curve through their middles, up to rounding: the low halves of `keys` become
+/// their numbers in this order, `all` the box around them. boxOf(number) is a box. Returns false if
+/// the work is to be cancelled; throws std::bad_alloc.
+template <typename BoxOf>
+bool sortAlongCurve(
+  std::size_t count, const BoxOf& boxOf, Buffer<std::uint64_t>& keys, Box& all, Ticker& ticker)
+{
+  const auto bound = [&](std::size_t a, std::size_t b)
+  {
+    for (std::size_t k = a; k != b; ++k)
+    {
+      all.add(boxOf(k));
+    }
+  };
+  keys.allocate(count);
+  if (count == 0 || !inChunks(0, count, ticker, bound))
+  {
+    return count == 0;
+  }
+  const CurveKeys curve(Bounds{ all.xmin, all.xmax, all.ymin, all.ymax });
+  const auto makeKeys = [&](std::size_t a, std::size_t b)
+  {
+    curve.write([a](std::size_t k) { return static_cast<std::uint32_t>(a + k); },
+      [&](std::size_t number) { return boxOf(number).middle(); }, keys.data() + a, b - a);
+  };
+  return inChunks(0, count, ticker, makeKeys) && sortPacked(keys, count, ticker);
+}
 
 } // namespace ahd
 
