@@ -6,7 +6,8 @@ import unittest
 import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import delaunay
+from adaptivehilbertdelaunay import Raster, delaunay
+from adaptivehilbertdelaunay import _library as library
 from arraysupport import Hash, Random, corpus, expected_hashes, lattice, uniform
 
 EXPECTED = expected_hashes()
@@ -68,6 +69,66 @@ def hash_of_order(points, **settings):
     half = delaunay(points, insertion_limit=len(points) // 2 + 1, **settings)
     hashed.add(OK, OK, OK, OK)
     add_written(hashed, half)
+    return hashed.text()
+
+
+# --- Values: Testing/Support/Run/HashedSamples.cxx -----------------------------------------------------------
+
+
+def places_among(points, count):
+    """On points, halfway between two of them, on their line and anywhere."""
+    random, n = Random(3), len(points)
+    for k in range(count):
+        a, b, c = points[random.below(n)], points[random.below(n)], points[k % n]
+        t, s = 1.5 * random.unit() - 0.25, random.unit()
+        on_line = a + t * (b - a)
+        yield (a, 0.5 * a + 0.5 * b, on_line, on_line + s * (c - on_line))[k % 4]
+
+
+def raster_over(points, cells):
+    low, high = points.min(axis=0), points.max(axis=0)
+    spacing = high / (cells - 4) - low / (cells - 4)
+    return Raster(low - 1.5 * spacing, spacing, (cells, cells))
+
+
+def add_numbers(hashed, array):
+    """A NaN is a NaN, whatever its sign."""
+    hashed.vector(np.where(np.isnan(array), np.nan, array))
+
+
+def add_sampled(hashed, job):
+    """The counts of a call."""
+    hashed.add(*(job.count("sampled_" + name) for name in ("valued", "outside", "not_finite", "without_value",
+                                                           "left_out")))  # fmt: skip
+
+
+def hash_of_samples(points, cells=40):
+    """By each method at a raster and at places, the weights of these."""
+    job, hashed, random = library.Job(), Hash(), Random(4)
+    job.set_array("points", points)
+    job.run()
+    values = [np.nan if k % 301 == 7 else 2.0 * random.unit() - 1.0 for k in range(points.size)]
+    values = np.array(values).reshape(-1, 2)
+    places = np.array(list(places_among(points, cells * cells // 4)))
+    for method in (library.SAMPLE_LINEAR, library.SAMPLE_NATURAL_NEIGHBOR, library.SAMPLE_LAPLACE,
+                   library.SAMPLE_NEAREST):  # fmt: skip
+        is_linear = method == library.SAMPLE_LINEAR
+        hashed.add(OK, OK)
+        for at in (raster_over(points, cells if is_linear else cells // 2), places):
+            (found,), (slopes,), mask = job.sample(at, [values], method=method, gradients=is_linear)
+            hashed.add(OK)
+            add_numbers(hashed, found)
+            add_numbers(hashed, slopes if is_linear else np.full(2 * found.size, -7.0))
+            hashed.vector(mask)
+            add_sampled(hashed, job)
+            hashed.add(OK)
+            add_numbers(hashed, job.sample(at, [values], method=method, fills=True).values[0])
+        job.sample_weights(places, method)
+        hashed.add(OK)
+        for name in ("weight_offsets", "weight_points"):
+            hashed.vector(job.array(name, np.int64))
+        add_numbers(hashed, job.array("weights"))
+        add_sampled(hashed, job)
     return hashed.text()
 
 
@@ -149,6 +210,9 @@ class HashTest(unittest.TestCase):
 
     def test_voronoi(self):
         self.check("voronoi/Uniform", hash_of_voronoi(uniform(2000, 7)))
+
+    def test_samples(self):
+        self.check("sample/Uniform", hash_of_samples(uniform(2000, 7)))
 
     def test_constrained(self):
         cases = {
