@@ -239,8 +239,9 @@ class Sampled(Made):
         --------
         >>> from adaptivehilbertdelaunay import delaunay
         >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4]])
-        >>> made.weights([[0, 1], [7, 7], [4, 4]])
-        Weights(offsets=array([0, 2, 2, 3]), points=array([3, 0, 2], dtype=int32), weights=array([0.25, 0.75, 1.  ]))
+        >>> offsets, points, weights = made.weights([[0, 1], [7, 7], [4, 4]])
+        >>> offsets.tolist(), points.tolist(), weights.tolist()
+        ([0, 2, 2, 3], [3, 0, 2], [0.25, 0.75, 1.0])
         """
         places, _ = places_of(at)
         with self._locked():

@@ -54,16 +54,16 @@ class Triangulation(Sampled):
     >>> made = delaunay([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2]])
     >>> made
     <Triangulation of 5 points: 4 triangles>
-    >>> made.triangles
-    array([[0, 4, 3],
-           [0, 1, 4],
-           [4, 2, 3],
-           [4, 1, 2]], dtype=int32)
-    >>> made.neighbors[0]
-    array([ 1,  2, -1], dtype=int32)
+    >>> print(made.triangles)
+    [[0 4 3]
+     [0 1 4]
+     [4 2 3]
+     [4 1 2]]
+    >>> made.neighbors[0].tolist()
+    [1, 2, -1]
     >>> where = made.locate([[2, 1], [1, 2], [5, 5]])
-    >>> where.triangle, [Kind(kind).name for kind in where.kind]
-    (array([ 1,  0, -1], dtype=int32), ['IN_TRIANGLE', 'ON_VERTEX', 'OUTSIDE'])
+    >>> where.triangle.tolist(), [Kind(kind).name for kind in where.kind]
+    ([1, 0, -1], ['IN_TRIANGLE', 'ON_VERTEX', 'OUTSIDE'])
     >>> made.counts["inserted"], made.counts["duplicates"]
     (5, 0)
     """

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The suites of arrays once more, with memory behind each array that nobody may touch: one number read or written
-behind the end of what was given, and the process ends there. Linux and the like.
+behind the end of what was given, and the process ends there.
 """
 
 import ctypes
@@ -18,15 +18,25 @@ SUITES = ("test_results", "test_keywords", "test_sampling", "test_places", "test
 PAGE = mmap.PAGESIZE
 
 
+def forbid(address):
+    """Nobody may read or write the page that begins here."""
+    page, size = ctypes.c_void_p(address), ctypes.c_size_t(PAGE)
+    if sys.platform == "win32":
+        no_access, before = 1, ctypes.c_uint32()
+        done = ctypes.windll.kernel32.VirtualProtect(page, size, no_access, ctypes.byref(before)) != 0
+    else:
+        done = ctypes.CDLL(None).mprotect(page, size, 0) == 0
+    if not done:
+        raise OSError("the page at %x cannot be protected" % address)
+
+
 def guarded(count, item):
     """Bytes for `count` items, which end where a page begins that cannot be touched."""
     size = max(1, count) * item
     pages = -(-size // PAGE)
     memory = mmap.mmap(-1, (pages + 1) * PAGE)
     address = ctypes.addressof(ctypes.c_char.from_buffer(memory))
-    last = ctypes.c_void_p(address + pages * PAGE)
-    if ctypes.CDLL(None).mprotect(last, ctypes.c_size_t(PAGE), 0):
-        raise OSError("mprotect")
+    forbid(address + pages * PAGE)
     return np.frombuffer(memory, np.uint8, size, pages * PAGE - size)[: count * item]
 
 
@@ -88,6 +98,4 @@ def load_tests(loader, tests, _pattern):
 
 
 if __name__ == "__main__":
-    if not sys.platform.startswith("linux"):
-        sys.exit(0)
     unittest.main()

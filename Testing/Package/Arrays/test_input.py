@@ -169,7 +169,7 @@ class RefusedTest(unittest.TestCase):
         (ValueError, "source_points", [1, 2], "source_points"),
         (TypeError, "source_points", [[1j, 2]], "source_points"),
         (ValueError, "skip", [True], "skip .* 6 points, not the shape \\(1,\\)"),
-        (TypeError, "skip", [0] * 6, "skip .* int64"),
+        (TypeError, "skip", np.zeros(6, np.int64), "skip .* int64"),
         (TypeError, "skip", [0.5] * 6, "skip .* float64"),
         (TypeError, "skip", np.ma.masked_equal(np.zeros(6, bool), True), "skip"),
         (ValueError, "crossings", "both", "crossings .* 'leave_out', 'split', not 'both'"),
