@@ -29,6 +29,7 @@ find_release() {
 # what is   build  the plugin and the Python package, with the pages of ParaView's help
 #           draw   without a screen
 #           test   what Testing/test.sh runs, without what the two above say
+#           arm, wine  what Testing/Package/arm.sh and wine.sh run
 #           vtk    the release's own VTK, which can't be installed beside its ParaView; nothing in testing,
 #                  whose ParaView uses it
 packages_to() {
@@ -49,6 +50,10 @@ packages_to() {
       ;;&
     test-12) echo clang-format libclang-rt-14-dev ;;
     test-13 | test-testing) echo libclang-rt-dev ;;
+
+    # what runs the package's wheels for other systems
+    arm-*) echo qemu-user ;;
+    wine-*) echo wine64 ;;
 
     # all are needed: the files that let CMake find VTK name files of each
     vtk-12) echo libvtk9-dev libvtk9.1 libvtk9.1-qt libvtk9-java python3-vtk9 vtk9 ;;
