@@ -61,21 +61,79 @@ packages_to() {
   esac
 }
 
-# Sets release, or ends with a message that says where this works and what to do elsewhere. Nothing has
-# been installed or built by then.
+# Prints the release whose packages a system made from Debian or Ubuntu has, by the ParaView in its package lists:
+# nothing where that is older than ParaView 5.11 or where there is none.
+release_by_paraview() {
+  local version
+  version=$(LC_ALL=C apt-cache policy paraview-dev 2>/dev/null | sed -n 's/^ *Candidate: \([0-9].*\)/\1/p')
+  case $version in
+    '') ;;
+    5.11*) echo 12 ;;
+    5.1[2-9]*) echo 13 ;;
+    [6-9]* | [1-9][0-9]*) echo testing ;;
+  esac
+}
+
+# Those of the packages given that the package lists do not have.
+unknown_packages() {
+  LC_ALL=C apt-cache policy "$@" 2>/dev/null |
+    awk '/^[^ ]/ { name = substr($1, 1, length($1) - 1) } $1 == "Candidate:" && $2 != "(none)" { print name }' |
+    sort | comm -13 - <(printf '%s\n' "$@" | sort -u) | xargs
+}
+
+# Sets release where this is made from Debian or Ubuntu and its package lists have what is needed; else sets why, which
+# says what they lack. find_like <what is needed, as for packages_to>...
+find_like() {
+  local what base wanted="" lacking
+  base=" $(os_word ID_LIKE) "
+  [[ $base == *" debian "* || $base == *" ubuntu "* || -n $(os_word DEBIAN_CODENAME)$(os_word UBUNTU_CODENAME) ]] &&
+    command -v apt-cache >/dev/null || return
+  # the lists of a fresh system are empty
+  [ -n "$(LC_ALL=C apt-cache policy g++ 2>/dev/null)" ] || { become_root g++ && refresh_lists; }
+  release=$(release_by_paraview)
+  why=", whose package lists have no ParaView from 5.11 on"
+  [ -n "$release" ] || return
+  for what in "$@"; do
+    wanted+=" $(packages_to "$what" "$release" | xargs)"
+  done
+  # shellcheck disable=SC2086
+  lacking=$(unknown_packages $wanted)
+  [ -n "$lacking" ] || return 0
+  why=", whose package lists lack $lacking"
+  release=
+  return 1
+}
+
+# require_release [<finished> <what is needed, as for packages_to>...]
+# Sets release: 12, 13 or testing, on a system made from Debian or Ubuntu the one it is like (then like is set, too), and
+# nothing where there is only what was built before (finished: the plugin, or nothing). Or ends with a message that says
+# what to do here. Nothing has been installed or built by then.
 require_release() {
+  local system finished=${1-} why=
+  [ $# -eq 0 ] || shift
   release=$(find_release)
+  like=
   [ -z "$release" ] || return 0
-  local system
+  [ -z "$finished" ] || return 0
   system=$(os_word PRETTY_NAME)
-  fail 2 "this works on Debian 12, 13 and testing, and this is ${system:-an unknown system}." \
-    "Elsewhere, build by hand. It takes a C++17 compiler, CMake 3.18, Ninja, and ParaView 5.11 or newer with its" \
+  system=${system:-an unknown system}
+  if find_like "$@"; then
+    like=$release
+    printf '%s: not tested here: %s is taken for Debian %s, whose packages it has.\n' "$program" "$system" "$release"
+    return
+  fi
+  fail 2 "this works on Debian 12, 13 and testing, and this is $system$why." \
+    "What works here, all of it but the compiled plugin:" \
+    "  pip install .           in $root, in a venv, with a C++17 compiler: Python, VTK, PyVista" \
+    "  the wheel               without a compiler: Plugin/Documentation/GetIt.md" \
+    "  the plugin in Python    for ParaView's official binaries, from the wheel: Plugin/Python/README.md" \
+    "To build the compiled plugin by hand, it takes a C++17 compiler, CMake 3.18, Ninja, and ParaView 5.11 or newer with its" \
     "development files, Python modules and MPI; without ParaView, VTK 9.1 or newer. On Debian 13 these packages:" \
     "  $(packages_to build 13 | xargs)" \
     "Then, in $root:" \
     "  cmake -S . -B build -G Ninja -DCMAKE_BUILD_TYPE=Release -DBUILD_TESTING=OFF -DPython3_EXECUTABLE=/usr/bin/python3" \
     "  cmake --build build    (VTK alone: -DAHD_BUILD_PARAVIEW_PLUGIN=OFF in the line above)" \
-    "and the plugin is build/lib/paraview-VERSION/plugins/AdaptiveHilbertDelaunay/AdaptiveHilbertDelaunay.so" \
-    "For the tests: -DBUILD_TESTING=ON, and what Debian 13 calls" \
+    "and the plugin is build/lib/paraview-VERSION/plugins/AdaptiveHilbertDelaunay/AdaptiveHilbertDelaunay.so," \
+    "which demo.sh then takes. For the tests: -DBUILD_TESTING=ON, and what Debian 13 calls" \
     "  $(packages_to test 13 | xargs) $(packages_to draw 13)"
 }

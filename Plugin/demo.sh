@@ -17,8 +17,9 @@ help() {
 
 Triangulates the points of a file with the Adaptive Hilbert Delaunay 2D filter in ParaView, writes the
 surface as <name>.vtp and a picture of it as <name>.png, and says how long it took. On the first run it
-installs what is missing (Debian 12, 13 or testing, as root or with sudo) and builds the plugin in build/; that
-takes minutes, the runs after it seconds.
+installs what is missing (Debian 12, 13 or testing, as root or with sudo; untested on systems made from Debian or
+Ubuntu) and builds the plugin in build/; that takes minutes, the runs after it seconds. Where a plugin was built by hand
+it is used as it is, on every system.
 
 file       default: Data/survey.csv, soundings of an invented sea
   .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces. Column names that say x, y and z are
@@ -50,7 +51,7 @@ EOF
 install_laz() {
   local folder=$build/laz wanted=$root/Plugin/Demo/requirements.txt
   cmp -s "$wanted" "$folder/requirements.txt" && return
-  install_packages python3-pip
+  [ -z "$release" ] || install_packages python3-pip
   rm -rf "$folder"
   step "Installing laspy and lazrs, which read .laz" laz /usr/bin/python3 -m pip install --disable-pip-version-check \
     --no-deps --no-compile --retries 2 --target "$folder" --requirement "$wanted" ||
@@ -87,17 +88,24 @@ done
 arguments+=("--output=$output")
 [ "$output" != "$build/demo" ] || arguments+=(--own-output)
 
-require_release
-require_folders
+find_plugin() {
+  find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1
+}
+
+require_release "$(find_plugin)" build draw
 export PYTHONDONTWRITEBYTECODE=1
-# shellcheck disable=SC2046
-install_packages $(packages_to build "$release") $(packages_to draw "$release")
+if [ -n "$release" ]; then
+  require_folders
+  # shellcheck disable=SC2046
+  install_packages $(packages_to build "$release") $(packages_to draw "$release")
+fi
 /usr/bin/python3 "$root/Plugin/Demo/demo.py" --check "${arguments[@]}" || exit
 [[ ${file,,} != *.laz ]] || install_laz
-configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_WRAP_PYTHON=ON \
-  Python3_EXECUTABLE=/usr/bin/python3 -- AHDInstalled
-
-plugin=$(find "$build/lib" -name AdaptiveHilbertDelaunay.so -path '*/plugins/*' 2>/dev/null | head -n 1)
+if [ -n "$release" ]; then
+  configure_and_build "$build" BUILD_TESTING=OFF? AHD_BUILD_PARAVIEW_PLUGIN=ON AHD_PLUGIN_DOC=ON AHD_WRAP_PYTHON=ON \
+    Python3_EXECUTABLE=/usr/bin/python3 -- AHDInstalled
+fi
+plugin=$(find_plugin)
 [ -n "$plugin" ] || fail 1 "the build made no plugin. Remove the build folder and try again: rm -r $build"
 
 # pvbatch draws on an X display of its own, so nothing appears on the screen.

@@ -14,10 +14,10 @@ help() {
   cat <<'EOF'
 ./Testing/test.sh [--fast | --long] [ctest's own options]
 
-Installs what is missing (Debian 12, 13 or testing, as root or with sudo), builds everything in build/, and
-runs the tests through CTest: on Debian 12 and 13 first those of the VTK filter with Debian's own VTK (9.1,
-9.3), unpacked in build/vtk91 or build/vtk93; then all of them with ParaView and its VTK, which in testing
-is Debian's own. Takes half an hour on two cores from nothing.
+Installs what is missing (Debian 12, 13 or testing, as root or with sudo; untested on systems made from
+Debian or Ubuntu), builds everything in build/, and runs the tests through CTest: on Debian 12 and 13 first
+those of the VTK filter with Debian's own VTK (9.1, 9.3), unpacked in build/vtk91 or build/vtk93; then all of
+them with ParaView and its VTK, which in testing is Debian's own. Takes half an hour on two cores from nothing.
 
 --long         also the tests that take longer (label: long)
 --fast         for the change in hand: builds and runs the quick tests of the engine, the filter and the
@@ -94,8 +94,9 @@ run_ctest() {
   [ $status -ne 0 ] || status=$code
 }
 
-require_release
+require_release "" build draw test
 require_folders
+[ -z "$like" ] || own_vtk= # the packages of its own VTK may be called otherwise
 # shellcheck disable=SC2046
 install_packages $(packages_to build "$release") $(packages_to draw "$release") $(packages_to test "$release") \
   ${more[@]+"${more[@]}"}

@@ -49,7 +49,7 @@ while [ $# -gt 0 ]; do
   shift
 done
 
-require_release
+require_release "" build draw
 require_folders
 export PYTHONDONTWRITEBYTECODE=1 PYTHONUNBUFFERED=1
 if [ -n "$plots" ]; then

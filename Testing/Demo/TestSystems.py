@@ -5,6 +5,7 @@ Systems are played by files like /etc/os-release, which AHD_OS_RELEASE names.
 """
 
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -22,10 +23,19 @@ SUPPORTED = {
 }
 OTHERS = {
     "Debian GNU/Linux 11 (bullseye)": "ID=debian\nVERSION_ID=11\nVERSION_CODENAME=bullseye\n",
-    "Ubuntu 24.04.1 LTS": 'ID=ubuntu\nID_LIKE=debian\nVERSION_ID="24.04"\nVERSION_CODENAME=noble\n',
     "Fedora Linux 43": "ID=fedora\nVERSION_ID=43\n",
     "Ubuntu that claims to be bookworm": "ID=ubuntu\nVERSION_CODENAME=bookworm\n",
 }
+# Systems made from Debian or Ubuntu, and the ParaView that each is taken to have.
+DERIVED = {
+    "Ubuntu 24.04.1 LTS":
+        ('ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=noble\nUBUNTU_CODENAME=noble\n', "5.11.2+dfsg-6"),
+    "Linux Mint 22": ('ID=linuxmint\nID_LIKE="ubuntu debian"\nUBUNTU_CODENAME=noble\n', "5.11.2+dfsg-6"),
+    "LMDE 7 (gigi)": ("ID=linuxmint\nID_LIKE=debian\nDEBIAN_CODENAME=trixie\n", "5.13.2+dfsg-3"),
+    "Only a codename": ("ID=other\nDEBIAN_CODENAME=trixie\n", "5.13.2+dfsg-3"),
+    "A rolling one": ('ID=rolling\nID_LIKE="other debian"\n', "6.1.1-2"),
+}
+LIKE = {"5.11": "12", "5.13": "13", "6.1.": "testing"}
 
 
 class Systems(unittest.TestCase):
@@ -42,6 +52,17 @@ class Systems(unittest.TestCase):
                 file.write('#!/bin/sh\necho "%s $*" >> "%s"\nexit 1\n' % (name, self.touched))
             os.chmod(path, 0o755)
         self.path = stubs + ":" + os.environ["PATH"]
+        self.lists("5.11.2")
+
+    def lists(self, paraview, lacking="nothing"):
+        """The package lists have this ParaView, and every package but the one that is lacking."""
+        stub = ("#!/bin/sh\nshift\nfor name; do\n  case $name in\n    paraview-dev) version=%s ;;\n"
+                "    %s) version='(none)' ;;\n    *) version=1.0 ;;\n  esac\n"
+                '  printf "%%s:\\n  Installed: (none)\\n  Candidate: %%s\\n" "$name" "$version"\ndone\n')
+        path = os.path.join(self.folder, "bin", "apt-cache")
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(stub % (paraview, lacking))
+        os.chmod(path, 0o755)
 
     def run_in(self, system, *command):
         """Runs a command in a system with this os-release; None: there is no such file."""
@@ -69,10 +90,87 @@ class Systems(unittest.TestCase):
                     done = self.run_in('PRETTY_NAME="%s"\n%s' % (name, text), os.path.join(ROOT, command))
                     self.assertEqual((done.returncode, done.stdout), (2, ""), done.stderr)
                     self.assertIn("works on Debian 12, 13 and testing, and this is %s" % name, done.stderr)
-                    for word in ("cmake --build build", "CMake 3.18", "paraview-dev", "libgtest-dev"):
+                    for word in ("pip install .", "the plugin in Python", "cmake --build build", "CMake 3.18",
+                                 "paraview-dev", "libgtest-dev"):  # fmt: skip
                         self.assertIn(word, done.stderr)
                     self.assertFalse(os.path.exists(self.touched), "something was run")
                     self.assertFalse(os.path.exists(os.path.join(self.folder, "build")))
+
+    def required(self, text, *needed, finished=""):
+        """What require_release sets, and what it says."""
+        script = ('program=test logs=/nowhere root=/sources; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh";'
+                  ' require_release "{1}" {2}; echo "<$release><$like>"')
+        return self.run_in(text, "bash", "-c", script.format(ROOT, finished, " ".join(needed)))
+
+    def test_what_works_elsewhere_is_named_first(self):
+        said = self.required("ID=fedora\n").stderr
+        places = [said.index(words) for words in ("pip install .", "the wheel", "the plugin in Python", "To build")]
+        self.assertEqual(places, sorted(places), said)
+
+    def test_systems_made_from_debian_go_on_after_one_line(self):
+        for name, (text, paraview) in DERIVED.items():
+            with self.subTest(system=name):
+                self.lists(paraview)
+                done = self.required('PRETTY_NAME="%s"\n%s' % (name, text), "build", "draw", "test")
+                release = LIKE[paraview[:4]]
+                line, words = done.stdout.splitlines()
+                self.assertEqual((done.returncode, done.stderr, words), (0, "", "<%s><%s>" % (release, release)))
+                self.assertRegex(line, "not tested here: %s is taken for Debian %s" % (re.escape(name), release))
+                self.assertFalse(os.path.exists(self.touched), "something was run")
+
+    def test_the_commands_go_on_there_as_far_as_to_the_packages(self):
+        for command in COMMANDS:
+            done = self.run_in(DERIVED["Linux Mint 22"][0], os.path.join(ROOT, command))
+            self.assertIn("is taken for Debian 12", done.stdout, done.stderr)
+            self.assertNotIn("this works on Debian", done.stderr)
+            self.assertNotEqual(done.returncode, 2)
+
+    def test_where_packages_lack_they_are_named(self):
+        text = DERIVED["Linux Mint 22"][0]
+        for paraview, lacking, why in (
+            ("5.10.1+dfsg-1", "nothing", "whose package lists have no ParaView from 5.11 on"),
+            ("'(none)'", "nothing", "whose package lists have no ParaView from 5.11 on"),
+            ("5.11.2", "libglew-dev", "whose package lists lack libglew-dev."),
+        ):
+            self.lists(paraview, lacking)
+            done = self.required(text, "build", "draw", "test")
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(why, done.stderr)
+            self.assertIn("pip install .", done.stderr)
+        self.assertEqual(self.required(text, "build", "draw").returncode, 0)  # libglew-dev is for the tests
+
+    def test_empty_lists_are_fetched_first(self):
+        self.lists("5.11.2")
+        os.rename(os.path.join(self.folder, "bin", "apt-cache"), os.path.join(self.folder, "filled"))
+        apt = os.path.join(self.folder, "bin", "apt-cache")
+        with open(apt, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\n")
+        os.chmod(apt, 0o755)
+        script = ('program=test logs={1}/logs; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh"; become_root() {{ :; }};'
+                  ' refresh_lists() {{ mv {1}/filled {1}/bin/apt-cache; }}; require_release "" build; echo "$release"')
+        done = self.run_in(DERIVED["Linux Mint 22"][0], "bash", "-c", script.format(ROOT, self.folder))
+        self.assertEqual((done.returncode, done.stdout.splitlines()[-1]), (0, "12"), done.stderr)
+
+    def test_with_a_finished_build_the_demo_never_refuses(self):
+        """The plugin was built by hand: nothing is installed or built, ParaView is called with it."""
+        plugins = os.path.join(self.folder, "build", "lib", "paraview-6.0", "plugins", "AdaptiveHilbertDelaunay")
+        os.makedirs(plugins)
+        with open(os.path.join(plugins, "AdaptiveHilbertDelaunay.so"), "w", encoding="utf-8"):
+            pass
+        points = os.path.join(self.folder, "points.csv")
+        with open(points, "w", encoding="utf-8") as file:
+            file.write("x,y,z\n0,0,0\n1,0,0\n0,1,0\n")
+        # a display that is there at once, and a ParaView that shows what it is asked for
+        for name, words in (("xauth", ""), ("mcookie", ""), ("Xvfb", "echo 7 >&3; sleep 9"), ("pvbatch", 'echo "$@"')):
+            with open(os.path.join(self.folder, "bin", name), "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\n%s\n" % words)
+            os.chmod(os.path.join(self.folder, "bin", name), 0o755)
+        self.lists("5.10.1")
+        for text in (*OTHERS.values(), DERIVED["Linux Mint 22"][0], ""):
+            done = self.run_in(text, os.path.join(ROOT, "Plugin/demo.sh"), points)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+            self.assertIn("--plugin %s/AdaptiveHilbertDelaunay.so %s" % (plugins, points), done.stdout)
+            self.assertFalse(os.path.exists(self.touched), "something was run")
 
     def test_by_hand_with_the_systems_python(self):
         """CMake takes the Python of an active venv, which has no VTK, unless it is told."""
@@ -93,11 +191,8 @@ class Systems(unittest.TestCase):
         """As far as to the package manager, which is a stub here."""
         for name, text in SUPPORTED.items():
             with self.subTest(release=name):
-                script = (
-                    'program=test logs=/nowhere; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh";'
-                    ' require_release; echo "$release"')
-                done = self.run_in(text, "bash", "-c", script.format(ROOT))
-                self.assertEqual((done.returncode, done.stdout.strip(), done.stderr), (0, name, ""))
+                done = self.required(text, "build")
+                self.assertEqual((done.returncode, done.stdout.strip(), done.stderr), (0, "<%s><>" % name, ""))
 
     def checkout(self, name):
         """A copy of the commands, in a folder of this name."""
