@@ -6,6 +6,10 @@
 
 #include <pthread.h>
 #include <stdlib.h>
+#ifdef _WIN32
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+#endif
 
 #ifdef AHD_REDUCED_TESTS
 static const int64_t kMany = 30000;
@@ -427,13 +431,25 @@ static void* run_and_read(void* user)
   return ahd_read_ids(job, "neighbors", &numbers);
 }
 
+/* Engine.OwnThreads has the same of Linux. */
+static void test_processors(void)
+{
+#ifdef _WIN32
+  DWORD_PTR allowed = 0, group = 0;
+  CHECK(GetProcessAffinityMask(GetCurrentProcess(), &allowed, &group));
+  CHECK(SetProcessAffinityMask(GetCurrentProcess(), allowed & (~allowed + 1)));
+  CHECK(ahd_processors() == 1);
+  CHECK(SetProcessAffinityMask(GetCurrentProcess(), allowed));
+#endif
+  CHECK(ahd_processors() >= 1);
+}
+
 static void test_threads(void)
 {
   double* xy = ahd_scattered(kMany);
   ahd_job *one = ahd_job_of(xy, kMany, 2), *four = ahd_job_of(xy, kMany, 2);
   pthread_t thread;
   void *first, *second = NULL;
-  CHECK(ahd_processors() >= 1);
   CHECK_OK(one, ahd_set_int(one, "threads", 1));
   CHECK_OK(four, ahd_set_int(four, "threads", 4));
   CHECK(pthread_create(&thread, NULL, run_and_read, one) == 0);
@@ -482,6 +498,7 @@ void test_trouble(void)
   test_memory();
   test_crossings();
   test_asked_memory();
+  test_processors();
   test_threads();
   test_fingerprint();
   test_absurd_counts();
