@@ -2,6 +2,7 @@
 // Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
+#include "Engine/Job/Settings.h"
 #include "Pipeline/vtkAHDSetters.h"
 #include "Pipeline/vtkAHDSettingsOfRanks.h"
 #include "vtkFieldData.h"
@@ -94,6 +95,39 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
     array->InsertNextValue(count.second);
     data->AddArray(array);
   }
+}
+
+void vtkAdaptiveHilbertAlgorithm::GetJobSettings(ahd::JobSettings& settings) const
+{
+  settings.set(ahd::IntSetting::CellIds, this->SourceMode);
+  settings.set(ahd::IntSetting::ClosedLines, this->ClosedLines);
+  settings.set(ahd::IntSetting::FillRule, this->FillRule);
+  settings.set(ahd::IntSetting::SplitCrossings, this->CrossingMode);
+  settings.set(ahd::DoubleSetting::MaximumEdgeLength, this->MaximumEdgeLength);
+  settings.set(ahd::DoubleSetting::Alpha, this->Alpha);
+  settings.set(ahd::IntSetting::AlphaTriangles, this->AlphaTris != 0);
+  settings.set(ahd::IntSetting::AlphaLines, this->AlphaLines != 0);
+  settings.set(ahd::IntSetting::AlphaVertices, this->AlphaVerts != 0);
+  settings.set(ahd::IntSetting::Rim, this->Rim);
+  settings.set(ahd::DoubleSetting::Tolerance, this->Tolerance);
+  settings.set(ahd::IntSetting::Duplicates, this->DuplicatePolicy);
+  settings.set(ahd::IntSetting::WantPointStatus, this->GeneratePointStatus);
+  settings.set(ahd::IntSetting::WantConstraintEdges, this->GenerateConstraintEdges);
+  settings.set(ahd::IntSetting::WantRegions, this->GenerateRegionIds);
+  settings.set(ahd::IntSetting::WantNeighbors, this->GenerateNeighbors);
+  settings.set(ahd::IntSetting::WantVoronoi, this->GenerateVoronoi);
+  settings.set(ahd::IntSetting::VoronoiClip, this->VoronoiClip);
+  settings.set(ahd::IntSetting::InsertionOrder, this->InsertionOrder);
+  settings.set(ahd::IntSetting::Nmax, this->Nmax);
+  settings.set(ahd::IntSetting::ControlPoints, this->ControlPoints);
+  settings.set(ahd::IntSetting::GeneRotation, this->GeneRotation);
+  settings.set(ahd::IntSetting::InsertionLimit, this->InsertionLimit);
+  settings.set(ahd::IntSetting::WantInsertionRanks, this->GenerateInsertionRank);
+  settings.set(ahd::IntSetting::WantCurve, this->GenerateInsertionCurve);
+  settings.set(ahd::IntSetting::WantBoxes, this->GenerateBoxes);
+  settings.set(ahd::DoubleSetting::Offset, this->Offset);
+  settings.set(ahd::IntSetting::Bounding, this->BoundingTriangulation != 0);
+  settings.set(ahd::IntSetting::CountWork, this->CountWork);
 }
 
 void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const

@@ -27,6 +27,10 @@
 #include <limits> // for defaults that are NaN
 #include <string> // for settings that are names
 
+namespace ahd
+{
+class JobSettings;
+}
 class vtkFieldData;
 struct vtkAHDSettingsOfRanks;
 
@@ -753,6 +757,9 @@ protected:
 
   /// Adds the measures that are counts as arrays of one value with their names.
   void AddCounts(vtkFieldData* data) const;
+
+  /// Sets the settings that a job of the engine has, too.
+  void GetJobSettings(ahd::JobSettings& settings) const;
 
   /// Throws std::bad_alloc.
   void GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const;

@@ -4,6 +4,7 @@
 #include "Engine/Core/FloatingPoint.h"
 #include "Engine/Core/Memory.h"
 #include "Engine/Core/Threads.h"
+#include "Engine/Job/Settings.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
 #include "Execution/vtkAHDKeptTriangulation.h"
@@ -89,7 +90,7 @@ vtkAbstractTransform* vtkAdaptiveHilbertDelaunay2D::ComputeBestFittingPlane(vtkP
   const ahd::ScopedFloatingPoint asTheEngine;
   try
   {
-    vtkNew<vtkAlgorithm> nobody; // who could abort
+    vtkNew<vtkAlgorithm> nobody; // without an abort
     vtkAHDProgress progress(nobody);
     ahd::Threads threads(vtkAHDThreadsToUse(0));
     vtkAHDOutputMemory none;
@@ -219,7 +220,7 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
     [this] { vtkErrorMacro("Out of memory. The output is empty."); });
 }
 
-/// Passes on what the last execution made, if that was of the same. Returns false if it was not.
+/// Passes on the outputs of the last execution if its input was the same. Else returns false.
 bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
   const vtkAHDDataSets& data, const vtkAHDContext& context)
 {
@@ -264,44 +265,18 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   }
 }
 
-void vtkAdaptiveHilbertDelaunay2D::ReadInsertion(vtkAHDSettings& settings) const
+/// `forSamples`: to interpolate on the triangulation, without its outputs.
+void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings, bool forSamples) const
 {
-  ahd::Options& options = settings.options;
-  options.order = static_cast<ahd::InsertionOrder>(this->InsertionOrder);
-  options.controlPoints = static_cast<ahd::ControlPoints>(this->ControlPoints);
-  options.geneRotation = this->GeneRotation;
-  options.nmax = this->Nmax;
-  options.countWork = this->CountWork;
-  options.insertionLimit = static_cast<std::size_t>(this->InsertionLimit);
-  options.keepBoxes = this->GenerateBoxes;
-  options.keepOrder = this->GenerateInsertionRank || this->GenerateInsertionCurve;
-  settings.pointStatus = this->GeneratePointStatus;
-  settings.insertionRanks = this->GenerateInsertionRank;
-  settings.curve = this->GenerateInsertionCurve;
-  settings.constraintEdges = this->GenerateConstraintEdges;
-  settings.regions = this->GenerateRegionIds;
-  settings.neighbors = this->GenerateNeighbors;
-  settings.MemoryLimit = this->MemoryLimit;
-  settings.ReuseLimit = this->ReuseLimit;
-}
-
-void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
-{
-  this->ReadInsertion(settings);
-  settings.options.representative = this->DuplicatePolicy == LOWEST_Z ? ahd::Representative::LowestZ
-    : this->DuplicatePolicy == HIGHEST_Z ? ahd::Representative::HighestZ
-                                         : ahd::Representative::FirstId;
-  settings.showsMeans = this->DuplicatePolicy == MEAN_Z;
-  settings.fillRule = static_cast<ahd::FillRule>(this->FillRule);
-  settings.limits = { this->Alpha, this->MaximumEdgeLength, this->AlphaTris != 0,
-    this->AlphaLines != 0, this->AlphaVerts != 0 };
-  settings.voronoiClip = static_cast<ahd::VoronoiClip>(this->VoronoiClip);
-  settings.voronoi = this->GenerateVoronoi;
-  settings.idsAreOfInput = this->SourceMode == SOURCE_IDS;
+  ahd::JobSettings job;
+  this->GetJobSettings(job);
+  if (forSamples)
+  {
+    job.wantSamplesOnly();
+  }
+  static_cast<ahd::RunSettings&>(settings) = job.run();
   settings.AddSourcePoints = this->SourceMode == SOURCE_COORDINATES;
-  settings.closedLinesAreLoops = this->ClosedLines == LOOPS;
   settings.heightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
-  settings.split = this->CrossingMode == SPLIT;
   const bool fits = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
   settings.Transform = fits ? nullptr : this->Transform;
   settings.plane = fits  ? ahd::PlaneKind::BestFit
@@ -309,10 +284,8 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings) const
                          : ahd::PlaneKind::Xy;
   settings.TransformIsMissing = this->ProjectionPlaneMode == VTK_SET_TRANSFORM_PLANE &&
     !this->Transform;
-  settings.rim = static_cast<ahd::RimKind>(this->Rim);
-  settings.tolerance = this->Tolerance;
-  settings.bounding = this->BoundingTriangulation != 0;
-  settings.offset = this->Offset;
+  settings.MemoryLimit = this->MemoryLimit;
+  settings.ReuseLimit = this->ReuseLimit;
 }
 
 void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)

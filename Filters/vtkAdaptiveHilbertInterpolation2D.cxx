@@ -148,7 +148,7 @@ int vtkAdaptiveHilbertInterpolation2D::FillOutputPortInformation(int, vtkInforma
   return 1;
 }
 
-/// The output is what the places are, an image or a grid.
+/// The output has the type of the places, or is an image or a grid.
 int vtkAdaptiveHilbertInterpolation2D::RequestDataObject(
   vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
@@ -191,12 +191,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestDataObject(
 void vtkAdaptiveHilbertInterpolation2D::ReadSettings(
   vtkAHDSettings& settings, vtkAHDSampleSettings& wishes) const
 {
-  this->Triangulation->ReadSettings(settings);
-  settings.samples = true;
-  settings.pointStatus = settings.insertionRanks = false;
-  settings.curve = settings.constraintEdges = false;
-  settings.regions = settings.neighbors = settings.voronoi = false;
-  settings.options.keepBoxes = settings.options.keepOrder = false;
+  this->Triangulation->ReadSettings(settings, true);
   wishes.Method = static_cast<ahd::SampleMethod>(this->Method);
   wishes.Raster.ByCellSize = this->RasterSize == BY_CELL_SIZE;
   wishes.Raster.Dimensions = { { this->Dimensions[0], this->Dimensions[1] } };

@@ -21,7 +21,7 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
   Interface/ahd.h Interface/ahd_messages.h Interface/ahd_sample.h Job/Messages.h Job/Run.h Job/RunMemory.h
-  Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SpacePoints.h Job/Words.h
+  Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SettingRows.h Job/Settings.h Job/SpacePoints.h Job/Words.h
   Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of output arrays, and what is made of it."""
+"""The table of output arrays, and the parts generated from it."""
 
 import dataclasses
 import tomllib
@@ -61,7 +61,7 @@ def constants(arrays):
 
 
 def python_rows(arrays):
-    """What the class in Python adds to the surface, where a setting says so."""
+    """Arrays that the class in Python adds to the surface, if a setting is on."""
     return [f'    ("{array.setting}", "{array.job}", "{array.name}", "{VTK[array.type]}", {array.components}, '
             f'"{DATA[array.of]}"),' for array in arrays if array.setting]
 

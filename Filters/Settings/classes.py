@@ -174,6 +174,12 @@ def compared_numbers(rows):
     return lines
 
 
+def job_values(rows):
+    """The statements of GetJobSettings()."""
+    return [f"  settings.set(ahd::{'Double' if row.type == 'double' else 'Int'}Setting::{tables.constant(row.job)}, "
+            f"this->{row.name}{' != 0' if row.type == 'flag' else ''});" for row in tables.settings(rows) if row.job]
+
+
 def compared_texts(rows):
     return [f"    this->{row.name}," for row in _compared(rows) if row.type == "text"]
 

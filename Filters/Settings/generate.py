@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Writes what is made of the tables of settings and measures (*.toml), after one of them was changed.
+"""Generates files from the tables of settings and measures (*.toml), after a change in one of them.
 
     generate.py            writes the files that are not up to date, and names them
     generate.py --check    writes nothing; exit code 1 if a file is not up to date
 
-What is made is committed, so that a build needs no Python.
+The files are committed, so that a build needs no Python.
 """
 
 import argparse
@@ -23,7 +23,7 @@ import testing
 
 ROOT = tables.HERE.parents[1]
 TABLES = {"delaunay": "delaunay.toml", "interpolation": "interpolation.toml", "points": "points.toml"}
-# What is made of a template of the same name and .in: its place in the project, and the template's.
+# Files generated from a template of the same name and .in: their place in the project, and the template's.
 MADE = {
     "Plugin/AdaptiveHilbertDelaunay.xml": "Plugin/AdaptiveHilbertDelaunay.xml.in",
     "Filters/vtkAdaptiveHilbertAlgorithm.h": "Filters/Settings/vtkAdaptiveHilbertAlgorithm.h.in",
@@ -41,14 +41,14 @@ MADE = {
 # The header for C has the list of a job's settings; the rest of it is written by hand.
 C_HEADER = pathlib.Path("Filters/Engine/Interface/ahd.h")
 C_LIST = re.compile(r"^ \* int \(made of .*?\n(?= \*\n)", re.MULTILINE | re.DOTALL)
-# A comment that stands for what is made of a table.
+# A comment that stands for a generated part.
 PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)(?: -->)?$", re.MULTILINE)
 PARTS = {
     "properties": panel.properties,
     **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
         panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
         classes.cleared, classes.seconds, classes.counts, classes.compared_numbers, classes.compared_texts,
-        classes.setters, pythontable.setting_rows, pythontable.constants, pythontable.measure_rows,
+        classes.job_values, classes.setters, pythontable.setting_rows, pythontable.constants, pythontable.measure_rows,
         pythontable.job_rows, pythontable.measures_of_job)},
     "count_names": lambda rows, _: pythontable.names_of(tables.counts(rows)),
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
@@ -68,7 +68,7 @@ PARTS = {
 
 
 def fill(template, read):
-    """The text of what is made of a template."""
+    """The text generated from a template."""
 
     def part(found):
         return "\n".join(PARTS[found[1]](read[found[2]], found[2])).rstrip()
@@ -79,7 +79,7 @@ def fill(template, read):
 
 
 def all_files():
-    """What is made, by its path below the project's folder."""
+    """The generated texts, by their path below the project's folder."""
     read = {name: tables.read(file) for name, file in TABLES.items()}
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
     read["job"] = job.read("job.toml", read["delaunay"])

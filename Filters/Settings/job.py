@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of a job's settings, and what is made of it: rows for C++, the list in ahd.h, keywords of `delaunay`."""
+"""The table of a job's settings, and its generated parts: rows for C++, the list in ahd.h, keywords of `delaunay`."""
 
 import dataclasses
 import math
@@ -30,10 +30,6 @@ class Setting:
     keyword: str = ""
     names: tuple = ()
     keyword_default: object = None
-
-    @property
-    def constant(self):
-        return "".join(word.capitalize() for word in self.name.split("_"))
 
     @property
     def ends(self):
@@ -86,7 +82,7 @@ def _of_kind(settings, is_real):
 
 
 def constants(settings, is_real):
-    names = [one.constant for one in _of_kind(settings, is_real)]
+    names = [tables.constant(one.name) for one in _of_kind(settings, is_real)]
     return [f"  {name}," for name in names[:-1]] + [f"  {names[-1]}"]
 
 

@@ -7,7 +7,7 @@ from xml.sax.saxutils import escape, quoteattr
 import rows as tables
 
 TAGS = {"double": "Double", "text": "String"}
-# No value that the property ever has: so nobody edits a measure in the panel.
+# A value that the property never has: so a measure cannot be edited in the panel.
 NEVER = {"delaunay": "Nmax = 0", "interpolation": "Method = 99"}
 CONDITION = re.compile(r"\s*(\w+) (=|!=|in|is) ((?:[\w-]+ ?)+?)(?=\s+(?:or|and)\b|\s*\)|\s*$)")
 

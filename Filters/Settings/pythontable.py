@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the classes in Python know of the tables: rows for Setting, constants, measures."""
+"""The parts of the tables for the classes in Python: rows for Setting, constants, measures."""
 
 import rows as tables
 
@@ -11,7 +11,7 @@ MOST = {"int": 2**31 - 1, "int64": 2**63 - 1, "double": 1.0e299}  # VTK_INT_MAX,
 
 
 def setting_rows(rows):
-    """(name, kind, default, what it does, least, most, what follows SetXTo for 0, 1, ...) of each."""
+    """(name, kind, default, description, least, most, the ends of SetXTo for 0, 1, ...) of each."""
     lines = []
     for row in tables.settings(rows):
         kind = KINDS.get(row.type, row.type)
@@ -60,7 +60,7 @@ def constants(rows):
 
 
 def measure_rows(rows):
-    """(name, what it is before an execution and after one that failed, what it counts) of each."""
+    """(name, value before an execution and after a failed one, description) of each."""
     lines = []
     for row in tables.measures(rows):
         *text, last = _text(_about(row))
@@ -69,7 +69,7 @@ def measure_rows(rows):
 
 
 def measures_of_job(rows):
-    """What a measure is the sum of, in the job."""
+    """The terms of a measure, in the job."""
     return [f'    "{row.name}": {tuple(row.job.split(" + "))!r},' for row in tables.measures(rows) if row.job]
 
 
@@ -79,5 +79,5 @@ def names_of(rows):
 
 
 def job_rows(rows):
-    """What a job's setting is in the class, where the value is the same."""
-    return [f'    "{row.job}": "{row.name}",' for row in tables.settings(rows) if row.job]
+    """The class's setting with the values of a job's. A flag may be any int."""
+    return [f'    "{row.job}": "{row.name}",' for row in tables.settings(rows) if row.job and row.type != "flag"]

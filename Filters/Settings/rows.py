@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The tables of settings and measures: what a row says, and what follows from it."""
+"""The tables of settings and measures: rows, and values derived from them."""
 
 import dataclasses
 import math
@@ -11,7 +11,7 @@ import tomllib
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = 120
 MARK = "Made by Filters/Settings/generate.py: change what is there, not this."
-# What a default is in the table, by type.
+# The type of a default in the table, by type.
 TYPES = {"bool": bool, "flag": bool, "enum": int, "int": int, "id": int, "int64": int, "double": float, "text": str}
 PLACEHOLDERS = ("object", "exposed")
 INPUTS = ["Input", "Places"]  # of which conditions may be, too
@@ -23,8 +23,8 @@ VECTORS = (2, 3, 4, 6)  # so many numbers VTK's macros take
 
 @dataclasses.dataclass
 class Value:
-    """One value of an enum: what follows SetXTo ("": no such method), its constant, its name in the panel, and what it
-    means."""
+    """One value of an enum: the end of SetXTo ("": no such method), its constant, its name in the panel, and its
+    meaning."""
 
     name: str
     constant: str
@@ -121,8 +121,13 @@ def spaced(name):
     return re.sub(r"(?<=[a-z])(?=[A-Z])", " ", name)
 
 
+def constant(name):
+    """Of a name in C that in C++."""
+    return "".join(word.capitalize() for word in name.split("_"))
+
+
 def numbers(value):
-    """As text, without what a whole number does not need: "0 1", "0.75"."""
+    """As text, whole numbers without a point: "0 1", "0.75"."""
     each = value if isinstance(value, list) else [value]
     return [str(int(one)) if isinstance(one, bool) or float(one).is_integer() else repr(float(one)) for one in each]
 

@@ -32,7 +32,7 @@ def _of_measure(row):
 
 
 def cxx_rows(rows):
-    """Those that are one number, for C++."""
+    """The settings with one number, for C++."""
     lines = []
     for row in tables.settings(rows):
         if row.type == "text" or row.elements > 1:

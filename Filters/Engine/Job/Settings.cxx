@@ -92,6 +92,17 @@ void JobSettings::get(const char* name, double& value) const
   value = doubles_[mustFind(kDoubleRows, name)];
 }
 
+void JobSettings::wantSamplesOnly()
+{
+  for (std::size_t i = 0; i < kIntSettings; ++i)
+  {
+    if (std::strncmp(kIntRows[i].name, "want_", 5) == 0)
+    {
+      ints_[i] = i == std::size_t(IntSetting::WantSamples);
+    }
+  }
+}
+
 const char* JobSettings::intName(std::size_t number)
 {
   return number < kIntSettings ? kIntRows[number].name : nullptr;

@@ -12,8 +12,7 @@
 namespace ahd
 {
 
-/// The settings of a job by name. What is unknown or out of range is
-/// refused.
+/// The settings of a job. By name, unknown ones and values out of range are refused.
 class JobSettings
 {
 public:
@@ -30,9 +29,15 @@ public:
 
   std::int64_t operator[](IntSetting setting) const { return ints_[std::size_t(setting)]; }
   double operator[](DoubleSetting setting) const { return doubles_[std::size_t(setting)]; }
+  /// @pre `value` is in range
+  void set(IntSetting setting, std::int64_t value) { ints_[std::size_t(setting)] = value; }
+  void set(DoubleSetting setting, double value) { doubles_[std::size_t(setting)] = value; }
+  /// Values between points instead of cells: switches want_samples on, and all other want_... off.
+  void wantSamplesOnly();
+
   bool is(IntSetting setting) const { return (*this)[setting] != 0; }
 
-  /// What they ask of a run.
+  /// The run that they describe.
   RunSettings run() const;
 
 private:
