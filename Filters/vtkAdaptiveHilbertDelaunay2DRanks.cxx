@@ -40,7 +40,7 @@
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
 namespace
 {
-/// The surfaces to be put out where there are no blocks, though there may have been some before.
+/// The output surfaces if there are no blocks, though there may have been some before.
 void MakeSurfaces(
   vtkInformationVector* outputs, std::array<vtkSmartPointer<vtkPolyData>, 3>& surfaces)
 {
@@ -127,7 +127,7 @@ bool vtkAdaptiveHilbertDelaunay2D::IsDistributed() const
 }
 
 /// Outputs of the type of the input, if that has blocks to be triangulated each by itself. Where
-/// there is no input, others may have blocks: outputs stay what they were.
+/// there is no input, others may have blocks: outputs stay unchanged.
 void vtkAdaptiveHilbertDelaunay2D::MakeOutputs(
   vtkDataObject* input, vtkInformationVector* outputs) const
 {
@@ -350,7 +350,7 @@ void vtkAdaptiveHilbertDelaunay2D::WarnOnRanks(
 #endif
 }
 
-/// Where ranks could not go on, which all have heard: each says it, with nothing put out.
+/// After a failure that all ranks know of: each reports it, with empty outputs.
 void vtkAdaptiveHilbertDelaunay2D::EndOnRanks(
   ahd::Status status, vtkAHDRankResult& result, const RankSurfaces& surfaces)
 {

@@ -76,7 +76,7 @@ int vtkAdaptiveHilbertInterpolation2D::RequestInformation(
   return 1;
 }
 
-/// Others may have asked the same inputs for a piece. That is not what the points are then.
+/// Others may have requested a piece of the same inputs, which then lack points.
 void vtkAdaptiveHilbertInterpolation2D::UpdateInputs()
 {
   const bool isAlone = vtkAHDIsOnlyProcess(this->Triangulation->GetController());
@@ -106,7 +106,7 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkAHDSettings settings;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);
-  vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress
+  vtkNew<vtkAlgorithm> nobody; // without abort and progress
   vtkAHDProgress progress(nobody);
   ahd::Threads threads(vtkAHDThreadsToUse(this->Triangulation->GetNumberOfThreads()));
   vtkAHDOutputMemory notKept;
@@ -132,7 +132,7 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkDataObject::SetPointDataActiveScalarInfo(info, scalars.Type, scalars.Components);
   if (isRaster)
   {
-    // Where there is no memory for it, that is said when the raster is to be filled.
+    // Too little memory is reported when the raster is filled.
     const double bytes = double(merged.GetBytes()) +
       double(vtkAHDEstimateBounds(settings, wishes, merged.GetInput(), merged.GetSource()));
     const double most = settings.MemoryLimit > 0

@@ -78,7 +78,7 @@ struct RankWork
   {
   }
 
-  /// Points and constraints, each as one data set. REQUIRES: Settings.
+  /// Points and constraints, each as one data set. @pre Settings.
   void Take(vtkAlgorithm* filter, vtkDataObject* points, vtkDataObject* source)
   {
     const bool hasPoints = vtkPointSet::SafeDownCast(points) ||
@@ -99,7 +99,7 @@ struct RankWork
     }
   }
 
-  /// Held, as observers may do what they like to what the pipeline has. May be null.
+  /// Held, because observers may change the pipeline's data. May be null.
   void TakePlaces(vtkDataObject* places)
   {
     if (places)
@@ -172,7 +172,7 @@ void vtkAdaptiveHilbertInterpolation2D::UpdatePieces()
 vtkAHDRaster vtkAdaptiveHilbertInterpolation2D::FindRasterOnRanks(
   vtkAHDRanks& ranks, vtkInformation* info)
 {
-  vtkNew<vtkAlgorithm> nobody; // who could abort, or be told of progress or errors
+  vtkNew<vtkAlgorithm> nobody; // without abort, progress and errors
   RankWork work(nobody, this->Triangulation->GetNumberOfThreads());
   this->ReadSettings(work.Settings, work.Wishes);
   this->Triangulation->GetSettingsOfRanks(work.Settings.OfRanks);

@@ -37,7 +37,7 @@ namespace
 /// Points made between two askings whether to abort.
 constexpr vtkIdType kPiece = vtkIdType(1) << 14;
 
-/// What the points are written to.
+/// The destination of the points.
 template <typename Number>
 struct Arrays
 {
@@ -46,7 +46,7 @@ struct Arrays
   vtkIdType Count;   // of points
 };
 
-/// Makes all points; false if the execution is to be aborted.
+/// Makes all points; false on an abort.
 template <typename Number>
 bool Fill(const Arrays<Number>& to, ahd::PlanarPoints& points, vtkAlgorithm* source)
 {

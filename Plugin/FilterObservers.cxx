@@ -281,7 +281,7 @@ double roundedDown(double size)
 /// So many cells along the longer side, or somewhat more, where nobody gave a size.
 constexpr double kCells = 400.0;
 
-/// Fills in what is not used yet: an area and a cell size from which one may start. REQUIRES: a
+/// Fills in what is not used yet: an area and a cell size from which one may start. @pre a
 /// proxy of the interpolation.
 void SuggestRaster(vtkSMProxy* proxy)
 {

@@ -6,7 +6,7 @@
 /// share this one copy. C++17, the standard library only.
 ///
 /// The same bits on every platform: a generator of its own, and of the mathematical functions only
-/// those that IEEE 754 rounds correctly. REQUIRES: what lies in this folder is compiled with
+/// those that IEEE 754 rounds correctly. @pre what lies in this folder is compiled with
 /// -ffp-contract=off (see Sources.cmake).
 #include "Places.h"
 #include "Random.h"
@@ -40,7 +40,7 @@ class PlanarPoints
 public:
   PlanarPoints(PlanarDistribution distribution, std::size_t count, std::uint64_t seed);
 
-  /// The next point. REQUIRES: called at most `count` times.
+  /// The next point. @pre called at most `count` times.
   Place next();
 
 private:

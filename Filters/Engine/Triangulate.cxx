@@ -145,7 +145,7 @@ void Run::count()
   report.skipped = ranked.skipped;
 }
 
-/// REQUIRES: there are three points or more to insert.
+/// @pre there are three points or more to insert.
 Status Run::insert()
 {
   RankedPoints& ranked = state_.ranked;

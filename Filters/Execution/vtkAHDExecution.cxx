@@ -30,7 +30,7 @@ vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& in
 
 // ----------------------------------------------------------------------------------------- memory
 
-/// What is taken besides that which the engine knows of.
+/// Memory besides that of the engine's estimate.
 ahd::CallersMemory vtkAHDExecution::OwnMemory(std::size_t bytesBehind) const
 {
   // The polygons of the Voronoi diagram have a copy of the point data.
@@ -48,7 +48,7 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   return run.estimate();
 }
 
-/// What is left behind at most: the triangulation, the tables of an interpolation, and copies of
+/// The most that is left behind: the triangulation, the tables of an interpolation, and copies of
 /// points.
 std::size_t vtkAHDExecution::EstimateLeft() const
 {
@@ -230,7 +230,7 @@ void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
   this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
 
-/// Leaves the triangulation behind, if it is to be had again and not too much. Returns false if
+/// Leaves the triangulation behind, if requested and not too large. Returns false if
 /// not: then nothing has changed. Throws vtkAHDStop if the filter is to abort.
 bool vtkAHDExecution::Leave(
   ahd::RunResult& made, vtkPolyData* surface, vtkAHDLeftBehind& left) const
@@ -259,7 +259,7 @@ bool vtkAHDExecution::Leave(
       return false;
     }
     made.selection = ahd::Selection{ std::move(made.selection.kept), made.selection.keptCount };
-    to.Made = std::move(made); // nobody else knows the surface yet
+    to.Made = std::move(made); // the surface is not shared yet
     left.Let(kept);
     return true;
   }

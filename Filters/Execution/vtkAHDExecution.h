@@ -20,42 +20,42 @@ class vtkPolyData;
 /// Surface, order, Voronoi diagram.
 using vtkAHDOutputs = std::array<vtkPolyData*, 3>;
 
-/// What goes into an execution and what comes out.
+/// The inputs and outputs of an execution.
 struct vtkAHDDataSets
 {
   vtkPointSet* Input = nullptr;
   vtkPolyData* Source = nullptr; ///< may be null
   vtkAHDOutputs Outputs = {};
-  std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
+  std::size_t InputBytes = 0; ///< allocated to merge the input, if it was made of blocks
 };
 
 /**
  * One execution of vtkAdaptiveHilbertDelaunay2D: data sets in, data sets out. It opens the
- * input for an ahd::Run, and writes what that makes into VTK's arrays.
+ * input for an ahd::Run, and writes the result into VTK's arrays.
  */
 class vtkAHDExecution
 {
 public:
-  /// Borrows all of them. `bytesBefore`: those that making the input has taken.
+  /// Borrows all of them. `bytesBefore`: allocated to merge the input.
   vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& input, ahd::Workspace& workspace,
     const vtkAHDContext& context, std::size_t bytesBefore);
 
-  /// Triangulates and fills the outputs, which are to be empty. They are empty again unless
+  /// Triangulates and fills the outputs, which must be empty. They are empty again unless
   /// Report::Status is Ok. Throws nothing. The working memory is kept for the next execution if it
-  /// is not too much and nothing went wrong.
-  /// `left`: null, or where the triangulation is left for who interpolates on the surface, then
-  /// instead of its memory.
+  /// is within the limit and the execution succeeded.
+  /// `left`: null, or the place for the triangulation, for filters that interpolate on the surface;
+  /// it is then kept instead of its memory.
   vtkAHDReport Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left = nullptr);
 
-  /// Triangulates alone. `made` is of use if Report::Status is Ok; the caller keeps it, or gives it
-  /// back to the workspace. `bytesBehind`: what he will allocate behind this, part of the estimate.
-  /// `stagesBehind`: the weights of his own stages (see ahd::RunProgress). Throws nothing. The
-  /// report knows no cells that were put out.
+  /// Triangulates without writing outputs. `made` is valid if Report::Status is Ok; the caller
+  /// keeps it, or returns it to the workspace. `bytesBehind`: the caller's later allocations, for
+  /// the estimate. `stagesBehind`: the weights of its own stages (see ahd::RunProgress). Throws
+  /// nothing. The report has no counts of output cells.
   vtkAHDReport Triangulate(
     ahd::RunResult& made, std::size_t bytesBehind, const std::vector<double>& stagesBehind);
 
-  /// Upper estimate of all that is allocated, for what is known of sizes: points and segments
-  /// before Run(), where no value is looked at.
+  /// Upper estimate of all allocations from the known sizes: before Run() those of points and
+  /// segments, without reading values.
   std::size_t EstimateBytes() const;
 
 private:

@@ -7,8 +7,8 @@
 class vtkAHDContext;
 class vtkDataArray;
 
-/// That of an array's numbers, type and shape; of no array, if null. Returns false if the numbers
-/// do not lie in memory one after the other, or if the filter is to abort.
+/// The fingerprint of an array's numbers, type and shape; null is a value of its own. Returns false
+/// if the numbers are not contiguous in memory, or on an abort.
 bool vtkAHDTakeFingerprint(
   vtkDataArray* array, const vtkAHDContext& context, ahd::Fingerprint& fingerprint);
 

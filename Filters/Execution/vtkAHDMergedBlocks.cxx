@@ -54,7 +54,7 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
     this->Source = this->Merge(vtkAHDBlocks(blocks, kind), context);
     if (!this->Source)
     {
-      this->Input = nullptr; // a surface without its constraints is not what was asked for
+      this->Input = nullptr; // a surface without its constraints was not requested
     }
   }
 }

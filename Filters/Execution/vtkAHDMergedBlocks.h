@@ -19,34 +19,34 @@ struct vtkAHDSettings;
 
 /**
  * Input and source of one execution, each as one data set: as it is, or all blocks of a composite
- * data set together. They are held copies (vtkAHDHeldCopy), as observers may do what they like to
- * what the pipeline has, or take it from the filter.
+ * data set together. They are held copies (vtkAHDHeldCopy), because observers may change or remove
+ * the pipeline's data sets.
  */
 class vtkAHDMergedBlocks
 {
 public:
-  /// Merges what has to be. Says in an error if there are too many points or too little memory, or
-  /// where offsets of cells lie, or if the source is neither vtkPolyData nor blocks; nothing
-  /// without a filter. `source` may be null. Throws std::bad_alloc.
+  /// Merges blocks. Too many points, too little memory, invalid offsets of cells and a source that
+  /// is neither vtkPolyData nor blocks are one error, reported for the filter; silent without one.
+  /// `source` may be null. Throws std::bad_alloc.
   vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSettings& settings, vtkDataObject* input,
     vtkDataObject* source, const vtkAHDContext& context);
 
-  /// Null if there is nothing to be triangulated: no points, an error, or an abort.
+  /// Null if there is nothing to triangulate: no points, an error, or an abort.
   vtkPointSet* GetInput() const { return this->Input; }
 
-  /// Lets a surface that has the points of GetInput() have those that were given instead.
+  /// Replaces the points of GetInput() in a surface by the given ones.
   void HandOnPoints(vtkPolyData* surface) const;
 
-  /// Why there is no input: Ok if there is one.
+  /// Ok, or the reason why there is no input.
   ahd::Status GetStatus(const vtkAHDContext& context) const;
 
   /// Null if there is none.
   vtkPolyData* GetSource() const { return this->Source; }
 
-  /// Those that merging has taken, at most.
+  /// The most that merging has allocated.
   std::size_t GetBytes() const { return this->Bytes; }
 
-  /// Warns of blocks that were passed over.
+  /// Warns of ignored blocks.
   void Warn() const;
 
 private:

@@ -12,16 +12,16 @@ namespace ahd
 struct BadCell;
 }
 
-/// Says that so many points are more than the engine takes.
+/// The error that there are too many points.
 void vtkAHDSayTooManyPoints(vtkAlgorithm* filter, std::size_t count);
 
-/// Says that offsets of cells lie. `what` these are: null for a source on some rank.
+/// The error about invalid offsets of cells. `what`: their name; null for a source on some rank.
 void vtkAHDSayBadCells(vtkAlgorithm* filter, const char* what, const ahd::BadCell& bad);
 
-/// Says in one error why an execution came to nothing, unless it was the user who cancelled.
+/// The error of a failed execution; none if the user cancelled.
 void vtkAHDSayError(vtkAlgorithm* filter, const vtkAHDReport& report);
 
-/// Warns of what there is to be warned of after an execution, each at most once.
+/// The warnings of an execution, each at most once.
 void vtkAHDSayWarnings(
   vtkAlgorithm* filter, const vtkAHDSettings& settings, const vtkAHDReport& report);
 

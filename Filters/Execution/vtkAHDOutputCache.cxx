@@ -29,7 +29,7 @@ namespace
 {
 constexpr const char* kCrossings = vtkAHDOutputArrays::Crossings.Name;
 
-/// Gives `to` all that `from` has but field data. REQUIRES: `to` is empty.
+/// Gives `to` all that `from` has but field data. @pre `to` is empty.
 void ShareAll(vtkPolyData* from, vtkPolyData* to)
 {
   to->SetPoints(from->GetPoints());
@@ -155,7 +155,7 @@ bool vtkAHDOutputCache::TakeOutputs(const vtkAHDContext& context, std::vector<Kn
   return true;
 }
 
-/// Are they there, and what they were?
+/// Do they exist, unchanged?
 bool vtkAHDOutputCache::HasOutputs(const vtkAHDContext& context) const
 {
   std::vector<Known> now;
@@ -195,7 +195,7 @@ void vtkAHDOutputCache::Keep(const vtkAHDDataSets& data, const vtkAHDContext& co
   }
 }
 
-/// Makes Data of the outputs, without what is of the input.
+/// Makes Data of the outputs, without the input's data.
 void vtkAHDOutputCache::Share(const vtkAHDDataSets& data)
 {
   vtkPointSet* input = data.Input;
@@ -212,7 +212,7 @@ void vtkAHDOutputCache::Share(const vtkAHDDataSets& data)
   std::vector<vtkAbstractArray*> made;
   for (int i = 0; i < fieldData->GetNumberOfArrays(); ++i)
   {
-    // what all outputs have was passed by the pipeline
+    // arrays of all outputs were passed by the pipeline
     vtkAbstractArray* array = fieldData->GetAbstractArray(i);
     if (!IsAmong(array, outputs[1]->GetFieldData()))
     {

@@ -17,12 +17,12 @@ class vtkPolyData;
 /**
  * The outputs of an execution, for another one with the same points.
  *
- * The same: by what they are, not by which object they are in, so that a reader may make new ones
- * for each time step, and a program may change them where they lie. The outputs' arrays are held,
- * the input is not. Whoever has the outputs may change their arrays, too: then they are let go.
+ * Points are compared by value, not by object, so that a reader may create new ones for each time
+ * step, and a program may change them in place. The outputs' arrays are held, the input is not. If
+ * an owner of the outputs changes their arrays, they are released.
  *
- * To know the points again takes their fingerprint, and that takes time. So it is not taken before
- * an execution comes again with unchanged settings and as many points: the second such execution
+ * Points are recognised by their fingerprint, which takes time. So it is only computed once an
+ * execution repeats with unchanged settings and number of points: the second such execution
  * keeps its outputs, and they are passed on from the third on.
  */
 class vtkAHDOutputCache
@@ -33,21 +33,21 @@ public:
   vtkAHDOutputCache(const vtkAHDOutputCache&) = delete;
   vtkAHDOutputCache& operator=(const vtkAHDOutputCache&) = delete;
 
-  /// Can the outputs be passed on for these data sets, with settings that were changed last at
-  /// `settings`, and are they what they were? If not, lets go of them. False if the filter is to
+  /// Can the outputs be passed on for these data sets, with settings last modified at
+  /// `settings`, and are they unchanged? If not, releases them. False on an
   /// abort.
   bool Fits(const vtkAHDDataSets& data, vtkMTimeType settings, const vtkAHDContext& context);
 
   /// Keeps the outputs, if Fits() took fingerprints, unless points were added, whose data are not
   /// the input's. They belong to the data sets that Fits() was called with last, whatever has
-  /// changed since. Keeps nothing if the filter is to abort. REQUIRES: it said no to these.
+  /// changed since. Keeps nothing on an abort. @pre it returned false for these.
   void Keep(const vtkAHDDataSets& data, const vtkAHDContext& context);
 
   /// Fills the outputs anew, with the point data of this input; field data that they have stay.
-  /// REQUIRES: Fits() said so.
+  /// @pre Fits() returned true.
   void PassOn(const vtkAHDDataSets& data) const;
 
-  /// Lets go of everything, but of what GiveEmpty() gives.
+  /// Releases everything except the outputs of GiveEmpty().
   void Forget();
 
   /// Keeps which arrays the outputs have, without their values. `settings`: as Fits() takes it.
@@ -56,11 +56,11 @@ public:
   /// Are outputs without a point known for these settings?
   bool KnowsEmpty(vtkMTimeType settings) const { return this->EmptyOf == settings; }
 
-  /// Makes this output one without a point, that has the arrays of the one that was kept.
+  /// Makes this output one without points, with the arrays of the kept one.
   void GiveEmpty(std::size_t port, vtkPolyData* output) const;
 
 private:
-  /// An array of the outputs, as it is known again.
+  /// The identity of an array of the outputs.
   struct Known
   {
     std::string Name;
@@ -79,11 +79,11 @@ private:
 
   bool IsKept = false;
   bool HasOwnPoints = false; // is the surface's vtkPoints another than the input's?
-  // Of what Fits() saw last:
+  // From the last call of Fits():
   vtkMTimeType Settings = 0;
   vtkIdType Count = -1;                    // of points
   std::vector<ahd::Fingerprint> Now;       // empty if none were taken
-  std::vector<ahd::Fingerprint> AtTheTime; // of what is kept
+  std::vector<ahd::Fingerprint> AtTheTime; // of the kept outputs
   std::array<vtkNew<vtkPolyData>, 3> Data; // without data of the input
   std::vector<Known> Outputs;              // their arrays, when they were kept
 

@@ -12,26 +12,26 @@
 #include <cstdint>
 #include <vector>
 
-/// What there is to say of one execution; handed back once, at its end.
+/// The report of one execution, returned at its end.
 struct vtkAHDReport : ahd::RunReport
 {
-  ahd::BadCell BadCell;             ///< where the status is BadCells
-  const char* BadCellsOf = nullptr; ///< what these cells are; null: those of another rank
+  ahd::BadCell BadCell;             ///< if the status is BadCells
+  const char* BadCellsOf = nullptr; ///< the name of these cells; null: of another rank
 
   // The rest means something if the status is Ok.
   /// There is no triangle, and it is not known whether there was one before loops dropped all.
   bool MayBeEmptiedByLoops = false;
-  std::size_t Triangles = 0;                              ///< put out
-  std::size_t Cells = 0;                                  ///< put out
+  std::size_t Triangles = 0;                              ///< of the output
+  std::size_t Cells = 0;                                  ///< of the output
   std::vector<std::array<std::int64_t, 2>> CrossingCells; ///< of all left out, over ranks
   bool MarksAreUnfit = false;
   vtkAHDInput::SourceContent Source;
-  bool IsDiagramInPlane = false; ///< although the points are not: there is no way back
+  bool IsDiagramInPlane = false; ///< because the transform has no inverse
   std::array<double, ahd::kPhases> Seconds = {};
 
-  /// Of memory, KiB.
+  /// The estimated memory, KiB.
   vtkTypeInt64 GetEstimate() const { return static_cast<vtkTypeInt64>(this->estimate / 1024); }
-  /// On memory, KiB.
+  /// The limit on memory, KiB.
   vtkTypeInt64 GetLimit() const { return static_cast<vtkTypeInt64>(this->allowed / 1024); }
 
   /// Wall-clock time of some phases.

@@ -62,7 +62,7 @@ vtkSmartPointer<vtkPointData> UsableData(vtkPointSet* block, bool marked)
   return usable;
 }
 
-/// Appends as many cells, which nobody looks at: they are counted.
+/// Appends the number of cells, which are only counted.
 void AppendUnread(vtkCellArray* to, vtkCellArray* cells)
 {
   for (vtkIdType k = 0; k < cells->GetNumberOfCells(); ++k)

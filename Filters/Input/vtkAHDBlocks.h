@@ -18,13 +18,13 @@ class vtkPolyData;
  * The points of all blocks of a composite data set as one point set.
  *
  * The points of one block follow those of the one before, in the order of the data set's iterator.
- * Blocks without points are passed over, and so are those that are no vtkPointSet (of a source: no
- * vtkPolyData), which are counted. Holds what the blocks have when it is made.
+ * Blocks without points are ignored, and so are blocks that are not a vtkPointSet (of a source: a
+ * vtkPolyData), which are counted. Holds the data that the blocks have when it is created.
  */
 class vtkAHDBlocks
 {
 public:
-  /// What its blocks are to be.
+  /// The use of the blocks.
   enum class Kind
   {
     PointSets,
@@ -34,7 +34,7 @@ public:
 
   explicit vtkAHDBlocks(vtkCompositeDataSet* blocks, Kind kind = Kind::PointSets);
 
-  /// Blocks that have no points of their own, or are no vtkPolyData.
+  /// Blocks without points of their own, or not a vtkPolyData.
   vtkIdType GetNumberOfOthers() const { return this->Others; }
 
   /// The class of the first of them.
@@ -53,7 +53,7 @@ public:
   /// blocks have, by name, type and number of components, with a value for each point. Blocks
   /// without ghost marks that fit count as unmarked if others have some. Of sources the cells too,
   /// by kind (vertices, lines, polygons, strips), with the new ids of their points. Throws
-  /// vtkAHDStop if the filter is to abort or where offsets of lines or polygons lie, and
+  /// vtkAHDStop on an abort or if offsets of lines or polygons are invalid, and
   /// std::bad_alloc.
   vtkSmartPointer<vtkPolyData> Merge(const vtkAHDContext& context) const;
 

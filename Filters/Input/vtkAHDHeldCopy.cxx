@@ -12,7 +12,7 @@
 namespace
 {
 /// Points that leave the time of their array alone: vtkPoints::Modified(), which SetData() calls,
-/// is the array's, too, so that all others who have the array would run again.
+/// is the array's, too, so that all other owners of the array would execute again.
 class SharingPoints : public vtkPoints
 {
 public:

@@ -8,9 +8,9 @@ class vtkPointSet;
 class vtkPolyData;
 
 /// The same points, point data and, of a vtkPolyData, cells and field data, in objects of its own
-/// that share the arrays: whatever is done to the other's objects meanwhile, this has all arrays
-/// that it had. Their memory is not held: who gives an array other memory takes it from all that
-/// share it (vtkBuffer). Null for null.
+/// that share the arrays: it keeps all its arrays even if the other's objects are changed. The
+/// memory of arrays is not held: replacing it affects all objects that share the array
+/// (vtkBuffer). Null for null.
 vtkSmartPointer<vtkPolyData> vtkAHDHeldCopy(vtkPointSet* data);
 
 /// Gives a shallow copy, if there is one, a vtkPoints of its own, which shares the array.

@@ -9,7 +9,7 @@
 
 namespace
 {
-/// The points of the source, if they are to be triangulated.
+/// The points of the source, if they are triangulated.
 vtkPoints* PointsToAdd(const vtkAHDSettings& settings, vtkPolyData* source)
 {
   return settings.AddSourcePoints && source ? source->GetPoints() : nullptr;

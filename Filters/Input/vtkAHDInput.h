@@ -15,9 +15,9 @@
 #include <array>
 
 /**
- * The data sets of one execution as the engine takes them: points, ghost marks and cells, looked at
- * where they lie. Holds the data sets and the arrays that it looks at: nobody may give these other
- * memory as long as what was opened is in use.
+ * The data sets of one execution as the engine reads them: points, ghost marks and cells, in
+ * place. Holds the data sets and the arrays that it reads; their memory must not be replaced while
+ * the opened views are in use.
  */
 class vtkAHDInput
 {
@@ -25,11 +25,11 @@ public:
   /// `source` may be null. Nothing is allocated.
   vtkAHDInput(const vtkAHDSettings& settings, vtkPointSet* input, vtkPolyData* source);
 
-  /// What is asked of the engine: counts from the beginning, points and cells once they are open.
+  /// The engine's request: counts from the beginning, points and cells once they are open.
   const ahd::InputRequest& GetRequest() const { return this->Request; }
 
   /// Opens points and cells; converts points that are neither floats nor doubles, and ids that are
-  /// not whole numbers of one size in memory. Throws vtkAHDStop if the filter is to abort, and
+  /// not whole numbers of one size in memory. Throws vtkAHDStop on an abort, and
   /// std::bad_alloc.
   void Open(const vtkAHDContext& context);
 
@@ -41,7 +41,7 @@ public:
   /// The source whose points are added; null if none are.
   vtkPolyData* GetSourceOfPoints() const;
 
-  /// What there is in the source besides lines and polygons; none in no source.
+  /// The content of the source besides lines and polygons; empty without a source.
   struct SourceContent
   {
     vtkIdType Points = 0;
@@ -50,7 +50,7 @@ public:
   };
   const SourceContent& GetSourceContent() const { return this->Found; }
 
-  /// Is there an array vtkGhostType that has not one value per point? It is ignored.
+  /// Is there an array vtkGhostType without one value per point? It is ignored.
   bool GetMarksAreUnfit() const { return this->MarksAreUnfit; }
 
   /// Are points neither floats nor doubles in memory? Then Open() converts them.

@@ -10,9 +10,9 @@ class vtkAHDContext;
 class vtkTransform;
 
 /**
- * A VTK transform as the engine's Projection. The transform is brought up to date, not changed; a
- * homogeneous one is asked by several threads, any other, which may not stand that, by this one. A
- * point with a coordinate that is not finite gets three that are NaN.
+ * A VTK transform as the engine's Projection. The transform is updated, not changed; a
+ * homogeneous one is used by several threads, others, which may not be thread-safe, by this one. A
+ * point with a coordinate that is not finite becomes NaN in all three.
  */
 class vtkAHDProjection : public ahd::Projection
 {
@@ -22,7 +22,7 @@ public:
   {
   }
 
-  /// Who is told of progress, and the threads that work. REQUIRES: it outlives the projection.
+  /// The progress and threads to use. @pre it outlives the projection.
   void SetContext(const vtkAHDContext& context) { this->Context = &context; }
 
   bool project(const ahd::PointView& points, double* to, const ahd::Context&) const override;
@@ -34,8 +34,8 @@ private:
   const vtkAHDContext* Context = nullptr;
 };
 
-/// Where points lie from the plane, as a transform. Far from the coordinates' origin it rounds more
-/// than Plane::project(), as a matrix cannot subtract before it multiplies.
+/// The plane as a transform: positions in it, and heights above it. Far from the coordinates'
+/// origin it rounds more than Plane::project(), as a matrix cannot subtract before it multiplies.
 vtkSmartPointer<vtkTransform> vtkAHDMakeTransform(const ahd::Plane& plane);
 
 #endif

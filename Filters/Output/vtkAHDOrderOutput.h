@@ -13,14 +13,14 @@ class vtkPolyData;
  * The order of the insertion as a vtkPolyData: the engine's drawing
  * (Engine/Surface/OrderDrawing.h).
  *
- * Cells: first the curve, a polyline through the inserted points, if it is asked for and there are
- * two of them at least; then a quadrangle per box. Cell data: "Level" and "Count". Point data:
+ * Cells: first the curve, a polyline through the inserted points, if requested and if there are
+ * at least two; then a quadrangle per box. Cell data: "Level" and "Count". Point data:
  * "InsertionRank" and "OriginalPointIds".
  */
 namespace vtkAHDOrderOutput
 {
-/// Fills `output`; with boxes if the engine kept them. Throws vtkAHDStop if the filter is to abort,
-/// and std::bad_alloc if there is no room; then `output` is to be emptied. REQUIRES: with a
+/// Fills `output`; with boxes if the engine kept them. Throws vtkAHDStop on an abort,
+/// and std::bad_alloc; then `output` must be emptied. @pre with a
 /// curve, the points were triangulated with Options::keepOrder.
 void Write(ahd::Triangulation& triangulation, bool withCurve, vtkPolyData* output,
   const vtkAHDContext& context);

@@ -16,27 +16,27 @@ class vtkPointSet;
 class vtkPolyData;
 
 /**
- * The points and point data of the surface: the input's, or, where points were added, a copy with
- * these behind, in double precision, and with their values in all arrays.
+ * The points and point data of the surface: the input's, or, if points were added, a copy followed
+ * by these, in double precision, and with their values in all arrays.
  *
  * Added points have the values of the source's array of the same name and number of components if
- * they are points of the source (or what linear interpolation gives where these are laid on the
- * surface of the input), and what linear interpolation gives, as a mean over both segments,
- * if they are crossings; where there is no such value, NaN in arrays of floating point numbers, and
- * 0 or nothing in others. Ghost marks (vtkGhostType) are 0. Global and pedigree ids are -1, or 0 or
- * nothing where that cannot be had; they become arrays like others.
+ * they are points of the source (or linearly interpolated values if these are laid on the
+ * surface of the input), and the mean of the values interpolated linearly along both segments
+ * if they are crossings; without such a value, NaN in arrays of floating-point numbers, and
+ * 0 or empty in others. Ghost marks (vtkGhostType) are 0. Global and pedigree ids are -1, or 0 or
+ * empty if the type has no -1; they become ordinary arrays.
  */
 class vtkAHDPointOutput
 {
 public:
   /// Borrows all. `data`: null, or the input's points with other data in place of its own.
-  /// REQUIRES: the input is open.
+  /// @pre the input is open.
   vtkAHDPointOutput(
     const vtkAHDInput& input, const ahd::PreparedInput& points, vtkPointSet* data = nullptr);
 
-  // Both throw vtkAHDStop if the filter is to abort, and std::bad_alloc if there is no room.
+  // Both throw vtkAHDStop on an abort, and std::bad_alloc.
 
-  /// `means`: null, or what was made of the points: then each place of several is at their mean.
+  /// `means`: null, or the prepared points: then coinciding points are at their mean.
   void WritePlaces(ahd::RunResult* means, vtkPolyData* output, const vtkAHDContext& context) const;
   void WriteData(vtkPointData* output, const vtkAHDContext& context) const;
 

@@ -19,8 +19,8 @@ class vtkPolyData;
 
 /**
  * The first output: a triangulation as a vtkPolyData. The engine writes triangles and arrays
- * straight into the memory of VTK's arrays. Everything here throws vtkAHDStop if the filter is to
- * abort or the engine could not go on, and std::bad_alloc if there is no room.
+ * straight into the memory of VTK's arrays. All functions throw vtkAHDStop on an abort or
+ * if the engine fails, and std::bad_alloc.
  */
 class vtkAHDSurface
 {
@@ -33,18 +33,18 @@ public:
   {
   }
 
-  /// Points and point data: the input's, or, where points were added, a copy with these behind;
-  /// where that is asked for, each place of several points at their mean.
+  /// Points and point data: the input's, or, if points were added, a copy followed by these;
+  /// on request, coinciding points at their mean.
   void WritePoints(const vtkAHDInput& input, ahd::RunResult& made) const;
 
-  /// The cells: triangles, and what the limits on their size leave instead of some. REQUIRES: the
-  /// points are there. Makes the selection.
+  /// The cells: triangles, and the lines and vertices that replace some under limits of size.
+  /// Makes the selection. @pre the points are written.
   void WriteCells(ahd::RunResult& made);
 
-  /// The point arrays that are asked for.
+  /// The requested point arrays.
   void AddPointArrays(ahd::RunResult& made) const;
 
-  /// The cell arrays that are asked for. REQUIRES: WriteCells().
+  /// The requested cell arrays. @pre WriteCells().
   void AddCellArrays(ahd::RunResult& made) const;
 
   /// The field data array "Crossings", at most a thousand rows; none, and none of the input's, if
@@ -61,7 +61,7 @@ private:
   const vtkAHDSettings& Settings;
   const vtkAHDContext& Context;
   vtkPolyData* const Output;
-  vtkSmartPointer<vtkIdTypeArray> Neighbors; ///< if they are asked for, from WriteCells() on
+  vtkSmartPointer<vtkIdTypeArray> Neighbors; ///< if requested, from WriteCells() on
 };
 
 #endif

@@ -113,7 +113,7 @@ void vtkAHDVoronoi::DropData(vtkPolyData* output)
 
 void vtkAHDVoronoi::WriteData(vtkPolyData* surface, vtkPolyData* output)
 {
-  vtkNew<vtkPointData> pointData; // what there is of every point
+  vtkNew<vtkPointData> pointData; // arrays with a value for every point
   pointData->ShallowCopy(surface->GetPointData());
   pointData->RemoveArray(kIdsName);
   vtkAHDRemoveArraysOfOneName(pointData);

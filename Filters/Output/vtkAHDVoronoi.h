@@ -18,21 +18,21 @@ class vtkPolyData;
 namespace vtkAHDVoronoi
 {
 /// Fills `output`: z is 0. `surface`: has the points that were triangulated and their data, of
-/// which arrays with fewer tuples than points are left out. Uses up the cells. Throws vtkAHDStop if
-/// the filter is to abort, and std::bad_alloc if there is no room.
+/// which arrays with fewer tuples than points are left out. Consumes the cells. Throws vtkAHDStop
+/// on an abort, and std::bad_alloc.
 void Write(ahd::VoronoiCells&& cells, vtkPolyData* surface, vtkPolyData* output,
   const vtkAHDContext& context);
 
-/// Is this what Write() wrote?
+/// Is this an output of Write()?
 bool IsWritten(vtkPolyData* output);
 
-/// Leaves of its cell data what WriteData() needs. REQUIRES: IsWritten().
+/// Keeps only the cell data that WriteData() needs. @pre IsWritten().
 void DropData(vtkPolyData* output);
 
-/// Replaces the cell data of what Write() wrote by those of other point data of the same points.
+/// Replaces the cell data of an output of Write() by those of other point data of the same points.
 void WriteData(vtkPolyData* surface, vtkPolyData* output);
 
-/// Moves the polygons from the plane z = 0 to where `toPlane` takes points from. Returns false, and
+/// Moves the polygons from the plane z = 0 by the inverse of `toPlane`. Returns false, and
 /// moves nothing, if the transform has no inverse.
 bool MoveBack(vtkAbstractTransform* toPlane, vtkPolyData* output);
 }

@@ -10,7 +10,7 @@
 #include <new>
 
 /// A VTK array of `count` numbers, one component, not initialised; throws std::bad_alloc. Allocates
-/// by itself, since VTK's arrays, depending on how they were built, end the program where there is
+/// by itself, because VTK's arrays, depending on how they were built, end the program if there is
 /// no memory.
 template <typename Array>
 vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count)
@@ -27,8 +27,8 @@ vtkSmartPointer<Array> vtkAHDNewArray(vtkIdType count)
   return array;
 }
 
-/// Makes room for `count` numbers in an array of vtkAHDNewArray(): those that it has stay, as far
-/// as there is room. Large ones are not copied where the system can move their pages. Throws
+/// Resizes an array of vtkAHDNewArray() to `count` numbers and keeps its first ones. Large arrays
+/// are not copied if the system can move their pages. Throws
 /// std::bad_alloc, and leaves it as it was.
 template <typename Array>
 void vtkAHDResizeArray(Array* array, vtkIdType count)

@@ -7,16 +7,16 @@
 
 #include <cstring>
 
-/// Adds the array in place of one that has its name, which ceases to be normals, ids or whatever
-/// else it was: what VTK expects of these may not be true of the new one.
+/// Replaces an array of the same name. The new one is no active attribute (normals, ids, ...), as
+/// it may not satisfy what VTK requires of these.
 inline void vtkAHDReplaceArray(vtkDataSetAttributes* data, vtkAbstractArray* array)
 {
   data->RemoveArray(array->GetName());
   data->AddArray(array);
 }
 
-/// Of several arrays of one name (each got it after it was added) only the last stays, as it does
-/// where VTK passes them on.
+/// Of several arrays with one name (set after they were added) only the last stays, as when VTK
+/// passes them on.
 inline void vtkAHDRemoveArraysOfOneName(vtkDataSetAttributes* data)
 {
   for (int i = data->GetNumberOfArrays() - 1; i >= 0; --i)

@@ -14,14 +14,13 @@
 #include <cstdint>
 #include <vector>
 
-/// Cells as the engine looks at them: where they lie if ids and offsets are all of 32 or all of 64
-/// bits in memory. Others have to be converted: since VTK 9.6 offsets need not be in memory (cells
+/// Cells as the engine reads them: in place if ids and offsets are all of 32 or all of 64
+/// bits in memory. Others must be converted: since VTK 9.6 offsets need not be in memory (cells
 /// of one size), and ids may be of any type.
 class vtkAHDCellsView
 {
 public:
-  /// Holds the arrays that the cells have at this time; null stands for none. `what` they are, for
-  /// messages: a literal.
+  /// Holds the current arrays of the cells; null: none. `what`: a literal, their name in messages.
   explicit vtkAHDCellsView(vtkCellArray* cells, const char* what)
     : What(what)
     , Ids(cells ? cells->GetConnectivityArray() : nullptr)
@@ -35,10 +34,10 @@ public:
     }
   }
 
-  /// How many cells and ids; Open() tells where they are.
+  /// The numbers of cells and ids; Open() fills in the arrays.
   const ahd::CellsView& GetCounts() const { return this->View; }
 
-  /// Bytes that converting them takes.
+  /// Bytes of the converted cells.
   std::size_t EstimateBytes() const
   {
     if (this->View.ids == 0 || this->HasOnly<vtkTypeInt32>())
@@ -50,8 +49,8 @@ public:
     return sizeof(std::int64_t) * (ids + offsets);
   }
 
-  /// The cells, converted if they must be. Good as long as this object, and nobody gives the arrays
-  /// other memory. Throws vtkAHDStop if the filter is to abort or where offsets lie, and
+  /// The cells, converted if they must be. Valid as long as this object exists and the arrays keep
+  /// their memory. Throws vtkAHDStop if the filter aborts or offsets are invalid, and
   /// std::bad_alloc.
   ahd::CellsView Open(const vtkAHDContext& context)
   {
@@ -95,11 +94,11 @@ private:
     return Lying<Number>(this->Ids) && Lying<Number>(this->Offsets);
   }
 
-  /// Where the array's numbers of 64 bits are; null if it has others.
+  /// The array's numbers of 64 bits; null if it has others.
   static const std::int64_t* Wide(vtkDataArray* array)
   {
     auto* lying = Lying<vtkTypeInt64>(array);
-    // long and long long are one type in two names
+    // long and long long are one type with two names
     return lying ? reinterpret_cast<const std::int64_t*>(lying->GetPointer(0)) : nullptr;
   }
 

@@ -15,16 +15,15 @@
 #include <thread>
 #include <vector>
 
-/// Why an execution cannot go on. Thrown within this layer, and caught where the execution began.
+/// The reason why an execution ends. Thrown within this layer, and caught where it began.
 struct vtkAHDStop
 {
   ahd::Status Reason;
   ahd::BadCell Cell = {};        ///< where the reason is BadCells
-  const char* CellsOf = nullptr; ///< what these cells are, if that is known
+  const char* CellsOf = nullptr; ///< the name of these cells, if known
 };
 
-/// Who is told of progress in one Update(), the threads that work in it, and the memory of what it
-/// puts out. Borrows all of them.
+/// The progress, threads and output memory of one Update(). Borrows all of them.
 class vtkAHDContext
 {
 public:
@@ -38,14 +37,14 @@ public:
 
   /// For the engine.
   operator ahd::Context() const { return { &this->Progress, &this->Threads }; }
-  /// The same for what is no phase's: its time is that of none.
+  /// The same for work outside of phases, whose time is not counted.
   ahd::Context WithoutPhases() const { return { &this->Untimed, &this->Threads }; }
 
   vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
 
   ahd::RunProgress& GetProgress() const { return this->Progress; }
 
-  /// A VTK array to be put out, of `count` numbers, one component, not initialised. Throws
+  /// A VTK array for an output, of `count` numbers, one component, not initialised. Throws
   /// std::bad_alloc.
   template <typename Array>
   vtkSmartPointer<Array> NewArray(vtkIdType count) const
@@ -70,10 +69,10 @@ public:
     }
   }
 
-  /// Is the filter to abort?
+  /// Has an abort been requested?
   bool IsAborted() const { return !this->Progress.goesOn(); }
 
-  /// Throws vtkAHDStop if the filter is to abort.
+  /// Throws vtkAHDStop if an abort has been requested.
   void StopIfAborted() const
   {
     if (this->IsAborted())
@@ -83,8 +82,8 @@ public:
   }
 
   /// Calls work(begin, end) for pieces of [0, count), each from a multiple of 2^14 on, on all
-  /// threads where it pays, and asks on the calling thread between its pieces whether the filter is
-  /// to abort. Throws vtkAHDStop if so. `work` throws nothing.
+  /// threads if it pays, and checks for an abort on the calling thread between its pieces. Throws
+  /// vtkAHDStop on an abort. `work` throws nothing.
   template <typename Work>
   void ForRange(std::size_t count, const Work& work) const
   {
@@ -94,12 +93,12 @@ public:
     }
   }
 
-  /// The same, but returns false if the filter is to abort: then some pieces are missing.
+  /// The same, but returns false on an abort: then some pieces are missing.
   template <typename Work>
   bool TryRange(std::size_t count, const Work& work) const
   {
     constexpr std::size_t kPiece = std::size_t(1) << 14;
-    constexpr std::size_t kLeastShared = std::size_t(1) << 18; // fewer are done sooner than shared
+    constexpr std::size_t kLeastShared = std::size_t(1) << 18; // less work is not worth sharing
     const std::thread::id caller = std::this_thread::get_id();
     std::atomic<bool> aborted{ false };
     const auto ask = [&]
@@ -134,7 +133,7 @@ public:
   }
 
 private:
-  /// Asks whether to go on, and begins no phase.
+  /// Checks for an abort, without a phase.
   struct Asking : ahd::Progress
   {
     explicit Asking(vtkAHDProgress& progress)

@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t kLeast = std::size_t(1) << 16; ///< smaller arrays are not worth keeping
 }
 
-/// What is kept. Shared with the arrays whose memory is to come back.
+/// The kept memory. Shared with the arrays whose memory comes back.
 struct vtkAHDOutputMemory::Store
 {
   std::mutex Mutex;                                // of all below
@@ -64,7 +64,7 @@ struct vtkAHDOutputMemory::Origins
     std::size_t Bytes = 0;
   };
 
-  std::mutex Mutex; // of what follows
+  std::mutex Mutex; // of the members below
   std::unordered_map<void*, Origin> Of;
 
   static Origins& Get()

@@ -10,23 +10,23 @@
 #include <memory>
 
 /**
- * Memory of large arrays that a filter puts out: when the last who has such an array lets go of it,
- * it is kept for an array of the next execution, which then need not ask the system for pages.
+ * Memory of large output arrays: when the last owner releases such an array, its memory is kept for
+ * an array of the next execution, which then need not get pages from the system.
  *
- * Arrays may outlive this, and may be let go of by any thread. All else is for one thread at a
- * time. What takes memory throws std::bad_alloc, after what is kept was given back.
+ * Arrays may outlive this object and be released by any thread. All else is for one thread at a
+ * time. Functions that allocate throw std::bad_alloc, after they have freed the kept memory.
  */
 class vtkAHDOutputMemory
 {
 public:
-  /// Keeps nothing until KeepAtMost() says how much.
+  /// Keeps nothing until KeepAtMost() sets a limit.
   vtkAHDOutputMemory();
   ~vtkAHDOutputMemory();
   vtkAHDOutputMemory(const vtkAHDOutputMemory&) = delete;
   vtkAHDOutputMemory& operator=(const vtkAHDOutputMemory&) = delete;
 
-  /// What is allocated for so many bytes, a sixteenth more at most: so that the next array may be a
-  /// little larger. Pages that nobody writes to take no memory.
+  /// The bytes allocated for so many, at most a sixteenth more: the next array may be a little
+  /// larger. Unwritten pages take no memory.
   static std::size_t GetCapacity(std::size_t bytes);
 
   /// A VTK array of `count` numbers, one component, not initialised.
@@ -37,7 +37,7 @@ public:
     return this->MakeArray<Array>(memory, count);
   }
 
-  /// Memory for `count` elements or more, to be filled and given to MakeArray().
+  /// Memory for `count` elements or more, to fill and pass to MakeArray().
   template <typename Element>
   ahd::Buffer<Element> Take(std::size_t count)
   {
@@ -60,14 +60,14 @@ public:
     return array;
   }
 
-  /// The most bytes that are kept from now on. What is kept now was of no use to the execution that
-  /// ends with this: it goes back to the system.
+  /// Limits the bytes that are kept. Frees the memory kept so far, which the execution that ends
+  /// with this call did not use.
   void KeepAtMost(std::size_t bytes);
 
-  /// Bytes that are kept, not those of arrays.
+  /// Bytes that are kept, without those of arrays.
   std::size_t GetBytes() const;
 
-  /// Gives back what is kept.
+  /// Frees all kept memory.
   void Release();
 
 private:

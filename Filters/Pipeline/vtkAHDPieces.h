@@ -12,7 +12,7 @@
 
 class vtkMultiProcessController;
 
-/// Does no other process work on pieces of its own? `own`: the filter's controller; may be null.
+/// Is this the only process? `own`: the filter's controller; may be null.
 inline bool vtkAHDIsOnlyProcess(vtkMultiProcessController* own)
 {
 #if VTK_MODULE_ENABLE_VTK_ParallelCore
@@ -24,7 +24,7 @@ inline bool vtkAHDIsOnlyProcess(vtkMultiProcessController* own)
 #endif
 }
 
-/// Asks for all of these inputs, whichever piece of the output is wanted.
+/// Requests the whole of these inputs, whichever piece of the output is requested.
 inline void vtkAHDAskForAll(vtkInformationVector* inputs)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -41,7 +41,7 @@ inline void vtkAHDAskForAll(vtkInformationVector* inputs)
   }
 }
 
-/// Is another piece than the first wanted of this output?
+/// Is a piece other than the first requested of this output?
 inline bool vtkAHDIsLaterPiece(vtkInformation* output)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;

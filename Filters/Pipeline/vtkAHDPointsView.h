@@ -13,12 +13,12 @@
 #include <cstddef>
 #include <vector>
 
-/// Points as the engine looks at them, x, y, z each: where they lie if they are floats or doubles.
-/// Points of other types have to be converted.
+/// Points as the engine reads them, x, y, z each: in place if they are floats or doubles.
+/// Points of other types must be converted.
 class vtkAHDPointsView
 {
 public:
-  /// Holds the array that the points have at this time; null stands for none.
+  /// Holds the current array of the points; null: none.
   explicit vtkAHDPointsView(vtkPoints* points)
     : Data(points && points->GetNumberOfPoints() > 0 ? points->GetData() : nullptr)
     , Count(this->Data ? static_cast<std::size_t>(points->GetNumberOfPoints()) : 0)
@@ -37,15 +37,15 @@ public:
       !vtkArrayDownCast<vtkDoubleArray>(this->GetData());
   }
 
-  /// Bytes that converting them takes.
+  /// Bytes of the converted points.
   std::size_t EstimateBytes() const
   {
     return this->MustBeConverted() ? 3 * sizeof(double) * this->Count : 0;
   }
 
-  /// The points, converted if they must be. Good as long as this object, and
-  /// nobody gives the array other memory. Throws
-  /// vtkAHDStop if the filter is to abort, and std::bad_alloc.
+  /// The points, converted if they must be. Valid as long as this object exists
+  /// and the array keeps its memory. Throws
+  /// vtkAHDStop on an abort, and std::bad_alloc.
   ahd::PointView Open(const vtkAHDContext& context)
   {
     if (auto* floats = vtkArrayDownCast<vtkFloatArray>(this->GetData()))

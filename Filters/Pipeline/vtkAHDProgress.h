@@ -8,8 +8,8 @@ class vtkAlgorithm;
 
 /**
  * The progress of an execution for a VTK filter: reports to vtkAlgorithm::UpdateProgress, and
- * cancels when the filter is to abort. Observers may be slow, so they hear of no more than
- * ahd::RunProgress says; they can draw and abort.
+ * cancels on an abort. Observers may be slow, so they are called no more often than
+ * ahd::RunProgress reports; they can draw and abort.
  */
 class vtkAHDProgress : public ahd::RunProgress
 {

@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <new>
 
-/// Says what these facts give cause for (Engine/Job/Catalogue.h) in the name of a filter: refusals
-/// as errors, all else as warnings. Returns whether anything was said.
+/// Reports the messages about these facts (Engine/Job/Catalogue.h) for a filter: refusals
+/// as errors, all others as warnings. Returns whether there were any.
 inline bool vtkAHDSay(vtkAlgorithm* filter, ahd::Topic topic, const ahd::Facts& facts)
 {
   const auto said = ahd::messages(topic, ahd::Wording::Class, facts);
@@ -28,8 +28,8 @@ inline bool vtkAHDSay(vtkAlgorithm* filter, ahd::Topic topic, const ahd::Facts& 
   return !said.empty();
 }
 
-/// Calls say(), which says in the name of the filter that memory has run out. If there is none left
-/// for that either, a line on the standard error says it, and nothing is thrown.
+/// Calls say(), which reports for the filter that memory ran out. If there is no memory for that
+/// either, writes a line to the standard error; throws nothing.
 template <typename Say>
 void vtkAHDSayOutOfMemory(const char* filter, const Say& say)
 {

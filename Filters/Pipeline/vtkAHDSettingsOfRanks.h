@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-/// A filter's settings that must be set to the same on all ranks. Empty where there is one rank.
+/// A filter's settings that must be the same on all ranks. Empty on a single rank.
 struct vtkAHDSettingsOfRanks
 {
   std::vector<std::pair<const char*, double>> Numbers; ///< by name; of a list each

@@ -3,12 +3,12 @@
 #define vtkAHDThreads_h
 
 /**
- * How many threads to take when the user wished for `wished`.
+ * The number of threads to use for the setting `wished`.
  *
  * More than 0: exactly so many, 1024 at most. 0: one for each processor that this process may run
  * on, but not more than vtkSMPTools would take, or would take if its backend were not Sequential:
  * vtkSMPTools::Initialize(n) limits them, else the environment variable VTK_SMP_MAX_THREADS does.
- * One only, where vtkSMPTools is at work already and was told not to nest.
+ * One only, if called within vtkSMPTools without nested parallelism.
  */
 unsigned vtkAHDThreadsToUse(int wished);
 

@@ -26,7 +26,7 @@ class Call(NamedTuple):
 
     job: Job  # is told by callbacks
     thread: threading.Thread
-    arrays: List[Any]  # anchors of what the library looks at and writes meanwhile
+    arrays: List[Any]  # owners of the memory that the library reads and writes meanwhile
 
 
 AT_WORK: Dict[int, Call] = {}  # by the address of the library's job, which callbacks are given
@@ -43,7 +43,7 @@ def _on_progress(number: int, phase: int, fraction: float) -> int:
 
 
 def _on_projection(number: int, xyz: int, count: int) -> int:
-    """The function has a copy: what it keeps, and what a debugger shows of it later, outlives the library's memory."""
+    """The function gets a copy: references to it, also in a debugger, outlive the library's memory."""
     job = AT_WORK[number].job
     try:
         if job._raised is None and job._projection is not None:
@@ -67,7 +67,7 @@ PROJECTION, NO_PROJECTION = Projection(_on_projection), Projection()
 
 
 class Interrupts:
-    """While it is entered, what the handler of SIGINT raises goes to `tell`: it cancels the work.
+    """While it is entered, exceptions of the handler of SIGINT go to `tell`, which cancels the work.
 
     Python runs the handler when a callback begins, before its first line: an exception from there would be
     printed by ctypes and lost. Only the main thread runs handlers, so others need none of this.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is kept between calls of the library, and who owns it: jobs of the library, and memory that it looks at."""
+"""Owners of objects kept between calls of the library: its jobs, and memory that it reads."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ._interface import C, OutOfMemory
 
 
 class Handle:
-    """A job of the library. Whoever has this object has the job, and nothing else frees it.
+    """The only owner of a job of the library.
 
     The job must be there for as long as any finalizer can still use it. Python's collector of cycles runs the
     finalizers of all that it found unreachable, in any order, and before them the callbacks of weak references to it.
@@ -50,7 +50,7 @@ NO_HANDLE = _NoHandle()
 
 
 def anchor(array: np.ndarray) -> Tuple[Any, ...]:
-    """What keeps the memory of an array where it is, as long as it is held. The array alone does not: the one that owns
+    """Keeps the memory of an array in place as long as it is held. The array alone does not: the one that owns
     the memory can be resized in place, and so can what other memory belongs to (a bytearray, an mmap, shared memory),
     unless it knows of somebody who looks at it."""
     owner = array

@@ -17,9 +17,9 @@ Plane = Union[str, Any, Callable[[np.ndarray], Optional[np.ndarray]]]
 Chains = Tuple[np.ndarray, Optional[np.ndarray]]  # ids, and where each chain begins if they are one list
 Fingerprint = Dict[str, Tuple[int, int]]  # of each array that the caller can change
 
-#: What the keywords are that are one number or word each.
+#: The defaults of keywords that are one number or word each.
 DEFAULTS: Mapping[str, Any] = {name: row.default for name, row in KEYWORDS.items()}
-#: Those that have words: these, in the order of the header's numbers.
+#: The words of those that have some, in the order of the header's numbers.
 CHOICES: Mapping[str, Tuple[str, ...]] = {name: row.words for name, row in KEYWORDS.items() if row.words}
 
 _NAMES_HERE = {"line_ids": "segments or lines", "loop_ids": "loops", "skip": "marks of `skip`"}
@@ -110,7 +110,7 @@ def points_of(name: str, given: Any) -> np.ndarray:
 
 
 def skip_of(given: Any, count: int) -> np.ndarray:
-    """(count,) uint8, not 0 where a point is to be left out."""
+    """(count,) uint8, not 0 for points to skip."""
     if isinstance(given, np.ma.MaskedArray):
         raise TypeError("skip is a masked array, whose mask would be lost")
     marks = np.asarray(given)
@@ -245,7 +245,7 @@ class Request:
         self._take_plane(plane)
 
     def _take(self, name: str, array: np.ndarray, given: Any) -> None:
-        """An array that was made of what was given; a view of it, whose shape nobody else can change."""
+        """A view, with its own shape, of the array made of an argument."""
         if _is_shown(array, given):
             self._shared[name] = anchor(array)
             array = array.view()
@@ -260,7 +260,7 @@ class Request:
         return {name: library.fingerprint(self.arrays[name]) for name in self._shared}
 
     def first_changed(self, before: Fingerprint) -> str:
-        """What the caller calls the first array that has other numbers than it had; empty if none has."""
+        """The caller's name of the first array whose numbers have changed; empty if none has."""
         for name, numbers in before.items():
             if library.fingerprint(self.arrays[name]) != numbers:
                 return _NAMES_HERE.get(name, name)

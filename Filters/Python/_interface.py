@@ -31,7 +31,7 @@ UNKNOWN_NAME, BAD_VALUE, BAD_ARRAY, NOT_AVAILABLE, BUSY, NO_JOB, FAILED = range(
 # Types of numbers.
 FLOAT32, FLOAT64, INT32, INT64, UINT8 = range(1, 6)
 
-# What the library is doing.
+# Phases of the library's work.
 PHASES = ("merge", "split", "read", "sort", "insert", "constrain", "extract", "outputs")
 
 # Values of settings.
@@ -47,7 +47,7 @@ CLIP_HULL, CLIP_BOUNDS = range(2)
 SAMPLE_LINEAR, SAMPLE_NATURAL_NEIGHBOR, SAMPLE_LAPLACE, SAMPLE_NEAREST = range(4)
 OUTSIDE_NO_VALUE, OUTSIDE_NEAREST_VERTEX = range(2)
 
-# What is no id in point_status.
+# Values of point_status that are not ids.
 POINT_NOT_FINITE, POINT_NOT_INSERTED = -1, -2
 
 # Where a place lies.
@@ -81,7 +81,7 @@ FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32, weight_offse
 
 
 class EngineError(Exception):
-    """What a call of the engine ended with. `status` is one of the constants above."""
+    """The failure of a call of the engine. `status` is one of the constants above."""
 
     status = FAILED
 
@@ -91,7 +91,7 @@ class EngineError(Exception):
 
 
 class Cancelled(EngineError):
-    """The work was cancelled: by `Job.cancel`, or by what a progress function returned."""
+    """The work was cancelled, by `Job.cancel` or by the result of a progress function."""
 
     status = CANCELLED
 
@@ -302,7 +302,7 @@ def _fact(name: str, value: Any) -> Fact:
 
 
 def say(topic: int, words: int, facts: Mapping[str, Any], job: Any = None) -> Dict[str, str]:
-    """What there is to say, by the names of messages, in order: see ahd_say. `facts`: numbers, texts, tuples of both,
+    """The messages by their names, in order: see ahd_say. `facts`: numbers, texts, tuples of both,
     or lists of these; `job`: a Job whose counts are facts, too."""
     lists = {name: value if isinstance(value, list) else [value] for name, value in facts.items()}
     rows = [_fact(name, one) for name, each in lists.items() for one in each]

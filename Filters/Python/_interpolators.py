@@ -95,7 +95,7 @@ class LinearInterpolator(_Interpolator):
     values : (n, ...) array of real or complex numbers
         One row for each point; NaN may be among them: then all of a triangle that has one is NaN.
     fill_value : number, default NaN
-        What there is outside of the convex hull of the points (of the triangles of a Triangulation).
+        The value outside the convex hull of the points (or the triangles of a Triangulation).
     rescale : bool, default False
         Triangulate the points as they are in a square of side 1, for axes of units that do not compare.
     threads : int from 0 to 1024, default 0

@@ -2,7 +2,7 @@
 """The C interface of the engine (Filters/Engine/Interface/ahd.h), as Python has it.
 
 A `Job` has the settings, the input and, after `run`, the result. Names of settings, arrays, counts and
-measures are those of the header, which says what they mean. Arrays are NumPy's, what is wrong is an exception.
+measures are those of the header, which describes them. Arrays are NumPy's, errors are exceptions.
 The constants, errors and functions of `_interface` can be had from here too.
 """
 
@@ -39,12 +39,12 @@ _DOUBLES = frozenset(names(DOUBLE_SETTINGS))
 
 
 class Job:
-    """Settings, input, and what was made of them; see ahd_job in the header.
+    """Settings, input and result; see ahd_job in the header.
 
     For one thread at a time; several jobs may be at work in several threads at once. `cancel` alone may be
     called by another thread, or from a callback.
 
-    What a callback raises cancels the call and is raised by it, and so is KeyboardInterrupt: Ctrl-C works
+    An exception of a callback cancels the call and is raised by it, and so is KeyboardInterrupt: Ctrl-C works
     while the library does.
 
     Raises
@@ -56,7 +56,7 @@ class Job:
     def __init__(self, handle: Optional[Handle] = None) -> None:
         """Of a new job of the library, or of one that was handed on."""
         self._handle = Handle() if handle is None else handle
-        self._arrays: Dict[str, Any] = {}  # anchors of what the library looks at
+        self._arrays: Dict[str, Any] = {}  # owners of the memory that the library reads
         self._changed: Set[str] = set()  # settings
         self._progress: Optional[ProgressFunction] = None
         self._projection: Optional[ProjectionFunction] = None
@@ -84,7 +84,7 @@ class Job:
             raise ERRORS.get(status, Fault)(message, status)
 
     def _listen(self) -> None:
-        """Callbacks take the GIL: there are none where nobody wants to know."""
+        """Callbacks take the GIL: there are none without a progress function."""
         wanted = self._progress is not None or threading.current_thread() is threading.main_thread()
         if wanted != self._listens:
             function = PROGRESS if wanted else NO_PROGRESS
@@ -112,7 +112,7 @@ class Job:
             self._check(NO_JOB)
         raised: Optional[BaseException] = None
         try:
-            with Interrupts(self._put_aside):  # until nobody is told of the call any more
+            with Interrupts(self._put_aside):  # until the call is unregistered
                 try:
                     if _at_work.setdefault(handle.address, call) is not call:
                         raise _busy()
@@ -223,7 +223,7 @@ class Job:
         return value.value
 
     def run(self) -> None:
-        """Triangulates. What was made before is gone."""
+        """Triangulates. Discards the previous result."""
         self.hasTables = False
         self._call(C.ahd_run)
 
@@ -314,7 +314,7 @@ class Job:
         self._call(C.ahd_interpolate, where, values.ctypes.data, columns, arrays=(values,))
 
     def to_plane(self, xyz: np.ndarray) -> None:
-        """Moves points, (k, 3) float64, C-contiguous, in place to where they lie in the plane: see ahd_to_plane."""
+        """Moves points, (k, 3) float64, C-contiguous, in place to their position in the plane: see ahd_to_plane."""
         if xyz.dtype != np.float64 or not xyz.flags.c_contiguous or xyz.shape[1:] != (3,):
             raise BadInput("points: of shape %s, not (k, 3) float64" % (xyz.shape,), BAD_ARRAY)
         _check_writeable("points", xyz)
@@ -439,7 +439,7 @@ def defaults() -> Dict[str, Number]:
 #: Most bytes that are kept for the next job.
 REUSE_LIMIT = 1 << 28
 
-_spare: List[Handle] = []  # one at most: what is done with it is one step, so that threads need no lock
+_spare: List[Handle] = []  # at most one; each access is one step, so that threads need no lock
 
 
 def take_job() -> Job:
@@ -451,7 +451,7 @@ def take_job() -> Job:
 
 
 def give_back(job: Job) -> None:
-    """Keeps the memory of a job that nobody uses any more, at most REUSE_LIMIT bytes, for the next one: asking the
+    """Keeps the memory of an unused job, at most REUSE_LIMIT bytes, for the next one: asking the
     system for it takes a tenth of the time of 10^6 points. The job has nothing after that; if it is at work, it keeps
     all."""
     try:

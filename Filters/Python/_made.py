@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is made of a request when it is asked for, and the job that makes it."""
+"""Results of a request, computed when first used, and the job that computes them."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ if hasattr(os, "register_at_fork"):
 
 
 class Made:
-    """Holds the job of a request, and what has been made of it."""
+    """Holds the job of a request, and its results."""
 
     _job: Optional[library.Job]
-    _told: Set[str]  # what the job was told before it ran
-    _cached: Dict[str, Any]  # what has been made
+    _told: Set[str]  # announced to the job before it ran
+    _cached: Dict[str, Any]  # the results
     _fingerprint: Fingerprint  # of the input when the job ran first
     _counts: Dict[str, int]
     _measures: Dict[str, float]
@@ -57,7 +57,7 @@ class Made:
         self._fingerprint = {}
 
     def _locked(self) -> threading.RLock:  # type: ignore[valid-type]
-        """The lock, to be entered: work with the job, and what is made, are for one thread at a time."""
+        """Enters the lock: the job and the results are for one thread at a time."""
         if self._forks != _forks:
             with _renewing:
                 if self._forks != _forks:
@@ -66,7 +66,7 @@ class Made:
         return self._lock
 
     def _leave_to_the_parent(self) -> None:
-        """In a child of fork: a thread that had the lock is not there to give it back, nor to end what it had begun."""
+        """In a child of fork: a thread that held the lock cannot release it or finish its work."""
         if self._lock.acquire(blocking=False):
             self._lock.release()
         else:
@@ -94,13 +94,13 @@ class Made:
             self._give_back()
 
     def _check_input(self) -> None:
-        """RuntimeError where it is not what was triangulated."""
+        """RuntimeError if it has changed since it was triangulated."""
         changed = self._request.first_changed(self._fingerprint)
         if changed:
             raise RuntimeError("the %s were changed after they were triangulated: triangulate them again" % changed)
 
     def _engine(self, name: str = "") -> library.Job:
-        """The job, told of this before it ran. REQUIRES: the lock."""
+        """The job, told of this before it ran. Requires: the lock."""
         self._check_input()
         tell = {name} & _TOLD_BEFORE
         if self._job is None or not tell <= self._told:

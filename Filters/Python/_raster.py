@@ -141,7 +141,7 @@ def size_of(given: Any) -> Tuple[float, float]:
 
 
 def bounds_of(given: Any) -> Tuple[float, float, float, float]:
-    """What a raster covers."""
+    """The area of a raster."""
     try:
         xmin, xmax, ymin, ymax = (number_of(number) for number in given)
     except (TypeError, ValueError):
@@ -190,7 +190,7 @@ class Axis(NamedTuple):
         return self.origin + (self.count - 1) * self.spacing
 
     def is_too_wide(self) -> bool:
-        """Is what it is computed from, or the last centre, beyond the largest number?"""
+        """Do its terms, or the last centre, exceed the largest number?"""
         return not (math.isfinite(self.spacing) and math.isfinite(self.last()))
 
     def is_apart(self) -> bool:
@@ -235,7 +235,7 @@ def _by_size(low: float, high: float, size: float, align: bool) -> Axis:
         first = _whole_below(low / size, slack)
         count = max(1.0, -_whole_below(-(high / size), slack) - first)
         return Axis((first + 0.5) * size, size, count)
-    origin = low + 0.5 * size if low < high else low  # one row runs through what has no length
+    origin = low + 0.5 * size if low < high else low  # one row through a side without length
     return Axis(origin, size, max(1.0, -_whole_below(-_length_in(low, high, size), slack)))
 
 

@@ -76,7 +76,7 @@ class Sampled(Made):
     """The interpolation on a Triangulation."""
 
     def _for_places(self) -> library.Job:
-        """The job. The first time the engine makes tables of its own, and reads no points after that. REQUIRES: the
+        """The job. The first time the engine makes tables of its own, and reads no points after that. Requires: the
         lock."""
         return self._job if self._job is not None and self._job.hasTables else self._engine()
 
@@ -167,7 +167,7 @@ class Sampled(Made):
             neighbours, by the borders of the cells; not as smooth. 'nearest': of the nearest vertex, everywhere; of
             several the one of smallest (x, y). All but the last give back functions that are linear.
         outside : number or 'nearest', default NaN
-            What there is off the triangles, and at places that are not finite. 'nearest': the value of the nearest
+            The value outside the triangles, and at places that are not finite. 'nearest': the value of the nearest
             vertex. NaN that comes from `values` stays.
         gradient : bool, default False
             With 'linear': the slopes too.
@@ -227,7 +227,7 @@ class Sampled(Made):
         Returns
         -------
         Weights
-            `offsets`, `points` and `weights`; of ids of `points`, those that were added included. For heights multiply
+            `offsets`, `points` and `weights`; of ids of `points`, added ones included. For heights multiply
             with the z of `points`, which has the means of duplicates='mean_z'.
 
         Raises
@@ -333,9 +333,9 @@ class Sampled(Made):
         gradient: bool,
         progress: Optional[ProgressFunction],
     ) -> library.Samples:
-        """REQUIRES: the lock."""
+        """Requires: the lock."""
         job = self._for_places()
-        job.refuse_if_busy()  # whoever is at work has a callback, which stays
+        job.refuse_if_busy()  # a running call keeps its callback
         if progress is not None:
             tell = progress
             job.set_progress(lambda phase, fraction: tell(library.PHASES[phase], fraction) and None)

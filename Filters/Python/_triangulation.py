@@ -188,7 +188,7 @@ class Triangulation(Sampled):
         return made
 
     def _is_first(self) -> np.ndarray:
-        """(t, 3): is the triangle the first of those that have the edge?"""
+        """(t, 3): is the triangle the first one with the edge?"""
         beyond = self.neighbors
         return (beyond < 0) | (beyond > np.arange(len(beyond), dtype=beyond.dtype)[:, None])
 

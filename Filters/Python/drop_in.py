@@ -57,7 +57,7 @@ def _forget_measures(algorithm, _event):
 
 
 class _Clothes:
-    """What is different from vtkAdaptiveHilbertDelaunay2D:
+    """The differences from vtkAdaptiveHilbertDelaunay2D:
     - Tolerance is 1e-5 to begin with, as in vtkDelaunay2D: a fraction of the diagonal of the bounding box,
       here in the triangulation plane; points nearer to another than that are merged, and GetNumberOfMergedPoints
       says how many;
@@ -187,7 +187,7 @@ def _replace(package, installs):
     old, new = (original, ours) if installs else (ours, original)
     askers = _askers["original" if installs else "vtkDelaunay2D"]
     before, now = _places.get(package, ()), []
-    has = new if _in_place.get(package) == installs else old  # what a name has where a class was put
+    has = new if _in_place.get(package) == installs else old  # the value of a name where a class was put
     _in_place[package] = installs
     for module in list(sys.modules.values()):
         try:  # past __getattribute__: a look at a lazy module must not load it
@@ -273,7 +273,7 @@ def install():
 
 
 def uninstall():
-    """Puts VTK's vtkDelaunay2D back in all loaded modules. Filters that were made stay what they are."""
+    """Puts VTK's vtkDelaunay2D back in all loaded modules. Existing filters stay unchanged."""
     _wanted[0] = False
     _watch.go()
     for package in list(_replaced):

@@ -82,7 +82,7 @@ def _check_points(mesh):
 
 
 def _make_filter(mesh, plane, tol, duplicates, threads, memory_limit):
-    """A filter of the VTK that the mesh is of, and what it says. TypeError for a mesh without points of its own."""
+    """A filter of the mesh's VTK, and its messages. TypeError for a mesh without points of its own."""
     package = _vtk.package_of(mesh)
     algorithm = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)()
     _check_points(mesh)
@@ -138,7 +138,7 @@ def _arrays_to_add(names):
 def _bound_surface(algorithm, port, to_constrain, *, edge_source=None, constraints=None, crossings="leave_out",
                    closed_lines="loops", fill_rule="even_odd", heights="own", rim="automatic", alpha=0.0,
                    maximum_edge_length=0.0):
-    """What the surface is bound by and reaches to. The constraints go to a port of `to_constrain`."""
+    """Sets constraints and limits of the surface. The constraints go to a port of `to_constrain`."""
     _set(algorithm, Alpha=real_of("alpha", alpha), AlphaLines=0, AlphaVerts=0,
          MaximumEdgeLength=real_of("maximum_edge_length", maximum_edge_length),
          CrossingMode=_number_of(crossings, "crossings"),

@@ -15,29 +15,29 @@ class vtkDataArray;
 class vtkDataSetAttributes;
 class vtkPoints;
 
-/// Places of points, three numbers each, as floats or as doubles: as many, not set, or those of
+/// Coordinates of points, three numbers each, as floats or doubles: so many, not set, or those of
 /// `points`, which may be null. Both throw std::bad_alloc.
 vtkSmartPointer<vtkDataArray> vtkAHDMakePlaces(std::size_t count, bool areFloats);
 vtkSmartPointer<vtkDataArray> vtkAHDPlacesOf(vtkPoints* points, bool areFloats);
 /// The first ones of these.
 ahd::PointView vtkAHDViewOf(vtkDataArray* places, std::size_t count);
 
-/// A point data array, as ranks compare theirs.
+/// The description of a point data array, for ranks to compare.
 struct vtkAHDArrayFacts
 {
   std::string Name;
   int Type = 0;
   int Components = 1;
-  int Attribute = -1;                      ///< which one of VTK's attributes it is; -1: none
-  std::vector<std::string> ComponentNames; ///< of each component; none if none is named
+  int Attribute = -1;                      ///< its number among VTK's attributes; -1: none
+  std::vector<std::string> ComponentNames; ///< of each component; empty if none is named
 
   vtkAHDArrayFacts() = default;
-  /// Those of array `index`.
+  /// The description of array `index`.
   vtkAHDArrayFacts(vtkDataSetAttributes* data, int index);
 
-  /// An array of so many tuples that is like this one, values not set. Throws std::bad_alloc.
+  /// An array of this description with so many tuples, values not set. Throws std::bad_alloc.
   vtkSmartPointer<vtkAbstractArray> Make(std::size_t count) const;
-  /// Adds one, and makes it the attribute that it is.
+  /// Adds such an array, as the same attribute.
   void AddTo(vtkDataSetAttributes* data, vtkAbstractArray* array) const;
 
   /// See ahd::HasFields.

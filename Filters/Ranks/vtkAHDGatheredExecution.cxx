@@ -52,7 +52,7 @@ struct SentReport
   }
 };
 
-/// What one output is made of, without what is in it.
+/// The structure of one output, without its values.
 struct Shape
 {
   static constexpr int kNone = -1;
@@ -62,7 +62,7 @@ struct Shape
   auto fields() { return std::tie(this->Places, this->PointArrays, this->CellArrays); }
 };
 
-/// The rows of the field data array "Crossings", which all ranks put out.
+/// The rows of the field data array "Crossings", in the output of all ranks.
 std::vector<std::array<std::int64_t, 2>> ReadCrossings(vtkPolyData* surface)
 {
   std::vector<std::array<std::int64_t, 2>> rows;
@@ -106,7 +106,7 @@ vtkAHDGatheredExecution::vtkAHDGatheredExecution(const vtkAHDSettings& settings,
 
 // ----------------------------------------------------------------------------------------- memory
 
-/// All that the one rank allocates: what comes, and what is made of it.
+/// All allocations of the one rank: the received data, and the results.
 std::size_t vtkAHDGatheredExecution::EstimateBytes(ahd::Workspace& workspace) const
 {
   const auto input = this->Gather.OutlineInput();
@@ -226,7 +226,7 @@ void vtkAHDGatheredExecution::ShareReport(vtkAHDReport& report)
     });
 }
 
-/// Gives the other ranks what the one has, but for all that is in it.
+/// Gives the other ranks the outputs of the one, without values.
 void vtkAHDGatheredExecution::ShareOutputs(const vtkAHDOutputs& outputs)
 {
   const bool isHost = this->Ranks.GetOwn() == this->Host;

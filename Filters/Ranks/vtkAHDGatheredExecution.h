@@ -12,35 +12,35 @@
 #include <vector>
 
 /**
- * An execution for all ranks on one of them, for settings that ranks have no method for: it gathers
- * what all have, and puts out what one rank would that had it all. The others put out the same
- * arrays with nothing in them, and tell the same of it.
+ * An execution for all ranks on one of them, for settings without a method for several ranks: it
+ * gathers all inputs and outputs the result of a single rank. The others output the same
+ * arrays without values, and report the same.
  */
 class vtkAHDGatheredExecution
 {
 public:
-  /// Borrows all of them. `setting`: the one that asks for it.
+  /// Borrows all of them. `setting`: the one that requires it.
   vtkAHDGatheredExecution(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
     const vtkAHDAllFacts& facts, const vtkAHDContext& context, const char* setting);
 
-  /// Finds the rank that is to do it: the first if there is room on it, else the one with most.
-  /// Returns why none can, in a sentence, or nothing. Fills Estimate and Limit of the report.
-  /// Collective, as Run(); both throw vtkAHDStop on all ranks if one cannot go on.
+  /// Chooses the rank: the first if it has the memory, else the one with most. Returns an error if
+  /// none can, or nothing. Fills Estimate and Limit of the report.
+  /// Collective, like Run(); both throw vtkAHDStop on all ranks if one fails.
   std::string FindHost(const vtkAHDDataSets& data, ahd::Workspace& workspace, vtkAHDReport& report);
 
-  /// REQUIRES: FindHost() found one. The report is that of the one rank, on all of them.
+  /// @pre FindHost() found one. The report is that of the one rank, on all of them.
   void Run(const vtkAHDDataSets& data, ahd::Workspace& workspace, vtkAHDReport& report);
 
-  /// What there is to be said of it.
+  /// The warning about it.
   std::string GetWarning() const;
 
 private:
   struct Room // on one rank
   {
-    std::int64_t Needed = 0; // KiB, as this rank estimates it: it is the first whose word counts
+    std::int64_t Needed = 0; // KiB, this rank's estimate: that of the first counts
     std::int64_t Limit = 0;  // KiB
     bool IsByUser = false;
-    std::int64_t Share = 0; // of the limit, where other ranks work on the same machine
+    std::int64_t Share = 0; // of the limit, if other ranks run on the same machine
 
     auto fields() { return std::tie(this->Needed, this->Limit, this->IsByUser, this->Share); }
   };

@@ -14,7 +14,7 @@ class vtkDataObject;
 class vtkDataObjectTree;
 class vtkPolyData;
 
-/// How the blocks of a data set are put together, without what is in them.
+/// The structure of the blocks of a data set, without their content.
 struct vtkAHDBlockTree
 {
   enum Kinds
@@ -34,11 +34,11 @@ struct vtkAHDBlockTree
   explicit vtkAHDBlockTree(vtkDataObject* data);
 
   bool HasBlocks() const { return this->Kind > Leaf; }
-  /// Are there parts of one data set in it, of which each rank has as many as it has?
+  /// Does it have parts of one data set, whose number may differ between ranks?
   bool HasPieces() const { return this->Kind == MultiPiece || this->Kind == Partitions; }
 
-  /// Adds what the other one has and this one has not. Returns false if they are put together
-  /// differently.
+  /// Adds the blocks that only the other one has. Returns false if their structures
+  /// differ.
   bool Join(const vtkAHDBlockTree& other);
 
   /// See ahd::HasFields.
@@ -46,13 +46,13 @@ struct vtkAHDBlockTree
 };
 
 /**
- * The blocks that the inputs of all ranks have, where each block is triangulated by itself: block k
- * of all ranks together. One that a rank has not is empty there.
+ * The blocks of the inputs of all ranks, if each block is triangulated by itself: block k
+ * of all ranks together. A block that a rank lacks is empty there.
  */
 class vtkAHDRankBlocks
 {
 public:
-  /// Hears what all have. Collective; throws vtkAHDStop on all ranks if one cannot go on. `input`
+  /// Collects the structures. Collective; throws vtkAHDStop on all ranks if one fails. `input`
   /// may be null: then this rank has nothing. `areMerged`: blocks do not count.
   vtkAHDRankBlocks(
     vtkAHDRanks& ranks, const vtkAHDContext& context, vtkDataObject* input, bool areMerged);
@@ -61,16 +61,16 @@ public:
   vtkDataObject* GetInput() const { return this->Input; }
   /// Are there any?
   bool HaveBlocks() const { return this->All.HasBlocks(); }
-  /// What is different on two ranks, in a sentence; empty if nothing is.
+  /// A difference between two ranks, as a sentence; empty if there is none.
   const std::string& GetDifference() const { return this->Difference; }
 
-  /// How many at least one rank has. The rest is for one of them, from 0.
+  /// The number of blocks of all ranks. The functions below take one of them, from 0.
   std::size_t GetCount() const { return this->Paths.size(); }
-  /// Null if this rank has not.
+  /// Null if this rank lacks it.
   vtkDataObject* GetBlock(std::size_t k) const;
   void SetBlock(std::size_t k, vtkDataObject* output, vtkPolyData* block) const;
 
-  /// An output with room for all: put together as the input, and named as it.
+  /// An output for all blocks, with the structure and names of the input.
   vtkSmartPointer<vtkDataObject> MakeOutput() const;
 
 private:

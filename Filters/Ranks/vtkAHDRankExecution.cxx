@@ -41,7 +41,7 @@ void vtkAHDRankExecution::Run(
   vtkAHDSurface::WriteCrossings(this->Report.CrossingCells, data.Outputs[0]);
 }
 
-/// REQUIRES: to be called by all ranks alike.
+/// @pre to be called by all ranks alike.
 void vtkAHDRankExecution::StopAll(ahd::Status reason, const std::string& error)
 {
   this->Made.Error = error;

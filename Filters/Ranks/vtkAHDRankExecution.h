@@ -16,19 +16,19 @@
 
 class vtkAHDRankSurface;
 
-/// What came of an execution over ranks: the same on all but for times and the estimate.
+/// The result of an execution on several ranks: the same on all except times and the estimate.
 struct vtkAHDRankResult
 {
   vtkAHDReport Report;
-  std::string Error;                 ///< that all say, instead of what a status stands for
-  std::vector<std::string> Warnings; ///< for one rank to say
-  std::string OneRank;               ///< the same, if one rank has done it all; empty if not
+  std::string Error;                 ///< reported by all, instead of the error of the status
+  std::vector<std::string> Warnings; ///< reported by one rank
+  std::string OneRank;               ///< the same, if one rank did all the work; else empty
 };
 
 /**
- * One execution over all ranks of a controller: each rank gives its points and constraints, and
- * gets its share of the triangulation of all. What a rank's share is: vtkAHDRankSurface. Where a
- * setting asks for what ranks have no method for, one of them gets all: vtkAHDGatheredExecution.
+ * One execution on all ranks of a controller: each rank gives its points and constraints, and
+ * gets its share of the triangulation of all (vtkAHDRankSurface). With settings that have no
+ * method for several ranks, one of them gets all: vtkAHDGatheredExecution.
  */
 class vtkAHDRankExecution
 {
@@ -37,10 +37,10 @@ public:
   vtkAHDRankExecution(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
     const vtkAHDContext& context, vtkAHDRankResult& result);
 
-  /// Triangulates, and fills the surface. Collective: to be called by all ranks, also by those that
-  /// have nothing (Input may be null), or that could not get what they have (`before` is not Ok).
-  /// The workspace is used where one rank has to do it all. Throws vtkAHDStop and std::bad_alloc,
-  /// on one rank or on all. REQUIRES: to be called within vtkAHDRanks::Execute().
+  /// Triangulates, and fills the surface. Collective: must be called by all ranks, also by those
+  /// without data (Input may be null), or whose input failed (`before` is not Ok).
+  /// The workspace is used if one rank does all the work. Throws vtkAHDStop and std::bad_alloc,
+  /// on one rank or on all. @pre called within vtkAHDRanks::Execute().
   void Run(const vtkAHDDataSets& data, ahd::Status before, ahd::Workspace& workspace);
 
 private:
@@ -69,7 +69,7 @@ private:
   vtkAHDRankResult& Made;
   vtkAHDReport& Report; // in it
   vtkAHDAllFacts Facts;
-  std::size_t Estimate = 0;      // bytes, of this rank, as far as it is known
+  std::size_t Estimate = 0;      // bytes, of this rank, as far as known
   std::size_t BlockEstimate = 0; // without ghosts
 };
 

@@ -23,22 +23,22 @@ class vtkPointSet;
 class vtkPolyData;
 struct vtkAHDDataSets;
 
-/// What a rank says of itself before the work begins: settings, and what its input and source are.
+/// The description of a rank before the work begins: settings, input and source.
 struct vtkAHDRankFacts
 {
   std::vector<double> Settings; ///< that must be the same on all
   std::vector<double> Transform;
   std::uint64_t Points = 0;             ///< of the input
-  std::uint64_t SourcePoints = 0;       ///< that are to be added
+  std::uint64_t SourcePoints = 0;       ///< to be added
   std::uint64_t Segments = 0;           ///< at most
   std::uint64_t Host = 0;               ///< names the machine
-  std::uint64_t GhostLevels = 0;        ///< that are asked for
+  std::uint64_t GhostLevels = 0;        ///< requested
   bool AreFloats = false;               ///< the coordinates of the input
   bool HasMarks = false;                ///< are there ghost marks?
   bool MarksAreUnfit = false;           ///< there are some, but not one for each point
   ahd::Fingerprint Source = {};         ///< of points and cells
-  vtkAHDInput::SourceContent Content;   ///< what else is in the source
-  std::vector<vtkAHDArrayFacts> Arrays; ///< that can be moved, marks excepted
+  vtkAHDInput::SourceContent Content;   ///< the rest of the source
+  std::vector<vtkAHDArrayFacts> Arrays; ///< that can be moved, without marks
   std::vector<std::string> OtherArrays; ///< that cannot
 
   /// See ahd::HasFields.
@@ -53,14 +53,14 @@ struct vtkAHDRankFacts
 /// Fills the settings.
 void vtkAHDReadSettings(const vtkAHDSettings& settings, vtkAHDRankFacts& facts);
 
-/// Fills what is known of the points' data. `input` may be null.
+/// Fills in the points' data. `input` may be null.
 void vtkAHDReadArrays(vtkPointSet* input, vtkAHDRankFacts& facts);
 
 /// The fingerprint of the source's points and cells, if these have one; else one of its own.
 ahd::Fingerprint vtkAHDFingerprintOf(
   vtkPolyData* source, std::size_t rank, const vtkAHDContext& context);
 
-/// What all ranks know of all ranks.
+/// The descriptions of all ranks, on each rank.
 class vtkAHDAllFacts
 {
 public:
@@ -71,43 +71,43 @@ public:
   std::size_t GetSegments() const;
   bool AreFloats() const;
   bool HaveMarks() const;
-  /// Layers of ghosts that are put out: as many as any rank is asked for.
+  /// Layers of ghosts in the output: the most that any rank is asked for.
   int GetGhostLevels() const;
 
-  /// Throws vtkAHDStop if settings differ between ranks, on all alike; then `error` says the first.
+  /// Throws vtkAHDStop on all ranks if settings differ between ranks; `error` then names the first.
   void Compare(const vtkAHDSettings& own, std::string& error) const;
-  /// The first setting that ranks have no method for: one of them has to triangulate all points.
+  /// The first setting without a method for several ranks: one of them must triangulate all points.
   /// Null if there is none.
   const char* FindUnfit(const vtkAHDSettings& settings) const;
-  /// The arrays that all ranks with points have, in the order of the first of these; where there is
-  /// no point on any rank, those that all ranks with arrays have.
+  /// The arrays that all ranks with points have, in the order of the first of these; if no rank has
+  /// points, those that all ranks with arrays have.
   std::vector<vtkAHDArrayFacts> GetArrays() const;
   /// The points of a rank's input with these arrays; empty ones where there are no points. `input`
   /// may be null.
   vtkSmartPointer<vtkPolyData> SelectArrays(vtkPointSet* input) const;
-  /// Those that only some have or that cannot be moved, "A, B"; empty if there is none.
+  /// The arrays that only some have or that cannot be moved, "A, B"; empty if there is none.
   std::string GetPartialArrays() const;
 
-  /// Have all ranks the same source? Only if its points are to be added: ids mean others elsewhere.
+  /// Do all ranks have the same source? Only if its points are added: ids differ between ranks.
   bool IsOneSource() const;
   /// A rank whose source counts.
   bool CountsSource(std::size_t rank) const { return rank == 0 || !this->IsOneSource(); }
-  /// What there is in the sources that count besides lines and polygons.
+  /// The content of the sources that count besides lines and polygons.
   vtkAHDInput::SourceContent GetContent() const;
-  /// How many ranks are on the machine of this one.
+  /// The number of ranks on the machine of this one.
   std::size_t CountOnHostOf(std::size_t rank) const;
 
 private:
   std::vector<const vtkAHDRankFacts*> GetThoseWithData() const; ///< whose arrays count
 };
 
-/// Stops all if one could not get its input (`before`, if not Ok, is why; it has said so): then
-/// `error` is what all say. Collective; throws vtkAHDStop on all ranks.
+/// Stops all ranks if the input of one failed (`before` is not Ok, and reported there): `error` is
+/// then reported by all. Collective; throws vtkAHDStop on all ranks.
 void vtkAHDCheckBefore(
   ahd::Status before, vtkAHDRanks& ranks, const vtkAHDContext& context, std::string& error);
 
-/// Each rank hears what all have and want. Collective; throws vtkAHDStop on all ranks if one cannot
-/// go on.
+/// Shares the descriptions of all ranks. Collective; throws vtkAHDStop on all ranks if one
+/// fails.
 void vtkAHDMeet(const vtkAHDSettings& settings, const vtkAHDDataSets& data, vtkAHDRanks& ranks,
   const vtkAHDContext& context, vtkAHDAllFacts& facts);
 

@@ -357,11 +357,11 @@ std::int64_t vtkAHDRankGather::GetGivenId(std::int64_t id) const
   return id >= this->GetIdCount() && id < kFar ? id - this->GetIdCount() : id;
 }
 
-/// What is no id of this rank's `ownIds` points becomes none of all.
+/// Ids that are not those of this rank's `ownIds` points become ids of no point of all ranks.
 vtkAHDCellChain vtkAHDRankGather::ReadCells(vtkCellArray* array, std::int64_t ownIds) const
 {
   const std::int64_t first = this->GetFirstId(), all = this->GetIdCount();
-  vtkAHDCellsView opened(array, nullptr); // what they are is not told to other ranks
+  vtkAHDCellsView opened(array, nullptr); // their name is not sent to other ranks
   const ahd::CellsView cells = opened.Open(this->Context);
   vtkAHDCellChain chain;
   chain.Ids.reserve(cells.ids);

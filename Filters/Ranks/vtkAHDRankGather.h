@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-/// Cells that come one after the other from several ranks.
+/// Cells appended from several ranks.
 struct vtkAHDCellChain
 {
   std::vector<std::int64_t> Ids, Sizes;
@@ -26,10 +26,10 @@ struct vtkAHDCellChain
 /**
  * The inputs and sources of all ranks on one of them, appended in the order of the ranks.
  *
- * Points that are added to those of the input have values in its arrays as vtkAHDPointOutput gives
- * them; other arrays of a source stay behind. Ids in the cells of a rank's source, which name its
- * own points, become those of the appended ones. What is said to be collective throws vtkAHDStop on
- * all ranks if one cannot go on.
+ * Points added to those of the input have values in its arrays like those of vtkAHDPointOutput;
+ * other arrays of a source are not sent. Ids in the cells of a rank's source, which refer to its
+ * own points, become those of the appended points. Collective functions throw vtkAHDStop on
+ * all ranks if one fails.
  */
 class vtkAHDRankGather
 {
@@ -38,30 +38,30 @@ public:
   vtkAHDRankGather(const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDAllFacts& facts,
     const vtkAHDContext& context);
 
-  /// Hears how much each rank has. Collective.
+  /// Collects the sizes of all ranks. Collective.
   void Measure(const vtkAHDDataSets& data);
 
-  // --- Once that is known, the same on all ranks ---
+  // --- After that, the same on all ranks ---
 
-  /// Data sets of the sizes and types that the appended ones will have, and with nothing in memory:
-  /// for estimates, which look at no value.
+  /// Data sets with the sizes and types of the appended ones, without values in memory:
+  /// for estimates, which read no value.
   vtkSmartPointer<vtkPolyData> OutlineInput() const;
   vtkSmartPointer<vtkPolyData> OutlineSource() const;
-  /// Upper estimate of the bytes that the appended data sets take, with those that any rank has
-  /// taken to make its own.
+  /// Upper estimate of the bytes of the appended data sets, with those that any rank has
+  /// allocated to make its own.
   std::size_t EstimateBytes() const;
-  /// Of those besides, on the rank that they go to, while they come.
+  /// The same of additional bytes on the receiving rank, during the transfer.
   std::size_t EstimateBytesOnTheWay() const;
-  /// Of those that a rank takes to send what it has.
+  /// The same of the bytes that a rank takes to send its data.
   std::size_t EstimateBytesToSend(std::size_t rank) const;
 
-  /// Moves all to one rank. Collective. REQUIRES: Measure() of the same data.
+  /// Moves all to one rank. Collective. @pre Measure() of the same data.
   void MoveTo(std::size_t host, const vtkAHDDataSets& data);
 
-  /// On that rank; on others they have no points.
+  /// The data sets on that rank; on others they have no points.
   vtkPolyData* GetInput() const { return this->Input; }
   vtkPolyData* GetSource() const { return this->Source; }
-  /// What an id that is no point's is in the source that it comes from.
+  /// The original value, in its rank's source, of an id that is not the id of a point.
   std::int64_t GetGivenId(std::int64_t id) const;
 
 private:
@@ -73,9 +73,9 @@ private:
   };
   struct Sizes // of what one rank has
   {
-    std::uint64_t InputBytes = 0;  // that making the input has taken
-    std::uint64_t DataBytes = 0;   // of the arrays that all have
-    std::uint64_t WidestBytes = 0; // of what is sent at one time
+    std::uint64_t InputBytes = 0;  // allocated to merge the input
+    std::uint64_t DataBytes = 0;   // of the arrays that all ranks have
+    std::uint64_t WidestBytes = 0; // of the largest message
     std::array<CellCounts, kKinds> Cells = {};
   };
   using CellArrays = std::array<vtkCellArray*, kKinds>;

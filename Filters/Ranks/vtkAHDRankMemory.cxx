@@ -12,7 +12,7 @@ std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFa
   vtkAHDRanks& ranks, const vtkAHDContext& context, std::size_t bytes, const vtkAHDRankWork& work)
 {
   const bool isLimited = settings.MemoryLimit > 0;
-  // what is held already is part of the estimate, and of no rank's rest
+  // memory held already is part of the estimate, and not of what a rank has left
   const vtkTypeInt64 there = isLimited ? settings.MemoryLimit
                                        : static_cast<vtkTypeInt64>(ahd::availableMemory() / 1024 /
                                            facts.CountOnHostOf(ranks.GetOwn()));

@@ -9,17 +9,17 @@
 #include <cstddef>
 #include <string>
 
-/// What takes memory, in the words of its error.
+/// The use of memory, for the error.
 struct vtkAHDRankWork
 {
   const char* Doing;      ///< such as "Triangulating"
   std::size_t Points;     ///< of all ranks
-  const char* Share = ""; ///< what else there is to say of the rank's share
+  const char* Share = ""; ///< a remark on the rank's share
 };
 
-/// Is there memory for what each rank is about to take, `bytes` on this one? Empty if there is;
-/// else the error that all ranks say alike: which has too little. Collective; throws vtkAHDStop on
-/// all ranks if one cannot go on.
+/// Checks whether each rank has memory for its next allocation, `bytes` on this one. Empty if so;
+/// else the error that all ranks report, which names the rank. Collective; throws vtkAHDStop on
+/// all ranks if one fails.
 std::string vtkAHDRefuseMemory(const vtkAHDSettings& settings, const vtkAHDAllFacts& facts,
   vtkAHDRanks& ranks, const vtkAHDContext& context, std::size_t bytes, const vtkAHDRankWork& work);
 

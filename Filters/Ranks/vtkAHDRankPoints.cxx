@@ -33,7 +33,7 @@ struct Box
   ahd::Vector3 High = { { -kInfinity, -kInfinity, -kInfinity } };
 
   auto fields() { return std::tie(this->Low, this->High); }
-  /// What is NaN or infinite, or between none, does not count.
+  /// NaN and infinite coordinates, and empty bounds, do not count.
   void Add(const ahd::Vector3& low, const ahd::Vector3& high)
   {
     for (std::size_t k = 0; k < 3; ++k)

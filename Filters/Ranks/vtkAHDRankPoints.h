@@ -24,11 +24,11 @@ class vtkPointData;
 class vtkPointSet;
 
 /**
- * The points of all ranks: first each on the rank whose input it is of, then each on the rank that
- * owns its place. All know a point by one id: its number in the appended inputs of all ranks and,
- * behind these, the sources' points, where these are added.
+ * The points of all ranks: first each on the rank of its input, then each on the rank that
+ * owns its location. All ranks use one id for a point: its number in the appended inputs of all
+ * ranks, followed by the sources' points, if these are added.
  *
- * What is said to be collective throws vtkAHDStop on all ranks if one cannot go on.
+ * Collective functions throw vtkAHDStop on all ranks if one fails.
  */
 class vtkAHDRankPoints
 {
@@ -44,35 +44,35 @@ public:
   /// The constraints of all ranks. Collective.
   void JoinChains(ahd::BlockChains& chains);
 
-  /// Takes each point to its owner: places and ids. Collective.
+  /// Moves coordinates and ids of each point to its owner. Collective.
   void MoveToOwners();
 
-  /// What prepare() made of this rank's own input and source.
+  /// This rank's own input and source after prepare().
   const ahd::PreparedInput& GetPrepared() const { return this->Prepared; }
-  /// What its points are called by all.
+  /// The global ids of its points.
   const ahd::BlockIds& GetOwnIds() const { return this->OwnIds; }
-  /// Are the eight bounding points added? They are on the last rank, behind all others.
+  /// Are the eight bounding points added? They are on the last rank, after all others.
   bool AreBounded() const { return this->Bounds[0][0] <= this->Bounds[1][0]; }
-  /// Upper estimate of the bytes that reading takes.
+  /// Upper estimate of the bytes for reading.
   std::size_t EstimateBytes() const;
 
-  // --- Once the points are with their owners ---
+  // --- After the points have moved to their owners ---
 
   std::size_t GetCount() const { return this->Ids.size(); }
   const std::vector<std::int64_t>& GetIds() const { return this->Ids; }
-  /// As they are triangulated.
+  /// The points in the plane of the triangulation.
   ahd::PointView GetView() const;
-  /// For the engine, with these constraints.
+  /// The input of the engine, with these constraints.
   ahd::BlockInput GetBlock(const ahd::BlockChains& chains) const;
-  /// Where they are in space: floats or doubles.
+  /// The points in space: floats or doubles.
   vtkDataArray* GetPlaces() const { return this->Places; }
-  /// The same, given away, with room for so many points; there is no view of them after that.
+  /// The same, handed over, with room for so many points; views of them become invalid.
   /// Throws std::bad_alloc.
   vtkSmartPointer<vtkDataArray> TakePlaces(std::size_t count);
   /// Their ghost marks; null if no rank has any.
   vtkUnsignedCharArray* GetMarks() const { return this->Marks; }
 
-  /// The way that they have come, for their data, and what is to be sent along.
+  /// The route of the points, for their data, and the data to send.
   vtkAHDRoute& GetRoute() { return this->Route; }
   vtkPointData* GetDataToMove() const;
 
@@ -94,9 +94,9 @@ private:
   vtkSmartPointer<vtkPolyData> Local;    // points and what all ranks have of their data
   vtkSmartPointer<vtkPolyData> Combined; // with the source's behind, where these are added
   std::unique_ptr<vtkAHDInput> Input;
-  ahd::Plane Plane; // of all ranks, if one is to be fitted
+  ahd::Plane Plane; // of all ranks, if fitted
   std::array<ahd::Vector3, 2> Bounds = { { { { 1, 1, 1 } },
-    { { 0, 0, 0 } } } }; // of all, if there are to be points around them
+    { { 0, 0, 0 } } } }; // of all, if bounding points are added
   ahd::PreparedInput Prepared;
   ahd::BlockIds OwnIds;
   vtkAHDRoute Route;

@@ -86,7 +86,7 @@ void vtkAHDRankSamples::TakeAll(const vtkAHDDataSets& data)
   }
 }
 
-/// Each rank triangulates its own points, with what all have to have.
+/// Each rank triangulates its own points, with those that all ranks need.
 void vtkAHDRankSamples::ShareOwn()
 {
   const std::size_t ids = this->Chains.idCount();

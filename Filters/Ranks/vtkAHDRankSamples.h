@@ -18,45 +18,45 @@
 #include <vector>
 
 /**
- * What one rank needs of all ranks' points to interpolate at places of its own as one rank would
- * that had them all: the points around these places (Engine/Distribute/BlockNeeds.h), with their
- * data, and all constraints. It goes on with them alone. Where a setting asks for what ranks have
- * no method for, each gets all.
+ * The part of all ranks' points that one rank needs to interpolate at its own places as if it had
+ * all: the points around these places (Engine/Distribute/BlockNeeds.h), with their
+ * data, and all constraints. Each rank continues with them alone. With settings that have no
+ * method for several ranks, each gets all points.
  *
- * Collective; throws vtkAHDStop on all ranks if one cannot go on.
+ * Collective; throws vtkAHDStop on all ranks if one fails.
  */
 class vtkAHDRankSamples
 {
 public:
-  /// Borrows all of them. `asksForNearest`: the nearest vertices are wanted. `error` becomes what
-  /// all ranks say alike, instead of the words for the reason why they stop.
+  /// Borrows all of them. `asksForNearest`: the nearest vertices are needed. `error` becomes the
+  /// error that all ranks report instead of that of the status.
   vtkAHDRankSamples(const vtkAHDSettings& settings, vtkAHDRanks& ranks,
     const vtkAHDContext& context, bool asksForNearest, std::string& error);
   ~vtkAHDRankSamples();
 
-  /// Hears what all have, and moves points to where they are asked for. `before`: why this rank has
-  /// no input, if it could not get it.
+  /// Shares the descriptions of all ranks, and moves points to their owners. `before`: the reason
+  /// if this rank's input failed.
   void Begin(const vtkAHDDataSets& data, ahd::Status before);
 
-  /// Does each rank get all?
+  /// Does each rank get all points?
   bool IsWhole() const { return this->Setting != nullptr; }
-  /// Of all points that are triangulated, in their plane. REQUIRES: Begin(), !IsWhole().
+  /// The bounds of all triangulated points, in their plane. @pre Begin(), !IsWhole().
   ahd::Bounds GetBounds() const { return this->Needs->bounds(); }
 
-  /// Takes what is needed for places in these boxes; none for no place. REQUIRES: Begin(). Where
-  /// IsWhole() it has been taken already.
+  /// Gets the points needed for places in these boxes; none for no place. @pre Begin(). If
+  /// IsWhole(), they are there already.
   void Take(const std::vector<ahd::Bounds>& boxes);
 
-  // --- Then ---
+  // --- After that ---
 
-  /// As input and source of one rank, with these settings.
+  /// The input and source for a single rank, with these settings.
   vtkPolyData* GetInput() const { return this->Input; }
   vtkPolyData* GetSource() const { return this->Source; }
   const vtkAHDSettings& GetLocalSettings() const { return this->LocalSettings; }
-  /// How many points all ranks have, those of sources included.
+  /// The number of points of all ranks, those of sources included.
   std::size_t GetPoints() const { return this->Facts.GetPoints() + this->Facts.GetSourcePoints(); }
 
-  /// How many of the last points of the input are those of sources.
+  /// The number of points of sources, the last ones of the input.
   std::size_t GetAddedPoints() const { return this->AddedPoints; }
 
   const std::string& GetWarning() const { return this->Warning; }
@@ -74,7 +74,7 @@ private:
   const vtkAHDContext& Context;
   const bool AsksForNearest;
   vtkAHDAllFacts Facts;
-  const char* Setting = nullptr; // that each gets all for
+  const char* Setting = nullptr; // for which each gets all
   std::unique_ptr<vtkAHDRankPoints> Points;
   ahd::BlockChains Chains;
   std::unique_ptr<ahd::BlockNeeds> Needs;

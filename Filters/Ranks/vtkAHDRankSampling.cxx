@@ -119,7 +119,7 @@ ahd::Bounds vtkAHDRankSampling::FindBounds(const Inputs& inputs)
   std::string said; // by Run()
   vtkAHDCheckBefore(inputs.Before, this->Ranks, this->Context, said);
   vtkAHDSettings settings = this->Settings;
-  settings.tolerance = 0.0; // of what is done to the points, that alone which says where they are
+  settings.tolerance = 0.0; // only what determines the points' positions
   settings.split = settings.heightsFromSurface = false;
   vtkAHDAllFacts facts;
   vtkAHDMeet(settings, inputs.Data, this->Ranks, this->Context, facts);
@@ -172,7 +172,7 @@ vtkAHDRaster vtkAHDRankSampling::PieceOf(const vtkAHDRaster& whole, const Inputs
   this->OtherRaster = this->Ranks.IsAny(!isAsTold);
   if (this->OtherRaster)
   {
-    // What is asked for is a piece of another raster.
+    // The requested piece is that of another raster.
     vtkNew<vtkExtentTranslator> translator;
     const std::array<int, 3>& asked = inputs.Piece;
     if (translator->PieceToExtentThreadSafe(asked[0], asked[1], asked[2], made.data(),

@@ -20,9 +20,9 @@ class vtkImageData;
 class vtkStructuredGrid;
 
 /**
- * One execution of vtkAdaptiveHilbertInterpolation2D over all ranks of a controller: each answers
- * for its piece of the raster, or for its own places, as vtkAHDSampleExecution with the points that
- * this takes (vtkAHDRankSamples). Collective.
+ * One execution of vtkAdaptiveHilbertInterpolation2D on all ranks of a controller: each computes
+ * its piece of the raster, or its own places, by vtkAHDSampleExecution with the points of
+ * vtkAHDRankSamples. Collective.
  */
 class vtkAHDRankSampling
 {
@@ -31,44 +31,44 @@ public:
   vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSettings& settings,
     const vtkAHDSampleSettings& wishes, vtkAHDRanks& ranks, const vtkAHDContext& context);
 
-  /// What one rank has, and what is wanted of it.
+  /// The input of one rank, and the requested output.
   struct Inputs
   {
-    vtkAHDDataSets Data;                  ///< without outputs
-    ahd::Status Before = ahd::Status::Ok; ///< why there is no input, if it could not be had
-    vtkDataObject* Places = nullptr;      ///< null: a raster
+    vtkAHDDataSets Data;                                     ///< without outputs
+    ahd::Status Before = ahd::Status::Ok;                    ///< the reason if the input failed
+    vtkDataObject* Places = nullptr;                         ///< null: a raster
     std::array<int, 6> Extent = { { 0, -1, 0, -1, 0, -1 } }; ///< of the raster
     std::array<int, 6> Whole = { { 0, -1, 0, -1, 0, -1 } };  ///< as it was announced
     std::array<int, 3> Piece = { { 0, 1, 0 } };              ///< its number, of how many, ghosts
   };
 
-  /// Fills this rank's output, and says errors, and on one rank warnings. Returns false on all
-  /// ranks if it came to nothing: then outputs are empty. Throws nothing.
+  /// Fills this rank's output, and reports errors, and on one rank warnings. Returns false on all
+  /// ranks after a failure: then outputs are empty. Throws nothing.
   bool Run(const Inputs& inputs, vtkDataObject* output);
 
-  /// The raster about the points of all, without the rest. Throws vtkAHDStop and std::bad_alloc, on
-  /// one rank or on all. REQUIRES: to be called within vtkAHDRanks::Execute().
+  /// The raster around the points of all ranks alone. Throws vtkAHDStop and std::bad_alloc, on
+  /// one rank or on all. @pre called within vtkAHDRanks::Execute().
   vtkAHDRaster FindRaster(const Inputs& inputs);
 
-  /// Of the active scalars. REQUIRES: FindRaster().
+  /// Of the active scalars. @pre FindRaster().
   vtkAHDSampleColumns::Kind GetKindOfScalars() const { return this->Scalars; }
 
   /// Of all ranks.
   const vtkAHDSampleResult& GetResult() const { return this->Result; }
   double GetSeconds() const { return this->Seconds; }
   bool IsAborted() const { return this->Aborted; }
-  /// Is the raster of other cells than was announced on some rank? Then the piece is one of it.
+  /// Does the raster differ from the one announced on some rank? The piece is then one of it.
   bool IsOtherRaster() const { return this->OtherRaster; }
   /// Of this rank.
   vtkTypeInt64 GetEstimate() const { return this->Estimate; }
 
 private:
-  /// What they hear of each other.
+  /// The data they share.
   struct Meeting
   {
     bool AreUnfit = false;            // places on one of them
-    std::size_t Other = 0;            // a rank that wants other things than rank 0
-    const char* Difference = nullptr; // what
+    std::size_t Other = 0;            // a rank with other settings than rank 0
+    const char* Difference = nullptr; // the setting
   };
 
   Meeting Meet(const Inputs& inputs);
@@ -94,7 +94,7 @@ private:
   const vtkAHDSampleSettings& Wishes;
   vtkAHDRanks& Ranks;
   const vtkAHDContext& Context;
-  std::string Error;                           // that all say
+  std::string Error;                           // reported by all
   std::vector<ahd::SampleRaster> PiecesBefore; // of the ranks before this one
   ahd::Bounds Wanted;                          // around this rank's places
   vtkAHDSampleColumns::Kind Scalars;
@@ -103,7 +103,7 @@ private:
   vtkTypeInt64 Estimate = 0;
   bool Aborted = false;
   bool OtherRaster = false;
-  bool HaveSurface = false; // that the Delaunay filter made, on a rank
+  bool HaveSurface = false; // made by the Delaunay filter, on a rank
 };
 
 #endif

@@ -117,7 +117,7 @@ vtkAHDRaster vtkAHDRankSampling::FindRaster(const Inputs& inputs)
                                 : vtkAHDMakeRaster(this->Wishes.Raster, bounds);
 }
 
-/// What the active scalars of the output will be, of the arrays that all ranks have.
+/// The active scalars of the output, among the arrays that all ranks have.
 void vtkAHDRankSampling::FindScalars(const vtkAHDAllFacts& facts)
 {
   vtkNew<vtkPointData> data;

@@ -115,7 +115,7 @@ void vtkAHDRankSurface::WritePlaces(vtkPolyData* output)
 }
 
 /// Where own points that stand for several at one place are shown: at their mean. All at a place
-/// are on one rank. REQUIRES: the places have not been taken.
+/// are on one rank. @pre the places have not been taken.
 void vtkAHDRankSurface::FindMeans(std::vector<ahd::Mean>& means)
 {
   const ahd::PointView own = vtkAHDViewOf(this->Points.GetPlaces(), this->Own);
@@ -189,7 +189,7 @@ void vtkAHDRankSurface::WriteIds(vtkPolyData* output)
     vtkAHDOutputArrays::GlobalPointIds.Name, vtkDataSetAttributes::GLOBALIDS);
 }
 
-/// The points of others that are here are vertices. REQUIRES: the places have not been taken, as
+/// The points of others that are here are vertices. @pre the places have not been taken, as
 /// the triangulation looks at them.
 void vtkAHDRankSurface::MakeStatus()
 {
@@ -293,7 +293,7 @@ void vtkAHDRankSurface::KeepShort(ahd::BlockTriangles& triangles) const
   triangles.keep(kept.data());
 }
 
-/// Of the points of others only those that are corners of what is put out; own triangles get their
+/// Of the points of others only those that are corners of the output; own triangles get their
 /// numbers.
 void vtkAHDRankSurface::ListOthers()
 {

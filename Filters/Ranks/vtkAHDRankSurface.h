@@ -21,11 +21,11 @@ class vtkDataArray;
 class vtkPolyData;
 
 /**
- * One rank's share of the surface: the triangles that it owns and, behind them, the layers of
- * ghosts that are asked for; its points, and behind them those of other ranks that are corners of
+ * One rank's share of the surface: the triangles that it owns, followed by the requested layers of
+ * ghosts; its points, followed by those of other ranks that are corners of
  * these triangles; the data of both.
  *
- * Collective; throws vtkAHDStop on all ranks if one cannot go on.
+ * Collective; throws vtkAHDStop on all ranks if one fails.
  */
 class vtkAHDRankSurface
 {
@@ -34,26 +34,26 @@ public:
   vtkAHDRankSurface(const vtkAHDSettings& settings, vtkAHDRanks& ranks, const vtkAHDAllFacts& facts,
     const vtkAHDContext& context, vtkAHDRankPoints& points, ahd::BlockTriangulation& triangulation);
 
-  /// Finds out which of the triangles are put out: those that MaximumEdgeLength leaves, or
+  /// Selects the output triangles: those within MaximumEdgeLength, or not removed by
   /// trimming.
   void Select();
-  /// How many these are, ghosts not counted.
+  /// The number of these, without ghosts.
   std::size_t GetCellCount() const { return this->Stars.own.count; }
 
-  /// What trimming took away. REQUIRES: Select().
+  /// The triangles removed by trimming. @pre Select().
   const ahd::BlockRim& GetRim() const { return this->Rim; }
 
-  /// The layers of ghosts. REQUIRES: Select(), and GhostLevels.
+  /// The layers of ghosts. @pre Select(), and GhostLevels.
   ahd::BlockGhosts& GetGhosts() { return this->Ghosts; }
 
-  /// Fills the output, with the ghosts that were taken. REQUIRES: Select(). `firstCell`: how many
-  /// triangles the ranks before this one have.
+  /// Fills the output, with the ghosts. @pre Select(). `firstCell`: the number of
+  /// triangles of the ranks before this one.
   void Write(vtkPolyData* output, std::size_t firstCell);
 
-  /// Upper estimate of the bytes that so many points take here.
+  /// Upper estimate of the bytes for so many points.
   static std::size_t EstimateBytes(
     std::size_t pointCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts);
-  /// Of the bytes that so many ghosts take.
+  /// The same for so many ghosts.
   static std::size_t EstimateGhostBytes(
     std::size_t cellCount, const vtkAHDSettings& settings, const vtkAHDAllFacts& facts);
 
@@ -88,12 +88,12 @@ private:
   const vtkAHDContext& Context;
   vtkAHDRankPoints& Points;
   ahd::BlockTriangulation& Triangulation;
-  vtkAHDRoute Foreign; // the way of the other ranks' points
+  vtkAHDRoute Foreign; // the route of the other ranks' points
   const std::size_t Own;
   std::size_t All; // points, with those of others
   Triangles Cells, Around;
   ahd::BlockStars Stars;          // of these
-  std::vector<ahd::Point> Places; // of own points, then foreign ones, as they are triangulated
+  std::vector<ahd::Point> Places; // of own points, then foreign ones, in the plane
   ahd::BlockRim Rim;
   ahd::BlockGhosts Ghosts;
   vtkSmartPointer<vtkAbstractArray> Status;

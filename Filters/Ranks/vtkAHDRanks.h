@@ -16,24 +16,24 @@
  * The ranks of a controller, as the engine's transport between blocks: block k is rank k. All
  * functions but the counts are collective.
  *
- * What fails on one rank is agreed on by all before any waits for what will not come: all that
- * ranks do together is done in Execute(), and each collective begins with an agreement. A
- * controller that cannot send is not dealt with: MPI ends the program then.
+ * All ranks agree on a failure before any waits for data that will not come: all common work is
+ * done in Execute(), and each collective begins with an agreement. Failures of the controller are
+ * not handled: MPI ends the program then.
  */
 class vtkAHDRanks : public ahd::PairTransport
 {
 public:
-  /// Holds it.
+  /// Holds the controller.
   explicit vtkAHDRanks(vtkMultiProcessController* controller);
 
   std::size_t GetOwn() const { return this->Own; }
   std::size_t GetCount() const { return this->Count; }
 
-  /// Does what all ranks do together. Returns the same on all: Ok, or why a rank could not go on.
-  /// `work` communicates, through this object alone, and may throw vtkAHDStop and std::bad_alloc
-  /// wherever it is, on one rank or on all: those that go on hear of it where they agree next, at
-  /// the latest in the end. Between two of these calls nothing throws: who does not come to the
-  /// second is waited for. They do not nest.
+  /// Executes the common work of all ranks. Returns the same on all: Ok, or the failure of a rank.
+  /// `work` communicates only through this object, and may throw vtkAHDStop and std::bad_alloc
+  /// anywhere, on one rank or on all: the others learn of it at their next agreement, at
+  /// the latest in the end. Nothing may throw between two of these calls, since the others wait for
+  /// a rank that does not reach the second. They do not nest.
   template <typename Work>
   ahd::Status Execute(const Work& work)
   {
@@ -56,11 +56,11 @@ public:
     return status;
   }
 
-  /// REQUIRES: where that is not Ok, all ranks end the work that they are in: see Execute().
+  /// @pre if it is not Ok, all ranks end their work: see Execute().
   ahd::Status agree(ahd::Status own) override;
-  /// Is it so on a rank? Throws vtkAHDStop on all if one cannot go on.
+  /// Is it true on any rank? Throws vtkAHDStop on all if one fails.
   bool IsAny(bool own);
-  /// The largest of all. Throws as well.
+  /// The largest of all ranks. Throws likewise.
   int FindMost(int own);
   ahd::Status gather(const ahd::BlockBytes& own, std::vector<ahd::BlockBytes>& all) override;
   ahd::Status exchange(
@@ -68,16 +68,16 @@ public:
   void swap(std::size_t partner, const void* out, std::size_t outBytes, void* in,
     std::size_t inBytes) override;
 
-  /// Does one rank's own work on each, and throws vtkAHDStop on all if one cannot go on. `work` may
-  /// throw vtkAHDStop and std::bad_alloc, and is not to communicate.
+  /// Executes each rank's own work, and throws vtkAHDStop on all if one fails. `work` may
+  /// throw vtkAHDStop and std::bad_alloc, and must not communicate.
   template <typename Work>
   void Together(const vtkAHDContext& context, const Work& work)
   {
     context.Check(this->agree(Try(context, work)));
   }
 
-  /// What make() returns on each rank, known to all. Throws vtkAHDStop on all ranks if one cannot
-  /// go on; `make` may throw as above, and is not to communicate.
+  /// The results of make() of all ranks, on each rank. Throws vtkAHDStop on all ranks if one
+  /// fails; `make` may throw as above, and must not communicate.
   template <typename Make>
   auto Share(const vtkAHDContext& context, const Make& make)
   {
@@ -87,8 +87,8 @@ public:
     return all;
   }
 
-  /// Sends to[k] to rank k, and returns what has come from each: vectors, of which none is sent
-  /// that is empty. make(to) fills one for each rank; throws as above.
+  /// Sends to[k] to rank k, and returns the vectors received from each; empty ones are not
+  /// sent. make(to) fills one for each rank; throws as above.
   template <typename T, typename Make>
   std::vector<std::vector<T>> Exchange(const vtkAHDContext& context, const Make& make)
   {
@@ -135,7 +135,7 @@ private:
   const vtkSmartPointer<vtkMultiProcessController> Controller;
   const std::size_t Own;
   const std::size_t Count;
-  ahd::Status Agreed = ahd::Status::Ok; // what all have said last
+  ahd::Status Agreed = ahd::Status::Ok; // the last agreement
 };
 
 #endif

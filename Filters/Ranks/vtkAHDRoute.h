@@ -21,9 +21,9 @@ public:
   {
   }
 
-  /// Moves the tuples of an array behind the first `first` ones of `to`, which has the same type
+  /// Moves the tuples of an array to `to`, after its first `first` ones; `to` has the same type
   /// and is large enough. `from` may be `to`. All ranks have arrays of the same type. Collective;
-  /// throws vtkAHDStop on all ranks if one of them cannot go on.
+  /// throws vtkAHDStop on all ranks if one of them fails.
   void Move(vtkAbstractArray* from, vtkAbstractArray* to, std::size_t first);
 
   /// Can arrays of this type be moved?

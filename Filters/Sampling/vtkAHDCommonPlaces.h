@@ -10,8 +10,8 @@
 
 class vtkAHDContext;
 
-/// Places of a piece of a raster that are in other pieces of it, too: each once. `places`: null, or
-/// they are added to it. Returns how many there are. Throws vtkAHDStop if the filter is to abort.
+/// Places of a piece of a raster that are in other pieces of it, too, each once. Added to `places`,
+/// unless null. Returns their number. Throws vtkAHDStop on an abort.
 std::size_t vtkAHDFindCommonPlaces(const ahd::SampleRaster& piece,
   const std::vector<ahd::SampleRaster>& others, const vtkAHDContext& context,
   std::vector<ahd::Point>* places);

@@ -15,8 +15,8 @@
 #include <memory>
 
 /**
- * Where values are wanted: the points of a data set, in the plane of a triangulation. Looked at
- * where they lie if they have coordinates in memory and the plane is x, y; else a copy. Holds the
+ * The places of an interpolation: the points of a data set, in the plane of a triangulation. Read
+ * in place if they have coordinates in memory and the plane is x, y; else copied. Holds the
  * data set.
  */
 class vtkAHDPlaces
@@ -26,10 +26,10 @@ public:
 
   std::size_t GetCount() const { return this->Count; }
 
-  /// Bytes that Open() takes.
+  /// Bytes that Open() allocates.
   std::size_t EstimateBytes(bool isProjected) const;
 
-  /// The places in the plane that `points` were moved to, good as long as this object and the data
+  /// The places in the plane of `points`, valid as long as this object and the data
   /// set. Throws vtkAHDStop and std::bad_alloc.
   ahd::PointView Open(
     const vtkAHDSettings& settings, const ahd::PreparedInput& points, const vtkAHDContext& context);

@@ -49,7 +49,7 @@ Axis BySize(double low, double high, double size, bool align)
     return axis;
   }
   axis.Count = std::max(1.0, WholeAbove(LengthIn(low, high, size), slack));
-  axis.Origin = low < high ? low + 0.5 * size : low; // one row runs through what has no length
+  axis.Origin = low < high ? low + 0.5 * size : low; // one row through a side without length
   return axis;
 }
 
@@ -77,7 +77,7 @@ double LastOf(const Axis& axis)
   return axis.Origin + (axis.Count - 1.0) * axis.Spacing;
 }
 
-/// Is what it is computed from, or the last centre, beyond the largest number?
+/// Do its terms, or the last centre, exceed the largest number?
 bool IsTooWide(const Axis& axis)
 {
   return !(std::isfinite(axis.Spacing) && std::isfinite(LastOf(axis)));

@@ -8,7 +8,7 @@
 #include <array>
 #include <cstddef>
 
-/// What a raster is to be like.
+/// The requested raster.
 struct vtkAHDRasterWish
 {
   bool ByCellSize = false;
@@ -17,11 +17,11 @@ struct vtkAHDRasterWish
   bool Align = false; ///< borders are multiples of CellSize
 };
 
-/// Why there is no raster.
+/// The reason why there is no raster.
 enum class vtkAHDRasterFault
 {
   None,
-  NoArea,      ///< no point says where it is to be
+  NoArea,      ///< no point determines its bounds
   CellSize,    ///< not positive and finite
   Bounds,      ///< not finite, or the lower is not below the upper
   TooMany,     ///< more than 2^31 - 1 cells along x or y
@@ -45,12 +45,12 @@ struct vtkAHDRaster
 /// By cell size, the first cell begins at the lower bound, or with Align at the multiple of the
 /// size that is not above it; there are as many as cover the area, at least one. Without Align a
 /// side of length 0 makes one row through it, here too: places beside it are on no surface. A bound
-/// that differs from a border between cells by no more than 2^-50 of the largest coordinate, which
-/// is what writing it in decimal may have cost, counts as this border: else 0 to 1.1 would take 12
+/// that differs from a border between cells by no more than 2^-50 of the largest coordinate, the
+/// possible error of a decimal number, counts as this border: else 0 to 1.1 would take 12
 /// cells of 0.1, as the double 1.1 is above 11 times the double 0.1.
 vtkAHDRaster vtkAHDMakeRaster(const vtkAHDRasterWish& wish, const ahd::Bounds& area);
 
-/// The same for an area that was asked for: Fault is Bounds where it is none.
+/// The same for a requested area: Fault is Bounds if it is invalid.
 vtkAHDRaster vtkAHDMakeRasterWithin(
   const vtkAHDRasterWish& wish, const std::array<double, 4>& bounds);
 

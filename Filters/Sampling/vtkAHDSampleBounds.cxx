@@ -29,7 +29,7 @@ void Grow(ahd::Bounds& box, double x0, double x1, double y0, double y1)
   box.ymax = std::max(box.ymax, y1);
 }
 
-/// Of what is done to the points, that alone which says where they are.
+/// Only the settings that determine the points' positions.
 ahd::InputRequest OnlyPlaces(ahd::InputRequest request)
 {
   request.lines = ahd::CellsView();

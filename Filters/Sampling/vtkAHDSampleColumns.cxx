@@ -207,7 +207,7 @@ std::size_t vtkAHDSampleColumns::NumbersPerPlace(const vtkAHDSampleColumn& colum
   return column.Components + (hasGradient ? 2 : 0);
 }
 
-/// What is put out of a column; that of heights if it is of no array.
+/// The output array of a column; that of heights if it has no array.
 double vtkAHDSampleColumns::BytesPerPlace(const vtkAHDSampleColumn& column) const
 {
   const std::size_t ofType = column.From

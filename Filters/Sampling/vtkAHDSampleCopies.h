@@ -11,18 +11,18 @@
 
 class vtkDoubleArray;
 
-/// The numbers of an array as doubles: where they lie, or in `copy`. Throws vtkAHDStop and
-/// std::bad_alloc, as all below.
+/// The numbers of an array as doubles: in place, or in `copy`. Throws vtkAHDStop and
+/// std::bad_alloc, like all functions below.
 const double* vtkAHDReadNumbers(
   vtkDataArray* array, ahd::UninitialisedVector<double>& copy, const vtkAHDContext& context);
 
-/// Puts `value` in place of each NaN of an array of doubles.
+/// Replaces each NaN of an array of doubles by `value`.
 void vtkAHDFillNoValue(vtkDataArray* doubles, double value, const vtkAHDContext& context);
 
-/// The same numbers as floats; those that are too large become the largest, but infinite ones.
+/// The same numbers as floats; finite ones that are too large become the largest.
 vtkSmartPointer<vtkDataArray> vtkAHDAsFloats(vtkDataArray* doubles, const vtkAHDContext& context);
 
-/// Which point's values each place is to have.
+/// The point whose values each place gets.
 struct vtkAHDGathered
 {
   const double* Ids; ///< NaN: none
@@ -30,18 +30,18 @@ struct vtkAHDGathered
   double NoValue; ///< in arrays of floating-point numbers, also for NaN; others have 0
 };
 
-/// Is an array that is gathered copied before, as its numbers do not lie one after the other?
+/// Must an array be copied before gathering, because its numbers are not contiguous?
 bool vtkAHDIsCopiedToGather(vtkDataArray* array);
 
 /// An array of the same type. `missing` grows by the values of points that are NaN.
 vtkSmartPointer<vtkDataArray> vtkAHDGather(vtkDataArray* from, const vtkAHDGathered& gathered,
   const vtkAHDContext& context, std::size_t& missing);
 
-/// The same of the heights of the points.
+/// The same for the heights of the points.
 vtkSmartPointer<vtkDataArray> vtkAHDGatherHeights(const double* heights,
   const vtkAHDGathered& gathered, const vtkAHDContext& context, std::size_t& missing);
 
-/// Names the components as those of `from` are.
+/// Gives the components the names of those of `from`.
 void vtkAHDNameComponents(vtkDataArray* from, vtkDataArray* to);
 
 #endif

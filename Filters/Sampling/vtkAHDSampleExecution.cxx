@@ -34,7 +34,7 @@ vtkTypeInt64 InKiB(double bytes)
   return static_cast<vtkTypeInt64>(std::min(bytes / 1024.0, kMost));
 }
 
-/// What a triangulation takes that is kept, at most.
+/// The most memory of a kept triangulation.
 double BytesKept(std::size_t points, const vtkAHDSettings& settings)
 {
   return double(ahd::triangulationMemoryEstimate(points, settings.options)) +
@@ -83,7 +83,7 @@ bool vtkAHDSampleExecution::Run(
             inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
       if (!this->IsKept)
       {
-        if (!isLent) // what it has is there for the new one
+        if (!isLent) // its memory is for the new one
         {
           kept.Surface->GiveBack(kept.Workspace);
         }
@@ -179,7 +179,7 @@ bool vtkAHDSampleExecution::FindPlaces(const vtkAHDSampleInputs& inputs)
     this->Raster.Fault == vtkAHDRasterFault::NoArea;
 }
 
-/// The points of a raster that is put out as a surface: x, y, z and mark.
+/// The points of a raster as a surface: x, y, z and mark.
 double vtkAHDSampleExecution::EstimateSurface() const
 {
   return this->Wishes.AsSurface ? 25.0 * double(this->Result.Places) : 0.0;
@@ -236,7 +236,7 @@ void vtkAHDSampleExecution::EstimateSampling(const vtkAHDSampleInputs& inputs, s
   this->BytesOfSampling = outputs + most;
 }
 
-/// `held`: bytes that are part of estimates, and not of what is left.
+/// `held`: bytes that are part of estimates, not of free memory.
 void vtkAHDSampleExecution::FindLimit(double held)
 {
   this->Memory.IsLimited = this->Settings.MemoryLimit > 0;
@@ -401,7 +401,7 @@ void vtkAHDSampleExecution::Interpolate(
   }
 }
 
-/// What is missing of the arrays, where something is.
+/// The missing values of arrays that have some.
 void vtkAHDSampleExecution::FindMissing(const vtkAHDSampleColumns& columns,
   const vtkAHDSampleInputs& inputs, vtkAHDSampledSurface& surface, const double* heights)
 {
@@ -488,7 +488,7 @@ void vtkAHDSampleExecution::Keep(const vtkAHDSampleInputs& inputs, vtkAHDSampleM
     {
       kept.Surface->Remember(inputs.SettingsTimes, this->Context);
     }
-    kept.Workspace.release(); // the surface has what there is to be reused
+    kept.Workspace.release(); // the surface has the memory to reuse
     return;
   }
   kept.Surface->GiveBack(kept.Workspace);

@@ -26,32 +26,31 @@ class vtkPointData;
 class vtkPointSet;
 class vtkPolyData;
 
-/// What an interpolation works on.
+/// The inputs of an interpolation.
 struct vtkAHDSampleInputs
 {
   vtkPointSet* Points = nullptr;
   vtkPolyData* Source = nullptr; ///< may be null
-  /// Null, or Points, if these are the surface: its own triangles are interpolated on.
+  /// Null, or Points, if these are a surface whose own triangles are used.
   vtkPolyData* Surface = nullptr;
   vtkDataSet* Places = nullptr; ///< null: a raster
   /// Null, or of what the places are one piece, of this number, the first one first: the outputs of
   /// all stay.
   const vtkAHDSamplePieces* Pieces = nullptr;
   std::size_t Piece = 0;
-  std::size_t InputBytes = 0; ///< that making the input has taken, if it was made of blocks
-  bool SaysArrays = true;     ///< warn of arrays that are passed over
+  std::size_t InputBytes = 0; ///< allocated to merge the input, if it was made of blocks
+  bool SaysArrays = true;     ///< warn of arrays that are not interpolated
   vtkAHDSettingsTimes SettingsTimes = {};
-  ahd::SampleRaster
-    Told; ///< what filters behind were told of the raster and ask for; empty: nothing
+  ahd::SampleRaster Told; ///< the announced raster that downstream filters request; empty: none
 
-  // One of several ranks: then nobody is warned.
-  std::size_t AddedPoints = 0;          ///< the last of Points, which are those of sources
-  const vtkAHDRaster* Raster = nullptr; ///< null: the one that is wished; else a piece of it
-  /// Null, or the pieces of the ranks before: places that are in these, too, are not to count.
+  // One of several ranks: without warnings.
+  std::size_t AddedPoints = 0;          ///< points of sources, the last of Points
+  const vtkAHDRaster* Raster = nullptr; ///< null: the requested one; else a piece of it
+  /// Null, or the pieces of the ranks before: places that are in these, too, do not count.
   const std::vector<ahd::SampleRaster>* PiecesBefore = nullptr;
 };
 
-/// What an execution leaves to the next one.
+/// Kept for the next execution.
 struct vtkAHDSampleMemoryKept
 {
   ahd::Workspace Workspace;
@@ -65,16 +64,16 @@ struct vtkAHDSampleMemoryKept
 class vtkAHDSampleExecution
 {
 public:
-  /// Borrows all but the settings. `keep`: the surface is to be left to the next execution, if it
+  /// Borrows all but the settings. `keep`: keep the surface for the next execution, if it
   /// is not too large.
   vtkAHDSampleExecution(vtkAlgorithm* filter, const vtkAHDSettings& settings,
     const vtkAHDSampleSettings& wishes, const vtkAHDContext& context, bool keep);
   ~vtkAHDSampleExecution();
 
-  /// Fills the output, which is of the type that is wanted. Says errors and warnings, but those of
-  /// places and their values: vtkAHDSayPlaceWarnings() has GetResult() for that. Returns false if
-  /// it came to nothing: then the output is empty. Throws std::bad_alloc only where nothing can be
-  /// said.
+  /// Fills the output, which has the requested type. Reports errors and warnings, except those
+  /// about places and their values: vtkAHDSayPlaceWarnings() reports these from GetResult().
+  /// Returns false after a failure: then the output is empty. Throws std::bad_alloc only if nothing
+  /// can be reported.
   bool Run(const vtkAHDSampleInputs& inputs, vtkAHDSampleMemoryKept& kept, vtkDataSet* output);
 
   /// Of the last Run().
@@ -84,7 +83,8 @@ public:
   const vtkAHDSampleMemory& GetMemory() const { return this->Memory; }
   bool HasTriangulated() const { return this->Triangulated; }
   double GetSeconds() const { return this->Seconds; }
-  /// Is the raster another than that of the points, as filters behind were told of more?
+  /// Does the raster differ from that of the points, because more was announced to downstream
+  /// filters?
   bool CoversTold() const { return this->Covers; }
 
 private:
@@ -109,7 +109,7 @@ private:
 
   vtkAlgorithm* const Filter;
   vtkAHDSettings Settings;
-  ahd::Plane Plane; // of a surface that is given, where one is fitted
+  ahd::Plane Plane; // of a given surface, if fitted
   const vtkAHDSampleSettings& Wishes;
   const vtkAHDContext& Context;
   const bool MayKeep;
@@ -118,7 +118,7 @@ private:
   bool Covers = false;                  // more than is its own
   std::unique_ptr<vtkAHDPlaces> Places; // null: the raster
   double BytesOfSampling = 0.0;
-  std::size_t CommonPlaces = 0; // that ranks before have, too
+  std::size_t CommonPlaces = 0; // that earlier ranks have, too
   vtkAHDReport Report;          // of the triangulation
   vtkAHDSampleResult Result;
   vtkAHDSampleMemory Memory;

@@ -8,32 +8,32 @@
 class vtkDataObject;
 class vtkInformation;
 
-/// Tells VTK's pipeline what the image of this raster will be like: its extent, empty if there is
+/// Announces the image of this raster to VTK's pipeline: its extent, empty if there is
 /// no raster, origin and spacing.
 void vtkAHDAnnounceRaster(const vtkAHDRaster& raster, vtkInformation* info);
 
-/// Is this image or grid that was made another than was announced? Then its points were others at
-/// that time, those of another time step.
+/// Does this image or grid differ from the announced one? The points then were those of another
+/// time step.
 bool vtkAHDIsNotAnnounced(vtkDataObject* made, vtkInformation* info);
 
-/// Does it have all of the extent that filters behind ask for?
+/// Does it have the whole extent that downstream filters request?
 bool vtkAHDHasAllThatIsWanted(vtkDataObject* made, vtkInformation* info);
 
-/// Are there filters behind this output? Each of them holds this information, and but for them only
-/// the filter's own executive need: who else does counts as one of them. Which they are nobody can
-/// say: VTK's list of consumers keeps those that were deleted.
+/// Are there filters downstream of this output? Each of them holds this information, besides only
+/// the filter's own executive; any other holder counts as one of them. They cannot be
+/// identified: VTK's list of consumers also has deleted ones.
 bool vtkAHDHasFiltersBehind(vtkInformation* info);
 
-/// What filters behind were told of the raster, as far as they ask for it; empty: nothing.
+/// The part of the announced raster that downstream filters request; empty: none.
 ahd::SampleRaster vtkAHDToldRaster(vtkInformation* info);
 
-/// Filters for images read as many pixels as they were told of, whether or not these are there: so
-/// makes the raster at least that large. If no point says where it is to be, it is the one that
-/// they were told of. Returns whether it is another then.
+/// Image filters read as many pixels as were announced, whether or not these exist: so
+/// makes the raster at least that large. If no point determines its bounds, it is the announced
+/// one. Returns whether it differs then.
 bool vtkAHDCover(const ahd::SampleRaster& told, vtkAHDRaster& raster);
 
-/// Do heights and mask of these cells alone take more memory than this limit in KiB, or, if that is
-/// 0, than there is?
+/// Do heights and mask of these cells alone take more memory than this limit in KiB, or, if it is
+/// 0, than available?
 bool vtkAHDIsLarger(const ahd::SampleRaster& cells, vtkTypeInt64 limit);
 
 #endif

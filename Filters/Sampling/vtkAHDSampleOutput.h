@@ -13,8 +13,8 @@ class vtkStructuredGrid;
 void vtkAHDMakeImage(const ahd::SampleRaster& raster, vtkImageData* image);
 
 /// Makes the surface of a raster: its points are the centres of the cells at these heights. Points
-/// without a height are hidden, and lie at the lowest of all, so that bounds are those of what is
-/// shown. Throws vtkAHDStop and std::bad_alloc.
+/// without a height are hidden, and lie at the lowest of all, so that the bounds are those of the
+/// visible part. Throws vtkAHDStop and std::bad_alloc.
 void vtkAHDMakeSurface(const ahd::SampleRaster& raster, vtkDataArray* heights, const char* mask,
   const vtkAHDContext& context, vtkStructuredGrid* surface);
 

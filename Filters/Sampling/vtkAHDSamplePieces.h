@@ -17,7 +17,7 @@ class vtkAHDSamplePieces
 {
 public:
   /// `places`: null for a raster. An output of blocks gets the structure of the places, and an
-  /// empty data set for each block that is one; other blocks are passed over.
+  /// empty data set for each block that is one; other blocks are ignored.
   vtkAHDSamplePieces(vtkDataObject* places, vtkDataObject* output);
 
   std::size_t GetCount() const { return this->Pieces.size(); }

@@ -10,7 +10,7 @@
 #include <limits>
 #include <string>
 
-/// What is to be interpolated and how, as it was when the execution began.
+/// The settings of the interpolation when the execution began.
 struct vtkAHDSampleSettings
 {
   ahd::SampleMethod Method = ahd::SampleMethod::Linear;
@@ -21,7 +21,7 @@ struct vtkAHDSampleSettings
   bool NearestOutside = false; ///< places outside get the value of the nearest vertex
   double NoValue = std::numeric_limits<double>::quiet_NaN();
   bool Gradients = false;
-  std::string Heights; ///< the name of their array; empty: none is put out
+  std::string Heights; ///< the name of their array; empty: no array
   std::string Mask;    ///< the same
   vtkAHDSettingsOfRanks OfRanks;
 

@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /// Interpolates at all places; the arrays of `columns` are ready then. `heights`: of the points.
+  /// Interpolates at all places into the arrays of `columns`. `heights`: of the points.
   /// Throws vtkAHDStop and std::bad_alloc.
   void Run(const ahd::SamplePlaces& places, const double* heights, vtkAHDSampleColumns& columns);
 
@@ -41,8 +41,8 @@ public:
   /// 1 for places with a value.
   vtkSmartPointer<vtkCharArray> GetMask() const { return this->Mask; }
 
-  /// Upper estimate of the bytes that Run() takes for so many points and places, those of
-  /// vtkAHDSampleColumns::EstimateBytes() included; the tables of the surface not.
+  /// Upper estimate of the bytes that Run() takes for so many points and places, with those of
+  /// vtkAHDSampleColumns::EstimateBytes(), without the tables of the surface.
   static double EstimateBytes(const vtkAHDSampleSettings& settings,
     const vtkAHDSampleColumns& columns, std::size_t points, const ahd::SamplePlaces& places);
 

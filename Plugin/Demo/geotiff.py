@@ -44,7 +44,7 @@ def check_crs(crs):
 
 def write(path, heights, corner, cell, crs=None):
     """Writes rows of heights, the first one the southernmost, of cells of this width and height; `corner` is the lower
-    left one of all. REQUIRES: writer(). OSError."""
+    left one of all. Requires: writer(). OSError."""
     rows, columns = heights.shape
     place = (corner[0], cell[0], 0.0, corner[1] + rows * cell[1], 0.0, -cell[1])
     pieces = ((row, numpy.ascontiguousarray(heights[::-1][row:row + ROWS])) for row in range(0, rows, ROWS))

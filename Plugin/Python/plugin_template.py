@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adaptive Hilbert Delaunay 2D in ParaView, without compiling: load this file by Tools > Manage Plugins.
 
-ParaView 5.11 to 6.1. What is computed is computed by the Python package adaptivehilbertdelaunay. It is looked for
+ParaView 5.11 to 6.1. The Python package adaptivehilbertdelaunay does the computation. It is looked for
 beside this file, then around it (this file lies in the package), then where Python finds packages. On a server
 this file and the package have to be there; on the client load this file too, so that its panel is up to date.
 
@@ -105,7 +105,7 @@ def _what_is_wrong():
 
 class _Driver(VTKPythonAlgorithmBase):
     """A filter or a source of the package, in the clothes that ParaView knows: it has the methods of the class
-    `vtk_class` of the package, and what it puts out is made by an object of it, `_worker`."""
+    `vtk_class` of the package, and its output is made by an object of it, `_worker`."""
 
     vtk_class = None
 

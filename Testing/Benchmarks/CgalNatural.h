@@ -30,7 +30,7 @@ private:
 };
 
 /// Sibson's weights by the same function over an exact kernel, of each place: by number of the
-/// point. Empty outside. REQUIRES: distinct points.
+/// point. Empty outside. @pre distinct points.
 std::vector<std::map<std::int64_t, double>> exactNaturalWeights(
   const std::vector<Point>& points, const std::vector<Point>& places);
 

@@ -19,7 +19,7 @@ public:
     : engine_(seed)
   {
   }
-  /// One of 0 to n - 1. REQUIRES: n > 0.
+  /// One of 0 to n - 1. @pre n > 0.
   std::size_t below(std::size_t n) { return std::size_t(engine_() >> 16) % n; }
   std::uint64_t bits() { return engine_(); }
 

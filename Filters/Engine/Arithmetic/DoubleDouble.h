@@ -11,7 +11,7 @@ namespace ahd
 /// Sums and products have a relative error of some 2^-100 (sums: relative to the larger operand)
 /// as long as nothing overflows or underflows: callers scale first. For coordinates, never for
 /// decisions that the triangulation rests on.
-/// REQUIRES: rounding to nearest, no contraction.
+/// @pre rounding to nearest, no contraction.
 struct DoubleDouble
 {
   double high = 0.0;
@@ -20,7 +20,7 @@ struct DoubleDouble
   double value() const { return high + low; }
 };
 
-/// REQUIRES: |a| >= |b|, or one of them is 0.
+/// @pre |a| >= |b|, or one of them is 0.
 inline DoubleDouble fastSum(double a, double b)
 {
   const double sum = a + b;
@@ -42,7 +42,7 @@ inline DoubleDouble exactDifference(double a, double b)
   return exactSum(a, -b);
 }
 
-/// a * b, exactly. REQUIRES: both are below 2^500 in magnitude, and the product is no less than
+/// a * b, exactly. @pre both are below 2^500 in magnitude, and the product is no less than
 /// 2^-900 or 0.
 inline DoubleDouble exactProduct(double a, double b)
 {

@@ -13,7 +13,7 @@
 #include <cstdint>
 
 /// Means of finite numbers, rounded once: the double nearest to their exact sum over their count,
-/// so that their order has no say. REQUIRES: at most 2^28 numbers; rounding to nearest, no
+/// so that their order has no say. @pre at most 2^28 numbers; rounding to nearest, no
 /// contraction.
 namespace ahd
 {

@@ -34,13 +34,13 @@ struct WideFloat
 
   int sign() const { return whole.sign(); }
 
-  /// |value| < 2^bits(), and half of that at most. REQUIRES: it is not 0.
+  /// |value| < 2^bits(), and half of that at most. @pre it is not 0.
   int bits() const
   {
     return 64 * (exponent + whole.size - 1) + int(bitLength(whole.word[whole.size - 1]));
   }
 
-  /// |value| = leading() * 2^(64 * leadingExponent()), but for a part of 2^-52. REQUIRES: it is not
+  /// |value| = leading() * 2^(64 * leadingExponent()), but for a part of 2^-52. @pre it is not
   /// 0.
   double leading() const
   {
@@ -61,7 +61,7 @@ struct WideFloat
 class WideArithmetic
 {
 public:
-  /// REQUIRES: 2 <= digits <= kMostDigits.
+  /// @pre 2 <= digits <= kMostDigits.
   void setDigits(int digits) { digits_ = digits; }
   int digits() const { return digits_; }
   /// As an exponent of 2.
@@ -69,7 +69,7 @@ public:
 
   static void setZero(WideFloat& result) { result.whole.size = 0; }
 
-  /// a - b. REQUIRES: both are finite.
+  /// a - b. @pre both are finite.
   void difference(double a, double b, WideFloat& result);
 
   void sum(const WideFloat& a, const WideFloat& b, WideFloat& result)
@@ -82,7 +82,7 @@ public:
   }
 
   void product(const WideFloat& a, const WideFloat& b, WideFloat& result);
-  /// 1 / a. REQUIRES: a is not 0.
+  /// 1 / a. @pre a is not 0.
   void inverse(const WideFloat& a, WideFloat& result);
 
 private:

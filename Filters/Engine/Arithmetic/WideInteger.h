@@ -62,7 +62,7 @@ struct WideInteger
   }
 };
 
-/// mantissa * 2^shift. REQUIRES: shift >= 0 and room for the bits.
+/// mantissa * 2^shift. @pre shift >= 0 and room for the bits.
 template <class Wide>
 Wide wideFrom(std::uint64_t mantissa, int shift, bool negative)
 {
@@ -104,7 +104,7 @@ int compareMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
   return 0;
 }
 
-/// |a| + |b|, to be put into the empty `result`. REQUIRES: a.size >= b.size.
+/// |a| + |b|, to be put into the empty `result`. @pre a.size >= b.size.
 template <int R, int N, int M>
 void addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
@@ -123,7 +123,7 @@ void addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger
   }
 }
 
-/// |a| - |b|, to be put into the empty `result`. REQUIRES: |a| >= |b|.
+/// |a| - |b|, to be put into the empty `result`. @pre |a| >= |b|.
 template <int R, int N, int M>
 void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
@@ -182,7 +182,7 @@ WideInteger<std::max(N, M) + 1> operator-(const WideInteger<N>& a, const WideInt
   return addSigned(a, b, a.negative != b.negative);
 }
 
-/// a * b. REQUIRES: `result` is neither of them.
+/// a * b. @pre `result` is neither of them.
 template <int R, int N, int M>
 void multiply(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {

@@ -26,7 +26,7 @@ inline int bitsOf(const Wide& a)
   return bits;
 }
 
-/// |a| << shift. REQUIRES: a is not 0.
+/// |a| << shift. @pre a is not 0.
 template <int Capacity>
 Wide shifted(const WideInteger<Capacity>& a, int shift)
 {
@@ -64,7 +64,7 @@ inline void doubleIt(Wide& a)
   }
 }
 
-/// a -= b. REQUIRES: |a| >= |b|.
+/// a -= b. @pre |a| >= |b|.
 inline void subtract(Wide& a, const Wide& b)
 {
   std::uint64_t borrow = 0;
@@ -80,7 +80,7 @@ inline void subtract(Wide& a, const Wide& b)
 }
 
 /// (bits + something less than 1, more than 0 if `more`) * 2^exponent, rounded to the nearest
-/// double, ties to even. REQUIRES: the top bit of `bits` or the one after it is set.
+/// double, ties to even. @pre the top bit of `bits` or the one after it is set.
 inline double rounded(std::uint64_t bits, bool more, int exponent)
 {
   constexpr int kPrecision = 53, kLowest = -1074;
@@ -98,7 +98,7 @@ inline double rounded(std::uint64_t bits, bool more, int exponent)
 }
 
 /// a / b * 2^exponent, rounded to the nearest double, ties to even; infinite where that overflows.
-/// REQUIRES: b is not 0.
+/// @pre b is not 0.
 template <int N, int M>
 double roundedQuotient(const WideInteger<N>& a, const WideInteger<M>& b, int exponent)
 {

@@ -58,7 +58,7 @@ public:
     return wideFrom<Coordinate>(parts.mantissa, parts.exponent - exponent_, parts.negative);
   }
 
-  /// The unit is 2^exponent(). REQUIRES: a coordinate is not 0.
+  /// The unit is 2^exponent(). @pre a coordinate is not 0.
   int exponent() const { return exponent_; }
 
 private:

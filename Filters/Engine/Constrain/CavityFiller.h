@@ -27,11 +27,11 @@ public:
   /// cancelled: the mesh is then unusable. Throws std::bad_alloc.
   bool fill(Index from, Index to, const Mesh::Halfedge* crossed, std::size_t count);
 
-  /// The half-edge from -> to that was made. REQUIRES: fill() returned true.
+  /// The half-edge from -> to that was made. @pre fill() returned true.
   Mesh::Halfedge made() const { return made_; }
 
   /// The other edge of the two triangles takes the place of this one, in the same two slots.
-  /// REQUIRES: it is no constraint, and they make a convex quadrilateral.
+  /// @pre it is no constraint, and they make a convex quadrilateral.
   void flip(Mesh::Halfedge h);
 
 private:

@@ -27,10 +27,10 @@ class ConstrainedMesh
 {
 public:
   /// No marks. Returns false if cancelled, as below; throws std::bad_alloc.
-  /// REQUIRES: a mesh with a triangle; xy outlives this.
+  /// @pre a mesh with a triangle; xy outlives this.
   bool begin(Mesh& mesh, const Point* xy, Ticker& ticker);
   /// Looks at every triangle once, so that a triangle of each vertex is known: what asks for that
-  /// (isInMesh(), outgoing(), slotOf()) or changes it (setCorners()) REQUIRES it. Throws
+  /// (isInMesh(), outgoing(), slotOf()) or changes it (setCorners()) requires it. Throws
   /// std::bad_alloc.
   bool findVertices(Ticker& ticker);
 
@@ -60,7 +60,7 @@ public:
   /// Is the vertex a corner of any triangle?
   bool isInMesh(Index vertex) const { return slotOf_[vertex] != kNoIndex; }
 
-  /// A half-edge that runs from the vertex. REQUIRES: isInMesh(vertex).
+  /// A half-edge that runs from the vertex. @pre isInMesh(vertex).
   Mesh::Halfedge outgoing(Index vertex) const { return outgoing(slotOf_[vertex], vertex); }
   /// That of a triangle which has the vertex as a corner.
   Mesh::Halfedge outgoing(Mesh::Slot slot, Index vertex) const

@@ -46,7 +46,7 @@ bool Constrainer::insertAll(const ConstraintView& constraints, std::size_t verti
   return true;
 }
 
-/// Room for what all segments, or loops, may need.
+/// Room for all segments, or loops.
 bool Constrainer::begin(std::size_t vertices)
 {
   firstSegment_.reserve(constraints_.chains);
@@ -89,7 +89,7 @@ bool Constrainer::insertChain(std::size_t chain, const InCurveOrder& curve)
   return true;
 }
 
-/// Are there three of these ids that stand for three vertices, or for none? What has fewer bounds
+/// Do three of these ids represent three vertices, or none? A loop with fewer bounds
 /// nothing, wherever it runs.
 bool Constrainer::haveThreeVertices(const std::int64_t* ids, std::size_t count) const
 {

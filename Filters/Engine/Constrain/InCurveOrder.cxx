@@ -171,7 +171,7 @@ void InCurveOrder::prefetch(const Segment* segment, const Segment* end) const
   }
 }
 
-/// What was walked becomes edges.
+/// Turns the walked segments into edges.
 bool InCurveOrder::makeEdges(Work& work, Territory& territory)
 {
   const std::vector<WalkPiece>& pieces = work.walk.pieces();
@@ -277,7 +277,7 @@ bool InCurveOrder::insert(
   return true;
 }
 
-/// Territory by territory, then what leaves these, then what is long.
+/// Territory by territory, then segments that leave these, then long ones.
 bool InCurveOrder::insertSorted()
 {
   const std::size_t count = territories_.size() - 2;

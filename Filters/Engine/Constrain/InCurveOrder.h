@@ -56,7 +56,7 @@ public:
   }
 
   /// Returns false if cancelled: the mesh is then unusable. Throws std::bad_alloc.
-  /// REQUIRES: the Delaunay triangulation, no constraints; offsets ascend.
+  /// @pre the Delaunay triangulation, no constraints; offsets ascend.
   bool insertAll(const ConstraintView& constraints);
 
   /// Is the segment that begins at this place among the ids one edge, and a constraint that no

@@ -175,7 +175,7 @@ bool PolygonFiller::insertAll()
     return false;
   }
   const std::uint32_t last = static_cast<std::uint32_t>(corners_->size() - 1);
-  inner_[0] = border(last); // what is behind the edge from the first corner to the last
+  inner_[0] = border(last); // the triangle across the edge from the first corner to the last
   for (std::uint32_t i = 1; i < last; ++i)
   {
     const std::uint32_t corner = order_[i];
@@ -204,7 +204,7 @@ bool PolygonFiller::belongsToHole(const HoleEdge& edge, Index vertex) const
   return behind != vertex && inConflict(xy_[edge.from], xy_[vertex], xy_[edge.to], xy_[behind]);
 }
 
-/// Joins a corner to what it sees through the edge between its neighbours.
+/// Joins a corner to the vertex that it sees through the edge between its neighbours.
 ///
 ///      behind         The edge from -> to has the corner on its right (it may also be the other
 ///      way /    \         round) and a triangle or the border behind it. Triangle from-corner-to

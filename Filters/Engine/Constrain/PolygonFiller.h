@@ -36,7 +36,7 @@ public:
   /// then inner(p); it has no twin yet. Returns false if cancelled. Throws
   /// std::bad_alloc.
   ///
-  /// REQUIRES: three corners or more. The polygon lies on the left of its base, the edge from the
+  /// @pre three corners or more. The polygon lies on the left of its base, the edge from the
   /// last corner to the first; each corner can be seen from a place on the base, and these places
   /// follow each other. A vertex may be several corners, where edges hang into the polygon.
   bool fill(const std::vector<Index>& corners, const Mesh::Slot* slots);

@@ -163,7 +163,7 @@ bool Flood::dropEvenOnes(std::size_t& dropped)
   return clearVisited(dropped);
 }
 
-/// What is finite and not inside is dropped.
+/// Drops finite triangles that are not inside.
 bool Flood::clearVisited(std::size_t& dropped)
 {
   return inChunks(0, mesh_.triangles(), ticker_,

@@ -16,7 +16,7 @@ namespace ahd
 using LoopEdges = EdgeTable<std::int64_t>;
 
 /// Marks the triangles that the loops do not keep as dropped, and adds their number to `dropped`.
-/// Returns false if cancelled. Throws std::bad_alloc. REQUIRES: there is a loop;
+/// Returns false if cancelled. Throws std::bad_alloc. @pre there is a loop;
 /// the edges of loops are constraints.
 bool dropOutside(ConstrainedMesh& mesh, const LoopEdges& edges, FillRule rule, Ticker& ticker,
   std::size_t& dropped);

@@ -18,7 +18,7 @@ double doubledArea(const Point& a, const Point& b, const Point& c)
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
-/// One call of trimRim(). What returns a bool returns false if the work is to be cancelled, unless
+/// One call of trimRim(). Functions that return bool return false if the work is cancelled, unless
 /// it is a question.
 class Trimmer
 {

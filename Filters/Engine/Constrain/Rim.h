@@ -18,7 +18,7 @@ struct TrimmedRim
 };
 
 /// Marks flat triangles at the rim as dropped: see trim() in Triangulate.h. Returns false if
-/// cancelled. Throws std::bad_alloc. REQUIRES: a mesh with a triangle.
+/// cancelled. Throws std::bad_alloc. @pre a mesh with a triangle.
 bool trimRim(ConstrainedMesh& mesh, Ticker& ticker, TrimmedRim& out);
 
 } // namespace ahd

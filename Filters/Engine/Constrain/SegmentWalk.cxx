@@ -102,7 +102,7 @@ SegmentWalk::Outcome SegmentWalk::findWayOut(
 }
 
 /// The same where it takes many steps, from the nearest edges that are remembered on both sides at
-/// a time: so the cost is that to the nearer one. What is found is remembered.
+/// a time: so the cost is that to the nearer one. The result is remembered.
 bool SegmentWalk::turnFromFans(Index from, Index to, WayOut& way)
 {
   std::array<Turn, 3> turns{};

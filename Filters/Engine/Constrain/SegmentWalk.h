@@ -47,14 +47,14 @@ public:
   /// From now on rows that are remembered there are passed as one piece; null: edge by edge.
   void passRows(const EdgeRows* rows) { rows_ = rows; }
 
-  /// REQUIRES: two different vertices of the mesh, both in the territory. Throws std::bad_alloc.
+  /// @pre two different vertices of the mesh, both in the territory. Throws std::bad_alloc.
   /// Where one end has very many neighbours, the cost goes with those of the other end. For a
   /// vertex within the segment with very many neighbours some are remembered: m segments through it
   /// cost m log m steps.
   Outcome walk(Index a, Index b);
 
   /// The same across all constraints: crossed() lists them among the other edges. Returns Free or
-  /// Cancelled. REQUIRES: no territory.
+  /// Cancelled. @pre no territory.
   Outcome walkAcross(Index a, Index b);
 
   /// Along the segment, from start(), which is one of its ends. The edges that are crossed are

@@ -59,7 +59,7 @@ public:
   }
 
   /// Drops what it held and becomes a view of memory that belongs to somebody else.
-  /// REQUIRES: `memory` is aligned for T and outlives the use.
+  /// @pre `memory` is aligned for T and outlives the use.
   void view(void* memory, std::size_t size)
   {
     reset();

@@ -14,7 +14,7 @@ namespace ahd
 constexpr std::size_t kChunk = std::size_t(1) << 12;
 
 /// Calls work(a, b) for consecutive chunks [a, b) of [begin, end), each of at most kChunk steps,
-/// and counts the steps. Returns false if the work is to be cancelled.
+/// and counts the steps. Returns false if the work is cancelled.
 template <typename Work>
 bool inChunks(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
 {
@@ -45,7 +45,7 @@ bool inSteps(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
     });
 }
 
-/// Writes the value all over a Buffer. Returns false if the work is to be cancelled.
+/// Writes the value all over a Buffer. Returns false if the work is cancelled.
 template <typename Array, typename Value>
 bool fillAll(Array& array, const Value& value, Ticker& ticker)
 {

@@ -86,7 +86,7 @@ struct DispatchTarget
   Function* run;
 };
 
-/// REQUIRES: ascending instruction sets, from the baseline.
+/// @pre ascending instruction sets, from the baseline.
 template <typename Function, std::size_t count>
 Function* best(const DispatchTarget<Function> (&targets)[count])
 {

@@ -39,7 +39,7 @@ bool inChunksOf(std::size_t count, Ticker& ticker, const Work& work)
 
 /// Calls work(a, b) for chunks [a, b) of [0, count), which take their time, in several tasks a
 /// thread, none for less than `least` items; what is done moves the fraction. Returns false if the
-/// work is to be cancelled.
+/// work is cancelled.
 template <typename Work>
 bool inShares(
   std::size_t count, Ticker& ticker, std::size_t perThread, std::size_t least, const Work& work)
@@ -87,7 +87,7 @@ bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
 /// Writes what is found among [0, count), in order, by all threads lent where it pays: each share
 /// is first counted, then written from where those before it end. count(a, b) returns how many
 /// [a, b) has; begin(all) makes room; write(a, b, first) writes them from place `first` on and
-/// returns the place behind. Returns false if the work is to be cancelled. Throws std::bad_alloc.
+/// returns the place behind. Returns false if the work is cancelled. Throws std::bad_alloc.
 template <typename Count, typename Begin, typename Write>
 bool countAndWrite(
   std::size_t items, Ticker& ticker, const Count& count, const Begin& begin, const Write& write)

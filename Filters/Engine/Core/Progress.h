@@ -84,8 +84,8 @@ public:
   Ticker(const Ticker&) = delete;
   Ticker& operator=(const Ticker&) = delete;
 
-  /// `steps` more steps were taken. Returns false if the work is to be cancelled.
-  /// REQUIRES: steps <= kStepsPerAsking / 2.
+  /// `steps` more steps were taken. Returns false if the work is cancelled.
+  /// @pre steps <= kStepsPerAsking / 2.
   bool step(std::size_t steps = 1)
   {
     pending_ += steps;
@@ -95,7 +95,7 @@ public:
   /// `units` more units of work are finished (moves the fraction; asks nothing).
   void finished(std::size_t units) { done_ += units; }
 
-  /// Asks now. Returns false if the work is to be cancelled.
+  /// Asks now. Returns false if the work is cancelled.
   /// Not inline: in the loops that call step() it is rare, and would take their registers.
   bool ask();
 

@@ -14,7 +14,7 @@ namespace ahd
 {
 
 /// Sorts items[0, n) by `less`, a strict weak order; which of two equal items comes first is not
-/// said. `other` is scratch for as many. Returns false if the work is to be cancelled; then some
+/// said. `other` is scratch for as many. Returns false if the work is cancelled; then some
 /// items are lost.
 template <typename T, typename Less>
 bool sortAsking(T* items, std::size_t n, T* other, Ticker& ticker, Less less)

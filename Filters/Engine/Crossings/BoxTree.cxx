@@ -10,7 +10,7 @@ namespace ahd
 namespace
 {
 
-/// The number of the lowest bit that is set. REQUIRES: bits is not 0.
+/// The number of the lowest bit that is set. @pre bits is not 0.
 inline unsigned lowestBit(unsigned bits)
 {
 #if defined(__GNUC__) || defined(__clang__)
@@ -48,8 +48,8 @@ bool cross(const Segment& s, const Segment& t)
 
 // ----------------------------------------------------------------------------------- the tree
 
-/// Along the curve of their middles, up to rounding: the order has no say in what is found.
-/// REQUIRES: there are more.
+/// Along the curve of their middles, up to rounding: the order does not affect the result.
+/// @pre there are more.
 bool BoxTree::addSorted(const Pieces& more, Pieces& pieces, Ticker& ticker)
 {
   const std::size_t n = more.size();
@@ -175,7 +175,7 @@ bool BoxSearch::within(const Node& node)
   return count(end - begin);
 }
 
-/// REQUIRES: their boxes meet.
+/// @pre their boxes meet.
 bool BoxSearch::between(const Node& a, const Node& b)
 {
   const bool descendsA = a.level >= b.level;

@@ -90,7 +90,7 @@ bool Hubs::listPlaces(
     sortAsking(places, ticker_, lexicographicallyLess);
 }
 
-/// Returns false if the work is to be cancelled.
+/// Returns false if the work is cancelled.
 bool Hubs::noteTried(const Point& p)
 {
   Index number = kNoIndex;

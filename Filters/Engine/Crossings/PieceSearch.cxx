@@ -192,7 +192,7 @@ bool PieceSearch::findAll(
 }
 
 /// Looks for hubs from piece to piece, once; then among the crossings, which are some of those
-/// there are. Returns false if the work is to be cancelled.
+/// there are. Returns false if the work is cancelled.
 bool PieceSearch::findHubs(
   const Pieces& pieces, const std::vector<Crossing>& crossings, Hubs& hubs) const
 {
@@ -223,7 +223,7 @@ BoxSearch::Outcome PieceSearch::searchTrees(
 }
 
 /// Finds what crosses of the parts; stops as soon as there are more than `most` pairs, and lists
-/// more. Returns false if the work is to be cancelled.
+/// more. Returns false if the work is cancelled.
 bool PieceSearch::findAmongParts(
   const std::vector<Hubs::Part>& parts, std::size_t most, std::vector<Crossing>& crossings)
 {

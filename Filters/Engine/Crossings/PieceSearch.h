@@ -33,7 +33,7 @@ public:
   {
   }
 
-  /// Adds `more` to the pieces, in an order of its own, and finds what crosses. REQUIRES: the
+  /// Adds `more` to the pieces, in an order of its own, and finds what crosses. @pre the
   /// pieces are those that the calls before left, some of them dead by now, and those that are not
   /// dead do not cross each other. Stops as soon as there are more than `most` pairs, and
   /// lists more. Returns false if cancelled. Throws std::bad_alloc.

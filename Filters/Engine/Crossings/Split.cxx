@@ -12,7 +12,7 @@ namespace ahd
 namespace
 {
 
-/// Most ids in the chains. Tests of what is refused are compiled with fewer.
+/// Most ids in the chains. Tests of refusals are compiled with fewer.
 #ifndef AHD_MOST_CHAIN_IDS
 #define AHD_MOST_CHAIN_IDS (std::size_t(1) << 31)
 #endif
@@ -139,7 +139,7 @@ bool Splitter::listPieces()
 
 // --------------------------------------------------------------------------- splitting, one round
 
-/// Returns false if the work is to be cancelled, or if there are too many places.
+/// Returns false if the work is cancelled, or if there are too many places.
 bool Splitter::split()
 {
   constexpr std::size_t kBlock = 64; // whose slots in the table are fetched while it is worked on

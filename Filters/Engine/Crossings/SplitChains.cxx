@@ -56,7 +56,7 @@ bool Splitter::listOnPieces()
   return sortAsking(onPieces_, ticker_, comesBefore);
 }
 
-/// Lists in along_ what is on a piece or segment, in the order in which it passes it.
+/// Lists in along_ the points on a piece or segment, in their order along it.
 bool Splitter::sortAlong(const Way& way, const OnSegment* items, std::size_t count)
 {
   const auto comesBefore = [&](const PlaceAlong& i, const PlaceAlong& k)

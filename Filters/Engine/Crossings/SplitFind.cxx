@@ -75,7 +75,7 @@ int Finder::sideOf(Index end, Index s) const
     : orient2d(segments_.places[ends.left], segments_.places[ends.right], segments_.places[end]);
 }
 
-/// +1 if s is steeper than t. REQUIRES: they have a point in common.
+/// +1 if s is steeper than t. @pre they have a point in common.
 int Finder::steepnessOf(Index s, Index t) const
 {
   const RankedSegments::Ends& ends = segments_.ends[s];
@@ -83,13 +83,13 @@ int Finder::steepnessOf(Index s, Index t) const
   return steepness(right == 0 ? sideOf(ends.left, t) : 0, right);
 }
 
-/// +1 if s is above t at the line of this end. REQUIRES: it meets both.
+/// +1 if s is above t at the line of this end. @pre it meets both.
 int Finder::orderAtEnd(Index s, Index t, Index end) const
 {
   return orderAt(segments_[s], sideOf(end, s), segments_[t], sideOf(end, t), segments_.places[end]);
 }
 
-/// The same just after that line; 0 only if they are collinear. REQUIRES: both go on after it.
+/// The same just after that line; 0 only if they are collinear. @pre both go on after it.
 int Finder::orderAfter(Index s, Index t, Index end) const
 {
   const int order = orderAtEnd(s, t, end);
@@ -102,7 +102,7 @@ int Finder::orderLeaving(Index s, Index t, Index end) const
   return endsAfter(s, end) && endsAfter(t, end) ? orderAfter(s, t, end) : orderAtEnd(s, t, end);
 }
 
-/// Copies those for which `wanted` holds. Returns false if the work is to be cancelled.
+/// Copies those for which `wanted` holds. Returns false if the work is cancelled.
 template <typename Wanted>
 bool Finder::choose(const Segments& from, Wanted wanted, Segments& chosen)
 {
@@ -112,7 +112,7 @@ bool Finder::choose(const Segments& from, Wanted wanted, Segments& chosen)
     { std::copy_if(from.data() + a, from.data() + b, std::back_inserter(chosen), wanted); });
 }
 
-/// All crossings within the strip. REQUIRES: each segment has a part of some length in it.
+/// All crossings within the strip. @pre each segment has a part of some length in it.
 bool Finder::search(Segments inside, const Strip& strip)
 {
   const auto isNew = [&](Index s) { return s >= segments_.firstNew; };
@@ -147,7 +147,7 @@ bool Finder::search(Segments inside, const Strip& strip)
   return true;
 }
 
-/// The halves. REQUIRES: an end lies within the strip.
+/// The halves. @pre an end lies within the strip.
 bool Finder::searchHalves(const Segments& inside, const Strip& strip)
 {
   const Index middle = strip.begin + (strip.end - strip.begin) / 2;

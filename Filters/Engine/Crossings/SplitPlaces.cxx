@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Splitting: what is at the places that segments are led through.
+// Splitting: the points at the places that segments pass through.
 #include "../Core/Chunks.h"
 #include "../Order/RadixSort.h"
 #include "Splitter.h"
@@ -154,7 +154,7 @@ CrossingPoint Splitter::described(const PlaceTable::Place& place, const Named& a
     side(inOrder ? upper : lower) };
 }
 
-// ---------------------------------------------------------------------------------- what is where
+// ------------------------------------------------------------------------------- points at places
 
 bool Splitter::isUsable(std::int64_t id) const
 {
@@ -180,7 +180,7 @@ SegmentName Splitter::nameOf(Index position) const
   return { chain, first_ + position - std::size_t(chains_.offsets[chain]) };
 }
 
-/// REQUIRES: a segment of a piece.
+/// @pre a segment of a piece.
 Way Splitter::wayOf(const SegmentName& name) const
 {
   const auto begin = std::size_t(chains_.offsets[name.chain]);

@@ -27,7 +27,7 @@ struct Way
     return lexicographicallyLess(from, to) ? Segment{ from, to } : Segment{ to, from };
   }
 
-  /// Does it pass a before b? REQUIRES: both are points on it, rounded, which is monotone in each
+  /// Does it pass a before b? @pre both are points on it, rounded, which is monotone in each
   /// coordinate; so they are in the order of both.
   bool isBefore(const Point& a, const Point& b) const
   {

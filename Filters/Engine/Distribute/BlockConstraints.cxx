@@ -10,7 +10,7 @@
 namespace ahd
 {
 
-/// The vertices of this block where segments end, and what all are to know of them.
+/// The vertices of this block where segments end, and their data for all blocks.
 bool BlockTriangulation::State::findOwnEnds(
   std::vector<Index>& vertices, std::vector<ChainEnd>& found, Ticker& ticker)
 {

@@ -52,7 +52,7 @@ private:
 
 /// Cuts the plane so that about as many of the samples lie in each block, always across the longer
 /// side. The samples of all blocks, in the same order everywhere, give the same cuts everywhere.
-/// Cost: n log n + n log(blocks). Returns Ok, Cancelled or OutOfMemory. REQUIRES: finite samples,
+/// Cost: n log n + n log(blocks). Returns Ok, Cancelled or OutOfMemory. @pre finite samples,
 /// blocks > 0.
 Status cutIntoBlocks(
   const std::vector<Point>& samples, std::size_t blocks, const Context& context, BlockCuts& out);

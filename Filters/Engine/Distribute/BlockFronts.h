@@ -29,7 +29,7 @@ public:
     return BlockFront(blocks, halvings);
   }
 
-  /// Rows of up to 2^halvings of these, as the cuts have it: boxes of the kd-tree. REQUIRES: there
+  /// Rows of up to 2^halvings of these, as the cuts have it: boxes of the kd-tree. @pre there
   /// is more than one row.
   BlockFront above(std::size_t halvings) const
   {

@@ -47,12 +47,12 @@ public:
   /// Learns the ids of the triangles around. `firstId`: that of this block's first triangle; they
   /// ascend. Collective.
   Status begin(std::size_t firstId);
-  /// Asks for the next layer, and learns how many triangles will come. Collective. REQUIRES:
+  /// Asks for the next layer, and learns how many triangles will come. Collective. @pre
   /// begin().
   Status ask();
   /// How many there are, and are to come or to go, at most.
   std::size_t countAll() const { return cells_.size() + coming_ + going_; }
-  /// Takes the layer. Collective. REQUIRES: ask().
+  /// Takes the layer. Collective. @pre ask().
   Status take();
 
   /// What was taken, by ascending id.

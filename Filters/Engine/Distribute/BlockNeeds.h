@@ -39,10 +39,10 @@ public:
 
   /// Triangulates. Collective.
   Status begin();
-  /// Of the points of all blocks. REQUIRES: begin().
+  /// Of the points of all blocks. @pre begin().
   Bounds bounds() const { return boundsOf(made_); }
   /// Lists what this block needs for places in these boxes, all that coincide with one of them
-  /// included, ascending; none without boxes. Collective. REQUIRES: begin().
+  /// included, ascending; none without boxes. Collective. @pre begin().
   Status find(const std::vector<Bounds>& boxes, std::vector<BlockPoint>& needed);
 
 private:

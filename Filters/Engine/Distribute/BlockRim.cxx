@@ -51,7 +51,7 @@ struct Counts
   auto fields() { return std::tie(triangles, bare, lost, whole); }
 };
 
-/// One block's part. Functions that return bool return false if the work is to be cancelled.
+/// One block's part. Functions that return bool return false if the work is cancelled.
 class RimTrimmer
 {
 public:

@@ -23,7 +23,7 @@ class PairTransport : public BlockTransport
 {
 public:
   /// Called by two blocks alike, which both know how many bytes go either way; 0: nothing is sent.
-  /// REQUIRES: the partner is another block.
+  /// @pre the partner is another block.
   virtual void swap(
     std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes) = 0;
 };
@@ -56,7 +56,7 @@ public:
   /// The same with all tuples, to one block.
   Status toOne(std::size_t count, std::size_t block);
   /// Asks for tuples: that of point wanted[k] comes to place k. `names`: the ids of this block's
-  /// tuples, ascending. Collective. REQUIRES: all are there.
+  /// tuples, ascending. Collective. @pre all are there.
   Status ask(const std::vector<BlockPoint>& wanted, const std::vector<std::int64_t>& names);
 
   /// How many tuples come.

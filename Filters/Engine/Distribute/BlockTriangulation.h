@@ -113,11 +113,11 @@ public:
   Status begin(const BlockInput& input, const Context& context);
   Waiting waiting() const;
 
-  /// What this block says to all. REQUIRES: waiting ForAll; as takeAll().
+  /// What this block says to all. @pre waiting ForAll; as takeAll().
   const BlockBytes& toAll() const;
   Status takeAll(const std::vector<BlockBytes>& all, const Context& context);
 
-  /// What this block says to some. REQUIRES: waiting ForSome; as takeSome().
+  /// What this block says to some. @pre waiting ForSome; as takeSome().
   Status giveSome(std::vector<BlockMessage>& out, const Context& context);
   Status takeSome(const std::vector<BlockMessage>& in, const Context& context);
 
@@ -125,7 +125,7 @@ public:
   /// all blocks. Empty before it is known and after it was sent.
   const std::vector<BorderCount>& borders() const;
   /// All of it is to be sent to this block at once, rather than up a tree. To be called on all
-  /// blocks alike. REQUIRES: borders() has news.
+  /// blocks alike. @pre borders() has news.
   void gatherTo(std::size_t block);
 
   // --- When it waits for nothing ---
@@ -166,7 +166,7 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// The next step, over a transport. To be called by all blocks; returns the same on all. REQUIRES:
+/// The next step, over a transport. To be called by all blocks; returns the same on all. @pre
 /// it waits.
 Status takeStep(BlockTriangulation& block, BlockTransport& transport, const Context& context);
 

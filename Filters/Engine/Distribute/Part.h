@@ -76,7 +76,7 @@ struct Surroundings
 /// or the row has all blocks. What was final below is the region on the left of the edges that were
 /// handed up; of this the part knows the border, not the triangles.
 ///
-/// Functions that return bool return false if the work is to be cancelled, and throw
+/// Functions that return bool return false if the work is cancelled, and throw
 /// std::bad_alloc.
 class Part
 {
@@ -86,13 +86,13 @@ public:
     const Options& options, const Context& context);
   /// Of what was handed up, which is used up.
   Status makeOf(std::vector<PartBorder>& below, const Context& context);
-  /// Puts the constraints in; their ids are places among given(). REQUIRES: makeOf(), all blocks.
+  /// Puts the constraints in; their ids are places among given(). @pre makeOf(), all blocks.
   Status constrain(const ConstraintView& constraints, FillRule rule, const Context& context);
 
-  /// The vertices where segments end, ascending. REQUIRES: makeOwn().
+  /// The vertices where segments end, ascending. @pre makeOwn().
   void setEnds(std::vector<Index> ends) { ends_ = std::move(ends); }
 
-  /// Finds the region of what was final below. REQUIRES: makeOf().
+  /// Finds the region of what was final below. @pre makeOf().
   bool findBelow(Ticker& ticker);
   /// Finds what is final, in a row that has not all blocks.
   bool findFinal(const BlockRow& row, const Surroundings& around, Ticker& ticker);
@@ -111,7 +111,7 @@ public:
 
     auto fields() { return std::tie(isAll, edges); }
   };
-  /// Hears it from the part above. REQUIRES: makeBorder().
+  /// Hears it from the part above. @pre makeBorder().
   bool takeKept(const Kept& kept, Ticker& ticker);
   /// Tells it to a part below, by its place among those of makeOf(). After takeKept(), or in the
   /// part of all blocks finishAll().
@@ -123,7 +123,7 @@ public:
 
   /// How many triangles have become final here and are kept.
   std::size_t finalTriangles() const { return finalTriangles_; }
-  /// Writes these as triples of vertices' points, in canonical order. REQUIRES: makeOwn(). No place
+  /// Writes these as triples of vertices' points, in canonical order. @pre makeOwn(). No place
   /// is known after that.
   template <typename Id>
   bool writeFinal(Id* triples, Ticker& ticker);

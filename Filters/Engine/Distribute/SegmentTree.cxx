@@ -30,7 +30,7 @@ double lengthOf(const EndPair& s)
 }
 
 /// All values from p + (q - p) * low to p + (q - p) * high, and a few more, between p and q.
-/// REQUIRES: q - p does not overflow; 0 <= low <= high <= 1.
+/// @pre q - p does not overflow; 0 <= low <= high <= 1.
 ///
 /// Proof. q - p, its product with low, and the sum have a relative error of 2^-53 each, and low is
 /// known to as much: less than 2^-50 (|p| + |q|) in all, and 2^-1074 where the product underflows.

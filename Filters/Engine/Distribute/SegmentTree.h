@@ -31,7 +31,7 @@ public:
   };
 
   /// Only what lies in `region` will be asked about. Cuts the segments into three times as many
-  /// parts at most, and `extra` more. Returns false if the work is to be cancelled. Throws
+  /// parts at most, and `extra` more. Returns false if the work is cancelled. Throws
   /// std::bad_alloc.
   bool build(
     std::vector<EndPair> segments, const Bounds& region, std::size_t extra, Ticker& ticker);

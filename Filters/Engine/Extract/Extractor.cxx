@@ -150,7 +150,7 @@ public:
 private:
   static constexpr std::size_t kCopied = 256; ///< keys at a time
 
-  /// Lists the pieces of a block if it is to be sorted in one go.
+  /// Lists the pieces of a block if it is sorted in one pass.
   void list(const KeyChains& chains, std::size_t block)
   {
     pieces_.clear();

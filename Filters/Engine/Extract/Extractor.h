@@ -13,7 +13,7 @@ namespace ahd
 {
 
 /// Number of vertices on the hull, collinear ones included: the ghost's neighbours.
-/// REQUIRES: a mesh with a triangle. Returns 0 if cancelled. Throws
+/// @pre a mesh with a triangle. Returns 0 if cancelled. Throws
 /// std::bad_alloc.
 std::size_t countHullVertices(const Mesh& mesh, Ticker& ticker);
 
@@ -46,7 +46,7 @@ constexpr std::size_t kExtractBytesPerPoint = 7;
 /// at its lowest vertex, and they are sorted by their three vertices. As vertices are numbered by
 /// canonical rank, the order depends on the point set alone. Vertex v is written as ids[v], or as v
 /// if `ids` is null; `triples` has room for a triple for each of these. On all threads lent; each
-/// allocates 70 KB, and all together kExtractBytesPerPoint. REQUIRES: kExtractScratchPerPoint bytes
+/// allocates 70 KB, and all together kExtractBytesPerPoint. @pre kExtractScratchPerPoint bytes
 /// of scratch for each vertex. Returns false if cancelled. Throws std::bad_alloc.
 template <typename Id>
 bool writeCanonical(const ExtractedMesh& from, const std::uint32_t* ids, Id* triples,

@@ -39,7 +39,7 @@ public:
 
   /// With `places` the third number of the keys is the slot, and places[slot] becomes the place of
   /// the lowest corner in each that is not left out. Allocates at most kExtractBytesPerPoint for
-  /// each vertex. Throws std::bad_alloc. REQUIRES: room for a key per slot in `scratch`.
+  /// each vertex. Throws std::bad_alloc. @pre room for a key per slot in `scratch`.
   KeyChains(const ExtractedMesh& from, std::uint32_t* places, std::size_t threads, Scratch& scratch)
     : from_(from)
     , layout_(from.mesh, places ? TriangleKeys::Third::Slot : TriangleKeys::Third::Corner)

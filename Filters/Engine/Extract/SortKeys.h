@@ -39,7 +39,7 @@ public:
     sorted_.allocate(kMostKeys + kWindow);
   }
 
-  /// The keys of one block in ascending order, until the next call. REQUIRES: at most kMostKeys.
+  /// The keys of one block in ascending order, until the next call. @pre at most kMostKeys.
   const Key* sorted(const std::vector<KeyPiece>& pieces)
   {
     place(pieces);

@@ -67,7 +67,7 @@ public:
     return (lowest + ghostNumber_) >> blockBits_;
   }
 
-  /// Block and key of a triangle. REQUIRES: kThird == third(); its slot, if that is included.
+  /// Block and key of a triangle. @pre kThird == third(); its slot, if that is included.
   template <Third kThird>
   std::pair<std::size_t, Key> blockAndKey(const std::uint32_t* corners, std::size_t slot) const
   {

@@ -17,7 +17,7 @@ struct FirstTriangle
   InsertionEnd end = InsertionEnd::AllCollinear; ///< Done: the mesh has its first triangle
   std::size_t third = 0;
 
-  /// The place in the sequence of the point that is inserted as the i-th. REQUIRES: i >= 3.
+  /// The place in the sequence of the point that is inserted as the i-th. @pre i >= 3.
   std::size_t place(std::size_t i) const { return i <= third ? i - 1 : i; }
 };
 

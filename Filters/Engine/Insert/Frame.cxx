@@ -46,7 +46,7 @@ bool inShares(std::size_t count, Ticker& ticker, Work work)
 }
 
 /// Has one of these coordinates bits that a multiple of 1 / up has not? Else adds the bits of the
-/// multiples to `bits`. REQUIRES: their magnitudes times `up` are less than 2^51.
+/// multiples to `bits`. @pre their magnitudes times `up` are less than 2^51.
 bool addBits(const double* begin, const double* end, double up, std::uint64_t& bits)
 {
   constexpr double kInteger = 0x1.8p52; // a sum with this is rounded to an integer

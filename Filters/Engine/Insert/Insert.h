@@ -31,7 +31,7 @@ enum class InsertionEnd
 
 /// Inserts `sequence` (distinct vertices, all of them, each once) into `mesh`, on this thread. The
 /// locations are changed while it works (Frame.h), and as they were afterwards unless cancelled.
-/// REQUIRES: the mesh has room for points.count vertices and is empty.
+/// @pre the mesh has room for points.count vertices and is empty.
 /// Cost: O(1) expected per point when successive points are close and a sparse subset of the points
 /// comes first (see Order); O(n) per point at worst.
 /// Allocates nothing. Counts into `work` unless that is null.
@@ -52,7 +52,7 @@ constexpr std::size_t kLeastShared = 30000;
 /// Inserts all vertices in order of rank by Rounds into `mesh`, on the threads lent to the phase.
 /// The locations are changed while it works, as above.
 /// With counting (`work` not null) or without threads: on this one.
-/// REQUIRES: the mesh has room for points.count vertices and is empty.
+/// @pre the mesh has room for points.count vertices and is empty.
 /// Allocates 4 bytes per point if there are threads. Throws std::bad_alloc.
 ///
 /// Where the rounds are large enough they are inserted in parts. Why that is safe:

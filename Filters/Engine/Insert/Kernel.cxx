@@ -223,7 +223,7 @@ AHD_ALWAYS_INLINE Mesh::Slot Kernel<kCount, kAccess, kExact>::split(const Remove
 }
 
 /// Takes back the splits of the star in work, the last one first, and the star of two: the mesh is
-/// as it was, down to the places of corners and edges. REQUIRES: there is a split.
+/// as it was, down to the places of corners and edges. @pre there is a split.
 template <bool kCount, Access kAccess, bool kExact>
 void Kernel<kCount, kAccess, kExact>::takeBack(std::size_t splits)
 {
@@ -282,7 +282,7 @@ Kernel<kCount, kAccess, kExact>::waitingAt(
 
 /// Which of the two triangles beyond a removed one are in conflict with p, by closer filters and
 /// the exact predicate where the filter is not certain.
-/// REQUIRES: the star has not been split there yet.
+/// @pre the star has not been split there yet.
 template <bool kCount, Access kAccess, bool kExact>
 unsigned Kernel<kCount, kAccess, kExact>::decide(
   InCirclePair seen, Mesh::Slot place, Index apex, Beyond beyond)

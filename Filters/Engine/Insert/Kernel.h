@@ -81,7 +81,7 @@ public:
 
   /// Inserts vertex p with two more triangles, in the slots `fresh` and the one after it. `hint` is
   /// a slot to start locating from, and becomes the slot from which to locate `next`.
-  /// REQUIRES, if Shared: the hint's triangle has an owned vertex.
+  /// @pre if Shared, the hint's triangle has an owned vertex.
   Insertion insert(Index p, Index next, Mesh::Slot fresh, Mesh::Slot& hint)
   {
     ++insertedSinceAsking_;
@@ -96,7 +96,7 @@ public:
   std::size_t steps() const { return refills_ * kStepsPerRefill + (kStepsPerRefill - budget_); }
 
   /// From now on long walks jump to triangles that are noted. False: to be cancelled.
-  /// REQUIRES: Alone, the first triangle is there; one kernel of a mesh takes notes.
+  /// @pre Alone, the first triangle is there; one kernel of a mesh takes notes.
   bool beginToNote();
   /// Notes a triangle of this vertex or near it.
   void note(Index vertex, Mesh::Slot slot) { data_[placeOfNote(vertex / kRanksPerNote)] = slot; }

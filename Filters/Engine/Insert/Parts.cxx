@@ -14,7 +14,7 @@ inline namespace AHD_TARGET
 namespace
 {
 
-/// Stores the larger one, so that what is stored in the end does not depend on who was first.
+/// Stores the larger one, so that the result does not depend on the order of threads.
 void storeLarger(std::atomic<Mesh::Slot>& place, Mesh::Slot slot)
 {
   Mesh::Slot known = place.load(std::memory_order_relaxed);

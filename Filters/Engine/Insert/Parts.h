@@ -31,7 +31,7 @@ struct Round
 class Parts
 {
 public:
-  /// REQUIRES: all points of the rounds before are in the mesh; 2 <= count, and each part gets at
+  /// @pre all points of the rounds before are in the mesh; 2 <= count, and each part gets at
   /// least kControlStride points of the round. Throws std::bad_alloc.
   Parts(const Frame& frame, Mesh& mesh, Ticker& ticker, const Round& round, std::size_t count);
 

@@ -42,7 +42,7 @@ void say(ahd_job& job, std::string&& text)
   job.said = job.message.c_str();
 }
 
-/// Calls work(the job); what it throws becomes a status and a message.
+/// Calls work(the job); exceptions become a status and a message.
 template <typename Work>
 ahd_status guarded(ahd_job& job, const Work& work)
 {

@@ -202,7 +202,7 @@ typedef struct ahd_job ahd_job;
 
 /* A job with default settings and no input; null if there is no memory for it. */
 AHD_API ahd_job* ahd_job_new(void);
-/* Null is allowed. REQUIRES: no call of the job is running. */
+/* Null is allowed. No call of the job may be running. */
 AHD_API void ahd_job_free(ahd_job* job);
 /* The error of the last call, empty if there was none; UTF-8, valid until the next call of the job.
  * Never null. In a callback: of the last call from it. */

@@ -31,7 +31,7 @@ constexpr unsigned kDouble = bitOf(kFloat64);
 
 // --- Writing ---
 
-/// Where an array is to be written, and as what.
+/// The destination and type of an array.
 struct Target
 {
   std::int32_t type;
@@ -225,7 +225,7 @@ double boxNumber(const Made& m, std::size_t i)
 
 // --- The table ---
 
-/// What an array takes that was to be asked for before.
+/// The setting that an array requires before the run.
 struct Need
 {
   const char* what; ///< null: nothing

@@ -16,8 +16,8 @@ struct ArrayShape
   std::size_t columns = 1;
 };
 
-// Output arrays of a job by name. What is unknown, of another type or larger than the room for it,
-// or not there, is refused.
+// Output arrays of a job by name. Unknown names, wrong types, too little room and missing arrays
+// are refused.
 ArrayShape shapeOf(Job& job, const char* name);
 void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::uint64_t capacity);
 
@@ -36,7 +36,7 @@ struct GivenDrawing
 void drawOrder(Job& job, std::int32_t type, const GivenDrawing& drawing);
 void interpolate(Job& job, std::int32_t where, double* values, std::int32_t columns);
 
-/// Where to write what locate() finds: of each place one number, three, one.
+/// The outputs of locate(): one number, three and one for each place.
 struct Places
 {
   std::int32_t* kinds; ///< PlaceKind

@@ -11,10 +11,10 @@
 namespace ahd
 {
 
-// Counts and measures of a job by name. What is unknown, or there is no result for, is refused.
+// Counts and measures of a job by name. Unknown names and missing results are refused.
 std::int64_t countOf(Job& job, const char* name);
 double measureOf(Job& job, const char* name);
-/// What messages are made of that is not `known`: counts and what was asked for.
+/// The facts of messages that are not `known`: counts and settings.
 Facts factsOf(const Job& job, Facts known);
 
 /// Null past the last.

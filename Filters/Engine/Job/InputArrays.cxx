@@ -60,7 +60,7 @@ bool isTooLarge(const GivenArray& array)
     span(array.rows, array.rowStride) + span(array.columns, array.columnStride) > kMost;
 }
 
-/// What is wrong with it; empty if nothing is.
+/// Its error; empty if there is none.
 std::string faultOf(const Row& row, const GivenArray& array)
 {
   if ((bitOf(array.type) & row.types) == 0 || array.columns < row.leastColumns ||

@@ -14,8 +14,7 @@
 namespace ahd
 {
 
-/// Numbers in rows and columns, where the caller has them; strides in bytes. Without a type there
-/// is none.
+/// The caller's numbers in rows and columns; strides in bytes. Type 0: no array.
 struct GivenArray
 {
   const void* data;
@@ -40,11 +39,11 @@ enum class InputArray : std::size_t
 };
 constexpr std::size_t kInputArrays = std::size_t(InputArray::SurfaceEdges) + 1;
 
-/// The arrays that a job was given, looked at where they are. What is wrong with one is refused.
+/// The arrays given to a job, read in place. Invalid ones are refused.
 class InputArrays
 {
 public:
-  /// Null in place of the array takes it away.
+  /// A null array removes it.
   void set(const char* name, const GivenArray* array);
 
   /// Null past the last.
@@ -53,14 +52,14 @@ public:
   const GivenArray& operator[](InputArray array) const { return arrays_[std::size_t(array)]; }
   bool has(InputArray array) const { return (*this)[array].type != 0; }
 
-  /// Sets the counts of points, cells, ids and triangles; looks at no number. Refuses what does not
-  /// fit together.
+  /// Sets the counts of points, cells, ids and triangles, without reading numbers. Refuses
+  /// inconsistent arrays.
   void count(InputRequest& request) const;
 
   /// Bytes of the copies that OpenInput makes.
   std::size_t copiedBytes() const;
 
-  /// Row by row. REQUIRES: has(InputArray::Matrix).
+  /// Row by row. @pre has(InputArray::Matrix).
   std::array<double, 16> matrix() const;
 
 private:
@@ -70,8 +69,8 @@ private:
   std::array<GivenArray, kInputArrays> arrays_ = {};
 };
 
-/// The arrays as the engine looks at them; with copies of those that it cannot look at where they
-/// are. Moved, its views stay good.
+/// The arrays as the engine reads them, with copies of those that it cannot read in place. Its
+/// views stay valid when it is moved.
 class OpenInput
 {
 public:

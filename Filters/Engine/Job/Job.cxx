@@ -92,7 +92,7 @@ void Job::runWith(const Context& context)
   check(run.findStacks(made, context));
 }
 
-/// What is asked of the engine: all but the views of arrays.
+/// The engine's request, without the views of arrays.
 InputRequest Job::request(const RunSettings& asked) const
 {
   InputRequest request;

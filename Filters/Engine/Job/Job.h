@@ -22,28 +22,28 @@
 namespace ahd
 {
 
-/// What a run of a job made.
+/// The result of a run.
 struct JobResult : RunResult
 {
   RunSettings asked;
-  std::size_t otherMemory = 0; ///< of the caller's, in the estimate
+  std::size_t otherMemory = 0; ///< the caller's, in the estimate
   std::array<double, 16> matrix = {};
   OpenInput input;
-  Plane fitted;                     ///< to some of the input's points, where it is not to all
+  Plane fitted;                     ///< to some of the input's points, if not to all
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
   JobSampling sampling;
 
   std::size_t cellCount() const { return ahd::cellCount(triangulation, selection); }
-  /// Where the points are in space; `made` has them if they are not the input's. Refuses if that is
+  /// The points in space; `made` holds them if they are not the input's. Refuses if
   /// cancelled.
   PointView spacePoints(SpacePoints& made, const Context& context);
 };
 
-/// Row by row, what takes points to the plane and their height above it.
+/// The matrix, row by row, that moves points to the plane and their height above it.
 void writeMatrix(const Plane& plane, double* matrix);
 
-/// All that is behind a handle of the C interface: settings and input, a run and its result. What
-/// cannot be done is refused (Refusal.h).
+/// The object behind a handle of the C interface: settings and input, a run and its result. Its
+/// functions refuse (Refusal.h).
 class Job
 {
 public:
@@ -62,7 +62,7 @@ public:
   std::size_t keptBytes() const { return workspace_.bytes(); }
   void release(std::size_t most);
   void fitPlane(double* matrix);
-  /// Moves points to where they lie in the plane of the result.
+  /// Moves points to their position in the plane of the result.
   void toPlane(double* xyz, std::size_t count);
 
   /// Refuses if there is none.
@@ -72,14 +72,14 @@ public:
   /// Of the last run, whether it succeeded or not.
   const RunReport& report() const { return report_; }
 
-  /// What was made of the input before is gone with it, as it looks at it.
+  /// Discards the result, which reads the input.
   void setArray(const char* name, const GivenArray* array)
   {
     arrays.set(name, array);
     release(std::size_t(-1));
   }
 
-  /// Calls work(context), with the threads that the settings ask for.
+  /// Calls work(context), with the number of threads of the settings.
   template <typename Work>
   void withThreads(const Work& work)
   {

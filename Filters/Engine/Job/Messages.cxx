@@ -15,7 +15,7 @@ namespace ahd
 namespace
 {
 
-// --- What follows from facts, as facts ---------------------------------------------------------
+// --- Facts derived from others -----------------------------------------------------------------
 
 void addOfRefusal(Wording wording, Facts& f)
 {

@@ -17,7 +17,7 @@
 namespace ahd
 {
 
-/// One number or text that messages are made of. The name is borrowed.
+/// A number or text in messages. The name is borrowed.
 struct Fact
 {
   template <typename Number,
@@ -43,7 +43,7 @@ struct Fact
 };
 
 /// Facts by name: counts of a job (ahd.h), and what else Catalogue.h asks for. A list is several of
-/// one name. What is not there is 0 or empty.
+/// one name. Missing ones are 0 or empty.
 class Facts
 {
 public:
@@ -65,14 +65,14 @@ private:
   std::vector<Fact> facts_;
 };
 
-/// What a run says of itself: all in RunReport.cxx that is known of it, and what refusals are made
-/// of. Memory is in bytes. Those that are `known` take their place.
+/// The facts of a run: its counts in RunReport.cxx, and those of refusals. Memory is in bytes.
+/// `known` ones take precedence.
 Facts factsOf(const RunReport& report, Facts known = Facts());
 
-/// Why a run failed. `isRefused`: RunReport's.
+/// The reason why a run failed. `isRefused`: RunReport's.
 Reason reasonOf(Status status, bool isRefused);
 
-/// Whose names of settings and arrays a message has.
+/// The names of settings and arrays in a message.
 enum class Wording : std::int32_t
 {
   Job,   ///< the C interface's; memory in bytes
@@ -80,14 +80,14 @@ enum class Wording : std::int32_t
   NumPy  ///< the keywords of delaunay(); memory in bytes
 };
 
-/// When something is said.
+/// The occasion of a message.
 enum class Topic : std::int32_t
 {
-  Refusal,       ///< why there is no result: one at most
+  Refusal,       ///< the reason of no result: at most one
   Triangulation, ///< after a run
-  Columns,       ///< of arrays to interpolate
+  Columns,       ///< about arrays to interpolate
   Places,        ///< after an interpolation
-  Blocks         ///< of blocks of data sets that are passed over
+  Blocks         ///< about ignored blocks of data sets
 };
 
 struct Message
@@ -96,7 +96,7 @@ struct Message
   std::string text;
 };
 
-/// All that there is to say, in its order. Throws std::bad_alloc.
+/// All messages, in their order. Throws std::bad_alloc.
 std::vector<Message> messages(Topic topic, Wording wording, Facts facts);
 
 } // namespace ahd

@@ -23,7 +23,7 @@ bool isAligned(const GivenArray& array)
   return reinterpret_cast<std::uintptr_t>(array.data) % sizeOf(array.type) == 0;
 }
 
-/// Can points be looked at where they are?
+/// Can points be read in place?
 bool areViewable(const GivenArray& array)
 {
   const auto size = static_cast<std::int64_t>(sizeOf(array.type));
@@ -107,7 +107,7 @@ const Id* copyIds(const GivenArray& array, std::vector<Id>& to, const Context& c
     { return static_cast<Id>(readInteger(array, row, column)); });
 }
 
-/// The array where it is, or a copy.
+/// The array itself, or a copy.
 template <typename Id>
 const Id* idsOf(const GivenArray& array, std::vector<Id>& copy, const Context& context)
 {

@@ -11,11 +11,11 @@
 namespace ahd
 {
 
-/// Hears what is being done, and how much of it all is. Non-zero cancels.
+/// Called with the phase and the fraction of the whole that is done. Non-zero cancels.
 using ProgressCallback = std::int32_t (*)(void* user, std::int32_t phase, double fraction);
 
-/// What a job tells its caller and asks it for: the callback hears of phases, too, and may cancel;
-/// so may another thread.
+/// The progress of a job: its callback gets phases, too, and may cancel, as may another
+/// thread.
 class JobProgress : public RunProgress
 {
 public:
@@ -25,19 +25,18 @@ public:
 
   /// A run begins, of stages with these weights.
   void beginRun(const std::vector<double>& weights);
-  /// Work apart from the run begins, of stages with these weights: what is told is how much of it
-  /// is done, until its end.
+  /// Work apart from the run begins, of stages with these weights: the fraction is that of this
+  /// work until its end.
   void beginApart(const std::vector<double>& weights);
   void endApart();
-  /// A call begins: nobody has cancelled it yet, but by cancel().
+  /// A call begins. It is not cancelled, except by an earlier cancel().
   void beginCall();
-  /// It is over, and with it the time of the last phase. `wasCancelled`: it did what cancel()
-  /// asked.
+  /// The call, and the time of its last phase, ends. `wasCancelled`: by cancel().
   void endCall(bool wasCancelled);
 
   /// The next phase is the last of its stage.
   void expectLastPhase() { stages_.expectLastPhase(); }
-  /// All is done: the callback hears of it if it has not. False if it, or cancel(), cancels.
+  /// All is done: reports it, if not reported yet. False if the callback, or cancel(), cancels.
   bool finish();
 
   void beginPhase(Phase phase) override;
@@ -55,7 +54,7 @@ protected:
 private:
   ProgressCallback callback_ = nullptr;
   void* user_ = nullptr;
-  Stages stagesOfRun_; ///< during work apart from it, and what was done
+  Stages stagesOfRun_; ///< during work apart from it, and its fraction
   double doneOfRun_ = 0.0;
   bool stopped_ = false; ///< by the callback
   std::atomic<bool> cancelled_{ false };

@@ -51,7 +51,7 @@ bool MatrixProjection::project(const PointView& points, double* to, const Contex
     });
 }
 
-/// Returns false if it is to be cancelled.
+/// Returns false if it is cancelled.
 bool CallbackProjection::call(double* xyz, std::size_t count) const
 {
   try

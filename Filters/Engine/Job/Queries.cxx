@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is asked of a result beside its arrays: the order as it is drawn, values at points between
+// Queries of a result besides its arrays: the order as it is drawn, values at points between
 // others, where places lie.
 #include "Arrays.h"
 
@@ -31,7 +31,7 @@ Status draw(JobResult& made, const GivenDrawing& drawing, const Context& context
   return ahd::drawOrder(made.triangulation, withCurve, to, context);
 }
 
-/// The numbers of the cells that triangles are put out as.
+/// The numbers of the output cells of triangles.
 Status numberCells(JobResult& made, const Context& context)
 {
   return unlessCancelled(

@@ -13,7 +13,7 @@
 namespace ahd
 {
 
-/// Why a call of a job cannot be done. Thrown within Job/ and caught at the border of the
+/// The reason why a call of a job fails. Thrown within Job/ and caught at the border of the
 /// interface.
 struct Refusal
 {
@@ -26,11 +26,11 @@ struct Refusal
   throw Refusal{ reason, std::move(text) };
 }
 
-// What is estimated for so many stays a number.
+// Estimates for so many do not overflow.
 constexpr std::uint64_t kMostNumbers = std::uint64_t(1) << 48;
 constexpr std::uint64_t kMostColumns = std::uint64_t(1) << 24;
 
-/// Refuses a count that no memory has room for: a caller's -1, or what was never set. `what`: in
+/// Refuses an impossible count: a caller's -1, or an uninitialised one. `what`: in
 /// plural.
 inline void checkCount(std::uint64_t count, const char* what)
 {
@@ -40,7 +40,7 @@ inline void checkCount(std::uint64_t count, const char* what)
   }
 }
 
-/// The same of what lies side by side for each point or place.
+/// The same for columns of each point or place.
 inline void checkColumns(std::uint64_t count, const char* what)
 {
   if (count > kMostColumns)
@@ -51,14 +51,14 @@ inline void checkColumns(std::uint64_t count, const char* what)
   }
 }
 
-/// Refuses in the words of Messages.cxx.
+/// Refuses with the text of Messages.cxx.
 [[noreturn]] inline void refuse(Reason reason, Facts facts)
 {
   facts.add({ "reason", reason });
   refuse(reason, messages(Topic::Refusal, Wording::Job, facts).at(0).text);
 }
 
-/// Refuses unless Ok. What has a number in its text is refused where the number is known.
+/// Refuses unless Ok. Texts with numbers are made where the numbers are known.
 inline void check(Status status)
 {
   // In the order of Status.

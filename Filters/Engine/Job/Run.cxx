@@ -149,7 +149,7 @@ std::vector<double> Run::stages() const
   return stages;
 }
 
-/// What is known of sizes is part of the estimate from now on.
+/// Adds the known sizes to the estimate from now on.
 Status Run::end(Status status)
 {
   report_.status = status;

@@ -23,10 +23,10 @@
 namespace ahd
 {
 
-/// Rows that are put out of cells that cross.
+/// The most rows of crossing cells in the output.
 constexpr std::size_t kMostCrossingRows = 1000;
 
-/// What a run makes. Each part is a function of those before it; the triangulation borrows the
+/// The result of a run. Each part depends on those before it; the triangulation borrows the
 /// points.
 struct RunResult
 {
@@ -35,8 +35,8 @@ struct RunResult
   VoronoiCells voronoi;
   Selection selection; ///< empty: all triangles
 
-  /// What the limits on the size of triangles leave of them, if there are any. `inSpace`: where the
-  /// user sees the points. Returns Ok, Cancelled or OutOfMemory.
+  /// Selects the triangles within the limits of size, if there are any. `inSpace`: the points in
+  /// space. Returns Ok, Cancelled or OutOfMemory.
   Status select(const RunSettings& settings, const PointView& inSpace, const Context& context);
 
   bool isSelected() const { return !selection.kept.empty(); }
@@ -45,7 +45,7 @@ struct RunResult
     return isSelected() ? selection.keptCount : triangulation.report().triangles;
   }
 
-  /// The triangles that are put out.
+  /// The output triangles.
   template <typename Id>
   Status writeTriangles(Id* corners, const Context& context)
   {
@@ -64,7 +64,7 @@ struct RunResult
     }
     return status;
   }
-  /// Points that were merged have the value of those that they were merged into.
+  /// Merged points get the value of the point they were merged into.
   template <typename Value>
   void followMerged(Value* values) const
   {
@@ -74,29 +74,29 @@ struct RunResult
     }
   }
 
-  /// How many pairs of cells cross, up to kMostCrossingRows: first those split, then those left
-  /// out.
+  /// The number of pairs of crossing cells, up to kMostCrossingRows: first those split, then those
+  /// left out.
   std::size_t crossingRows() const;
   /// The later cell and the earlier one.
   std::array<std::int64_t, 2> crossingRow(std::size_t row) const;
 };
 
-/// One run: the engine's calls in their order, the memory that they take, the stages that they are.
-/// Borrows all that it is given. What becomes of it is in the report.
+/// One run: the engine's calls in their order, their memory and their stages. Borrows all
+/// arguments. The outcome is in the report.
 class Run
 {
 public:
-  /// `counts`: of the input; no value is looked at. `report`: a new one.
+  /// `counts`: of the input; no value is read. `report`: a new one.
   Run(const RunSettings& settings, const InputRequest& counts, const CallersMemory& callers,
     Workspace& workspace, RunReport& report);
 
-  /// Upper estimate of all bytes that are held at a time, for what is known of sizes.
+  /// Upper estimate of the peak memory in bytes, from the known sizes.
   std::size_t estimate() const { return runMemoryEstimate(counts_, settings_, report_, callers_); }
 
-  /// Is the input not too large, and is there memory for it all, as far as that is known before?
-  /// `limit`: bytes; 0: what there is. `held`: what the caller has already of the estimate, besides
-  /// the workspace, which is released where it might be too much. Returns Ok, or TooManyPoints or
-  /// OutOfMemory.
+  /// Checks the number of points, and the memory as far as it is known before the run.
+  /// `limit`: bytes; 0: available memory. `held`: the part of the estimate that the caller holds
+  /// already, besides the workspace, which is released if it may be too large. Returns Ok,
+  /// TooManyPoints or OutOfMemory.
   Status checkMemory(std::size_t limit, std::size_t held);
 
   /// The weights of the stages of make(). They are about times, measured with 10^6 points: that of
@@ -112,13 +112,13 @@ public:
 
   /// Opens the input, prepares, triangulates and constrains, finds the triangles of a surface that
   /// is given, and fills in the report. Returns what the engine's calls do; throws what `open` and
-  /// `lend` throw. REQUIRES: checkMemory(), and stages that begin with firstStages(); with a
+  /// `lend` throw. @pre checkMemory(), and stages that begin with firstStages(); with a
   /// surface no constraints, and nothing that drops triangles.
   Status make(
     const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made);
 
-  /// Looks whether x and y tell the points apart, where the triangles give cause for it. After
-  /// make(). Returns Ok, Cancelled or OutOfMemory.
+  /// Checks whether x and y distinguish the points, if the triangles suggest that they do not.
+  /// After make(). Returns Ok, Cancelled or OutOfMemory.
   Status findStacks(const RunResult& made, const Context& context);
 
 private:

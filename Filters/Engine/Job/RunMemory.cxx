@@ -86,7 +86,7 @@ private:
   const RunSettings& settings_;
   const RunSizes& sizes_;
   const CallersMemory& callers_;
-  const bool hasMarks_; // of constraints, or of what is dropped
+  const bool hasMarks_; // of constraints, or of dropped triangles
   const bool adds_;     // points
 };
 
@@ -108,7 +108,7 @@ std::size_t Estimate::preparing() const
   return bytes;
 }
 
-/// What is left of that.
+/// The rest of it.
 std::size_t Estimate::prepared() const
 {
   std::size_t bytes = preparedMemoryEstimate(request_) + perPoint(hasSurface(), 1); // marks
@@ -183,7 +183,7 @@ std::size_t Estimate::selecting() const
     sizes_.points * kNumbers;
 }
 
-/// What is put out. Memory of arrays is rounded up by a sixteenth at most
+/// The outputs. Memory of arrays is rounded up by a sixteenth at most
 /// (vtkAHDOutputMemory::GetCapacity).
 std::size_t Estimate::written() const
 {
@@ -204,7 +204,7 @@ std::size_t Estimate::written() const
   return bytes + bytes / 16 + 4096 + perPoint(adds_, callers_.perAddedPoint);
 }
 
-/// The selection, and what is taken while arrays are written.
+/// The selection, and memory to write arrays.
 std::size_t Estimate::writing() const
 {
   // By corners alone, where these are there and numbers are not; else with a place among those
@@ -215,7 +215,7 @@ std::size_t Estimate::writing() const
   constexpr std::size_t kRegions = 8 + 2 * 12;
   const bool looksUp = settings_.neighbors ||
     (hasMarks_ && (settings_.regions || settings_.constraintEdges || byCorners));
-  if (settings_.samples) // all tables are made, but for what there is already
+  if (settings_.samples) // all tables are made, except existing ones
   {
     return perPoint(settings_.limitsSize() || hasSurface(), 2) + perPoint(true, kTables);
   }

@@ -9,7 +9,7 @@
 namespace ahd
 {
 
-/// What is known of sizes: points and segments before the work begins; crossings once they are
+/// The known sizes: points and segments before the work begins; crossings once they are
 /// split, boxes once the points are sorted, edges of a surface once its triangles are looked for.
 struct RunSizes
 {
@@ -18,24 +18,24 @@ struct RunSizes
   std::size_t crossings = 0;
   std::size_t boxes = 0;
   std::size_t surfaceEdges = 0; ///< of given triangles, to become constraints
-  /// Bytes that show while segments are split, and while they are inserted (Progress::take()).
+  /// Bytes requested while segments are split, and while they are inserted (Progress::take()).
   std::size_t askedToSplit = 0, askedToConstrain = 0;
 };
 
-/// What the caller of a run takes besides, for its estimate.
+/// The caller's own memory, for the estimate of a run.
 struct CallersMemory
 {
   std::size_t bytes = 0;
   std::size_t perAddedPoint = 0; ///< for each point, if points are added
 };
 
-/// Upper estimate of all bytes that are held at a time while an input is prepared and triangulated
-/// and what is asked for is written, that included: cells with 32 bits an id, other ids with 64.
-/// Of the Voronoi diagram both the engine's cells and what is written of them. The input not
+/// Upper estimate of the peak memory in bytes while an input is prepared and triangulated and the
+/// requested outputs are written, these included: cells with 32 bits an id, other ids with 64. For
+/// the Voronoi diagram both the engine's cells and the written ones. The input is not
 /// counted.
 ///
-/// The step that takes most counts, not their sum. The table of Testing/Package/Memory/Report.md
-/// has it beside what is taken.
+/// It is that of the largest step, not the sum of all. The table of
+/// Testing/Package/Memory/Report.md compares it with actual use.
 std::size_t runMemoryEstimate(const InputRequest& request, const RunSettings& settings,
   const RunSizes& sizes, const CallersMemory& callers = {});
 
@@ -45,7 +45,7 @@ constexpr std::size_t kTooManyBoxes = std::size_t(1) << 40;
 /// More bytes than there are.
 constexpr std::size_t kTooMuchAsked = std::size_t(1) << 60;
 
-/// The largest number below `tooMany` of which there is memory for so many. REQUIRES: fits(0); what
+/// The largest number below `tooMany` of which there is memory for so many. @pre fits(0); what
 /// fits is no less than a larger number that does.
 template <typename Fits>
 std::size_t mostThatFit(std::size_t tooMany, const Fits& fits)

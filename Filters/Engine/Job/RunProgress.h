@@ -28,10 +28,10 @@ enum RunStage : std::size_t
   kDrawingOrder
 };
 
-/// How much of a run is done, for whoever is told of it: of each hundredth, and after a twelfth of
-/// a second without one. Takes the time of each phase and stage.
+/// Reports the fraction of a run that is done: at each hundredth, and after a twelfth of
+/// a second without one. Measures the time of each phase and stage.
 ///
-/// A run consists of stages (Stages.h); what is done moves with each phase.
+/// A run consists of stages (Stages.h); the fraction moves with each phase.
 class RunProgress : public Progress
 {
 public:
@@ -43,13 +43,13 @@ public:
 
   const Clock now;
 
-  /// The stages to come, by their weights; those of weight 0 are passed over. Without, there is
+  /// The stages to come, by their weights; those of weight 0 are skipped. By default there is
   /// one.
   void setStages(const std::vector<double>& weights);
-  /// The next stage begins; after the last one, all is done. Tells, if it is time to.
+  /// The next stage begins; after the last one, all is done. Reports, if due.
   void nextStage();
-  /// Begins the stage of this number, from 1, unless it or a later one has begun. Tells nobody: the
-  /// next phase does.
+  /// Begins the stage of this number, from 1, unless it or a later one has begun. Does not report:
+  /// the next phase does.
   void reach(std::size_t stage);
 
   void beginPhase(Phase phase) override;
@@ -57,13 +57,13 @@ public:
   bool take(std::size_t bytes) override { return asked_.take(bytes); }
   void giveBack(std::size_t bytes) override { asked_.giveBack(bytes); }
 
-  /// Is the work to go on? Tells first, if it is time to.
+  /// Reports, if due. False on a cancel.
   bool goesOn();
 
   /// Ends the last phase. Time after this belongs to none.
   void finishPhase();
 
-  /// What is asked for beyond the estimate.
+  /// The memory requested beyond the estimate.
   AskedMemory& asked() { return asked_; }
 
   /// Wall-clock seconds from the beginning of a phase to its end, or the beginning of the next.
@@ -74,9 +74,9 @@ public:
   const std::vector<double>& stagesBegun() const { return stagesBegun_; }
 
 protected:
-  /// Is it to be cancelled?
+  /// Has a cancel been requested?
   virtual bool isCancelled() const = 0;
-  /// How much is done, from 0 to 1. The phase is the one that began last.
+  /// Called with the fraction done, from 0 to 1, and the current phase.
   virtual void tell(double done, Phase phase) = 0;
 
   void tellNow();
@@ -84,7 +84,7 @@ protected:
   Stages stages_;
   std::array<double, kPhases> seconds_ = {};
   double done_ = 0.0; ///< of the whole
-  double told_ = 0.0; ///< what was told last,
+  double told_ = 0.0; ///< last reported,
   double toldAt_;     ///< and when
 
 private:

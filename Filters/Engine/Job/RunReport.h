@@ -14,17 +14,17 @@
 namespace ahd
 {
 
-/// What there is to say of a run, whether it succeeds or not. The sizes are those that are known in
-/// the end; where a run ends with TooManyCrossings, points and crossings are those it would have
-/// had to deal with, as far as it looked for them, and its caller's points are the difference.
+/// The outcome of a run, successful or not. The sizes are those known in the end; after
+/// TooManyCrossings, points and crossings are those of the input with all crossings found until
+/// then, and the caller's points are the difference.
 struct RunReport : RunSizes
 {
   Status status = Status::Cancelled;
   bool isRefused = false;        ///< OutOfMemory: more may be needed than is allowed
   std::size_t estimate = 0;      ///< bytes
   std::size_t allowed = 0;       ///< bytes
-  bool isLimited = false;        ///< that is the caller's limit, and not what there is
-  std::size_t mostBoxes = 0;     ///< for which there was memory
+  bool isLimited = false;        ///< `allowed` is the caller's limit, not available memory
+  std::size_t mostBoxes = 0;     ///< that fit in memory
   std::size_t mostCrossings = 0; ///< the same
   unsigned threadsUsed = 0;      ///< that shared work
 
@@ -37,11 +37,11 @@ struct RunReport : RunSizes
   std::size_t addedPoints = 0;
   std::size_t mergedPoints = 0;
   std::array<std::int64_t, 2> firstCrossing = {}; ///< cells: left out, crossed
-  std::size_t bentConstraints = 0;                ///< led through a vertex beside them
+  std::size_t bentConstraints = 0;                ///< through a vertex beside them
   std::int64_t firstBentCell = 0;                 ///< of these, if there are any
   UnfitIds unfitIds;
   OddPoints oddPoints;
-  std::size_t pointsOffSurface = 0; ///< of the source, where it is to be laid on that of the input
+  std::size_t pointsOffSurface = 0; ///< of a source to be laid on the surface of the input
   bool isProjected = false;         ///< the plane is another than x, y
   /// In space, as far as it is known: found out if there is no triangle in x, y.
   bool areOnOneLine = true;
@@ -49,9 +49,9 @@ struct RunReport : RunSizes
   /// Given triangles that cannot be had: others cross them in the plane, or they are clockwise.
   std::size_t foldedTriangles = 0;
 
-  /// Is it worth looking whether x and y tell the points apart?
+  /// Should it be checked whether x and y distinguish the points?
   bool mayBeStacked() const { return !isProjected && counts.beyondLimit == 0; }
-  /// But for those merged, which are skipped, too, to the engine.
+  /// Without merged points, which the engine counts as skipped.
   std::size_t skipped() const { return counts.skipped - mergedPoints; }
 };
 

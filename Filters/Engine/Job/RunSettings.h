@@ -13,10 +13,10 @@
 namespace ahd
 {
 
-/// What a run is asked for, and what follows from it.
+/// The settings of a run, and what they imply.
 struct RunSettings
 {
-  Options options;         ///< Options::mostBoxes is found out
+  Options options;         ///< the run sets Options::mostBoxes
   bool showsMeans = false; ///< of places with several points, in space
   bool idsAreOfInput = true;
   bool closedLinesAreLoops = false;
@@ -31,7 +31,7 @@ struct RunSettings
   SizeLimits limits;
   VoronoiClip voronoiClip = VoronoiClip::Hull;
 
-  // What is to be put out.
+  // The requested outputs.
   bool pointStatus = false;
   bool insertionRanks = false;
   bool curve = false;
@@ -43,33 +43,33 @@ struct RunSettings
 
   /// Is the plane another than x, y?
   bool isProjected() const { return plane != PlaneKind::Xy; }
-  /// Is it one that is to be fitted?
+  /// Must the plane be fitted?
   bool fitsPlane() const { return plane == PlaneKind::BestFit; }
-  /// Is there to be a bounding triangulation?
+  /// Is a bounding triangulation added?
   bool addsBounding() const { return bounding && !isProjected(); }
-  /// Are triangles to be left out for their size?
+  /// Are triangles removed for their size?
   bool limitsSize() const { return limits.alpha > 0.0 || limits.maximumEdgeLength > 0.0; }
-  /// May the rim have to be trimmed? The plane says whether it does.
+  /// May the rim be trimmed? It depends on the plane.
   bool mayTrimRim() const
   {
     const bool asked = rim == RimKind::Trimmed || (rim == RimKind::Automatic && isProjected());
     return asked && !limitsSize() && !addsBounding();
   }
-  /// Is the rim to be trimmed? `fitted`: the plane, where one is.
+  /// Is the rim trimmed? `fitted`: the plane, if fitted.
   bool trimsRim(const Plane& fitted) const
   {
     const bool isRounded = !fitsPlane() || !fitted.isOfCoordinates();
     return mayTrimRim() && (isRounded || rim == RimKind::Trimmed);
   }
-  /// Is the insertion order to be drawn?
+  /// Is the insertion order drawn?
   bool drawsOrder() const { return curve || options.keepBoxes; }
-  /// Are points above each other worth a word? Not where it was said which of them counts.
+  /// Should points above each other be reported? Not if a policy for them is set.
   bool takesFirst() const
   {
     return !showsMeans && options.representative == Representative::FirstId;
   }
 
-  /// Fills in what is asked of prepare(), but for a plane or projection.
+  /// Fills in the request of prepare(), except a plane or projection.
   void ask(InputRequest& request) const
   {
     request.idsAreOfInput = idsAreOfInput;

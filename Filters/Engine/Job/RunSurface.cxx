@@ -55,7 +55,7 @@ Status find(
 
 } // namespace
 
-/// How many there are, and what they take, is known only here.
+/// Their number, and their memory, is known only here.
 Status Run::constrainEdges(const std::vector<std::size_t>& missing, RunResult& made)
 {
   std::size_t count = 0;

@@ -87,7 +87,7 @@ void Sampling::estimate(std::uint64_t columns, std::uint64_t& bytes) const
   checkMemory(estimated);
 }
 
-/// With a limit, what the run took counts, too.
+/// With a limit, the memory of the run counts, too.
 void Sampling::checkMemory(std::size_t bytes) const
 {
   const auto limit = static_cast<std::size_t>(job_.settings[IntSetting::MemoryLimit]);
@@ -221,7 +221,7 @@ void Sampling::values(const std::vector<GivenSamples>& given, std::uint8_t* mask
 
 void Sampling::weights()
 {
-  // Of natural neighbours there are six at a place, mostly; nobody knows before.
+  // A place mostly has six natural neighbours; their number is not known before.
   const std::size_t perPlace = method_ == SampleMethod::Nearest ? 1
     : method_ == SampleMethod::Linear                           ? 3
                                                                 : 7;

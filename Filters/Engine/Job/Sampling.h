@@ -15,7 +15,7 @@ namespace ahd
 class Job;
 struct JobResult;
 
-/// What sampling makes of a result and keeps for the next time.
+/// Sampling data of a result, kept for the next call.
 struct JobSampling
 {
   struct Ready
@@ -25,8 +25,8 @@ struct JobSampling
     Sampler sampler;
   };
 
-  /// To be called before anything else is made or written of the triangulation: the samplers look
-  /// at what that may change.
+  /// Must be called before anything else uses the triangulation, since the samplers read data
+  /// that it may change.
   void forget()
   {
     byMethod = Ready();
@@ -34,7 +34,7 @@ struct JobSampling
   }
 
   Ready byMethod, nearest; ///< nearest: for places outside
-  bool hasTables = false;  ///< has the triangulation those that it is asked with?
+  bool hasTables = false;  ///< does the triangulation have its tables?
   bool hasWeights = false;
   SampleWeights weights;
   std::size_t places = 0;
@@ -43,7 +43,7 @@ struct JobSampling
   double seconds = 0.0;
 };
 
-/// Where values are wanted: `count` places; where `xy` is null, a raster.
+/// The places of the values: `count` places; if `xy` is null, a raster.
 struct GivenPlaces
 {
   const double* xy;
@@ -61,8 +61,8 @@ struct GivenSamples
   double* gradients; ///< may be null
 };
 
-/// One call that makes values between the points of a result, held against the memory there is.
-/// What cannot be done is refused.
+/// One call that interpolates on a result, within available memory.
+/// Its functions refuse.
 class Sampling
 {
 public:
@@ -72,7 +72,7 @@ public:
   void estimate(std::uint64_t columns, std::uint64_t& bytes) const;
   /// `mask`: null, or whether each place has a value of its own.
   void values(const std::vector<GivenSamples>& given, std::uint8_t* mask);
-  /// Leaves them in the result.
+  /// Stores them in the result.
   void weights();
 
 private:
@@ -92,7 +92,7 @@ private:
   bool fills_;
 };
 
-/// What sampling takes of so many points, the tables not counted.
+/// The bytes that sampling takes for so many points, without the tables.
 std::uint64_t samplingEstimate(
   std::uint64_t points, const GivenPlaces& places, std::uint64_t columns, bool fills);
 

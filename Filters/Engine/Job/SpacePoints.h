@@ -12,11 +12,11 @@
 namespace ahd
 {
 
-/// The output points where the user sees them: in space, those that were added included, each place
-/// of several points at their mean if that is asked for.
+/// The output points in space, added ones included, coinciding points at their mean if
+/// requested.
 ///
-/// Without added points and means they are the input's own, looked at where they are; without added
-/// points a copy of the same type; else doubles. What lies between other points follows them:
+/// Without added points and means they are the input's own, read in place; without added
+/// points a copy of the same type; else doubles. Interpolated points follow the others:
 /// source points laid on the surface and crossings, in PlaneKind::Xy in z only.
 class SpacePoints
 {
@@ -25,7 +25,7 @@ public:
   template <typename Number>
   using Lend = std::function<Number*(std::size_t count)>;
 
-  /// Copies of either type lie in what is lent, where it is not null; else in memory of its own.
+  /// Copies of either type lie in the lent memory, if not null; else in memory of its own.
   explicit SpacePoints(Lend<double> doubles = {}, Lend<float> floats = {})
     : doubles_{ std::move(doubles), nullptr, {} }
     , floats_{ std::move(floats), nullptr, {} }
@@ -34,17 +34,17 @@ public:
   SpacePoints(const SpacePoints&) = delete;
   SpacePoints& operator=(const SpacePoints&) = delete;
 
-  /// `input` and `source`: as they were prepared. Returns Ok, Cancelled or OutOfMemory; unless Ok,
-  /// this is not to be used.
+  /// `input` and `source`: the prepared ones. Returns Ok, Cancelled or OutOfMemory; unless Ok,
+  /// this must not be used.
   Status make(const PointView& input, const PointView& source, const PreparedInput& points,
     const Context& context);
-  /// Moves places of several points to their mean. Makes the tables that it needs.
+  /// Moves coinciding points to their mean. Makes the tables that it needs.
   Status showMeans(RunResult& made, const Context& context);
 
   const PointView& view() const { return view_; }
 
-  /// The same points as doubles: the means as they are, which a view of floats has rounded. `xyz`:
-  /// where view() was written to.
+  /// The same points as doubles, with unrounded means. `xyz`:
+  /// the output of view().
   void writeMeans(double* xyz) const;
 
 private:
@@ -69,10 +69,10 @@ private:
   bool isCopy_ = false;
   Room<double> doubles_;
   Room<float> floats_;
-  std::vector<Mean> rounded_; ///< means, where floats_ has them
+  std::vector<Mean> rounded_; ///< means, if floats_ has them
 };
 
-/// Replaces `columns` values of points that lie between others by what linear interpolation gives.
+/// Replaces `columns` values of points between others by linear interpolation.
 void interpolateAtSurface(const PreparedInput& points, double* values, std::size_t columns);
 void interpolateAtCrossings(
   const PreparedInput& points, double* values, std::size_t columns, std::size_t firstColumn);

@@ -16,7 +16,7 @@ namespace
 
 constexpr std::size_t kBlock = 256; ///< points at a time, in the first-level cache
 
-/// Some of the points: where they are, and their numbers.
+/// Some of the points: their positions and numbers.
 struct Block
 {
   double x[kBlock];
@@ -43,7 +43,7 @@ class Cells
 {
 public:
   /// Cells are so many distances wide, or more, so that there are no more than 2^31 in a row.
-  /// REQUIRES: distance and the largest magnitude of a coordinate are below 2^1000.
+  /// @pre distance and the largest magnitude of a coordinate are below 2^1000.
   Cells(double distance, double width, double magnitude)
     : reach_(0.5625 * distance) // rounded among subnormal numbers, still half the distance
     , scale_(1.0 / std::max({ width * distance, magnitude * 0x1p-30, 0x1p-1000 }))

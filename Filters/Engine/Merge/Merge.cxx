@@ -92,7 +92,7 @@ private:
 class Kept
 {
 public:
-  /// REQUIRES: no more than `most` are kept. Throws std::bad_alloc.
+  /// @pre no more than `most` are kept. Throws std::bad_alloc.
   Kept(const Nearness& nearness, double distance, std::size_t most, Ticker& ticker)
     : nearness_(nearness)
     , rows_(distance)
@@ -101,7 +101,7 @@ public:
     places_.allocate(most);
   }
 
-  /// Returns false if the work is to be cancelled.
+  /// Returns false if the work is cancelled.
   bool keep(const Located& place)
   {
     places_[end_] = { place.at, place.id, kNoIndex };
@@ -204,7 +204,7 @@ private:
 };
 
 /// Sets keptIds of every point that is merged, and `count` to how many are. `sorted`: place by
-/// place, the smallest id of a place first. Returns false if the work is to be cancelled.
+/// place, the smallest id of a place first. Returns false if the work is cancelled.
 bool mergePlaces(const Buffer<Located>& sorted, double distance, Buffer<Index>& keptIds,
   std::size_t& count, Ticker& ticker)
 {
@@ -236,7 +236,7 @@ bool mergePlaces(const Buffer<Located>& sorted, double distance, Buffer<Index>& 
   return true;
 }
 
-/// Lists them by id. Returns false if the work is to be cancelled.
+/// Lists them by id. Returns false if the work is cancelled.
 bool report(
   const Buffer<Index>& keptIds, std::size_t count, std::vector<MergedPoint>& pairs, Ticker& ticker)
 {

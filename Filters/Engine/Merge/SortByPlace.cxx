@@ -32,7 +32,7 @@ struct Extent
   }
 };
 
-/// One call of sortByPlace(). What returns a bool returns false if the work is to be cancelled.
+/// One call of sortByPlace(). What returns a bool returns false if the work is cancelled.
 class Strips
 {
 public:

@@ -55,10 +55,10 @@ public:
 
   /// Empties the mesh, for `vertexCount` points; vertex `vertexCount` is the ghost. The triangles
   /// will lie in `memory`, which stays the caller's.
-  /// REQUIRES: 3 <= vertexCount <= kMaximumPoints; bytesFor(vertexCount) bytes, aligned to 64.
+  /// @pre 3 <= vertexCount <= kMaximumPoints; bytesFor(vertexCount) bytes, aligned to 64.
   void begin(std::uint32_t vertexCount, void* memory);
 
-  /// Only so many of the vertices will be inserted. REQUIRES: no more than there are.
+  /// Only so many of the vertices will be inserted. @pre no more than there are.
   void limitTo(std::uint32_t insertions) { insertions_ = insertions; }
 
   /// Fills the first four slots: triangle a, b, c (counterclockwise) and its three ghosts.

@@ -40,7 +40,7 @@ public:
   }
 
   /// The boxes of one division that are not empty, in the order in which `options` visit them.
-  /// Returns false if cancelled. REQUIRES: 2 * levels <= box.bits.
+  /// Returns false if cancelled. @pre 2 * levels <= box.bits.
   bool divide(
     const WalkPoints& points, const Box& box, unsigned levels, std::vector<Box>& boxes) const;
 

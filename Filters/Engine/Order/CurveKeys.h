@@ -21,7 +21,7 @@ namespace ahd
 class CurveKeys
 {
 public:
-  /// REQUIRES: the bounds are not empty.
+  /// @pre the bounds are not empty.
   explicit CurveKeys(const Bounds& bounds)
     : bounds_(bounds)
     , grid_(bounds)

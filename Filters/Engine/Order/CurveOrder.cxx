@@ -16,7 +16,7 @@ namespace ahd
 namespace
 {
 
-/// The bounds of what is finite.
+/// The bounds of the finite points.
 struct FoundBounds
 {
   Bounds bounds;

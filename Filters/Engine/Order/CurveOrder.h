@@ -29,7 +29,7 @@ public:
   /// Orders places[begin, end) along a Hilbert curve through the bounds, those outside of them and
   /// those that are not finite at their border. Where many lie in one box of the curve's grid, as
   /// when a few others lie far away, they are ordered along a curve of their own. Returns false if
-  /// cancelled; throws std::bad_alloc. REQUIRES: fewer than 2^32.
+  /// cancelled; throws std::bad_alloc. @pre fewer than 2^32.
   bool build(const PointView& places, std::size_t begin, std::size_t end, const Bounds& bounds,
     Ticker& ticker);
 

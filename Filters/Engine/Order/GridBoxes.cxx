@@ -155,7 +155,7 @@ private:
   }
 
   /// The control point of a box of the first division, which does not count where it is decided
-  /// whether boxes are divided. Returns false if the work is to be cancelled.
+  /// whether boxes are divided. Returns false if the work is cancelled.
   bool findControlPoint(const Piece& box)
   {
     control_ = points_.count;

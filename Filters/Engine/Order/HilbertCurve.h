@@ -45,7 +45,7 @@ constexpr Side opposite(Side s)
 /// The gene of a box from where the curve comes and where it goes: it enters at the bottom-left
 /// corner if the previous box is left or below, else at the top-right; it leaves at the
 /// bottom-right corner if the next box is right or below, else at the top-left; where there is no
-/// previous or no next box it goes straight. REQUIRES: one of the two is not None.
+/// previous or no next box it goes straight. @pre one of the two is not None.
 constexpr Gene geneOf(Side previous, Side next)
 {
   const Side from = previous == Side::None ? opposite(next) : previous;

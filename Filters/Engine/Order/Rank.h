@@ -39,7 +39,7 @@ Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
 
 /// Sorts the points by rank and drops duplicates; sets the rest of `out`. out.scratch is made
 /// larger if it has not rankScratchBytes(out.count) bytes.
-/// REQUIRES: readPoints returned Ok for the same points and `out`; at most kMaximumPoints points.
+/// @pre readPoints returned Ok for the same points and `out`; at most kMaximumPoints points.
 /// Moves the fraction by three quarters of a unit per point. Throws std::bad_alloc.
 /// Cost: two passes over the points to scatter them to buckets by the first bits of their keys, one
 /// to sort each bucket; crowded buckets are scattered again by further bits. With several threads

@@ -46,7 +46,7 @@ struct Extremes
   }
 };
 
-/// What a task has seen.
+/// The result of a task.
 struct Seen
 {
   Extremes extremes;

@@ -60,7 +60,7 @@ public:
   }
 
   /// Writes `count` places of the last round, from its k-th on: what place() gives, but that the
-  /// blocks' control points are looked for once each. REQUIRES: there is a round before it.
+  /// blocks' control points are looked for once each. @pre there is a round before it.
   template <typename Out>
   void lastPlaces(std::size_t k, std::size_t count, Out* out) const
   {
@@ -84,7 +84,7 @@ public:
 
   /// Lists places of this round, at most kListed, from its k-th on and before its end-th, and the
   /// one after them; where there is none, the last once more. Returns how many, that one not
-  /// counted. REQUIRES: k < end <= size(stride); room for kListed + 1.
+  /// counted. @pre k < end <= size(stride); room for kListed + 1.
   template <typename Out>
   std::size_t list(std::size_t stride, std::size_t k, std::size_t end, Out* out) const
   {

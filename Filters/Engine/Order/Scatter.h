@@ -29,7 +29,7 @@ public:
 
   /// Fills `records`, with `keys` (one per finite point) and `counters` as scratch. Moves the
   /// fraction by half a unit per point. Returns false if cancelled.
-  /// REQUIRES: counterBytes() bytes at `counters`, aligned to 64.
+  /// @pre counterBytes() bytes at `counters`, aligned to 64.
   bool run(Record* records, std::uint64_t* keys, void* counters, Ticker& ticker);
 
   /// After run(): bucket b is [begin(b), begin(b + 1)), and its keys share all but so many bits.

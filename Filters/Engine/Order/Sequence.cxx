@@ -33,7 +33,7 @@ public:
   {
   }
 
-  /// Writes the control points to `to`. Returns false if the work is to be cancelled.
+  /// Writes the control points to `to`. Returns false if the work is cancelled.
   bool choose(unsigned levels, Index* to)
   {
     const std::size_t n = points_.count;

@@ -63,7 +63,7 @@ constexpr std::size_t kSequenceScratchPerPoint = 56;
 /// boxes, before all others; a control point no longer counts in its box. EveryLevel: the positions
 /// by Rounds.
 ///
-/// REQUIRES: options.nmax >= 1. Moves the fraction by a quarter of a unit per point.
+/// @pre options.nmax >= 1. Moves the fraction by a quarter of a unit per point.
 /// Throws std::bad_alloc.
 Status makeSequence(
   const RankedPoints& points, const Options& options, Ticker& sorting, Buffer<Index>& sequence);

@@ -54,7 +54,7 @@ AHD_ALWAYS_INLINE Pair sharpCross(const VectorPair& a, const VectorPair& b)
 
 /// For both edges: does P lie in the circle of b, a, c (inCircle() in FilterPairs.h), where all
 /// coordinates are seen exactly? Nothing is certain without fused multiply-adds.
-/// REQUIRES: guard >= inCircleGuard(A.z + B.z + C.z) for both.
+/// @pre guard >= inCircleGuard(A.z + B.z + C.z) for both.
 ///
 /// Proof: that of inCircleBySharpCrosses() for one triangle, but that any size is allowed, and the
 /// guard pays for underflow. A.z may be wrong by 3e more and a cross product by 4e, its three

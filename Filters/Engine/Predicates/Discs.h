@@ -18,10 +18,10 @@ namespace ahd
 class Circumdisc
 {
 public:
-  /// REQUIRES: counterclockwise, not collinear.
+  /// @pre counterclockwise, not collinear.
   explicit Circumdisc(const Corners& triangle);
 
-  /// Has it a point in common with the box? REQUIRES: the box is not empty; it may be a point.
+  /// Has it a point in common with the box? @pre the box is not empty; it may be a point.
   bool meets(const Bounds& box) const;
 
   /// The same in double arithmetic, where that is certain.

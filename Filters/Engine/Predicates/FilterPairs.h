@@ -354,7 +354,7 @@ AHD_ALWAYS_INLINE Pair inCircleErrorBound(const EdgePair& e, const LiftedPair& c
 }
 
 /// The square of a bound on its error that is closer where one point is far nearer than the others.
-/// See inCircle(). REQUIRES: guard >= inCircleSquaredGuard(A.z + B.z + C.z).
+/// See inCircle(). @pre guard >= inCircleSquaredGuard(A.z + B.z + C.z).
 AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair& c, Pair guard)
 {
   const Pair product = both(3.0 * kInCircleBound * kInCircleBound) * (e.a.z * e.b.z);
@@ -365,7 +365,7 @@ AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair&
 /// is the sign of the determinant
 ///     A.z C x B + B.z A x C - C.z A x B  =  C.x u + C.y v - C.z A x B,
 ///     u = A.z B.y - B.z A.y,  v = B.z A.x - A.z B.x.
-/// REQUIRES: guard >= inCircleSquaredGuard(A.z + B.z + C.z); if it is finite, all points are those
+/// @pre guard >= inCircleSquaredGuard(A.z + B.z + C.z); if it is finite, all points are those
 /// of a frame with kFrameExponent, so that nothing overflows (det^2 and the bound are below 2^772).
 ///
 /// Proof, without underflow first. It is that of inCircleIsCertain, with C for the third vector,
@@ -417,7 +417,7 @@ AHD_ALWAYS_INLINE Pair perturbing(const EdgePair& e, const LiftedPair& c)
 
 /// The same for points on a grid, with the bound and the guard of inCircleIsCertain(). What is
 /// exact there, as `exactly` has it, is certain, and where the determinant is 0 the answer is
-/// whether P is in conflict with b, a, c (perturbedDeterminant()). REQUIRES: guard >=
+/// whether P is in conflict with b, a, c (perturbedDeterminant()). @pre guard >=
 /// inCircleGuard(A.z + B.z + C.z).
 ///
 /// Proof of the bound: that of inCircleIsCertain() with the steps 2' to 4 of inCircle(); what

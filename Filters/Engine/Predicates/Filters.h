@@ -118,7 +118,7 @@ inline bool orientIsCertain(double det, double la, double lb)
 }
 
 /// Is the sign of the in-circle determinant that of the true one? `det` as inCircleDeterminant
-/// computes it, or with a, b, c in another order. REQUIRES: guard >= inCircleGuard(la + lb + lc).
+/// computes it, or with a, b, c in another order. @pre guard >= inCircleGuard(la + lb + lc).
 ///
 /// Proof, without underflow first. Write a, b, c for the true lengths |alpha|, |beta|, |gamma|.
 /// 1. A.z is a^2 up to (1 + u)^4: two roundings of coordinates, the square, the sum.
@@ -191,7 +191,7 @@ constexpr int kFrameExponent = 60;
 
 /// The computed in-circle determinant of points whose coordinates are multiples of a `unit` is the
 /// true one where its error bound, as inCircleErrorBound() has it, is below this.
-/// REQUIRES: no two coordinates, of x or of y, differ by more than kExactSpan units, and
+/// @pre no two coordinates, of x or of y, differ by more than kExactSpan units, and
 /// unit >= 2^-200, so that no determinant underflows.
 ///
 /// Proof. In units, A, B, C are integers of at most 2^25 in magnitude, so the differences are

@@ -43,7 +43,7 @@ struct GridScale
   double up;
   double down;
 
-  /// REQUIRES: 2^-900 <= largest <= 2^1000, so that neither scale overflows.
+  /// @pre 2^-900 <= largest <= 2^1000, so that neither scale overflows.
   explicit GridScale(double largest)
   {
     std::uint64_t bits;

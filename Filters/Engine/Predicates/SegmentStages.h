@@ -13,11 +13,11 @@ namespace ahd::stages
 {
 
 /// The sign of the height of s above t where the vertical through p meets their lines.
-/// REQUIRES: neither is vertical.
+/// @pre neither is vertical.
 std::optional<int> heightsByFilter(const Segment& s, const Segment& t, const Point& p);
 int heightsUnbounded(const Segment& s, const Segment& t, const Point& p);
 
-/// Where they cross, each coordinate rounded. REQUIRES: they cross.
+/// Where they cross, each coordinate rounded. @pre they cross.
 std::optional<Point> crossingByFilter(const Segment& s, const Segment& t);
 Point crossingUnbounded(const Segment& s, const Segment& t);
 

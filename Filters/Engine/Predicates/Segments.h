@@ -7,7 +7,7 @@
 namespace ahd
 {
 
-/// A segment, from its lexicographically smaller end to the other. REQUIRES: they differ.
+/// A segment, from its lexicographically smaller end to the other. @pre they differ.
 struct Segment
 {
   Point left;
@@ -28,19 +28,19 @@ inline bool comesBefore(const Segment& s, const Segment& t)
 // (a vertical one: to the left of it).
 
 /// +1 if the line of p meets s above t, -1 if below t, 0 if both at p or if they are collinear.
-/// `sideOfS`, `sideOfT`: those of p. REQUIRES: both reach from p or before to p or beyond.
+/// `sideOfS`, `sideOfT`: those of p. @pre both reach from p or before to p or beyond.
 int orderAt(const Segment& s, int sideOfS, const Segment& t, int sideOfT, const Point& p);
 
 /// The sign of cross((t's right - t's left), (s's right - s's left)): +1 if s is steeper, 0 if they
 /// are collinear. `sideOfRight`, `sideOfLeft`: those of the ends of s, seen from t.
-/// REQUIRES: the lines of the segments have a point in common that lies on both segments.
+/// @pre the lines of the segments have a point in common that lies on both segments.
 inline int steepness(int sideOfLeft, int sideOfRight)
 {
   return sideOfRight != 0 ? sideOfRight : -sideOfLeft;
 }
 
 /// Where the lines of two segments meet, each coordinate rounded to the nearest double, ties to
-/// even; never -0.0. REQUIRES: the segments cross.
+/// even; never -0.0. @pre the segments cross.
 Point crossingOf(const Segment& s, const Segment& t);
 
 /// Is there a point on s that rounds to p, and p no end of s? "Rounds" as crossingOf does; where
@@ -48,7 +48,7 @@ Point crossingOf(const Segment& s, const Segment& t);
 bool roundsTo(const Segment& s, const Point& p);
 
 /// Which fraction of the way from `from` to `to` ends at p, 0 to 1, in the coordinate in which the
-/// way is longer. REQUIRES: from is not to.
+/// way is longer. @pre from is not to.
 double fractionOfWay(const Point& from, const Point& to, const Point& p);
 
 } // namespace ahd

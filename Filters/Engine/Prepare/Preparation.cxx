@@ -39,7 +39,7 @@ struct Box
 };
 
 /// The places of points that take part, and of their z those that are finite. Returns false if the
-/// work is to be cancelled.
+/// work is cancelled.
 bool findBox(const PointView& points, Ticker& ticker, Box& box)
 {
   return gather(points.count, ticker, box,
@@ -136,7 +136,7 @@ Status Preparation::open()
 }
 
 /// Makes a copy of the places, unless there is one already; in the phase that is under way. Returns
-/// false if the work is to be cancelled.
+/// false if the work is cancelled.
 bool Preparation::copy(Phase phase)
 {
   PointView& points = out_.points_;
@@ -159,7 +159,7 @@ bool Preparation::copy(Phase phase)
   return all;
 }
 
-/// Where the places of the points are to be written, if there is no copy yet; else the copy.
+/// A new copy of the points' positions to write to; the existing copy if there is one.
 double* Preparation::makeRoom()
 {
   const std::size_t count = out_.points_.count;
@@ -178,8 +178,8 @@ void Preparation::look(const double* places)
   points.isFlat = false;
 }
 
-/// Adds points, none of them to be left out, and returns where their places are to be written.
-/// REQUIRES: copy().
+/// Adds points, none of them skipped, and returns the destination of their positions.
+/// @pre copy().
 double* Preparation::add(std::size_t count)
 {
   PointView& points = out_.points_;

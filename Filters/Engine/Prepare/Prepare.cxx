@@ -35,7 +35,7 @@ std::size_t segmentsToSplit(const InputRequest& request)
   return lines.ids - std::min(lines.ids, lines.cells) + request.polygons.ids;
 }
 
-/// What the tasks of a loop find.
+/// The results of the tasks of a loop.
 struct Found
 {
   std::size_t firstNotFinite = std::numeric_limits<std::size_t>::max();

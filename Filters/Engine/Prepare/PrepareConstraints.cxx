@@ -150,7 +150,7 @@ bool Preparation::closeLines(Ticker& ticker)
   return reorderChains(order, ticker);
 }
 
-/// Chain k becomes the one that is `order[k]` now. Returns false if the work is to be cancelled.
+/// Chain k becomes the one that is `order[k]` now. Returns false if the work is cancelled.
 bool Preparation::reorderChains(const std::vector<std::int64_t>& order, Ticker& ticker)
 {
   std::vector<std::int64_t> ids, offsets;
@@ -204,7 +204,7 @@ Status Preparation::split()
   return status;
 }
 
-/// Adds the points, and keeps between which others they lie. REQUIRES: the constraints are those
+/// Adds the points, and keeps between which others they lie. @pre the constraints are those
 /// that were split.
 void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
 {
@@ -227,7 +227,7 @@ void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
   out_.findCrossingHeights();
 }
 
-/// The points at the ends of a segment, the lexicographically smaller end first. REQUIRES: there is
+/// The points at the ends of a segment, the lexicographically smaller end first. @pre there is
 /// such a segment, between points.
 std::array<Index, 2> Preparation::endsOf(std::size_t chain, std::size_t segment) const
 {

@@ -38,7 +38,7 @@ public:
     HalfEdge halfEdge;
   };
 
-  /// Returns false if cancelled; throws std::bad_alloc. REQUIRES: the place lies
+  /// Returns false if cancelled; throws std::bad_alloc. @pre the place lies
   /// inside of the triangle, which is kept, or between the ends of an edge of it that
   /// isCrossable().
   bool find(

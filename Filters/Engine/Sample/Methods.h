@@ -12,7 +12,7 @@ namespace ahd
 
 // Each finds the weights at one place after the other, from where the last one was. Weights are
 // those of the last call until the next one. weightsAt() returns false if cancelled; the natural
-// neighbours' throws std::bad_alloc. REQUIRES: finite places.
+// neighbours' throws std::bad_alloc. @pre finite places.
 
 /// The weights of a place on an edge or vertex, by any method that is linear along edges.
 class RimWeights
@@ -38,7 +38,7 @@ private:
 class LinearMethod
 {
 public:
-  /// REQUIRES: triangles.
+  /// @pre triangles.
   explicit LinearMethod(const SampledSurface& surface)
     : surface_(surface)
     , finder_(surface)
@@ -87,7 +87,7 @@ private:
 class NearestMethod
 {
 public:
-  /// REQUIRES: the tree is not empty.
+  /// @pre the tree is not empty.
   explicit NearestMethod(const VertexTree& tree)
     : tree_(&tree)
   {

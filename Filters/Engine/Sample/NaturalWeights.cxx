@@ -156,7 +156,7 @@ inline void NaturalWeights<Number>::go(const Cavity::Step& step)
   }
 }
 
-/// Returns false if the work is to be cancelled.
+/// Returns false if the work is cancelled.
 template <typename Number>
 bool NaturalWeights<Number>::goAround(const Cavity& cavity, Ticker& ticker)
 {
@@ -185,7 +185,7 @@ double NaturalWeights<Number>::length(std::size_t k) const
   return std::sqrt((x * x + y * y) / lengths_[k]);
 }
 
-/// Returns false if the work is to be cancelled.
+/// Returns false if the work is cancelled.
 template <typename Number>
 bool NaturalWeights<Number>::finish(std::vector<double>& weights, Ticker& ticker)
 {
@@ -248,7 +248,7 @@ template class NaturalWeights<double>;
 template class NaturalWeights<DoubleDouble>;
 
 /// The power of two that makes the farthest vertex of the cavity about 1 away. Returns false if the
-/// work is to be cancelled.
+/// work is cancelled.
 bool NaturalMethod::findScale(const Point& place, Ticker& ticker, double& scale) const
 {
   double far = 0.0;

@@ -64,7 +64,7 @@ private:
 class NaturalMethod
 {
 public:
-  /// REQUIRES: triangles.
+  /// @pre triangles.
   NaturalMethod(const SampledSurface& surface, bool isLaplace)
     : surface_(surface)
     , isLaplace_(isLaplace)

@@ -19,7 +19,7 @@ namespace ahd
 class RasterScan
 {
 public:
-  /// Borrows all. REQUIRES: triangles.
+  /// Borrows all. @pre triangles.
   RasterScan(const SampledSurface& surface, const SampleRaster& raster,
     const SampledColumns& columns, unsigned char* mask)
     : surface_(surface)

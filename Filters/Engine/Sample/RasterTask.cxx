@@ -54,7 +54,7 @@ void RasterTask::load(std::size_t triangle)
   middle_ = 3 - low_ - high_;
 }
 
-/// REQUIRES: the first corner is the lower one.
+/// @pre the first corner is the lower one.
 RasterTask::Edge RasterTask::edgeBetween(unsigned from, unsigned to) const
 {
   const Point &a = corners_[from], &b = corners_[to];
@@ -82,7 +82,7 @@ std::size_t placeNear(double guess, std::size_t size)
 }
 
 /// The first one that is not less, from a guess. Before the first there is minus infinity, behind
-/// the last one infinity. REQUIRES: no NaN.
+/// the last one infinity. @pre no NaN.
 std::size_t firstNotLess(const double* numbers, double x, std::size_t guess)
 {
   const double* at = numbers + guess;
@@ -131,7 +131,7 @@ std::size_t RasterTask::firstBeyond(
 }
 
 /// The columns that are on the edge; those before are to its left, those behind to its right.
-/// REQUIRES: the row lies between the ends of the edge.
+/// @pre the row lies between the ends of the edge.
 inline RasterTask::Columns RasterTask::crossed(const Edge& edge, std::size_t row) const
 {
   const double x = crossingAt(edge, grid_.y[row]);

@@ -50,7 +50,7 @@ public:
   {
   }
 
-  /// REQUIRES: the place lies on the edge, between its ends.
+  /// @pre the place lies on the edge, between its ends.
   Spot ofEdge(HalfEdge h) const;
   /// Returns false if cancelled.
   bool ofVertex(Index vertex, Ticker& ticker, Spot& spot) const;
@@ -68,7 +68,7 @@ public:
   {
   }
 
-  /// Returns false if cancelled. REQUIRES: triangles; a finite place.
+  /// Returns false if cancelled. @pre triangles; a finite place.
   bool find(const Point& place, Ticker& ticker, Spot& spot);
 
 private:

@@ -111,7 +111,7 @@ void ValueSink::putNone(std::size_t place, bool isFinite)
   }
 }
 
-/// Returns false if the work is to be cancelled.
+/// Returns false if the work is cancelled.
 bool ValueSink::addUp(const SampledColumn& column, std::size_t component, const Weights& weights,
   Ticker& ticker, double& sum) const
 {
@@ -127,7 +127,7 @@ bool ValueSink::addUp(const SampledColumn& column, std::size_t component, const 
 }
 
 /// Of those that are no NaN, over the sum of their weights; NaN if there are none. Returns false if
-/// the work is to be cancelled.
+/// the work is cancelled.
 bool ValueSink::sumOfOthers(const SampledColumn& column, std::size_t component,
   const Weights& weights, Ticker& ticker, double& sum) const
 {

@@ -23,7 +23,7 @@ public:
 
   /// Which one, by its number in the list, is nearest to a finite place; of several the
   /// lexicographically smallest. `hint`: one to begin with. Returns false if cancelled.
-  /// REQUIRES: not empty.
+  /// @pre not empty.
   bool findNearest(const Point& place, std::size_t hint, Ticker& ticker, std::size_t& found) const;
 
   Index vertex(std::size_t k) const { return vertices_[k]; }

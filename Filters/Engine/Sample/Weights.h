@@ -49,7 +49,7 @@ inline void easyWeights(
 }
 
 /// The same for any other triangle with an area: by doubles of 106 bits, or by integers.
-/// REQUIRES: p lies inside of the triangle or on its border.
+/// @pre p lies inside of the triangle or on its border.
 void hardWeights(
   const Point& a, const Point& b, const Point& c, const Point& p, double (&weights)[3]);
 
@@ -58,7 +58,7 @@ void hardWeights(
 void edgeWeights(const Point& a, const Point& b, const Point& p, double (&weights)[2]);
 
 /// How much a value rises along x and y in a triangle, where it is `value` at the corners.
-/// REQUIRES: the triangle has an area.
+/// @pre the triangle has an area.
 Point slopeIn(const Point& a, const Point& b, const Point& c, const double (&value)[3]);
 
 /// The same along a line from a to b.

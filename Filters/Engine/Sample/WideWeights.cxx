@@ -57,7 +57,7 @@ bool WideWeights::compute(const SampledSurface& surface, const Cavity& cavity, c
   }
 }
 
-/// Returns false if the work is to be cancelled.
+/// Returns false if the work is cancelled.
 bool WideWeights::goAround(const Cavity& cavity, Ticker& ticker, std::vector<double>& weights)
 {
   Work& w = work_[0];
@@ -177,7 +177,7 @@ void WideWeights::finish(std::size_t k, Index vertex, std::vector<double>& weigh
   exponents_[k] = isLaplace_ ? exponent / 2 : exponent;
 }
 
-/// By their sum. Returns false if the work is to be cancelled.
+/// By their sum. Returns false if the work is cancelled.
 bool WideWeights::divide(std::vector<double>& weights, Ticker& ticker)
 {
   int most = std::numeric_limits<int>::min();

@@ -18,7 +18,7 @@ namespace ahd
 namespace
 {
 
-/// Cells that are put out before the triangles.
+/// Output cells before the triangles.
 std::size_t cellsBefore(const Selection& selection)
 {
   return selection.vertices.size() + selection.lines.size() / 2;
@@ -72,7 +72,7 @@ void fetchAround(const State& state, std::size_t slot)
 }
 
 /// Calls write(state, ticker), a part of the outputs in so many steps; it returns false if it is to
-/// be cancelled. REQUIRES: there is a state.
+/// be cancelled. @pre there is a state.
 template <typename Write>
 Status withTicker(
   Triangulation& triangulation, std::size_t steps, const Context& context, Write write)
@@ -87,7 +87,7 @@ Status withTicker(
 }
 
 /// Calls write(state, the selected triangles, ticker) when there are numbers; it returns false if
-/// it is to be cancelled.
+/// it is cancelled.
 template <typename Write>
 Status withSelected(
   Triangulation& triangulation, const Selection& selection, const Context& context, Write write)
@@ -178,7 +178,7 @@ public:
   {
   }
 
-  /// Writes the region of each selected triangle. Returns false if the work is to be cancelled, as
+  /// Writes the region of each selected triangle. Returns false if the work is cancelled, as
   /// all below; throws std::bad_alloc.
   template <typename Id>
   bool write(Id* out, Ticker& ticker)

@@ -10,7 +10,7 @@ namespace
 {
 
 /// Turns columns p and q of `vectors` so that element p, q of `a` becomes zero: one step of
-/// Jacobi's method. REQUIRES: the element is not zero.
+/// Jacobi's method. @pre the element is not zero.
 void rotate(Matrix3& a, Matrix3& vectors, std::size_t p, std::size_t q)
 {
   const double theta = (a[q][q] - a[p][p]) / (2.0 * a[p][q]);

@@ -19,7 +19,7 @@ using SumTerms = std::array<double, kSumLanes>;
 using SumParts = std::array<SumTerms, 3>;
 
 /// A sum that does not depend on the order of its terms: each is cut into three parts on fixed
-/// grids (of 2^-24, 2^-49, 2^-74), and the sum of the parts on one grid is exact. REQUIRES: at most
+/// grids (of 2^-24, 2^-49, 2^-74), and the sum of the parts on one grid is exact. @pre at most
 /// 2^28 terms of magnitude 1 at most (more only round).
 class ExactSum
 {

@@ -27,7 +27,7 @@ struct Turn
 
 /// Looks around all corners at the same time, so that the one of least degree ends it. Sets `at` to
 /// the half-edge of the first corner's triangle, kNoHalfEdge if there is none. Returns false if the
-/// work is to be cancelled.
+/// work is cancelled.
 bool find(const Triangulation& triangulation, const Corners& corners, Ticker& ticker, HalfEdge& at)
 {
   std::array<Turn, 3> turns;

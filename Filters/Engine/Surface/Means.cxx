@@ -22,7 +22,7 @@ double coordinate(const PointView& points, std::size_t i, std::size_t k)
 }
 
 /// One call of findMeans(), when the tables are made. What returns a bool returns false if the work
-/// is to be cancelled.
+/// is cancelled.
 class Averaging
 {
 public:

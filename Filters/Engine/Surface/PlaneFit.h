@@ -60,7 +60,7 @@ public:
   void hear(const std::vector<std::vector<unsigned char>>& all);
   /// The same where there are no others.
   void goOn();
-  /// REQUIRES: isDone().
+  /// @pre isDone().
   const PlaneFit& fit() const;
 
 private:

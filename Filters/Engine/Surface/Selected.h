@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /// REQUIRES: State::makeNumbers(). `count`: of the triangles put out. Returns false if cancelled,
+  /// @pre State::makeNumbers(). `count`: of the triangles put out. Returns false if cancelled,
   /// as all below; throws std::bad_alloc.
   bool number(std::size_t count, Ticker& ticker)
   {
@@ -55,7 +55,7 @@ public:
     return (kept_ ? markSelected(ticker) : markKept(ticker)) && countUp(ticker);
   }
 
-  /// kNoIndex for one that is not put out. REQUIRES: number().
+  /// kNoIndex for one that is not put out. @pre number().
   std::uint32_t placeOf(std::size_t triangle) const
   {
     return places_.empty() ? static_cast<std::uint32_t>(triangle) : places_[triangle];
@@ -68,7 +68,7 @@ public:
   }
 
   /// Calls visit(its place, its slot, OrderedTriangle) for each, on all threads lent. It writes to
-  /// `array`, see inMeshOrder(). REQUIRES: number().
+  /// `array`, see inMeshOrder(). @pre number().
   template <typename Arrays, typename Visit>
   bool each(const Arrays& array, Ticker& ticker, const Visit& visit) const
   {

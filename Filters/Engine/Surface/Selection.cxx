@@ -21,7 +21,7 @@ namespace
 using State = TriangulationAccess::State;
 
 /// One call of selectBySize(), when the triangles have numbers. What returns a bool returns false
-/// if the work is to be cancelled.
+/// if the work is cancelled.
 class Selecting
 {
 public:
@@ -38,7 +38,7 @@ public:
   bool run(Ticker& ticker);
 
 private:
-  /// What is found out of the triangles that are too large: bit k is set if edge k is a line.
+  /// The lines of triangles that are too large: bit k is set if edge k is a line.
   struct Edges
   {
     Buffer<unsigned char> lines;
@@ -185,7 +185,7 @@ bool Selecting::isTooLong(Index a, Index b) const
   return length_.isExceeded(state_.ranked.xy[a], state_.ranked.xy[b]);
 }
 
-/// Is an edge a line, if no triangle of it is put out?
+/// Is an edge a line, if none of its triangles is in the output?
 bool Selecting::isLine(Index a, Index b) const
 {
   const Vector3 p = inSpace_(a), q = inSpace_(b);
@@ -226,7 +226,7 @@ OrderedTriangle Selecting::unkept(std::size_t triangle) const
   return { state_.mesh.data(), slot, state_.numbers[slot] };
 }
 
-/// Those edges of a triangle that is too large which are not part of one that is put out. Of two
+/// Those edges of a triangle that is too large which are not part of an output triangle. Of two
 /// triangles that are too large the first has their edge.
 unsigned Selecting::linesOf(std::size_t triangle)
 {
@@ -318,12 +318,12 @@ bool Selecting::findLinesBetweenCollinear(Ticker& ticker)
       });
 }
 
-/// What is known of a point: is it one that is put out by itself?
+/// The state of a point: is it output as a vertex?
 enum : unsigned char
 {
   kIsNotAlone,
   kIsAlone,
-  kIsBeyond ///< the limit on insertions: it is not put out
+  kIsBeyond ///< the limit on insertions: not in the output
 };
 
 bool Selecting::findVertices(Ticker& ticker)

@@ -23,7 +23,7 @@ inline Vector3 cross(const Vector3& a, const Vector3& b)
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
-/// The part of `a` at right angles to the unit vector `n`, one long. REQUIRES: not parallel.
+/// The part of `a` at right angles to the unit vector `n`, one long. @pre not parallel.
 inline Vector3 perpendicular(const Vector3& a, const Vector3& n)
 {
   const double along = dot(a, n);

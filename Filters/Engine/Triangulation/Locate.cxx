@@ -13,7 +13,7 @@ namespace ahd
 namespace
 {
 
-/// What a triangle on the way counts: two or three orientations, which may be exact ones.
+/// The cost of a triangle on the way: two or three orientations, which may be exact ones.
 constexpr std::size_t kStepsOfTriangle = 8;
 
 /// A bit that looks random.
@@ -43,7 +43,7 @@ HalfEdge Locator::edgeToCross(HalfEdge entered, const Point& place, std::size_t 
   return side(first, place) < 0 ? first : side(second, place) < 0 ? second : kNoHalfEdge;
 }
 
-/// REQUIRES: the place lies in the triangle or on its border.
+/// @pre the place lies in the triangle or on its border.
 Location Locator::inTriangle(std::size_t triangle, const Point& place) const
 {
   const HalfEdge first = static_cast<HalfEdge>(3 * triangle);

@@ -25,7 +25,7 @@ public:
   }
 
   /// Nowhere if cancelled: the ticker has the steps.
-  /// REQUIRES: corners and neighbours; a finite place; from < triangles.
+  /// @pre corners and neighbours; a finite place; from < triangles.
   Location locate(
     const Point& place, std::size_t from, std::size_t mostSteps, Ticker& ticker) const;
 

@@ -16,7 +16,7 @@ namespace
 {
 
 /// Calls write(begin, end) for pieces of [0, items), on the threads lent to the phase. Returns
-/// false if the work is to be cancelled.
+/// false if the work is cancelled.
 template <typename Write>
 bool writeInShares(std::size_t items, Ticker& ticker, Write write)
 {
@@ -116,7 +116,7 @@ bool Triangulation::State::writePointStatus(Id* status, Ticker& ticker) const
       status[ranked.id[sequence[i]]] = Id(kStatusNotInserted);
     }
   };
-  // What the others overwrite or read has to be written before.
+  // Data that the others overwrite or read must be written before.
   return writeInShares(points.count, ticker, writeOwn) &&
     writeInShares(report.beyondLimit, ticker, writeBeyond) &&
     writeInShares(ranked.duplicates.size(), ticker, writeDuplicates) && ticker.ask();

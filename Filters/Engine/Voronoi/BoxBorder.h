@@ -10,7 +10,7 @@
 namespace ahd
 {
 
-/// The bounding box of the vertices. REQUIRES: it has an area.
+/// The bounding box of the vertices. @pre it has an area.
 ///
 /// A stretch of the border (CellBorder.h) is a corner of the box, 2 k, or what lies between the
 /// ends of a side, 2 k + 1.

@@ -80,7 +80,7 @@ public:
   /// Returns false if cancelled; throws std::bad_alloc, as everything here does.
   virtual bool build(Ticker& ticker) = 0;
 
-  /// Does the centre of the triangle lie on the border or inside? REQUIRES: build().
+  /// Does the centre of the triangle lie on the border or inside? @pre build().
   bool isInside(std::size_t triangle) const { return inside_[triangle] != 0; }
 
   /// The edge that is dual to h, counterclockwise around the origin of h.
@@ -165,7 +165,7 @@ protected:
     return !diagram_.hasJoined() || inChunks(0, inside_.size(), ticker, settle);
   }
 
-  /// The part inside of the dual of h, which is not wholly inside. REQUIRES: h is the smaller of
+  /// The part inside of the dual of h, which is not wholly inside. @pre h is the smaller of
   /// the two half-edges.
   virtual ClippedEdge cut(HalfEdge h) = 0;
 

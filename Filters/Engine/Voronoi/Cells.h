@@ -34,7 +34,7 @@ public:
   /// false if cancelled; throws std::bad_alloc.
   bool walk(Ticker& ticker);
 
-  /// One cell per vertex where there are no triangles. REQUIRES: two vertices at least, in their
+  /// One cell per vertex where there are no triangles. @pre two vertices at least, in their
   /// order along the line; `border` is this walk's.
   bool walkStrips(const std::vector<Index>& line, BoxBorder& border, Ticker& ticker);
 

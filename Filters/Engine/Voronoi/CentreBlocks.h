@@ -11,7 +11,7 @@ namespace ahd
 {
 
 /// Computes circumcentre() of triangle k, which has the corners places[vertices[3 k]] and the two
-/// after it, to centres[k], for `count` of them. REQUIRES: no triangle is flat; isModest() of all
+/// after it, to centres[k], for `count` of them. @pre no triangle is flat; isModest() of all
 /// coordinates.
 using CentresOf = void(
   const Index* vertices, const Point* places, std::size_t count, Point* centres);

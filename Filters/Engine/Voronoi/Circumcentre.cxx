@@ -213,7 +213,7 @@ bool roundedSum(double origin, const Estimate& offset, double& result)
 }
 
 /// What circumcentre() finds, where plain double precision is enough to tell: nearly always. False
-/// if not. REQUIRES: areModest().
+/// if not. @pre areModest().
 ///
 /// With e = 2^-53, the sides u and v of the triangle are known to 1 e of their coordinates, the
 /// squares of their lengths to 4 e, a product of both kinds to 6 e, and a difference of two such

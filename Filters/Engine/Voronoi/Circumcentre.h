@@ -14,7 +14,7 @@ namespace ahd
 // from at least 11 bits more than a double has: so no more than 0.501 units in the last place away,
 // and on no other side of a double. Infinite beyond the largest double.
 
-/// The centre of the circle through the corners, rounded once. REQUIRES: they are not collinear.
+/// The centre of the circle through the corners, rounded once. @pre they are not collinear.
 Point circumcentre(const Corners& triangle);
 
 /// Is each coordinate zero, or so far from the ends of the range that neither products of three
@@ -31,7 +31,7 @@ struct Line
   Point from, to;
 };
 
-/// Where the bisector of p and q meets the line, rounded once. REQUIRES: they are not parallel.
+/// Where the bisector of p and q meets the line, rounded once. @pre they are not parallel.
 Point bisectorOnLine(const Point& p, const Point& q, const Line& line);
 
 /// For Circumcentre.cxx and its tests only: the same, always by integers as long as need be.

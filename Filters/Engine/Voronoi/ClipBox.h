@@ -48,7 +48,7 @@ public:
   bool hasCentre(const Corners& triangle, const Point& centre) const;
 
   /// Where the bisector of p and q, followed counterclockwise around p, leaves the box: 2 k in
-  /// corner k, 2 k + 1 on side k between its ends. Exact. REQUIRES: p and q are in the box.
+  /// corner k, 2 k + 1 on side k between its ends. Exact. @pre p and q are in the box.
   unsigned exitOf(const Point& p, const Point& q) const;
 
 private:

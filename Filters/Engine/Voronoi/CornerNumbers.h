@@ -26,13 +26,13 @@ public:
   {
   }
 
-  /// Finds the first cell of each centre. REQUIRES: the border has found the inside. Returns false
+  /// Finds the first cell of each centre. @pre the border has found the inside. Returns false
   /// if cancelled, as all below; throws std::bad_alloc.
   bool begin(const Buffer<Index>& cellOf, Ticker& ticker);
 
   /// All on the border are known. Throws std::bad_alloc.
   void beginBorder();
-  /// If the corner is on the border: this cell has it. REQUIRES: beginBorder().
+  /// If the corner is on the border: this cell has it. @pre beginBorder().
   void noteBorder(CornerId id, Index cell)
   {
     if (isOnBorder(id))
@@ -43,7 +43,7 @@ public:
   }
 
   /// Numbers a corner of the cell if that is the first to have it, after `count` that have their
-  /// numbers already, and says how many there are then. REQUIRES: all on the border were noted.
+  /// numbers already, and says how many there are then. @pre all on the border were noted.
   std::uint32_t count(Index cell, CornerId corner, std::uint32_t count)
   {
     const bool isNew = firstCell(corner) == cell && number(corner) == kNoCorner;
@@ -108,7 +108,7 @@ public:
       inChunks(0, borderNumber_.size(), ticker, others);
   }
 
-  /// REQUIRES: finish(). kNoCorner if no cell has it.
+  /// @pre finish(). kNoCorner if no cell has it.
   std::uint32_t operator[](CornerId id) const
   {
     return isOnBorder(id) ? borderNumber_[id - centres_] : number_[id];

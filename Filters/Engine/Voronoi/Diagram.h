@@ -18,7 +18,7 @@ namespace ahd
 class Diagram
 {
 public:
-  /// Borrows both. `bounds`: of the vertices. `areModest`: isModest() of all of them. REQUIRES:
+  /// Borrows both. `bounds`: of the vertices. `areModest`: isModest() of all of them. @pre
   /// corners and neighbours.
   Diagram(const Tables& tables, const Point* places, const Bounds& bounds, bool areModest)
     : tables_(tables)

@@ -42,7 +42,7 @@ class Backend:
         return importlib.import_module(self.package + ".util.vtkAlgorithm").VTKPythonAlgorithmBase
 
     def controller(self):
-        """VTK's global vtkMultiProcessController; None where nobody has loaded that module."""
+        """VTK's global vtkMultiProcessController; None if that module is not loaded."""
         module = sys.modules.get(self.package + ".vtkParallelCore")
         return module.vtkMultiProcessController.GetGlobalController() if module else None
 

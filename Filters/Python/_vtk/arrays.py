@@ -14,7 +14,7 @@ GHOSTS = "vtkGhostType"
 
 
 def view(data):
-    """The numbers of a vtkDataArray where they lie: (n,), or (n, c) with several components. REQUIRES: standard memory
+    """A view of the numbers of a vtkDataArray: (n,), or (n, c) with several components. Requires: standard memory
     layout."""
     number = numpy.dtype("%s%d" % (_NUMBERS[data.GetDataType()], data.GetDataTypeSize()))
     count, components = data.GetNumberOfTuples(), data.GetNumberOfComponents()
@@ -31,7 +31,7 @@ def is_viewable(data):
 
 def place(data):
     """Where the numbers of a vtkDataArray begin and how many bytes they take, as long as nobody gives it others or
-    another size. REQUIRES: standard memory layout."""
+    another size. Requires: standard memory layout."""
     numbers = view(data)
     return numbers.ctypes.data if numbers.size else 0, numbers.nbytes
 
@@ -158,7 +158,7 @@ def must_be_converted(points):
 
 
 def coordinates(backend, points):
-    """Of vtkPoints, HeldPoints or None: (n, 3), where they lie if they are floats or doubles."""
+    """Of vtkPoints, HeldPoints or None: (n, 3), a view if they are floats or doubles."""
     if points is None or points.GetNumberOfPoints() == 0:
         return numpy.empty((0, 3))
     data = points.GetData()
@@ -212,7 +212,7 @@ def ids_of(backend, cells, what):
 
 
 def bytes_to_convert(backend, cells):
-    """What the compiled class takes for a copy of these cells: it reads ids and offsets where they lie if both have 32
+    """The bytes of the compiled class for a copy of these cells: it reads ids and offsets in place if both have 32
     bits or both 64."""
     if cells is None or cells.GetNumberOfConnectivityIds() == 0 or cells.GetNumberOfCells() <= 0:
         return 0

@@ -103,7 +103,7 @@ class Blocks:
         return found
 
     def _appended(self, members):
-        """One array of these, which are alike, with what is said of them."""
+        """One array of these, which are alike, with their properties."""
         first = members[0]
         made = self.backend.vtkAbstractArray.CreateArray(first.GetDataType())
         made.SetName(first.GetName())
@@ -157,7 +157,7 @@ class Merged:
         if isinstance(source, backend.vtkCompositeDataSet) and self.input is not None:
             self.source = held(backend, self._merge(Blocks(backend, source, True, values["SourceMode"] == 0)))
             if self.source is None:
-                self.input = None  # a surface without its constraints is not what was asked for
+                self.input = None  # a surface without its constraints was not requested
 
     def _merge(self, blocks):
         if blocks.count > MOST_POINTS:

@@ -50,7 +50,7 @@ class Inputs:
             return None
 
     def places(self):
-        """Where the numbers of each lie. REQUIRES: fingerprints() has some."""
+        """Where the numbers of each lie. Requires: fingerprints() has some."""
         return [data and place(data) for data in self.arrays]
 
     def are_the_same_arrays(self, other):
@@ -59,7 +59,7 @@ class Inputs:
 
 
 def _share(given, taker):
-    """All that there is but field data. REQUIRES: `taker` is empty."""
+    """All that there is but field data. Requires: `taker` is empty."""
     taker.SetPoints(given.GetPoints())
     for kind in ("Verts", "Lines", "Polys"):
         cells = getattr(given, "Get" + kind)()
@@ -79,7 +79,7 @@ def _is_among(data, arrays):
 
 
 def _contents(outputs):
-    """What outputs that are kept consist of: whoever has them can change their arrays, which are the same."""
+    """The content of kept outputs, whose owners can change their arrays, which are shared."""
     found = []
     for output in outputs:
         points = output.GetPoints()
@@ -134,7 +134,7 @@ class OutputCache:
         for output in outputs:
             kept.append(self.backend.vtkPolyData())
             _share(output, kept[-1])
-        passed = _arrays(outputs[1].GetFieldData())  # what all outputs have was passed by the pipeline
+        passed = _arrays(outputs[1].GetFieldData())  # arrays of all outputs were passed by the pipeline
         made = [data for data in _arrays(outputs[0].GetFieldData()) if not _is_among(data, passed)]
         for data in sorted(made, key=lambda member: member.GetMTime()):
             kept[0].GetFieldData().AddArray(data)
@@ -150,7 +150,7 @@ class OutputCache:
 
     def pass_on(self, given, outputs):
         """Fills the outputs anew, with the point data of this input; without points where they are the input's.
-        REQUIRES: fits() said so."""
+        Requires: fits() said so."""
         for kept, output in zip(self.kept, outputs):
             _share(kept, output)
         data = outputs[0].GetPointData()

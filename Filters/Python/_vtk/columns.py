@@ -15,7 +15,7 @@ NEAREST = 3
 
 
 def as_floats(doubles):
-    """Those that are too large become the largest, but infinite ones."""
+    """Finite numbers that are too large become the largest."""
     kept = numpy.where(numpy.isinf(doubles), doubles, numpy.clip(doubles, -LARGEST_FLOAT, LARGEST_FLOAT))
     return kept.astype(numpy.float32)
 
@@ -37,7 +37,7 @@ def in_memory(backend, data):
 
 
 class Missing(typing.NamedTuple):
-    """What is missing of an array. `name`: empty for the heights; `places`: values at places on the surface that
+    """The missing values of an array. `name`: empty for the heights; `places`: values at places on the surface that
     are none; `of_points`: has it NaN at vertices, `of_added`: at such that were added, of the source for example?"""
 
     name: str
@@ -51,7 +51,7 @@ class Missing(typing.NamedTuple):
 
 
 def blocks_of(count):
-    """Slices of so many rows, one after the other: what is computed of one of them takes little memory."""
+    """Slices of so many rows, one after the other, to compute with little memory."""
     block = 1 << 14
     return (slice(begin, begin + block) for begin in range(0, count, block))
 
@@ -127,7 +127,7 @@ class Columns:
         return sum(column.components for column in self.columns)
 
     def kind_of_scalars(self):
-        """What add_to() makes the active scalars: type and number of components."""
+        """Type and number of components of the active scalars after add_to()."""
         active = self.data.GetScalars()
         for column in self.columns[1:]:
             if active is not None and active.GetName() == column.name:
@@ -137,7 +137,7 @@ class Columns:
         return self.backend.VTK_DOUBLE, 1
 
     def estimate_bytes(self, points, places):
-        """Upper estimate of what all below allocates, as the compiled class's (vtkAHDSampleColumns::EstimateBytes)."""
+        """Upper estimate of all allocations below, as in the compiled class (vtkAHDSampleColumns::EstimateBytes)."""
         per_point, per_place, copied = 8, self._output_per_place(), 0  # heights
         if self.is_nearest:
             per_point, per_place = per_point + 8, per_place + 8  # ids
@@ -292,7 +292,7 @@ class Columns:
         return made
 
     def add_to(self, places):
-        """Adds the arrays to the point data of places, and makes active what is in the input's."""
+        """Adds the arrays to the point data of places, with the active attributes of the input."""
         attributes = self.backend.vtkDataSetAttributes
         has_scalars = False
         for column in self.columns:

@@ -26,7 +26,7 @@ In Python, over the engine's C interface; the compiled class has the same method
 
 
 class _Measures:
-    """What the filter is measured by; mixed into the class."""
+    """The measures of the filter; mixed into the class."""
 
     def _clear_measures(self):
         self._values.update(settings.as_before(settings.MEASURES))
@@ -246,7 +246,7 @@ class _Transforms:
     """The transform, whose changes are the filter's; mixed into the class."""
 
     def SetTransform(self, transform):
-        """What the points are transformed by before they are triangulated; None: nothing."""
+        """The transform applied to the points before they are triangulated; None: none."""
         if transform is not None and not isinstance(transform, self._backend.vtkAbstractTransform):
             raise TypeError("SetTransform argument 1: a vtkAbstractTransform of %s is required, not %s" % (
                 self._backend.package, type(transform).__name__))
@@ -259,7 +259,7 @@ class _Transforms:
         self.Modified()
 
     def GetTransform(self):
-        """What the points are transformed by, or None."""
+        """The transform applied to the points, or None."""
         return self._transform
 
     def GetMTime(self):

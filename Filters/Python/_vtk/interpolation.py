@@ -121,7 +121,7 @@ class _Ports:
 
 
 class _Measures:
-    """What the filter is measured by; mixed into the class."""
+    """The measures of the filter; mixed into the class."""
 
     def _clear_measures(self):
         self._values.update(settings.as_before(raster_settings.MEASURES))
@@ -184,7 +184,7 @@ class _Executions:
         output.GetProducer().Update(index, requests)
 
     def _describe(self, info, is_raster):
-        """What the output will be like."""
+        """Announces the output."""
         vtk, values = self._backend, self._surface_settings()
         merged = Merged(vtk, messages.Silence(), values, self.GetInput(0), self.GetInput(2))
         given = merged.input

@@ -11,7 +11,7 @@ import functools
 import sys
 import threading
 
-_under_way = []  # what is to arrive: one at most
+_under_way = []  # the interrupt to deliver: at most one
 _called = []  # what Python has yet to call, once for each call; it holds no references itself
 
 _is_true = ctypes.cast(ctypes.pythonapi.PyObject_IsTrue, ctypes.c_void_p)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the job made, as VTK's data: Filters/Output/."""
+"""The results of the job as VTK's data: Filters/Output/."""
 
 import math
 
@@ -160,7 +160,7 @@ class Diagram:
     def write_data(self, points, points_count):
         """The point data of the surface, which has so many points; of each cell that of its point."""
         vtk = self.backend
-        given = vtk.vtkPointData()  # what there is of every point
+        given = vtk.vtkPointData()  # arrays with a value for every point
         given.ShallowCopy(points)
         given.RemoveArray(IDS_NAME)
         remove_arrays_of_one_name(given)

@@ -23,7 +23,7 @@ def to_whole(values, data):
 
 
 class PointData:
-    """Writes the point data of `count` points: of the input, then of the source, then of what was added."""
+    """Writes the point data of `count` points: of the input, then of the source, then of added points."""
 
     def __init__(self, backend, job, given, source, count):
         self.backend, self.job, self.given, self.source, self.count = backend, job, given, source, count
@@ -121,7 +121,7 @@ class PointData:
             self._put(made, first, values[first:])
 
     def _inside(self):
-        """Which points of the source are laid on the surface; None if none is to be."""
+        """The points of the source that are laid on the surface; None if none are."""
         if not self.job.get("source_heights") or not self.source_count:
             return None
         return self.job.array("surface_weights", "float64").reshape(-1, 3).sum(1) > 0.0

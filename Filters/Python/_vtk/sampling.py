@@ -36,7 +36,7 @@ class GivenSurface:
         self.triangles, self.added = given.GetNumberOfPolys(), count_added(given)
 
     def arrays(self):
-        """What it consists of besides its points."""
+        """Its content besides the points."""
         return [self._held.GetPolys().GetConnectivityArray(), self._held.GetCellData().GetArray(CONSTRAINT_EDGES)]
 
     def bytes_to_convert(self):
@@ -123,7 +123,7 @@ class SampledSurface:
         return box_of(self.plane_points(), left_out)
 
     def places_in_plane(self, places):
-        """x and y of the points of a vtkDataSet, where they lie in the plane: (k, 2)."""
+        """x and y of the points of a vtkDataSet, in the plane: (k, 2)."""
         is_computed = not places.IsA("vtkPointSet")
         there = None if is_computed else coordinates(self.backend, places.GetPoints())
         xy = numpy.empty((places.GetNumberOfPoints(), 2))
@@ -135,7 +135,7 @@ class SampledSurface:
         return xy
 
     def _move(self, xyz):
-        """Points, in place to where they lie in the plane."""
+        """Moves points, in place, to their position in the plane."""
         if self.transform is not None:
             self.execution._project(xyz)
         elif self.execution.found.is_projected:

@@ -14,8 +14,8 @@ INT64_MAX = 2**63 - 1
 
 class Setting:
     """One setting, of a row of the table. `kind`: bool, flag (a vtkTypeBool: any int), enum, int, int64, double or
-    text. `least`, `most`: what values are clamped to; None: any value. `names`: of an enum, what follows SetXTo for
-    0, 1, ... `about`: what it does."""
+    text. `least`, `most`: the range that values are clamped to; None: any value. `names`: of an enum, the ends of
+    SetXTo for 0, 1, ... `about`: its description."""
 
     def __init__(self, name, kind, default, about, least=None, most=None, names=()):
         self.name, self.kind, self.default, self.about, self.names = name, kind, default, about, names

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the classes in Python share: what VTK asks a class for, settings, inputs, outputs."""
+"""The common part of the classes in Python: VTK's requests, settings, inputs, outputs."""
 
 from . import package_of
 from .interrupts import ends_by_ctrl_c
@@ -45,7 +45,7 @@ class Names:
 
     @ends_by_ctrl_c
     def ProcessRequest(self, request, inputs, outputs):
-        """What the pipeline calls: 1 where the request was met."""
+        """Called by the pipeline: 1 if the request was met."""
         return super().ProcessRequest(request, inputs, outputs)
 
     def __str__(self):

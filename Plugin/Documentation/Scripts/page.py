@@ -26,7 +26,7 @@ def write(folder, numbers):
 
 
 def pages(folder, numbers):
-    """{file name: text}. REQUIRES: all figures but those that may be left out have been drawn in the folder."""
+    """{file name: text}. Requires: all figures but those that may be left out have been drawn in the folder."""
     with open(os.path.join(HERE, "gallery.in.md"), encoding="utf-8") as file:
         lines = chosen(file.read().split("\n"), numbers)
     text = "\n".join(lines).format(**numbers)

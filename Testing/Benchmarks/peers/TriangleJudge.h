@@ -44,7 +44,7 @@ struct Verdict
 /// Judges, in exact arithmetic (ExactSigns.h). Takes time linear in the numbers of points and
 /// triangles, but for sorting the points and the edges about each vertex.
 /// `triples`: three ids of points per triangle; any number is legal, that of no point is a fault.
-/// REQUIRES: the points are finite.
+/// @pre the points are finite.
 Verdict judge(const std::vector<Point>& points, const std::vector<std::int32_t>& triples);
 
 /// The same where triangles name corners of a table of their own: each entry of `vertices` is

@@ -153,7 +153,7 @@ TEST(ConstrainInvariance, OtherIdsChangeNothingElse)
   }
 }
 
-/// The chains in another order, and each of them backwards if `backwards`. REQUIRES: lines only.
+/// The chains in another order, and each of them backwards if `backwards`. @pre lines only.
 ConstraintSet shuffledChains(const ConstraintSet& constraints, std::uint64_t seed, bool backwards)
 {
   std::vector<std::size_t> order(constraints.chains());

@@ -37,7 +37,7 @@ public:
   using Call = std::function<Status()>;
   using Caller = std::function<Status(const Call&)>;
 
-  /// REQUIRES: `t` has no result of a run before. Goes on until a call does not return Ok, and
+  /// @pre `t` has no result of a run before. Goes on until a call does not return Ok, and
   /// returns what that returned.
   Status run(Engine& t, const Caller& caller, const Helpers& helpers)
   {

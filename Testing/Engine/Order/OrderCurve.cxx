@@ -26,7 +26,7 @@ PointView viewOfPlaces(const std::vector<Point>& places)
   return PointView(places.empty() ? nullptr : &places[0].x, places.size(), 2);
 }
 
-/// REQUIRES: begin < places.size().
+/// @pre begin < places.size().
 std::vector<std::size_t> ordered(const std::vector<Point>& places, std::size_t begin = 0)
 {
   Ticker nobody(nullptr, Phase::Outputs, 0);

@@ -38,7 +38,7 @@ struct Answers
 };
 
 /// Asks the filter for two triangles at once about q's first three points, from the k-th on, and
-/// the next three. REQUIRES: the guard is enough for them.
+/// the next three. @pre the guard is enough for them.
 InCirclePair askPair(const Quadruple& q, std::size_t k, double guard)
 {
   const Point &a = q[k], &c = q[(k + 1) % 3], &b = q[(k + 2) % 3];

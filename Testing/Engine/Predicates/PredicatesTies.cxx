@@ -62,7 +62,7 @@ void forEveryFour(const std::vector<Point>& points, Visit visit)
   }
 }
 
-/// The perturbation with numbers in place of infinitesimals. REQUIRES: integers of at most 7 bits,
+/// The perturbation with numbers in place of infinitesimals. @pre integers of at most 7 bits,
 /// which asIntegers turns into integers below 2^70, so that the coefficients of the heights are
 /// below 2^143, and not below 1 where they are not 0. Heights are counted in units of 2^-1000, and
 /// the point of rank k (from 0 in lexicographic order) is raised by 2^(200 k) of them: all four

@@ -43,7 +43,7 @@ std::vector<double> valuesFor(const std::vector<Point>& points, std::size_t odd)
   return values;
 }
 
-/// REQUIRES: the sampler is prepared for Linear. Returns how many cells have values.
+/// @pre the sampler is prepared for Linear. Returns how many cells have values.
 std::size_t expectAsCellByCell(SampledCase& given, const SampleRaster& raster)
 {
   static ThreadExecutor threads(3);

@@ -14,7 +14,7 @@ namespace ahdtest
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-/// Every point has one fate, and each count is that of the fates. REQUIRES: GenerateFate was on.
+/// Every point has one fate, and each count is that of the fates. @pre GenerateFate was on.
 inline void expectCountsOfFates(vtkAdaptiveHilbertDelaunay2D* filter)
 {
   const std::vector<vtkIdType> fates = idsOf(filter->GetOutput()->GetPointData(), "Fate");

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What features take of memory at each door, and what was estimated. REQUIRES: CountedMemory before malloc."""
+"""What features take of memory at each door, and what was estimated. Requires: CountedMemory before malloc."""
 
 import collections
 import ctypes

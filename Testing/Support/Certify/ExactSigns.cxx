@@ -39,7 +39,7 @@ bool within(const double (&numbers)[Count], double low, double high)
 }
 
 /// The sign of `determinant`, if it is larger than `factor` roundoffs of `magnitude`, the sum of
-/// the absolute values of its terms. REQUIRES: nothing overflowed, no product of nonzeros
+/// the absolute values of its terms. @pre nothing overflowed, no product of nonzeros
 /// underflowed.
 int filtered(double determinant, double magnitude, double factor)
 {

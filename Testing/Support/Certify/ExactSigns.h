@@ -19,12 +19,12 @@ namespace test
 int orientSign(const Point& a, const Point& b, const Point& c);
 
 /// +1 if d lies strictly inside the circle through a, b, c, -1 strictly outside, 0 on it.
-/// REQUIRES: a, b, c counterclockwise.
+/// @pre a, b, c counterclockwise.
 int inCircleSign(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// inCircleSign with ties broken as the engine promises: point k is lifted to x^2 + y^2 + eps_k,
 /// where the eps_k are positive infinitesimals and that of a lexicographically larger point is
-/// infinitely larger. +1 or -1, never 0. REQUIRES: a, b, c counterclockwise, d different from each.
+/// infinitely larger. +1 or -1, never 0. @pre a, b, c counterclockwise, d different from each.
 int perturbedInCircleSign(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// A point in hexadecimal, every bit of it: "(0x1p+0, -0x1.8p-3)".

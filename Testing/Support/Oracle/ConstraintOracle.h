@@ -42,7 +42,7 @@ struct ConstrainedByDefinition
 ///  accepted
 ///     or has no length count.
 /// Where all vertices are collinear, all segments count as without a vertex.
-/// Cost: n^6. REQUIRES: n small (up to a dozen).
+/// Cost: n^6. @pre n small (up to a dozen).
 ConstrainedByDefinition constrainedByDefinition(
   const PointView& points, const ConstraintView& constraints, FillRule rule);
 

@@ -27,7 +27,7 @@ std::set<Triple> asSet(const std::vector<std::int32_t>& triples);
 /// whose circle contains no other point, decided in rational arithmetic. The points are lifted to
 /// heights x^2 + y^2 + eps_k, the eps_k being infinitesimals, each infinitely smaller than that of
 /// the next point in lexicographic order. Coincident points go by their smallest id.
-/// Cost: n^4. REQUIRES: n small (up to a few dozen).
+/// Cost: n^4. @pre n small (up to a few dozen).
 std::set<Triple> delaunayByDefinition(const std::vector<Point>& points);
 
 } // namespace test

@@ -57,7 +57,7 @@ Curve hilbertCurve(unsigned order);
 /// The curve turned, then run through backwards if `reverse`.
 Curve transformed(const Curve& curve, Turn turn, bool reverse);
 
-/// The row of Table 1 for a box of a curve, by the boxes before and after it. REQUIRES: the curve
+/// The row of Table 1 for a box of a curve, by the boxes before and after it. @pre the curve
 /// has two boxes or more.
 const GeneRow& geneOfBox(const Curve& curve, std::size_t box);
 
@@ -77,11 +77,11 @@ struct PaperOrder
   std::vector<Index> sequence; ///< ids in the order of insertion
 };
 
-/// REQUIRES: distinct finite points.
+/// @pre distinct finite points.
 PaperOrder paperOrder(const std::vector<Point>& points, const Options& options);
 
 /// The canonical order of the distinct points, by the definition in Order/Rank.h: their smallest
-/// ids. REQUIRES: finite points.
+/// ids. @pre finite points.
 std::vector<Index> rankByDefinition(const std::vector<Point>& points);
 
 } // namespace test

@@ -33,7 +33,7 @@ public:
   PointWeights linear(const Point& place) const;
 
   /// Sibson's: what the cell of the place takes of the Voronoi cells. Laplace's: the length of the
-  /// border of cells over the distance. REQUIRES: the triangles are all of a Delaunay
+  /// border of cells over the distance. @pre the triangles are all of a Delaunay
   /// triangulation; points are distinct.
   PointWeights sibson(const Point& place) const;
   PointWeights laplace(const Point& place) const;

@@ -309,7 +309,7 @@ bool Splitter::nameMeetings()
 }
 
 /// Adds a point for each place that is new, and names the first meeting there.
-/// REQUIRES: the meetings are sorted by places.
+/// @pre the meetings are sorted by places.
 bool Splitter::addPoints()
 {
   std::vector<std::size_t> firsts; // at each new place

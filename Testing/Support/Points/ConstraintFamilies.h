@@ -38,7 +38,7 @@ ConstraintCase crossedLadder(std::size_t n, std::size_t rungs, bool isFirst);
 /// line at a part of it, the first or the last of all.
 ConstraintCase crossedNested(std::size_t n, double part, bool isFirst);
 
-/// The chains in another order. REQUIRES: lines only.
+/// The chains in another order. @pre lines only.
 ConstraintCase backwards(const ConstraintCase& given);
 ConstraintCase shuffled(const ConstraintCase& given, std::uint64_t seed);
 

@@ -21,7 +21,7 @@ using Chain = std::vector<std::int64_t>;
 class ConstraintSet
 {
 public:
-  /// REQUIRES: no loop was added yet.
+  /// @pre no loop was added yet.
   void addLine(const Chain& chain);
   void addLoop(const Chain& chain);
 

@@ -54,7 +54,7 @@ enum class Distribution
 };
 
 /// n points. The same on every platform: own generator, and of the mathematical functions only
-/// those that IEEE 754 rounds correctly. REQUIRES: compiled with -ffp-contract=off.
+/// those that IEEE 754 rounds correctly. @pre compiled with -ffp-contract=off.
 std::vector<ahd::Point> makePoints(Distribution d, std::size_t n, std::uint64_t seed);
 
 const char* nameOf(Distribution d);
