@@ -266,7 +266,9 @@ class ComplaintsTest(unittest.TestCase):
     def test_tidy(self):
         self.need("clang-tidy")
         source = self.write("Filters/a.cxx", CLEAN)
-        entry = {"directory": str(self.root), "file": str(source), "command": f"c++ -c {source}"}
+        precompiled = f"-Winvalid-pch -include {self.write('cmake_pch.hxx', '')}"
+        self.write("cmake_pch.hxx.gch", "made by gcc")
+        entry = {"directory": str(self.root), "file": str(source), "command": f"c++ {precompiled} -c {source}"}
         self.write("compile_commands.json", json.dumps([entry]))
         self.assertEqual(lint.check_tidy(self.root, self.root, "Filters/", 1), [])
         self.assertEqual(lint.check_tidy(self.root, self.root, "Testing/", 1), ["no file was looked at"])
