@@ -26,9 +26,15 @@ set_tests_properties(Fuzz.Build PROPERTIES
 cmake_host_system_information(RESULT ahd_cores QUERY NUMBER_OF_LOGICAL_CORES)
 add_test(NAME Engine.Sanitized
   COMMAND "${CMAKE_CTEST_COMMAND}" --test-dir "${ahd_fuzz_folder}/build" --output-on-failure --no-tests=error
-    -j ${ahd_cores})
+    -E "^Engine\\.Hashes$" -j ${ahd_cores})
 set_tests_properties(Engine.Sanitized PROPERTIES
   LABELS sanitize TIMEOUT 900 COST 900 PROCESSORS 2 FIXTURES_REQUIRED ahd_fuzz_targets)
+
+# The engine's hashes by another compiler with other flags.
+add_test(NAME Determinism.Clang COMMAND "${ahd_fuzz_folder}/build/engine-tests/EngineHashes"
+  --gtest_brief=1 --gtest_filter=Hashes.AreThose*)
+set_tests_properties(Determinism.Clang PROPERTIES
+  LABELS determinism TIMEOUT 900 COST 800 FIXTURES_REQUIRED ahd_fuzz_targets)
 
 # ahd_add_fuzz_test(<test> <target's name for fuzz.sh> <seconds> <minutes of the long test>)
 function (ahd_add_fuzz_test test target seconds minutes)
