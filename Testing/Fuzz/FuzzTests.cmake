@@ -55,9 +55,9 @@ function (ahd_add_fuzz_test test target seconds minutes)
   endif ()
 endfunction ()
 
-ahd_add_fuzz_test(Engine engine 25 20)
+ahd_add_fuzz_test(Engine engine 15 20)
 ahd_add_fuzz_test(Constraints constraints 20 20)
-ahd_add_fuzz_test(Filter filter 15 20)
+ahd_add_fuzz_test(Filter filter 8 20)
 
 # Sequences by number, after those of the corpus: each run is the same.
 find_package(Python3 COMPONENTS Interpreter)
