@@ -76,6 +76,14 @@ private:
   unsigned threads_;
 };
 
+/// Is this compiled by g++ under the thread sanitizer? There tasks that all run on one thread show
+/// nothing.
+#ifdef __SANITIZE_THREAD__
+constexpr bool kOnlyThreadsMatter = true;
+#else
+constexpr bool kOnlyThreadsMatter = false;
+#endif
+
 /// Runs all tasks on the calling thread, the last first: what comes out wrong then depends on the
 /// order of the tasks.
 class BackwardExecutor : public NominalExecutor
