@@ -76,7 +76,7 @@ TEST(SampleOutside, ThreadsOrNoneFillAllPlacesOutsideAndNoOthers)
   for (Executor* executor : { static_cast<Executor*>(nullptr), static_cast<Executor*>(&threads) })
   {
     Filled filled;
-    const SampleRaster raster = filled.around(reduced(800) == 800 ? 800 : 100);
+    const SampleRaster raster = filled.around(600); // a block has 2 to the 18th places
     const SamplePlaces places(raster);
     filled.sampleAt(places);
     const std::vector<double> before = filled.out;
