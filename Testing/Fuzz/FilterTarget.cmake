@@ -36,10 +36,14 @@ target_link_libraries(ahd_fuzz_filter PUBLIC
   VTK::CommonTransforms)
 ahd_precompile_vtk(ahd_fuzz_filter)
 
-ahd_add_fuzz_target(FilterFuzz FilterFuzz.cxx FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
+add_library(ahd_fuzz_filter_common OBJECT FilterArrays.cxx FilterCase.cxx FilterJudge.cxx)
+target_compile_options(ahd_fuzz_filter_common PRIVATE ${ahd_fuzz_quiet} ${ahd_engine_options}
+  ${ahd_warnings} -Wno-ignored-optimization-argument)
+target_link_libraries(ahd_fuzz_filter_common PUBLIC ahd_fuzz_filter ahd_fuzz_support GTest::gtest)
+
+ahd_add_fuzz_target(FilterFuzz FilterFuzz.cxx $<TARGET_OBJECTS:ahd_fuzz_filter_common>)
 target_link_libraries(FilterFuzz PRIVATE ahd_fuzz_filter)
 
 ahd_add_fuzz_target(LifetimeFuzz
-  LifetimeFuzz.cxx LifetimeData.cxx LifetimeSteps.cxx LifetimeWorld.cxx FilterCase.cxx FilterArrays.cxx
-  FilterJudge.cxx)
+  LifetimeFuzz.cxx LifetimeData.cxx LifetimeSteps.cxx LifetimeWorld.cxx $<TARGET_OBJECTS:ahd_fuzz_filter_common>)
 target_link_libraries(LifetimeFuzz PRIVATE ahd_fuzz_filter)
