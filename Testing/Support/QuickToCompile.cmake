@@ -2,7 +2,7 @@
 #
 # Half of the time of a test run was the compiler's, and most of that went into test programs.
 #
-# ahd_quick_to_compile(<target> <level> <header>...)
+# ahd_quick_to_compile(<target> <level> [<header>...])
 # Compiles a program of tests with the optimisation -O<level>, whatever the build type: it is what
 # is tested that is to be compiled as users have it. The headers, all of them other projects', are
 # compiled beforehand, once for all targets of one folder: these name the same headers and level, and
@@ -13,7 +13,7 @@ function (ahd_quick_to_compile target level)
     return ()
   endif ()
   target_compile_options(${target} PRIVATE -O${level})
-  if (CMAKE_CXX_COMPILER_LAUNCHER)
+  if (CMAKE_CXX_COMPILER_LAUNCHER OR NOT ARGN)
     return ()
   endif ()
   get_property(first DIRECTORY PROPERTY ahd_first_quick_target)

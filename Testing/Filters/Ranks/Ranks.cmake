@@ -36,6 +36,7 @@ endif ()
 # Memory that runs out on one rank, in a program of its own: by the GNU C library's means.
 if (CMAKE_SYSTEM_NAME STREQUAL "Linux" AND BUILD_SHARED_LIBS AND TARGET VTK::ParallelMPI)
   add_executable(FaultsRanks Support/FailingMemory.cxx Ranks/FaultsRanks.cxx)
+  ahd_quick_to_compile(FaultsRanks 0)
   target_include_directories(FaultsRanks PRIVATE "${PROJECT_SOURCE_DIR}/Filters" "${CMAKE_CURRENT_SOURCE_DIR}/Support")
   target_link_libraries(FaultsRanks PRIVATE
     AdaptiveHilbertDelaunay::Filters VTK::CommonCore VTK::CommonDataModel VTK::CommonExecutionModel VTK::CommonMath
