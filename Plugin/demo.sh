@@ -16,30 +16,30 @@ help() {
 ./Plugin/demo.sh [file] [options]
 
 Triangulates the points of a file with the Adaptive Hilbert Delaunay 2D filter in ParaView, writes the
-surface as <name>.vtp and a picture of it as <name>.png, and says how long it took. On the first run it
-installs what is missing (Debian 12, 13 or testing, as root or with sudo; untested on systems made from Debian or
-Ubuntu) and builds the plugin in build/; that takes minutes, the runs after it seconds. Where a plugin was built by hand
-it is used as it is, on every system.
+surface as <name>.vtp and a picture of it as <name>.png, and reports the time. On the first run it
+installs missing packages (Debian 12, 13 or testing, as root or with sudo; untested on systems made from Debian or
+Ubuntu) and builds the plugin in build/; that takes minutes, later runs take seconds. A plugin that was built by hand
+is used unchanged, on every system.
 
 file       default: Data/survey.csv, soundings of an invented sea
-  .csv .xyz .txt        a point a line; commas, semicolons, tabs or spaces. Column names that say x, y and z are
-                        understood (Easting, lat, Elevation_NAVD88, Tiefe ...), columns that count (ID, FID, Nr)
-                        passed over; without names the first columns are taken; names that say too little are refused
-  .vtk .vtp .vtu .ply   whatever has points
+  .csv .xyz .txt        one point per line; commas, semicolons, tabs or spaces. Column names for x, y and z are
+                        recognised (Easting, lat, Elevation_NAVD88, Tiefe ...), counters (ID, FID, Nr) ignored;
+                        without names the first columns are used; unclear names are refused
+  .vtk .vtp .vtu .ply   any data with points
   .las .laz             lidar; for the first .laz, laspy and lazrs are fetched from PyPI into build/
 
 options
-  --x NAME --y NAME --z NAME   which columns, by name or by number from 1 (--z none: a flat set)
-  --columns X,Y,Z              the same in one go, for example --columns lon,lat,depth or 2,3,5
-  --exaggeration FACTOR        how much steeper than it is to draw the relief (default: chosen, and told)
+  --x NAME --y NAME --z NAME   the columns, by name or by number from 1 (--z none: a flat set)
+  --columns X,Y,Z              the same in one option, for example --columns lon,lat,depth or 2,3,5
+  --exaggeration FACTOR        the vertical exaggeration of the picture (default: chosen and reported)
   --edges                      draw the triangles' edges
   --raster CELL                write the heights on a raster, too, with cells of this size in the unit of x and y
-                               (degrees, where these are longitude and latitude):
-                               <name>.vti, and a GeoTIFF <name>.tif where Python has GDAL (python3-gdal) or rasterio;
+                               (degrees, if these are longitude and latitude):
+                               <name>.vti, and a GeoTIFF <name>.tif if Python has GDAL (python3-gdal) or rasterio;
                                outside the surface NaN, the borders of cells multiples of CELL
-  --method METHOD              how heights come about: linear (default), natural, laplace or nearest
-  --crs EPSG:CODE              what coordinate reference system the GeoTIFF says it has, for example EPSG:32633
-  --output DIR                 where to write (default: build/demo); a file there that the demo did not write stays
+  --method METHOD              the interpolation of heights: linear (default), natural, laplace or nearest
+  --crs EPSG:CODE              the coordinate reference system of the GeoTIFF, for example EPSG:32633
+  --output DIR                 the folder of the results (default: build/demo); files of others there are kept
   --help                       this text
 
 exit code  0 done, 1 something failed (a log is named), 2 the file, an option or this system cannot be used

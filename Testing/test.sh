@@ -14,16 +14,16 @@ help() {
   cat <<'EOF'
 ./Testing/test.sh [--fast | --long] [ctest's own options]
 
-Installs what is missing (Debian 12, 13 or testing, as root or with sudo; untested on systems made from
+Installs missing packages (Debian 12, 13 or testing, as root or with sudo; untested on systems made from
 Debian or Ubuntu), builds everything in build/, and runs the tests through CTest: on Debian 12 and 13 first
 those of the VTK filter with Debian's own VTK (9.1, 9.3), unpacked in build/vtk91 or build/vtk93; then all of
-them with ParaView and its VTK, which in testing is Debian's own. Takes half an hour on two cores from nothing.
+them with ParaView and its VTK, which in testing is Debian's own. A first run takes half an hour on two cores.
 
---long         also the tests that take longer (label: long)
+--long         also the long tests (label: long)
 --fast         for the change in hand: builds and runs the quick tests of the engine, the filter and the
                package for Python, and lint, with ParaView's VTK only; the whole run is still to come
 --paraview     only the tests with ParaView, not those with Debian's own VTK
-others         go to ctest, for example  -R Corpus  or  -L engine
+others         are passed to ctest, for example  -R Corpus  or  -L engine
 
 exit code  0 all passed, 1 something could not be installed or built (a log is named), 2 this system is not
            supported (nothing was installed), else ctest's
