@@ -7,7 +7,7 @@
 #include "Engine/Job/Settings.h"
 #include "Engine/Triangulate.h"
 #include "Execution/vtkAHDExecution.h"
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
@@ -46,7 +46,6 @@ vtkCxxSetObjectMacro(vtkAdaptiveHilbertDelaunay2D, Transform, vtkAbstractTransfo
 
 vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
   : Workspace(new ahd::Workspace)
-  , Left(new vtkAHDLeftBehind)
   , Cache(new vtkAHDOutputCache)
   , OutputMemory(new vtkAHDOutputMemory)
   , Updates(new vtkAHDRankUpdates)
@@ -60,6 +59,7 @@ vtkAdaptiveHilbertDelaunay2D::vtkAdaptiveHilbertDelaunay2D()
 
 vtkAdaptiveHilbertDelaunay2D::~vtkAdaptiveHilbertDelaunay2D()
 {
+  this->TakeBackLent();
   this->SetTransform(nullptr);
   this->SetController(nullptr);
 }
@@ -220,6 +220,16 @@ void vtkAdaptiveHilbertDelaunay2D::EndWithoutMemory(const vtkAHDDataSets& data)
     [this] { vtkErrorMacro("Out of memory. The output is empty."); });
 }
 
+/// Ends lending the triangulation of the last execution.
+void vtkAdaptiveHilbertDelaunay2D::TakeBackLent()
+{
+  if (this->Lent)
+  {
+    this->Lent->TakeBack(*this->Workspace);
+    this->Lent = nullptr;
+  }
+}
+
 /// Passes on the outputs of the last execution if its input was the same. Else returns false.
 bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
   const vtkAHDDataSets& data, const vtkAHDContext& context)
@@ -234,7 +244,10 @@ bool vtkAdaptiveHilbertDelaunay2D::PassOnCached(
     return false;
   }
   this->Cache->PassOn(data);
-  this->Left->TakeBackUnlessOf(data.Input, *this->Workspace);
+  if (this->Lent && !this->Lent->BorrowsFrom(data.Input)) // no other input is to be held
+  {
+    this->TakeBackLent();
+  }
   this->ClearSeconds();
   return true;
 }
@@ -246,9 +259,9 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   vtkAHDSettings settings;
   this->ReadSettings(settings);
   vtkAHDInput input(settings, data.Input, data.Source);
-  this->Left->TakeBack(*this->Workspace);
+  this->TakeBackLent();
   vtkAHDExecution execution(settings, input, *this->Workspace, context, data.InputBytes);
-  const vtkAHDReport report = execution.Run(data.Outputs, this->Left.get());
+  const vtkAHDReport report = execution.Run(data.Outputs, &this->Lent);
   this->MemoryEstimate = report.GetEstimate();
   if (report.status != ahd::Status::Ok)
   {

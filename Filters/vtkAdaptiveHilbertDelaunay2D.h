@@ -59,7 +59,7 @@ class Workspace;
 enum class Status;
 }
 class vtkAHDContext;
-class vtkAHDLeftBehind;
+class vtkAHDLentTriangulation;
 class vtkAHDOutputCache;
 class vtkAHDOutputMemory;
 class vtkAHDRankBlocks;
@@ -169,6 +169,7 @@ private:
   void WarnOnRanks(const vtkAHDSettings& settings, const vtkAHDRankResult& result);
   void EndOnRanks(ahd::Status status, vtkAHDRankResult& result, const RankSurfaces& surfaces);
   void Triangulate(const vtkAHDDataSets& data, const vtkAHDContext& context);
+  void TakeBackLent();
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);
   void TakeMeasures(const vtkAHDReport& report);
@@ -176,7 +177,7 @@ private:
   void WarnAboutRanks();
 
   const std::unique_ptr<ahd::Workspace> Workspace;        // kept for the next execution
-  const std::unique_ptr<vtkAHDLeftBehind> Left;           // the last execution's triangulation
+  vtkSmartPointer<vtkAHDLentTriangulation> Lent;          // the last execution's
   const std::unique_ptr<vtkAHDOutputCache> Cache;         // the last execution's outputs
   const std::unique_ptr<vtkAHDOutputMemory> OutputMemory; // kept for the next execution
   const std::unique_ptr<vtkAHDRankUpdates> Updates;       // agreed on by ranks

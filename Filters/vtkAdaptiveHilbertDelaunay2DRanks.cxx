@@ -4,7 +4,7 @@
 #include "vtkAdaptiveHilbertDelaunay2D.h"
 
 #include "Execution/vtkAHDExecution.h"
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "Execution/vtkAHDMergedBlocks.h"
 #include "Execution/vtkAHDMessages.h"
 #include "Execution/vtkAHDOutputCache.h"
@@ -302,7 +302,7 @@ void vtkAdaptiveHilbertDelaunay2D::ExecuteOneOnRanks(vtkAHDRanks& ranks, vtkData
         own.Outputs[k] = outputs[k];
       }
       merged.Warn();
-      this->Left->TakeBack(*this->Workspace);
+      this->TakeBackLent();
       vtkAHDRankExecution(settings, ranks, context, result)
         .Run(own, merged.GetStatus(context), *this->Workspace);
       this->MemoryEstimate = result.Report.GetEstimate();

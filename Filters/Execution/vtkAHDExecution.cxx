@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDExecution.h"
 
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Output/vtkAHDSurface.h"
@@ -48,9 +48,9 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   return run.estimate();
 }
 
-/// The most that is left behind: the triangulation, the tables of an interpolation, and copies of
+/// The most that is lent: the triangulation, the tables of an interpolation, and copies of
 /// points.
-std::size_t vtkAHDExecution::EstimateLeft() const
+std::size_t vtkAHDExecution::EstimateLent() const
 {
   const std::size_t count = this->Report.points;
   const bool isConstrained = this->Report.segments > 0 || this->Settings.mayTrimRim();
@@ -90,10 +90,10 @@ void vtkAHDExecution::TakeVoronoiMemory(const ahd::Report& counts, ahd::VoronoiC
 
 // ------------------------------------------------------------------------------------------ steps
 
-vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left)
+vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, LentPointer* lent)
 {
   ahd::RunResult made;
-  bool isLeft = false;
+  bool isLent = false;
   const bool isTried = this->Try(0,
     [&](ahd::Run& run)
     {
@@ -101,7 +101,7 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind
       this->Make(run, made);
       this->Write(made, outputs);
       this->Finish(run, made);
-      isLeft = left && this->Leave(made, outputs[0], *left);
+      isLent = lent && this->Lend(made, outputs[0], *lent);
     });
   if (!isTried)
   {
@@ -111,11 +111,11 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind
   {
     outputs[k]->Initialize();
   }
-  if (!isLeft)
+  if (!isLent)
   {
     this->GiveBack(made);
   }
-  this->KeepOutputMemory(isLeft ? this->EstimateLeft() : this->Workspace.bytes());
+  this->KeepOutputMemory(isLent ? this->EstimateLent() : this->Workspace.bytes());
   return this->Report;
 }
 
@@ -230,37 +230,36 @@ void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
   this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
 
-/// Leaves the triangulation behind, if requested and not too large. Returns false if
+/// Lends the triangulation, if requested and not too large. Returns false if
 /// not: then nothing has changed. Throws vtkAHDStop if the filter is to abort.
-bool vtkAHDExecution::Leave(
-  ahd::RunResult& made, vtkPolyData* surface, vtkAHDLeftBehind& left) const
+bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPointer& lent) const
 {
   // Places that were converted go with the input.
   const bool isFit = this->Report.Triangles > 0 && !made.points.isProjected() &&
     !this->Input.MustConvertPoints();
-  if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLeft() / 1024) >= this->Settings.ReuseLimit)
+  if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLent() / 1024) >= this->Settings.ReuseLimit)
   {
     return false;
   }
   try
   {
-    auto content = std::make_unique<vtkAHDLeftTriangulation>();
+    auto content = std::make_unique<vtkAHDLentTriangulation::Content>();
     const ahd::PointView& points = made.points.points();
     const auto borrowed = this->Input.FindBorrowed(points);
     std::copy(borrowed.begin(), borrowed.end(), content->Borrowed.begin());
     const void* const floats = points.floats;
     content->At = { { points.doubles ? points.doubles : floats, points.skip } };
     content->ShowMeans = this->Settings.showsMeans;
-    const auto kept = vtkSmartPointer<vtkAHDKeptTriangulation>::New();
-    vtkAHDLeftTriangulation& to = *content;
-    if (!kept->Keep(content, surface, this->Context))
+    const auto object = LentPointer::New();
+    vtkAHDLentTriangulation::Content& to = *content;
+    if (!object->Keep(content, surface, this->Context))
     {
       this->Context.StopIfAborted();
       return false;
     }
     made.selection = ahd::Selection{ std::move(made.selection.kept), made.selection.keptCount };
     to.Made = std::move(made); // the surface is not shared yet
-    left.Let(kept);
+    lent = object;
     return true;
   }
   catch (const std::bad_alloc&)

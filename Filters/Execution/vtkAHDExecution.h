@@ -14,7 +14,7 @@
 #include <vector>
 
 class vtkAbstractTransform;
-class vtkAHDLeftBehind;
+class vtkAHDLentTriangulation;
 class vtkPolyData;
 
 /// Surface, order, Voronoi diagram.
@@ -40,12 +40,14 @@ public:
   vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& input, ahd::Workspace& workspace,
     const vtkAHDContext& context, std::size_t bytesBefore);
 
+  using LentPointer = vtkSmartPointer<vtkAHDLentTriangulation>;
+
   /// Triangulates and fills the outputs, which must be empty. They are empty again unless
   /// Report::Status is Ok. Throws nothing. The working memory is kept for the next execution if it
   /// is within the limit and the execution succeeded.
-  /// `left`: null, or the place for the triangulation, for filters that interpolate on the surface;
-  /// it is then kept instead of its memory.
-  vtkAHDReport Run(const vtkAHDOutputs& outputs, vtkAHDLeftBehind* left = nullptr);
+  /// `lent`: null, or becomes the triangulation, for filters that interpolate on the surface, which
+  /// is then kept instead of its memory; stays null if it is not lent.
+  vtkAHDReport Run(const vtkAHDOutputs& outputs, LentPointer* lent = nullptr);
 
   /// Triangulates without writing outputs. `made` is valid if Report::Status is Ok; the caller
   /// keeps it, or returns it to the workspace. `bytesBehind`: the caller's later allocations, for
@@ -68,8 +70,8 @@ private:
   void Write(ahd::RunResult& made, const vtkAHDOutputs& outputs);
   void WriteVoronoi(ahd::RunResult& made, const vtkAHDOutputs& outputs);
   void Finish(ahd::Run& run, const ahd::RunResult& made);
-  bool Leave(ahd::RunResult& made, vtkPolyData* surface, vtkAHDLeftBehind& left) const;
-  std::size_t EstimateLeft() const;
+  bool Lend(ahd::RunResult& made, vtkPolyData* surface, LentPointer& lent) const;
+  std::size_t EstimateLent() const;
   void GiveBack(ahd::RunResult& made);
   void KeepOutputMemory(std::size_t held) const;
 

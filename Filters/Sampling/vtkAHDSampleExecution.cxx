@@ -138,8 +138,8 @@ void vtkAHDSampleExecution::BorrowSurface(
   {
     return;
   }
-  vtkSmartPointer<vtkAHDKeptTriangulation> lender;
-  vtkAHDKeptTriangulation::Content lent = vtkAHDKeptTriangulation::Borrow(
+  vtkSmartPointer<vtkAHDLentTriangulation> lender;
+  vtkAHDLentTriangulation::ContentPointer lent = vtkAHDLentTriangulation::Borrow(
     inputs.Surface, this->Context, lender);
   if (lent)
   {

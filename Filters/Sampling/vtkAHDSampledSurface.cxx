@@ -62,7 +62,7 @@ vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPo
 }
 
 vtkAHDSampledSurface::vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPolyData* surface,
-  vtkAHDKeptTriangulation::Content lent, vtkSmartPointer<vtkAHDKeptTriangulation> lender)
+  vtkAHDLentTriangulation::ContentPointer lent, vtkSmartPointer<vtkAHDLentTriangulation> lender)
   : Input(PointsOf(surface))
   , View(std::make_unique<vtkAHDInput>(settings, this->Input, nullptr))
   , Lent(std::move(lent))

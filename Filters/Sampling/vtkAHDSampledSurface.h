@@ -5,7 +5,7 @@
 #include "Engine/Core/Fingerprint.h"
 #include "Engine/Core/Uninitialised.h"
 #include "Execution/vtkAHDExecution.h"
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "Input/vtkAHDInput.h"
 #include "Pipeline/vtkAHDSettings.h"
 #include "Sampling/vtkAHDGivenSurface.h"
@@ -41,7 +41,7 @@ public:
     vtkPolyData* surface, const vtkAHDContext& context);
   /// `lent`: the triangulation that `surface` was written from, given back to `lender` in the end.
   vtkAHDSampledSurface(const vtkAHDSettings& settings, vtkPolyData* surface,
-    vtkAHDKeptTriangulation::Content lent, vtkSmartPointer<vtkAHDKeptTriangulation> lender);
+    vtkAHDLentTriangulation::ContentPointer lent, vtkSmartPointer<vtkAHDLentTriangulation> lender);
   ~vtkAHDSampledSurface();
   vtkAHDSampledSurface(const vtkAHDSampledSurface&) = delete;
   void operator=(const vtkAHDSampledSurface&) = delete;
@@ -121,8 +121,8 @@ private:
   std::unique_ptr<vtkAHDGivenSurface> Given;        // of the surface, until its triangles are found
   std::unique_ptr<vtkAHDInput> View;
   ahd::RunResult Made;
-  vtkAHDKeptTriangulation::Content Lent; // null: Made is to be used
-  vtkSmartPointer<vtkAHDKeptTriangulation> Lender;
+  vtkAHDLentTriangulation::ContentPointer Lent; // null: Made is to be used
+  vtkSmartPointer<vtkAHDLentTriangulation> Lender;
   vtkAHDSettingsTimes Settings = {};
   bool IsKnown = false;
   Identity Known;

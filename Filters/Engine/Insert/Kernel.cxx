@@ -280,7 +280,7 @@ Kernel<kCount, kAccess, kExact>::waitingAt(
   return { place, twin, apex, isRight, { ac, cb, cross(ac, cb) }, beyond<kInside>(twin) };
 }
 
-/// Which of the two triangles beyond a removed one are in conflict with p, by closer filters and
+/// Which of the two triangles beyond a removed one are in conflict with p, by tighter filters and
 /// the exact predicate where the filter is not certain.
 /// @pre the star has not been split there yet.
 template <bool kCount, Access kAccess, bool kExact>
@@ -300,7 +300,7 @@ unsigned Kernel<kCount, kAccess, kExact>::decide(
     sharp.certain &= b == ghost_ || ofSecond == ghost_ ? 1u : 3u;
     seen = orElse(seen, sharp);
   }
-  // In a frame the closer filters for one triangle know nothing more.
+  // In a frame the tighter filters for one triangle know nothing more.
   const bool isInFrame = !std::isinf(squaredGuard_);
   const auto conflict = [=](Index u, Index v, Index w)
   { return kPairsAreFused && isInFrame ? conflictsExactly(u, v, w, p) : conflicts(u, v, w, p); };

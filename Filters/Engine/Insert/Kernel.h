@@ -6,10 +6,10 @@
 #include "Insert.h"
 
 #include "../Core/Chunks.h"
-#include "../Predicates/CloserFilters.h"
-#include "../Predicates/CloserPairs.h"
 #include "../Predicates/FilterPairs.h"
 #include "../Predicates/Predicates.h"
+#include "../Predicates/TighterFilterPairs.h"
+#include "../Predicates/TighterFilters.h"
 
 #include <algorithm>
 #include <array>
@@ -371,7 +371,7 @@ private:
 
   /// Is p in conflict with the triangle a, b, c? One of them may be the ghost. The slow path.
   AHD_NEVER_INLINE bool conflicts(Index a, Index b, Index c, Index p);
-  /// The same without the closer filter.
+  /// The same without the tighter filter.
   AHD_NEVER_INLINE bool conflictsExactly(Index a, Index b, Index c, Index p);
   bool conflictsWithGhost(Index from, Index to, Index p);
   AHD_NEVER_INLINE int orientation(Index a, Index b, Index p);

@@ -9,7 +9,7 @@ from .arrays import coordinates, ghost_marks, new_array, without_points
 from .blocks import Merged
 from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
-from .left import left_of
+from .lent import lent_of
 from .outputs import plane_transform
 from .vtkclass import Followers, Inputs, Pieces, build
 
@@ -128,16 +128,16 @@ class _Executions:
         if self._values["KeepTriangulation"]:
             self._cache.keep(merged.input, made)
         merged.hand_on_points(made[0])
-        self._left = left_of(execution, made[0], self._values["ReuseLimit"])
-        if self._left is not None:
+        self._lent = lent_of(execution, made[0], self._values["ReuseLimit"])
+        if self._lent is not None:
             self._job = engine.Job()
         else:
             self._job.release(min(self._values["ReuseLimit"] * 1024, 2**62))
 
     def _take_back(self):
-        """What the last execution left, for its memory."""
-        left, self._left = self._left, None
-        self._job = left and left.close() or self._job
+        """What the last execution lent, for its memory."""
+        lent, self._lent = self._lent, None
+        self._job = lent and lent.close() or self._job
 
     def _pass_on(self, merged, made):
         """What the last execution made, if that was of the same."""
@@ -147,7 +147,7 @@ class _Executions:
         if not self._cache.fits(merged.input, merged.source, self.GetMTime()):
             return False
         self._cache.pass_on(merged.input, made)
-        if self._left is not None and not self._left.reads(merged.input):
+        if self._lent is not None and not self._lent.reads(merged.input):
             self._take_back()  # no other input is to be held
         self._values.update(dict.fromkeys(settings.SECONDS, 0.0))
         return True
@@ -300,7 +300,7 @@ def make_class(backend):
         self._transform = None
         self._warned_about_ranks = False
         self._job = engine.Job()
-        self._cache, self._left = OutputCache(backend), None
+        self._cache, self._lent = OutputCache(backend), None
         self._empty, self._empty_of = [], None  # the last outputs without a point, and the time of their settings
 
     members = dict(settings.all_methods(), __doc__=ABOUT,

@@ -14,7 +14,7 @@ from .arrays import GHOSTS, must_be_converted, new_array, view
 from .blocks import MOST_POINTS
 from .columns import NEAREST, Columns, blocks_of
 from .execution import Execution, Progress, threads_to_use
-from .left import borrow
+from .lent import borrow
 from .sampling import SampledSurface, area_of
 
 HIDDENPOINT = 2  # of vtkDataSetAttributes

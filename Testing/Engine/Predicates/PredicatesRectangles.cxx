@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rectangles with sides along the axes, which are known by their coordinates.
-#include "Predicates/CloserPairs.h"
 #include "Predicates/Filters.h"
+#include "Predicates/TighterFilterPairs.h"
 
 #include "PredicatesCases.h"
 #include "PredicatesOracle.h"

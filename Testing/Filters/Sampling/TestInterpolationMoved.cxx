@@ -69,7 +69,7 @@ void expectThePlane(WatchedInterpolation& sampler)
   EXPECT_LT(farthestFromPlane(sampler->GetOutput()), 1e-9);
 }
 
-/// The triangulation that the filter has left behind, for others and again for its own outputs.
+/// The triangulation that the filter has lent, for others and again for its own outputs.
 TEST(InterpolationMoved, OnASurfaceWhoseArrayWasMoved)
 {
   Buffers buffers;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangulation that is left behind is lent to one at a time, whoever asks from whatever thread.
+// A triangulation is lent to one at a time, whoever asks from whatever thread.
 #include "ContextSupport.h"
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 #include "FilterTestSupport.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +19,7 @@ namespace
 {
 
 using namespace ahdtest;
-using Kept = vtkAHDKeptTriangulation;
+using Lent = vtkAHDLentTriangulation;
 
 /// Lets so many threads go on at the same moment, again and again.
 class Barrier
@@ -58,17 +58,17 @@ struct Surface
     vtkNew<vtkCellArray> triangles;
     triangles->InsertNextCell({ vtkIdType(0), vtkIdType(1), vtkIdType(2) });
     this->Data->SetPolys(triangles);
-    auto content = std::make_unique<vtkAHDLeftTriangulation>();
+    auto content = std::make_unique<Lent::Content>();
     EXPECT_TRUE(this->Lender->Keep(content, this->Data, Work(1).Context));
     EXPECT_EQ(content, nullptr);
   }
 
   vtkSmartPointer<vtkPolyData> Data = makeCloud({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } });
-  vtkNew<Kept> Lender;
+  vtkNew<Lent> Lender;
 };
 
 /// All ask at the same moment; who has it works on while the others ask again.
-TEST(KeptTriangulation, IsLentToOneAtATime)
+TEST(LentTriangulation, IsLentToOneAtATime)
 {
   constexpr int kThreads = 2, kRounds = 3000;
   Surface surface;
@@ -79,13 +79,13 @@ TEST(KeptTriangulation, IsLentToOneAtATime)
     const Work work(1);
     for (int round = 0; round < kRounds; ++round)
     {
-      vtkSmartPointer<Kept> lender, again;
+      vtkSmartPointer<Lent> lender, again;
       barrier.Wait();
-      Kept::Content content = Kept::Borrow(surface.Data, work.Context, lender);
+      Lent::ContentPointer content = Lent::Borrow(surface.Data, work.Context, lender);
       lent += content ? 1 : 0;
       barrier.Wait();
       wrong += lent == 1 ? 0 : 1;
-      wrong += Kept::Borrow(surface.Data, work.Context, again) ? 1 : 0;
+      wrong += Lent::Borrow(surface.Data, work.Context, again) ? 1 : 0;
       barrier.Wait();
       lent = 0;
       if (content)
@@ -106,21 +106,21 @@ TEST(KeptTriangulation, IsLentToOneAtATime)
   EXPECT_EQ(wrong, 0);
 }
 
-TEST(KeptTriangulation, IsGoneWhenItIsClosed)
+TEST(LentTriangulation, IsGoneWhenItIsClosed)
 {
   Surface surface;
   const Work work(1);
-  vtkSmartPointer<Kept> lender, none;
-  Kept::Content content = Kept::Borrow(surface.Data, work.Context, lender);
+  vtkSmartPointer<Lent> lender, none;
+  Lent::ContentPointer content = Lent::Borrow(surface.Data, work.Context, lender);
   ASSERT_NE(content, nullptr);
   EXPECT_EQ(lender, surface.Lender.Get());
   EXPECT_EQ(surface.Lender->Close(), nullptr) << "it is lent";
   lender->GiveBack(std::move(content));
-  EXPECT_EQ(Kept::Borrow(surface.Data, work.Context, none), nullptr);
+  EXPECT_EQ(Lent::Borrow(surface.Data, work.Context, none), nullptr);
 }
 
 /// Lines and vertices that limits leave are the surface's own.
-TEST(KeptTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
+TEST(LentTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   filter->SetInputData(
@@ -130,8 +130,8 @@ TEST(KeptTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 1);
   EXPECT_GT(filter->GetOutput()->GetNumberOfLines(), 0);
   EXPECT_GT(filter->GetOutput()->GetNumberOfVerts(), 0);
-  vtkSmartPointer<Kept> lender;
-  const Kept::Content content = Kept::Borrow(filter->GetOutput(), Work(1).Context, lender);
+  vtkSmartPointer<Lent> lender;
+  const Lent::ContentPointer content = Lent::Borrow(filter->GetOutput(), Work(1).Context, lender);
   ASSERT_NE(content, nullptr);
   const ahd::Selection& selection = content->Made.selection;
   EXPECT_EQ(selection.keptCount, 1u);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Execution/vtkAHDKeptTriangulation.h"
+#include "Execution/vtkAHDLentTriangulation.h"
 
 #include "Execution/vtkAHDFingerprint.h"
 #include "Pipeline/vtkAHDContext.h"
@@ -16,8 +16,8 @@
 #include <algorithm>
 #include <utility>
 
-vtkStandardNewMacro(vtkAHDKeptTriangulation);
-vtkInformationKeyMacro(vtkAHDKeptTriangulation, KEPT, ObjectBase);
+vtkStandardNewMacro(vtkAHDLentTriangulation);
+vtkInformationKeyMacro(vtkAHDLentTriangulation, LENT, ObjectBase);
 
 namespace
 {
@@ -30,8 +30,8 @@ bool IsAt(vtkDataArray* array, const void* place)
 
 /// Of the surface's points and corners, and of what the triangulation borrows. False if that cannot
 /// be known again, or lies elsewhere than where the triangulation reads it.
-bool vtkAHDKeptTriangulation::TakePrints(const vtkAHDLeftTriangulation& content,
-  vtkPolyData* surface, const vtkAHDContext& context, Prints& prints)
+bool vtkAHDLentTriangulation::TakePrints(
+  const Content& content, vtkPolyData* surface, const vtkAHDContext& context, Prints& prints)
 {
   vtkDataArray* const shown = surface->GetPoints()->GetData();
   vtkDataArray* const places = content.Borrowed[0];
@@ -46,7 +46,7 @@ bool vtkAHDKeptTriangulation::TakePrints(const vtkAHDLeftTriangulation& content,
   return places == shown || vtkAHDTakeFingerprint(places, context, prints[1]);
 }
 
-bool vtkAHDKeptTriangulation::HasCellsOf(vtkPolyData* surface) const
+bool vtkAHDLentTriangulation::HasCellsOf(vtkPolyData* surface) const
 {
   vtkCellArray* const cells = surface->GetPolys();
   vtkDataArray* const corners = cells->GetConnectivityArray();
@@ -54,15 +54,15 @@ bool vtkAHDKeptTriangulation::HasCellsOf(vtkPolyData* surface) const
     cells->GetNumberOfCells() == this->Triangles && surface->GetPoints();
 }
 
-bool vtkAHDKeptTriangulation::Keep(
-  Content& content, vtkPolyData* surface, const vtkAHDContext& context)
+bool vtkAHDLentTriangulation::Keep(
+  ContentPointer& content, vtkPolyData* surface, const vtkAHDContext& context)
 {
   vtkDataArray* const corners = surface->GetPolys()->GetConnectivityArray();
   if (!TakePrints(*content, surface, context, this->AtTheTime))
   {
     return false;
   }
-  corners->GetInformation()->Set(KEPT(), this);
+  corners->GetInformation()->Set(LENT(), this);
   this->Corners = corners;
   this->CornersTime = corners->GetMTime();
   this->Triangles = surface->GetPolys()->GetNumberOfCells();
@@ -72,38 +72,38 @@ bool vtkAHDKeptTriangulation::Keep(
   return true;
 }
 
-vtkAHDKeptTriangulation::Content vtkAHDKeptTriangulation::Borrow(vtkPolyData* surface,
-  const vtkAHDContext& context, vtkSmartPointer<vtkAHDKeptTriangulation>& lender)
+vtkAHDLentTriangulation::ContentPointer vtkAHDLentTriangulation::Borrow(vtkPolyData* surface,
+  const vtkAHDContext& context, vtkSmartPointer<vtkAHDLentTriangulation>& lender)
 {
   vtkDataArray* const corners = surface->GetPolys()->GetConnectivityArray();
   if (!corners || !corners->HasInformation())
   {
     return nullptr;
   }
-  const vtkSmartPointer<vtkAHDKeptTriangulation> kept = vtkAHDKeptTriangulation::SafeDownCast(
-    corners->GetInformation()->Get(KEPT()));
-  if (!kept || !kept->HasCellsOf(surface))
+  const vtkSmartPointer<vtkAHDLentTriangulation> lent = vtkAHDLentTriangulation::SafeDownCast(
+    corners->GetInformation()->Get(LENT()));
+  if (!lent || !lent->HasCellsOf(surface))
   {
     return nullptr;
   }
-  Content content = kept->Take();
+  ContentPointer content = lent->Take();
   Prints now;
-  if (content && (!TakePrints(*content, surface, context, now) || now != kept->AtTheTime))
+  if (content && (!TakePrints(*content, surface, context, now) || now != lent->AtTheTime))
   {
-    kept->GiveBack(std::move(content));
+    lent->GiveBack(std::move(content));
     return nullptr;
   }
-  lender = kept;
+  lender = lent;
   return content;
 }
 
-vtkAHDKeptTriangulation::Content vtkAHDKeptTriangulation::Take()
+vtkAHDLentTriangulation::ContentPointer vtkAHDLentTriangulation::Take()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   return std::move(this->Here);
 }
 
-void vtkAHDKeptTriangulation::GiveBack(Content content)
+void vtkAHDLentTriangulation::GiveBack(ContentPointer content)
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (!this->IsClosed)
@@ -112,14 +112,14 @@ void vtkAHDKeptTriangulation::GiveBack(Content content)
   }
 }
 
-vtkAHDKeptTriangulation::Content vtkAHDKeptTriangulation::Close()
+vtkAHDLentTriangulation::ContentPointer vtkAHDLentTriangulation::Close()
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->IsClosed = true;
   return std::move(this->Here);
 }
 
-bool vtkAHDKeptTriangulation::BorrowsFrom(vtkPointSet* input) const
+bool vtkAHDLentTriangulation::BorrowsFrom(vtkPointSet* input) const
 {
   vtkDataArray* const places = input->GetPoints() ? input->GetPoints()->GetData() : nullptr;
   vtkDataArray* const marks = input->GetPointGhostArray();
@@ -128,22 +128,10 @@ bool vtkAHDKeptTriangulation::BorrowsFrom(vtkPointSet* input) const
   return isOneOf(0, places) && isOneOf(1, marks);
 }
 
-void vtkAHDLeftBehind::TakeBackUnlessOf(vtkPointSet* input, ahd::Workspace& workspace)
+void vtkAHDLentTriangulation::TakeBack(ahd::Workspace& workspace)
 {
-  if (this->Last && !this->Last->BorrowsFrom(input))
+  if (const ContentPointer content = this->Close())
   {
-    this->TakeBack(workspace);
-  }
-}
-
-void vtkAHDLeftBehind::TakeBack(ahd::Workspace& workspace)
-{
-  if (this->Last)
-  {
-    if (const vtkAHDKeptTriangulation::Content content = this->Last->Close())
-    {
-      workspace.reclaim(std::move(content->Made.triangulation));
-    }
-    this->Last = nullptr;
+    workspace.reclaim(std::move(content->Made.triangulation));
   }
 }

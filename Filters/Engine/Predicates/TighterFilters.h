@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ahd_CloserFilters_h
-#define ahd_CloserFilters_h
+#ifndef ahd_TighterFilters_h
+#define ahd_TighterFilters_h
 
 #include "Filters.h"
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ahd_CloserPairs_h
-#define ahd_CloserPairs_h
+#ifndef ahd_TighterFilterPairs_h
+#define ahd_TighterFilterPairs_h
 
 #include "FilterPairs.h"
 
 /// What the filter of two triangles at once leaves open among slivers, for two at once again: that
-/// of sharp cross products (CloserFilters.h).
+/// of sharp cross products (TighterFilters.h).
 namespace ahd
 {
 inline namespace AHD_TARGET
@@ -36,7 +36,7 @@ struct SeenPoint
   MaskPair isExact;
 };
 
-/// isExactDifference() in CloserFilters.h says why.
+/// isExactDifference() in TighterFilters.h says why.
 AHD_ALWAYS_INLINE SeenPoint seenPoint(Pair p, const Point& a)
 {
   const Pair at = coordinates(a);
@@ -44,7 +44,7 @@ AHD_ALWAYS_INLINE SeenPoint seenPoint(Pair p, const Point& a)
   return { vector, areEqual(at - vector, p) & areEqual(p + vector, at) };
 }
 
-/// A x B with a relative error of at most 2u (that of single numbers is in CloserFilters.h).
+/// A x B with a relative error of at most 2u (that of single numbers is in TighterFilters.h).
 AHD_ALWAYS_INLINE Pair sharpCross(const VectorPair& a, const VectorPair& b)
 {
   const Pair right = a.y * b.x;

@@ -2,8 +2,8 @@
 //
 // The filters that are asked second: never wrong, and they decide nearly all that slivers leave
 // open.
-#include "Predicates/CloserFilters.h"
-#include "Predicates/CloserPairs.h"
+#include "Predicates/TighterFilterPairs.h"
+#include "Predicates/TighterFilters.h"
 
 #include "ExactSigns.h"
 #include "PredicatesCases.h"
@@ -87,7 +87,7 @@ void ask(const Quadruple& q, Answers& answers)
   }
 }
 
-TEST(PredicatesCloser, WhatIsDecidedIsRight)
+TEST(PredicatesTighter, WhatIsDecidedIsRight)
 {
   for (const Family family : { Family::AnyExponents, Family::AnyBits, Family::Extremes,
          Family::TinyAndHuge, Family::Subnormals, Family::WideExponents, Family::Uniform,
@@ -107,7 +107,7 @@ TEST(PredicatesCloser, WhatIsDecidedIsRight)
 }
 
 /// On the way down everything underflows in turn, on the way up it overflows.
-TEST(PredicatesCloser, WhatIsDecidedIsRightAtEveryScale)
+TEST(PredicatesTighter, WhatIsDecidedIsRightAtEveryScale)
 {
   for (const Family family : { Family::Uniform, Family::NearlyCollinear, Family::NearlyCircular })
   {
@@ -129,7 +129,7 @@ TEST(PredicatesCloser, WhatIsDecidedIsRightAtEveryScale)
 
 /// Each point at a scale of its own: products of the near ones underflow, and are multiplied by the
 /// far one.
-TEST(PredicatesCloser, WhatIsDecidedIsRightWhereScalesDiffer)
+TEST(PredicatesTighter, WhatIsDecidedIsRightWhereScalesDiffer)
 {
   Cases source(Family::Uniform);
   Answers answers;
@@ -149,7 +149,7 @@ TEST(PredicatesCloser, WhatIsDecidedIsRightWhereScalesDiffer)
 }
 
 /// A so near to P that its squared length underflows, on the tangent of the circle of P, b and c.
-TEST(PredicatesCloser, UnderflowIsNotTakenForCertainty)
+TEST(PredicatesTighter, UnderflowIsNotTakenForCertainty)
 {
   Cases source(Family::Lattice);
   const auto digit = [&] { return double(source.below(std::uint64_t(1) << 53)) - 0x1p52; };
@@ -167,7 +167,7 @@ TEST(PredicatesCloser, UnderflowIsNotTakenForCertainty)
 }
 
 /// P, b and c near each other, a on their circle on the other side: rounded as P sees it.
-TEST(PredicatesCloser, WhatIsSeenRoundedIsNotTakenForExact)
+TEST(PredicatesTighter, WhatIsSeenRoundedIsNotTakenForExact)
 {
   Cases source(Family::Lattice);
   const auto onCircle = [&](double angle) {
@@ -188,7 +188,7 @@ TEST(PredicatesCloser, WhatIsSeenRoundedIsNotTakenForExact)
 #if defined(__FMA__)
 /// Of two triangles at once, each with the point that is not seen exactly in each place: only the
 /// one that has it is left open.
-TEST(PredicatesCloser, OfAPairOnlyWhatIsRoundedIsLeftOpen)
+TEST(PredicatesTighter, OfAPairOnlyWhatIsRoundedIsLeftOpen)
 {
   const Point p{ 0x1p-70, 0 }, a{ 0x1p-70, 1 }, b{ 0x1p-69, -1 }, c{ 0, 0x1p-60 };
   const Point f{ 0x1p-68, 3 }, g{ 0x1p-65, 5 };
@@ -217,7 +217,7 @@ std::vector<double> places(Cases& source)
 }
 
 /// Two neighbours on one side of y = x^2 and two on the other, near the circle of the first three.
-TEST(PredicatesCloser, PointsOfAParabolaAreDecidedByLengths)
+TEST(PredicatesTighter, PointsOfAParabolaAreDecidedByLengths)
 {
   Cases source(Family::Lattice);
   const std::vector<double> x = places(source);
@@ -238,7 +238,7 @@ TEST(PredicatesCloser, PointsOfAParabolaAreDecidedByLengths)
 #if defined(__FMA__)
 /// Points of y = x / 3, rounded: most lie on three lines, a third of a unit in the last place
 /// apart.
-TEST(PredicatesCloser, NearlyCollinearPointsAreDecidedBySharpCrosses)
+TEST(PredicatesTighter, NearlyCollinearPointsAreDecidedBySharpCrosses)
 {
   Cases source(Family::Lattice);
   const std::vector<double> x = places(source);
@@ -262,7 +262,7 @@ TEST(PredicatesCloser, NearlyCollinearPointsAreDecidedBySharpCrosses)
   EXPECT_GT(answers.orientations, answers.asked * 9 / 10);
 }
 #else
-TEST(PredicatesCloser, WithoutFusedMultiplyAddsSharpCrossesAreNotUsed)
+TEST(PredicatesTighter, WithoutFusedMultiplyAddsSharpCrossesAreNotUsed)
 {
   EXPECT_FALSE(inCircleBySharpCrosses({ 0, 0 }, { 1, 0 }, { 0, 1 }, { 0.5, 0.5 }));
   EXPECT_FALSE(orient2dBySharpCross({ 0, 0 }, { 1, 0 }, { 0.5, 0.5 }));

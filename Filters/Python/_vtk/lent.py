@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The triangulation that a surface was written from, for who interpolates on it:
-Filters/Execution/vtkAHDKeptTriangulation.h."""
+Filters/Execution/vtkAHDLentTriangulation.h."""
 
 import weakref
 
@@ -13,7 +13,7 @@ from .sampling import SampledSurface, skipped_of
 BYTES, POINT_BYTES = 1 << 20, 226  # with the tables of an interpolation, at most
 MARK_BYTES, KEPT_BYTES = 18, 2  # of constraints, and of limits on size, for each point
 
-_left = weakref.WeakValueDictionary()  # by the corners of the surface
+_lent = weakref.WeakValueDictionary()  # by the corners of the surface
 
 
 def _key(corners):
@@ -33,7 +33,7 @@ class _Shown:
         return self._arrays
 
 
-class LeftTriangulation:
+class LentTriangulation:
     """A job with its result, and the input that it reads, which is held. It is lent to one at a time, and only until
     the filter that made it takes it back, or is gone."""
 
@@ -43,7 +43,7 @@ class LeftTriangulation:
         self._corners = _key(surface.GetPolys().GetConnectivityArray())
         self._state = self._state_of(surface.GetPoints().GetData(), surface.GetPolys().GetConnectivityArray())
         if self._state is not None:
-            _left[self._corners] = self
+            _lent[self._corners] = self
 
     def _state_of(self, points, corners):
         """Of a surface and of what the job reads: fingerprints, and where the latter lies; None if that cannot be
@@ -83,29 +83,29 @@ class LeftTriangulation:
         return job
 
 
-def left_of(execution, surface, most):
-    """What an execution leaves, with its job: None if that would be of no use, or more than `most` KiB."""
+def lent_of(execution, surface, most):
+    """What an execution lends, with its job: None if that would be of no use, or more than `most` KiB."""
     count, values, given = execution.job.count, execution.values, execution.given
     for_each = POINT_BYTES + MARK_BYTES * bool(count("segments") or values["Rim"] == 2) + KEPT_BYTES * bool(
         values["Alpha"] > 0.0 or values["MaximumEdgeLength"] > 0.0)
     is_fit = surface.GetNumberOfPolys() > 0 and not (
         execution.found.is_projected or must_be_converted(given.GetPoints()))
     fits = execution.bytes_before + BYTES + for_each * count("points") < most * 1024
-    return LeftTriangulation(execution.job, given, surface) if is_fit and fits else None
+    return LentTriangulation(execution.job, given, surface) if is_fit and fits else None
 
 
 def borrow(asked):
     """A LentSurface for the surface that is `asked` for, an execution; None if its triangulation is not there, or
     points or triangles are others now."""
     corners = asked.surface.arrays()[0]
-    left = None if asked.found.is_projected else _left.get(_key(corners))
-    job = left and left.take()
+    lent = None if asked.found.is_projected else _lent.get(_key(corners))
+    job = lent and lent.take()
     if job is None:
         return None
-    if asked.given.GetPoints() is None or not left.fits(asked.given.GetPoints().GetData(), corners):
-        left.give_back(job)
+    if asked.given.GetPoints() is None or not lent.fits(asked.given.GetPoints().GetData(), corners):
+        lent.give_back(job)
         return None
-    return LentSurface(asked, job, left)
+    return LentSurface(asked, job, lent)
 
 
 class LentSurface(SampledSurface):
