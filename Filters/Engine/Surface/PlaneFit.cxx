@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PlaneFit.h"
 
+#include "../Arithmetic/DoubleDouble.h"
+#include "../Core/Loops.h"
 #include "Eigenvectors.h"
-#include "PlaneFitWork.h"
+#include "PlaneMoments.h"
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,23 +15,265 @@
 
 namespace ahd
 {
-
-double PlaneFitting::Work::largestMagnitude() const
+namespace
 {
-  return std::max({ magnitude(0), magnitude(1), magnitude(2) });
+
+using WideMatrix = std::array<std::array<DoubleDouble, 3>, 3>;
+
+/// The number, wrong by less than 2^-100 of itself.
+template <int N>
+DoubleDouble rounded(const WideInteger<N>& whole)
+{
+  DoubleDouble sum;
+  for (int i = whole.size; i-- > 0;)
+  {
+    const double high = static_cast<double>(whole.word[i] >> 32) * 0x1p32;
+    const double low = static_cast<double>(whole.word[i] & 0xFFFFFFFFu);
+    sum = sum + scaled(exactSum(high, low), std::ldexp(1.0, 64 * i));
+  }
+  return whole.negative ? -sum : sum;
 }
 
-/// How wide points on a line may be along this axis because their coordinates are rounded: as the
-/// largest is. Points that have a coordinate in common lie in a plane as it is, so of these no more
-/// is taken for a line than the rounding along the axis can make.
+DoubleDouble shifted(const DoubleDouble& a, int exponent)
+{
+  return { std::ldexp(a.high, exponent), std::ldexp(a.low, exponent) };
+}
+
+/// The matrix in the system of the axes, rounded. Small elements are as exact as large ones.
+Matrix3 seenAlong(const Matrix3& axes, const WideMatrix& matrix)
+{
+  Matrix3 seen;
+  for (std::size_t a = 0; a < 3; ++a)
+  {
+    for (std::size_t b = a; b < 3; ++b)
+    {
+      DoubleDouble sum;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        DoubleDouble row;
+        for (std::size_t j = 0; j < 3; ++j)
+        {
+          row = row + matrix[i][j] * DoubleDouble{ axes[b][j], 0.0 };
+        }
+        sum = sum + row * DoubleDouble{ axes[a][i], 0.0 };
+      }
+      seen[a][b] = seen[b][a] = sum.value();
+    }
+  }
+  return seen;
+}
+
+/// Turns the axes to the eigenvectors of a matrix that is seen along them; its diagonal becomes the
+/// eigenvalues.
+void turn(Matrix3& axes, Matrix3& seen)
+{
+  const Matrix3 vectors = findEigenvectors(seen);
+  Matrix3 turned;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      turned[k][i] = vectors[0][k] * axes[0][i] + vectors[1][k] * axes[1][i] +
+        vectors[2][k] * axes[2][i];
+    }
+  }
+  axes = turned;
+}
+
+} // namespace
+
+/// The state of the fit.
+class PlaneFitting::Work
+{
+public:
+  Work(const PointView& points, bool areDoubles)
+    : points_(points)
+    , precision_(areDoubles ? DBL_EPSILON : double(FLT_EPSILON))
+  {
+  }
+
+  bool isDone() const { return step_ == Step::Done; }
+  bool look(Ticker& ticker);
+  void goOn();
+  /// Calls visit(what this step finds).
+  template <typename Visit>
+  void withFound(const Visit& visit)
+  {
+    step_ == Step::Extent ? visit(around_) : visit(moments_);
+  }
+  const PlaneFit& fit() const { return fit_; }
+
+private:
+  enum class Step
+  {
+    Extent,
+    Moments,
+    Done
+  };
+
+  template <typename Part, typename Add>
+  bool sweep(Part& total, const Add& add, Ticker& ticker) const;
+  void chooseScales();
+  WideMatrix covariance() const;
+  Vector3 mean() const;
+  void choosePlane();
+  Vector3 chooseNormal(const Matrix3& axes, const Matrix3& spread) const;
+  void takeCommonCoordinate();
+  double magnitude(std::size_t k) const { return std::max(-around_.low[k], around_.high[k]); }
+  double roundingAlong(const Vector3& axis) const;
+
+  const PointView points_;
+  const double precision_; ///< of the coordinates
+  Step step_ = Step::Extent;
+  PlaneExtent around_;
+  std::array<PlaneScale, 3> scales_;
+  int unit_ = 0; ///< the points are apart by a 32nd of 2^unit_ at most
+  PlaneMoments moments_;
+  PlaneFit fit_;
+};
+
+/// Calls add(part, place) for all points that count; the parts become the total.
+template <typename Part, typename Add>
+bool PlaneFitting::Work::sweep(Part& total, const Add& add, Ticker& ticker) const
+{
+  const PointView& points = points_;
+  return gather(points.count, ticker, total,
+    [&points, &add](Part& part, std::size_t begin, std::size_t end)
+    {
+      constexpr std::size_t kAhead = 96;
+      Part own; // which no other thread's line holds, nor a pointer
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        points.prefetch(i + kAhead);
+        const Vector3 p = points.place(i);
+        if (p[0] * 0 + p[1] * 0 + p[2] * 0 == 0 && !points.skipped(i))
+        {
+          add(own, p);
+        }
+      }
+      part.merge(own);
+    });
+}
+
+bool PlaneFitting::Work::look(Ticker& ticker)
+{
+  if (step_ == Step::Extent)
+  {
+    return sweep(
+             around_, [](PlaneExtent& part, const Vector3& p) { part.add(p); }, ticker) &&
+      ticker.ask();
+  }
+  const std::array<PlaneScale, 3> scales = scales_;
+  const auto add = [&scales](PlaneMoments& part, const Vector3& p) {
+    part.add({ { scales[0](p[0]), scales[1](p[1]), scales[2](p[2]) } });
+  };
+  return sweep(moments_, add, ticker);
+}
+
+void PlaneFitting::Work::goOn()
+{
+  if (step_ == Step::Moments)
+  {
+    choosePlane();
+  }
+  else if (around_.count != 0)
+  {
+    chooseScales();
+    step_ = Step::Moments;
+    return;
+  }
+  step_ = Step::Done;
+}
+
+/// p - origin is exact for all points: where the origin is not zero, all p are three times as large
+/// as they are apart, so the difference has no digit before the first or behind the last of p.
+void PlaneFitting::Work::chooseScales()
+{
+  int exponent = std::numeric_limits<int>::min();
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double low = around_.low[k], high = around_.high[k];
+    const double centre = low / 2 + high / 2;
+    double origin = low;
+    if (low != high)
+    {
+      const double half = std::max(high / 2 - low / 2, std::numeric_limits<double>::denorm_min());
+      int e = 0;
+      std::frexp(half, &e); // half the extent is below 2^e
+      origin = 0.0;
+      if (std::fabs(centre) >= 8 * half)
+      {
+        origin = std::ldexp(std::nearbyint(std::ldexp(centre, -e - 1)), e + 1);
+      }
+      exponent = std::max(exponent, e + 1); // the extent is below 2^exponent
+    }
+    scales_[k] = PlaneScale(origin, std::max(std::fabs(low - origin), std::fabs(high - origin)));
+    fit_.origin[k] = origin;
+  }
+  unit_ = exponent == std::numeric_limits<int>::min() ? 0 : exponent + 5;
+}
+
+/// In squares of units. The exact one of the whole numbers, n sum(x y) - sum(x) sum(y) over n n,
+/// but for rounding in the end.
+WideMatrix PlaneFitting::Work::covariance() const
+{
+  const auto n = wideFrom<WideInteger<1>>(static_cast<std::uint64_t>(around_.count), 0, false);
+  const DoubleDouble count{ around_.count, 0.0 };
+  WideMatrix result;
+  for (std::size_t k = 0; k < 6; ++k)
+  {
+    const std::size_t i = PlaneMoments::kFirst[k], j = PlaneMoments::kSecond[k];
+    const auto times = n * moments_.product[k].value() -
+      moments_.single[i].value() * moments_.single[j].value();
+    const int exponent = scales_[i].exponent + scales_[j].exponent - 2 * unit_;
+    result[i][j] = result[j][i] = shifted(rounded(times) / count / count, exponent);
+  }
+  return result;
+}
+
+/// From the origin, in units.
+Vector3 PlaneFitting::Work::mean() const
+{
+  Vector3 mean;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const auto zeros = wideFrom<WideInteger<2>>(
+      static_cast<std::uint64_t>(around_.count), PlaneScale::kBits, false);
+    const double sum = rounded(moments_.single[k].value() - zeros).value();
+    mean[k] = std::ldexp(sum / around_.count, scales_[k].exponent - unit_);
+  }
+  return mean;
+}
+
+void PlaneFitting::Work::choosePlane()
+{
+  // Twice: in the system that the first round finds, the second sees small differences beside large
+  // ones, as of a thin band.
+  const WideMatrix matrix = covariance();
+  Matrix3 axes = { { unitAxis(0), unitAxis(1), unitAxis(2) } };
+  Matrix3 seen = seenAlong(axes, matrix);
+  turn(axes, seen);
+  seen = seenAlong(axes, matrix);
+  turn(axes, seen);
+  fit_.normal = chooseNormal(axes, seen);
+  const PowerOfTwo unit = powerOfTwo(unit_);
+  fit_.height = dot(fit_.normal, mean()) * unit.first * unit.second;
+  fit_.shrink = std::max({ magnitude(0), magnitude(1), magnitude(2) }) > 0x1p1000 ? 0x1p-32 : 1.0;
+  takeCommonCoordinate();
+}
+
+/// How wide points on a line may be along this axis, in units, because their coordinates are
+/// rounded: as the largest is. Points that have a coordinate in common lie in a plane as it is, so
+/// of these no more is taken for a line than the rounding along the axis can make.
 double PlaneFitting::Work::roundingAlong(const Vector3& axis) const
 {
+  const PowerOfTwo perUnit = powerOfTwo(-unit_);
   double largest = 0.0, along = 0.0;
   bool isFlat = false;
   for (std::size_t k = 0; k < 3; ++k)
   {
     const bool isCommon = around_.low[k] == around_.high[k];
-    const double most = isCommon ? 0.0 : (magnitude(k) * places_.factors[0]) * places_.factors[1];
+    const double most = isCommon ? 0.0 : magnitude(k) * perUnit.first * perUnit.second;
     isFlat = isFlat || isCommon;
     largest = std::max(largest, most);
     along += std::fabs(axis[k]) * most;
@@ -36,80 +281,7 @@ double PlaneFitting::Work::roundingAlong(const Vector3& axis) const
   return 2 * (isFlat ? along : largest) * precision_;
 }
 
-/// p - origin is exact for all points: where the origin is not zero, all p are three times as large
-/// as they are apart, so the difference has no digit before the first or behind the last of p.
-void PlaneFitting::Work::chooseOrigin()
-{
-  int exponent = std::numeric_limits<int>::min();
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    const double low = around_.low[k] / 2;
-    const double high = around_.high[k] / 2;
-    const double centre = low + high;
-    int e = 0;
-    std::frexp(high - low, &e); // half the extent is below 2^e
-    if (high == low)
-    {
-      places_.origin[k] = around_.low[k];
-      continue;
-    }
-    if (std::fabs(centre) >= 8 * (high - low))
-    {
-      places_.origin[k] = std::ldexp(std::nearbyint(std::ldexp(centre, -e - 1)), e + 1);
-    }
-    exponent = std::max(exponent, e + 1); // the extent is below 2^exponent
-  }
-  exponent = exponent == std::numeric_limits<int>::min() ? 0 : exponent + 5;
-  places_.factors[0] = clampedPowerOfTwo(-exponent / 2);
-  places_.factors[1] = clampedPowerOfTwo(-exponent - -exponent / 2);
-}
-
-/// What the axes are scaled by, for products that do not get lost.
-Vector3 PlaneFitting::Work::factorsOf(const Vector3& reach)
-{
-  Vector3 factor;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    int e = 0;
-    std::frexp(reach[k], &e);
-    factor[k] = clampedPowerOfTwo(std::min(-e, 1000));
-  }
-  return factor;
-}
-
-/// How far the points reach from the mean along each coordinate: fromMean() is monotone.
-Vector3 PlaneFitting::Work::reachOfExtent() const
-{
-  Vector3 reach;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    reach[k] = std::max(std::fabs(places_.fromMean(around_.low[k], k)),
-      std::fabs(places_.fromMean(around_.high[k], k)));
-  }
-  return reach;
-}
-
-/// The covariance of the points in the system of the axes. Its small elements are as exact as its
-/// large ones, as far as the coordinates are.
-Matrix3 PlaneFitting::Work::spreadOfProducts() const
-{
-  const Vector3 factor = factorsOf(reach_);
-  const double n = around_.count;
-  Matrix3 spread;
-  std::size_t pair = 0;
-  for (std::size_t i = 0; i < 3; ++i)
-  {
-    for (std::size_t j = i; j < 3; ++j)
-    {
-      const double mean = products_[pair++].value() / n -
-        (products_[6 + i].value() / n) * (products_[6 + j].value() / n);
-      spread[i][j] = spread[j][i] = mean / factor[i] / factor[j];
-    }
-  }
-  return spread;
-}
-
-Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
+Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& axes, const Matrix3& spread) const
 {
   std::array<std::size_t, 3> by = { { 0, 1, 2 } }; // decreasing spread
   std::sort(by.begin(), by.end(),
@@ -120,15 +292,15 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& spread) const
     return unitAxis(2);
   }
   // A width that the rounding of the coordinates alone would make is none.
-  const double rounding = roundingAlong(axes_[by[1]]);
+  const double rounding = roundingAlong(axes[by[1]]);
   if (std::sqrt(std::max(0.0, spread[by[1]][by[1]])) <= rounding + 0x1p-50)
   {
-    const Vector3& line = axes_[by[0]];
+    const Vector3& line = axes[by[0]];
     const bool isSteep = std::fabs(line[2]) >
       1.000001 * std::max(std::fabs(line[0]), std::fabs(line[1]));
     return perpendicular(unitAxis(isSteep ? 1 : 2), line);
   }
-  return axes_[by[2]];
+  return axes[by[2]];
 }
 
 /// Where the plane is that of a coordinate which all points have in common, it is so exactly: then
@@ -149,99 +321,7 @@ void PlaneFitting::Work::takeCommonCoordinate()
   }
 }
 
-/// Into the system of the spread's eigenvectors.
-void PlaneFitting::Work::turnAxes(Matrix3& spread)
-{
-  const Matrix3 vectors = findEigenvectors(spread);
-  Matrix3 turned;
-  for (std::size_t k = 0; k < 3; ++k)
-  {
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      turned[k][i] = vectors[0][k] * axes_[0][i] + vectors[1][k] * axes_[1][i] +
-        vectors[2][k] * axes_[2][i];
-    }
-  }
-  axes_ = turned;
-}
-
-bool PlaneFitting::Work::look(Ticker& ticker)
-{
-  switch (step_)
-  {
-    case Step::Extent:
-      return findExtent(ticker) && ticker.ask();
-    case Step::Mean:
-      return sweep(PlaneSums{}, sums_, ticker); // from the origin: there is no mean yet
-    case Step::Reach:
-      return sweep(PlaneReaches{ axes_ }, reaches_, ticker);
-    default:
-      products_ = ExactSums<9>();
-      return sweep(PlaneProducts{ axes_, factorsOf(reach_) }, products_, ticker);
-  }
-}
-
-void PlaneFitting::Work::goOn()
-{
-  switch (step_)
-  {
-    case Step::Extent:
-      step_ = around_.count == 0 ? Step::Done : Step::Mean;
-      if (step_ == Step::Mean)
-      {
-        chooseOrigin();
-      }
-      return;
-    case Step::Mean:
-      for (std::size_t k = 0; k < 3; ++k)
-      {
-        places_.mean[k] = sums_[k].value() / around_.count;
-      }
-      reach_ = reachOfExtent();
-      step_ = Step::Spread;
-      return;
-    case Step::Reach:
-      reach_ = reaches_.farthest();
-      step_ = Step::LastSpread;
-      return;
-    default:
-      break;
-  }
-  // Twice: in the system that the first round finds, the second sees small differences beside large
-  // ones, as of a thin band.
-  Matrix3 spread = spreadOfProducts();
-  turnAxes(spread);
-  if (step_ == Step::Spread)
-  {
-    step_ = Step::Reach;
-    return;
-  }
-  fit_.normal = chooseNormal(spread);
-  fit_.origin = places_.origin;
-  fit_.height = dot(fit_.normal, places_.mean) / places_.factors[0] / places_.factors[1];
-  fit_.shrink = largestMagnitude() > 0x1p1000 ? 0x1p-32 : 1.0;
-  takeCommonCoordinate();
-  step_ = Step::Done;
-}
-
 // ------------------------------------------------------------------------------- of several parts
-
-/// Calls visit(what this step finds).
-template <typename Visit>
-void PlaneFitting::Work::withFound(const Visit& visit)
-{
-  switch (step_)
-  {
-    case Step::Extent:
-      return visit(around_);
-    case Step::Mean:
-      return visit(sums_);
-    case Step::Reach:
-      return visit(reaches_);
-    default:
-      return visit(products_);
-  }
-}
 
 PlaneFitting::PlaneFitting(const PointView& points, bool areDoubles)
   : work_(new Work(points, areDoubles))
