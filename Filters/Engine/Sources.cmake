@@ -47,9 +47,23 @@ if (AHD_WARNINGS_ARE_ERRORS AND (
   set(ahd_engine_errors -Werror)
 endif ()
 
-# One program for all processors, or code for several instruction sets, chosen at run time.
-option(AHD_PORTABLE "Leave out the code for processors that know more instructions" OFF)
-mark_as_advanced(AHD_PORTABLE)
-if (AHD_PORTABLE)
+# One program for all processors, or code for several instruction sets, chosen at run time. GCC does not align the
+# stack for those on Windows (its PR 54412).
+set(ahd_portable OFF)
+if (WIN32 AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  set(ahd_portable ON)
+endif ()
+option(AHD_PORTABLE "Leave out the code for processors that know more instructions" ${ahd_portable})
+# MSVC has neither that nor 128-bit integers; clang-cl would need a runtime library for them.
+set(ahd_portable OFF)
+if (MSVC)
+  set(ahd_portable ON)
+endif ()
+option(AHD_PORTABLE_ARITHMETIC "Of C++17 alone: AHD_PORTABLE, and no 128-bit integers" ${ahd_portable})
+mark_as_advanced(AHD_PORTABLE AHD_PORTABLE_ARITHMETIC)
+if (AHD_PORTABLE OR AHD_PORTABLE_ARITHMETIC)
   list(APPEND ahd_engine_options -DAHD_PORTABLE)
+endif ()
+if (AHD_PORTABLE_ARITHMETIC)
+  list(APPEND ahd_engine_options -DAHD_WITHOUT_INT128)
 endif ()

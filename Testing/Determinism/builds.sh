@@ -26,10 +26,10 @@ declare -A flags=(
   [g++-native]='-O3 -march=native'
   [g++-flto]='-O2 -flto=auto -ffat-lto-objects -Wodr -Werror=odr'
   [g++-unroll]='-O3 -funroll-all-loops -fipa-pta'
-  [g++-portable]='-O2 -DAHD_PORTABLE'
-  [g++-without-int128]='-O2 -DAHD_WITHOUT_INT128'
+  [g++-portable]='-O2'
   [clang++-O0]='-O0'
   [clang++-O1]='-O1'
+  [clang++-portable]='-O1'
   [clang++-O3]='-O3'
   [clang++-native]='-O3 -march=native'
 )
@@ -46,7 +46,9 @@ names=("$@")
 # one <name>
 one() {
   local build=$folder/$1
-  cmake -S "$root/Testing/Engine" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None \
+  local portable=OFF # as for a compiler without GCC's extensions
+  [[ $1 != *-portable ]] || portable=ON
+  cmake -S "$root/Testing/Engine" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=None -DAHD_PORTABLE_ARITHMETIC=$portable \
     -DCMAKE_CXX_COMPILER="${1%%-*}" -DCMAKE_CXX_FLAGS="${flags[$1]}" \
     -DCMAKE_CXX_COMPILER_LAUNCHER="${CMAKE_CXX_COMPILER_LAUNCHER:-}" >"$build.log" 2>&1 &&
     cmake --build "$build" --target EngineHashes >>"$build.log" 2>&1 &&
