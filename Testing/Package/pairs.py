@@ -59,8 +59,8 @@ def called(command, environment=None):
 
 
 def interpreter(name):
-    """A Python of this version, the one that runs this or one of PATH or of pyenv, that works."""
-    found = [sys.executable, shutil.which(name)] + sorted(str(path) for path in Path.home().glob(
+    """A Python of this version, of PATH or of pyenv, that works."""
+    found = [shutil.which(name)] + sorted(str(path) for path in Path.home().glob(
         ".pyenv/versions/%s.*/bin/%s" % (name.replace("python", ""), name)))
     for path in filter(None, found):
         code, said = called([path, "-c", "import sys, venv, ensurepip; print('python%d.%d' % sys.version_info[:2])"])
@@ -78,7 +78,7 @@ def make_venv(folder, pair, package):
     """The Python of a venv with this pair, and with the wheel, if the package is one."""
     name, *wanted = pair.split(":")
     program = interpreter(name)
-    python = folder / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+    python = folder / "bin" / "python"
     stamp = folder / "pair.txt"
     if not (stamp.exists() and stamp.read_text(encoding="utf-8") == pair):
         code, said = called([program, "-m", "venv", "--clear", folder], clean_environment())
