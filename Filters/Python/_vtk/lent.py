@@ -39,6 +39,7 @@ class LentTriangulation:
 
     def __init__(self, job, given, surface):
         """`given`: the points of the run; `surface`: what was written of it."""
+        job.set_progress(None)  # which refers to the filter, and VTK before 9.7 frees no filter in a cycle
         self.given, self._here, self._is_closed = given, [job], False
         self._corners = _key(surface.GetPolys().GetConnectivityArray())
         self._state = self._state_of(surface.GetPoints().GetData(), surface.GetPolys().GetConnectivityArray())
@@ -111,7 +112,7 @@ def borrow(asked):
 class LentSurface(SampledSurface):
     """In place of one that is made, for one execution."""
 
-    is_lent = True
+    is_lent, known = True, None
 
     def __init__(self, asked, job, lender):
         self.backend, self.job, self.lender = asked.backend, job, lender
