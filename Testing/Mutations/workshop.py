@@ -17,7 +17,7 @@ from mutants import FILTER, FILTER_PROGRAMS, ROOT, engine_tests
 # What the tests of the engine and of the VTK layer are made of. Parts of Testing/ that are not here are
 # not configured.
 FOLDERS = ("Filters", "Testing/Engine", "Testing/Filters", "Testing/Support", "Data")
-FILES = ("CMakeLists.txt", "Testing/CMakeLists.txt", ".ci/mpi.env")
+FILES = ("CMakeLists.txt", "Testing/CMakeLists.txt", ".ci/mpi.env", ".ci/unquoted.txt")
 PARTS_OF_FILTER_TESTS = ("*-*Hashes*", "*Hashes*")  # hashes last
 WANT_A_PROCESS = "Messages.RunningOut*"  # of FilterTests: memory left over by others is enough for them
 SANITIZERS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
