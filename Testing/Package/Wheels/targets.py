@@ -113,7 +113,8 @@ def check_library(name, wheel):
 
 def check_name(name, wheel):
     """The tag is this target's, and pip takes the wheel there."""
-    assert wheel.name.endswith("-py3-none-%s.whl" % name) or "." + name + ".whl" in wheel.name, wheel.name
+    *_, python, abi, platforms = wheel.name[: -len(".whl")].split("-")
+    assert (python, abi) == ("py3", "none") and name in platforms.split("."), wheel.name  # auditwheel names several
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([sys.executable, "-m", "pip", "download", "-q", "--no-index", "--no-deps", "--only-binary=:all:",
                         "--find-links", str(wheel.parent), "--platform", name, "-d", folder,
