@@ -5,7 +5,8 @@
 
 First Wheels/check_wheel.py, then every test_*.py of these folders of Testing/Package, each in a process of its own. A
 line for each, and one for each test that was skipped, with the reason. The exit code is 1 if one failed.
-PYTHON is a program of this system, such as a script that starts Wine. It runs each file by
+PYTHON is a program of this system, such as a script that starts Wine. It runs each file, with AHD_TEST_EMULATED in the
+environment, by
 
     PYTHON elsewhere.py --tell FILE ARGUMENT...
 """
@@ -40,10 +41,11 @@ def run(python, file, *arguments):
     import pairs
 
     begun = time.monotonic()
-    code, said = pairs.called(
-        [python, HERE / "elsewhere.py", "--tell", file, *arguments], pairs.suite_environment([]))
-    ran = re.search(r"^Ran (\d+) tests?", said, re.M)
-    count = int(ran.group(1)) if ran else 1
+    pairs.SECONDS = 1800
+    environment = dict(pairs.suite_environment([]), AHD_TEST_EMULATED="1")
+    code, said = pairs.called([python, HERE / "elsewhere.py", "--tell", file, *arguments], environment)
+    ran = re.findall(r"^Ran (\d+) tests?", said, re.M)  # the last is the file's: a test may run others
+    count = int(ran[-1]) if ran else 1
     skipped = re.findall("^SKIPPED (.*)", said, re.M)
     passed = code == 0 and count > 0
     print("%-40s %s, %d of %d skipped, %.0f s" % (
