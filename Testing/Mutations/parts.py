@@ -39,7 +39,8 @@ VTK_LAYER = Tests(
     (*(("FilterTests", chosen) for chosen in LAYER), ("FaultsCancel", "-Long*"), ("FaultsMemory", "-Long*")),
 )
 JOB = Tests(
-    ("EngineCInterface", "EngineJobHashes", "EngineJobTrouble", "AdaptiveHilbertDelaunayPythonLibrary"),
+    ("EngineCInterface", "EngineJobHashes", "EngineJobSurface", "EngineJobTrouble",
+     "AdaptiveHilbertDelaunayPythonLibrary"),
     (),
     r"Engine\.(CInterface|Job\w+)|Package\.(Arrays|Class\.Python)\..*",
 )

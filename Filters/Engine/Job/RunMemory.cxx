@@ -215,12 +215,18 @@ std::size_t Estimate::writing() const
   constexpr std::size_t kRegions = 8 + 2 * 12;
   const bool looksUp = settings_.neighbors ||
     (hasMarks_ && (settings_.regions || settings_.constraintEdges || byCorners));
+  const std::size_t selected = perPoint(settings_.limitsSize() || hasSurface(), 2);
   if (settings_.samples) // all tables are made, except existing ones
   {
-    return perPoint(settings_.limitsSize() || hasSurface(), 2) + perPoint(true, kTables);
+    return selected + perPoint(true, kTables);
   }
-  return perPoint(settings_.limitsSize() || hasSurface(), 2 + ends + places) +
-    perPoint(byCorners, 24) + (selectsByAlpha() ? perPoint(true, 8) : perPoint(looksUp, kNumbers)) +
+  // A surface has all of them, too, to find its triangles.
+  const std::size_t tables = hasSurface() ? kTables - (hasMarks_ ? kTablesBehindConstraints : 0)
+    : selectsByAlpha()                    ? 8
+    : looksUp                             ? kNumbers
+                                          : 0;
+  return selected + perPoint(settings_.limitsSize() || hasSurface(), ends + places) +
+    perPoint(byCorners, 24) + perPoint(true, tables) +
     perPoint(hasMarks_ && settings_.regions, kRegions);
 }
 

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// A job with a surface that was made before, where memory runs out; what it takes and what was
+// estimated. This program's operator new counts, and fails when told to.
+#include "ConstraintMakers.h"
+#include "JobRun.h"
+#include "OwnMemory.h"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace ahd
+{
+namespace test
+{
+namespace
+{
+
+/// The triangles that constraints made, of which the edges of one are named: not enough to have all
+/// of them again.
+struct Surface
+{
+  explicit Surface(std::size_t count)
+    : given(randomSegments(count, 20))
+  {
+    JobRun run;
+    run.setPoints(given.view());
+    run.setConstraints(given.constraints.view());
+    EXPECT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    corners = run.ids("triangles");
+    edges.assign(corners.size() / 3, 0);
+    edges[edges.size() / 2] = 7;
+  }
+
+  void giveTo(JobRun& run) const
+  {
+    const auto rows = std::int64_t(edges.size());
+    const ahd_array triangles = { corners.data(), AHD_INT64, 3, rows, 24, 8 };
+    const ahd_array marks = { edges.data(), AHD_UINT8, 1, rows, 1, 1 };
+    run.setPoints(given.view());
+    ahd_set_array(run.job(), "surface", &triangles);
+    ahd_set_array(run.job(), "surface_edges", &marks);
+    run.set("threads", std::int64_t(1));
+  }
+
+  ConstraintCase given;
+  std::vector<std::int64_t> corners;
+  std::vector<std::uint8_t> edges;
+};
+
+TEST(JobSurface, AnyAllocationCanFail)
+{
+  const Surface surface(60);
+  JobRun run;
+  surface.giveTo(run);
+  ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+  ahd_release(run.job(), 0);
+  account.allocations = 0;
+  ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+  const std::size_t all = account.allocations;
+  EXPECT_EQ(run.ids("triangles"), surface.corners);
+  for (std::size_t k = 1; k <= all; ++k)
+  {
+    SCOPED_TRACE(k);
+    ahd_release(run.job(), 0);
+    const std::size_t before = account.held;
+    account.allocations = 0;
+    account.failAt = k;
+    const ahd_status status = run.run();
+    account.failAt = 0;
+    ASSERT_EQ(status, AHD_OUT_OF_MEMORY);
+    ASSERT_LE(account.held, before + 200); // the message
+    ASSERT_EQ(run.count("folded_triangles"), 0);
+  }
+  ASSERT_EQ(run.run(), AHD_OK);
+  EXPECT_EQ(run.ids("triangles"), surface.corners);
+}
+
+/// Tables are made to find the triangles, and stay. So many points that the megabyte of each
+/// estimate is a small part.
+TEST(JobSurface, ItTakesNoMoreMemoryThanEstimated)
+{
+  const Surface surface(60000);
+  for (const bool wantsAll : { false, true })
+  {
+    SCOPED_TRACE(wantsAll);
+    JobRun run;
+    surface.giveTo(run);
+    for (const char* name : { "want_constraint_edges", "want_regions", "want_neighbors" })
+    {
+      run.set(name, std::int64_t(wantsAll));
+    }
+    const std::size_t before = account.held;
+    account.peak = before;
+    ASSERT_EQ(run.run(), AHD_OK) << ahd_message(run.job());
+    const std::vector<std::int32_t> triangles = run.shortIds("triangles");
+    EXPECT_EQ(triangles.size(), surface.corners.size());
+    EXPECT_TRUE(!wantsAll || run.ids("neighbors").size() == surface.corners.size());
+    const std::size_t taken = account.peak - before;
+    const auto estimate = std::size_t(run.count("memory_estimate"));
+    EXPECT_LE(taken, estimate);
+    EXPECT_LE(estimate, 2 * taken);
+  }
+}
+
+} // namespace
+} // namespace test
+} // namespace ahd
