@@ -49,10 +49,10 @@ class GivenSurface:
     def give(self, job):
         """Its triangles, and the edges of these that are constraints."""
         job.set_array("surface", self.corners())
-        edges, cells = self.arrays()[1], self._held.GetNumberOfCells()
+        edges, first = self.arrays()[1], self._held.GetNumberOfVerts() + self._held.GetNumberOfLines()
         fits = edges is not None and edges.IsA("vtkUnsignedCharArray") and (
-            edges.GetNumberOfComponents() * edges.GetNumberOfTuples() == cells)
-        job.set_array("surface_edges", view(edges).reshape(-1)[cells - self.triangles:] if fits else None)
+            edges.GetNumberOfComponents() * edges.GetNumberOfTuples() == self._held.GetNumberOfCells())
+        job.set_array("surface_edges", view(edges).reshape(-1)[first:first + self.triangles] if fits else None)
 
 
 class SampledSurface:
@@ -173,13 +173,20 @@ def area_of(backend, triangulation, values, given, source, surface):
     return box_of(asked._job.array("plane_points"), skipped_of(given, asked._job.count("points")))
 
 
+def _count(surface, name):
+    """A count that the filter that made the surface has added to it; -1 if there is none."""
+    array = surface.GetFieldData().GetAbstractArray(name)
+    is_count = array is not None and array.IsA("vtkIdTypeArray") and array.GetNumberOfValues() == 1
+    return array.GetValue(0) if is_count else -1
+
+
 def is_surface(backend, given):
     """Is it a surface that vtkAdaptiveHilbertDelaunay2D made?"""
     if not isinstance(given, backend.vtkPolyData) or not given.GetNumberOfPolys():
         return False
-    count, cells = given.GetFieldData().GetAbstractArray("NumberOfTriangles"), given.GetPolys()
-    is_ours = count is not None and given.GetFieldData().HasArray("NumberOfPointsInserted") and (
-        count.GetNumberOfValues() == 1 and count.GetValue(0) == cells.GetNumberOfCells())
+    cells = given.GetPolys()
+    is_ours = given.GetFieldData().HasArray("NumberOfPointsInserted") and (
+        _count(given, "NumberOfTriangles") == cells.GetNumberOfCells())
     return bool(is_ours and cells.GetMaxCellSize() == 3 and (
         cells.GetNumberOfConnectivityIds() == 3 * cells.GetNumberOfCells()))
 
@@ -192,6 +199,5 @@ def surface_of(merged):
 
 def count_added(surface):
     """How many of the last points of a surface were added where that was made."""
-    array = surface.GetFieldData().GetAbstractArray("NumberOfAddedPoints")
-    added = array.GetValue(0) if array is not None and array.GetNumberOfValues() == 1 else 0
+    added = _count(surface, "NumberOfAddedPoints")
     return added if 0 < added < surface.GetNumberOfPoints() else 0

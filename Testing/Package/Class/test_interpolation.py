@@ -370,6 +370,29 @@ class InterpolationTest(Case):
         self.assertEqual(str(found[0][1]), str(found[1][1]))
         self.assertNotEqual(str(found[1][1]), str(found[2][1]))
 
+    def test_a_surface_to_which_others_added(self):
+        """Strips, which are behind the triangles; an array with the name of a count, of which none is one."""
+        strip, words = model.vtkCellArray(), array("vtkStringArray", "NumberOfAddedPoints", ["3"])
+        strip.InsertNextCell(3)
+        for point in (0, 1, 2):
+            strip.InsertCellPoint(point)
+        changes = {
+            "nothing": lambda surface: None,
+            "a strip": lambda surface: surface.SetStrips(strip),
+            "words": lambda surface: surface.GetFieldData().AddArray(words)}
+        found = {}
+        for name, change in changes.items():
+            surface, algorithm = surface_of("breaklines"), silent()
+            edges = surface.GetCellData().GetArray("ConstraintEdges")
+            change(surface)
+            if surface.GetNumberOfCells() > edges.GetNumberOfTuples():
+                edges.InsertNextValue(0)
+            algorithm.SetMethod(1)
+            algorithm.SetInputData(surface)
+            algorithm.Update()
+            found[name] = str(values_of(algorithm.GetOutput().GetPointData().GetArray("Elevation")))
+        self.assertEqual(found, dict.fromkeys(changes, found["nothing"]))
+
     def test_aborted(self):
         """The output is empty, and nothing is said."""
         algorithm = Interpolation()
