@@ -119,9 +119,12 @@ Status Run::findSurface(RunResult& made)
     status = status != Status::Ok ? status : constrainEdges(missing, made);
     status = status != Status::Ok ? status : find(surface_, context_, made, found);
   }
-  report_.foldedTriangles = found.missing.size();
-  made.selection.kept = std::move(found.kept);
-  made.selection.keptCount = found.keptCount;
+  if (status == Status::Ok)
+  {
+    report_.foldedTriangles = found.missing.size();
+    made.selection.kept = std::move(found.kept);
+    made.selection.keptCount = found.keptCount;
+  }
   return end(status);
 }
 

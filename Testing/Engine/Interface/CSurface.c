@@ -206,6 +206,39 @@ static void test_forms(void)
   free(xy);
 }
 
+/* Cancels when it was called so often. */
+static int32_t cancel_at(void* user, int32_t phase, double fraction)
+{
+  int* left = (int*)user;
+  (void)phase;
+  (void)fraction;
+  return --*left <= 0;
+}
+
+/* Nobody says of a run that was cancelled that its surface is folded. */
+static void test_cancel(void)
+{
+  double* xy = points();
+  surface* made = surface_of(xy, xy, 1);
+  ahd_job* job = job_with(xy, made);
+  ahd_status status = AHD_CANCELLED;
+  int calls, left;
+  CHECK_OK(job, ahd_set_array(job, "surface_edges", NULL));
+  for (calls = 1; status == AHD_CANCELLED; ++calls)
+  {
+    left = calls;
+    CHECK_OK(job, ahd_set_progress(job, cancel_at, &left));
+    status = ahd_run(job);
+    CHECK(ahd_counted(job, "folded_triangles") == 0);
+  }
+  CHECK(status == AHD_OK && calls > 10);
+  CHECK_OK(job, ahd_set_progress(job, NULL, NULL));
+  check_triangles(job, made);
+  ahd_job_free(job);
+  free_surface(made);
+  free(xy);
+}
+
 static void test_what_cannot_be(void)
 {
   static const int64_t ids[] = { 0, 1 };
@@ -292,6 +325,7 @@ void test_given_surface(void)
 {
   test_same_values();
   test_forms();
+  test_cancel();
   test_what_cannot_be();
   test_plane();
 }
