@@ -61,7 +61,7 @@ public:
       d[k] = p[k] * shrink_ - origin_[k] * shrink_;
     }
     return { { dot(axes_[0], d) * grow, dot(axes_[1], d) * grow,
-      dot(axes_[2], d) * grow - height_ } };
+      (dot(axes_[2], d) - height_) * grow } };
   }
 
 private:
@@ -69,7 +69,7 @@ private:
 
   Matrix3 axes_ = { { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } };
   Vector3 origin_ = { { 0, 0, 0 } };
-  double height_ = 0.0; ///< of the plane above the origin, along the normal
+  double height_ = 0.0; ///< of the plane above the origin, along the normal, shrunk
   bool isOfCoordinates_ = true;
   double shrink_ = 1.0; ///< a power of two that keeps sums of huge coordinates finite
 };

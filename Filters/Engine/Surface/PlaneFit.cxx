@@ -203,7 +203,9 @@ void PlaneFitting::Work::chooseScales()
       origin = 0.0;
       if (std::fabs(centre) >= 8 * half)
       {
-        origin = std::ldexp(std::nearbyint(std::ldexp(centre, -e - 1)), e + 1);
+        const double steps = std::ldexp(centre, -e - 1);
+        origin = std::ldexp(std::nearbyint(steps), e + 1);
+        origin = std::isinf(origin) ? std::ldexp(std::trunc(steps), e + 1) : origin;
       }
       exponent = std::max(exponent, e + 1); // the extent is below 2^exponent
     }
@@ -257,8 +259,8 @@ void PlaneFitting::Work::choosePlane()
   turn(axes, seen);
   fit_.normal = chooseNormal(axes, seen);
   const PowerOfTwo unit = powerOfTwo(unit_);
-  fit_.height = dot(fit_.normal, mean()) * unit.first * unit.second;
   fit_.shrink = std::max({ magnitude(0), magnitude(1), magnitude(2) }) > 0x1p1000 ? 0x1p-32 : 1.0;
+  fit_.height = dot(fit_.normal, mean()) * fit_.shrink * unit.first * unit.second;
   takeCommonCoordinate();
 }
 

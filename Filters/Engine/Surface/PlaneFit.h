@@ -24,7 +24,7 @@ struct PlaneFit
   /// A nearby point from which the distance of every point is exact, along each coordinate.
   Vector3 origin = { { 0, 0, 0 } };
 
-  /// Of the plane above the origin, along the normal.
+  /// Of the plane above the origin, along the normal, times `shrink`.
   double height = 0.0;
 
   /// A power of two; coordinates multiplied by it can be added up.
@@ -54,7 +54,7 @@ public:
   bool isDone() const;
   /// Reads the own part. Returns false if cancelled; throws std::bad_alloc.
   bool look(Ticker& ticker);
-  /// Some thousand bytes at most. Throws std::bad_alloc.
+  /// A few hundred bytes. Throws std::bad_alloc.
   void tell(std::vector<unsigned char>& bytes) const;
   /// What all parts have told, one's own included, in the same order for all.
   void hear(const std::vector<std::vector<unsigned char>>& all);

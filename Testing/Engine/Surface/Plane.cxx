@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace ahd
@@ -140,6 +141,22 @@ TEST(Plane, TheLargestNumbersStayFinite)
     { { most / 2, most, most / 2 } }, { { 0, -most, 0 } } });
   EXPECT_LT(sineBetween(tilted.normal(), { { -1, 0, 1 } }), 1e-15);
   EXPECT_TRUE(std::isfinite(tilted.project({ { most / 2, most, most / 2 } })[1]));
+}
+
+/// Of x + y + z = const: the plane, or the multiple of a power of two that is closest to the
+/// points, is beyond the largest double.
+TEST(Plane, TheFarthestPlanesHavePointsInThem)
+{
+  using Numbers = std::pair<double, double>;
+  for (const auto& [far, apart] : { Numbers(0x1.8p1023, 0x1.fp1020),
+         Numbers(0x1.f8p1023, 0x1.8p1017), Numbers(0x1.ep1023, 0x1p990) })
+  {
+    const Xyz at = { { far - apart, far + apart, far } };
+    const Plane plane = fit({ at, { { far, far - apart, far + apart } },
+      { { far + apart, far, far - apart } }, { { far, far, far } } });
+    EXPECT_LT(sineBetween(plane.normal(), { { 1, 1, 1 } }), 1e-14) << apart;
+    EXPECT_LT(std::fabs(plane.project(at)[2]), 1e-14 * far) << apart;
+  }
 }
 
 TEST(Plane, NoOtherPlaneIsCloser)
