@@ -253,10 +253,21 @@ class ComplaintsTest(unittest.TestCase):
                             ("// std::hypot(x, y) would be", 0), ("std::sqrt(x); std::fma(x, y, z);", 0)):  # fmt: skip
             self.write("Filters/Engine/a.cxx", text)
             self.assertEqual(len(list(lint.check_mathematics(self.root))), count, text)
+        for text, count in (("#define SINE(x) std::sin(x)", 1), ("std::pow<double>(x, 2) + __builtin_cosf(x)", 2)):
+            self.write("Filters/Engine/a.cxx", text)
+            self.assertEqual(len(list(lint.check_mathematics(self.root))), count, text)
+        self.write("Filters/Engine/a.cxx", "")
+        for text, count in (("n // 2 + math.log(x)", 1), ("np.arctan2(y, x) + np.power(x, y)", 2), ("x**0.5 + x**2", 1),
+                            ("# math.sin(x)", 0), ("np.linalg.norm(x)", 1), ("math.dist(p, q)", 1)):  # fmt: skip
+            self.write("Filters/Python/a.py", text)
+            self.assertEqual(len(list(lint.check_mathematics(self.root))), count, text)
 
     def test_rounding(self):
         for options, is_well in (("-ffp-contract=off", True), ("", False), ("-ffp-contract=off -ffast-math", False),
-                                 ("-ffp-contract=off -ffp-contract=fast", False), ("/fp:precise", True)):  # fmt: skip
+                                 ("-ffp-contract=off -ffp-contract=fast", False), ("/fp:precise", True),
+                                 ("-ffp-contract=off -I/fast-math -ffp-contract=off", True),
+                                 ("-ffp-contract=off -ffp-model=fast", False),
+                                 ("/fp:precise /fp:fast", False)):  # fmt: skip
             entry = {"file": str(self.root / "Filters" / "a.cxx"), "command": f"c++ {options} -c a.cxx"}
             self.write("compile_commands.json", json.dumps([entry] * 100))
             self.assertEqual(list(lint.check_rounding(self.root, self.root)) == [], is_well, options)
