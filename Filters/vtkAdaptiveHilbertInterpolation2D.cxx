@@ -213,6 +213,10 @@ int vtkAdaptiveHilbertInterpolation2D::RequestData(
   const ahd::ScopedFloatingPoint asTheEngine;
   vtkInformation* const info = outputs->GetInformationObject(0);
   const vtkSmartPointer<vtkDataObject> output = vtkDataObject::GetData(info);
+  if (vtkFieldData* const data = output->GetAttributesAsFieldData(vtkDataObject::POINT))
+  {
+    data->Initialize(); // VTK leaves an image the scalars of the last execution
+  }
   // Errors return 1 as well, as they were told: see vtkAdaptiveHilbertDelaunay2D.
   this->ClearMeasures();
   if (this->IsDistributed())

@@ -243,6 +243,8 @@ class _Executions:
     def RequestData(self, _request, inputs, outputs):
         """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
         made, speaker = self._backend.vtkDataObject.GetData(outputs, 0), messages.Speaker(self._backend, self)
+        if made.IsA("vtkDataSet"):
+            made.GetPointData().Initialize()  # VTK leaves an image the scalars of the last execution
         self._clear_measures()
         is_done = False
         if self._triangulation is None:

@@ -310,6 +310,19 @@ class InterpolationTest(Case):
         self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
         self.assertEqual(algorithm.GetOutput().GetPointData().GetArray("a").GetRange(), (5.0, 5.0))
 
+    def test_an_array_that_the_input_no_longer_has_is_gone(self):
+        """Scalars too, which VTK leaves in an image; and they would be of as many cells as there were."""
+        given, algorithm = cloud(square()), silent()
+        given.GetPointData().SetScalars(array("vtkDoubleArray", "a", [1, 1, 1, 1]))
+        algorithm.SetInputData(given)
+        for columns, names in ((2, ["Elevation", "a", "vtkValidPointMask"]), (3, ["Elevation", "vtkValidPointMask"])):
+            algorithm.SetDimensions(columns, 2)
+            algorithm.Update()
+            data = algorithm.GetOutput().GetPointData()
+            self.assertEqual([data.GetArrayName(k) for k in range(data.GetNumberOfArrays())], names)
+            given.GetPointData().RemoveArray("a")
+            given.Modified()
+
     def test_filters_behind_know_the_raster_before_there_are_data(self):
         algorithm = silent()
         algorithm.SetInputData(full())

@@ -309,6 +309,7 @@ class Pipelines(WhileItWorks, World):
         numbers = vtk_to_numpy(points.GetData()).copy()
         if how == 0:
             points.Resize(4 * len(numbers))
+            points.SetNumberOfPoints(len(numbers))  # VTK 9.7 makes points of all the room where it was larger
         elif how == 1:
             points.Initialize()
             for row in numbers:
@@ -351,7 +352,7 @@ class Pipelines(WhileItWorks, World):
         if how == 0:
             data.AddArray(named(rng.choice("hk"), random_of(rng).random(count)))
         elif how == 1:
-            data.RemoveArray("k")
+            data.RemoveArray(rng.choice("hk"))
         elif how == 2 and data.GetArray("h"):
             vtk_to_numpy(data.GetArray("h"))[rng.randrange(count)] += 1
             data.GetArray("h").Modified()
