@@ -448,7 +448,7 @@ void vtkAHDSampleExecution::CountPlaces(
 {
   this->Result.Counts = counts;
   this->Result.Places = places.count();
-  this->Result.Triangles = surface.GetTriangulation().report().triangles;
+  this->Result.Triangles = surface.GetTriangleCount();
   if (counts.outside == 0 || counts.valued > 0)
   {
     return;

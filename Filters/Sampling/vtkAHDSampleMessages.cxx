@@ -120,7 +120,7 @@ void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& resu
   ahd::Facts facts{ { "sampled_places", result.Places }, { "sampled_valued", counts.valued },
     { "sampled_outside", counts.outside }, { "sampled_not_finite", counts.notFinite },
     { "sampled_without_value", counts.withoutValue }, { "sampled_left_out", counts.leftOut },
-    { "kept_triangles", result.Triangles } };
+    { "triangles", result.Triangles } };
   AddBox(facts, "wanted", result.Wanted);
   AddBox(facts, "surface", result.Surface);
   for (const vtkAHDMissingValues& missing : result.Missing)

@@ -82,6 +82,7 @@ public:
   {
     return this->Lent ? this->Lent->Made.triangulation : this->Made.triangulation;
   }
+  std::size_t GetTriangleCount() const { return this->GetMade().triangleCount(); }
   /// As a Sampler wants it.
   const unsigned char* GetKept() const
   {

@@ -192,7 +192,7 @@ constexpr Row kRows[] = {
     "{sampled_not_finite} of {sampled_places} places have no value, because their x or y is NaN or "
     "infinite." },
   { Topic::Places, "none on the surface", "sampled_outside !sampled_valued",
-    "None of {sampled_places} places is on the surface{kept_triangles+ of {kept_triangles} "
+    "None of {sampled_places} places is on the surface{triangles+ of {triangles} "
     "triangles}. Places: {wanted}; points: {surface}." },
   { Topic::Places, "without value", "sampled_without_value",
     "{sampled_without_value} values at places on the surface are missing, because values of points "

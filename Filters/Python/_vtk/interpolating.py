@@ -263,7 +263,7 @@ class Interpolating:
             count("sampled_" + name) for name in ("places", "valued", "outside"))
         found.not_finite, found.left_out = count("sampled_not_finite"), count("sampled_left_out")
         found.without_value = count("sampled_without_value") if missing is None else missing
-        found.triangles = count("kept_triangles")
+        found.triangles = count("triangles")
         return mask
 
     def _write_surface(self, made, heights, mask):

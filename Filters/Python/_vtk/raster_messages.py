@@ -69,5 +69,5 @@ def of_places(found):
         "places", "valued", "outside", "not_finite", "without_value", "left_out")}
     boxes = {name: list(getattr(found, name) or ("nowhere",)) for name in ("wanted", "surface")}
     return messages.said(engine.SAY_PLACES, dict(
-        counts, **boxes, kept_triangles=found.triangles, missing=[(one.name, one.places) for one in found.missing],
+        counts, **boxes, triangles=found.triangles, missing=[(one.name, one.places) for one in found.missing],
         of_points=[one.of_points for one in found.missing], of_added=[one.of_added for one in found.missing]))

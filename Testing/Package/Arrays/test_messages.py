@@ -23,7 +23,7 @@ MEMORY = {"is_in_kib": 1, "points": 40, "memory_estimate": 9300, "memory_allowed
           "most_crossings": 3, "own_points": 36}  # fmt: skip
 LIMIT = {**MEMORY, "memory_limit": 5200, "memory_allowed": 5200}
 MEANS = ("cell_width", "cell_height", "columns", "rows", "bounds", "bad_cell", "begin", "end", "ids", "triangles")
-SAMPLED = {"sampled_places": 30, "sampled_valued": 20, "kept_triangles": 50}
+SAMPLED = {"sampled_places": 30, "sampled_valued": 20, "triangles": 50}
 MISSING = {"missing": [("", 2), ("Flow", 1), ("Class", 0)], "of_points": [1, 0, 1], "of_added": [0, 1, 1]}
 USUAL = {"points": 40, "inserted": 30, "delaunay_triangles": 50, "kept_triangles": 50, "cells": 50, "source_points": 9,
          "segments": 12}  # fmt: skip

@@ -30,7 +30,7 @@ def shallow(data):
     return made
 
 
-class LeftTest(Case):
+class LentTest(Case):
     def setUp(self):
         self.given = cloud(scattered(COUNT))
         # a Delaunay edge: that it is a constraint is known to the filter alone
