@@ -44,13 +44,14 @@
  *   unfitted_points  0        0 to 2^62: the last of points, which were added where the surface was
  *                             made: AHD_PLANE_BEST_FIT is not fitted to them
  * Count, known after every run:
- *   folded_triangles          of the surface, that cross others in the plane or are clockwise: they
- *                             cannot be had, and ahd_run() returns AHD_BAD_VALUE
- * With a row or more, ahd_run() makes these triangles, and they alone are put out and sampled. Of
- * the points, their corners are triangulated, whatever is in skip. Edges become constraints if
- * surface_edges says so, or if a triangle cannot be had otherwise. AHD_BAD_ARRAY: with source
- * points, lines or loops. AHD_BAD_VALUE: with tolerance, bounding, alpha, maximum_edge_length,
- * insertion_limit, or a rim that may be trimmed.
+ *   folded_triangles          of the surface, that cannot be had: they cross others in the plane,
+ *                             are clockwise there, or have corners that are no vertices or equal.
+ *                             ahd_run() returns AHD_BAD_VALUE
+ * With a row or more, ahd_run() makes these triangles, and they alone are put out and sampled, each
+ * once. Of the points, their corners are triangulated, whatever is in skip. Edges become
+ * constraints if surface_edges says so, or if a triangle cannot be had otherwise. AHD_BAD_ARRAY:
+ * with source points, lines or loops. AHD_BAD_VALUE: with tolerance, bounding, alpha,
+ * maximum_edge_length, insertion_limit, or a rim that may be trimmed.
  *
  * Arrays, made by ahd_sample_weights():
  *   weight_offsets   int64    (places + 1)   place i has the entries from offset i to i + 1

@@ -86,7 +86,8 @@ void Job::runWith(const Context& context)
     refuse(Reason::BadValue,
       std::to_string(report_.foldedTriangles) + " of the " +
         std::to_string(made.input.surface.count) +
-        " triangles of \"surface\" cross others in the plane, or are turned over there.");
+        " triangles of \"surface\" cross others in the plane, are clockwise there, or have corners "
+        "that are no vertices.");
   }
   select(context);
   check(run.findStacks(made, context));

@@ -278,6 +278,7 @@ static void test_what_cannot_be(void)
   made->corners[31] = made->corners[30];
   made->corners[30] = INT64_MAX; /* and no point */
   CHECK_STATUS(job, AHD_BAD_VALUE, ahd_run(job));
+  CHECK_SAYS(job, "corners that are no vertices");
   ahd_job_free(job);
   free_surface(made);
   free(xy);
