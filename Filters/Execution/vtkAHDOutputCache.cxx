@@ -136,7 +136,8 @@ bool vtkAHDOutputCache::TakeFingerprints(const vtkAHDDataSets& data, const vtkAH
   return true;
 }
 
-/// False if the filter is to abort, or an array cannot be known again.
+/// False if the filter is to abort, or an array cannot be known again: because of its kind, or what
+/// its owner gave it.
 bool vtkAHDOutputCache::TakeOutputs(const vtkAHDContext& context, std::vector<Known>& found) const
 {
   for (const auto& kept : this->Data)
@@ -145,7 +146,8 @@ bool vtkAHDOutputCache::TakeOutputs(const vtkAHDContext& context, std::vector<Kn
     {
       Known known = { array && array->GetName() ? array->GetName() : "", {} };
       auto* const numbers = vtkArrayDownCast<vtkDataArray>(array);
-      if ((array && !numbers) || !vtkAHDTakeFingerprint(numbers, context, known.Print))
+      const bool isOther = numbers && (numbers->GetLookupTable() || numbers->HasAComponentName());
+      if ((array && !numbers) || isOther || !vtkAHDTakeFingerprint(numbers, context, known.Print))
       {
         return false;
       }

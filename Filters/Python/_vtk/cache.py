@@ -9,7 +9,7 @@ MOST_POINTS = 2**28 - 2
 
 
 class Unknown(Exception):
-    """An array whose numbers do not lie in memory one after the other."""
+    """An array whose numbers do not lie in memory one after the other, or that has more than name and numbers."""
 
 
 def _fingerprint(data):
@@ -89,6 +89,8 @@ def _contents(outputs):
         for data in (output.GetPointData(), output.GetCellData(), output.GetFieldData()):
             arrays += _arrays(data)
         found.append([(data and data.GetName(), _fingerprint(data)) for data in arrays])
+        if any(data is not None and (data.GetLookupTable() is not None or data.HasAComponentName()) for data in arrays):
+            raise Unknown  # their owner gave them these
     return found
 
 

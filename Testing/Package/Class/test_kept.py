@@ -239,6 +239,14 @@ def name(algorithm):
     algorithm.GetOutput().GetCellData().GetArray("RegionId").SetName("another")
 
 
+def colours(algorithm):
+    algorithm.GetOutput().GetCellData().GetArray("RegionId").CreateDefaultLookupTable()
+
+
+def component(algorithm):
+    algorithm.GetOutput().GetPointData().GetArray("Fate").SetComponentName(0, "what it came to")
+
+
 def means(algorithm):
     algorithm.GetOutput().GetPoints().SetPoint(0, 1, 2, 3)
 
@@ -264,7 +272,7 @@ class EditsTest(Case):
         given = cloud(scattered(COUNT - 1) + [(*scattered(1)[0][:2], 50)])
         settings = {"DuplicatePolicy": 3, "GenerateFate": True}
         expected = updated(triangulation(**settings), given)
-        for edit in (first_cell, fewer_cells, regions, name, means, fates, diagram, sites, number):
+        for edit in (first_cell, fewer_cells, regions, name, colours, component, means, fates, diagram, sites, number):
             algorithm = triangulation(**settings)
             for _ in range(3):
                 updated(algorithm, given)
