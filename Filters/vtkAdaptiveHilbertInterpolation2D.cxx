@@ -288,6 +288,7 @@ void vtkAdaptiveHilbertInterpolation2D::WarnOfOtherRaster()
 /// Returns what RequestData() is to return.
 int vtkAdaptiveHilbertInterpolation2D::EndWithOtherRaster(bool isDone, vtkDataObject* output)
 {
+  this->MustDescribeAnew = true; // VTK takes the output for that of the last time that did not fail
   if (isDone)
   {
     vtkErrorMacro("The points have other bounds at this time, so the raster differs from the "

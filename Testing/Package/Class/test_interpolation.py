@@ -12,6 +12,7 @@ from inputs import full, square
 from rastercases import CASES, image, surface_of, wanted_places
 from test_cases import masked, of_array, of_attributes
 from test_kept import scattered
+from test_pipeline import behind
 from test_settings import described
 
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
@@ -362,6 +363,18 @@ class InterpolationTest(Case):
             self.assertEqual(algorithm.GetOutput().GetDimensions()[:2], (cells, cells))
             algorithm.Update()
             self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT())[1], cells - 1)
+
+    def test_a_time_whose_raster_is_refused(self):
+        """With a filter behind, at the time before and after it there is the raster of that time."""
+        algorithm = silent()
+        points, after = growing_square()(), behind(algorithm)
+        algorithm.SetInputConnection(points.GetOutputPort())
+        algorithm.SetRasterSizeToByCellSize()
+        algorithm.SetCellSize(0.05, 0.05)
+        algorithm.GetTriangulation().SetMemoryLimit(2500)
+        for time, cells in ((1.0, 200), (3.0, 0), (1.0, 200), (2.0, 400), (3.0, 0), (2.0, 400)):
+            after.UpdateTimeStep(time)
+            self.assertEqual(algorithm.GetOutput().GetDimensions()[:2], (cells, cells), time)
 
     def test_a_surface_that_changes(self):
         """Kept with its triangles and constraints, and no other's."""
