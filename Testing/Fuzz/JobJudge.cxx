@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "JobJudge.h"
 
+#include "Dice.h"
 #include "JobRun.h"
 #include "Judge.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -31,14 +33,28 @@ void setOptions(JobRun& run, const Options& options)
   run.set("want_boxes", std::int64_t(options.keepBoxes));
 }
 
+/// One for each bit.
+void setFlags(JobRun& run, unsigned bits)
+{
+  for (const char* name :
+    { "alpha_triangles", "alpha_lines", "alpha_vertices", "voronoi_clip", "want_constraint_edges",
+      "want_insertion_ranks", "want_neighbors", "want_point_status", "want_regions" })
+  {
+    run.set(name, std::int64_t(bits & 1u));
+    bits >>= 1;
+  }
+}
+
 /// Whatever else there is, as the case's bytes say.
 void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& xyz)
 {
   const std::uint8_t bits = given.head[kShuffle], more = given.head[kRefusals];
   const auto bit = [](std::uint8_t byte, int k) { return std::int64_t(byte >> k & 1); };
-  run.set("plane", bit(bits, 0));
+  setFlags(run, given.head[kSkipMarks] | unsigned(given.head[kSkipMask]) << 8);
+  run.set("plane", bit(bits, 0) * (1 + bit(more, 7)));
   run.set("bounding", bit(bits, 1));
   run.set("tolerance", bit(bits, 2) != 0 ? 1.0 / (1.0 + given.head[kMergeDistance]) : 0.0);
+  run.set("maximum_edge_length", bit(more, 1) != 0 ? double(given.head[kMergeDistance]) : 0.0);
   run.set("alpha", bit(bits, 3) != 0 ? double(given.head[kMergeDistance]) : 0.0);
   run.set("split_crossings", bit(bits, 4));
   run.set("closed_lines", bit(bits, 5));
@@ -49,6 +65,12 @@ void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& 
   run.set("source_heights", bit(more, 4));
   run.set("cell_ids", bit(more, 5));
   run.set("insertion_limit", std::int64_t(given.head[kLimit]));
+  run.set("unfitted_points", std::int64_t(given.head[kMostBoxes]));
+  run.set("first_cell", std::int64_t(given.head[kMostBoxes]));
+  run.set("offset", 1.0 + given.head[kMostBoxes]);
+  static const double turned[] = { 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
+  const ahd_array matrix = { turned, AHD_FLOAT64, 4, 4, 4 * sizeof(double), sizeof(double) };
+  ahd_set_array(run.job(), "matrix", &matrix);
   if (bit(more, 6) != 0) // points once more, as those of the source
   {
     const ahd_array source = { xyz.data(), AHD_FLOAT64, 2,
@@ -175,8 +197,72 @@ void expectTrouble(const FuzzCase& given, JobRun& run)
     expect(status == AHD_OK || status == AHD_OUT_OF_MEMORY, "a job without memory", given);
     expect((status == AHD_OK) == (ahd_message(run.job())[0] == '\0'), "it says so", given);
   }
+  ahd_set_progress(run.job(), nullptr, nullptr);
   status = run.run();
   expect(status == AHD_OK, ahd_message(run.job()), given);
+}
+
+/// Triangles with their smallest corner first, in ascending order.
+using Triangles = std::vector<std::array<std::int32_t, 3>>;
+
+Triangles trianglesOf(const std::vector<std::int32_t>& triples)
+{
+  Triangles triangles(triples.size() / 3);
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+  {
+    std::array<std::int32_t, 3>& corners = triangles[k];
+    std::copy_n(triples.begin() + std::ptrdiff_t(3 * k), 3, corners.begin());
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
+
+/// Borrows the triangles, and the edges unless they are null.
+void setSurface(JobRun& run, const Triangles& triangles, const std::uint8_t* edges)
+{
+  const auto rows = std::int64_t(triangles.size());
+  const ahd_array corners = { triangles.data(), AHD_INT32, 3, rows, 3 * sizeof(std::int32_t),
+    sizeof(std::int32_t) };
+  const ahd_array constraints = { edges, AHD_UINT8, 1, rows, 1, 1 };
+  ahd_set_array(run.job(), "surface", &corners);
+  ahd_set_array(run.job(), "surface_edges", edges ? &constraints : nullptr);
+}
+
+/// Triangles of a triangulation can be had again, all or some of them, whichever of their edges are
+/// said to be constraints. If a corner is changed they can be had, or it is said that they cannot.
+void expectSurface(const FuzzCase& given, const JobCase& made, const PointView& points)
+{
+  Dice dice(given.head[kShuffle]);
+  Triangles triangles = trianglesOf(made.triples);
+  const std::size_t most = given.head[kMergeDistance] / 64u; // of four
+  triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                    [&](const auto&) { return dice.below(4) < most; }),
+    triangles.end());
+  if (triangles.empty())
+  {
+    return;
+  }
+  std::vector<std::uint8_t> edges;
+  for (std::size_t k = 0; k < triangles.size(); ++k)
+  {
+    edges.push_back(std::uint8_t(dice.bits() & dice.bits() & 7u));
+  }
+  const std::uint8_t* const named = given.head[kRefusals] % 4 == 3 ? nullptr : edges.data();
+  JobRun run;
+  run.set("threads", std::int64_t(1 + given.head[kExecutors] % 3));
+  setOptions(run, given.options(1));
+  run.setPoints(points);
+  setSurface(run, triangles, named);
+  expectTrouble(given, run);
+  expect(trianglesOf(run.shortIds("triangles")) == triangles, "a surface is as given", given);
+  expectSampled(given, run, points);
+  triangles[dice.below(triangles.size())][dice.below(3)] = std::int32_t(dice.below(points.count));
+  setSurface(run, triangles, named);
+  const ahd_status status = run.run();
+  expect(status == AHD_OK || status == AHD_BAD_VALUE, ahd_message(run.job()), given);
+  expect(status != AHD_OK || run.count("folded_triangles") == 0, "none is folded", given);
+  expect(run.status() == AHD_OK, run.message().c_str(), given);
 }
 
 } // namespace
@@ -212,6 +298,7 @@ void expectSameThroughC(const FuzzCase& given, const JobCase& made)
   expectSampled(given, run, points);
   expectArrays(given, run);
   expect(run.status() == AHD_OK, run.message().c_str(), given);
+  expectSurface(given, made, flat);
 }
 
 } // namespace fuzz

@@ -3,12 +3,14 @@
 asked for in any order; each is that of a job that never did anything else.
 """
 
+import os
+import re
 import unittest
 
 import numpy as np
 
 from adaptivehilbertdelaunay import _library as library
-from arraysupport import drawn_by
+from arraysupport import ROOT, drawn_by
 
 STEPS, SEEDS = 40, range(1, 9)
 SETTINGS = {
@@ -16,10 +18,15 @@ SETTINGS = {
     "source_heights": (0, 1), "fill_rule": (0, 1), "rim": (0, 1, 2), "duplicates": (0, 1, 2, 3), "bounding": (0, 0, 1),
     "insertion_order": (0, 1, 2, 3), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40), "count_work": (0, 1),
     "voronoi_clip": (0, 1), "tolerance": (0.0, 0.0, 0.02), "alpha": (0.0, 0.0, 0.3),
-    "maximum_edge_length": (0.0, 0.0, 0.2),
+    "maximum_edge_length": (0.0, 0.0, 0.2), "unfitted_points": (0, 0, 5, 1 << 40),
+    "control_points": (0, 1, 2), "skip_mask": (255, 2), "first_cell": (0, 7), "offset": (1.0, 3.0),
+    **dict.fromkeys(("gene_rotation", "alpha_triangles", "alpha_lines", "alpha_vertices"), (0, 1, 1)),
     **dict.fromkeys(("want_neighbors", "want_order", "want_boxes", "want_voronoi", "want_regions", "want_curve",
                      "want_constraint_edges", "want_point_status", "want_insertion_ranks"), (0, 1, 1)),
 }  # fmt: skip
+# With a surface there are no others of these.
+ALONE = dict.fromkeys(("tolerance", "bounding", "alpha", "maximum_edge_length", "insertion_limit"), 0)
+ALONE["rim"] = library.RIM_CONVEX_HULL
 # Of the machine, of the moment, or of how the work was shared.
 OTHER_COUNTS = {"memory_estimate", "memory_allowed", "most_boxes", "most_crossings", "threads_used", "dispatch_target"}
 PLACES = np.random.default_rng(5).random((25, 2)) * 1.4 - 0.2
@@ -34,7 +41,11 @@ def new_arrays(numbers):
         points[5:9] = points[0]
         points[7, 1] = np.nan
     made = {"points": points, "skip": None, "source_points": None, "line_ids": None, "line_offsets": None,
-            "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]])}  # fmt: skip
+            "loop_ids": None, "loop_offsets": None, "matrix": np.array(np.eye(4)[[1, 2, 0, 3]]),
+            "surface": None, "surface_edges": None}  # fmt: skip
+    if count and numbers.random() < 0.3:
+        made.update(surface_of(points, numbers))
+        return made
     if numbers.random() < 0.3:
         made["skip"] = (numbers.random(count) < 0.2).astype(np.uint8)
     if numbers.random() < 0.5:
@@ -44,6 +55,18 @@ def new_arrays(numbers):
             made[kind + "_ids"] = numbers.integers(0, min(count, own + 1), 8)
             made[kind + "_offsets"] = np.array([0, 3, 8])
     return made
+
+
+def surface_of(points, numbers):
+    """Some triangles of these points, with one that may be folded, and constraints among their edges."""
+    job = library.Job()
+    job.set_array("points", points)
+    job.run()
+    triangles = job.array("triangles")
+    triangles = triangles[numbers.random(len(triangles)) < 0.7]
+    if len(triangles) and numbers.random() < 0.2:
+        triangles[0] = triangles[0, ::-1]
+    return {"surface": triangles, "surface_edges": numbers.integers(0, 8, len(triangles)).astype(np.uint8)}
 
 
 def interpolated(job):
@@ -101,22 +124,25 @@ class AgainTest(unittest.TestCase):
         results = 0
         for seed in SEEDS:
             numbers = np.random.default_rng(seed)
-            used, settings, arrays = library.Job(), {"threads": 1}, new_arrays(numbers)
+            used, settings, arrays = library.Job(), {"threads": 1, **ALONE}, new_arrays(numbers)
+            is_to_be_cancelled = False
             for step in range(STEPS):
                 for name in numbers.choice(list(SETTINGS), 4):
                     settings[str(name)] = numbers.choice(SETTINGS[str(name)]).item()
                 if numbers.random() < 0.6:
                     arrays = new_arrays(numbers)
                 fresh = library.Job()
-                is_cancelled = numbers.random() < 0.2
+                is_cancelled = is_to_be_cancelled or numbers.random() < 0.2
+                given = arrays["surface"] is not None and len(arrays["surface"]) and numbers.random() < 0.9
                 for job in (used, fresh):
-                    job.set(**settings)
+                    job.set(**dict(settings, **ALONE) if given else settings)
                     for name, array in arrays.items():
                         job.set_array(name, array)
                     if is_cancelled:
                         job.cancel()  # the next call, which is the run
                 ends = [answer(job, lambda job: [np.array(job.run() is None)])[0].tolist() for job in (used, fresh)]
                 self.assertEqual(*ends, (seed, step))
+                is_to_be_cancelled = is_cancelled and "Cancelled" not in str(ends[0])  # a run that was refused was not
                 if ends[0] is not True:
                     self.check_nothing_is_there(used)
                 results += ends[0] is True
@@ -128,6 +154,26 @@ class AgainTest(unittest.TestCase):
                     used.release(int(numbers.choice([0, 1 << 28])))
                     self.check_nothing_is_there(used)
         self.assertGreater(results, STEPS)
+
+
+class NamesTest(unittest.TestCase):
+    """A setting or input array that is new to the library is given here and by the fuzzers."""
+
+    NAMES = {name for kind in (library.INT_SETTINGS, library.DOUBLE_SETTINGS, library.INPUT_ARRAYS)
+             for name in library.names(kind)}
+    OF_MEMORY = {"memory_limit", "other_memory", "other_memory_per_point", "want_samples"}
+    WITH_QUESTIONS = {"sample_method", "sample_outside", "threads"}
+
+    def test_here(self):
+        given = {*SETTINGS, *ALONE, *new_arrays(np.random.default_rng(1))}
+        self.assertEqual(self.NAMES - given, self.OF_MEMORY | self.WITH_QUESTIONS)
+
+    def test_by_the_fuzzers(self):
+        given = set()
+        for path in (("Fuzz", "JobJudge.cxx"), ("Support", "Run", "JobRun.cxx")):
+            with open(os.path.join(ROOT, "Testing", *path), encoding="utf-8") as file:
+                given.update(re.findall(r'"(\w+)"', file.read()))
+        self.assertEqual(self.NAMES - given, self.OF_MEMORY)
 
 
 if __name__ == "__main__":
