@@ -45,10 +45,35 @@ def _take_off(raised):
             sys.excepthook(type(left), left, left.__traceback__)
 
 
+class _Failed:
+    """An algorithm of which a request fails for an exception. The pipeline need not tell of what that tells. Where VTK
+    calls the algorithm for one block after the other, it takes no notice; with an input of no kind of data set, which
+    it tells of, filters behind do not run, nor writers."""
+
+    def __init__(self, algorithm):
+        self.algorithm, self.executive, self.outputs = algorithm, algorithm.GetExecutive(), []
+        self.observed = [(self.executive, self.executive.AddObserver("ErrorEvent", lambda _caller, _event: None)),
+                         (algorithm, algorithm.AddObserver("EndEvent", self._hide_blocks))]
+
+    def _hide_blocks(self, _caller, _event):
+        for port in range(self.algorithm.GetNumberOfOutputPorts()):
+            data, info = self.executive.GetOutputData(port), self.executive.GetOutputInformation(port)
+            if data is not None and data.IsA("vtkCompositeDataSet"):
+                data.Initialize()
+                self.outputs.append((info, data))
+                info.Set(data.DATA_OBJECT(), self.algorithm._backend.vtkDataObject())
+
+    def end(self):
+        for info, data in self.outputs:
+            info.Set(data.DATA_OBJECT(), data)
+        for observed, tag in self.observed:
+            observed.RemoveObserver(tag)
+        self.algorithm.Modified()  # the next update runs, also where a block alone failed
+
+
 class _Arrival:
     """An exception on its way to a frame; where that works on a request itself, as a filter in Python does that asks
-    others, VTK loses what is raised, and it goes on to the frame that this request comes from. The pipeline need not
-    tell of what an exception tells."""
+    others, VTK loses what is raised, and it goes on to the frame that this request comes from."""
 
     def __init__(self, raised, asker):
         self.raised, self.asker, self.failed = raised, asker, []
@@ -58,8 +83,7 @@ class _Arrival:
 
     def fail(self, algorithm):
         """Takes down that a request of this algorithm fails for it. Returns what says so to VTK."""
-        executive = algorithm.GetExecutive()
-        self.failed.append((algorithm, executive, executive.AddObserver("ErrorEvent", lambda _caller, _event: None)))
+        self.failed.append(_Failed(algorithm))
         return 0
 
     def is_under_way(self, frame):
@@ -102,9 +126,8 @@ class _Arrival:
 
     def _end(self):
         _under_way.remove(self)
-        for algorithm, executive, tag in self.failed:
-            executive.RemoveObserver(tag)
-            algorithm.Modified()  # the next update runs, also where a block alone failed
+        for failed in self.failed:
+            failed.end()
 
 
 def is_under_way():

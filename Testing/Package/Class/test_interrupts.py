@@ -119,6 +119,29 @@ class InterruptsTest(Case):
             self.assertEqual(writer.Write(), 1)
             self.assertTrue(os.path.exists(path))
 
+    def test_a_file_of_blocks_is_left_alone(self):
+        """Whichever block is at work; VTK calls the filter for each."""
+        writers = vtk("vtkIOXML") if BACKEND == "vtkmodules" else None
+        if writers is None:
+            self.skipTest("no writer")
+        algorithm, writer = silent(Filter()), writers.vtkXMLMultiBlockDataWriter()
+        algorithm.SetInputDataObject(blocks(cloud(scattered(20000)), cloud(scattered(20000, 2))))
+        writer.SetInputConnection(algorithm.GetOutputPort())
+        writer.GetExecutive().AddObserver("ErrorEvent", lambda _caller, _event: None)  # that it has no input
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "surfaces.vtm")
+            writer.SetFileName(path)
+            for at in (0.3, 0.6):
+                ends = self.interrupted(algorithm, at)
+                with self.assertRaises(KeyboardInterrupt):
+                    writer.Write()
+                ends()
+                self.assertEqual(os.listdir(folder), [], at)
+                self.assertEqual(algorithm.GetOutputDataObject(0).GetNumberOfCells(), 0)
+            self.assertEqual(writer.Write(), 1)
+            self.assertEqual(len(os.listdir(folder)), 2)
+            self.assertGreater(algorithm.GetOutputDataObject(0).GetNumberOfCells(), 60000)
+
     def test_a_block(self):
         algorithm = silent(Filter())
         algorithm.SetInputDataObject(blocks(cloud(scattered(20000)), cloud(scattered(20000, 2))))
