@@ -6,6 +6,7 @@
 #   OUTSIDE_LIBRARY  the engine's library
 include(FetchContent)
 FetchContent_Declare(ahd SOURCE_DIR "${OUTSIDE_FETCHES}" SOURCE_SUBDIR Filters/Engine)
+set(CMAKE_UNITY_BUILD ON)
 FetchContent_MakeAvailable(ahd)
 add_library(OutsideObject OBJECT main.cxx)
 target_link_libraries(OutsideObject PRIVATE AdaptiveHilbertDelaunay::Engine)
@@ -17,6 +18,10 @@ target_link_libraries(OutsideEngine PRIVATE "${OUTSIDE_LIBRARY}" Threads::Thread
 get_directory_property(tests DIRECTORY "${OUTSIDE_FETCHES}/Filters/Engine" TESTS)
 if (CMAKE_BUILD_TYPE OR DEFINED BUILD_TESTING OR tests OR TARGET AdaptiveHilbertDelaunay::C)
   message(FATAL_ERROR "the engine changed this project: ${CMAKE_BUILD_TYPE} ${BUILD_TESTING} ${tests}")
+endif ()
+get_target_property(unity AdaptiveHilbertDelaunayEngine UNITY_BUILD)
+if (unity)
+  message(FATAL_ERROR "in this project the engine would be compiled as one file")
 endif ()
 get_target_property(options AdaptiveHilbertDelaunayEngine COMPILE_OPTIONS)
 if (options MATCHES "-Werror" OR (CMAKE_COMPILER_IS_GNUCXX AND NOT options MATCHES "-ffp-contract=off"))
