@@ -116,6 +116,14 @@ def held_points(backend, given):
     return Held(backend, made, given)
 
 
+def held_places(backend, given):
+    """Points and ghost marks of what is Held as a vtkPolyData, and nothing else of it."""
+    made, marks = backend.vtkPolyData(), given.GetPointData().GetAbstractArray(GHOSTS)
+    if marks is not None:
+        made.GetPointData().AddArray(marks)
+    return Held(backend, made, given)
+
+
 def without_points(backend, given):
     """A vtkPolyData with the arrays of this one, but no points, cells and values."""
     made, points = backend.vtkPolyData(), backend.vtkPoints()

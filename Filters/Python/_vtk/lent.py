@@ -5,7 +5,7 @@ Filters/Execution/vtkAHDLentTriangulation.h."""
 import weakref
 
 from . import cache
-from .arrays import held_points, must_be_converted
+from .arrays import held_places, held_points, must_be_converted
 from .execution import let_go
 from .raster import box_of
 from .sampling import SampledSurface, skipped_of
@@ -38,7 +38,7 @@ class LentTriangulation:
     the filter that made it takes it back, or is gone."""
 
     def __init__(self, job, given, surface):
-        """`given`: the points of the run; `surface`: what was written of it."""
+        """`given`: the points and marks of the run; `surface`: what was written of it."""
         job.set_progress(None)  # which refers to the filter, and VTK before 9.7 frees no filter in a cycle
         self.given, self._here, self._is_closed = given, [job], False
         self._corners = _key(surface.GetPolys().GetConnectivityArray())
@@ -92,7 +92,7 @@ def lent_of(execution, surface, most):
     is_fit = surface.GetNumberOfPolys() > 0 and not (
         execution.found.is_projected or must_be_converted(given.GetPoints()))
     fits = execution.bytes_before + BYTES + for_each * count("points") < most * 1024
-    return LentTriangulation(execution.job, given, surface) if is_fit and fits else None
+    return LentTriangulation(execution.job, held_places(execution.backend, given), surface) if is_fit and fits else None
 
 
 def borrow(asked):

@@ -7,7 +7,7 @@ import gc
 import threading
 import weakref
 
-from classtests import Case, Said, cloud, core, model, run_tests, source, tested_class, values_of
+from classtests import Case, Said, array, blocks, cloud, core, model, run_tests, source, tested_class, values_of
 from rastercases import copy_of, maker_of
 from test_kept import scattered
 
@@ -148,6 +148,15 @@ class LentTest(Case):
             self.maker.Update()
         del points
         self.assertEqual([data.GetReferenceCount() for data in arrays], [1, 1, 1])
+
+    def test_no_point_data_of_the_input_are_held(self):
+        for given in (self.given, blocks(self.given)):
+            self.given.GetPointData().AddArray(array("vtkDoubleArray", "Flow", range(COUNT)))
+            maker = maker_of(given, MergeBlocks=True)
+            flow = maker.GetOutput().GetPointData().GetArray("Flow")
+            self.given.GetPointData().RemoveArray("Flow")
+            maker.GetOutput().ReleaseData()
+            self.assertEqual(flow.GetReferenceCount(), 1)
 
     def test_several_threads(self):
         """Whoever finds it lent has its own, of a surface that says all."""
