@@ -241,7 +241,8 @@ class _Executions:
         return self._backend.vtkDataObject.GetData(inputs[port]) if there else None
 
     def RequestData(self, _request, inputs, outputs):
-        """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more."""
+        """Errors return 1 as well, as they were told: 0 would have the pipeline tell them once more. But filters for
+        images would read pixels that are not there: without an announced raster those behind are not run."""
         made, speaker = self._backend.vtkDataObject.GetData(outputs, 0), messages.Speaker(self._backend, self)
         if made.IsA("vtkDataSet"):
             made.GetPointData().Initialize()  # VTK leaves an image the scalars of the last execution
@@ -262,9 +263,18 @@ class _Executions:
                 raise
         if not is_done:
             made.Initialize()
-        self._must_describe_anew = is_done and self._data(inputs, 1) is None and not self._is_as_announced(
-            made, outputs.GetInformationObject(0))
-        return 1
+        info, is_raster = outputs.GetInformationObject(0), self._data(inputs, 1) is None
+        self._must_describe_anew = is_done and is_raster and not self._is_as_announced(made, info)
+        if is_done or not is_raster or not self._is_wanted_behind(info):
+            return 1
+        self.Modified()  # VTK takes the output for that of the last time that did not fail
+        return 0
+
+    def _is_wanted_behind(self, info):
+        """Are there filters behind, which want a part of the raster?"""
+        wanted = info.Get(self._backend.vtkStreamingDemandDrivenPipeline.UPDATE_EXTENT()) or (0, -1) * 3
+        is_behind = info.GetReferenceCount() > 2  # one is VTK's, one Python's
+        return is_behind and wanted[0] <= wanted[1] and wanted[2] <= wanted[3] and wanted[4] <= wanted[5]
 
     def _execute(self, given, made, speaker):
         """False if the output is empty."""
