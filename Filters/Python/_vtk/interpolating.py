@@ -162,8 +162,8 @@ class Interpolating:
         if self.is_kept:
             self.is_triangulated = True
             self.job = kept.job
-            self._check_memory(kept)
             kept.take_data(self.given, source)
+            self._check_memory(kept)
             return
         if kept is not None:
             filter_._surface = None
@@ -311,9 +311,10 @@ class Interpolating:
     def _keep(self):
         """Leaves the surface to the next execution, or its memory."""
         surface, most = self.algorithm._surface, self.values["ReuseLimit"] * 1024
-        if not self.is_last or (
-                not surface.is_lent and self.values["KeepTriangulation"] and (
-                    self.job.count("points") * KEPT_BYTES <= most)):
+        if not self.is_last:
+            return
+        if not surface.is_lent and self.values["KeepTriangulation"] and self.job.count("points") * KEPT_BYTES <= most:
+            surface.drop_data()
             return
         surface.give_back()
         self.algorithm._surface = None

@@ -7,7 +7,7 @@ import numpy
 
 from .. import _library as engine
 from . import cache
-from .arrays import bytes_to_convert, coordinates, ghost_marks, held, held_points, ids_of, view
+from .arrays import GHOSTS, bytes_to_convert, coordinates, ghost_marks, held, held_points, ids_of, view
 from .columns import blocks_of
 from .execution import SKIPPED, Execution, let_go
 from .outputs import Surface
@@ -32,27 +32,31 @@ class GivenSurface:
     to be had again. `added`: how many of its points, the last ones, were added there."""
 
     def __init__(self, backend, given):
-        self.backend, self._held = backend, held(backend, given)
+        self.backend, self._cells = backend, backend.vtkCellArray()
+        self._cells.ShallowCopy(given.GetPolys())
+        self._edges, self._all_cells = given.GetCellData().GetArray(CONSTRAINT_EDGES), given.GetNumberOfCells()
+        self._first = given.GetNumberOfVerts() + given.GetNumberOfLines()
         self.triangles, self.added = given.GetNumberOfPolys(), count_added(given)
 
     def arrays(self):
         """Its content besides the points."""
-        return [self._held.GetPolys().GetConnectivityArray(), self._held.GetCellData().GetArray(CONSTRAINT_EDGES)]
+        return [self._cells.GetConnectivityArray(), self._edges]
 
     def bytes_to_convert(self):
-        return bytes_to_convert(self.backend, self._held.GetPolys())
+        return bytes_to_convert(self.backend, self._cells)
 
     def corners(self):
         """(t, 3) ids of points."""
-        return ids_of(self.backend, self._held.GetPolys(), "triangles of the surface")[1].reshape(-1, 3)
+        return ids_of(self.backend, self._cells, "triangles of the surface")[1].reshape(-1, 3)
 
     def give(self, job):
         """Its triangles, and the edges of these that are constraints."""
         job.set_array("surface", self.corners())
-        edges, first = self.arrays()[1], self._held.GetNumberOfVerts() + self._held.GetNumberOfLines()
+        edges = self._edges
         fits = edges is not None and edges.IsA("vtkUnsignedCharArray") and (
-            edges.GetNumberOfComponents() * edges.GetNumberOfTuples() == self._held.GetNumberOfCells())
-        job.set_array("surface_edges", view(edges).reshape(-1)[first:first + self.triangles] if fits else None)
+            edges.GetNumberOfComponents() * edges.GetNumberOfTuples() == self._all_cells)
+        end = self._first + self.triangles
+        job.set_array("surface_edges", view(edges).reshape(-1)[self._first:end] if fits else None)
 
 
 class SampledSurface:
@@ -99,6 +103,18 @@ class SampledSurface:
         self.given.GetPointData().ShallowCopy(given.GetPointData())
         if source is not None:
             self.source.GetPointData().ShallowCopy(source.GetPointData())
+
+    def drop_data(self):
+        """Lets go of all data of points and cells until take_data(): between executions what the triangulation was made
+        of is held, and nothing else."""
+        data = self.given.GetPointData()
+        marks = data.GetAbstractArray(GHOSTS)
+        data.Initialize()
+        if marks is not None:
+            data.AddArray(marks)
+        if self.source is not None:
+            self.source.GetPointData().Initialize()
+            self.source.GetCellData().Initialize()
 
     def point_data(self):
         """With a value for each point, added ones included."""

@@ -158,6 +158,22 @@ class LentTest(Case):
             maker.GetOutput().ReleaseData()
             self.assertEqual(flow.GetReferenceCount(), 1)
 
+    def test_one_that_is_kept_by_an_interpolation_holds_no_data(self):
+        """None but what it was made of; of the points and of a surface."""
+        for given in (self.given, copy_of(self.maker.GetOutput())):
+            data = given.GetPointData(), given.GetCellData()
+            own = [array("vtkDoubleArray", "Own", range(count)) for count in (COUNT, given.GetNumberOfCells())]
+            for part, held in zip(data, own):
+                part.AddArray(held)
+            algorithm = interpolation(given)
+            for _ in range(2):
+                algorithm.Modified()
+                self.assertTriangulates(algorithm, 1)
+            for part in data:
+                part.RemoveArray("Own")
+            algorithm.GetOutput().ReleaseData()
+            self.assertEqual([held.GetReferenceCount() for held in own], [1, 1])
+
     def test_several_threads(self):
         """Whoever finds it lent has its own, of a surface that says all."""
         self.maker.GenerateConstraintEdgesOn()
