@@ -189,7 +189,7 @@ def try_different(data, rank):
     """One error on all, and nothing is put out."""
     found = on_all_ranks("different", lambda: run_blocks(data, {}))
     for part in found or ():
-        check(len(part["errors"]) == 1 and part["errors"][0].startswith("The input of rank %d is not" % rank),
+        check(len(part["errors"]) == 1 and part["errors"][0].startswith("The input of rank %d does not" % rank),
               "said: %r" % part["errors"])
         check(not any(block and block["names"] for block in part["blocks"]), "something is put out")
 
