@@ -219,7 +219,9 @@ void PlaneFitting::Work::chooseScales()
 /// but for rounding in the end.
 WideMatrix PlaneFitting::Work::covariance() const
 {
-  const auto n = wideFrom<WideInteger<1>>(static_cast<std::uint64_t>(around_.count), 0, false);
+  WideInteger<1> n; // by wideFrom() its word may be unset, says g++ 12 with -fsanitize
+  n.push(static_cast<std::uint64_t>(around_.count));
+  n.dropLeadingZeros();
   const DoubleDouble count{ around_.count, 0.0 };
   WideMatrix result;
   for (std::size_t k = 0; k < 6; ++k)
