@@ -12,7 +12,7 @@ wheels=$build/wheels
 case ${1-} in
   '') ;;
   -h | --help) help && exit 0 ;;
-  *) fail 1 "what is $1?" "Try --help." ;;
+  *) fail 1 "unknown argument: $1" "Try --help." ;;
 esac
 
 # Sets wheel.

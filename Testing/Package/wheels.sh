@@ -44,11 +44,11 @@ while [ $# -gt 0 ]; do
     --speed) other=${2:?a library} && shift ;;
     --target)
       while [ $# -gt 1 ] && [[ $2 != -* ]]; do
-        python3 "$here/targets.py" list | grep -Fx -e "$2" >/dev/null || fail 1 "what is $2?" "Try --help."
+        python3 "$here/targets.py" list | grep -Fx -e "$2" >/dev/null || fail 1 "unknown argument: $2" "Try --help."
         targets+=("$2") && shift
       done
       ;;
-    *) fail 1 "what is $1?" "Try --help." ;;
+    *) fail 1 "unknown argument: $1" "Try --help." ;;
   esac
   shift
 done
