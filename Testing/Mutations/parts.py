@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Which tests a part of the product has, and how a fault comes into what they run.
 
-A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and says which files it loads,
-`concerns` asks that for one of them; `run(test, limit)` runs it. `plant(fault)` changes a file of its copy and builds,
-`heal(fault)` changes it back: the sources may change meanwhile.
+A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and says what of the product it
+runs, files or lines; `concerns(facts, fault)` says whether a test of which that was said can notice a fault;
+`run(test, limit)` runs it. `plant(fault)` changes a file of its copy and builds, `heal(fault)` changes it back: the
+sources may change meanwhile.
 """
 
 import dataclasses
@@ -14,6 +15,7 @@ import shutil
 import subprocess
 import sys
 
+import lines
 import workshop
 
 ALL_FOLDERS = (*workshop.FOLDERS, "Plugin", "Testing")
@@ -33,10 +35,13 @@ class Tests:
     listed: str = ""
 
 
-LAYER = ("*-*Hashes*:" + workshop.WANT_A_PROCESS, "*Hashes*")
 VTK_LAYER = Tests(
     ("FilterTests", "FaultsCancel", "FaultsMemory"),
-    (*(("FilterTests", chosen) for chosen in LAYER), ("FaultsCancel", "-Long*"), ("FaultsMemory", "-Long*")),
+    (
+        ("FilterTests", "-" + workshop.WANT_A_PROCESS),
+        ("FaultsCancel", "-Long*"),
+        ("FaultsMemory", "-Long*"),
+    ),
 )
 JOB = Tests(
     ("EngineCInterface", "EngineJobHashes", "EngineJobSurface", "EngineJobTrouble",
@@ -65,7 +70,7 @@ def part_for(folder, work, jobs, python, package):
     fitting = [begin for begin in TESTS if (folder + "/").startswith(begin)]
     if not fitting:
         raise workshop.BuildError(f"{folder} is no folder of the product that has tests of its own")
-    return CxxPart(work / "cxx", jobs, TESTS[max(fitting, key=len)])
+    return CxxPart(work / "cxx", jobs, TESTS[max(fitting, key=len)], folder)
 
 
 class PythonPart(workshop.Workshop):
@@ -121,9 +126,8 @@ class PythonPart(workshop.Workshop):
         ran = self.run(test, limit)
         return ran, sorted({str(pathlib.PurePath(path).relative_to(self.place)) for path in self.loaded})
 
-    def concerns(self, facts, file):
-        """Whether a test that loads such files can notice."""
-        return not facts or str(self.path(file).relative_to(self.place)) in facts
+    def concerns(self, facts, fault):
+        return not facts or str(self.path(fault.file).relative_to(self.place)) in facts
 
     def plant(self, fault):
         self.before = self.path(fault.file).read_text()
@@ -158,33 +162,52 @@ def system_python():
 
 
 class CxxPart(workshop.Workshop):
-    """A folder of C++: a copy of all sources and one build of it as users have it, the folder `source/build`."""
+    """A folder of C++: a copy of all sources and one build of it as users have it, the folder `source/build`.
 
-    def __init__(self, folder, jobs, tests):
+    A second one counts lines, so that a test is run for a fault only where it executes it.
+    """
+
+    def __init__(self, folder, jobs, tests, part):
         super().__init__(folder, jobs, ALL_FOLDERS, ALL_FILES)
         self.wanted = tests
         self.build_folder = self.source / "build"
-        command = ["cmake", "-S", self.source, "-B", self.build_folder, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release",
-                   "-DBUILD_TESTING=ON", *system_python()]  # fmt: skip
-        if shutil.which("ccache"):
-            command.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
-        workshop.run_quietly(command)
-        self.make()
-        self.commands = dict(self.programs())
-        self.commands.update(self.listed())
+        self.make(self.build_folder)
+        self.commands = self.all_commands(self.build_folder)
         self.names = list(self.commands)
+        counting = self.source / "counting"
+        self.make(counting, "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O0 -DNDEBUG -w --coverage")
+        self.counting_commands = self.all_commands(counting)
+        self.executed = lines.Executed(counting, self.source, part)
 
-    def make(self):
-        workshop.run_quietly(["ninja", "-C", self.build_folder, f"-j{self.jobs}", *self.wanted.targets])
+    def make(self, build, *options):
+        """Configures a build if need be, and brings it up to date."""
+        if not (build / "build.ninja").exists():
+            command = ["cmake", "-S", self.source, "-B", build, "-G", "Ninja", "-DBUILD_TESTING=ON", *system_python(),
+                       *(options or ["-DCMAKE_BUILD_TYPE=Release"])]  # fmt: skip
+            if shutil.which("ccache"):
+                command.append("-DCMAKE_CXX_COMPILER_LAUNCHER=ccache")
+            workshop.run_quietly(command)
+        workshop.run_quietly(["ninja", "-C", build, f"-j{self.jobs}", *self.wanted.targets])
 
-    def programs(self):
+    def all_commands(self, build):
+        return {**dict(self.programs(build)), **dict(self.listed(build))}
+
+    def programs(self, build):
+        """Each test of the programs of GoogleTest by itself."""
         for program, chosen in self.wanted.programs:
-            words = [self.build_folder / "bin" / program, "--gtest_color=no", "--gtest_filter=" + chosen]
-            yield f"{program} {chosen}", (words, {})
+            words = [build / "bin" / program, "--gtest_color=no"]
+            command = [*words, "--gtest_list_tests", "--gtest_filter=" + chosen]
+            suite = ""
+            for line in subprocess.run(command, capture_output=True, text=True, check=True).stdout.splitlines():
+                name = line.partition("#")[0].strip()
+                if not line.startswith(" "):
+                    suite = name
+                else:
+                    yield f"{program} {suite}{name}", ([*words, f"--gtest_filter={suite}{name}"], {})
 
-    def listed(self):
+    def listed(self, build):
         """Commands and environments of tests as ctest has them."""
-        command = ["ctest", "--test-dir", self.build_folder, "--show-only=json-v1"]
+        command = ["ctest", "--test-dir", build, "--show-only=json-v1"]
         for test in json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]:
             settings = {row["name"]: row["value"] for row in test.get("properties", [])}
             environment = dict(word.split("=", 1) for word in settings.get("ENVIRONMENT", []))
@@ -192,19 +215,27 @@ class CxxPart(workshop.Workshop):
                 yield test["name"], (test["command"], environment)
 
     def run(self, test, limit):
-        command, environment = self.commands[test]
+        return self.execute(self.commands[test], limit)
+
+    def execute(self, words, limit):
+        command, environment = words
         return workshop.execute(command, self.folder, limit, {**environment, "GTEST_FAIL_FAST": "1"})
 
     def measure(self, test, limit):
-        return self.run(test, limit), []
+        """How it runs without a fault, and the lines that it executes; all of them where they were not counted."""
+        self.executed.forget()
+        if test in self.counting_commands:
+            self.execute(self.counting_commands[test], limit)  # what limits time or memory may fail here
+        return self.run(test, limit), self.executed.read()
 
-    def concerns(self, _facts, _file):
-        return True
+    def concerns(self, facts, fault):
+        around = self.executed.around(fault)
+        return not facts or not around or not facts.isdisjoint(around)
 
     def plant(self, fault):
         self.before = (self.source / fault.file).read_text()
         (self.source / fault.file).write_text(fault.apply(self.before))
-        self.make()
+        self.make(self.build_folder)
 
     def heal(self, fault):
         (self.source / fault.file).write_text(self.before)

@@ -2,13 +2,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Plants faults at random places of a folder of the product, one at a time, and sees whether its tests notice.
 
-    random_mutants.py SEED COUNT FOLDER      e.g. 1 30 Filters/Python
+    random_mutants.py SEED COUNT FOLDER      e.g. 1 30 Filters/Python, or 1,2,3 for three seeds
     random_mutants.py --report FILE          only writes the Markdown report of all results
 
 A fault is a comparison flipped, a bound off by one, a condition negated, a statement, an assignment to a member or a
 lock removed, a constant or an operator changed, an early return, arguments swapped, `and` for `or`, an exception
 swallowed. Each line that is executed is as likely as any other; the seed decides. What does not compile is drawn
-again. Only the tests of that folder run (parts.py), the quick ones first, until the first that fails; more than three
+again. Of the tests of that folder (parts.py) those run that load the file (Python) or execute the line (C++), the
+quick ones first, until the first that fails; more than three
 times the usual processor time, or thirty times on the clock, is noticed too. Python is tested in a copy of a built
 package, C++ in a build of its own. Results are kept in the work folder as they come: what has one is not run again.
 judged.toml lists which faults change nothing that is promised, and why.
@@ -36,7 +37,7 @@ JUDGED = pathlib.Path(__file__).resolve().parent / "judged.toml"
 
 def parse_arguments():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
-    parser.add_argument("seed", nargs="?", type=int)
+    parser.add_argument("seeds", metavar="seed", nargs="?", type=lambda text: [int(word) for word in text.split(",")])
     parser.add_argument("count", nargs="?", type=int, help="so many that compile")
     parser.add_argument("folder", nargs="?", type=lambda text: text.strip("/"), help="below the project's")
     parser.add_argument("--list", action="store_true", help="only print the faults; some may not compile")
@@ -72,7 +73,7 @@ class Campaign:
         kept = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.results = kept.get("results", {})  # by the fault's key
         self.runs = kept.get("runs", {})  # by folder and seed: keys of faults
-        self.usual = {}  # by test: seconds of processor time, and what it loads
+        self.usual = {}  # by test: seconds of processor time, and what it runs of the product
 
     def keep(self):
         text = json.dumps({"results": self.results, "runs": self.runs}, indent=1)
@@ -88,9 +89,9 @@ class Campaign:
             self.usual[test] = (ran.cpu, facts)
             print(f"{test}: {ran.cpu:.1f} s", flush=True)
 
-    def order(self, part, file):
+    def order(self, part, fault):
         """The tests that can notice, the quick ones first, and last those that compare hashes."""
-        those = [test for test in part.names if part.concerns(self.usual[test][1], file)]
+        those = [test for test in part.names if part.concerns(self.usual[test][1], fault)]
         return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0]))
 
     def run(self, part, fault):
@@ -99,7 +100,9 @@ class Campaign:
         result["date"] = datetime.date.today().isoformat()
         try:
             part.plant(fault)
-            for test in self.order(part, fault.file):
+            order = self.order(part, fault)
+            result["tests"] = len(order)
+            for test in order:
                 ran = part.run(test, max(LEAST_LIMIT, TIMES_USUAL * self.usual[test][0]))
                 result["seconds"] = round(result["seconds"] + ran.seconds, 1)
                 if ran.failure:
@@ -136,7 +139,7 @@ def say(number, result, fault):
     if result is None:
         print(f"   {fault.file}:{fault.line} does not compile", flush=True)
         return
-    by = f"noticed by {result['test']}: {result['failure']}" if result["test"] else "SURVIVED"
+    by = f"noticed by {result['test']}: {result['failure']}" if result["test"] else f"SURVIVED {result['tests']} tests"
     print(f"{number:3} {fault.file}:{fault.line} {fault.kind}: {by} ({result['seconds']} s)", flush=True)
     if not result["test"]:
         print(f"    - {fault.old.strip()}\n    + {fault.new.strip()}", flush=True)
@@ -145,7 +148,7 @@ def say(number, result, fault):
 def plant(arguments, campaign, judged):
     """The exit code of a run."""
     if arguments.list:
-        for fault, _ in zip(planting.draw(ROOT, arguments.folder, arguments.seed), range(arguments.count)):
+        for fault, _ in zip(planting.draw(ROOT, arguments.folder, arguments.seeds[0]), range(arguments.count)):
             print(f"{fault.file}:{fault.line} {fault.function} {fault.kind}\n  - {fault.old}\n  + {fault.new}")
         return 0
     try:
@@ -155,12 +158,15 @@ def plant(arguments, campaign, judged):
     except (workshop.BuildError, OSError) as error:
         print(error)
         return 2
-    name = f"{arguments.folder} {arguments.seed}"
-    faults = planting.draw(part.source, arguments.folder, arguments.seed)
-    results = campaign.run_all(name, arguments.count, part, faults, arguments.again)
-    counts = random_report.counts(results, judged)
-    print(f"{name}: {counts.said()}")
-    return 0 if counts.survived == 0 and counts.planted == arguments.count else 1
+    good = True
+    for seed in arguments.seeds:
+        name = f"{arguments.folder} {seed}"
+        faults = planting.draw(part.source, arguments.folder, seed)
+        results = campaign.run_all(name, arguments.count, part, faults, arguments.again)
+        counts = random_report.counts(results, judged)
+        print(f"{name}: {counts.said()}")
+        good = good and counts.survived == 0 and counts.planted == arguments.count
+    return 0 if good else 1
 
 
 def main():

@@ -63,7 +63,8 @@ def folder_lines(folder, runs, judged):
     yield f"| all | {own.planted} | {own.killed} | {own.equivalent} | {own.survived} | {own.share():.1f} % |"
     by = collections.Counter(result["test"] for result in distinct.values() if result["test"])
     if by:
-        yield "\nNoticed by " + ", ".join(f"{name} ({number})" for name, number in by.most_common()) + "."
+        first = ", ".join(f"{name} ({number})" for name, number in by.most_common(12))
+        yield f"\nNoticed by {first}{', …' if len(by) > 12 else ''}."
     left = [result for result in distinct.values() if not result["test"]]
     for title, kind in (("Survived", False), ("Equivalent", True)):
         those = [result for result in left if bool(is_equivalent(result, judged)) == kind]

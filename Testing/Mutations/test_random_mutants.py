@@ -7,11 +7,13 @@ import io
 import json
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import textwrap
 import unittest
 
+import lines
 import plant_cxx
 import plant_python
 import planting
@@ -213,8 +215,8 @@ class Part:
     def measure(self, test, limit):
         return self.run(test, limit), ["module.py"]
 
-    def concerns(self, facts, file):
-        return file.rpartition("/")[2] in facts
+    def concerns(self, facts, fault):
+        return fault.file.rpartition("/")[2] in facts
 
 
 class CampaignTest(unittest.TestCase):
@@ -275,6 +277,49 @@ class CampaignTest(unittest.TestCase):
             f"| 1 | {len(results)} | {counts.killed} | 1 | {len(left) - 1} | {share:.1f} % |", lines)  # fmt: skip
         self.assertEqual(sum("not looked at" in line for line in lines), len(left) - 1)
         self.assertEqual(sum("nobody \\| calls it" in line for line in lines), 1)
+
+
+TWO = """\
+int taken(int value)
+{
+  return value +
+    1;
+}
+int unseen(int value)
+{
+  return value + 2;
+}
+int main()
+{
+  return taken(-1);
+}
+"""
+
+
+@unittest.skipUnless(shutil.which("g++") and shutil.which("gcov"), "g++ and gcov count lines")
+class LinesTest(unittest.TestCase):
+    def test_what_a_program_executes(self):
+        root = pathlib.Path(tempfile.mkdtemp()).resolve()
+        self.addCleanup(shutil.rmtree, root)
+        (root / "part").mkdir()
+        (root / "build").mkdir()
+        (root / "part" / "two.cxx").write_text(TWO)
+        command = ["g++", "--coverage", "-O0", root / "part" / "two.cxx", "-o", "two"]
+        subprocess.run(command, cwd=root / "build", check=True)
+        executed = lines.Executed(root / "build", root, "part")
+        self.assertEqual(executed.read(), set())  # nothing has run
+        for _ in range(2):
+            executed.forget()
+            subprocess.run([root / "build" / "two"], check=True)
+            facts = executed.read()
+            self.assertIn("part/two.cxx:12", facts)
+            self.assertNotIn("part/two.cxx:8", facts)
+        seen = {}
+        for fault in planting.faults("part/two.cxx", TWO):
+            seen.setdefault(fault.function, set()).add(not facts.isdisjoint(executed.around(fault)))
+        self.assertEqual((seen["taken"], seen["unseen"]), ({True}, {False}))  # of two lines, too
+        other = planting.Fault("part/other.cxx", "f", 3, "constant changed", "1", "2", 0)
+        self.assertEqual(executed.around(other), set())
 
 
 class JudgedTest(unittest.TestCase):
