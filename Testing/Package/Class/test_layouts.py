@@ -19,10 +19,11 @@ COUNT, OWN = 41, 7
 
 def of_components(kind):
     """A new array of this kind of number that lies component after component; None where VTK does not wrap it."""
-    try:
-        return core.vtkSOADataArrayTemplate[kind]()
-    except (AttributeError, KeyError):
-        return None
+    wanted = getattr(core, KINDS[kind])().GetDataType()  # on Windows int32 is long, another type than int
+    for template in getattr(core, "vtkSOADataArrayTemplate", {}).values():
+        if template().GetDataType() == wanted:
+            return template()
+    return None
 
 
 def laid(data, kind):
