@@ -47,12 +47,12 @@ class OutOfReach(NotHere):
     """PyPI is."""
 
 
-def called(command, environment=None):
-    """Exit code and output; NotHere where it takes too long."""
+def called(command, environment=None, seconds=SECONDS):
+    """Exit code and output; the code is 1 where it takes longer or cannot be started."""
     try:
         done = subprocess.run(
             [str(word) for word in command], env=environment, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT, text=True, check=False, timeout=SECONDS)
+            stderr=subprocess.STDOUT, text=True, check=False, timeout=seconds)
     except (OSError, subprocess.TimeoutExpired) as error:
         return 1, str(error)
     return done.returncode, done.stdout
