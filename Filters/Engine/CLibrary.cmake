@@ -22,9 +22,9 @@ target_include_directories(AdaptiveHilbertDelaunayC INTERFACE
   "$<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/adaptivehilbertdelaunay/Engine/Interface>")
 target_link_libraries(AdaptiveHilbertDelaunayC PRIVATE AdaptiveHilbertDelaunayEngine)
 
-# Whatever templates of the standard library make visible stays inside.
+# Symbols of the standard library's templates stay hidden.
 if (WIN32)
-  # One name whoever compiles it, and one file: no DLLs of a compiler's own beside it.
+  # The same name with every compiler, and one file: without the compiler's own DLLs.
   set_target_properties(AdaptiveHilbertDelaunayC PROPERTIES PREFIX "")
   if (MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU") # zig links its own statically anyway
     target_link_options(AdaptiveHilbertDelaunayC PRIVATE -static)
@@ -34,7 +34,7 @@ elseif (APPLE)
   check_linker_flag(CXX "LINKER:-exported_symbol,_ahd_*" AHD_EXPORTED_SYMBOL)
   if (AHD_EXPORTED_SYMBOL)
     target_link_options(AdaptiveHilbertDelaunayC PRIVATE "LINKER:-exported_symbol,_ahd_*")
-  else () # zig's, which knows neither that nor a list, and would export the operators of its standard library
+  else () # zig's has neither that option nor lists of symbols, and would export the operators of its standard library
     set_source_files_properties("${CMAKE_CURRENT_LIST_DIR}/Interface/HiddenOperators.cxx" PROPERTIES
       COMPILE_DEFINITIONS AHD_HIDDEN_OPERATORS
       COMPILE_OPTIONS     -fvisibility-global-new-delete=force-hidden)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What the engine consists of and how it is compiled, said once. Sets
+# The engine's sources, and how they are compiled. Sets
 #   ahd_engine_sources   absolute paths: every .cxx file below this directory
 #   ahd_engine_version   the version of the project
 #   ahd_engine_headers   the headers of its C++ interface, relative to this directory, to be installed
 #   ahd_engine_options   compile options without which the predicates are not exact
-#   ahd_engine_warnings  what the compiler is asked to warn of
+#   ahd_engine_warnings  options for the compiler's warnings
 #   ahd_engine_errors    makes warnings errors, where tests are built (AHD_WARNINGS_ARE_ERRORS) and with the compilers
 #                        that are known to give none
 file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR}/*.cxx")

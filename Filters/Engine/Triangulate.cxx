@@ -39,7 +39,7 @@ namespace
 
 using State = TriangulationAccess::State;
 
-/// Is the order made point by point, rather than followed by its formula?
+/// Is the order stored point by point, rather than computed by its formula?
 bool needsSequence(const Options& options)
 {
   return !isRankByRounds(options) || options.insertionLimit > 0;
@@ -94,7 +94,7 @@ Status Run::all()
   return state_.report.inserted < 3 ? Status::Ok : insert();
 }
 
-/// Ranks, orders, and then chooses among duplicates: orders look at the smallest ids.
+/// Ranks, orders, and then chooses among duplicates: orders use the smallest ids.
 Status Run::rank(Ticker& sorting)
 {
   RankedPoints& ranked = state_.ranked;
@@ -113,7 +113,7 @@ Status Run::rank(Ticker& sorting)
     : Status::Cancelled;
 }
 
-/// The boxes and the sequence, as far as they are wanted: later the keys are gone.
+/// The boxes and the sequence, if requested: the keys are overwritten later.
 Status Run::order(Ticker& sorting)
 {
   if (options_.keepBoxes)
@@ -283,7 +283,7 @@ std::size_t triangulationMemoryEstimate(std::size_t pointCount, const Options& o
   {
     return std::size_t(-1);
   }
-  // What it takes to make an order that has no formula or to choose among duplicates.
+  // Bytes to make an order that has no formula, or to choose among duplicates.
   const std::size_t made = isRankByRounds(options) ? 0 : kSequenceScratchPerPoint;
   const std::size_t chosen = options.representative == Representative::FirstId ? 0 : sizeof(Index);
   return triangulatedMemoryEstimate(pointCount, options) + pointCount * std::max(made, chosen);

@@ -48,7 +48,7 @@ bool insertConstraints(State& state, const ConstraintView& given, FillRule rule,
   return ticker.ask();
 }
 
-/// Without triangles no segment can be had.
+/// Without triangles no segment can become an edge.
 bool countMissing(State& state, const ConstraintView& given, Ticker& ticker)
 {
   for (std::size_t chain = 0; chain < given.chains; ++chain)
@@ -98,8 +98,7 @@ bool trimState(State& state, const Context& context)
   return (!state.hasCorners || state.makeFlags(ticker)) && ticker.ask();
 }
 
-/// Makes one triangulation of another, which is used up; `change` returns false if the work is to
-/// be cancelled.
+/// Makes one triangulation from another, which is consumed; `change` returns false if cancelled.
 template <typename Change>
 Status makeOf(Triangulation&& from, Triangulation& out, Change change)
 {
@@ -142,8 +141,8 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
   // Per edge: four places in the table of loops' edges, which has room for them from the beginning,
   // and six in that of edges that cross, which holds the smaller one while it grows.
   constexpr std::size_t kPerEdge = (4 + 6) * sizeof(LoopEdges::Edge);
-  // Per segment: a row of the report, an edge of a loop, the beginning of a chain, what says of its
-  // ids that they begin edges.
+  // Per segment: a row of the report, an edge of a loop, the beginning of a chain, flags for ids
+  // that begin edges.
   constexpr std::size_t kPerSegment = kGrown * (sizeof(LeftOut) + 8) + 8 + 2;
   const std::size_t inOrder = std::min(segmentCount, 3 * pointCount) * kPerEdge +
     segmentCount * kPerSegment;
@@ -154,8 +153,8 @@ std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segment
 
 std::size_t knownConstraintMemory(std::size_t pointCount, std::size_t segmentCount)
 {
-  // Per point as above; per segment the beginning of a chain. And what is small: lists of few, and
-  // counts of each block of vertices, for each thread.
+  // Per point as above; per segment the beginning of a chain. For each thread, small amounts: short
+  // lists, and a count for each block of vertices.
   constexpr std::size_t kPerPoint = 4 + 4 + 2 + 8, kSmall = std::size_t(1) << 16;
   return pointCount * kPerPoint +
     (segmentCount == 0 ? 0 : segmentCount * (InCurveOrder::knownBytesPerSegment() + 8) + kSmall);

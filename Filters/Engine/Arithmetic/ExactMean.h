@@ -13,12 +13,12 @@
 #include <cstdint>
 
 /// Means of finite numbers, rounded once: the double nearest to their exact sum over their count,
-/// so that their order has no say. @pre at most 2^28 numbers; rounding to nearest, no
+/// so that their order does not matter. @pre at most 2^28 numbers; rounding to nearest, no
 /// contraction.
 namespace ahd
 {
 
-/// For nearly all numbers, in a few operations each: a sum that two doubles hold.
+/// A sum held in two doubles, a few operations per number; it suffices nearly always.
 class ShortSum
 {
 public:
@@ -106,7 +106,7 @@ public:
 
 private:
   static constexpr int kLowest = -1074; ///< exponent of the smallest double
-  static constexpr int kBits = 32;      ///< of a digit; what 64 have more is for the carries
+  static constexpr int kBits = 32;      ///< of a digit; the rest of the 64 is for carries
   static constexpr std::uint64_t kMask = 0xFFFFFFFFu;
   static constexpr std::size_t kDigits = 70; ///< 2098 places, and 28 for the count
 

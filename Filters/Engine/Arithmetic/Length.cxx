@@ -28,7 +28,7 @@ double lengthOf(double x, double y, double z)
   {
     return sum;
   }
-  // Products too small to be exact are too small to be seen beside the largest.
+  // Products too small to be exact are negligible beside the largest.
   const double scale = scaleOf(most);
   const auto square = [scale](double v) { return exactProduct(v * scale, v * scale); };
   const DoubleDouble squares = square(x) + square(y) + square(z);

@@ -8,7 +8,7 @@
 namespace ahd
 {
 
-/// Cuts off what is behind the digits.
+/// Truncates to the digits.
 template <int N>
 void WideArithmetic::put(const WideInteger<N>& whole, int exponent, WideFloat& result) const
 {
@@ -18,7 +18,7 @@ void WideArithmetic::put(const WideInteger<N>& whole, int exponent, WideFloat& r
     ++first;
   }
   const int size = whole.size - first;
-  for (int i = 0; i < size; ++i) // upwards: it may be the same number
+  for (int i = 0; i < size; ++i) // upwards: `whole` may be result.whole
   {
     result.whole.word[i] = whole.word[first + i];
   }
@@ -70,7 +70,7 @@ void WideArithmetic::product(const WideFloat& a, const WideFloat& b, WideFloat& 
   put(long_, a.exponent + b.exponent, result);
 }
 
-/// By Newton's method, with about as many digits as are right.
+/// Newton's method; each step uses about as many digits as are correct.
 void WideArithmetic::inverse(const WideFloat& a, WideFloat& result)
 {
   constexpr int kRight = 48; // bits of a quotient of doubles

@@ -10,12 +10,12 @@
 namespace ahd
 {
 
-/// The most digits of 64 bits that a WideFloat may have. Who asks for more than it takes on a stack
-/// keeps it elsewhere: it is some 2 KiB.
+/// The most digits of 64 bits that a WideFloat may have. One is some 2 KiB: keep several on the
+/// heap where the stack is small.
 constexpr int kMostDigits = 266;
 
 /// whole * 2^(64 * exponent): a number that neither overflows nor underflows, with as many digits
-/// as its value asks for. The lowest digit is not 0.
+/// as its value needs. The lowest digit is not 0.
 struct WideFloat
 {
   WideInteger<kMostDigits> whole;
@@ -40,8 +40,8 @@ struct WideFloat
     return 64 * (exponent + whole.size - 1) + int(bitLength(whole.word[whole.size - 1]));
   }
 
-  /// |value| = leading() * 2^(64 * leadingExponent()), but for a part of 2^-52. @pre it is not
-  /// 0.
+  /// |value| = leading() * 2^(64 * leadingExponent()), up to a relative error of 2^-52. @pre it is
+  /// not 0.
   double leading() const
   {
     const int size = whole.size;
@@ -51,8 +51,8 @@ struct WideFloat
   int leadingExponent() const { return exponent + whole.size - 2; }
 };
 
-/// Sums, products and inverses of WideFloats, cut off behind so many digits: sums and products are
-/// wrong by less than unit() of themselves, inverses by 4 unit(). A result may be an operand.
+/// Sums, products and inverses of WideFloats, truncated to so many digits: the relative error of
+/// sums and products is less than unit(), that of inverses 4 unit(). A result may be an operand.
 ///
 /// Proof. Of n digits the highest is at least 1, and less than 1 of the lowest is cut off. A
 /// summand that is left out is less than 2^(-64 (n + 1)) of the other. Of an inverse x of a that is

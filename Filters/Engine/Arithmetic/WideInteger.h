@@ -6,8 +6,8 @@
 #include <cassert>
 #include <cstdint>
 
-/// Signed integers of up to a fixed number of bits, on the stack, as long as their value asks for:
-/// no more than the exact predicates need.
+/// Signed integers of up to a fixed number of bits, on the stack, with as many words as their value
+/// needs. Only the operations that the exact predicates need.
 namespace ahd
 {
 
@@ -104,7 +104,7 @@ int compareMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b)
   return 0;
 }
 
-/// |a| + |b|, to be put into the empty `result`. @pre a.size >= b.size.
+/// |a| + |b|, written to the empty `result`. @pre a.size >= b.size.
 template <int R, int N, int M>
 void addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
@@ -123,7 +123,7 @@ void addMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger
   }
 }
 
-/// |a| - |b|, to be put into the empty `result`. @pre |a| >= |b|.
+/// |a| - |b|, written to the empty `result`. @pre |a| >= |b|.
 template <int R, int N, int M>
 void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideInteger<R>& result)
 {
@@ -139,7 +139,7 @@ void subtractMagnitudes(const WideInteger<N>& a, const WideInteger<M>& b, WideIn
   result.dropLeadingZeros();
 }
 
-/// |a| + |b| with the sign of a if `sameSign`, else |a| - |b| with the sign that has.
+/// |a| + |b| with the sign of a if `sameSign`, else |a| - |b| with the sign of that.
 template <int R, int N, int M>
 void addSigned(
   const WideInteger<N>& a, const WideInteger<M>& b, bool sameSign, WideInteger<R>& result)

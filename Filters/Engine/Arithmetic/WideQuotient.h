@@ -110,8 +110,8 @@ double roundedQuotient(const WideInteger<N>& a, const WideInteger<M>& b, int exp
   const int scale = bitsOf(rest) - bitsOf(divisor);
   rest = shifted(a, std::max(0, -scale));
   divisor = shifted(b, std::max(0, scale));
-  // Now they have as many bits, and the quotient is between 1/2 and 2: bit by bit, 63 of them after
-  // the point.
+  // Now both have the same number of bits, and the quotient is between 1/2 and 2: bit by bit, 63 of
+  // them after the point.
   std::uint64_t bits = 0;
   for (int i = 0; i < 64; ++i)
   {

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <initializer_list>
 
-/// Points as integers of as many bits as their exponents ask for, up to the whole range of double.
+/// Points as integers of as many bits as their exponents need, up to the whole range of double.
 namespace ahd::stages
 {
 

@@ -12,12 +12,12 @@
 namespace ahd
 {
 
-/// How much is held of what is asked for beyond an estimate, and how much may be: a Progress has
-/// one to answer Progress::take(). For any threads.
+/// Counts the memory requested beyond an estimate, and limits it: a Progress answers
+/// Progress::take() with one. Thread-safe.
 class AskedMemory
 {
 public:
-  /// Forgets what was asked for.
+  /// Sets the limit, and the counts to 0.
   void limitTo(std::size_t most)
   {
     most_ = most;
@@ -35,7 +35,7 @@ public:
   }
   void giveBack(std::size_t bytes) { held_ -= bytes; }
 
-  /// Most that was held at a time, or that one asked for.
+  /// Most bytes held at a time, refused requests included.
   std::size_t most() const { return peak_; }
   bool wasRefused() const { return peak_ > most_; }
 
@@ -45,7 +45,7 @@ private:
   std::atomic<std::size_t> peak_{ 0 };
 };
 
-/// Memory that was asked for, as long as this lives.
+/// Memory requested beyond the estimate, held for the lifetime of this object.
 class TakenMemory
 {
 public:
@@ -57,8 +57,7 @@ public:
   TakenMemory(const TakenMemory&) = delete;
   TakenMemory& operator=(const TakenMemory&) = delete;
 
-  /// Asks for what is needed more than before, if it is. Throws std::bad_alloc if it may not be
-  /// taken.
+  /// Requests the increase, if any. Throws std::bad_alloc if it is refused.
   void atLeast(std::size_t bytes)
   {
     if (bytes > bytes_)
@@ -68,7 +67,7 @@ public:
       ticker_.take(more);
     }
   }
-  /// Gives back what is not needed any more.
+  /// Returns the decrease, if any.
   void atMost(std::size_t bytes)
   {
     if (bytes < bytes_)
@@ -83,8 +82,8 @@ private:
   std::size_t bytes_ = 0;
 };
 
-/// Memory that lists grow into, as long as this lives: asked for before they do, by any threads of
-/// a phase.
+/// Memory for growing lists, requested before they grow and held for the lifetime of this object;
+/// for all threads of a phase.
 class GrowingMemory
 {
 public:
@@ -96,15 +95,15 @@ public:
   GrowingMemory(const GrowingMemory&) = delete;
   GrowingMemory& operator=(const GrowingMemory&) = delete;
 
-  /// Throws std::bad_alloc if they may not be taken.
+  /// Throws std::bad_alloc if they are refused.
   void take(std::size_t bytes)
   {
     bytes_ += bytes;
     phase_.take(bytes);
   }
 
-  /// Adds the item. In all, a list asks for three times what it had room for before it last grew:
-  /// itself, and twice as much. Nothing for few items.
+  /// Appends the item. In all, a list requests three times its capacity before it last grew: the
+  /// old array and one twice as large. Few items request nothing.
   template <typename T>
   void add(std::vector<T>& list, const T& item)
   {

@@ -11,8 +11,8 @@
 namespace ahd
 {
 
-/// The engine's border: what the standard library throws for want of memory becomes a status, and
-/// floating-point arithmetic is as the engine assumes it. `work` returns a Status.
+/// The engine's border: exceptions of the standard library for lack of memory become a status, and
+/// floating-point arithmetic is set as the engine assumes it. `work` returns a Status.
 template <typename Work>
 Status withoutThrowing(Work work)
 {

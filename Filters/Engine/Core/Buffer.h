@@ -58,7 +58,7 @@ public:
     capacity_ = size;
   }
 
-  /// Drops what it held and becomes a view of memory that belongs to somebody else.
+  /// Drops what it held and becomes a view of memory owned elsewhere.
   /// @pre `memory` is aligned for T and outlives the use.
   void view(void* memory, std::size_t size)
   {
@@ -67,12 +67,12 @@ public:
     size_ = size;
   }
 
-  /// Drops what it held, but not its memory.
+  /// Drops its elements, but keeps its memory.
   void clear() { size_ = 0; }
 
   void reset() { Buffer old(std::move(*this)); }
 
-  /// Gives up its memory, which free() is to be called with; null if it owns none.
+  /// Gives up its memory, which must be freed by free(); null if it owns none.
   T* release()
   {
     T* const given = capacity_ != 0 ? data_ : nullptr;
@@ -80,7 +80,7 @@ public:
     size_ = capacity_ = 0;
     return given;
   }
-  /// Owns what a Buffer of any type gave up.
+  /// Owns memory that a Buffer of any type gave up.
   static Buffer owner(void* given, std::size_t bytes)
   {
     Buffer buffer;
@@ -120,7 +120,7 @@ private:
   std::size_t capacity_ = 0; ///< elements it owns; 0 for a view
 };
 
-/// Memory for one thing after the other.
+/// Memory used for different things in turn.
 using Scratch = Buffer<unsigned char>;
 
 } // namespace ahd

@@ -45,7 +45,7 @@ bool inSteps(std::size_t begin, std::size_t end, Ticker& ticker, Work work)
     });
 }
 
-/// Writes the value all over a Buffer. Returns false if the work is cancelled.
+/// Fills a Buffer with the value. Returns false if the work is cancelled.
 template <typename Array, typename Value>
 bool fillAll(Array& array, const Value& value, Ticker& ticker)
 {

@@ -5,11 +5,11 @@
 namespace ahd
 {
 
-/// Seconds from some beginning.
+/// Seconds since an arbitrary start.
 using Clock = double (*)();
 
-/// A clock that is never set. For progress, as its callers may have none; the rest of the engine
-/// reads no clock.
+/// A monotonic clock. For progress, as its callers may have none; the rest of the engine reads no
+/// clock.
 double steadySeconds();
 
 } // namespace ahd

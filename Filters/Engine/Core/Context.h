@@ -8,8 +8,9 @@ namespace ahd
 class Executor;
 class Progress;
 
-/// Who a call of the engine reports to and who lends it threads. Either may be null: then nobody is
-/// told of progress and nobody can cancel, and the calling thread does all the work.
+/// Where a call of the engine reports progress, and the threads lent to it. Either may be null:
+/// without `progress` nothing is reported and the call cannot be cancelled, without `executor` the
+/// calling thread does all the work.
 struct Context
 {
   Progress* progress = nullptr;

@@ -10,9 +10,9 @@
 /// on all.
 ///
 /// One function is compiled for a set by the compiler's attribute `target`. Whole source files are
-/// compiled for it by one that defines AHD_TARGET, asks the compiler for the instructions and only
-/// then includes them: what stands there in the namespace AHD_TARGET exists once for each set.
-/// Everything else it includes before, so that no function shared by all is compiled for some.
+/// compiled for it by one that defines AHD_TARGET, enables the instructions and only then includes
+/// them: their namespace AHD_TARGET exists once for each set. It includes everything else before
+/// that, so that no shared function is compiled for one set.
 ///
 /// AHD_PORTABLE, defined when compiling, leaves all but the baseline out.
 #ifndef AHD_TARGET
@@ -32,8 +32,9 @@
 #define AHD_HAS_X86_PAIRS 0
 #endif
 
-/// ALWAYS: for small functions of hot loops, and those that are to have the instruction set of
-/// their caller. NEVER: for what hot loops seldom call, so that it takes none of their registers.
+/// ALWAYS: for small functions of hot loops, and functions that must have the instruction set of
+/// their caller. NEVER: for functions that hot loops seldom call, so that they take none of their
+/// registers.
 #if defined(__GNUC__) || defined(__clang__)
 #define AHD_ALWAYS_INLINE inline __attribute__((always_inline))
 #define AHD_NEVER_INLINE __attribute__((noinline))
@@ -42,7 +43,8 @@
 #define AHD_NEVER_INLINE
 #endif
 
-/// Before a function: compiled for these instructions (see InstructionSet), whole vectors of them.
+/// Before a function: compiled for these instructions (see InstructionSet), with vectors of full
+/// width.
 #if !AHD_HAS_X86_TARGETS
 #define AHD_FOR_AVX2
 #define AHD_FOR_AVX512
@@ -60,7 +62,7 @@ namespace ahd
 /// Each has the instructions of those before it.
 enum class InstructionSet
 {
-  Baseline, ///< what the compiler was asked for
+  Baseline, ///< the compiler's own target
   Avx2,     ///< AVX2 and fused multiply-adds
   Avx512    ///< AVX-512 F and VL
 };

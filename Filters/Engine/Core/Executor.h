@@ -8,8 +8,8 @@
 namespace ahd
 {
 
-/// How the engine gets more threads than the one it is called on: the caller brings them. The
-/// engine starts none, and does not know where they come from.
+/// The threads that the caller lends to the engine beyond the one that it is called on. The engine
+/// starts none itself.
 class Executor
 {
 public:

@@ -12,17 +12,17 @@
 namespace ahd
 {
 
-/// 128 bits that differ for different bytes, with a probability that need not be counted with.
+/// 128 bits that differ for different bytes; collisions are negligible.
 using Fingerprint = std::array<std::uint64_t, 2>;
 
-/// Takes the fingerprint of bytes. Adds up what becomes of each word at its place, in two ways: as
-/// it is, and an odd number of times, which is smaller by two for the next word. As the words do
-/// not wait for each other, several threads may share them: one FingerprintSum each, added up.
+/// Computes the fingerprint of bytes: two sums of the words, each hashed with its position; one is
+/// plain, one is weighted by descending odd factors. Words are independent, so several threads may
+/// share them: one FingerprintSum each, then added up.
 class FingerprintSum
 {
 public:
   static constexpr std::size_t kWord = sizeof(std::uint64_t);
-  static constexpr std::size_t kWordsAhead = 128; ///< fetched: some processors fetch too few
+  static constexpr std::size_t kWordsAhead = 128; ///< prefetched: some processors prefetch too few
 
   /// Adds the words [begin, end) of so many words at `bytes`.
   void add(const unsigned char* bytes, std::size_t begin, std::size_t end, std::size_t words)
@@ -47,12 +47,12 @@ public:
     sums_[1] += other.sums_[1];
   }
 
-  /// That of all words, of the bytes behind them, and of a number that tells apart what has the
-  /// same bytes. Never { 0, 0 }.
+  /// The fingerprint of all words, of the bytes after them, and of a number that distinguishes
+  /// equal bytes of different kinds. Never { 0, 0 }.
   Fingerprint finish(const unsigned char* bytes, std::size_t count, std::uint64_t kind) const
   {
     const std::size_t words = count / kWord;
-    std::uint64_t rest = 0; // what fills no word
+    std::uint64_t rest = 0; // the bytes after the last word
     for (std::size_t i = words * kWord; i < count; ++i)
     {
       rest = rest << 8 | bytes[i];
@@ -63,7 +63,7 @@ public:
   }
 
 private:
-  /// Spreads every bit over all; a bijection.
+  /// Lets every bit affect all others; a bijection.
   static std::uint64_t spread(std::uint64_t word)
   {
     word ^= word >> 32;

@@ -15,9 +15,8 @@ namespace ahd
 
 /// For its lifetime, this thread's floating-point arithmetic is as the predicates assume it:
 /// rounding to nearest, subnormal numbers kept, no traps. A host program, or the task a borrowed
-/// thread ran before, may have left it otherwise.
-/// What was set is set again at the end. Elsewhere than on x86-64 and aarch64 only the rounding
-/// mode is.
+/// thread ran before, may have changed it. The previous state is restored at the end. On other
+/// processors than x86-64 and aarch64 only the rounding mode is set.
 class ScopedFloatingPoint
 {
 public:

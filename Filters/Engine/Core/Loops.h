@@ -12,8 +12,8 @@
 namespace ahd
 {
 
-/// Into how many tasks a loop of a few operations a step is cut: fewer steps than this are done
-/// sooner than shared.
+/// The number of tasks for a loop of a few operations a step. Short loops are one: sharing them
+/// takes longer.
 inline std::size_t tasksForLoop(const Ticker& ticker, std::size_t count)
 {
   constexpr std::size_t kLeastShared = std::size_t(1) << 18;
@@ -22,7 +22,7 @@ inline std::size_t tasksForLoop(const Ticker& ticker, std::size_t count)
 }
 
 /// Calls work(a, b) for chunks [a, b) of [0, count), each at most kChunk long, on the threads lent
-/// to the phase where it pays. Asks before, so once at least. Returns false if the work is to be
+/// to the phase where it pays. Polls for cancellation first, so at least once. Returns false if
 /// cancelled; then some chunks are missing.
 template <typename Work>
 bool inChunksOf(std::size_t count, Ticker& ticker, const Work& work)
@@ -58,9 +58,9 @@ bool inShares(
     });
 }
 
-/// The same as inChunksOf for work(part, a, b) that finds something out: each task has a Part of
-/// its own, made by default, and part.merge(other) adds to what comes before what comes behind.
-/// `total` is a new Part. Throws std::bad_alloc.
+/// The same as inChunksOf for work(part, a, b) with a result: each task has its own
+/// default-constructed Part, and part.merge(other) adds the result of later items to that of
+/// earlier ones. `total` is a new Part. Throws std::bad_alloc.
 template <typename Part, typename Work>
 bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
 {
@@ -71,7 +71,7 @@ bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
       [&](std::size_t task, Ticker& own)
       {
         const Share share(count, task, tasks);
-        Part part; // on the stack: no thread waits for a line of another
+        Part part; // on the stack: no false sharing
         const bool done = inChunks(
           share.begin, share.end, own, [&](std::size_t a, std::size_t b) { work(part, a, b); });
         parts[task] = part;
@@ -84,10 +84,10 @@ bool gather(std::size_t count, Ticker& ticker, Part& total, const Work& work)
   return all;
 }
 
-/// Writes what is found among [0, count), in order, by all threads lent where it pays: each share
-/// is first counted, then written from where those before it end. count(a, b) returns how many
-/// [a, b) has; begin(all) makes room; write(a, b, first) writes them from place `first` on and
-/// returns the place behind. Returns false if the work is cancelled. Throws std::bad_alloc.
+/// Writes the items found in [0, items), in order, by all threads lent where it pays: each share is
+/// first counted, then written from where those before it end. count(a, b) returns how many [a, b)
+/// has; begin(all) makes room; write(a, b, first) writes them from place `first` on and returns the
+/// place behind. Returns false if the work is cancelled. Throws std::bad_alloc.
 template <typename Count, typename Begin, typename Write>
 bool countAndWrite(
   std::size_t items, Ticker& ticker, const Count& count, const Begin& begin, const Write& write)

@@ -36,7 +36,7 @@ std::size_t less(std::size_t limit, std::size_t taken)
   return limit > taken ? limit - taken : 0;
 }
 
-/// Bytes of the address space and of memory that the process has taken; 0 where nobody tells.
+/// Bytes of the address space and of memory that the process has taken; 0 where unknown.
 struct Taken
 {
   std::size_t space = 0;
@@ -84,7 +84,7 @@ std::size_t containerLeft(const std::string& groups, const Taken& taken)
   return kUnknown;
 }
 
-/// What Linux takes for available: free memory, and caches that it would give up.
+/// Memory that Linux counts as available: free memory, and caches that it would give up.
 std::size_t linuxLeft(const std::string& meminfo)
 {
   std::ifstream info(meminfo);
@@ -100,8 +100,8 @@ std::size_t linuxLeft(const std::string& meminfo)
 }
 
 #if defined(_WIN32)
-/// What the job that the process is in, if any, still lets it commit. What other processes of the
-/// job have taken is not known.
+/// The memory that the job of the process, if any, still lets it commit. The share of the job's
+/// other processes is not known.
 std::size_t jobLeft()
 {
   JOBOBJECT_EXTENDED_LIMIT_INFORMATION job = {};

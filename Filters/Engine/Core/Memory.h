@@ -17,11 +17,11 @@ namespace ahd
 /// macOS    free, inactive and purgeable pages   address space
 /// others   (not known)                          address space
 ///
-/// Of what counts against a limit this process's part is known alone. The largest number where
-/// nothing is known. For who sets limits; the engine itself does not ask.
+/// Of the memory that counts against a limit only this process's share is known. The largest number
+/// where nothing is known. For callers that set limits; the engine itself does not use it.
 std::size_t availableMemory();
 
-/// The same by other files than those in which Linux tells of memory: `meminfo` in place of
+/// The same from other files: `meminfo` in place of
 /// /proc/meminfo, and the folder `groups` in place of /sys/fs/cgroup. For tests.
 std::size_t availableMemoryBy(const std::string& meminfo, const std::string& groups);
 

@@ -5,8 +5,8 @@
 namespace ahd
 {
 
-// Also where memory is read from one end to the other: processors fetch ahead by themselves, but
-// some not far enough for loops that do more than add up (README.md, Tried).
+// Useful for sequential reads, too: the prefetchers of some processors do not reach far enough for
+// loops that do more than add up (README.md, Tried).
 
 /// Tells the processor that a cache line is about to be written. Changes no result.
 inline void prefetchForWrite(const void* address)

@@ -21,7 +21,7 @@ namespace ahd
 namespace
 {
 
-/// 0: the system does not tell.
+/// 0: unknown.
 unsigned allowedProcessors()
 {
 #if defined(__linux__)

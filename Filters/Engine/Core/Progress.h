@@ -28,9 +28,8 @@ enum class Phase
 };
 constexpr std::size_t kPhases = std::size_t(Phase::Outputs) + 1;
 
-/// How the engine talks to its caller while it works. The engine reads no clock: who wants the time
-/// of a phase takes it in beginPhase(). A rounding mode that its functions leave behind is put
-/// back.
+/// The engine's reports to its caller during a run. The engine reads no clock: a caller that times
+/// phases does so in beginPhase(). If these functions change the rounding mode, it is restored.
 class Progress
 {
 public:
@@ -41,19 +40,19 @@ public:
 
   /// The phase is done to this fraction (0 to 1, never falling within a phase).
   /// Return false to cancel: the engine then stops at once and reports Status::Cancelled.
-  /// Called from the thread that called the engine only, also when others work for it; asked at
-  /// least once per kStepsPerAsking bounded steps of that thread's work.
+  /// Called only from the thread that called the engine, even when others work for it, at least
+  /// once per kStepsPerAsking bounded steps of that thread's work.
   virtual bool advance(Phase, double fraction) = 0;
 
-  /// So many bytes more are needed than was estimated, which shows only while the work is done.
-  /// They are asked for before they are taken. Return false to refuse them: the engine then reports
-  /// Status::OutOfMemory, and gives them back. Called from any thread that works.
+  /// Requests bytes beyond the estimate, where the need shows only during the work, before they are
+  /// allocated. Return false to refuse them: the engine then reports Status::OutOfMemory, and gives
+  /// them back. Called from any thread that works.
   virtual bool take(std::size_t bytes)
   {
     static_cast<void>(bytes);
     return true;
   }
-  /// They are not needed any more.
+  /// Returns bytes that take() requested.
   virtual void giveBack(std::size_t bytes) { static_cast<void>(bytes); }
 };
 
@@ -61,15 +60,15 @@ public:
 /// triangle removed) between two calls of Progress::advance.
 constexpr std::size_t kStepsPerAsking = std::size_t(1) << 14;
 
-/// One phase's line to the caller: counts steps, asks the Progress when a batch of them is full,
-/// and knows who lends threads. Tasks that run in parallel have one each, made from the phase's
-/// (Tasks.h): the one on the caller's own thread asks, the others look whether it was told to stop.
+/// Reports one phase to the caller: counts steps, polls the Progress once per batch of them, and
+/// holds the executor. Tasks that run in parallel have one each, made from the phase's (Tasks.h):
+/// the one on the caller's own thread polls, the others check whether the phase was cancelled.
 class Ticker
 {
 public:
-  /// `progress` may be null (nobody to ask), and so may `executor` (this thread does it all).
-  /// `total` is the number of units of work the fraction refers to; 0 means unknown (the fraction
-  /// stays 0).
+  /// `progress` may be null (no reports, no cancelling), and so may `executor` (this thread does it
+  /// all). `total` is the number of units of work the fraction refers to; 0 means unknown (the
+  /// fraction stays 0).
   Ticker(Progress* progress, Phase phase, std::size_t total, Executor* executor = nullptr);
 
   /// The ticker of a task of this phase; it hands out no threads.
@@ -92,21 +91,21 @@ public:
     return pending_ < kStepsPerAsking / 2 || ask();
   }
 
-  /// `units` more units of work are finished (moves the fraction; asks nothing).
+  /// `units` more units of work are finished (moves the fraction; does not poll).
   void finished(std::size_t units) { done_ += units; }
 
-  /// Asks now. Returns false if the work is cancelled.
+  /// Polls now. Returns false if the work is cancelled.
   /// Not inline: in the loops that call step() it is rare, and would take their registers.
   bool ask();
 
-  /// Tasks of this phase, and only they, stop at their next asking.
+  /// Tasks of this phase, and only they, stop at their next poll.
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
-  /// Was it told to stop?
+  /// Is the phase cancelled?
   bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
 
-  /// Asks for memory beyond the estimate (Progress::take()). Throws std::bad_alloc if it is
-  /// refused; it is to be given back even so.
+  /// Requests memory beyond the estimate (Progress::take()). Throws std::bad_alloc if it is
+  /// refused; it must be given back even so.
   void take(std::size_t bytes)
   {
     if (progress_ && !progress_->take(bytes))
@@ -122,7 +121,7 @@ public:
     }
   }
 
-  /// Who lends threads to this phase; null if nobody does.
+  /// The threads lent to this phase; null if none.
   Executor* executor() const { return executor_; }
 
 private:
@@ -143,7 +142,7 @@ private:
     }
   }
 
-  /// A mark each thread has one of.
+  /// An address that differs between threads.
   static const void* thisThread()
   {
     static thread_local char mark;

@@ -8,14 +8,14 @@
 namespace ahd
 {
 
-/// What is needed is rounded up and what is there down, so that the first is never the smaller one.
+/// A need is rounded up, available memory down, so that the need never reads as the smaller one.
 enum class Rounded
 {
   Down,
   Up
 };
 
-/// Bytes as a person writes them, with three digits at most: "850 bytes", "7.63 MB", "20.8 GB". A
+/// Bytes in readable form, with three digits at most: "850 bytes", "7.63 MB", "20.8 GB". A
 /// KB has 1000 bytes.
 std::string sizeInWords(std::uint64_t bytes, Rounded rounded);
 

@@ -13,9 +13,9 @@
 namespace ahd
 {
 
-/// Sorts items[0, n) by `less`, a strict weak order; which of two equal items comes first is not
-/// said. `other` is scratch for as many. Returns false if the work is cancelled; then some
-/// items are lost.
+/// Sorts items[0, n) by `less`, a strict weak order; the order of equal items is unspecified.
+/// `other` is scratch for as many. Returns false if the work is cancelled; then some items are
+/// lost.
 template <typename T, typename Less>
 bool sortAsking(T* items, std::size_t n, T* other, Ticker& ticker, Less less)
 {
@@ -60,7 +60,7 @@ bool sortAsking(std::vector<T>& items, Ticker& ticker, Less less)
   return sortAsking(items.data(), items.size(), other.data(), ticker, less);
 }
 
-/// The same, ascending, and each once.
+/// The same, ascending, without duplicates.
 template <typename T>
 bool sortOnce(std::vector<T>& items, Ticker& ticker)
 {

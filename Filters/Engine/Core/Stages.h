@@ -10,16 +10,16 @@
 namespace ahd
 {
 
-/// How much is done of work that consists of stages, in each of which the engine begins phases.
+/// The progress of work that consists of stages, in each of which the engine begins phases.
 ///
-/// A stage takes the part of the whole that its weight says, about its time. Reading, sorting and
-/// inserting take the parts of their stage that they take of the time. How many other phases there
-/// will be in a stage is not known: each takes half of what is left.
+/// A stage takes a part of the whole by its weight, which is about its time. Reading, sorting and
+/// inserting take a part of their stage by their time. The number of other phases in a stage is not
+/// known: each takes half of the rest.
 class Stages
 {
 public:
-  /// The stages to come, by their weights; those of weight 0 are passed over. Without, there is
-  /// one.
+  /// Sets the stages to come, by their weights; stages of weight 0 are skipped. Without this call
+  /// there is one.
   void set(const std::vector<double>& weights)
   {
     double all = 0.0;

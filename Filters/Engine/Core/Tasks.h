@@ -20,7 +20,7 @@ inline std::size_t threadsOf(const Ticker& ticker)
   return ticker.executor() ? std::max(1u, ticker.executor()->threads()) : 1;
 }
 
-/// Into how many tasks to cut the work on so many items: several per thread where they may take
+/// The number of tasks for the work on so many items: several per thread where they may take
 /// unequal time, but none for less than `least` items; one if there is one thread.
 inline std::size_t tasksFor(
   std::size_t threads, std::size_t items, std::size_t perThread, std::size_t least)
@@ -30,9 +30,9 @@ inline std::size_t tasksFor(
 
 /// Calls work(task, ticker of the task) for each task in [0, count) on the threads lent to the
 /// phase; in ascending order on this thread if none are. The tasks must be independent, and what
-/// they write must not depend on which runs first. `work` returns false if it was told to cancel;
-/// then this does. If one throws the others are stopped and this throws it, of several the first.
-/// With threads lent it asks at its end: the others may have taken all tasks, or tasks too short to
+/// they write must not depend on which runs first. `work` returns false if it is cancelled; then so
+/// does this. If one throws the others are stopped and this throws it, of several the first. With
+/// threads lent it polls at its end: the others may have taken all tasks, or tasks too short to
 /// ask.
 template <typename Work>
 bool inParallel(Ticker& ticker, std::size_t count, Work work)

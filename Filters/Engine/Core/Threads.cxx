@@ -18,18 +18,18 @@ namespace ahd
 namespace
 {
 
-/// Between two calls of idle(): short for a hand on a button, long for a processor.
+/// Between two calls of idle(): short for a user, long for a processor.
 constexpr std::chrono::milliseconds kIdle(3);
 
 } // namespace
 
-/// Threads that wait for jobs. A job is a number of tasks; the calling thread brings it, works on
-/// it as well, and waits only for those who took a task of it: a thread that comes late, or never,
-/// holds nobody up.
+/// Threads that wait for jobs. A job is a number of tasks; the calling thread posts it, works on it
+/// as well, and waits only for threads that took a task of it: a thread that comes late, or never,
+/// delays nothing.
 class Threads::Crew
 {
 public:
-  /// Starts as many of `size` threads as can be had.
+  /// Starts `size` threads, or as many as the system grants.
   explicit Crew(unsigned size);
   ~Crew();
 
@@ -44,7 +44,7 @@ private:
   void takeTasks(std::size_t count, const std::function<void(std::size_t)>& task);
 
   std::vector<std::thread> started_;
-  std::mutex mutex_; ///< of all that follows but next_
+  std::mutex mutex_; ///< guards all members below but next_
   std::condition_variable called_;
   std::condition_variable finished_;
   bool over_ = false;
@@ -111,7 +111,7 @@ void Threads::Crew::serve()
 
 void Threads::Crew::takeTasks(std::size_t count, const std::function<void(std::size_t)>& task)
 {
-  const ScopedFloatingPoint asAssumed; // new threads have that of the thread that started them
+  const ScopedFloatingPoint asAssumed; // new threads inherit that of the thread that started them
   for (std::size_t i = next_++; i < count; i = next_++)
   {
     task(i);
@@ -131,8 +131,8 @@ void Threads::Crew::run(std::size_t count, const std::function<void(std::size_t)
   called_.notify_all();
   takeTasks(count, task);
   std::unique_lock<std::mutex> locked(mutex_);
-  task_ = nullptr;           // who comes now comes too late
-  std::exception_ptr thrown; // by idle(): not before the others have let go of the task
+  task_ = nullptr;           // threads that come now are too late
+  std::exception_ptr thrown; // by idle(): only after the others have finished with the task
   while (!finished_.wait_for(locked, kIdle, [this] { return atWork_ == 0; }))
   {
     locked.unlock();

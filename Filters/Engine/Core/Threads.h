@@ -9,16 +9,16 @@
 namespace ahd
 {
 
-/// An Executor with threads of its own, for who has none to lend.
+/// An Executor with threads of its own, for callers that have none to lend.
 ///
 /// The calling thread takes tasks like the others, one by one from a common counter. The others are
 /// started when there is something to share for the first time, and wait for more until this is
-/// destroyed. A thread that cannot be had is done without. Not to be used by two threads at a time,
-/// and not from a task.
+/// destroyed. If a thread cannot be started, the others do its work. Not to be used by two threads
+/// at a time, and not from a task.
 class Threads : public Executor
 {
 public:
-  /// So many, the calling one included; 0 counts as 1.
+  /// The number of threads, the calling one included; 0 counts as 1.
   explicit Threads(unsigned count);
   ~Threads() override;
   Threads(const Threads&) = delete;
@@ -28,7 +28,7 @@ public:
   void run(std::size_t count, const std::function<void(std::size_t)>& task,
     const std::function<void()>& idle) override;
 
-  /// How many threads there were to share the work so far: 1 if nothing was worth sharing.
+  /// The number of threads that shared the work so far: 1 if nothing was worth sharing.
   unsigned used() const;
 
 private:

@@ -9,8 +9,8 @@
 namespace ahd
 {
 
-/// Leaves new numbers as they are, so that those who write them first touch the memory first: on
-/// their threads, and once.
+/// Leaves new numbers uninitialised, so that the threads that write them touch the memory first,
+/// and once.
 template <typename T>
 struct UninitialisedAllocator : std::allocator<T>
 {
@@ -31,7 +31,7 @@ struct UninitialisedAllocator : std::allocator<T>
   }
 };
 
-/// A vector whose resize() leaves what it adds to be written.
+/// A vector whose resize() leaves new elements uninitialised.
 template <typename T>
 using UninitialisedVector = std::vector<T, UninitialisedAllocator<T>>;
 

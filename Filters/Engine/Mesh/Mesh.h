@@ -18,7 +18,7 @@ namespace ahd
 ///
 ///     v0 v1 v2 -   n0 n1 n2 -
 ///
-/// What stands at the dashes means nothing: an insertion keeps notes there.
+/// The dashes have no meaning in the mesh: an insertion keeps notes there.
 ///
 /// A half-edge is named by 8 * slot + e, e in {0, 1, 2}: the edge of that triangle opposite to
 /// corner e. Its apex (that corner) stands at its own name, its twin (the same edge seen from the
@@ -43,7 +43,7 @@ public:
   /// The slot a half-edge belongs to.
   static constexpr Slot slotOf(Halfedge h) { return h & ~7u; }
   /// The half-edges after and before h in its triangle. By table: a branch on the edge's number
-  /// would be taken at random, and cost more than all else in the kernel.
+  /// would be unpredictable, and cost more than all else in the kernel.
   static Halfedge next(Halfedge h) { return h + kToNext[h & 3u]; }
   static Halfedge previous(Halfedge h) { return h + kToPrevious[h & 3u]; }
 

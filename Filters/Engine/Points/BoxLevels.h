@@ -39,7 +39,7 @@ struct Box
     ymax = std::max(ymax, b.ymax);
   }
   Point middle() const { return { 0.5 * xmin + 0.5 * xmax, 0.5 * ymin + 0.5 * ymax }; }
-  /// Without branches: whether they meet is hard to foretell.
+  /// Without branches: the outcome is hard to predict.
   bool meets(const Box& b) const
   {
     return (int(xmin <= b.xmax) & int(b.xmin <= xmax) & int(ymin <= b.ymax) &
@@ -61,7 +61,7 @@ public:
     Stop
   };
 
-  /// Takes memory for the boxes of so many items; throws std::bad_alloc.
+  /// Allocates memory for the boxes of so many items; throws std::bad_alloc.
   void allocate(std::size_t items)
   {
     items_ = items;
@@ -91,7 +91,7 @@ public:
         }
       };
       const std::size_t n = count(level);
-      // few boxes are no reason to ask
+      // few boxes need no poll
       if (!(n < kChunk ? inChunks(0, n, ticker, make) : inChunksOf(n, ticker, make)))
       {
         return false;
@@ -135,8 +135,9 @@ public:
     return std::min(childrenBegin(level, node + 1), level == 0 ? items_ : count(level - 1));
   }
 
-  /// Depth first, from the first items to the last: asks enter(box) which Way to go and calls
-  /// look(leaf) for the leaves that it comes to, until one says Stop or false. Returns false then.
+  /// Visits depth first, from the first items to the last: enter(box) returns the Way to go, and
+  /// look(leaf) is called for each leaf reached, until one returns Stop or false. Returns false
+  /// then.
   template <typename Enter, typename Look>
   bool visit(const Enter& enter, const Look& look) const;
 
