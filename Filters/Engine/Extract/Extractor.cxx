@@ -208,7 +208,7 @@ private:
   TriangleKeys layout_;
   Sink sink_;
   std::vector<KeyPiece> pieces_;
-  std::size_t listed_ = std::size_t(-1); ///< the block whose they are
+  std::size_t listed_ = std::size_t(-1); ///< the block that they belong to
 };
 
 /// Ghosts have no number: all of them are in the last block.
@@ -259,8 +259,8 @@ bool writeInOrder(const ExtractedMesh& from, std::uint32_t* places, Scratch& scr
     });
 }
 
-/// The vertices on the hull by a walk along it, which waits for memory at each: as many as there
-/// are, or more than `most`. 0: to be cancelled.
+/// The number of vertices on the hull, by a walk along it with a cache miss at each; gives up above
+/// `most`. 0: cancelled.
 std::size_t walkAlongHull(const Mesh& mesh, std::size_t most, Ticker& ticker)
 {
   const std::uint32_t* data = mesh.data();
@@ -295,8 +295,7 @@ struct Ghosts
   void merge(const Ghosts& other) { count += other.count; }
 };
 
-/// The triangles that have the ghost as a corner: each edge of the hull has one. 0: to be
-/// cancelled.
+/// The triangles that have the ghost as a corner: each edge of the hull has one. 0: cancelled.
 std::size_t countGhosts(const Mesh& mesh, Ticker& ticker)
 {
   Ghosts ghosts;

@@ -38,8 +38,8 @@ struct ExtractedMesh
 
 /// Bytes of scratch that writeCanonical needs per vertex: a key for each of two triangles.
 constexpr std::size_t kExtractScratchPerPoint = 2 * sizeof(std::uint64_t);
-/// Bytes that it allocates per vertex, at most: 4 for pieces of keys that are not full, 1 for what
-/// is known of their chains, 1.25 for their links. With one thread, 0.7.
+/// Bytes that it allocates per vertex, at most: 4 for pieces of keys that are not full, 1 for the
+/// ends of their chains, 1.25 for their links. With one thread, 0.7.
 constexpr std::size_t kExtractBytesPerPoint = 7;
 
 /// Writes the finite triangles of a mesh, but those to be left out, in canonical order: each starts

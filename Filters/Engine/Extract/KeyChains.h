@@ -15,7 +15,7 @@
 namespace ahd
 {
 
-/// The place of the lowest corner. Without branches: which it is, is as good as random.
+/// The place of the lowest corner. Without branches: the outcome is unpredictable.
 inline unsigned placeOfLowest(const std::uint32_t* corners)
 {
   const unsigned isSecond = corners[1] < corners[0] ? 1u : 0u;
@@ -78,14 +78,14 @@ public:
   }
 
   const TriangleKeys& layout() const { return layout_; }
-  /// The blocks without that of the ghost: of these no triangle has the ghost as a corner.
+  /// The number of blocks but the ghost's: their triangles do not have the ghost as a corner.
   std::size_t finiteBlocks() const { return layout_.blocks() - 1; }
   /// How many triangles come before those of a block.
   std::size_t begin(std::size_t block) const { return begins_[block]; }
   std::size_t count(std::size_t block) const { return begins_[block + 1] - begins_[block]; }
 
   /// Calls visit(piece) for all pieces of a block, in no order, until it returns false. Returns
-  /// whether that did not happen.
+  /// false then.
   template <typename Visit>
   bool forEachPiece(std::size_t block, Visit visit) const
   {

@@ -87,7 +87,7 @@ private:
   }
 
   /// Sorts four keys, however many of them belong to this vertex: most vertices are the lowest
-  /// corner of four triangles or fewer, and how many is as good as random. Those of later vertices
+  /// corner of four triangles or fewer, and their number is unpredictable. Those of later vertices
   /// are larger, and are written again when their own turn comes.
   static void sortFour(const Key* in, Key* out)
   {

@@ -72,7 +72,7 @@ public:
   std::pair<std::size_t, Key> blockAndKey(const std::uint32_t* corners, std::size_t slot) const
   {
     const std::uint32_t a = corners[0] - ghost_, b = corners[1] - ghost_, c = corners[2] - ghost_;
-    // The lowest corner and the one after it, without branches: which it is, is as good as random.
+    // The lowest corner and the one after it, without branches: the outcome is unpredictable.
     const Key first = std::min({ Key(a) << 32 | b, Key(b) << 32 | c, Key(c) << 32 | a });
     const std::uint32_t lowest = static_cast<std::uint32_t>(first >> 32);
     const std::uint32_t next = static_cast<std::uint32_t>(first);

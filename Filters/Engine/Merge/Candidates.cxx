@@ -33,12 +33,12 @@ struct Block
   }
 };
 
-/// The square lattice of cells over the plane, and which of them the square around a point touches
-/// whose sides are a little longer than the distance. The squares of two points overlap if these
-/// are within the distance along both axes: then they touch a cell in common. Nothing here has to
-/// be exact for that, as all it does is monotone: rounded sums, rounded products, cut off digits.
-/// With a <= b <= a + 1.125 distance, b - r is not above a + r, rounded or not, so the number of
-/// the cell of b - r is one of those from the cell of a - r to that of a + r.
+/// The square lattice of cells over the plane, and the cells touched by the square around a point
+/// with sides a little longer than the distance. The squares of two points overlap if these are
+/// within the distance along both axes: then they touch a cell in common. This needs no exactness,
+/// as all operations are monotone: rounded sums, rounded products, truncation. With a <= b <= a +
+/// 1.125 distance, b - r is not above a + r, rounded or not, so the number of the cell of b - r is
+/// one of those from the cell of a - r to that of a + r.
 class Cells
 {
 public:
@@ -88,7 +88,7 @@ public:
   }
 
 private:
-  /// The numbers of the cells along an axis, so far beside the coordinates.
+  /// The numbers of the cells along an axis, at the coordinates plus `beside`.
   void number(
     const double* coordinates, double beside, std::int32_t* cells, std::size_t count) const
   {
@@ -109,8 +109,8 @@ private:
   double scale_;
 };
 
-/// Which cells are touched once, and which more often. A cell is one of many bits, by its hash: two
-/// that share one count as the same.
+/// The cells that are touched once, and those touched more often: a bit per hash value of cells, so
+/// cells with one hash count as the same.
 class Touched
 {
 public:
@@ -142,7 +142,7 @@ public:
 
   std::size_t words() const { return once_.size(); }
 
-  /// Adds what touched the words [begin, end) of `other`.
+  /// Adds the words [begin, end) of `other`.
   void merge(const Touched& other, std::size_t begin, std::size_t end)
   {
     for (std::size_t k = begin; k < end; ++k)

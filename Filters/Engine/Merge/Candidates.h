@@ -17,9 +17,9 @@ struct Located
   Index id;
 };
 
-/// The finite points that are not left out, without most of those that have no other one near: a
-/// point that `found` lacks differs from every other point by more than `distance` (1 + 2^-50) in x
-/// or in y. A point at the place of another is never lacking. `flags` is scratch, a byte per point.
+/// The finite points that are not left out, without most of those far from all others: a point
+/// missing in `found` differs from every other point by more than `distance` (1 + 2^-50) in x or in
+/// y. A point at the place of another is never missing. `flags` is scratch, a byte per point.
 /// Returns false if cancelled. Throws std::bad_alloc.
 ///
 /// Cost: a few steps per point on all threads; 2 bytes per point and thread, for four threads at

@@ -18,7 +18,7 @@ namespace ahd
 namespace
 {
 
-/// How far is near: the formula of Merge.h.
+/// The test for near points, by the formula of Merge.h.
 class Nearness
 {
 public:
@@ -28,8 +28,8 @@ public:
   {
   }
 
-  /// Of a difference of coordinates. Not decreasing with its magnitude, so that what is too far in
-  /// one coordinate is too far.
+  /// Of a difference of coordinates. Not decreasing with its magnitude, so that points too far
+  /// apart in one coordinate are too far apart.
   double squared(double difference) const
   {
     const double scaled = difference * scale_;
@@ -46,16 +46,16 @@ private:
   double limit_;
 };
 
-/// Rows two distances high. What is near in y is in one of the rows from below(y) to above(y), two
-/// or three: sums and products are rounded and digits cut off, but all that is monotone. For any
-/// finite y and any distance: where a double's last digit is worth many rows, only what is equal to
-/// y is near it in y, and y itself names its row.
+/// Rows two distances high. Places near in y are in one of the rows from below(y) to above(y), two
+/// or three: sums and products are rounded and truncated, all of which is monotone. For any finite
+/// y and any distance: where a double's last digit is worth many rows, only numbers equal to y are
+/// near it, and y itself gives their row.
 class Rows
 {
 public:
   explicit Rows(double distance)
   {
-    if (std::isfinite(distance)) // else all is in one row
+    if (std::isfinite(distance)) // else all places are in one row
     {
       unit_ = distance < 0x1p-900 ? 0x1p200 : distance < 0x1p900 ? 1.0 : 0.25;
       reach_ = 1.125 * (unit_ * distance);
@@ -110,8 +110,7 @@ public:
     return all;
   }
 
-  /// Forgets what is too far for a place of this x and all after it. Returns false if the work is
-  /// to be cancelled.
+  /// Drops kept places too far for a place of this x and all after it. Returns false if cancelled.
   bool forgetBefore(double x)
   {
     while (begin_ != end_ && !nearness_.isNear(nearness_.squared(x - places_[begin_].at.x)))
@@ -125,7 +124,7 @@ public:
     return true;
   }
 
-  /// The id of the nearest one to p that is near; kNoIndex if none is.
+  /// The id of the nearest kept place that p is near to; kNoIndex if there is none.
   Index nearest(const Point& p) const
   {
     Nearest found;
@@ -145,7 +144,7 @@ private:
   {
     Point at;
     Index id;
-    Index earlier; ///< in its chain; those before begin_ are forgotten
+    Index earlier; ///< in its chain; those before begin_ are dropped
   };
 
   struct Nearest
@@ -178,8 +177,7 @@ private:
     places_[k].earlier = std::exchange(chain, static_cast<Index>(k));
   }
 
-  /// As many chains as four times what is not forgotten. Returns false if the work is to be
-  /// cancelled.
+  /// Four times as many chains as kept places not dropped. Returns false if cancelled.
   bool makeChains()
   {
     constexpr std::size_t kLeast = 64;

@@ -17,7 +17,7 @@ namespace
 {
 
 /// End of the run that starts at `begin` of points whose keys agree above `bits` bits.
-/// A bounded number of steps: boxes are mostly small, so looked for one by one at first.
+/// A bounded number of steps: boxes are mostly small, so the search begins one by one.
 std::size_t endOfBox(const std::uint64_t* key, std::size_t begin, std::size_t end, unsigned bits)
 {
   const std::uint64_t box = key[begin] >> bits;
@@ -40,7 +40,7 @@ std::size_t endOfBox(const std::uint64_t* key, std::size_t begin, std::size_t en
     key);
 }
 
-/// Where among the boxes of its division the box of a key is visited.
+/// The position of a key's box in the order in which the boxes of its division are visited.
 std::uint32_t visitOf(std::uint64_t key, unsigned bits, unsigned levels, const Options& options)
 {
   const GridPlace finest = placeOfKey(key);

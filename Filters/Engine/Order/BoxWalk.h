@@ -14,7 +14,7 @@
 namespace ahd
 {
 
-/// Points sorted by rank: what a walk over the boxes sees.
+/// Points sorted by rank: the input of a walk over the boxes.
 struct WalkPoints
 {
   const std::uint64_t* key; ///< Hilbert keys, ascending

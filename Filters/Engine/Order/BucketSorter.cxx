@@ -385,7 +385,7 @@ bool BucketSorter::emit(const Range& range)
   return true;
 }
 
-/// Ranks points of one key, unless there are too many distinct ones: then says so in `crowd`.
+/// Ranks points of one key, unless there are too many distinct ones: then sets `crowd`.
 bool BucketSorter::emitEqual(std::size_t begin, std::size_t end, std::uint64_t key, bool& crowd)
 {
   DistinctPoints distinct;
@@ -422,7 +422,7 @@ bool BucketSorter::emitEqual(std::size_t begin, std::size_t end, std::uint64_t k
   return listed;
 }
 
-/// Makes a crowd wait as records whose keys are places in the bounds of the crowd.
+/// Queues a crowd as records whose keys are places in the bounds of the crowd.
 bool BucketSorter::pushCrowd(std::size_t begin, std::size_t end, std::uint64_t key)
 {
   Bounds bounds{ out_.xy[begin].x, out_.xy[begin].x, out_.xy[begin].y, out_.xy[begin].y };

@@ -20,7 +20,7 @@ namespace ahd
 /// other, drops duplicates, and ranks crowds of one key again in bounds of their own.
 ///
 /// Two places hold points: `records`, and the arrays of `out`, whose part from `end()` on is free
-/// scratch for the bucket in work. Ranges that wait lie on a stack, so nothing recurses. Several
+/// scratch for the current bucket. Pending ranges lie on a stack, so nothing recurses. Several
 /// sorters may work on the same arrays: each touches only the places of the records it takes.
 class BucketSorter
 {
@@ -44,7 +44,7 @@ public:
   std::size_t duplicates() const { return duplicates_; }
 
 private:
-  /// Points that wait to be ranked.
+  /// Points that are still to be ranked.
   struct Range
   {
     std::size_t begin, end;
@@ -84,7 +84,7 @@ private:
     out_.key[to] = r.key;
     out_.id[to] = r.id;
   }
-  /// A record will be read, and put there; both may lie behind the last.
+  /// Prefetches a record to be read and its destination; both may lie past the end.
   void fetch(const Record* r, std::size_t to)
   {
     prefetchForRead(r);
@@ -111,7 +111,7 @@ private:
   std::size_t end_;
   std::vector<Range> waiting_;
 
-  // Scratch of the ranges in work.
+  // Scratch of the current ranges.
   std::array<Index, 2 * kSmall> place_;
   std::array<Index, 2 * kSmall> inBin_;
   std::array<KeyAndPlace, kSmall> sorting_;

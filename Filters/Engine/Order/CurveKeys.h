@@ -16,8 +16,8 @@
 namespace ahd
 {
 
-/// Makes keys of places: where they are along a Hilbert curve through some bounds, places outside
-/// of these and places that are not finite at their border.
+/// Makes keys of places: their positions along a Hilbert curve through some bounds; places outside
+/// of these or not finite count as at their border.
 class CurveKeys
 {
 public:

@@ -33,9 +33,9 @@ struct FoundBounds
 
 } // namespace
 
-/// Orders those that have one key by keys of their own, again and again. Each time their bounds are
-/// a 2^15-th of what they were, or less, on their longer side: doubles leave room for some 140
-/// times.
+/// Orders places of equal key by new keys within their own bounds, repeatedly. Each time their
+/// bounds are a 2^15-th of what they were, or less, on their longer side: doubles leave room for
+/// some 140 times.
 class CurveOrder::Crowds
 {
 public:

@@ -12,8 +12,8 @@
 namespace ahd
 {
 
-/// Places in an order in which neighbours follow each other, for searches that start each from
-/// where the one before it was.
+/// Places in an order in which neighbours follow each other, for searches that each start at the
+/// previous result.
 class CurveOrder
 {
 public:
@@ -26,17 +26,17 @@ public:
     return 2 * sizeof(std::uint64_t) * (count < kBlock ? count : kBlock);
   }
 
-  /// Orders places[begin, end) along a Hilbert curve through the bounds, those outside of them and
-  /// those that are not finite at their border. Where many lie in one box of the curve's grid, as
-  /// when a few others lie far away, they are ordered along a curve of their own. Returns false if
-  /// cancelled; throws std::bad_alloc. @pre fewer than 2^32.
+  /// Orders places[begin, end) along a Hilbert curve through the bounds; places outside of them or
+  /// not finite count as at their border. Many places in one box of the curve's grid, as when a few
+  /// others lie far away, are ordered along a curve of their own. Returns false if cancelled;
+  /// throws std::bad_alloc. @pre fewer than 2^32.
   bool build(const PointView& places, std::size_t begin, std::size_t end, const Bounds& bounds,
     Ticker& ticker);
 
   /// The same through the bounds of the places that are finite.
   bool build(const PointView& places, std::size_t begin, std::size_t end, Ticker& ticker);
 
-  /// The number of the place that is the k-th.
+  /// The number of the k-th place.
   std::size_t operator[](std::size_t k) const
   {
     return begin_ + static_cast<std::uint32_t>(items_[k]);

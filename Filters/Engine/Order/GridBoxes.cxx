@@ -75,7 +75,7 @@ private:
   {
     Piece box;
     unsigned levels;
-    std::uint64_t next;  ///< which of its boxes is to be visited next
+    std::uint64_t next;  ///< the box to visit next
     std::uint64_t first; ///< the smallest key of the box
   };
 

@@ -13,11 +13,11 @@ namespace ahd
 {
 
 /// The undivided boxes of the grid that makeSequence visits (see there), in that order, the empty
-/// ones among the boxes of each division included. For drawing; the insertion does without them.
+/// ones among the boxes of each division included. For drawing; the insertion does not need them.
 /// A division of n points makes at most n / 4 boxes, but 4 at least: where nmax is small, points
 /// close together may be divided many times, and there may be many more boxes than points.
 /// Returns Ok, Cancelled, or TooManyBoxes as soon as there are more than options.mostBoxes.
-/// @pre the keys of `points` are still there. Throws std::bad_alloc.
+/// @pre the keys of `points` are still valid. Throws std::bad_alloc.
 Status listBoxes(
   const RankedPoints& points, const Options& options, Ticker& ticker, std::vector<GridBox>& boxes);
 

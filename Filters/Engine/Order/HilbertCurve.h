@@ -9,8 +9,8 @@
 namespace ahd
 {
 
-// The paper's gene rule as a state machine. Su et al. 2016, section 3.2, Table 1 (rows 5 to 8 put
-// right: the words "top to bottom" and "bottom to top" are exchanged in their first column).
+// The paper's gene rule as a state machine. Su et al. 2016, section 3.2, Table 1 (rows 5 to 8
+// corrected: the words "top to bottom" and "bottom to top" are exchanged in their first column).
 
 /// Where a neighbour on the curve lies, seen from a box.
 enum class Side

@@ -11,7 +11,7 @@ namespace ahd
 {
 
 /// Maps an interval of coordinates to the integers 0 .. 2^32 - 1: the columns (or rows) of the
-/// finest grid there is. Boxes of r levels are the top r bits.
+/// finest grid. Boxes of r levels are the top r bits.
 ///
 /// Contract, for every pair of finite doubles low <= high:
 /// 1. operator() is monotone, maps low to 0 and, if low < high, high to 2^32 - 1 or 2^32 - 2.

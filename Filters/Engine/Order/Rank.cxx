@@ -36,7 +36,7 @@ struct Layout
   void* counters;
 };
 
-/// Buckets that one task sorts, and what came of them.
+/// Buckets that one task sorts, and the outcome.
 struct Group
 {
   std::size_t firstBucket, endBucket;
@@ -93,8 +93,8 @@ bool copyInChunks(const T* from, T* to, std::size_t n, Ticker& ticker)
     0, n, ticker, [&](std::size_t a, std::size_t b) { std::copy(from + a, from + b, to + a); });
 }
 
-/// Moves the ranks of all groups together. Out of the arrays and back, both in parallel: moved
-/// within the arrays, a group would have to wait for the one before.
+/// Closes the gaps between the ranks of all groups. Copies out of the arrays and back, both in
+/// parallel: moved in place, each group would have to wait for the one before.
 bool closeGaps(const std::vector<Group>& groups, const Layout& layout, std::size_t n,
   RankedPoints& out, Ticker& ticker)
 {

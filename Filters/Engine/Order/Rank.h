@@ -16,7 +16,7 @@ namespace ahd
 // 1. x and y are quantised to 32 bits each over the bounding box (Quantise.h);
 // 2. points are sorted by their place on the Hilbert curve of 32 levels (HilbertCurve.h);
 // 3. up to kTiedByCoordinates distinct points of one place are sorted by (x, y); more than that are
-//    ranked again by these rules in the bounding box of their own.
+//    ranked again by these rules in their own bounding box.
 // Coincident points are one point: the one of smallest id stays.
 
 constexpr std::size_t kTiedByCoordinates = 16;
@@ -33,7 +33,7 @@ constexpr std::size_t rankScratchBytes(std::size_t n)
 // Both functions use all threads that are lent to the phase; the result, the order of duplicates
 // included, does not depend on their number.
 
-/// Looks at each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; skipped
+/// Reads each point once (phase Read): sets out.bounds, out.notFinite and out.skipped; skipped
 /// points are not read. out.count becomes the number of finite points.
 Status readPoints(const PointView& points, Ticker& reading, RankedPoints& out);
 

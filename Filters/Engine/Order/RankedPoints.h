@@ -21,15 +21,15 @@ struct Duplicate
 /// The distinct finite points in canonical order. The rank of a point is its place on a Hilbert
 /// curve through the bounding box, ties broken by (x, y): a function of the point set alone. It
 /// numbers the vertices of the mesh and sorts the output. The arrays have room for all finite
-/// points, duplicates included; only the entries named here mean something.
+/// points, duplicates included; the other entries are undefined.
 struct RankedPoints
 {
   Index count = 0;           ///< distinct points
   Buffer<Point> xy;          ///< count + 1 entries; the last is (NaN, NaN), the vertex at infinity
   Buffer<Index> id;          ///< rank -> the caller's id (the smallest among coincident points)
   Buffer<std::uint64_t> key; ///< rank -> Hilbert key, ascending
-  /// Where the keys lie, and at its very end the duplicates. The rest is free for other things once
-  /// the keys are not needed.
+  /// The memory of the keys and, at its very end, of the duplicates. The rest is free for other
+  /// uses once the keys are no longer needed.
   Scratch scratch;
   Bounds bounds;                ///< of the distinct points
   Buffer<Duplicate> duplicates; ///< in no particular order, but the same for any number of threads

@@ -17,7 +17,7 @@ constexpr std::size_t kTasksPerThread = 4;
 constexpr std::size_t kFewPoints = 4 * kChunk; // no task for less
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Bounds of the points seen; the signs of zeros are left to chance.
+/// Bounds of the points seen; the signs of zeros are unspecified.
 struct Extremes
 {
   double xmin = kInfinity, xmax = -kInfinity;
@@ -61,8 +61,8 @@ struct Seen
   }
 };
 
-/// The usual chunk, of finite points none of which is skipped. Returns false, with `seen`
-/// unchanged, if it is not one.
+/// The common case: all points of the chunk are finite and none is skipped. Returns false, with
+/// `seen` unchanged, if it is not one.
 bool readPlainChunk(const PointView& points, std::size_t a, std::size_t b, Extremes& seen)
 {
   if (points.skip)
@@ -106,7 +106,7 @@ void readChunk(const PointView& points, std::size_t a, std::size_t b, Seen& seen
 
 bool readShare(const PointView& points, const Share& share, Ticker& ticker, Seen& result)
 {
-  Seen seen; // not in the result at once: it shares a cache line with those of other tasks
+  Seen seen; // not directly in the result: it shares a cache line with those of other tasks
   const bool done = inChunks(share.begin, share.end, ticker,
     [&](std::size_t a, std::size_t b)
     {

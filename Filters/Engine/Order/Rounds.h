@@ -16,11 +16,11 @@ namespace ahd
 constexpr std::size_t kControlStride = 12;
 
 /// Control points at every level: the places 0 to n - 1 of an order in rounds. The order is cut
-/// into blocks of kControlStride places, as many blocks into a larger one, and so on, as long as
-/// there are two blocks; the last of each size may have fewer. One of the blocks in a larger one
-/// lends it its control point, chosen by a hash of the number of the larger one: chosen by its
-/// place, the first say, all would be alike where the order repeats itself (teeth of two lengths,
-/// two rows of points), and tell nothing of the points between them. The first round are the
+/// into blocks of kControlStride places, kControlStride blocks form a larger one, and so on, as
+/// long as there are two blocks; the last of each size may have fewer. One of the blocks in a
+/// larger one provides its control point, chosen by a hash of the number of the larger one: chosen
+/// by its place, the first say, all would be alike where the order repeats itself (teeth of two
+/// lengths, two rows of points), and not represent the points between them. The first round are the
 /// control points of the largest blocks, each later one those of the next smaller blocks that are
 /// not in a round before, ascending in each. A round is known by its stride, the size of its
 /// blocks.
@@ -59,8 +59,8 @@ public:
     return controlPoint(stride, parent * kControlStride + nth + skipped);
   }
 
-  /// Writes `count` places of the last round, from its k-th on: what place() gives, but that the
-  /// blocks' control points are looked for once each. @pre there is a round before it.
+  /// Writes `count` places of the last round, from its k-th on: as place() gives them, but each
+  /// block's control point is looked up once. @pre there is a round before it.
   template <typename Out>
   void lastPlaces(std::size_t k, std::size_t count, Out* out) const
   {
@@ -129,7 +129,8 @@ private:
   /// How many blocks of this size there are.
   std::size_t blocks(std::size_t stride) const { return (n_ + stride - 1) / stride; }
 
-  /// Which of the blocks of this size in the larger block `parent` lends that its control point.
+  /// Which of the blocks of this size in the larger block `parent` provides the control point of
+  /// that.
   std::size_t lender(std::size_t stride, std::size_t parent) const
   {
     constexpr std::uint64_t kMix = 0x9E3779B97F4A7C15u;

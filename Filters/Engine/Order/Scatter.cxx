@@ -19,7 +19,7 @@ constexpr unsigned kMostBucketBits = 15;   // more buckets than this cost more t
 constexpr std::size_t kPrefetchAhead = 2;  // records: the next cache line
 constexpr unsigned kMostCachedBits = 12;   // of so many buckets the next lines stay in the cache
 constexpr std::ptrdiff_t kKeysAhead = 24;  // of more buckets: the key whose place is fetched
-constexpr std::size_t kTasksPerThread = 4; // so that a thread that is late is waited for less
+constexpr std::size_t kTasksPerThread = 4; // so that a late thread delays the others less
 constexpr std::size_t kMostTasks = 128;    // their counters fit into counterBytes()
 constexpr std::size_t kFewPoints = kChunk; // no task for less
 constexpr std::size_t kLine = 64 / sizeof(Index); // counters per cache line
@@ -88,7 +88,7 @@ bool Scatter::wanted(const From& from, std::size_t i) const
   return kPlain || (!points_.skipped(i) && isFinite(from[i]));
 }
 
-/// Finds out which is the first key of each task.
+/// Finds the first key of each task.
 template <bool kPlain, typename From>
 bool Scatter::countFinite(const From& from, Ticker& ticker)
 {

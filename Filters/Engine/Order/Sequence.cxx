@@ -22,7 +22,7 @@ bool hasControlPoints(const Options& options, ControlPoints kind)
       options.order == InsertionOrder::MultiGrid);
 }
 
-/// The control points of ControlPoints::SingleLevel and the points that remain.
+/// The control points of ControlPoints::SingleLevel, and the other points.
 class SingleLevel
 {
 public:

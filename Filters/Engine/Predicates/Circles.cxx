@@ -41,8 +41,8 @@ std::optional<int> certainSign(double value, double bound)
 /// three coordinates in the offset to 7 e, the offset to 8 e of that sum, the terms of the whole to
 /// 10 e, and the whole to 12 e of the sum of their sizes; 16 e pays for terms of second order and
 /// for the rounding of the bound. Underflow adds at most 2^-1074 to a product, in the whole times
-/// two more coordinates at most: with these below 2^200, less than 2^-660, which is nothing beside
-/// e times a bound above 2^-580.
+/// two more coordinates at most: with these below 2^200, less than 2^-660, which is negligible
+/// beside e times a bound above 2^-580.
 std::optional<int> stages::sideByFilter(const Corners& triangle, const Point& from, const Point& to)
 {
   const Way u(triangle.a, triangle.b), v(triangle.a, triangle.c);
@@ -79,8 +79,8 @@ int sideOfCircumcentre(const Corners& triangle, const Point& from, const Point& 
 }
 
 /// Proof. The squares are known to 3 e, their sums to 4 e, and the difference to 5 e of the sum of
-/// all; 8 e pays for the rest. Underflow adds less than 2^-1072, which is nothing beside e times a
-/// sum above 2^-1000. Where something overflows the sum does, and the comparison fails.
+/// all; 8 e pays for the rest. Underflow adds less than 2^-1072, which is negligible beside e times
+/// a sum above 2^-1000. Where something overflows the sum does, and the comparison fails.
 std::optional<int> stages::nearerByFilter(const Point& p, const Point& q, const Point& place)
 {
   const double ofP = Way(place, p).squared(), ofQ = Way(place, q).squared();

@@ -15,7 +15,7 @@ struct Corners
   Point a, b, c;
 };
 
-// All that cells of the Voronoi diagram are cut off by. Exact for all finite coordinates.
+// The decisions that clip cells of the Voronoi diagram. Exact for all finite coordinates.
 
 /// The sign of the distance of the circumcentre from the line through `from` and `to`: +1 to the
 /// left of it, -1 to the right, 0 on it.

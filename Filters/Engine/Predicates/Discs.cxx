@@ -23,8 +23,8 @@ namespace ahd
 namespace
 {
 
-/// A power of two that brings a number of this size to [1, 2), or nearer to it. 0 for the largest
-/// numbers and what is none.
+/// A power of two that scales a number of this size to [1, 2), or towards it. 0 for the largest
+/// numbers, infinity and NaN.
 double scaleFor(double size)
 {
   std::uint64_t bits;
@@ -37,7 +37,7 @@ double scaleFor(double size)
 }
 
 constexpr double kRoundoff = 0x1p-53;
-/// Above what underflow can do; see meetsByFilter.
+/// Above any effect of underflow; see meetsByFilter.
 constexpr double kGuard = 0x1p-500;
 
 } // namespace
@@ -84,7 +84,7 @@ Circumdisc::Circumdisc(const Corners& triangle)
 /// the
 ///    others in its term are below 2^8, or 2^400 for w. This is below 2^-660 in p, q and radius_,
 ///    but for the square roots: where squares underflow, the root of their sum is wrong by less
-///    than 2^-530. So whoever is certain by less than 2^-500 is not.
+///    than 2^-530. So a margin below 2^-500 is not certain.
 /// 6. Overflow: scale_ is 0 if coordinates of u or v are 2^1023 or more: then sizes are 0 or NaN,
 /// and
 ///    nothing exceeds the bound. Else u and v are below 2, sizes below 2^8, and with sizeOfWays

@@ -11,10 +11,10 @@
 namespace ahd
 {
 
-// All that says which triangles of a block hold whatever lies in other blocks. Exact for all finite
-// coordinates; discs, boxes, triangles and segments are closed.
+// Decides which triangles of a block are final, whatever points other blocks have. Exact for
+// all finite coordinates; discs, boxes, triangles and segments are closed.
 
-/// The circumdisc of a triangle, for questions to several boxes. Borrows the triangle.
+/// The circumdisc of a triangle, for tests against several boxes. Borrows the triangle.
 class Circumdisc
 {
 public:

@@ -9,9 +9,9 @@
 #endif
 
 /// The in-circle filter of Filters.h for two triangles at once, which takes no longer than one, and
-/// in another order, in which the answer comes soon after the last point is known: what that is
-/// compared with is prepared before. The kernel guesses answers, and waits for this one only where
-/// it guessed wrong.
+/// in another order, in which the answer comes soon after the last point is known: all else is
+/// computed before. The kernel speculates on answers, and waits for this one only where it was
+/// wrong.
 namespace ahd
 {
 inline namespace AHD_TARGET
@@ -63,7 +63,7 @@ AHD_ALWAYS_INLINE Pair operator*(Pair a, Pair b)
   return { _mm_mul_pd(a.v, b.v) };
 }
 #if defined(__FMA__) || defined(AHD_FUSED_MULTIPLY_ADD)
-constexpr bool kPairsAreFused = true; ///< Are the next three rounded once?
+constexpr bool kPairsAreFused = true; ///< Do the next three functions round once?
 AHD_ALWAYS_INLINE Pair multiplyAdd(Pair a, Pair b, Pair c)
 {
   return { _mm_fmadd_pd(a.v, b.v, c.v) };
@@ -92,8 +92,8 @@ AHD_ALWAYS_INLINE Pair productLess(Pair a, Pair b, Pair c)
 }
 #endif
 
-/// Bit 0 for the low number, bit 1 for the high one: has it a sign? Is its magnitude larger than
-/// that of the other pair?
+/// Bit 0 for the low number, bit 1 for the high one: is its sign bit set? Is its magnitude larger
+/// than that of the other pair?
 AHD_ALWAYS_INLINE unsigned signs(Pair a)
 {
   return static_cast<unsigned>(_mm_movemask_pd(a.v));
@@ -353,8 +353,8 @@ AHD_ALWAYS_INLINE Pair inCircleErrorBound(const EdgePair& e, const LiftedPair& c
   return multiplyAdd(both(kInCircleBound), sum, guard);
 }
 
-/// The square of a bound on its error that is closer where one point is far nearer than the others.
-/// See inCircle(). @pre guard >= inCircleSquaredGuard(A.z + B.z + C.z).
+/// The square of a bound on its error that is tighter where one point is far nearer than the
+/// others. See inCircle(). @pre guard >= inCircleSquaredGuard(A.z + B.z + C.z).
 AHD_ALWAYS_INLINE Pair inCircleSquaredBound(const EdgePair& e, const LiftedPair& c, Pair guard)
 {
   const Pair product = both(3.0 * kInCircleBound * kInCircleBound) * (e.a.z * e.b.z);
@@ -415,10 +415,10 @@ AHD_ALWAYS_INLINE Pair perturbing(const EdgePair& e, const LiftedPair& c)
   return choose(exceeds(ofC, larger(ofAB, both(0.0))), isC, smaller(area, ofAB));
 }
 
-/// The same for points on a grid, with the bound and the guard of inCircleIsCertain(). What is
-/// exact there, as `exactly` has it, is certain, and where the determinant is 0 the answer is
-/// whether P is in conflict with b, a, c (perturbedDeterminant()). @pre guard >=
-/// inCircleGuard(A.z + B.z + C.z).
+/// The same for points on a grid, with the bound and the guard of inCircleIsCertain(). Determinants
+/// that are exact there, by `exactly`, are certain, and where the determinant is 0 the answer is
+/// whether P is in conflict with b, a, c (perturbedDeterminant()). @pre guard >= inCircleGuard(A.z
+/// + B.z + C.z).
 ///
 /// Proof of the bound: that of inCircleIsCertain() with the steps 2' to 4 of inCircle(); what
 /// underflow costs there is far less than the guard, and on a grid nothing overflows.
@@ -429,7 +429,7 @@ AHD_ALWAYS_INLINE Pair perturbing(const EdgePair& e, const LiftedPair& c)
 /// c^2 (a^2 + b^2) >= 2 a b. As s >= (a b)^2 + c^2 (a^2 + b^2) >= 2 a b c (a^2 + b^2)^(1/2), which
 /// is at least 2^(1/2) a b c (a + b), C.x u and its sum with C.y v are at most c a b (a + b)
 /// <= 0.71 s, C.z A x B is at most c^2 a b <= s / 2, the determinant 0.87 s. So all are integers
-/// that a double has, and so is each product that is fused or not.
+/// that a double represents, and so is each product, fused or not.
 AHD_ALWAYS_INLINE InCirclePair perturbedInCircle(
   const EdgePair& e, const LiftedPair& c, Pair guard, const Exactly& exactly)
 {

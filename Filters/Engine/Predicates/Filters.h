@@ -25,7 +25,7 @@
 ///
 /// Assumed: IEEE 754 doubles, rounding to nearest, subnormal numbers kept (no flush to zero), no
 /// extended intermediate precision, no -ffast-math. Multiply-adds may be fused or not, and are
-/// fused below where the machine does it at once: no proof here depends on it.
+/// fused below where the machine has the instruction: no proof here depends on it.
 ///
 /// Notation of the proofs: u = 2^-53 and e = 2^-1075. A sum or difference of two doubles has a
 /// relative error of at most u and never underflows. A product, or a fused multiply-add, has a
@@ -173,7 +173,7 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
 /// The ghost, the vertex at infinity, may be a point: (0, g) with g = kGhostDistance * 2^e, where
 /// all coordinates are below 2^e. Where the in-circle filter is certain, its answer for a triangle
 /// with the ghost is then that for the ghost: p is in conflict with a, b and the ghost if a, b, p
-/// turn counterclockwise. Where it is not, the orientation has to be asked for.
+/// turn counterclockwise. Where it is not, the orientation must be computed.
 ///
 /// Proof. Let gamma be the vector to (0, g), D the true determinant. D = |gamma|^2 (alpha x beta) +
 /// R with |R| <= |gamma| |alpha| |beta| (|alpha| + |beta|). With c = |gamma| >= 2^70 2^e (1 - u)
@@ -182,7 +182,7 @@ inline bool inCircleIsCertain(double det, double la, double lb, double lc, doubl
 /// (FilterPairs.h), is at most ((1 + u)^10 - 1) s < 10 u s + 46 u^2 s. The bound, computed and
 /// compared, stands for at least 10.01 u s (1 - u)^15 > 10.01 u s - 151 u^2 s. So it exceeds the
 /// error by 0.009 u s > 2^-60 s, which is 2^8 times |R|: the computed determinant has the sign of
-/// alpha x beta. Which of the three corners is the ghost has no say in s or R.
+/// alpha x beta. Which of the three corners is the ghost does not affect s or R.
 constexpr double kGhostDistance = 0x1p70;
 /// All exponents of a point set's frame are at most this in magnitude: the coordinates are below
 /// 2^e, |e| <= kFrameExponent, so that nothing overflows, squares of determinants with the ghost
@@ -190,7 +190,7 @@ constexpr double kGhostDistance = 0x1p70;
 constexpr int kFrameExponent = 60;
 
 /// The computed in-circle determinant of points whose coordinates are multiples of a `unit` is the
-/// true one where its error bound, as inCircleErrorBound() has it, is below this.
+/// true one where its error bound, inCircleErrorBound(), is below this.
 /// @pre no two coordinates, of x or of y, differ by more than kExactSpan units, and
 /// unit >= 2^-200, so that no determinant underflows.
 ///
@@ -199,7 +199,7 @@ constexpr int kFrameExponent = 60;
 /// products are exact, with fused multiply-adds or without. The magnitudes of the terms of the
 /// determinant sum to at most 0.87 s (inCircleIsCertain()), and s is below 2^53 units to the fourth
 /// power, as the bound is above 10 u s. So every term and every partial sum is an integer that a
-/// double has.
+/// double represents.
 constexpr double kExactSpan = 0x1p25;
 
 inline double exactErrorBound(double unit)
@@ -214,9 +214,9 @@ inline double exactErrorBound(double unit)
 /// If the determinant is 0 the largest of the four points in lexicographic order decides: for P the
 /// answer is no, for the others it is the sign of the area of the triangle that P makes with the
 /// other two (conflictOnCircle() in Stages.h). y is less than 2^26 units apart, so x * 2^26 + y,
-/// which is exact, is larger for the larger point; P has 0. What decides is below 2^52 units or
-/// square units, and the perturbation makes of it less than a quarter of a unit to the fourth
-/// power. No branches, as they would be taken at random.
+/// which is exact, is larger for the larger point; P has 0. The deciding number is below 2^52 units
+/// or square units, and the perturbation scales it to less than a quarter of a unit to the fourth
+/// power. No branches, as they would be unpredictable.
 constexpr double kColumn = 0x1p26;
 
 inline double perturbedDeterminant(double det, const Lifted& a, const Lifted& b, const Lifted& c,

@@ -55,9 +55,9 @@ struct GridScale
     std::memcpy(&down, &downBits, sizeof down);
   }
 
-  /// value in units of `down`. `residue` stays 0 while all values are integers: one that is not,
-  /// or whose product underflows, is not met again when taken back; taking back rounds nothing, as
-  /// `down` is at least 2^-961.
+  /// value in units of `down`. `residue` stays 0 while all values are integers: one that is not, or
+  /// whose product underflows, differs when scaled back; scaling back rounds nothing, as `down` is
+  /// at least 2^-961.
   std::int64_t integer(double value, double& residue) const
   {
     const auto result = static_cast<std::int64_t>(value * up);
@@ -216,9 +216,9 @@ int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
 // ---------------------------------------------------------------------------------------- flatness
 
 /// Each of the four products has three roundings, the cross and the dot product one more, their sum
-/// another: the error is at most ((1 + u)^5 - 1) (2 |l| + 2 |r| + |p| + |q|) + 6e. 8 u pays for
-/// what rounding takes from the bound, the guard for all multiples of e. Where something overflows
-/// the bound does, or the sum is NaN, and the comparison fails.
+/// another: the error is at most ((1 + u)^5 - 1) (2 |l| + 2 |r| + |p| + |q|) + 6e. 8 u pays for the
+/// rounding of the bound, the guard for all multiples of e. Where something overflows the bound
+/// does, or the sum is NaN, and the comparison fails.
 std::optional<int> flatnessByFilter(const Point& a, const Point& b, const Point& c)
 {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
@@ -270,8 +270,8 @@ std::optional<int> inCircleByFilter(const Point& a, const Point& b, const Point&
   return std::nullopt;
 }
 
-// The exact stages take the in-circle determinant in another form, with fewer products. Let A, B, C
-// run from d to a, b, c, and U = A - C, V = B - C from c to a, b. Then
+// The exact stages compute the in-circle determinant in another form, with fewer products. Let A,
+// B, C run from d to a, b, c, and U = A - C, V = B - C from c to a, b. Then
 //   |A|^2 (B x C) + |B|^2 (C x A) + |C|^2 (A x B)  =  (A x B)(U . V) - (U x V)(A . B).
 // Proof: on the right U . V = A . B - A . C - B . C + |C|^2 and U x V = A x B + B x C + C x A. On
 // the left A (B x C) + B (C x A) + C (A x B) = 0, multiplied by A and by B, replaces |A|^2 (B x C)

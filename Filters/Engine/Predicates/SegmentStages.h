@@ -21,10 +21,10 @@ int heightsUnbounded(const Segment& s, const Segment& t, const Point& p);
 std::optional<Point> crossingByFilter(const Segment& s, const Segment& t);
 Point crossingUnbounded(const Segment& s, const Segment& t);
 
-/// Does s certainly pass what rounds to p by?
+/// Does s certainly miss all points that round to p?
 bool passesByFilter(const Segment& s, const Point& p);
 
-/// Does the line of s meet what rounds to p, the border of that not included?
+/// Does the line of s meet the interior of the set of points that round to p?
 bool meetsUnbounded(const Segment& s, const Point& p);
 
 } // namespace ahd::stages

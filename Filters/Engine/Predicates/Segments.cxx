@@ -98,8 +98,8 @@ struct Reach
 } // namespace
 
 /// With u = 2^-53, the computed determinant is wrong by less than 4.01 u times its size, the
-/// threshold by less than 4 u of itself. What rounds to a value is at most u of it away, and
-/// 2^-1075 where it is subnormal; `reach` is more than twice that.
+/// threshold by less than 4 u of itself. A number that rounds to a value is at most u of it away,
+/// and 2^-1075 where it is subnormal; `reach` is more than twice that.
 bool stages::passesByFilter(const Segment& s, const Point& p)
 {
   const auto reach = [](double value) { return 0x1p-52 * std::fabs(value) + 0x1p-1060; };
@@ -109,9 +109,9 @@ bool stages::passesByFilter(const Segment& s, const Point& p)
   return drop.size() > 0x1p-1000 && threshold > 0x1p-1000 && std::fabs(drop.orient()) > bound;
 }
 
-// What rounds to p, but for its border, is a rectangle. Of its corners, those to the upper left and
-// to the lower right are farthest from a line that rises; cross(corner - s.left, s.right - s.left)
-// is negative above the line and positive below.
+// The points that round to p form a rectangle, of which the interior counts. Of its corners, those
+// to the upper left and to the lower right are farthest from a line that rises; cross(corner -
+// s.left, s.right - s.left) is negative above the line and positive below.
 bool stages::meetsUnbounded(const Segment& s, const Point& p)
 {
   const Reach x(p.x), y(p.y);
@@ -181,8 +181,8 @@ DoubleDoubleVector wayBetween(const Point& from, const Point& to)
   return { exactDifference(to.x, from.x), exactDifference(to.y, from.y) };
 }
 
-/// The double to which all numbers round that are as near to a + b c as they may be; `errorOfC` is
-/// that of c, which is at most 1. None if there is no such double, or none of ordinary size.
+/// The double to which all numbers within the error of a + b c round; `errorOfC` is the error of c,
+/// which is at most 1. None if there is no such double, or it is tiny.
 std::optional<double> roundedSum(
   double a, const DoubleDouble& b, const DoubleDouble& c, double errorOfC)
 {
@@ -200,11 +200,11 @@ std::optional<double> roundedSum(
 
 /// Proof. The vectors are exact. A product of two DoubleDoubles is wrong by less than 2^-103 of
 /// itself, a sum by 2^-104 of its operands: so a cross product by less than 2^-102 of its size, and
-/// what is added for underflow, at most 2^-1000, is nothing beside 2^-100 of a size above 2^-700.
-/// The quotient is at most 1, as they cross; it is wrong by the errors of both cross products over
-/// `whole`, and by 2^-100 of itself: twice as much is allowed, which pays for what is of second
-/// order, as these errors are below 2^-20 of `whole`. Sum and product in roundedSum are wrong by
-/// less than 2^-102 of |a| + |b|, rounding the sum's low part by less than 2^-105 of it.
+/// what is added for underflow, at most 2^-1000, is negligible beside 2^-100 of a size above
+/// 2^-700. The quotient is at most 1, as they cross; it is wrong by the errors of both cross
+/// products over `whole`, and by 2^-100 of itself: twice as much is allowed, which pays for terms
+/// of second order, as these errors are below 2^-20 of `whole`. Sum and product in roundedSum are
+/// wrong by less than 2^-102 of |a| + |b|, rounding the sum's low part by less than 2^-105 of it.
 std::optional<Point> stages::crossingByFilter(const Segment& s, const Segment& t)
 {
   const DoubleDoubleVector u = wayBetween(s.left, s.right), v = wayBetween(t.left, t.right);

@@ -21,11 +21,11 @@ inline bool comesBefore(const Segment& s, const Segment& t)
                           : lexicographicallyLess(s.left, t.left);
 }
 
-// Segments are compared where a line meets them that is vertical, but turned counterclockwise by an
-// infinitesimal angle. So each point has a line of its own, the lines come in the lexicographic
-// order of the points, and a vertical segment is no exception: its lower end is the left one. All
-// signs are exact. "Side" of a point: orient2d(left, right, point), +1 if it lies above the segment
-// (a vertical one: to the left of it).
+// Segments are compared along a vertical line that is turned counterclockwise by an infinitesimal
+// angle. So each point has its own line, the lines come in the lexicographic order of the points,
+// and a vertical segment is no exception: its lower end is the left one. All signs are exact.
+// "Side" of a point: orient2d(left, right, point), +1 if it lies above the segment (a vertical one:
+// to the left of it).
 
 /// +1 if the line of p meets s above t, -1 if below t, 0 if both at p or if they are collinear.
 /// `sideOfS`, `sideOfT`: those of p. @pre both reach from p or before to p or beyond.
@@ -47,8 +47,8 @@ Point crossingOf(const Segment& s, const Segment& t);
 /// only a tie between p and another point does, it counts as no.
 bool roundsTo(const Segment& s, const Point& p);
 
-/// Which fraction of the way from `from` to `to` ends at p, 0 to 1, in the coordinate in which the
-/// way is longer. @pre from is not to.
+/// The fraction of the way from `from` to `to` at p, 0 to 1, measured in the coordinate in which
+/// the way is longer. @pre from is not to.
 double fractionOfWay(const Point& from, const Point& to, const Point& p);
 
 } // namespace ahd

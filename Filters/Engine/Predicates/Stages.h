@@ -13,7 +13,7 @@
 /// - Grid: the vectors to the last point are multiples of one power of two and fit into 61 bits
 ///   then. They become 64-bit integers and the determinant one of 128 or 256 bits. Lattices,
 ///   decimals, map coordinates and float data end here, and neighbours in most other data.
-/// - Unbounded: integers as long as the exponents ask for, up to the whole range of double.
+/// - Unbounded: integers as long as the exponents require, up to the whole range of double.
 ///
 /// Filter and Grid assume rounding to nearest and subnormal numbers kept (no flush to zero);
 /// Unbounded works on the bits of the numbers and assumes nothing. Fused multiply-adds harm none of

@@ -4,8 +4,8 @@
 
 #include "FilterPairs.h"
 
-/// What the filter of two triangles at once leaves open among slivers, for two at once again: that
-/// of sharp cross products (TighterFilters.h).
+/// The filter of sharp cross products (TighterFilters.h) for two triangles at once: for slivers
+/// that the faster filter of two leaves open.
 namespace ahd
 {
 inline namespace AHD_TARGET

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <optional>
 
-/// Filters for what those of Filters.h leave open: each takes a few nanoseconds more and decides
-/// nearly all of it, slivers above all. Assumptions and notation are the same. None stands for an
-/// answer that only an exact predicate has.
+/// Filters for cases that Filters.h leaves open: each takes a few nanoseconds more and decides
+/// nearly all of them, slivers above all. Assumptions and notation are the same. No value means
+/// that only an exact predicate can decide.
 namespace ahd
 {
 inline namespace AHD_TARGET
@@ -109,8 +109,8 @@ inline std::optional<int> inCircleBySharpCrosses(
 /// cross product, as its error is a part of it.
 ///
 /// Nothing that counts underflows or overflows: between the limits the product A.y B.x and what its
-/// rounding loses are numbers that a double has; if A.x B.y is so small that it loses bits, or so
-/// large that it overflows, it is the other one by far that gives the sign, or it itself.
+/// rounding loses are representable; if A.x B.y is so small that it loses bits, or so large that it
+/// overflows, it is the other one by far that gives the sign, or it itself.
 inline std::optional<int> orient2dBySharpCross(const Point& a, const Point& b, const Point& p)
 {
   const Lifted A = liftedFrom(p, a), B = liftedFrom(p, b);

@@ -54,7 +54,7 @@ inline std::uint32_t halfEdgeOf(std::uint32_t number, Mesh::Halfedge h)
   return 3 * (number >> 2) + kEdge[number & 3u][h & 3u];
 }
 
-/// An array that gets so many bytes for each triangle.
+/// An array with so many bytes for each triangle.
 struct TriangleArray
 {
   template <typename T>
@@ -63,9 +63,9 @@ struct TriangleArray
     , bytes(perTriangle * sizeof(T))
   {
   }
-  /// It will soon be asked to fetch.
+  /// Before fetch().
   void prepare(std::uint32_t) const {}
-  /// It will be written for the triangle of this number, if it is one.
+  /// Prefetches the entry of the triangle of this number, if it is one, for writing.
   void fetch(std::uint32_t number) const
   {
     prefetchForWrite(reinterpret_cast<const void*>(first + triangleOf(number) * bytes));
@@ -74,7 +74,7 @@ struct TriangleArray
   std::size_t bytes;
 };
 
-/// Two of them.
+/// Two such arrays.
 struct TwoTriangleArrays
 {
   void prepare(std::uint32_t) const {}

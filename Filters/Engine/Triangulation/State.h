@@ -95,7 +95,7 @@ struct Triangulation::State
 
 class Workspace;
 
-/// The way in for the engine's own.
+/// Access for the engine's own code.
 class TriangulationAccess
 {
 public:
@@ -104,7 +104,7 @@ public:
 
   static StatePointer& stateOf(Triangulation& triangulation) { return triangulation.state_; }
 
-  /// Null if it is that of no points.
+  /// Null for a triangulation without points.
   static const State* stateOf(const Triangulation& triangulation)
   {
     return triangulation.state_.get();

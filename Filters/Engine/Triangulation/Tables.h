@@ -12,8 +12,7 @@
 namespace ahd
 {
 
-/// The tables of a Triangulation, for loops that read much of them. What has not been made is
-/// empty.
+/// The tables of a Triangulation, for loops that read much of them. Tables not made are empty.
 struct Tables
 {
   /// A flag of a triangle; bits 0 to 2 say which of its edges are constraints.

@@ -118,7 +118,7 @@ public:
   /// The vertex of each point: 4 bytes a point.
   Status makePointMap(const Context& context);
 
-  // --- Asked: needs makeCorners() ---
+  // --- Queries that need makeCorners() ---
 
   /// All triangles, dropped ones included.
   std::size_t triangleCount() const;
@@ -132,7 +132,7 @@ public:
   /// Where a vertex lies.
   Point at(Index vertex) const;
 
-  // --- Asked: needs makeNeighbors() ---
+  // --- Queries that need makeNeighbors() ---
 
   /// The same edge seen from the other side; kNoHalfEdge on the convex hull.
   HalfEdge twin(HalfEdge h) const;
@@ -147,14 +147,14 @@ public:
   /// The same, with its steps counted; Nowhere if cancelled.
   Location locate(const Point& place, std::size_t hint, Ticker& ticker) const;
 
-  // --- Asked: needs makePointMap() ---
+  // --- Queries that need makePointMap() ---
 
   /// The vertex at the point's place, which a duplicate shares; kNoIndex if it has none: not
   /// finite, left out, or beyond the limit.
   Index vertexOf(std::size_t point) const;
 
 private:
-  friend class TriangulationAccess; // for what makes it
+  friend class TriangulationAccess; // for the functions that make it
   struct State;
   std::unique_ptr<State> state_;
 };

@@ -50,7 +50,7 @@ bool Triangulation::State::writeTriangles(Id* triples, Ticker& ticker)
   scratch.view(ranked.xy.data(), ranked.xy.size() * sizeof(Point));
   const ExtractedMesh kept = hasMarks ? ExtractedMesh(mesh, constrained.allMarks(), kDropped)
                                       : mesh;
-  // Asked at the end as well: the last part of the work may have been another thread's.
+  // Polls at the end as well: the last part of the work may have been another thread's.
   return writeCanonical(kept, ranked.id.data(), triples, scratch, ticker) && ticker.ask();
 }
 
