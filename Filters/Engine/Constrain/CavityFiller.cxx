@@ -100,7 +100,7 @@ bool CavityFiller::lookBeyond(Side& side)
   {
     return !ticker_.cancelled();
   }
-  // Places instead of twins: what goes needs its links no more.
+  // Places instead of twins: removed triangles need no links.
   const auto writePlace = [&](std::size_t p)
   {
     if ((side.flags[p] & kHanging) != 0)

@@ -10,9 +10,9 @@
 namespace ahd
 {
 
-/// Makes a segment an edge: the triangles it crosses give way to those of the two polygons on its
-/// sides (M. V. Anglada, "An improved incremental algorithm for constructing restricted Delaunay
-/// triangulations", 1997). Constraints stay.
+/// Makes a segment an edge: the triangles it crosses are replaced by those of the two polygons on
+/// its sides (M. V. Anglada, "An improved incremental algorithm for constructing restricted
+/// Delaunay triangulations", 1997). Constraints stay.
 class CavityFiller
 {
 public:
@@ -36,12 +36,12 @@ public:
 
 private:
   /// The polygon on one side, counterclockwise, its last edge along the segment; and for each of
-  /// the other edges the half-edge of the triangle that goes, and where to link the new one.
+  /// the other edges the half-edge of the triangle to remove, and where to link the new one.
   struct Side
   {
     std::vector<Index> corners;
     std::vector<Mesh::Halfedge> old;   ///< later: the new one
-    std::vector<std::uint32_t> beyond; ///< the twin; or, where it goes as well, its place in `old`
+    std::vector<std::uint32_t> beyond; ///< the twin, or its place in `old` if removed as well
     std::vector<std::uint8_t> flags;
 
     void clear();
@@ -50,7 +50,7 @@ private:
   enum : std::uint8_t
   {
     kConstrained = 1,
-    kHanging = 2 ///< both triangles of the edge go: it hangs into the polygon
+    kHanging = 2 ///< both triangles of the edge are removed: it hangs into the polygon
   };
 
   template <typename Visit>

@@ -29,8 +29,8 @@ public:
   /// No marks. Returns false if cancelled, as below; throws std::bad_alloc.
   /// @pre a mesh with a triangle; xy outlives this.
   bool begin(Mesh& mesh, const Point* xy, Ticker& ticker);
-  /// Looks at every triangle once, so that a triangle of each vertex is known: what asks for that
-  /// (isInMesh(), outgoing(), slotOf()) or changes it (setCorners()) requires it. Throws
+  /// Looks at every triangle once, so that a triangle of each vertex is known: functions that read
+  /// it (isInMesh(), outgoing(), slotOf()) or change it (setCorners()) require this. Throws
   /// std::bad_alloc.
   bool findVertices(Ticker& ticker);
 
@@ -99,7 +99,7 @@ public:
     marks(h) = static_cast<std::uint8_t>(marks(h) & ~(1u << (h & 3u)));
   }
 
-  /// Where to look a vertex up, for a hint to the processor.
+  /// The address of a vertex's entry, for prefetching.
   const void* placeOfSlot(Index vertex) const { return slotOf_.data() + vertex; }
   Mesh::Slot slotOf(Index vertex) const { return slotOf_[vertex]; }
 

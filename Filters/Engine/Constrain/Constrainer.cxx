@@ -89,8 +89,8 @@ bool Constrainer::insertChain(std::size_t chain, const InCurveOrder& curve)
   return true;
 }
 
-/// Do three of these ids represent three vertices, or none? A loop with fewer bounds
-/// nothing, wherever it runs.
+/// Do these ids name at least three different vertices, counting ids without one as one? A loop
+/// with fewer bounds nothing.
 bool Constrainer::haveThreeVertices(const std::int64_t* ids, std::size_t count) const
 {
   if (count == 0)
@@ -111,10 +111,10 @@ bool Constrainer::haveThreeVertices(const std::int64_t* ids, std::size_t count) 
   return false;
 }
 
-/// Fetches what the segments soon to come need, one thing after the other, as one tells where the
-/// next is: the vertex of an id, a triangle of the vertex, that triangle, its neighbours, and
-/// theirs. Segments in random order then cost less than half. `ids` are those from one of the
-/// segment at work on.
+/// Prefetches for the segments soon to come, step by step, as each address depends on the one
+/// before: the vertex of an id, a triangle of the vertex, that triangle, its neighbours, and
+/// theirs. Segments in random order then cost less than half. `ids` begins with an id of the
+/// current segment.
 void Constrainer::prefetch(const std::int64_t* ids) const
 {
   constexpr std::ptrdiff_t kVertex = 40, kSlot = 32, kTriangle = 24, kNeighbours = 16, kRing = 8;

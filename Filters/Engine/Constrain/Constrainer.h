@@ -73,8 +73,8 @@ private:
   std::size_t edges_ = 0; ///< that are constraints
   ConstraintView constraints_;
   std::vector<std::uint64_t> firstSegment_;   ///< of each chain, among all segments
-  std::uint64_t segment_ = 0;                 ///< at work on
-  std::vector<std::pair<Index, Index>> loop_; ///< edges of the chain at work on, in its direction
+  std::uint64_t segment_ = 0;                 ///< the current one
+  std::vector<std::pair<Index, Index>> loop_; ///< edges of the current chain, in its direction
   bool isLoop_ = false;
   bool anyLoop_ = false;
   ConstraintReport report_;

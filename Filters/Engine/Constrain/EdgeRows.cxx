@@ -6,7 +6,7 @@
 namespace ahd
 {
 
-/// The row that it belongs to by now; makes the way there shorter.
+/// The row that it has become a part of; shortens the path to it.
 std::uint32_t EdgeRows::rootOf(std::uint32_t row) const
 {
   while (rows_[row].parent != row)

@@ -14,8 +14,8 @@
 namespace ahd
 {
 
-/// A number for each of some edges, by its two vertices. A hash table, open addressing. Asks for
-/// its memory (Progress::take()) where it is not small.
+/// A number for each of some edges, by its two vertices. A hash table, open addressing. Requests
+/// its memory (Progress::take()) unless it is small.
 template <typename Value>
 class EdgeTable
 {
@@ -32,7 +32,7 @@ public:
   {
   }
 
-  /// Makes room for so many edges; to be called before add() and find(). Returns false if
+  /// Makes room for so many edges; must be called before add() and find(). Returns false if
   /// cancelled. Throws std::bad_alloc.
   bool begin(std::size_t expected) { return allocate(roomFor(expected)); }
 
@@ -53,7 +53,7 @@ public:
     return &edge.value;
   }
 
-  /// Fetches what find() or add() will look at.
+  /// Prefetches for find() or add().
   void prefetch(Index u, Index v) const
   {
     prefetchForRead(edges_.data() + firstPlace(keyOf(u, v)));
@@ -84,7 +84,7 @@ private:
     return room;
   }
 
-  /// `old`: the bytes that it still holds beside.
+  /// `old`: the bytes of the old table, still held.
   bool allocate(std::size_t room, std::size_t old = 0)
   {
     constexpr std::size_t kFew = 1024;

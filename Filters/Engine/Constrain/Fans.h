@@ -11,8 +11,8 @@
 namespace ahd
 {
 
-/// Some neighbours of vertices that have very many, by their directions: places to begin at when
-/// one turns around such a vertex. An edge may have gone since it was remembered.
+/// Some neighbours of vertices that have very many, by their directions: starting points for
+/// turning around such a vertex. A remembered edge may no longer exist.
 class Fans
 {
 public:

@@ -124,7 +124,7 @@ bool InCurveOrder::sort(std::size_t places)
   return true;
 }
 
-/// Territories with as many segments each, more or less. `blockEnds`: of the segments of each
+/// Territories with about the same number of segments each. `blockEnds`: of the segments of each
 /// block.
 void InCurveOrder::divide(const std::uint32_t* blockEnds, std::size_t blocks, unsigned shift)
 {
@@ -145,8 +145,8 @@ void InCurveOrder::divide(const std::uint32_t* blockEnds, std::size_t blocks, un
   }
 }
 
-/// Fetches what the segments soon to come need, step by step, as one thing tells where the next is.
-/// Looks only at triangles around their first vertices.
+/// Prefetches for the segments soon to come, step by step, as each address depends on the one
+/// before. Reads only triangles around their first vertices.
 void InCurveOrder::prefetch(const Segment* segment, const Segment* end) const
 {
   constexpr std::ptrdiff_t kSlot = 24, kTriangle = 16, kNeighbours = 8;
@@ -234,7 +234,7 @@ InCurveOrder::Outcome InCurveOrder::insert(const Segment& segment, Work& work, T
 }
 
 /// Segments [begin, end), but for those that leave the walk's territory, are long or cross others.
-/// Returns false if the caller wants to cancel.
+/// Returns false if cancelled.
 bool InCurveOrder::insert(
   const Segment* begin, const Segment* end, Work& work, Territory& territory, Ticker& ticker)
 {
@@ -289,7 +289,7 @@ bool InCurveOrder::insertSorted()
     {
       work.walk.limitTo(territories_[k].firstVertex, territories_[k + 1].firstVertex);
     }
-    // On a local one: no thread waits for a line of another.
+    // On a local one: no false sharing.
     Territory own;
     own.made.reserve(territories_[k + 1].begin - territories_[k].begin); // mostly
     const bool done = insert(segments_.data() + territories_[k].begin,

@@ -62,14 +62,14 @@ public:
   /// Is the segment that begins at this place among the ids one edge, and a constraint that no
   /// other segment crosses?
   bool isEdge(std::size_t place) const { return !became_.empty() && became_[place] == kEdge; }
-  /// Or a row of such edges? If neither, it is still to be looked at.
+  /// Or a row of such edges? If neither, it must still be inserted.
   bool isRow(std::size_t place) const { return !became_.empty() && became_[place] == kRow; }
 
   /// How many edges are constraints now.
   std::size_t edges() const { return edges_; }
 
-  /// Bytes for each segment, at most. Lists of segments grow by doubling, and so do those of edges;
-  /// all is given back but for a byte for each id.
+  /// Bytes for each segment, at most. Lists of segments and of edges grow by doubling; all are
+  /// given back but for a byte for each id.
   static constexpr std::size_t bytesPerSegment()
   {
     constexpr std::size_t kGrown = 3; // while it is copied
@@ -90,8 +90,8 @@ private:
   static constexpr std::size_t kLeastInTerritory = std::size_t(1) << 10; ///< segments
   static constexpr unsigned kRounds = 24;
 
-  /// One of so many segments may cross others, or be crossed, and so many more: else it is given
-  /// up, as too many are left to the end.
+  /// One of so many segments may cross others or be crossed, plus so many: with more this order is
+  /// given up, as too many would be left to the end.
   static constexpr std::size_t kMostCrossing = 8, kCrossingAtLeast = 64;
 
   /// The outcome of a segment, by its place.

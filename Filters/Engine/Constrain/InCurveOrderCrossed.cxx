@@ -161,7 +161,7 @@ bool InCurveOrder::findUsers(const Edges& edges, std::vector<Segment>& users)
   return true;
 }
 
-/// The edges of these segments, which become nothing: each once, in their order.
+/// The edges of these segments, whose outcome becomes kNothing: each once, in their order.
 bool InCurveOrder::findEdges(
   const std::vector<Segment>& segments, Edges& edges, std::vector<Made>& list)
 {
@@ -257,9 +257,9 @@ void InCurveOrder::takeMark(Mesh::Halfedge edge)
   suspects_.push_back(edge);
 }
 
-/// These edges are no constraints any more, and the mesh is as if they had never been: the last one
-/// first, so that each flips as few edges as it crossed when it came. `edges`: but for those that
-/// others share.
+/// These edges are no constraints any more, and the mesh is as if they had never been inserted: the
+/// last one first, so that each flips as few edges as it crossed when it came. `edges`: but for
+/// those that others share.
 bool InCurveOrder::release(const std::vector<Made>& list, const Edges* edges)
 {
   SegmentWalk walk(mesh_, ticker_);
@@ -286,8 +286,8 @@ bool InCurveOrder::release(const std::vector<Made>& list, const Edges* edges)
   return true;
 }
 
-/// No edge is a constraint any more. Flips may move one to triangles that were looked at before: so
-/// it is looked again while there are any.
+/// No edge is a constraint any more. Flips may move one to triangles already visited: so the search
+/// repeats while there are any.
 bool InCurveOrder::releaseRest()
 {
   CavityFiller cavity(mesh_, ticker_);
@@ -309,7 +309,7 @@ bool InCurveOrder::releaseRest()
   return true;
 }
 
-/// These segments become nothing.
+/// Takes these segments out.
 bool InCurveOrder::takeOut(std::vector<Segment>& crossed)
 {
   Edges edges(ticker_);
@@ -318,7 +318,7 @@ bool InCurveOrder::takeOut(std::vector<Segment>& crossed)
     (gaveUp_ || findShared(edges)) && (gaveUp_ || release(list, &edges));
 }
 
-/// All become nothing.
+/// Takes all segments out.
 bool InCurveOrder::undo()
 {
   for (auto territory = territories_.rbegin(); territory != territories_.rend(); ++territory)

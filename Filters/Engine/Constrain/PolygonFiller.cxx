@@ -113,7 +113,7 @@ std::uint32_t PolygonFiller::random(std::uint32_t below)
 
 /// A random order of the corners, from the last to the first, each taken out of the polygon: but
 /// never one that is nearer to the base than both its neighbours, as the polygon without it might
-/// reach across the base. The distances are rounded; where that misleads, insertAll() says so.
+/// reach across the base. The distances are rounded; insertAll() detects it where that misleads.
 bool PolygonFiller::chooseOrder()
 {
   const std::uint32_t last = static_cast<std::uint32_t>(corners_->size() - 1);
@@ -189,7 +189,8 @@ bool PolygonFiller::insertAll()
   return true;
 }
 
-/// Is the triangle from -> vertex -> to no good, so that what lies behind the edge has to go?
+/// Is the triangle from -> vertex -> to invalid or not Delaunay, so that the one behind the edge
+/// must be removed?
 bool PolygonFiller::belongsToHole(const HoleEdge& edge, Index vertex) const
 {
   if (orientation(edge.from, vertex, edge.to) <= 0)

@@ -39,7 +39,7 @@ private:
   bool isOdd(Mesh::Halfedge h) const { return balance(h) % 2 != 0; }
 
   bool isVisited(Mesh::Halfedge h) const { return (mesh_.marks(h) & kVisited) != 0; }
-  /// It is looked at much later, when others before it in the queue were: until then it can come.
+  /// Prefetch: it is read much later, after the others in the queue.
   void visit(Mesh::Slot slot)
   {
     mesh_.marks(slot) |= kVisited;

@@ -19,7 +19,7 @@ double doubledArea(const Point& a, const Point& b, const Point& c)
 }
 
 /// One call of trimRim(). Functions that return bool return false if the work is cancelled, unless
-/// it is a question.
+/// they are predicates.
 class Trimmer
 {
 public:
@@ -68,7 +68,7 @@ bool Trimmer::isFlatAt(Mesh::Halfedge h) const
   return isFlat(mesh_.at(mesh_.origin(h)), mesh_.at(mesh_.destination(h)), mesh_.at(mesh_.apex(h)));
 }
 
-/// Does the edge stay an edge of the surface without the triangle of h, or need not?
+/// Does the edge remain an edge of the surface without the triangle of h, or is it no constraint?
 bool Trimmer::mayLose(Mesh::Halfedge h) const
 {
   if (!mesh_.isConstrained(h))
@@ -87,7 +87,7 @@ bool Trimmer::mayGo(Mesh::Halfedge h) const
     mayLose(Mesh::previous(h));
 }
 
-/// What lies beyond the half-edge is not part of the surface.
+/// The triangle beyond the half-edge is not part of the surface.
 void Trimmer::dropAcross(Mesh::Halfedge h)
 {
   const Mesh::Slot slot = Mesh::slotOf(h);

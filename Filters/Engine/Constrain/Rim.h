@@ -9,11 +9,11 @@
 namespace ahd
 {
 
-/// What trimming took away.
+/// Counts of trimming.
 struct TrimmedRim
 {
   std::size_t triangles = 0;
-  std::size_t bareVertices = 0; ///< that are in no triangle any more
+  std::size_t bareVertices = 0; ///< left in no triangle
   double area = 0.0;            ///< of these triangles, as a part of the convex hull's; rounded
 };
 

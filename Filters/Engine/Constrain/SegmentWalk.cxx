@@ -139,7 +139,7 @@ bool SegmentWalk::turnFromFans(Index from, Index to, WayOut& way)
 }
 
 /// The way out of one of the two ends, which becomes start_: of a, unless it has so many neighbours
-/// that b is sooner done. Returns Free, Beyond or Cancelled.
+/// that b is faster. Returns Free, Beyond or Cancelled.
 SegmentWalk::Outcome SegmentWalk::chooseEnd(Index a, Index b, WayOut& way)
 {
   for (std::size_t most = 16; !way.isFound(); most *= 2)
@@ -205,7 +205,7 @@ SegmentWalk::Outcome SegmentWalk::cross(Index from, Index to, Mesh::Halfedge fir
 }
 
 /// The edge from one vertex to another, if it is one of the first few around the vertex or there is
-/// none at all: no place needs to be looked at. kNoIndex else.
+/// none at all: needs no coordinates. kNoIndex else.
 Mesh::Halfedge SegmentWalk::edgeNearby(Index from, Index to) const
 {
   constexpr int kMost = 8;

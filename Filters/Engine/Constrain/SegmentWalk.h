@@ -61,12 +61,12 @@ public:
   /// places in crossed().
   const std::vector<WalkPiece>& pieces() const { return pieces_; }
   Index start() const { return start_; }
-  /// Of each crossed edge the half-edge on the side one comes from; it runs from right to left.
+  /// Of each crossed edge the half-edge on the near side; it runs from right to left.
   const std::vector<Mesh::Halfedge>& crossed() const { return crossed_; }
   Mesh::Halfedge blockedBy() const { return blockedBy_; }
 
 private:
-  /// How a vertex is left towards another.
+  /// The way out of a vertex towards another.
   struct WayOut
   {
     Mesh::Halfedge edge = kNoIndex;    ///< along this edge, which begins at the vertex
@@ -99,7 +99,7 @@ private:
   std::vector<WalkPiece> pieces_;
   std::vector<Mesh::Halfedge> crossed_;
   Mesh::Halfedge blockedBy_ = kNoIndex;
-  bool goesOn_ = false; ///< across what blocks it
+  bool goesOn_ = false; ///< across the constraint that blocks it
   std::size_t mostCrossed_ = std::size_t(-1);
   const EdgeRows* rows_ = nullptr;
   Index start_ = kNoIndex;

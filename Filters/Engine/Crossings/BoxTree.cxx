@@ -20,7 +20,7 @@ inline unsigned lowestBit(unsigned bits)
 #endif
 }
 
-/// Without branches: ends that meet are hard to foretell.
+/// Without branches: the outcome is hard to predict.
 bool haveCommonEnd(const Segment& s, const Segment& t)
 {
   const auto same = [](const Point& p, const Point& q)
@@ -136,7 +136,7 @@ bool BoxSearch::count(std::size_t steps)
   {
     return false;
   }
-  isCancelled_ = !ticker_.step(steps / 4 + 1); // each is a fraction of a step elsewhere
+  isCancelled_ = !ticker_.step(steps / 4 + 1); // each counts as a fraction of a step
   return !isCancelled_;
 }
 

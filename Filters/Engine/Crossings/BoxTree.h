@@ -14,8 +14,8 @@
 namespace ahd
 {
 
-/// What an id of the chains counts in the progress of splitting, step by step; all rounds but the
-/// first go on beyond it.
+/// Units of progress of one id of the chains in splitting, step by step; rounds after the first go
+/// on beyond them.
 struct SplitUnits
 {
   static constexpr std::size_t kListed = 1, kInTree = 1, kSearched = 3, kSplit = 2, kWritten = 1;
@@ -55,8 +55,8 @@ public:
     ymax_[k] = r.ymax;
   }
 
-  /// Bit k is set if the box meets that of piece k; it may be if not. Rounding is monotone, so what
-  /// is not less stays so. All at once: a loop that compilers make vectors of.
+  /// Bit k is set if the box meets that of piece k; it may be if not. Rounding is monotone, so <=
+  /// stays true. All at once: a loop that compilers vectorise.
   unsigned meeting(const Box& box, const Point& origin) const
   {
     static constexpr int kBits[kMost] = { 1, 2, 4, 8, 16, 32, 64, 128 };
@@ -126,7 +126,7 @@ public:
 
   /// Calls work(piece) for those whose boxes meet this one, rounded, until that returns false,
   /// until `steps`, which it takes from, are used up, or until the ticker is cancelled. Returns
-  /// false if it did not see all.
+  /// false if it did not visit all.
   template <typename Work>
   bool forMeeting(const Box& box, std::size_t& steps, Ticker& ticker, const Work& work) const;
 
@@ -168,7 +168,7 @@ bool BoxTree::forMeeting(const Box& box, std::size_t& steps, Ticker& ticker, con
   return levels_.visit(enter, look);
 }
 
-/// How much a BoxSearch may do before it gives up.
+/// The limits at which a BoxSearch gives up.
 struct BoxSearchLimits
 {
   std::size_t steps;     ///< for nothing: each crossing that is found allows some more

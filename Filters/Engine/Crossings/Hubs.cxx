@@ -69,7 +69,7 @@ bool Hubs::add(const Pieces& pieces, const std::vector<Crossing>& crossings)
   return true;
 }
 
-/// Where the pairs cross, if that is exactly so, sorted.
+/// The places where pairs cross, if exactly there; sorted.
 bool Hubs::listPlaces(
   const Pieces& pieces, const std::vector<Crossing>& crossings, std::vector<Point>& places)
 {
@@ -230,7 +230,8 @@ bool Hubs::makeHubBy(const Point& p, const Pieces& pieces, const std::vector<Box
 
 bool Hubs::sortByDirection(const Pieces& pieces, Place& place)
 {
-  // Segments that pass through one place: seen from one of them, the right end of another tells.
+  // Segments that pass through one place are compared by the side of one on which the right end of
+  // the other lies.
   const auto turn = [&](Index s, Index t)
   { return orient2d(pieces[s].segment.left, pieces[s].segment.right, pieces[t].segment.right); };
   if (!sortAsking(place.pieces, ticker_, [&](Index s, Index t) { return turn(s, t) > 0; }))

@@ -17,10 +17,10 @@ namespace ahd
 /// have m (m - 1) / 2 pairs, which need not be looked at one by one.
 ///
 /// A hub is a place with pieces that all pass exactly through it, and so cleanly that none of them
-/// rounds to an end of another (roundsTo()). So whatever pair of them is taken, it crosses there
-/// and asks for a point there, if the two are not collinear; as few pairs as name all pieces do. A
-/// piece cut at its hubs is the same segment in parts: nothing crosses it elsewhere than before,
-/// and nothing crosses at the hub any more.
+/// rounds to an end of another (roundsTo()). So any two of them that are not collinear cross there
+/// and need a point there; a few pairs that name all pieces suffice. A piece cut at its hubs is the
+/// same segment in parts: nothing crosses it elsewhere than before, and nothing crosses at the hub
+/// any more.
 class Hubs
 {
 public:
@@ -52,7 +52,7 @@ public:
 
   std::size_t count() const { return places_.size(); }
 
-  /// Parts that there are at most.
+  /// The largest number of parts.
   std::size_t mostParts(const Pieces& pieces) const;
 
   /// Lists all pieces that are not dead, cut at the hubs.

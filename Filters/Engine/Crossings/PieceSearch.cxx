@@ -23,8 +23,8 @@ struct SegmentEnd
   std::size_t half;
 };
 
-/// Steps that take less time than a search by strips; and more crossings than there are without
-/// hubs, mostly, or the most there may be.
+/// So many steps take less time than a search by strips; so many crossings are mostly more than
+/// there are without hubs, or more than allowed.
 BoxSearchLimits limitsFor(std::size_t pieces, std::size_t most)
 {
   constexpr std::size_t kCrossings = 64;
@@ -32,8 +32,8 @@ BoxSearchLimits limitsFor(std::size_t pieces, std::size_t most)
   return { bits * bits * pieces, std::min(most, kCrossings * pieces) };
 }
 
-/// What a search by strips takes for each part: itself; its two ends, sorted; ends by numbers,
-/// twice; places in lists of segments.
+/// Bytes that a search by strips takes for each part: itself; its two ends, sorted; ends by
+/// numbers, twice; places in lists of segments.
 constexpr std::size_t kBytesPerPart = 280;
 
 bool rankEnds(const std::vector<Hubs::Part>& parts, Ticker& ticker, RankedSegments& segments)

@@ -30,7 +30,7 @@ struct Crossing
   Index b;
 };
 
-/// Adds to a list. Asks for the memory that it grows into, if `taken` is not null. Throws
+/// Appends to a list. Requests the memory that it grows into, if `taken` is not null. Throws
 /// std::bad_alloc.
 inline void addCrossing(std::vector<Crossing>& list, const Crossing& crossing, TakenMemory* taken)
 {

@@ -42,10 +42,10 @@ public:
   /// kNoIndex if it is not there.
   Index find(const Point& p) const { return slots_.empty() ? kNoIndex : slots_[slotOf(p)]; }
 
-  /// Fetches what find() and add() look at first.
+  /// Prefetches for find() and add().
   void prefetch(const Point& p) const { prefetchForWrite(&slots_[firstSlotOf(p)]); }
 
-  /// Adds the place unless it is there, and tells its number. Returns false if cancelled. Throws
+  /// Adds the place unless it is there, and sets its number. Returns false if cancelled. Throws
   /// std::bad_alloc.
   bool add(const Point& p, Index& number)
   {

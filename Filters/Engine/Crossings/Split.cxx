@@ -76,7 +76,7 @@ Status Splitter::run()
 }
 
 /// Room for as many pieces as there may be: a line has one less than ids, and a loop too, if it
-/// ends where it begins. The estimate knows of no lines without an id.
+/// ends where it begins. The estimate counts no lines without an id.
 void Splitter::makeRoom()
 {
   std::size_t most = ids_;
@@ -96,7 +96,7 @@ void Splitter::makeRoom()
   more_.reserve(most);
 }
 
-/// The segments that are not said to cross nothing.
+/// The segments that may cross others.
 bool Splitter::listPieces()
 {
   makeRoom();
@@ -177,8 +177,8 @@ bool Splitter::split()
   return findIds() && sortInsertions() && splitPieces();
 }
 
-/// Asks for what so many places take, and the pairs that are listed. Throws std::bad_alloc if it
-/// may not be taken.
+/// Requests memory for so many places and for the listed pairs. Throws std::bad_alloc if it is
+/// refused.
 void Splitter::takeFor(std::size_t places)
 {
   taken_.atLeast(kBytesPerPair * (pairsBefore_ + found_.listed.size()) + kBytesPerPlace * places);

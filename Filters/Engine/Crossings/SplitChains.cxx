@@ -14,7 +14,7 @@ namespace ahd
 namespace
 {
 
-/// What ids that are those of no point become.
+/// Replaces ids that are no point's.
 constexpr std::int64_t kNoPoint = -1;
 
 } // namespace

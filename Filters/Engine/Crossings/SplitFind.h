@@ -36,7 +36,7 @@ struct RankedSegments
 /// that span a strip, a ladder is taken: as many as follow without crossing one another. All others
 /// find the rungs they cross by going up and down from where they enter, and go on into the two
 /// halves of the strip, as far as they reach into them.
-/// Cost: n log^2 n + k log n steps for n segments with k crossings, whatever they are like.
+/// Cost: n log^2 n + k log n steps for any n segments with k crossings.
 bool findCrossings(const RankedSegments& segments, Ticker& ticker, std::vector<Crossing>& crossings,
   std::size_t most = std::size_t(-1), TakenMemory* taken = nullptr);
 

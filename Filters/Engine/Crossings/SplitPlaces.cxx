@@ -11,7 +11,7 @@
 namespace ahd
 {
 
-/// A segment, and from where to where it runs.
+/// A segment, and its ends in its direction.
 struct Splitter::Named
 {
   Index position;

@@ -16,7 +16,7 @@
 namespace ahd
 {
 
-/// From where to where a segment runs.
+/// The ends of a segment, in its direction.
 struct Way
 {
   Point from;
@@ -36,7 +36,7 @@ struct Way
   }
 };
 
-/// What lies on a segment or a piece: the number of that, and of a place. Sorted as packed numbers.
+/// A place on a segment or a piece: the numbers of both. Sorted as packed numbers.
 using OnSegment = std::uint64_t;
 inline Index ownerOf(OnSegment item)
 {
