@@ -37,8 +37,8 @@ public:
   /// it took: about log(blocks).
   bool isMet(const Circumdisc& disc, const BlockRow& row, std::size_t& steps) const;
 
-  /// A box that has no point of the bounds of other blocks inside; sides at infinity where there is
-  /// none. Large, but not the largest. Where bounds overlap there is none: then xmin > xmax.
+  /// A box with no point of other blocks' bounds inside; sides with none beyond lie at infinity.
+  /// Large, but not the largest. Where bounds overlap it is empty: xmin > xmax.
   Bounds freeBoxOf(const BlockRow& row) const;
 
 private:

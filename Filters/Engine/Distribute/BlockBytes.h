@@ -17,10 +17,10 @@
 namespace ahd
 {
 
-/// What one block tells others. Numbers are as they lie in memory: all blocks run one program.
+/// A message between blocks. Numbers are sent as they lie in memory: all blocks run one program.
 using BlockBytes = std::vector<unsigned char>;
 
-/// Does T list what is sent of it, once for writing and reading?
+/// Does T list the fields to send, once for writing and reading?
 ///     auto fields() { return std::tie(one, other); }
 template <typename T, typename = void>
 struct HasFields : std::false_type
@@ -33,7 +33,7 @@ struct HasFields<T, std::void_t<decltype(std::declval<T&>().fields())>> : std::t
 
 /// Does each byte of T belong to a number? Then it is sent as it lies in memory, and so are many in
 /// a row. A struct with doubles lists its fields() to show it; with padding, or where it lists only
-/// some, it is sent field by field, so that no byte is sent that nobody has set.
+/// some, it is sent field by field, so that no uninitialised byte is sent.
 template <typename T, typename = void>
 struct IsSolid
   : std::integral_constant<bool,
@@ -66,8 +66,8 @@ struct IsSolid<T, std::enable_if_t<HasFields<T>::value>> : AreSolid<T>
 {
 };
 
-/// Appends to bytes: what is solid, as it lies in memory; what lists its fields, field by field; of
-/// vectors and strings how many items, and then these. Throws std::bad_alloc.
+/// Appends to bytes: solid types as they lie in memory; types that list their fields, field by
+/// field; of vectors and strings the number of items, then these. Throws std::bad_alloc.
 class BytesWriter
 {
 public:
@@ -121,8 +121,9 @@ private:
   BlockBytes& bytes_;
 };
 
-/// Reads what a BytesWriter wrote, in the same order. What vectors and strings have stays, before
-/// what is read. What is not there is left as it is, or out. Throws std::bad_alloc.
+/// Reads what a BytesWriter wrote, in the same order. Items are appended to vectors and strings. Of
+/// a message that is too short, numbers are left unchanged and items are left out. Throws
+/// std::bad_alloc.
 class BytesReader
 {
 public:

@@ -32,7 +32,7 @@ struct Chains
 
 } // namespace
 
-/// What one block has.
+/// The constraints of one block.
 struct BlockChains::Own
 {
   Chains of[Kinds];

@@ -14,14 +14,14 @@ namespace ahd
 
 class Ticker;
 
-/// The ids by which all blocks know the points of one: its input's, and behind all blocks' inputs
+/// The global ids of the points of one block: those of its input and, after all blocks' inputs,
 /// those that its source adds.
 struct BlockIds
 {
   std::size_t given = 0; ///< points of the input
   std::int64_t first = 0, firstAdded = 0;
 
-  /// Of a point by its number; -1 for none.
+  /// The global id of a point by its number; -1 for none.
   std::int64_t of(std::int64_t number) const
   {
     const auto own = static_cast<std::int64_t>(given);
@@ -34,9 +34,9 @@ struct BlockIds
 class BlockChains
 {
 public:
-  /// Joins them, in the ids that all blocks know. `prepared`: what prepare() has made of a block's
-  /// `request`. `vertices`: cells of the appended source before its lines. Collective; returns Ok,
-  /// Cancelled or OutOfMemory, the same on all blocks.
+  /// Joins them, in global ids. `prepared`: the result of prepare() for a block's `request`.
+  /// `vertices`: cells of the appended source before its lines. Collective; returns Ok, Cancelled
+  /// or OutOfMemory, the same on all blocks.
   Status join(const InputRequest& request, const PreparedInput& prepared, const BlockIds& ids,
     std::int64_t vertices, BlockTransport& transport, const Context& context);
 
@@ -46,7 +46,7 @@ public:
   bool haveLoops() const { return cells_.size() > lines_; }
   /// The cell of the appended source that a chain is made of.
   std::int64_t cellOf(std::size_t chain) const { return cells_[chain]; }
-  /// What was found in all sources.
+  /// Counts over all sources.
   const UnfitIds& unfitIds() const { return unfit_; }
 
 private:

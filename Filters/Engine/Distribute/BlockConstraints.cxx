@@ -44,8 +44,8 @@ bool BlockTriangulation::State::findOwnEnds(
   return true;
 }
 
-/// The segments that may touch triangles of a row, which has so many points to be looked at; what
-/// has no length cuts nothing.
+/// The segments that may touch triangles of a row, of which so many points are triangulated;
+/// segments without a length cut nothing.
 bool BlockTriangulation::State::joinSegments(
   const BlockRow& row, std::size_t points, Ticker& ticker)
 {

@@ -12,7 +12,7 @@ namespace ahd
 namespace
 {
 
-/// The same points in two orders: cut at a place, both give way to the same two parts.
+/// The same points in two orders: a cut at a place splits both into the same two parts.
 struct SortedSamples
 {
   std::vector<Point> byX, byY;
@@ -86,7 +86,7 @@ bool BlockCutter::cutAll(const std::vector<Point>& samples, std::size_t blocks)
   return true;
 }
 
-/// At a sample, so that as near to the right number as can be lie below.
+/// At a sample, so that the number below is as near to the target as possible.
 BlockCuts::Cut BlockCutter::choose(const Row& row, std::size_t middle) const
 {
   if (row.begin == row.end)

@@ -44,7 +44,7 @@ private:
   friend class BlockCutter;
   struct Cut
   {
-    double at; ///< what is less belongs to the blocks below
+    double at; ///< smaller coordinates belong to the blocks below
     bool isAcrossX;
   };
   std::vector<Cut> cuts_; ///< at the middle of each row of blocks that is cut; the first is unused
@@ -57,9 +57,9 @@ private:
 Status cutIntoBlocks(
   const std::vector<Point>& samples, std::size_t blocks, const Context& context, BlockCuts& out);
 
-/// `most` finite points, or fewer, evenly by number. Blocks that have more points than others are
-/// to give more samples, in proportion; some 512 times as many as there are blocks in all are
-/// enough. Returns Ok or OutOfMemory.
+/// `most` finite points, or fewer, evenly by number. Blocks with more points should give more
+/// samples, in proportion; some 512 times as many as there are blocks in all are enough. Returns Ok
+/// or OutOfMemory.
 Status samplePoints(const PointView& points, std::size_t most, std::vector<Point>& out);
 
 } // namespace ahd

@@ -94,7 +94,7 @@ Status BlockGhosts::addForeign(std::vector<BlockPoint>& points) const
     });
 }
 
-/// The points of others on the inside of the next layer that were not on that of one before.
+/// The points of others on the inside of the next layer and of no earlier one.
 bool BlockGhosts::listNew(std::vector<BlockPoint>& points, Ticker& ticker) const
 {
   const BlockTriangles& own = stars_.own;
@@ -133,7 +133,7 @@ bool BlockGhosts::listQuestions(std::vector<Ids>& to, Ticker& ticker)
   return sortOnce(known_, ticker);
 }
 
-/// All triangles around own points that are asked for, by these and by place.
+/// All triangles around requested own points, by point and place.
 bool BlockGhosts::listAround(
   const std::vector<Ids>& asked, std::vector<Corner>& around, Ticker& ticker) const
 {
@@ -156,8 +156,8 @@ bool BlockGhosts::listAround(
   return inSteps(0, stars_.count(), ticker, add) && sortOnce(around, ticker);
 }
 
-/// Finds the triangles around the points that other blocks ask for, but for those that have a point
-/// of these blocks: they know them.
+/// Finds the triangles around the points that other blocks request, but for those that have a point
+/// of these blocks, which have them.
 bool BlockGhosts::findAnswers(const std::vector<Ids>& asked, Ticker& ticker)
 {
   std::vector<Corner> around;

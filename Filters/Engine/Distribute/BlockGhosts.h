@@ -30,9 +30,9 @@ struct GhostTriangle
 /// with a triangle of this block, or have one that it owns; each further one: all that share a
 /// point with the one before.
 ///
-/// The owner of a point knows all triangles around it: so a layer is one question to the owners of
-/// the points on its inside. What is collective returns Ok, Cancelled or OutOfMemory, the same on
-/// all blocks.
+/// The owner of a point has all triangles around it: so a layer is one request to the owners of the
+/// points on its inside. Collective functions return Ok, Cancelled or OutOfMemory, the same on all
+/// blocks.
 class BlockGhosts
 {
 public:
@@ -44,18 +44,18 @@ public:
   {
   }
 
-  /// Learns the ids of the triangles around. `firstId`: that of this block's first triangle; they
+  /// Receives the ids of the triangles around. `firstId`: that of this block's first triangle; they
   /// ascend. Collective.
   Status begin(std::size_t firstId);
-  /// Asks for the next layer, and learns how many triangles will come. Collective. @pre
+  /// Requests the next layer, and receives the number of its triangles. Collective. @pre
   /// begin().
   Status ask();
-  /// How many there are, and are to come or to go, at most.
+  /// Upper bound of the triangles received, to be received and to be sent.
   std::size_t countAll() const { return cells_.size() + coming_ + going_; }
-  /// Takes the layer. Collective. @pre ask().
+  /// Receives the layer. Collective. @pre ask().
   Status take();
 
-  /// What was taken, by ascending id.
+  /// The triangles received, by ascending id.
   const std::vector<GhostTriangle>& triangles() const { return cells_; }
   /// Adds their corners that others own to points of others; those then ascend, each once. Not
   /// collective.

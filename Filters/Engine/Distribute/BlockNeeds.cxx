@@ -57,8 +57,8 @@ std::int64_t BlockNeeds::numberOf(std::int64_t id) const
   return -1;
 }
 
-/// Own points that all are to have: those that the bounds of own points go through, where there are
-/// loops the vertices of their hull; those that constraints name.
+/// Own points that all blocks must have: those on the bounds of own points, with loops also the
+/// vertices of their hull, and those that constraints name.
 Status BlockNeeds::listShared(std::vector<Shared>& shared, Ticker& ticker)
 {
   if (!readOwn(ticker))

@@ -18,16 +18,16 @@ namespace ahd
 
 class Ticker;
 
-/// Which points of all blocks one needs, to interpolate at places of its own as if it had all
-/// (Sample/BoxNeighbors.h). Each block triangulates its own points and a few of others, which all
-/// have: so it can tell which of its points others need.
+/// Finds the points of all blocks that one block needs to interpolate at its own places as if it
+/// had all points (Sample/BoxNeighbors.h). Each block triangulates its own points and a few that
+/// all blocks share: so it can find which of its points others need.
 ///
-/// What is collective returns Ok, Cancelled, TooManyPoints or OutOfMemory, the same on all blocks.
+/// Collective functions return Ok, Cancelled, TooManyPoints or OutOfMemory, the same on all blocks.
 class BlockNeeds
 {
 public:
-  /// Borrows all of them. `nearest`: the nearest vertices are wanted, too, which constraints may
-  /// hide. Of `input` options do not count.
+  /// Borrows all of them. `nearest`: the nearest vertices are needed, too, which constraints may
+  /// hide. The options of `input` are ignored.
   BlockNeeds(
     const BlockInput& input, bool nearest, BlockTransport& transport, const Context& context)
     : input_(input)
@@ -47,7 +47,7 @@ public:
 
 private:
   using Pair = std::pair<Index, Index>;
-  struct Shared ///< a point that all have
+  struct Shared ///< a point shared by all blocks
   {
     std::int64_t id;
     Point at;
@@ -84,10 +84,10 @@ private:
   std::size_t own_ = 0;           ///< that are triangulated
   Bounds ownBounds_;
   std::vector<Index> shared_;    ///< own ones, as numbers
-  std::vector<Pair> coincident_; ///< who stands for a vertex, and who else is there; ascending
+  std::vector<Pair> coincident_; ///< representative, another at its place; ascending
   bool listsAll_ = false;
   Workspace workspace_;
-  Triangulation plain_, made_; ///< without constraints, if need be; as all is
+  Triangulation plain_, made_; ///< without constraints, if needed; with them
 };
 
 /// Upper estimate of the bytes that this takes for so many own and shared points.

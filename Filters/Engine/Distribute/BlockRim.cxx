@@ -25,8 +25,8 @@ namespace
 {
 
 using Edge = std::array<std::int64_t, 2>;   ///< a half-edge, by the ids of its ends
-using Answer = std::array<std::int64_t, 2>; ///< a half-edge's place, what becomes of the triangle
-enum Fate : std::int32_t                    ///< from 0 on: what becomes of another triangle
+using Answer = std::array<std::int64_t, 2>; ///< a half-edge's place, the triangle's Fate
+enum Fate : std::int32_t                    ///< from 0 on: that of another triangle
 {
   Unknown = -3,
   Dropped = -2,
@@ -39,10 +39,10 @@ struct Flat
   std::int32_t from, to; ///< the longest edge, with the triangle on its left
   Index beyond;          ///< the triangle there, if it is here
   std::int32_t fate;     ///< from 0 on: as beyond this flat triangle
-  std::int32_t root;     ///< the place of the half-edge there among those that were asked for
+  std::int32_t root;     ///< the place of the half-edge there among the requested ones
 };
 
-/// What one block has of the counts.
+/// One block's share of the counts.
 struct Counts
 {
   std::uint64_t triangles = 0, bare = 0;
@@ -107,8 +107,7 @@ double RimTrimmer::doubledArea(std::size_t triangle) const
   return (a.x - c.x) * (b.y - c.y) - (a.y - c.y) * (b.x - c.x);
 }
 
-/// The edge over which a triangle is flat, by the number of the corner that it begins at; -1 if
-/// there is none.
+/// The edge over which a triangle is flat, by the corner where it begins; -1 if there is none.
 int RimTrimmer::flatEdgeOf(std::size_t triangle) const
 {
   const std::int32_t* const c = stars_.corners(triangle);
@@ -211,7 +210,7 @@ Flat* RimTrimmer::flatOf(Index triangle)
   return found != flats_.end() && found->triangle == triangle ? &*found : nullptr;
 }
 
-/// Follows flat triangles until it is known what becomes of them, or who knows. All triangles
+/// Follows flat triangles until their fate is known, or leaves this block. All triangles
 /// around an own point are here: beyond an edge of it there is one that is here, or none.
 bool RimTrimmer::followAll(Ticker& ticker)
 {
@@ -244,7 +243,7 @@ bool RimTrimmer::followAll(Ticker& ticker)
   return true;
 }
 
-/// Half-edges of which this block has to know more.
+/// The half-edges that this block requests from others.
 void RimTrimmer::ask(std::vector<Edge>& asked) const
 {
   for (std::size_t i = 0; i != flats_.size(); ++i)
@@ -267,7 +266,7 @@ bool RimTrimmer::hearAsked(const std::vector<std::vector<Edge>>& all, Ticker& ti
     return false;
   }
   asked_.erase(std::unique(asked_.begin(), asked_.end()), asked_.end());
-  fates_.assign(asked_.size(), Dropped); // where nothing is, nothing holds what comes before
+  fates_.assign(asked_.size(), Dropped); // without a triangle beyond, the chain is dropped
   for (Flat& flat : flats_)
   {
     if (flat.fate >= 0)
@@ -278,7 +277,7 @@ bool RimTrimmer::hearAsked(const std::vector<std::vector<Edge>>& all, Ticker& ti
   return true;
 }
 
-/// What becomes of own triangles at the half-edges that were asked for.
+/// The fates of own triangles at the requested half-edges.
 bool RimTrimmer::answer(std::vector<Answer>& answers, Ticker& ticker)
 {
   if (asked_.empty())
@@ -309,7 +308,7 @@ bool RimTrimmer::answer(std::vector<Answer>& answers, Ticker& ticker)
       });
 }
 
-/// Who answers with another half-edge has asked for that itself.
+/// A block that answers with another half-edge has requested that one itself.
 bool RimTrimmer::hearAnswers(const std::vector<std::vector<Answer>>& all, Ticker& ticker)
 {
   for (const std::vector<Answer>& answers : all)
@@ -344,7 +343,7 @@ bool RimTrimmer::hearAnswers(const std::vector<std::vector<Answer>>& all, Ticker
   return true;
 }
 
-/// Counts own vertices that are corners of triangles that go, and of none that stay.
+/// Counts own vertices that are corners of dropped triangles, and of none that stay.
 bool RimTrimmer::markBare(
   const std::vector<unsigned char>& kept, Counts& counts, Ticker& ticker) const
 {

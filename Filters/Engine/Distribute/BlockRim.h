@@ -10,11 +10,11 @@
 namespace ahd
 {
 
-/// What trimming took from the triangles of all blocks.
+/// Counts of trimming, over all blocks.
 struct BlockRim
 {
   std::size_t triangles = 0;
-  std::size_t bareVertices = 0; ///< that are in no triangle any more
+  std::size_t bareVertices = 0; ///< left in no triangle
   double area = 0.0;            ///< of these triangles, as a part of that of all
 };
 
@@ -24,7 +24,7 @@ struct BlockRim
 Status trimBlocks(const std::vector<Point>& places, BlockTransport& transport,
   const Context& context, BlockStars& stars, BlockRim& rim);
 
-/// What it takes for each own point, at most: marks; two triangles, which may be flat.
+/// Bytes for each own point, at most: marks; two triangles, which may be flat.
 constexpr std::size_t kRimBytesPerPoint = 2 + 2 * 2 + 2 * 48;
 
 } // namespace ahd

@@ -76,8 +76,8 @@ void scatter(const Byte* from, const Index* numbers, std::size_t count, std::siz
     });
 }
 
-/// Calls work(begin, end) for stretches of [0, count), unless `status` is not Ok any more; it says
-/// why the rest is left out.
+/// Calls work(begin, end) for stretches of [0, count) while `status` is Ok; it has the reason if
+/// the rest is left out.
 template <typename Work>
 void unlessStopped(std::size_t count, Status& status, Ticker& ticker, const Work& work)
 {
@@ -89,7 +89,7 @@ void unlessStopped(std::size_t count, Status& status, Ticker& ticker, const Work
 
 } // namespace
 
-/// Tuple i goes to block owner(i), which is asked by several threads.
+/// Tuple i goes to block owner(i), which several threads call.
 template <typename Owner>
 Status BlockRoute::toOwnersOf(std::size_t count, const Owner& owner)
 {
@@ -133,7 +133,7 @@ Status BlockRoute::toOne(std::size_t count, std::size_t block)
   return toOwnersOf(count, [block](std::size_t) { return block; });
 }
 
-/// Tells each block how many tuples it gets from this one.
+/// Sends each block the number of tuples it gets from this one.
 Status BlockRoute::tellCounts()
 {
   std::vector<std::vector<std::uint64_t>> counts;
@@ -209,8 +209,8 @@ std::size_t BlockRoute::countFrom(std::size_t block) const
   return (block + 1 < firstOf_.size() ? firstOf_[block + 1] : arrivals_) - firstOf_[block];
 }
 
-/// Moves tuples, packed by pack(), to `to`. Blocks go on sending where one cannot go on, as others
-/// wait for it: they agree on it in the end.
+/// Moves tuples, packed by pack(), to `to`. A block that fails goes on sending, as others wait for
+/// it: the blocks agree on the failure at the end.
 Status BlockRoute::carry(std::size_t width, void* to, const Pack& pack)
 {
   Buffer<Byte> out, in;

@@ -18,26 +18,26 @@
 namespace ahd
 {
 
-/// A transport that has two blocks swap bytes, too.
+/// A transport by which two blocks can swap bytes, too.
 class PairTransport : public BlockTransport
 {
 public:
-  /// Called by two blocks alike, which both know how many bytes go either way; 0: nothing is sent.
+  /// Called by both blocks, with the same sizes; 0: nothing is sent.
   /// @pre the partner is another block.
   virtual void swap(
     std::size_t partner, const void* out, std::size_t outBytes, void* in, std::size_t inBytes) = 0;
 };
 
-/// The block that one swaps with in a round: in each round that is mutual, and in as many rounds as
-/// there are blocks each meets each, itself included.
+/// The partner of a block in a round: partners are mutual, and in as many rounds as there are
+/// blocks each meets each, itself included.
 inline std::size_t partnerOf(std::size_t block, std::size_t blocks, std::size_t round)
 {
   return (round + blocks - block) % blocks;
 }
 
-/// Which tuples of a block go to which one, and at which places those are put that come. Any number
-/// of arrays can be moved along it. What is collective returns Ok, Cancelled or OutOfMemory, the
-/// same on all blocks.
+/// The routes of tuples: the block that each one goes to, and the places of those that arrive. Any
+/// number of arrays can be moved along it. Collective functions return Ok, Cancelled or
+/// OutOfMemory, the same on all blocks.
 class BlockRoute
 {
 public:
@@ -51,21 +51,21 @@ public:
   {
   }
 
-  /// Points go to their owners; those that come are put block after block. Collective.
+  /// Points go to their owners; arrivals are put block after block. Collective.
   Status toOwners(const PointView& points, const BlockCuts& cuts);
   /// The same with all tuples, to one block.
   Status toOne(std::size_t count, std::size_t block);
-  /// Asks for tuples: that of point wanted[k] comes to place k. `names`: the ids of this block's
+  /// Requests tuples: that of point wanted[k] comes to place k. `names`: the ids of this block's
   /// tuples, ascending. Collective. @pre all are there.
   Status ask(const std::vector<BlockPoint>& wanted, const std::vector<std::int64_t>& names);
 
-  /// How many tuples come.
+  /// The number of arrivals.
   std::size_t count() const { return arrivals_; }
-  /// Tuple k of those that come, in the order of the blocks, is put at places[k]: all of them once.
+  /// Arrival k, in the order of the blocks, is put at places[k]: a permutation.
   void setPlaces(std::vector<Index>&& places) { places_ = std::move(places); }
 
-  /// Moves tuples of `width` bytes each, that of place 0 to `to`. Both may be null where there are
-  /// none. Collective, as all below.
+  /// Moves tuples of `width` bytes each; that of place 0 goes to `to`. Both may be null where there
+  /// are none. Collective, as all below.
   Status move(const void* from, std::size_t width, void* to);
 
   /// Puts valueOf(i) of each tuple i where it goes; throws nothing.
@@ -84,8 +84,8 @@ public:
       });
   }
 
-  /// Moves what has no fixed size: read(i) returns what there is of tuple i; put(place, item) takes
-  /// it. Both may throw std::bad_alloc. Takes as much as is sent, and as much as comes.
+  /// Moves items of variable size: read(i) returns that of tuple i; put(place, item) stores it.
+  /// Both may throw std::bad_alloc. Takes as much memory as is sent and received.
   template <typename Item, typename Read, typename Put>
   Status moveItems(const Read& read, const Put& put)
   {
@@ -125,8 +125,8 @@ public:
     return steps.status();
   }
 
-  /// Upper estimate of the bytes that the way of so many tuples takes, and moving them along it but
-  /// by moveItems().
+  /// Upper estimate of the bytes for the routes of so many tuples, and for moving them, except by
+  /// moveItems().
   static std::size_t memoryEstimate(std::size_t count)
   {
     return 2 * kPiece + (sizeof(Index) + sizeof(std::uint32_t)) * count;

@@ -42,7 +42,7 @@ struct BlockTriangles
   }
 };
 
-/// A point, as all blocks know it.
+/// A point, by its global id.
 struct BlockPoint
 {
   std::int64_t id;
@@ -52,8 +52,8 @@ struct BlockPoint
   bool operator==(const BlockPoint& other) const { return id == other.id; }
 };
 
-/// A block's triangles and those around its points, as BlockTriangulation writes them, on all
-/// blocks the same ones left out: with them each of its points has all triangles around it.
+/// A block's triangles and those around its points, as BlockTriangulation writes them, with the
+/// same ones left out on all blocks: with them each of its points has all triangles around it.
 struct BlockStars
 {
   std::size_t block = 0, blocks = 1;

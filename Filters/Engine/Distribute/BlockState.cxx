@@ -62,7 +62,8 @@ bool BlockTriangulation::State::takeFacts(const std::vector<BlockBytes>& all, Ti
 
 // ------------------------------------------------------------------------------------ up the tree
 
-/// Finds what is final in the part of this level, if it is here, and what has to go up.
+/// Finds the final triangles in the part of this level, if it is here, and the border set to send
+/// up.
 bool BlockTriangulation::State::settle(std::size_t atLevel, Ticker& ticker)
 {
   toAll.clear();

@@ -13,7 +13,7 @@
 namespace ahd
 {
 
-/// What is known of an id of the constraints: where its point is, and the vertex there.
+/// Data of an id of the constraints: the location of its point, and the vertex there.
 struct ChainEnd
 {
   std::uint64_t place; ///< among the ids of the constraints
@@ -23,7 +23,7 @@ struct ChainEnd
   auto fields() { return std::tie(place, at, vertex); }
 };
 
-/// How many ids the constraints have.
+/// The number of ids in the constraints.
 inline std::size_t constraintIds(const ConstraintView& given)
 {
   return given.chains == 0
@@ -31,7 +31,7 @@ inline std::size_t constraintIds(const ConstraintView& given)
     : static_cast<std::size_t>(given.offsets[given.chains] - given.offsets[0]);
 }
 
-/// What a block says of itself at the beginning.
+/// The first message of a block to all.
 struct BlockFacts
 {
   Bounds bounds;
@@ -40,7 +40,7 @@ struct BlockFacts
   auto fields() { return std::tie(bounds, vertices, duplicates, notFinite, skipped); }
 };
 
-/// What a block says of itself in the end.
+/// The last message of a block to all.
 struct BlockTotals
 {
   std::size_t own = 0, shared = 0; ///< triangles
@@ -64,13 +64,13 @@ struct SharedTriangle
 
 struct BlockTriangulation::State
 {
-  /// What comes next.
+  /// The next exchange.
   enum class Step
   {
     Facts,  ///< all: of the blocks, and where segments end
     Counts, ///< all: of the borders of one level
     Up,     ///< some: borders to the level above
-    Down,   ///< some: what is kept, and triangles, to the level below
+    Down,   ///< some: which edges are kept, and triangles, to the level below
     Totals, ///< all: counts of the result
     Done
   };
@@ -83,13 +83,13 @@ struct BlockTriangulation::State
 
   Surroundings around;
   std::vector<ChainEnd> ends;                ///< by place
-  std::vector<BlockFront> fronts;            ///< by level; the last is the one at work on
+  std::vector<BlockFront> fronts;            ///< by level; the last is the current one
   std::map<std::size_t, Part> parts;         ///< by level: those that this block hosts
   std::map<std::size_t, PartBorder> pending; ///< by level: not sent yet
-  std::size_t level = 0;                     ///< of the parts at work on
+  std::size_t level = 0;                     ///< of the current parts
 
   bool isHostOfAll = false;              ///< was the part of all blocks made here?
-  std::vector<BorderPoint> sharedPoints; ///< the corners of what is shared
+  std::vector<BorderPoint> sharedPoints; ///< the corners of shared triangles
   std::vector<SharedTriangle> shared;    ///< first this block's, then ghosts
   std::size_t sharedOwn = 0;             ///< this block's
   std::vector<ForeignPoint> foreign;

@@ -88,7 +88,7 @@ bool BlockTriangulation::State::takeDown(const std::vector<BlockMessage>& in, Ti
   return true;
 }
 
-/// Sorts what is shared, and gives its corners their numbers.
+/// Sorts shared triangles, and numbers their corners.
 bool BlockTriangulation::State::numberShared(Ticker& ticker)
 {
   const auto isGhost = [](const SharedTriangle& s)

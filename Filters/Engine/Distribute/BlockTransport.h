@@ -18,19 +18,18 @@ struct BlockMessage
   BlockBytes bytes;
 };
 
-/// How blocks reach each other: MPI, sockets, threads. The engine has none. All functions are
-/// collective: all blocks call them, in the same order.
+/// Communication between blocks: by MPI, sockets or threads, implemented outside the engine. All
+/// functions are collective: all blocks call them, in the same order.
 ///
-/// They return Ok, or what the transport itself could not do, which all blocks have to hear alike.
-/// What one block alone could not do comes to agree(), which each block calls before it sends: so
-/// none waits for one that has given up.
+/// They return Ok or a failure of the transport, the same on all blocks. A failure of one block
+/// goes through agree(), which each block calls before it sends: so none waits for a block that has
+/// given up.
 class BlockTransport
 {
 public:
   virtual ~BlockTransport() = default;
 
-  /// Ok if that is what all blocks say; else what one of them does, the same for all: the one of
-  /// largest number, say.
+  /// Ok if all blocks pass Ok; else the status of one of them, the same on all: the largest, say.
   virtual Status agree(Status own) = 0;
 
   /// all[k] becomes what block k gives as `own`.

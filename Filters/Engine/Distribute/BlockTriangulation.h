@@ -19,8 +19,7 @@ namespace ahd
 
 class Triangulation;
 
-/// What one block knows at the beginning. All but its points and their ids is the same for all
-/// blocks.
+/// The input of one block. All but its points and their ids is the same for all blocks.
 struct BlockInput
 {
   std::size_t block = 0, blocks = 1;
@@ -28,16 +27,15 @@ struct BlockInput
   /// The block's own points; points at one place are all on one block. For little to be sent the
   /// blocks' bounds should hardly overlap (BlockCuts.h); the result does not depend on it.
   PointView points;
-  /// Of each point the id by which all blocks know it: not negative, ascending, of no other point
-  /// of any block.
+  /// The global ids of the points: not negative, ascending, unique over all blocks.
   const std::int64_t* ids = nullptr;
 
-  ConstraintView constraints; ///< of all blocks, in these ids
+  ConstraintView constraints; ///< of all blocks, in global ids
   FillRule rule = FillRule::Orientation;
 
-  /// How a block's own points are triangulated; it changes no triangle. insertionLimit is to be 0.
+  /// How a block's own points are triangulated; it changes no triangle. insertionLimit must be 0.
   Options options;
-  /// So many blocks, or parts made of them, hand what is not final to one: a power of two, else the
+  /// So many blocks, or parts made of them, send their border sets to one: a power of two, else the
   /// next smaller one; 2 at least.
   std::size_t blocksPerNode = 8;
 };
@@ -53,7 +51,8 @@ struct ForeignPoint
   bool operator==(const ForeignPoint& other) const { return id == other.id; }
 };
 
-/// What some blocks hand on so that their triangulations become one: counted before it is sent.
+/// The amount of data that some blocks send so that their triangulations become one, counted
+/// before.
 struct BorderCount
 {
   std::size_t host;       ///< the block that it is sent from
@@ -66,8 +65,8 @@ struct BorderCount
 struct BlocksReport
 {
   std::size_t vertices = 0, duplicates = 0, notFinite = 0, skipped = 0, triangles = 0;
-  std::size_t ownTriangles = 0; ///< of them, those that blocks knew without the others
-  std::size_t borderPoints = 0; ///< that blocks handed on, those of higher levels not counted
+  std::size_t ownTriangles = 0; ///< of them, those found by one block alone
+  std::size_t borderPoints = 0; ///< that blocks sent, those of higher levels not counted
   ConstraintReport constraints;
 };
 
@@ -75,8 +74,8 @@ struct BlocksReport
 /// triangles as if one block had all points, constraints included (README.md has the proof). Each
 /// triangle is on one block: the one that owns its lexicographically lowest corner.
 ///
-/// Goes step by step, all blocks alike, and never waits: the caller carries what blocks have to
-/// tell each other, as distribute() does.
+/// Goes step by step, all blocks alike, and never waits: the caller transports the messages, as
+/// distribute() does.
 ///
 ///     begin()
 ///     while waiting() is ForAll or ForSome:
@@ -84,13 +83,13 @@ struct BlocksReport
 ///       ForSome:  giveSome() -> takeSome()
 ///
 /// begin(), giveSome(), takeAll() and takeSome() are one block's own work and can fail on one block
-/// alone (Ok, Cancelled, TooManyPoints, OutOfMemory): so blocks have to agree on it before they go
-/// on, or none may. After anything but Ok no other function may be called. How many steps there are
+/// alone (Ok, Cancelled, TooManyPoints, OutOfMemory): so blocks must agree on the outcome before
+/// they go on. After anything but Ok no other function may be called. How many steps there are
 /// depends on the number of blocks, blocksPerNode and gatherTo() alone.
 ///
-/// Each time borders() has news, giveSome() has not been called yet: nothing that grows with the
-/// border has been sent, and the caller may refuse to go on, or have all that remains gathered to
-/// one block. What that takes there: borderMemoryEstimate().
+/// Each time borders() is new and not empty, giveSome() has not been called yet: nothing that grows
+/// with the border has been sent, and the caller may refuse to go on, or have all that remains
+/// gathered to one block. For the memory there: borderMemoryEstimate().
 ///
 /// Borrows points, ids and constraints. Phases of the Context's Progress: those of triangulate(),
 /// on some blocks several times, and Phase::Outputs.
@@ -104,7 +103,7 @@ public:
 
   enum class Waiting
   {
-    ForAll,    ///< for what each block says to all
+    ForAll,    ///< for messages from each block to all
     ForSome,   ///< for messages from some blocks to some
     ForNothing ///< the result is there
   };
@@ -113,22 +112,22 @@ public:
   Status begin(const BlockInput& input, const Context& context);
   Waiting waiting() const;
 
-  /// What this block says to all. @pre waiting ForAll; as takeAll().
+  /// This block's message to all. @pre waiting ForAll; as takeAll().
   const BlockBytes& toAll() const;
   Status takeAll(const std::vector<BlockBytes>& all, const Context& context);
 
-  /// What this block says to some. @pre waiting ForSome; as takeSome().
+  /// This block's messages to some. @pre waiting ForSome; as takeSome().
   Status giveSome(std::vector<BlockMessage>& out, const Context& context);
   Status takeSome(const std::vector<BlockMessage>& in, const Context& context);
 
-  /// What will be sent next to become one triangulation, in the order of the blocks: the same on
-  /// all blocks. Empty before it is known and after it was sent.
+  /// The data that will be sent next to become one triangulation, in the order of the blocks: the
+  /// same on all blocks. Empty before it is known and after it was sent.
   const std::vector<BorderCount>& borders() const;
-  /// All of it is to be sent to this block at once, rather than up a tree. To be called on all
-  /// blocks alike. @pre borders() has news.
+  /// Sends all of it to this block at once, rather than up a tree. Must be called on all blocks
+  /// with the same block. @pre borders() is not empty.
   void gatherTo(std::size_t block);
 
-  // --- When it waits for nothing ---
+  // --- When nothing is awaited ---
 
   const BlocksReport& report() const;
   /// How many of the triangles are on this block.
@@ -158,7 +157,7 @@ public:
   /// The triangulation of the block's own points, to look up which of them are at one place: those
   /// are all there are. Its triangles are none of the result.
   Triangulation& ownPoints();
-  /// What became of each of the block's points (Result.h), in the ids that all blocks know.
+  /// The status of each of the block's points (Result.h), in global ids.
   Status writePointStatus(std::int64_t* status, const Context& context);
 
 private:
@@ -166,21 +165,21 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// The next step, over a transport. To be called by all blocks; returns the same on all. @pre
+/// The next step, over a transport. Must be called by all blocks; returns the same on all. @pre
 /// it waits.
 Status takeStep(BlockTriangulation& block, BlockTransport& transport, const Context& context);
 
-/// All of it, over a transport. To be called by all blocks; returns the same on all.
+/// All of it, over a transport. Must be called by all blocks; returns the same on all.
 Status distribute(const BlockInput& input, BlockTransport& transport, const Context& context,
   BlockTriangulation& out);
 
 /// Upper estimate of the bytes that a block takes for so many points of its own and ids of
-/// constraints, input, output and what others hand to it not counted.
+/// constraints, without input, output and data received from others.
 std::size_t blockMemoryEstimate(
   std::size_t pointCount, std::size_t constraintIds, const Options& options);
 
-/// Upper estimate of what the host of a node takes on top of it to make one of so many points and
-/// edges that are handed to it.
+/// Upper estimate of the bytes that the host of a node takes in addition to make one triangulation
+/// of so many points and edges received.
 std::size_t borderMemoryEstimate(
   std::size_t pointCount, std::size_t edgeCount, std::size_t constraintIds);
 

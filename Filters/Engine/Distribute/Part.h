@@ -20,7 +20,7 @@
 namespace ahd
 {
 
-/// A vertex as other blocks hear of it.
+/// A vertex as sent to other blocks.
 struct BorderPoint
 {
   Point at;
@@ -32,13 +32,13 @@ struct BorderPoint
 };
 static_assert(sizeof(BorderPoint) == 4 * sizeof(double), "a PointView looks at it");
 
-/// An edge of the border of what is final, which lies on its left. Places among the points.
+/// An edge of the border of the final region, which lies on its left. Places among the points.
 struct BorderEdge
 {
   Index from, to;
 };
 
-/// What a part hands up.
+/// The data that a part sends up.
 struct PartBorder
 {
   std::vector<BorderPoint> points;
@@ -61,7 +61,7 @@ struct OwnedTriangles
   auto fields() { return std::tie(points, corners, flags); }
 };
 
-/// What parts ask about: the others' boxes and the segments.
+/// What triangles are tested against: the others' boxes and the segments.
 struct Surroundings
 {
   BlockBoxes boxes;
@@ -81,29 +81,29 @@ struct Surroundings
 class Part
 {
 public:
-  /// Of a block's own points, with the ids by which all blocks know them.
+  /// Of a block's own points, with their global ids.
   Status makeOwn(const PointView& points, const std::int64_t* ids, std::uint32_t block,
     const Options& options, const Context& context);
-  /// Of what was handed up, which is used up.
+  /// Of the data sent up, which is consumed.
   Status makeOf(std::vector<PartBorder>& below, const Context& context);
-  /// Puts the constraints in; their ids are places among given(). @pre makeOf(), all blocks.
+  /// Inserts the constraints; their ids are places among given(). @pre makeOf(), all blocks.
   Status constrain(const ConstraintView& constraints, FillRule rule, const Context& context);
 
   /// The vertices where segments end, ascending. @pre makeOwn().
   void setEnds(std::vector<Index> ends) { ends_ = std::move(ends); }
 
-  /// Finds the region of what was final below. @pre makeOf().
+  /// Finds the region that was final below. @pre makeOf().
   bool findBelow(Ticker& ticker);
-  /// Finds what is final, in a row that has not all blocks.
+  /// Finds the final triangles, in a row that has not all blocks.
   bool findFinal(const BlockRow& row, const Surroundings& around, Ticker& ticker);
   /// All that was not final below is; what loops dropped is known.
   bool finishAll(Ticker& ticker);
 
-  /// What the part above needs: the corners of triangles that are not final, the vertices of the
-  /// hull, the ends of segments; all, where there is no triangle.
+  /// The data that the part above needs: the corners of triangles that are not final, the vertices
+  /// of the hull, the ends of segments; all, where there is no triangle.
   bool makeBorder(PartBorder& border, Ticker& ticker);
 
-  /// Of each edge handed up: is what is on its left kept? One answer for all, or one for each.
+  /// For each edge sent up: is the region on its left kept? One answer for all, or one for each.
   struct Kept
   {
     bool isAll = true;
@@ -111,20 +111,20 @@ public:
 
     auto fields() { return std::tie(isAll, edges); }
   };
-  /// Hears it from the part above. @pre makeBorder().
+  /// Receives it from the part above. @pre makeBorder().
   bool takeKept(const Kept& kept, Ticker& ticker);
-  /// Tells it to a part below, by its place among those of makeOf(). After takeKept(), or in the
+  /// Makes it for a part below, by its place among those of makeOf(). After takeKept(), or in the
   /// part of all blocks finishAll().
   void tellKept(std::size_t child, Kept& kept) const;
 
-  /// What has become final here and is kept, by the blocks that own corners, from the row's first
-  /// one.
+  /// Lists the triangles that have become final here and are kept, by the blocks that own corners,
+  /// from the row's first one.
   bool listOwned(const BlockRow& row, std::vector<OwnedTriangles>& owned, Ticker& ticker) const;
 
   /// How many triangles have become final here and are kept.
   std::size_t finalTriangles() const { return finalTriangles_; }
-  /// Writes these as triples of vertices' points, in canonical order. @pre makeOwn(). No place
-  /// is known after that.
+  /// Writes these as triples of vertices' points, in canonical order. @pre makeOwn(). The locations
+  /// are lost then.
   template <typename Id>
   bool writeFinal(Id* triples, Ticker& ticker);
 
@@ -137,14 +137,14 @@ public:
 private:
   enum : std::uint8_t
   {
-    kBelow = 1,  ///< in the region of what was final below
+    kBelow = 1,  ///< in the region that was final below
     kOpen = 2,   ///< a ghost, or not final
     kGone = 4,   ///< dropped by loops
     kSeen = 8,   ///< by the search that takes kept regions
     kTested = 16 ///< by the search for what is final
   };
 
-  /// What a triangle is tested against.
+  /// The obstacles that a triangle is tested against.
   struct Neighborhood
   {
     const BlockRow& row;
@@ -199,7 +199,7 @@ private:
   std::size_t slots_ = 0;
   std::vector<Mesh::Slot> ghosts_, open_;   ///< open_: finite triangles that are not final
   Buffer<std::uint8_t> labels_;             ///< of each triangle of the mesh
-  std::vector<Mesh::Halfedge> borderEdges_; ///< as they were handed up
+  std::vector<Mesh::Halfedge> borderEdges_; ///< as they were sent up
   std::size_t finalTriangles_ = 0;
   bool isAnyDropped_ = false;
 };

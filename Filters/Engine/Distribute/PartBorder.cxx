@@ -72,7 +72,7 @@ bool Part::makeBorder(PartBorder& border, Ticker& ticker)
   return inSteps(0, vertices.size(), ticker, add) && listEdges(border, vertices, ticker);
 }
 
-/// The edges of what is final, here or below, on whose other side nothing is.
+/// The edges of final triangles, here or below, with nothing final on the other side.
 bool Part::listEdges(PartBorder& border, const std::vector<Index>& vertices, Ticker& ticker)
 {
   borderEdges_.clear();

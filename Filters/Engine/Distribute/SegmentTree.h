@@ -12,13 +12,13 @@
 namespace ahd
 {
 
-/// Two points that are to be joined.
+/// The ends of a segment.
 struct EndPair
 {
   Point from, to;
 };
 
-/// Says whether a triangle is touched by one of many segments. Long segments lie in boxes of parts
+/// Tests whether a triangle is touched by one of many segments. Long segments lie in boxes of parts
 /// of them, which follow each other along a Hilbert curve.
 class SegmentTree
 {
@@ -30,13 +30,13 @@ public:
     Cancelled
   };
 
-  /// Only what lies in `region` will be asked about. Cuts the segments into three times as many
+  /// Queries will be limited to `region`. Cuts the segments into three times as many
   /// parts at most, and `extra` more. Returns false if the work is cancelled. Throws
   /// std::bad_alloc.
   bool build(
     std::vector<EndPair> segments, const Bounds& region, std::size_t extra, Ticker& ticker);
 
-  /// May the segment touch what lies in the region?
+  /// May the segment touch the region?
   static bool reaches(const EndPair& segment, const Bounds& region);
 
   bool empty() const { return segments_.empty(); }

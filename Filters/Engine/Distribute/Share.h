@@ -11,10 +11,10 @@
 namespace ahd
 {
 
-/// Each block hears what all say: `all` becomes what make(own) fills on each, in the order of the
-/// blocks. `make` returns Ok, or why this block cannot go on; it may throw std::bad_alloc. What can
-/// be said: BlockBytes.h. Collective, as all here; returns the same on all blocks: Ok, or why one
-/// cannot go on.
+/// Gathers on all blocks: `all` becomes what make(own) fills on each, in the order of the blocks.
+/// `make` returns Ok, or the failure of this block; it may throw std::bad_alloc. Types that can be
+/// sent: BlockBytes.h. Collective, as all here; returns the same on all blocks: Ok, or the failure
+/// of one.
 template <typename T, typename Make>
 Status share(BlockTransport& transport, const Make& make, std::vector<T>& all)
 {
@@ -42,8 +42,8 @@ Status share(BlockTransport& transport, const Make& make, std::vector<T>& all)
   return status == Status::Ok ? transport.agree(withoutThrowing(read)) : status;
 }
 
-/// Sends to[k] to block k, and uses it up; from[k] becomes what block k has sent to this one.
-/// Nothing is sent of an empty vector. `make` fills `to`, one vector for each block, as above.
+/// Sends to[k] to block k, and consumes it; from[k] becomes the data that block k has sent to this
+/// one. Nothing is sent of an empty vector. `make` fills `to`, one vector for each block, as above.
 template <typename T, typename Make>
 Status exchange(BlockTransport& transport, const Make& make, std::vector<std::vector<T>>& from)
 {

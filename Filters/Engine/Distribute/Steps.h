@@ -12,8 +12,8 @@
 namespace ahd
 {
 
-/// Steps that all blocks take together. After one that some block could not take no block takes
-/// any: status() says why, the same on all. Work on each block returns bool, false if it is to be
+/// Steps that all blocks take together. After one that failed on some block no block takes any:
+/// status() has the reason, the same on all. Work on each block returns bool, false if it is to be
 /// cancelled, or a Status; it may throw std::bad_alloc.
 class Steps
 {
@@ -25,7 +25,7 @@ public:
   {
   }
 
-  /// Each block does its own work: work(ticker).
+  /// Work of each block alone: work(ticker).
   template <typename Work>
   void each(const Work& work)
   {
@@ -47,7 +47,7 @@ public:
     }
   }
 
-  /// from[k] becomes what block k has for this one: make(to, ticker) fills a vector for each.
+  /// from[k] becomes what block k sends to this one: make(to, ticker) fills a vector for each.
   template <typename T, typename Make>
   void exchange(std::vector<std::vector<T>>& from, const Make& make)
   {
