@@ -10,7 +10,7 @@ namespace ahd
 namespace
 {
 
-/// Sums and products in half the size, so that only the result may be too large.
+/// Sums and products in half the size, so that only the result can overflow.
 double finiteDouble(double half)
 {
   return std::max(-DBL_MAX, std::min(half * 2, DBL_MAX));

@@ -17,8 +17,7 @@ namespace
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Three numbers where a point is said to lie.
-/// Around places, in space; empty (low > high) around none.
+/// Bounds of places in space; empty (low > high) without any.
 struct Box
 {
   Vector3 low = { { kInfinity, kInfinity, kInfinity } };
@@ -38,7 +37,7 @@ struct Box
   }
 };
 
-/// The places of points that take part, and of their z those that are finite. Returns false if the
+/// The bounds of the points that are not left out, of their z the finite ones. Returns false if the
 /// work is cancelled.
 bool findBox(const PointView& points, Ticker& ticker, Box& box)
 {
@@ -135,7 +134,7 @@ Status Preparation::open()
   return all ? Status::Ok : Status::Cancelled;
 }
 
-/// Makes a copy of the places, unless there is one already; in the phase that is under way. Returns
+/// Makes a copy of the places, unless there is one already; in the current phase. Returns
 /// false if the work is cancelled.
 bool Preparation::copy(Phase phase)
 {
@@ -168,7 +167,7 @@ double* Preparation::makeRoom()
   return out_.places_.data();
 }
 
-/// Lets the points be the copy.
+/// Replaces the points by the copy.
 void Preparation::look(const double* places)
 {
   PointView& points = out_.points_;
@@ -297,7 +296,7 @@ Status Preparation::addBounding()
   }
   if (box.low[0] > box.high[0])
   {
-    return Status::Ok; // no point to put them around
+    return Status::Ok; // no points to bound
   }
   if (box.low[2] > box.high[2])
   {

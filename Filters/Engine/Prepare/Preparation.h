@@ -17,8 +17,8 @@ namespace ahd
 
 struct Mean;
 
-/// Lets several pieces of work be one phase for the caller: it begins once, and its fraction does
-/// not fall. `caller` may be null.
+/// Presents several pieces of work to the caller as one phase: it begins once, and its fraction
+/// does not fall. `caller` may be null.
 class JoinedPhases : public Progress
 {
 public:
@@ -108,7 +108,7 @@ private:
   PreparedInput& out_;
   JoinedPhases phases_;
   Context context_;          ///< the caller's, with phases_
-  std::int64_t firstId_ = 0; ///< what the id 0 in a cell stands for
+  std::int64_t firstId_ = 0; ///< the point that the id 0 in a cell names
   std::int64_t idCount_ = 0; ///< ids in cells that are a point's: 0 to idCount_ - 1
 };
 

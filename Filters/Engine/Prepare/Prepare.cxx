@@ -17,8 +17,8 @@ namespace ahd
 namespace
 {
 
-/// mergeWithin's, for each point: as it is sorted and as it is kept, with its chains, what it is
-/// merged into, and the marks and pairs that stay.
+/// Bytes of mergeWithin for each point: the point while sorted and while kept, with its chains, the
+/// point it is merged into, and the marks and pairs that remain.
 constexpr std::size_t kBytesToMerge = 80;
 /// Of these the marks and pairs.
 constexpr std::size_t kBytesMerged = sizeof(MergedPoint) + 1;
@@ -48,8 +48,8 @@ struct Found
   }
 };
 
-/// Sums that become NaN with the first number that is not finite: nothing to branch on, since there
-/// hardly ever is one.
+/// Sums that become NaN with the first number that is not finite: no branch, since there hardly
+/// ever is one.
 template <typename Number>
 bool areAllFinite(const Number* begin, const Number* end)
 {
@@ -63,7 +63,7 @@ bool areAllFinite(const Number* begin, const Number* end)
   return x + y + z == 0;
 }
 
-/// The same for points that are not three numbers in a row.
+/// The same for points that are not three contiguous numbers.
 bool areAllFinite(const PointView& points, std::size_t begin, std::size_t end)
 {
   double sum = 0;
@@ -103,7 +103,7 @@ void findOdd(const PointView& points, std::size_t begin, std::size_t end, Found&
   }
 }
 
-/// The first cell whose ids are not among those there are.
+/// The first bad cell.
 struct Misplaced
 {
   std::size_t cell = std::size_t(-1);

@@ -54,7 +54,7 @@ public:
 struct InputRequest
 {
   PointView points;       ///< of the input, those to be left out marked
-  PointView sourcePoints; ///< become points as well, behind the input's; none if its count is 0
+  PointView sourcePoints; ///< become points as well, after the input's; none if its count is 0
 
   CellsView lines;            ///< of the source: open chains
   CellsView polygons;         ///< of the source: loops
@@ -85,7 +85,7 @@ struct InputRequest
   /// before it does.
   std::size_t mostCrossings = std::size_t(-1);
 
-  /// For Run, which finds them in the triangulation; prepare() looks at nothing of it. None: count
+  /// For Run, which finds them in the triangulation; prepare() ignores it. None: count
   /// is 0.
   GivenTriangles surface;
 };
@@ -165,7 +165,7 @@ public:
   std::size_t firstCrossing() const { return points_.count - crossings_.size(); }
   std::array<double, 3> place(std::size_t id) const;
 
-  /// Is the plane another than x, y?
+  /// Is the plane not x, y?
   bool isProjected() const { return isProjected_; }
   /// The plane that was fitted, with InputRequest::fitPlane.
   const Plane& plane() const { return plane_; }
@@ -195,8 +195,8 @@ public:
   std::size_t bentCount() const { return bentCount_; }
   std::int64_t firstBentCell() const { return firstBentCell_; }
 
-  /// Lets crossings lie between the points that represent the vertices at the ends of their
-  /// segments: their heights follow.
+  /// Refers crossings to the points that represent the vertices at the ends of their segments,
+  /// which give them their heights.
   ///
   /// @pre a triangulation of these points
   Status endCrossingsAtVertices(Triangulation& triangulation, const Context& context);

@@ -21,7 +21,7 @@ Status Preparation::readConstraints()
   {
     return Status::Ok;
   }
-  Ticker ticker(&phases_, Phase::Split, 0); // for the time it takes
+  Ticker ticker(&phases_, Phase::Split, 0); // begins the phase
   const bool own = request_.idsAreOfInput;
   firstId_ = own ? 0 : static_cast<std::int64_t>(out_.inputCount_);
   idCount_ = static_cast<std::int64_t>(own ? out_.inputCount_ : out_.sourceCount_);
@@ -204,7 +204,7 @@ Status Preparation::split()
   return status;
 }
 
-/// Adds the points, and keeps between which others they lie. @pre the constraints are those
+/// Adds the points, and records the points that they lie between. @pre the constraints are those
 /// that were split.
 void Preparation::addCrossings(const std::vector<CrossingPoint>& points)
 {

@@ -19,7 +19,7 @@ namespace ahd
 namespace
 {
 
-/// Lets a triangulation be a part of the phase Merge: each of its phases as much of that as any.
+/// Reports a triangulation as a part of the phase Merge: all of its phases count alike.
 class WithinMerge : public Progress
 {
 public:
@@ -79,7 +79,7 @@ double fractionAt(const Point& a, const Point& b, const Point& place)
   return fraction > 0.0 ? std::min(fraction, 1.0) : 0.0; // NaN: denormal numbers
 }
 
-/// What lies where on a surface.
+/// Finds places on a surface.
 class SurfacePlacer
 {
 public:
@@ -89,7 +89,7 @@ public:
   {
   }
 
-  /// Asks within.
+  /// Polls for cancellation.
   SurfacePlace operator()(const Point& place)
   {
     const Location at = surface_.locate(place, hint_, ticker_);
@@ -180,7 +180,7 @@ Status Preparation::takeHeights()
   return status == Status::Ok ? layOn(surface, means) : status;
 }
 
-/// Finds where on the surface the points of the source lie, and moves them there.
+/// Finds the points of the source on the surface, and moves them there.
 Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>& means)
 {
   std::vector<SurfacePlace>& places = out_.surfacePlaces_;
@@ -189,7 +189,7 @@ Status Preparation::layOn(const Triangulation& surface, const std::vector<Mean>&
   const Heights heights(out_.points_, means);
   Ticker ticker(&phases_, Phase::Merge, 0, context_.executor);
   const PointView ofSource(to, places.size(), 3);
-  // Each is looked for from where the one before it was.
+  // Each search starts at the result of the one before.
   CurveOrder order;
   const auto lay = [&](std::size_t count)
   {

@@ -34,7 +34,7 @@ bool forEach(const PointView& points, Ticker& ticker, const Work& work)
     });
 }
 
-/// Half of b - a, which may be too large.
+/// Half of b - a, which itself may overflow.
 Vector3 halfWay(const Vector3& a, const Vector3& b)
 {
   return { { b[0] / 2 - a[0] / 2, b[1] / 2 - a[1] / 2, b[2] / 2 - a[2] / 2 } };
@@ -72,7 +72,7 @@ bool isBefore(const Stack& a, const Stack& b)
   return std::tie(a.x, a.y) < std::tie(b.x, b.y);
 }
 
-/// Of every so many points one, those at one place together.
+/// Samples one of every so many points, and groups those of one x and y.
 bool takeSample(const PointView& points, Ticker& ticker, std::vector<Stack>& stacks)
 {
   constexpr std::size_t kSamples = 256;

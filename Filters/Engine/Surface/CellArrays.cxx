@@ -59,7 +59,7 @@ private:
   Id* ofTriangles_;
 };
 
-/// What is asked for eight slots on: ids of a triangle's corners, numbers of those beside it.
+/// Prefetches for eight slots ahead: ids of a triangle's corners, numbers of its neighbours.
 void fetchAround(const State& state, std::size_t slot)
 {
   const std::size_t next = std::min(slot + 8, state.numbers.size() - 1);
@@ -71,8 +71,8 @@ void fetchAround(const State& state, std::size_t slot)
   }
 }
 
-/// Calls write(state, ticker), a part of the outputs in so many steps; it returns false if it is to
-/// be cancelled. @pre there is a state.
+/// Calls write(state, ticker), a part of the outputs in so many steps; it returns false if
+/// cancelled. @pre there is a state.
 template <typename Write>
 Status withTicker(
   Triangulation& triangulation, std::size_t steps, const Context& context, Write write)
@@ -244,7 +244,7 @@ bool RegionFinder::joinTo(std::uint32_t slot, std::uint32_t other, Ticker& ticke
   return true;
 }
 
-/// Goes on to the root; on the way, each slot is led to the one after the next.
+/// Finds the root; on the way, each slot is linked to its grandparent.
 bool RegionFinder::findRoot(std::uint32_t& slot, Ticker& ticker)
 {
   while (setOf_[slot] != slot)

@@ -12,7 +12,7 @@ namespace ahd
 namespace
 {
 
-/// VTK's largest double, and so the largest alpha: a circle too large for any.
+/// VTK's largest double, and so the largest alpha.
 constexpr double kLargestRadius = 1e299;
 
 Vector3 times(const Vector3& v, double factor)
@@ -30,7 +30,7 @@ double areaOf(const Vector3& u, const Vector3& v)
 
 double lengthOf(const Vector3& v)
 {
-  // The other takes many times as long.
+  // The function of three numbers takes many times as long.
   const double square = dot(v, v);
   return isOrdinarySquare(square) ? std::sqrt(square) : lengthOf(v[0], v[1], v[2]);
 }

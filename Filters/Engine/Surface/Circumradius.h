@@ -16,7 +16,7 @@ inline Vector3 minus(const Vector3& a, const Vector3& b)
   return { { a[0] - b[0], a[1] - b[1], a[2] - b[2] } };
 }
 
-/// Is the square of a length so, that nothing of it is lost?
+/// Is the square of a length far from overflow and underflow?
 inline bool isOrdinarySquare(double square)
 {
   return square > 1e-290 && square < 1e300;
@@ -29,7 +29,7 @@ double lengthOf(const Vector3& v);
 /// as they are collinear. Neither overflows nor underflows before that.
 double circumradius(const Vector3& a, const Vector3& b, const Vector3& c);
 
-/// Tells whether circumradius() > limit, by squares where they leave no doubt.
+/// Tells whether circumradius() > limit, by squares where they decide.
 class RadiusLimit
 {
 public:

@@ -16,7 +16,7 @@ namespace
 
 using Corners = std::array<Index, 3>;
 
-/// A walk around one corner of the triangle that is looked for.
+/// A walk around one corner of the triangle to find.
 struct Turn
 {
   HalfEdge first;
@@ -25,9 +25,9 @@ struct Turn
   Index third;
 };
 
-/// Looks around all corners at the same time, so that the one of least degree ends it. Sets `at` to
-/// the half-edge of the first corner's triangle, kNoHalfEdge if there is none. Returns false if the
-/// work is cancelled.
+/// Walks around all corners at the same time, so that the one of least degree ends the search. Sets
+/// `at` to the half-edge of the first corner's triangle, kNoHalfEdge if there is none. Returns
+/// false if the work is cancelled.
 bool find(const Triangulation& triangulation, const Corners& corners, Ticker& ticker, HalfEdge& at)
 {
   std::array<Turn, 3> turns;

@@ -21,8 +21,8 @@ double coordinate(const PointView& points, std::size_t i, std::size_t k)
   return points.place(i)[k];
 }
 
-/// One call of findMeans(), when the tables are made. What returns a bool returns false if the work
-/// is cancelled.
+/// One call of findMeans(), when the tables are made. Functions that return bool return false if
+/// cancelled.
 class Averaging
 {
 public:
@@ -133,7 +133,7 @@ bool Averaging::gatherNumbers(const std::vector<Index>& ids, std::size_t k)
     });
 }
 
-/// Of numbers that are the same to the last bit that number itself, a zero's sign included.
+/// The mean of equal numbers is that number, to the last bit, a zero's sign included.
 bool Averaging::meanOfNumbers(double& mean)
 {
   bool areSame = true;

@@ -12,7 +12,7 @@
 namespace ahd
 {
 
-/// Where the user sees the vertices, read in their order.
+/// The vertices in the user's space, read in their order.
 class PlacesInSpace
 {
 public:
@@ -44,7 +44,7 @@ public:
     return inShares(state.ranked.count, ticker, 4, kChunk, work) && state.havePlaces();
   }
 
-  /// It will be asked for this one.
+  /// Prefetches the place of the vertex.
   void fetch(Index vertex) const
   {
     isUpright_ ? prefetchForRead(z_.data() + vertex) : prefetchForRead(places_.data() + vertex);

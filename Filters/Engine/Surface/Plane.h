@@ -38,7 +38,7 @@ public:
   ///
   /// @return Ok, Cancelled or OutOfMemory
   Status fit(const PointView& points, const Context& context);
-  /// Becomes one that was fitted in steps.
+  /// Takes over a plane fitted in steps.
   void take(const PlaneFit& fit);
 
   /// Unit vectors at right angles to each other, right handed in this order.

@@ -63,7 +63,7 @@ Matrix3 seenAlong(const Matrix3& axes, const WideMatrix& matrix)
   return seen;
 }
 
-/// Turns the axes to the eigenvectors of a matrix that is seen along them; its diagonal becomes the
+/// Turns the axes to the eigenvectors of a matrix in their system; its diagonal becomes the
 /// eigenvalues.
 void turn(Matrix3& axes, Matrix3& seen)
 {
@@ -95,7 +95,7 @@ public:
   bool isDone() const { return step_ == Step::Done; }
   bool look(Ticker& ticker);
   void goOn();
-  /// Calls visit(what this step finds).
+  /// Calls visit(the parts that this step sums up).
   template <typename Visit>
   void withFound(const Visit& visit)
   {
@@ -141,7 +141,7 @@ bool PlaneFitting::Work::sweep(Part& total, const Add& add, Ticker& ticker) cons
     [&points, &add](Part& part, std::size_t begin, std::size_t end)
     {
       constexpr std::size_t kAhead = 96;
-      Part own; // which no other thread's line holds, nor a pointer
+      Part own; // local: no false sharing, no aliasing
       for (std::size_t i = begin; i < end; ++i)
       {
         points.prefetch(i + kAhead);
@@ -186,7 +186,7 @@ void PlaneFitting::Work::goOn()
 }
 
 /// p - origin is exact for all points: where the origin is not zero, all p are three times as large
-/// as they are apart, so the difference has no digit before the first or behind the last of p.
+/// as they are apart, so the difference has no digit above the first or below the last of p.
 void PlaneFitting::Work::chooseScales()
 {
   int exponent = std::numeric_limits<int>::min();
@@ -267,8 +267,8 @@ void PlaneFitting::Work::choosePlane()
 }
 
 /// How wide points on a line may be along this axis, in units, because their coordinates are
-/// rounded: as the largest is. Points that have a coordinate in common lie in a plane as it is, so
-/// of these no more is taken for a line than the rounding along the axis can make.
+/// rounded: as the largest is. Points that have a coordinate in common lie in a plane anyway: these
+/// are taken for a line only within the rounding along the axis.
 double PlaneFitting::Work::roundingAlong(const Vector3& axis) const
 {
   const PowerOfTwo perUnit = powerOfTwo(-unit_);
@@ -307,8 +307,8 @@ Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& axes, const Matrix3& spr
   return axes[by[2]];
 }
 
-/// Where the plane is that of a coordinate which all points have in common, it is so exactly: then
-/// no place in it has to be rounded.
+/// Where all points have a coordinate in common, the plane is exactly that of this coordinate: then
+/// no place in it must be rounded.
 void PlaneFitting::Work::takeCommonCoordinate()
 {
   fit_.isOfCoordinates = false;

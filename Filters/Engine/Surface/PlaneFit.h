@@ -39,8 +39,8 @@ struct PlaneFit
 /// @pre `fit` is new
 bool fitPlane(const PointView& points, Ticker& ticker, PlaneFit& fit);
 
-/// fitPlane() in steps, for points of which others have parts: the plane of all, bit for bit as if
-/// one had them. All holders of parts proceed alike:
+/// fitPlane() in steps, for points in several parts: the plane of all, bit for bit as if one had
+/// them. All holders of parts proceed alike:
 ///
 ///     while not isDone(): look(), tell() each other, hear() what all have told
 class PlaneFitting
@@ -56,7 +56,7 @@ public:
   bool look(Ticker& ticker);
   /// A few hundred bytes. Throws std::bad_alloc.
   void tell(std::vector<unsigned char>& bytes) const;
-  /// What all parts have told, one's own included, in the same order for all.
+  /// The messages of all parts, one's own included, in the same order for all.
   void hear(const std::vector<std::vector<unsigned char>>& all);
   /// The same where there are no others.
   void goOn();

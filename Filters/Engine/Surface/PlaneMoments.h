@@ -42,8 +42,8 @@ struct PlaneExtent
   }
 };
 
-/// A power of two in two factors, so that what is multiplied by one after the other stays finite
-/// where the result is.
+/// A power of two in two factors, so that multiplying by one after the other stays finite where the
+/// result is.
 struct PowerOfTwo
 {
   double first, second;
@@ -117,7 +117,7 @@ struct WideSum
 };
 
 /// Sums over points, as whole numbers on three scales, and over products of two of their
-/// coordinates: exact, so neither order nor parts have a say.
+/// coordinates: exact, so independent of order and parts.
 struct PlaneMoments
 {
   static constexpr std::size_t kFirst[6] = { 0, 0, 0, 1, 1, 2 };

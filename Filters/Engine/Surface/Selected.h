@@ -29,7 +29,7 @@ struct PlacedArrays
   const std::uint32_t* places; ///< of each triangle; kNoIndex: none
 };
 
-/// The triangles that are put out, and their places among these.
+/// The triangles that are written, and their places in the output.
 class Selected
 {
 public:
@@ -42,7 +42,7 @@ public:
   {
   }
 
-  /// @pre State::makeNumbers(). `count`: of the triangles put out. Returns false if cancelled,
+  /// @pre State::makeNumbers(). `count`: of the triangles written. Returns false if cancelled,
   /// as all below; throws std::bad_alloc.
   bool number(std::size_t count, Ticker& ticker)
   {
@@ -55,7 +55,7 @@ public:
     return (kept_ ? markSelected(ticker) : markKept(ticker)) && countUp(ticker);
   }
 
-  /// kNoIndex for one that is not put out. @pre number().
+  /// kNoIndex for one that is not written. @pre number().
   std::uint32_t placeOf(std::size_t triangle) const
   {
     return places_.empty() ? static_cast<std::uint32_t>(triangle) : places_[triangle];
@@ -104,7 +104,7 @@ private:
       { places_[t] = (state_.marksOf(slot) & kDropped) == 0 ? 0 : kNoIndex; });
   }
 
-  /// The triangles marked get their places.
+  /// Numbers the marked triangles.
   bool countUp(Ticker& ticker)
   {
     return countAndWrite(
@@ -124,7 +124,7 @@ private:
 
   const State& state_;
   const unsigned char* kept_;
-  Buffer<std::uint32_t> places_; ///< empty if all are put out
+  Buffer<std::uint32_t> places_; ///< empty if all are written
 };
 
 } // namespace ahd

@@ -20,8 +20,8 @@ namespace
 
 using State = TriangulationAccess::State;
 
-/// One call of selectBySize(), when the triangles have numbers. What returns a bool returns false
-/// if the work is cancelled.
+/// One call of selectBySize(), when the triangles have numbers. Functions that return bool return
+/// false if cancelled.
 class Selecting
 {
 public:
@@ -121,7 +121,7 @@ bool Selecting::markTriangles(Ticker& ticker)
 {
   out_.kept.resize(state_.allTriangles);
   unsigned char* const kept = out_.kept.data();
-  if (!hasAlpha()) // neighbours are not asked for: by the corners it is sooner done
+  if (!hasAlpha()) // no neighbours are needed: the walk by corners is faster
   {
     const Tables& tables = state_.tables;
     const Index* const v = tables.corners.data();
@@ -208,7 +208,7 @@ bool Selecting::findLines(Ticker& ticker)
     });
 }
 
-/// Unless it is kept, its neighbours will be asked for.
+/// Unless it is kept, its neighbours will be needed.
 void Selecting::fetchUnkept(std::size_t triangle) const
 {
   if (!out_.kept[triangle])
@@ -454,7 +454,7 @@ Status selectBySize(Triangulation& triangulation, const SizeLimits& limits,
     {
       Ticker ticker(context.progress, Phase::Outputs, state->allTriangles,
         state->worthItsWhile(context.executor));
-      // With alpha all points are read again anyway.
+      // With alpha all points are read again in any case.
       return (limits.alpha > 0.0 ? state->makeNumbers(ticker, State::PlacesAre::NotNeeded)
                                  : state->makeCorners(ticker)) &&
         Selecting(*state, limits, points, out).run(ticker);
