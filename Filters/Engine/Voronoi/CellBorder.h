@@ -33,8 +33,8 @@ struct ClippedEdge
 {
   CornerId from = kNoCorner;
   CornerId to = kNoCorner;
-  Stretch entry = kNoStretch; ///< where it comes in, or kNoStretch if it begins at a centre
-  Stretch exit = kNoStretch;  ///< where it goes out, or kNoStretch if it ends at a centre
+  Stretch entry = kNoStretch; ///< where it enters, or kNoStretch if it begins at a centre
+  Stretch exit = kNoStretch;  ///< where it leaves, or kNoStretch if it ends at a centre
 
   bool isEmpty() const { return from == kNoCorner; }
 };
@@ -44,7 +44,7 @@ inline ClippedEdge turned(const ClippedEdge& piece)
   return { piece.to, piece.from, piece.exit, piece.entry };
 }
 
-/// Where a cell follows the border: from where one edge of it goes out to where the next comes in.
+/// Where a cell follows the border: from where one edge leaves to where the next enters.
 struct Gap
 {
   Stretch exit;
@@ -64,8 +64,8 @@ inline void addTo(std::vector<CornerId>& cell, CornerId corner)
 /// cells, so these share the corners on the border too.
 ///
 /// Inside, crossings of edges and corners of cells are decided for the exact diagram, by
-/// exact signs. Only then is each corner rounded, and do centres that are one by their rounding
-/// (Diagram::standIn) become one corner: cells keep their shape, whatever rounding does.
+/// exact signs. Only then is each corner rounded, and are centres that coincide by rounding
+/// (Diagram::standIn) joined into one corner: cells keep their shape, whatever rounding does.
 class CellBorder
 {
 public:
@@ -120,7 +120,7 @@ public:
     return static_cast<CornerId>(diagram_.triangles() + points_.size() - 1);
   }
 
-  /// All cells are known: only corner() will be asked.
+  /// All cells are known: only corner() will be called.
   void forget()
   {
     inside_.reset();
@@ -148,7 +148,7 @@ protected:
   }
   void noteOutside(std::size_t triangle) { inside_[triangle] = 0; }
 
-  /// Sees to it that what stands for a centre that is inside is within the bounds. Returns false if
+  /// Moves the centres that stand for others inside into the bounds. Returns false if
   /// cancelled.
   bool settleInside(Ticker& ticker)
   {

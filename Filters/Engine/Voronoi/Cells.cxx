@@ -85,7 +85,7 @@ bool CellWalk::addBorderCells(const std::vector<InsideCells>& inside, Ticker& ti
   return true;
 }
 
-/// Each of their corners belongs to several of them: all have to be noted first.
+/// Each corner belongs to several of these cells: all must be noted first.
 bool CellWalk::countBorderCells(Ticker& ticker)
 {
   borderCells_.push_back({ kNoIndex, static_cast<std::uint32_t>(borderCorners_.size()) });
@@ -127,14 +127,14 @@ bool CellWalk::forBorderCorners(Ticker& ticker, Visit visit)
   return true;
 }
 
-/// From how much each cell has to where it begins; makes room for all.
+/// Turns counts of cells into their first places; makes room for all.
 bool CellWalk::sumUp(Ticker& ticker)
 {
   const std::size_t tasks = tasksForLoop(ticker, extents_.size());
   std::vector<Extent> sums(tasks);
   const auto add = [&](std::size_t task, Ticker& own)
   {
-    Extent sum; // on the stack: no thread waits for a line of another
+    Extent sum; // on the stack: no false sharing
     const Share share(extents_.size(), task, tasks);
     const bool done = inChunks(share.begin, share.end, own,
       [&](std::size_t a, std::size_t b)
@@ -176,7 +176,7 @@ bool CellWalk::sumUp(Ticker& ticker)
     });
 }
 
-/// Numbers the corners and writes where they are.
+/// Numbers the corners and writes their coordinates.
 bool CellWalk::place(Ticker& ticker)
 {
   return numbers_.finish(
@@ -339,7 +339,7 @@ void CellWalk::keep(Index vertex)
   borderCorners_.insert(borderCorners_.end(), cell_.begin(), cell_.end());
 }
 
-/// What is left of the cell is smaller than the coordinates resolve: its vertex stands for the
+/// The rest of the cell is smaller than the coordinates resolve: its vertex stands for the
 /// corners that are missing.
 void CellWalk::pad(Index vertex)
 {

@@ -46,7 +46,8 @@ private:
     std::uint32_t begin; ///< of its corners in borderCorners_, up to those of the next cell
   };
 
-  /// How many corners a cell has, and how many no cell before it has; then where both begin.
+  /// The number of corners of a cell, and of those that no cell before it has; then the first
+  /// places of both.
   struct Extent
   {
     void add(const Extent& more)
@@ -59,9 +60,9 @@ private:
     std::uint32_t points = 0;
   };
 
-  static constexpr std::size_t kAhead = 16; ///< vertices: what will be written is fetched before
+  static constexpr std::size_t kAhead = 16; ///< vertices: prefetched for writing
 
-  /// Of the cell of a vertex; of any for one that is none or has none.
+  /// That of the vertex's cell; any for a vertex without one.
   const Extent* extentOf(std::size_t vertex) const
   {
     const Index cell = vertex < cellOf_.size() ? cellOf_[vertex] : kNoIndex;

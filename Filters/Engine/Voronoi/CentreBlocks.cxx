@@ -19,8 +19,8 @@ namespace
 constexpr std::size_t kBlock = 32;
 constexpr double kMostCondition = 0x1p20;
 
-/// What is computed of some triangles at once: each coordinate has its row, so that the compiler
-/// takes several triangles with one instruction.
+/// Data of some triangles at once: each coordinate in its own row, so that the compiler handles
+/// several triangles with one instruction.
 struct Block
 {
   double ax[kBlock], ay[kBlock], bx[kBlock], by[kBlock], cx[kBlock], cy[kBlock];
@@ -88,7 +88,7 @@ struct Division
 /// e^2 condition (64 size + 36 halfSize |most|), times the inverse. As `condition` is at least
 /// 0.49 and at most 2^20, all is less than 2^-98 condition |inverse| (size + halfSize |most|); and
 /// where circumcentre() adds with 100 bits, its error is less than 2^-96 of the same and 2^-100 of
-/// the sum. What is certain here is therefore what it finds.
+/// the sum. Centres that are certain here therefore equal those that it finds.
 inline void computeBlock(Block& b)
 {
   for (std::size_t i = 0; i < kBlock; ++i)

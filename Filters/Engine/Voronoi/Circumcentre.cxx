@@ -27,7 +27,7 @@ public:
   {
   }
 
-  /// Takes a point into account. All have to be known before the first from().
+  /// Takes a point into account. All must be added before the first from().
   void add(const Point& p)
   {
     const double far = std::max(half(p.x, origin_.x), half(p.y, origin_.y));
@@ -98,8 +98,8 @@ private:
   double power_ = 1.0; ///< 2^back_, which may be infinite
 };
 
-/// The same for points whose differences need no scaling: areModest(). What is found is the same,
-/// as nothing underflows and powers of two are exact.
+/// The same for points whose differences need no scaling: areModest(). The results are the same, as
+/// nothing underflows and powers of two are exact.
 class ModestDifferences
 {
 public:
@@ -115,10 +115,10 @@ public:
   }
 };
 
-/// Upper bound of what products and sums of scaled differences lose by underflow.
+/// Upper bound of the error of products and sums of scaled differences by underflow.
 constexpr double kLost = 0x1p-1000;
 
-/// A quotient that is to be computed, and by how much either part may be wrong.
+/// A quotient to compute, and bounds on the errors of its parts.
 struct Quotient
 {
   DoubleDouble over;
@@ -127,8 +127,8 @@ struct Quotient
   double underError;
 };
 
-/// origin + quotient, unscaled and rounded once. False if the errors leave open what that is, or
-/// if it is not finite.
+/// origin + quotient, unscaled and rounded once. False if the errors leave that open, or if it is
+/// not finite.
 ///
 /// The quotient is wrong by the errors of both parts, where those of second order are paid for by
 /// twice as much, and by 2^-100 of itself; adding it and rounding the sum's low part, by less than
@@ -158,7 +158,7 @@ double sizeOf(
   return std::fabs(a.high * b.high) + std::fabs(c.high * d.high);
 }
 
-/// circumcentre() with about 100 bits; false where these do not tell.
+/// circumcentre() with about 100 bits; false where these do not decide.
 ///
 /// The sides of the triangle are exact. A product of two DoubleDoubles is wrong by less than 2^-103
 /// of itself, a sum by 2^-104 of its operands: so the divisor by less than 2^-102 of the size of
@@ -195,30 +195,30 @@ bool areModest(const Corners& t)
   return isModest(t.a) && isModest(t.b) && isModest(t.c);
 }
 
-/// A number in plain double precision, and how far it may be from what it stands for.
+/// A number in plain double precision, and a bound on its error.
 struct Estimate
 {
   double value;
   double error;
 };
 
-/// origin + offset, rounded to nearest. False if the error leaves open what that is.
+/// origin + offset, rounded to nearest. False if the error leaves that open.
 bool roundedSum(double origin, const Estimate& offset, double& result)
 {
   const DoubleDouble sum = exactSum(origin, offset.value);
-  // The second term is for what is rounded here, and where circumcentre() adds with 100 bits.
+  // The second term is for rounding here, and where circumcentre() adds with 100 bits.
   const double error = offset.error + 0x1p-100 * std::fabs(sum.high);
   result = sum.high + (sum.low - error);
   return error > 0.0 && result == sum.high + (sum.low + error);
 }
 
-/// What circumcentre() finds, where plain double precision is enough to tell: nearly always. False
-/// if not. @pre areModest().
+/// circumcentre() in plain double precision, which nearly always suffices. False if not. @pre
+/// areModest().
 ///
 /// With e = 2^-53, the sides u and v of the triangle are known to 1 e of their coordinates, the
 /// squares of their lengths to 4 e, a product of both kinds to 6 e, and a difference of two such
 /// products to 7 e of the sum of their sizes; the divisor to 4 e of the sum of the sizes of its two
-/// products. The constants below are larger by what the bounds themselves are rounded, and by the
+/// products. The constants below are larger for the rounding of the bounds themselves, and for the
 /// terms of second order, the divisor's error being at most 2^-10 of it.
 bool quickCentre(const Corners& t, Point& result)
 {
@@ -274,7 +274,7 @@ Point circumcentre(const Corners& triangle)
 namespace
 {
 
-/// bisectorOnLine() with about 100 bits; false where these do not tell. With d the way along the
+/// bisectorOnLine() with about 100 bits; false where these do not decide. With d the way along the
 /// line and s that from p to q, it is from + d (2 middle . s) / (2 d . s), the middle seen from
 /// `from`. Errors as in longCentre().
 bool longBisector(const Point& p, const Point& q, const Line& line, Point& result)

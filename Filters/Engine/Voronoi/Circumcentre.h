@@ -10,9 +10,9 @@
 namespace ahd
 {
 
-// Where corners of cells lie. "Rounded once": each coordinate is the exact one, rounded to nearest
-// from at least 11 bits more than a double has: so no more than 0.501 units in the last place away,
-// and on no other side of a double. Infinite beyond the largest double.
+// Coordinates of corners of cells. "Rounded once": each coordinate is the exact one, rounded to
+// nearest from at least 11 bits more than a double has: so no more than 0.501 units in the last
+// place away, and on no other side of a double. Infinite beyond the largest double.
 
 /// The centre of the circle through the corners, rounded once. @pre they are not collinear.
 Point circumcentre(const Corners& triangle);
@@ -34,7 +34,7 @@ struct Line
 /// Where the bisector of p and q meets the line, rounded once. @pre they are not parallel.
 Point bisectorOnLine(const Point& p, const Point& q, const Line& line);
 
-/// For Circumcentre.cxx and its tests only: the same, always by integers as long as need be.
+/// For Circumcentre.cxx and its tests only: the same, always by integers of the length needed.
 namespace stages
 {
 Point circumcentreUnbounded(const Corners& triangle);

@@ -15,8 +15,8 @@ namespace ahd
 /// their order: these lie anywhere in memory, while vertices lie along the curve.
 ///
 /// A centre is a corner of the cells of its triangle's vertices, and those of the triangles that it
-/// stands for: the first of them is known at once. Each cell says how many corners it is the first
-/// to have, and in which order; their sums say where the numbers of each cell begin.
+/// stands for: the first of them is known at once. Each cell counts the corners that it is the
+/// first to have, in its order; sums of these counts give the first number of each cell.
 class CornerNumbers
 {
 public:
@@ -42,8 +42,8 @@ public:
     }
   }
 
-  /// Numbers a corner of the cell if that is the first to have it, after `count` that have their
-  /// numbers already, and says how many there are then. @pre all on the border were noted.
+  /// Numbers a corner of the cell if that is the first to have it, after `count` that have numbers
+  /// already, and returns how many there are then. @pre all on the border were noted.
   std::uint32_t count(Index cell, CornerId corner, std::uint32_t count)
   {
     const bool isNew = firstCell(corner) == cell && number(corner) == kNoCorner;
@@ -54,14 +54,14 @@ public:
     return count + (isNew ? 1u : 0u);
   }
 
-  /// The same for corners in a row that are all centres. Other cells may be at it.
+  /// The same for corners in a row that are all centres. Several cells may do so at the same time.
   std::uint32_t countCentres(
     Index cell, const CornerId* corners, std::size_t size, std::uint32_t count)
   {
     std::uint32_t ofOthers = 0;
     for (std::size_t i = 0; i != size; ++i)
     {
-      // Not by a branch, which would be taken at random.
+      // No branch, which would be unpredictable.
       std::uint32_t& its = first_[corners[i]] == cell ? number_[corners[i]] : ofOthers;
       const bool isNew = its == kNoCorner;
       its = isNew ? count : its;
@@ -70,8 +70,8 @@ public:
     return count;
   }
 
-  /// Adds where the numbers of the first cell begin, beginOf(cell), and writes to `places` where
-  /// each corner is that a cell has.
+  /// Adds the first number of the first cell, beginOf(cell), and writes to `places` the coordinates
+  /// of each corner that a cell has.
   template <typename BeginOf>
   bool finish(Ticker& ticker, BeginOf beginOf, VoronoiCorner* places)
   {

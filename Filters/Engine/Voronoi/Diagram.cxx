@@ -15,7 +15,7 @@ namespace ahd
 namespace
 {
 
-/// Differences of so many times the size of coordinates are a matter of rounding.
+/// Differences up to so many times the size of coordinates are due to rounding.
 constexpr double kUnits = 2.0 * std::numeric_limits<double>::epsilon();
 
 double sizeOf(const Point& p)
@@ -92,13 +92,13 @@ bool Diagram::joinCentres(Ticker& ticker)
   return true;
 }
 
-/// May a later neighbour's centre be one with its own? `size`: no vertex has a larger coordinate.
+/// May a later neighbour's centre coincide with its own? `size`: no vertex has a larger coordinate.
 bool Diagram::mayJoin(std::size_t triangle, double size) const
 {
   const HalfEdge first = static_cast<HalfEdge>(3 * triangle);
   const Point p = centres_[triangle];
   const double near = kUnits * std::max(sizeOf(p), size);
-  // Hardly any is near: so all three are looked at, and no branch is taken at random.
+  // Hardly any is near: so all three are compared, without an unpredictable branch.
   bool isNear[3];
   for (HalfEdge e = 0; e != 3; ++e)
   {
@@ -121,7 +121,7 @@ bool Diagram::mayJoin(std::size_t triangle, double size) const
   return false;
 }
 
-/// Joins to it those later ones that are one with it, unless it is joined itself.
+/// Joins to it the later ones that coincide with it, unless it is joined itself.
 bool Diagram::joinTo(std::uint32_t triangle, Ticker& ticker)
 {
   if (standIns_[triangle] != triangle)
@@ -152,7 +152,7 @@ bool Diagram::joinTo(std::uint32_t triangle, Ticker& ticker)
   return true;
 }
 
-/// Is the difference of the centres a matter of rounding: of theirs, or of the points' coordinates?
+/// Is the difference of the centres due to rounding: of theirs, or of the points' coordinates?
 bool Diagram::areOne(std::size_t a, std::size_t b) const
 {
   const Point p = centres_[a];

@@ -55,11 +55,11 @@ public:
     return { point(origin(h)), point(origin(h + 1)), point(origin(h + 2)) };
   }
 
-  /// The centre of the triangle stands for one that lies within the bounds: it moves there if it
-  /// is outside, which is a matter of rounding.
+  /// The centre of the triangle stands for one that lies within the bounds: it moves there if it is
+  /// outside, which is due to rounding.
   void settle(std::size_t triangle) { centres_[triangle] = within(bounds_, centres_[triangle]); }
 
-  /// Nobody will ask for standIn() any more.
+  /// standIn() will not be called again.
   void forgetStandIns() { standIns_.reset(); }
 
 private:

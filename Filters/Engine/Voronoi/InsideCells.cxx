@@ -35,8 +35,8 @@ bool InsideCells::find(Index vertex, Ticker& ticker)
   return true;
 }
 
-/// Turns around the vertex, from the triangle to the right of its first half-edge, and puts down
-/// the centres, those that are one in a row once.
+/// Turns around the vertex, from the triangle to the right of its first half-edge, and lists the
+/// centres; successive equal ones once.
 bool InsideCells::turn(Index vertex, Ticker& ticker, bool& isInside)
 {
   const HalfEdge start = diagram_.start(vertex);

@@ -21,7 +21,7 @@ public:
   {
   }
 
-  /// Makes room for the cells of so many vertices; it grows if it has to. Throws std::bad_alloc, as
+  /// Makes room for the cells of so many vertices; it grows if needed. Throws std::bad_alloc, as
   /// does find().
   void reserve(std::size_t vertices) { corners_.allocate(vertices * kUsual / 4 + 64); }
 
@@ -29,7 +29,7 @@ public:
   /// goes to others(). Returns false if cancelled.
   bool find(Index vertex, Ticker& ticker);
 
-  /// All were found: gives back room if most is not needed. Throws std::bad_alloc.
+  /// Call when all are found: returns memory if most is not needed. Throws std::bad_alloc.
   void fit()
   {
     if (2 * end_ < corners_.size())

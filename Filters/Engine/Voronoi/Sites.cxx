@@ -16,8 +16,8 @@ namespace
 
 using State = TriangulationAccess::State;
 
-/// What of some points in a row is a site. Of equal coordinates, which may be zeros of both signs,
-/// the first one's counts.
+/// The sites among some successive points. Of equal coordinates, which may be zeros of both signs,
+/// the first one counts.
 struct Part
 {
   void extend(const Bounds& b, bool isOtherModest)
@@ -138,7 +138,7 @@ bool SiteNumbering::count()
   return inParallel(ticker_, parts_.size(),
     [&](std::size_t task, Ticker& own)
     {
-      Part part; // on the stack: no thread waits for a line of another
+      Part part; // on the stack: no false sharing
       const Share share(points, task, parts_.size());
       const bool done = inChunks(share.begin, share.end, own,
         [&](std::size_t a, std::size_t b)

@@ -32,7 +32,7 @@ void clear(VoronoiCells& cells)
   cells.sites.clear();
 }
 
-/// Where there are no cells there is an end of them all the same.
+/// Without cells there is still one offset, 0.
 void finish(VoronoiCells& cells)
 {
   if (cells.offsets.empty())
@@ -150,8 +150,9 @@ Status voronoiCells(
         finish(cells);
         return true;
       }
-      // Vertices for sites and, twice, for cells; triangles for their centres, for what these are
-      // joined to, whether they are inside, and the first cells and the numbers of corners.
+      // Vertices for sites and, twice, for cells; triangles for their centres, for the centres
+      // these are joined to, whether they are inside, and the first cells and the numbers of
+      // corners.
       const std::size_t steps = state->points.count + 3 * state->ranked.count +
         5 * state->allTriangles;
       Ticker ticker(
@@ -169,7 +170,7 @@ Status voronoiCells(
 
 std::size_t voronoiMemoryEstimate(std::size_t pointCount)
 {
-  // What is held in the end; on the way there is less. Per triangle: the centre (16), the first
+  // Memory held at the end; before there is less. Per triangle: the centre (16), the first
   // cell that has it (4) and its number (4), and where it is as a corner (24). Per point: the
   // number of its cell (4), what this has (8), site (4) and offset (4), and six corners, twice,
   // with some room (49). With two triangles per point that makes 169 (166 measured). There is a
