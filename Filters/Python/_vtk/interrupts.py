@@ -78,8 +78,7 @@ class _Arrival:
     def __init__(self, raised, asker):
         self.raised, self.asker, self.failed = raised, asker, []
         _under_way.append(self)
-        self._go_on()
-        self._go_on()  # two wait: from Python 3.13 on, what the 32nd call in a row adds is forgotten if none waits
+        self._set_out()
 
     def fail(self, algorithm):
         """Takes down that a request of this algorithm fails for it. Returns what says so to VTK."""
@@ -93,8 +92,12 @@ class _Arrival:
             if self.asker is None:
                 self._end()
             else:
-                self._go_on()
+                self._set_out()
         return self in _under_way
+
+    def _set_out(self):
+        for _ in range(2):  # from Python 3.13 on, what the 32nd call in a row adds is forgotten if no other waits
+            self._go_on()
 
     def _go_on(self):
         """Has Python, in the main thread, ask for the truth of this between two of its steps: what that raises, it
