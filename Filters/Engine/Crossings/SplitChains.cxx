@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Splitting: pieces and chains with places put into them.
+// Splitting: places are inserted into pieces and chains.
 #include "../Core/SortAsking.h"
 #include "../Order/RadixSort.h"
 #include "../Predicates/Predicates.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangle is flat over one edge at most, its longest. It goes if nothing is beyond that edge, or
-// a triangle that goes: so each flat triangle follows another one, or the hull, and as longest
-// edges grow on the way, none follows itself. Where the way leads over a triangle of which a block
-// knows no corner, all blocks are asked for the half-edge there, once.
+// A triangle is flat over one edge at most, its longest. It is dropped if no triangle is beyond
+// that edge, or a dropped one: so each flat triangle follows another one, or the hull, and as
+// longest edges grow on the way, none follows itself. Where the way leaves the triangles that a
+// block has, it requests the half-edge there from all blocks, once.
 #include "BlockRim.h"
 
 #include "../Core/Loops.h"

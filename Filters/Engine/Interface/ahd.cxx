@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The border of the C interface: checks handles and pointers, catches what is thrown, keeps what it
-// says.
+// The border of the C interface: checks handles and pointers, catches exceptions, keeps their
+// messages.
 #include "ahd.h"
 
 #include "../Core/Fingerprint.h"

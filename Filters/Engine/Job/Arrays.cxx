@@ -50,7 +50,7 @@ Status withIds(const Target& to, const Work& work)
                            : work(static_cast<std::int64_t*>(to.out));
 }
 
-/// Calls write(i) for all i in [0, count), on the threads there are.
+/// Calls write(i) for all i in [0, count), on all threads.
 template <typename Write>
 Status forEach(std::size_t count, const Context& context, const Write& write)
 {
@@ -95,7 +95,7 @@ Status copyIds(const Target& to, const List& list)
   return fillIds(to, [&list](std::size_t i) { return list[i]; });
 }
 
-// --- What takes more than a line ---
+// --- Rows of more than one line ---
 
 Status writePoints(Made& m, const Target& to)
 {

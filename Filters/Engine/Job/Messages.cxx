@@ -56,7 +56,7 @@ void addOfTriangulation(Facts& f)
   f.add({ "has_no_triangle", !isEmptied && f["delaunay_triangles"] == 0 && hasPoints });
   f.add({ "distinct", f["inserted"] + f["beyond_limit"] });
   f.add({ "are_few", f["inserted"] < 3 });
-  // Of points that were not projected it was found out whether they are on one line.
+  // Points that were not projected were tested for lying on one line.
   f.add({ "is_wall", f["inserted"] > 0 && f["is_projected"] + f["on_one_line"] == 0 });
   f.add({ "is_empty", f["kept_triangles"] == 0 });
   f.add({ "untrimmed", f["kept_triangles"] + f["trimmed_triangles"] });
@@ -78,8 +78,8 @@ void addOfTriangulation(Facts& f)
   addContent("source_strips", " triangle strip", " triangle strips");
 }
 
-/// "missing": of each array its name, empty for the heights, and how many values are none; with it
-/// "of_points", whether it has NaN at vertices, and "of_added", whether at such that were added.
+/// "missing": of each array its name, empty for the heights, and its number of missing values; with
+/// it "of_points", whether it has NaN at vertices, and "of_added", whether at added ones.
 void addOfPlaces(Facts& f)
 {
   const auto arrays = f.all("missing"), ofPoints = f.all("of_points"), ofAdded = f.all("of_added");
@@ -160,7 +160,7 @@ std::string digits(const Fact& fact)
     return std::to_string(fact.number);
   }
   std::ostringstream made;
-  made.exceptions(std::ios::badbit); // bad_alloc, which a stream keeps to itself
+  made.exceptions(std::ios::badbit); // bad_alloc, which a stream swallows
   made.imbue(std::locale::classic());
   made.precision(9);
   made << fact.real;

@@ -42,7 +42,7 @@ struct Fact
   double real = 0.0;
 };
 
-/// Facts by name: counts of a job (ahd.h), and what else Catalogue.h asks for. A list is several of
+/// Facts by name: counts of a job (ahd.h), and others that Catalogue.h names. A list is several of
 /// one name. Missing ones are 0 or empty.
 class Facts
 {

@@ -32,7 +32,7 @@ bool areViewable(const GivenArray& array)
       array.rowStride % size == 0);
 }
 
-/// Is there one number behind the other?
+/// Are the numbers contiguous?
 bool isContiguous(const GivenArray& array)
 {
   const auto size = static_cast<std::int64_t>(sizeOf(array.type));
@@ -70,7 +70,7 @@ void forRows(std::size_t rows, const Context& context, const Work& work)
   check(inChunksOf(rows, ticker, work) ? Status::Ok : Status::Cancelled);
 }
 
-/// All numbers one behind the other, each as numberAt(row, column) reads it.
+/// All numbers, contiguous, each as numberAt(row, column) reads it.
 template <typename Number, typename NumberAt>
 const Number* copyNumbers(const GivenArray& array, std::vector<Number>& to, const Context& context,
   const NumberAt& numberAt)
@@ -143,7 +143,7 @@ const Id* evenOffsets(
   return to.data();
 }
 
-/// Refuses cells whose offsets lie.
+/// Refuses cells with invalid offsets.
 void checkCells(const CellsView& cells, InputArray offsetArray, const Context& context)
 {
   BadCell bad;

@@ -64,7 +64,7 @@ void JobProgress::beginPhase(Phase phase)
   tellNow();
 }
 
-/// Once it has said that it is enough, it is not asked again.
+/// Once it has cancelled, it is not called again.
 void JobProgress::tell(double done, Phase phase)
 {
   if (!callback_ || stopped_)
@@ -75,7 +75,7 @@ void JobProgress::tell(double done, Phase phase)
   {
     stopped_ = callback_(user_, static_cast<std::int32_t>(phase), done) != 0;
   }
-  catch (...) // it is C's, but who knows
+  catch (...) // it should not throw, but it may
   {
     stopped_ = true;
   }

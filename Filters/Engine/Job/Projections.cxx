@@ -20,7 +20,7 @@ bool isFinite(const Xyz& p)
   return p[0] * 0 + p[1] * 0 + p[2] * 0 == 0;
 }
 
-/// Whatever becomes of a coordinate that is not finite, the point has no place.
+/// A point with a coordinate that is not finite has no place, even if the projection is finite.
 void write(bool hasPlace, const Xyz& place, double* to)
 {
   for (std::size_t k = 0; k < 3; ++k)
@@ -58,7 +58,7 @@ bool CallbackProjection::call(double* xyz, std::size_t count) const
   {
     return callback_(user_, xyz, count) == 0;
   }
-  catch (...) // it is C's, but who knows
+  catch (...) // it should not throw, but it may
   {
     return false;
   }

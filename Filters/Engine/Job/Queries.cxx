@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Queries of a result besides its arrays: the order as it is drawn, values at points between
-// others, where places lie.
+// Queries of a result besides its arrays: the drawing of the order, values at points between
+// others, locations of places.
 #include "Arrays.h"
 
 #include "../Core/Border.h"
@@ -141,7 +141,7 @@ private:
   std::size_t hint_ = 0;
 };
 
-/// Each is looked for from where the one before it was. Returns false if cancelled; throws
+/// Each search starts at the result of the one before. Returns false if cancelled; throws
 /// std::bad_alloc.
 bool locateAll(const JobResult& made, const PointView& places, const Places& out, Ticker& ticker)
 {

@@ -62,8 +62,8 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
     return end(Status::TooManyPoints);
   }
   report_.estimate = estimate();
-  // What was kept for this run is part of the estimate. With a limit, all of it is given back where
-  // it might be too much.
+  // Memory kept for this run is part of the estimate. With a limit, all of it is returned where it
+  // might be too much.
   if (limit > 0 && workspace_.bytes() > report_.estimate)
   {
     workspace_.release();
@@ -84,7 +84,7 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
       return fits();
     });
   report_.boxes = 0;
-  // How many there is memory for, and for all that comes of them.
+  // The number that fits in memory with all that follows from them.
   const std::size_t points = report_.points;
   report_.mostCrossings = mostThatFit(kMaximumPoints + 1,
     [this, points](std::size_t count)
@@ -98,8 +98,8 @@ Status Run::checkMemory(std::size_t limit, std::size_t held)
   return Status::Ok;
 }
 
-/// Calls what asks for memory while it works, which may be as much as there is. `asked`: of the
-/// report.
+/// Calls a function that requests memory while it runs, up to all that is available. `asked`: of
+/// the report.
 Status Run::withAsking(std::size_t& asked, const std::function<Status()>& call)
 {
   AskedMemory& memory = progress_->asked();

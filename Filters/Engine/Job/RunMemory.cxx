@@ -17,7 +17,7 @@ namespace
 constexpr std::size_t kId = sizeof(std::int64_t), kPlace = 3 * sizeof(double);
 
 /// The numbers of triangles in their slots, and new memory for their keys where thousands have
-/// their lowest corners near to each other, or where the locations have not given way to them.
+/// their lowest corners near to each other, or where they do not overwrite the locations.
 constexpr std::size_t kNumbers = 8 + 16;
 /// Corners, which need no numbers, and the keys.
 constexpr std::size_t kCorners = 24 + 16;

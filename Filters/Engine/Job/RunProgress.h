@@ -70,7 +70,7 @@ public:
   double seconds(Phase phase) const { return seconds_[std::size_t(phase)]; }
   const std::array<double, kPhases>& seconds() const { return seconds_; }
 
-  /// When each of the stages that were set began, by the clock.
+  /// The time at which each stage began.
   const std::vector<double>& stagesBegun() const { return stagesBegun_; }
 
 protected:

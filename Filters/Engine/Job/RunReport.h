@@ -28,7 +28,7 @@ struct RunReport : RunSizes
   std::size_t mostCrossings = 0; ///< the same
   unsigned threadsUsed = 0;      ///< that shared work
 
-  // The rest means something if the status is Ok.
+  // The rest is defined if the status is Ok.
   Report counts;
   ConstraintReport constraints;      ///< but for leftOut, which the triangulation has
   std::size_t delaunayTriangles = 0; ///< before constraints dropped some
@@ -43,10 +43,10 @@ struct RunReport : RunSizes
   OddPoints oddPoints;
   std::size_t pointsOffSurface = 0; ///< of a source to be laid on the surface of the input
   bool isProjected = false;         ///< the plane is another than x, y
-  /// In space, as far as it is known: found out if there is no triangle in x, y.
+  /// In space, if tested: where there is no triangle in x, y.
   bool areOnOneLine = true;
-  bool areStacked = false; ///< found out if most points are duplicates
-  /// Given triangles that cannot be had: others cross them in the plane, or they are clockwise.
+  bool areStacked = false; ///< tested if most points are duplicates
+  /// Given triangles that are impossible: others cross them in the plane, or they are clockwise.
   std::size_t foldedTriangles = 0;
 
   /// Should it be checked whether x and y distinguish the points?
@@ -59,7 +59,7 @@ struct RunReport : RunSizes
 struct ReportRow
 {
   const char* name;
-  bool isOfResult; ///< it means something if the status is Ok
+  bool isOfResult; ///< defined if the status is Ok
   std::uint64_t (*get)(const RunReport&);
 };
 /// Numbered from 0; null past the last.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A surface that is given by its triangles; the implementation of Run::findSurface.
+// A surface given by its triangles; the implementation of Run::findSurface.
 #include "../Core/Border.h"
 #include "Run.h"
 

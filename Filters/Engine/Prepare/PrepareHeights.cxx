@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Heights: the step of a preparation that lays the points of the source on the surface of the
-// input, and those that the surface has.
+// Heights: the step of a preparation that moves the points of the source to the surface of the
+// input, and the heights of the surface itself.
 #include "Preparation.h"
 
 #include "../Core/Border.h"
