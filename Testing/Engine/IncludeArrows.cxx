@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Who may include whom, read from the sources: the engine's parts depend on each other in one
+// The permitted #includes, read from the sources: the engine's parts depend on each other in one
 // direction only, and on nothing but the standard library.
 #include <gtest/gtest.h>
 
@@ -22,7 +22,7 @@ using Names = std::set<std::string>;
 const fs::path kEngine = AHD_ENGINE_DIRECTORY;
 
 /// Part of the engine (a folder of Filters/Engine) -> the parts it may include besides itself.
-/// Core, which knows neither points nor triangles, is open to all.
+/// Core, independent of points and triangles, is open to all.
 const std::map<std::string, Names>& allowedParts()
 {
   static const std::map<std::string, Names> kAllowed = {
@@ -54,17 +54,15 @@ const std::map<std::string, Names>& allowedParts()
   return kAllowed;
 }
 
-/// Headers beside the door that carry words, not work: every part may use them.
+/// Headers beside the entries with types only: every part may use them.
 const Names& vocabulary()
 {
   static const Names kWords = { "Constraints.h", "Options.h", "Result.h" };
   return kWords;
 }
 
-/// The files of the engine that look at the machine, for callers who have none that does: one
-/// starts threads and waits for them by the clock; one asks how many processors there are, one how
-/// much memory there is; one reads the clock. The C interface is a C header. What they may include
-/// beyond the standard library's usual.
+/// Headers that some files of the engine may include beyond the usual ones: those that start
+/// threads, count processors, find free memory and read the clock; the C interface is a C header.
 const Names& machineHeaders(const fs::path& file)
 {
   static const std::map<std::string, Names> kFiles = { { "Core/Threads.cxx",
@@ -78,7 +76,8 @@ const Names& machineHeaders(const fs::path& file)
   return found == kFiles.end() ? kNone : found->second;
 }
 
-/// What lies directly in Filters/Engine: the door may use every part, the words only words.
+/// What lies directly in Filters/Engine: the entries may use every part, headers of types only such
+/// headers.
 bool isDoor(const fs::path& file)
 {
   static const std::set<std::string> kStems = { "Triangulate", "TriangulateConstrained" };
@@ -212,7 +211,7 @@ TEST(IncludeArrows, EngineNeedsOnlyTheStandardLibrary)
   // Headers of the standard library have neither a folder nor an extension; of the C library's
   // their C++ names are used.
   static const std::regex kStandard("[a-z_0-9]+");
-  // What the compiler says about the processor, where it is one that has it.
+  // The compiler's headers of processor instructions, where present.
   static const Names kProcessor = { "xmmintrin.h", "immintrin.h" };
   for (const fs::path& file : engineSources())
   {
@@ -230,7 +229,7 @@ TEST(IncludeArrows, EngineNeedsOnlyTheStandardLibrary)
 
 TEST(IncludeArrows, EngineKeepsToItself)
 {
-  // Neither a clock, nor the environment, nor printing: who includes none of these has none.
+  // No clock, environment or printing: none of their headers is included.
   static const Names kUnwanted = { "chrono", "ctime", "iostream", "fstream", "cstdio", "random",
     "thread", "mutex", "filesystem" };
   for (const fs::path& file : engineSources())
@@ -278,7 +277,7 @@ TEST(IncludeArrows, MakersOfPointsKeepToThemselves)
   EXPECT_GE(files, 6u);
 }
 
-/// Of the engine the VTK layer includes what is installed: the headers of its C++ interface.
+/// The VTK layer includes only installed headers of the engine: those of its C++ interface.
 Names interfaceOfTheEngine()
 {
   std::ifstream in(kEngine / "Sources.cmake");

@@ -103,7 +103,7 @@ TEST(ConstrainCrossing, FewCrossOthersWithThreads)
   }
 }
 
-/// So many that one after the other is sooner done.
+/// So many that one after the other is faster.
 TEST(ConstrainCrossing, ManyCrossOthersWithThreads)
 {
   ConstraintCase given;
@@ -172,7 +172,7 @@ TEST(ConstrainCrossing, OneEdgeOfVeryManySegmentsWithThreads)
   }
 }
 
-/// A segment through very many triangles, crossed by a short one: to take it out takes too many
+/// A segment through very many triangles, crossed by a short one: taking it out needs too many
 /// flips.
 TEST(ConstrainCrossing, ALongSegmentIsCrossed)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Segments out of vertices with hundreds of neighbours: they are walked from their other end, and
-// what they are said to be must not show it.
+// their outcome must not depend on it.
 #include "ConstrainedRun.h"
 #include "ConstraintMakers.h"
 #include "Distributions.h"

@@ -19,7 +19,7 @@ struct Shape
 {
   const char* name;
   std::function<ConstraintCase()> make;
-  std::size_t leastEdges; ///< of constraints; fewer would mean that the shape is not what it was
+  std::size_t leastEdges; ///< of constraints; fewer would mean another shape
 };
 
 void PrintTo(const Shape& shape, std::ostream* out)
@@ -122,8 +122,8 @@ TEST(ConstrainLarge, ConstrainingAgainByWhatWasMadeChangesNothing)
 
 TEST(ConstrainLarge, ASegmentThatLeavesACrowdNamesTheFirstItCrosses)
 {
-  // Two walls between a vertex of many neighbours and one of few: seen from either, the nearer one
-  // is the first.
+  // Two walls between a vertex of many neighbours and one of few: on the way from either end, the
+  // nearer one is the first.
   ConstraintCase given;
   given.points = { { 0, 0 }, { 10, 0 }, { 3, -1 }, { 3, 1 }, { 6, -1 }, { 6, 1 } };
   for (int i = 0; i < 400; ++i)

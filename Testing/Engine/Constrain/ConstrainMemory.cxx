@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The memory of constraints: what is estimated and what is asked for while they are inserted is no
-// less than what is taken, and not much more. This program's operator new counts.
+// The memory of constraints: the estimate and the bytes requested during insertion are no less than
+// those taken, and not much more. This program's operator new counts.
 #include "ConstraintMakers.h"
 #include "Distributions.h"
 #include "EngineRun.h"
@@ -87,7 +87,7 @@ TEST(ConstrainMemory, OfTheWorstTwiceAsMuchIs)
   expectAsked(nestedLoops(60), 2.0, "nested");
 }
 
-/// Of segments that cross, lists are made in one place of those of all territories, which go then.
+/// The lists of crossing segments of all territories are joined into one and freed.
 TEST(ConstrainMemory, ListsThatWereGatheredAreGone)
 {
   constexpr std::size_t segments = 20000;

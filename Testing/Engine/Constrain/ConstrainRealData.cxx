@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Real data with constraints, where the folder named by the environment variable AHD_DATA has them:
+// Real data with constraints, if the folder named by the environment variable AHD_DATA has them:
 // faults.vtk, sweden.txt, coastline.csv. None of it is part of the project.
 #include "ConstrainedRun.h"
 
@@ -22,7 +22,7 @@ namespace test
 namespace
 {
 
-/// The file of this name; it cannot be read from if there is none.
+/// The file of this name; in a failed state if there is none.
 std::ifstream dataFile(const std::string& name)
 {
   const char* folder = std::getenv("AHD_DATA");
@@ -52,7 +52,7 @@ float nextFloat(std::istream& file)
   return result;
 }
 
-/// Reads on until a line begins with this word; the words behind it.
+/// Reads on to a line that begins with this word; returns the words after it.
 std::string afterKeyword(std::istream& file, const std::string& keyword)
 {
   std::string line;

@@ -18,8 +18,7 @@ namespace test
 namespace
 {
 
-// --- The oracle on cases that can be seen through
-// ----------------------------------------------------
+// --- The oracle on cases solved by hand ----------------------------------------------------
 
 /// A square of four points, its middle (4) and a point on the lower edge (5).
 const std::vector<Point> kHouse = { { 0, 0 }, { 8, 0 }, { 8, 8 }, { 0, 8 }, { 4, 5 }, { 4, 0 } };
@@ -131,7 +130,7 @@ TEST(ConstraintOracle, ALoopWithASegmentLeftOutFillsNothing)
 
 TEST(ConstraintOracle, AWallHidesWhatIsBehindIt)
 {
-  // The point 4 lies in the circle of 0, 1, 2; only the wall 0-1 lets that triangle be.
+  // The point 4 lies in the circle of 0, 1, 2; only the wall 0-1 permits that triangle.
   const std::vector<Point> points = { { -4, 0 }, { 4, 0 }, { 0, 3 }, { 0, -9 }, { 0.5, -1 } };
   EXPECT_EQ(defined(points, ConstraintSet()).all.count({ 0, 1, 2 }), 0u);
   ConstraintSet constraints;

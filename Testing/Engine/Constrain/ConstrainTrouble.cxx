@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Constraints under adverse circumstances: cancelled at any asking, out of memory at any
-// allocation. What the engine says of its work meanwhile, and how much it holds.
+// Constraints under adverse circumstances: cancelled at any poll, out of memory at any allocation.
+// Progress meanwhile, and memory held.
 #include "ConstrainedRun.h"
 #include "OwnMemory.h"
 
@@ -17,8 +17,8 @@ namespace test
 namespace
 {
 
-/// Counts the askings of constrain() and of the cell data, notes fractions that fall, and cancels
-/// at one asking if so told.
+/// Counts the polls of constrain() and of the cell data, notes fractions that fall, and cancels at
+/// one poll if set.
 class Listener : public Progress
 {
 public:
@@ -55,7 +55,7 @@ private:
   bool constrained_ = false;
 };
 
-/// Cases that keep each part of the work busy for more than one asking.
+/// Cases in which each part of the work polls more than once.
 std::vector<ConstraintCase> longCases()
 {
   return { segmentAcrossParabolas(10000), nestedLoops(30), starPolygon(5000),
@@ -95,7 +95,7 @@ TEST(ConstrainTrouble, CancelledAtAnyAsking)
 
 TEST(ConstrainTrouble, AskedWithinOneSegment)
 {
-  // All else is the same with and without the segment, so the difference was asked within it.
+  // All else is the same with and without the segment, so the additional polls were within it.
   const ConstraintCase given = segmentAcrossParabolas(reduced(200000));
   const ConstraintSet none;
   std::size_t askings[2];
@@ -141,7 +141,7 @@ TEST(ConstrainTrouble, CellDataAreCancelledAtAnyAsking)
   EXPECT_EQ(difference(expected, found), "");
 }
 
-/// Fails the k-th allocation after run() and all that follow, for every k, until all gets through.
+/// Fails the k-th allocation after run() and all that follow, for every k, until all succeeds.
 void expectOutOfMemoryIsSurvived(const ConstraintCase& given)
 {
   const ConstrainedOutcome expected = constrain(given, FillRule::EvenOdd);

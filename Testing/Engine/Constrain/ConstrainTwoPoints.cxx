@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Loops that have no inside, as they pass two vertices only: their edges are constraints, and they
+// Loops without an inside, through two vertices only: their edges are constraints, and they
 // bound nothing.
 #include "ConstrainedRun.h"
 

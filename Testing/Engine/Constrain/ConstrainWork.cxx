@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Segments in orders that are bad for inserting them one by one, and many on one line: what is made
-// of them, and bounds of the work, by the askings of Progress. Algorithm.md ("Work") says what is
-// bounded and what is not.
+// Segments in orders that are bad for inserting them one by one, and many on one line: results, and
+// bounds of the work, by the polls of Progress. Bounds: Algorithm.md ("Work").
 #include "ConstrainedRun.h"
 #include "ConstraintFamilies.h"
 #include "Listeners.h"
@@ -25,7 +24,7 @@ namespace
 /// Steps are at most this times m log2(m), for m points and ends of segments.
 constexpr double kMostSteps = 20.0;
 
-/// What is to be constrained: the family's segments, or what they are split into.
+/// The constraints: the family's segments, or the pieces they are split into.
 ConstraintCase segmentsOf(const ConstraintFamily& family)
 {
   if (!family.split)
@@ -101,8 +100,8 @@ TEST(ConstrainWork, FewThatCross)
   EXPECT_LE(stepsOver(crossedNested(n, 0.5, false), 1), kMostSteps);
 }
 
-/// What has no bound but the square: segments that come one by one, as many cross. (If this fails
-/// the bounds have become better, and Algorithm.md is to say so.)
+/// Cases with no bound but the square: segments inserted one by one, as many cross. (If this fails
+/// the bounds have become better, and Algorithm.md must say so.)
 TEST(ConstrainWork, WhatIsNotBounded)
 {
   const std::size_t n = 10000;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// trim() against its definition, by brute force in exact arithmetic; and what it is there for:
-// grids in any plane keep the triangles of their squares, and no others.
+// trim() against its definition, by brute force in exact arithmetic; and its purpose: grids in any
+// plane keep the triangles of their squares, and no others.
 #include "Prepare/Prepare.h"
 
 #include "../Predicates/PredicatesOracle.h"
@@ -26,7 +26,7 @@ namespace
 
 // --- The definition
 
-/// Triangles of a hull, with what bounds them.
+/// Triangles of a hull, and their neighbours.
 struct Surface
 {
   std::set<Triple> all;
@@ -52,7 +52,7 @@ std::size_t flatEdge(const std::vector<Point>& points, const Triple& t)
   return e;
 }
 
-/// What trim() is to leave: its definition, read from right to left until nothing changes.
+/// The triangles that trim() must leave: its definition, applied until nothing changes.
 std::set<Triple> trimmedByDefinition(const std::vector<Point>& points, const Surface& surface)
 {
   std::map<EdgeIds, std::vector<Triple>> sides;
@@ -333,7 +333,7 @@ TEST(Rim, GridsInAnyPlaneKeepTheTrianglesOfTheirSquares)
   }
 }
 
-// --- Nothing but the points decides
+// --- The result depends on the points alone
 
 std::vector<Point> wavyStrip(std::size_t n)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much memory there is, as the machine and the limits on the process have it.
+// Available memory, by the machine and the limits on the process.
 #include "Core/Memory.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(AvailableMemory, IsSome)
   EXPECT_GT(availableMemory(), std::size_t(1) << 20);
 }
 
-/// Files as Linux has them, in a folder of this test's own.
+/// Files in Linux's format, in a temporary folder.
 class MemoryFiles
 {
 public:
@@ -87,7 +87,7 @@ TEST(AvailableMemory, KeepsToTheLimitOfAContainer)
     files.write("meminfo", "MemAvailable: 99999999999 kB\n");
     files.write(name, "max\n");
     EXPECT_EQ(files.available(), unlimited);
-    files.write(name, "9223372036854771712\n"); // the first version's word for no limit
+    files.write(name, "9223372036854771712\n"); // the first version's value for no limit
     EXPECT_EQ(files.available(), unlimited);
     files.remove(name);
     EXPECT_EQ(files.available(), unlimited);

@@ -252,7 +252,7 @@ TEST(OwnThreads, ProcessorsAreThoseOfTheProcess)
 
 TEST(OwnThreads, ThreadsThatCannotBeHadAreDoneWithout)
 {
-  // Each thread wants address space for its stack, and there is room for a few only.
+  // Each thread needs address space for its stack, and there is room for a few only.
   rlimit before;
   getrlimit(RLIMIT_AS, &before);
   std::size_t pages = 0;

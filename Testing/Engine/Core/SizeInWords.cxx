@@ -36,7 +36,7 @@ TEST(SizeInWords, HasThreeDigitsAtMost)
   }
 }
 
-/// So that nobody reads "20.8 GB are needed, but there are 20.8 GB".
+/// No message reads "20.8 GB are needed, but there are 20.8 GB".
 TEST(SizeInWords, WhatIsNeededIsNeverWhatThereIs)
 {
   for (std::uint64_t bytes = 1; bytes < std::uint64_t(1) << 62; bytes += bytes / 7 + 1)

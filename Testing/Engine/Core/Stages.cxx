@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What part of the whole is done in each stage and phase.
+// The fraction of the whole in each stage and phase.
 #include "Core/Stages.h"
 #include "Job/RunProgress.h"
 

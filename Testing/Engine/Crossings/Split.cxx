@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Constraints split where they cross: nothing crosses any more, every crossing has its point, the
-// chains are what they were but for it.
+// Constraints split where they cross: nothing crosses any more, every crossing has its point, and
+// the chains are unchanged otherwise.
 #include "SplitDrawings.h"
 
 namespace ahd
@@ -173,7 +173,7 @@ TEST(Split, SegmentsThatAreNearlyOne)
   EXPECT_GT(inLaterRounds, reduced(500) / 20) << "the drawings no longer do what they are made for";
 }
 
-/// What is left to split in a large drawing: nothing.
+/// In a large drawing nothing is left to split.
 void expectNothingCrosses(const Drawing& drawing, const SplitConstraints& split)
 {
   EXPECT_EQ(split.unresolved, 0u);
@@ -223,7 +223,7 @@ TEST(Split, StarOfLinesThroughAlmostOnePoint)
   }
 }
 
-/// Counts the askings, which grow with the work, and cancels at one of them if so told.
+/// Counts the polls, which grow with the work, and cancels at one of them if set.
 class Counter : public Progress
 {
 public:
@@ -256,7 +256,8 @@ std::size_t stepsFor(const Drawing& drawing, std::size_t crossings)
   return counter.askings() * kStepsPerAsking;
 }
 
-// What would be the square of 10^5 otherwise is a small multiple of n log n here.
+// A search of all pairs would take the square of 10^5 steps; a small multiple of n log n is
+// allowed.
 
 TEST(Split, LongSegmentAmongManyShortOnes)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Splitting against the plain way to do it (SplitOracle.h), which searches all pieces by strips in
-// each round and lists every pair: the same, number by number. And what the plain way does not
-// tell.
+// Splitting against the simple algorithm (SplitOracle.h), which searches all pieces by strips in
+// each round and lists every pair: the same, number by number. And results that the simple
+// algorithm does not have.
 #include "SplitDrawings.h"
 #include "SplitOracle.h"
 
@@ -21,7 +21,7 @@ bool areSame(const CrossingPoint& p, const CrossingPoint& q)
     p.chainB == q.chainB && p.segmentB == q.segmentB && p.alongB == q.alongB;
 }
 
-/// Returns what was made.
+/// Returns the result.
 SplitConstraints expectSame(const Drawing& drawing)
 {
   const Chains chains(drawing);
@@ -119,7 +119,7 @@ TEST(SplitDifferential, SegmentsOfEveryLength)
   }
 }
 
-/// Boxes tell nothing apart.
+/// Boxes separate nothing.
 TEST(SplitDifferential, LongSegmentsSideBySide)
 {
   Random random(3);
@@ -213,7 +213,7 @@ TEST(SplitDifferential, WhatBendsIsNamed)
   EXPECT_EQ(split.bent[0].segment, 1u);
 }
 
-/// What crosses where, by places, with the fractions; sorted.
+/// The crossing pairs by places, with the fractions; sorted.
 std::vector<std::array<double, 12>> sidesOf(const Drawing& drawing, const SplitConstraints& split)
 {
   std::vector<std::array<double, 12>> result;

@@ -2,7 +2,7 @@
 #ifndef ahd_SplitDrawings_h
 #define ahd_SplitDrawings_h
 
-// Drawings of points and chains for the test of splitting, and what is checked of them.
+// Drawings of points and chains for the tests of splitting, and the checks of results.
 #include "Crossings/Crossings.h"
 
 #include "Distributions.h"
@@ -254,7 +254,7 @@ std::string faultsOfChains(const Drawing& drawing, const SplitConstraints& split
   return faults;
 }
 
-/// Are the added points new, distinct, and where they say on two segments?
+/// Are the added points new, distinct, and at their stated positions on two segments?
 std::string faultsOfPoints(const Drawing& drawing, const SplitConstraints& split)
 {
   std::string faults;

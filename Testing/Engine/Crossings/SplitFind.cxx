@@ -262,8 +262,8 @@ TEST(SplitFind, CrossingOfSegmentsThatAreNearlyParallel)
   EXPECT_GT(crossings, reduced(3000) / 10);
 }
 
-/// Where two segments cross, rounded, is what both of them round to: also where that is far from
-/// them as roundings go, in a corner of what rounds there.
+/// Both segments round to their rounded crossing, even where it is many roundings away from them,
+/// in a corner of the set that rounds there.
 TEST(SplitFind, SegmentsRoundToTheirCrossings)
 {
   Random random(7);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Merging points and splitting constraints where there is no memory: it is said, nothing is thrown,
-// nothing is lost. This program's operator new fails when told to.
+// Merging points and splitting constraints where there is no memory: it is reported, nothing is
+// thrown, nothing leaks. This program's operator new fails on demand.
 #include "Crossings/Crossings.h"
 #include "Merge/Merge.h"
 
@@ -23,7 +23,7 @@ namespace test
 namespace
 {
 
-/// Fails the k-th allocation of `work` and all that follow, for every k, until it gets through.
+/// Fails the k-th allocation of `work` and all that follow, for every k, until it succeeds.
 template <typename Work>
 void expectOutOfMemoryIsSaid(Work work)
 {
@@ -151,7 +151,7 @@ Segments shores(std::size_t islands, std::size_t rivers)
   return result;
 }
 
-/// What a run takes, and what it asks for beyond the estimate.
+/// The bytes that a run takes, and those it requests beyond the estimate.
 struct Taken
 {
   std::size_t peak, asked, crossings;
@@ -167,7 +167,7 @@ Taken takenBy(const Segments& segments, std::size_t most, Status expected)
   return { account.peak - before, listener.memory.most(), out.crossings };
 }
 
-/// Where nobody says before how many crossings there are.
+/// Where the number of crossings is not known before.
 void expectAsked(const Segments& segments, double atMost, const char* name)
 {
   const Taken taken = takenBy(segments, std::size_t(-1), Status::Ok);
@@ -218,7 +218,7 @@ TEST(SplitMemory, WhatIsAskedForMayBeRefused)
       const Status status = segments.split(std::size_t(-1), out, &listener);
       EXPECT_EQ(status, most == whole.asked ? Status::Ok : Status::OutOfMemory) << most;
       EXPECT_EQ(listener.memory.wasRefused(), status != Status::Ok);
-      constexpr std::size_t kFew = 64 << 10; // that are listed before it asks, and hubs
+      constexpr std::size_t kFew = 64 << 10; // listed before the request, and hubs
       EXPECT_LE(account.peak - before, splitMemoryEstimate(segments.segments(), 0) + most + kFew)
         << most;
     }
@@ -254,7 +254,7 @@ TEST(SplitMemory, MoreCrossingsThanAllowedAreRefusedBeforeTheyTakeIt)
     peakOf(segments, std::size_t(-1), Status::Ok, found);
     for (const std::size_t most : { std::size_t(0), std::size_t(1000), found / 2 })
     {
-      constexpr std::size_t kBetweenLooks = 100; // it looks again after so many at most
+      constexpr std::size_t kBetweenLooks = 100; // it searches again after so many at most
       std::size_t none = 0;
       const std::size_t peak = peakOf(segments, most, Status::TooManyCrossings, none);
       EXPECT_LE(peak, splitMemoryEstimate(segments.segments(), most + kBetweenLooks)) << most;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Steps that splitting takes for stars, whose pairs grow with the square; by the askings of
-// Progress.
+// Steps that splitting takes for stars, whose pairs grow with the square; by the polls of Progress.
 #include "Crossings/Crossings.h"
 
 #include "EngineRun.h"
@@ -42,7 +41,7 @@ Segments starsOf(std::size_t segments, std::size_t stars)
   return result;
 }
 
-/// Segments that nearly pass through one place, which is no double.
+/// Segments that nearly pass through one place, whose coordinates are no doubles.
 Segments starBesideADouble(std::size_t segments)
 {
   std::mt19937_64 random(1);
@@ -57,7 +56,7 @@ Segments starBesideADouble(std::size_t segments)
   return result;
 }
 
-/// Steps that splitting takes, divided by m log^2 m for m ids that come of it.
+/// Steps that splitting takes, divided by m log^2 m for m ids in the result.
 double stepsOver(const Segments& segments, SplitConstraints& split)
 {
   Listener counter;

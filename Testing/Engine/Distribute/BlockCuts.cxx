@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Who owns a point (Distribute/BlockCuts.h): about as many for each block, coincident points
+// The owner of a point (Distribute/BlockCuts.h): about as many for each block, coincident points
 // together, each block in a box of its own.
 #include "Distribute/BlockCuts.h"
 #include "EngineRun.h"

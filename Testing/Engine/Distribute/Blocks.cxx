@@ -54,7 +54,7 @@ TEST(Blocks, EveryFileOfTheCorpusIsAsInOneGo)
   }
 }
 
-/// So that wherever borders are handed to, the result is the same bytes.
+/// Wherever borders are sent, the result is the same bytes.
 TEST(Blocks, NoTreeChangesAnything)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, 3000, 3);
@@ -96,7 +96,8 @@ TEST(Blocks, WhereverThePointsAre)
   const std::vector<Point> points = makePoints(Distribution::RepeatedDraws, 2000, 6);
   BlocksWay way;
   way.blocks = 6;
-  // Boxes that overlap: nothing is safe. All on one block, of which others have none.
+  // Boxes that overlap: no triangle is final on one block. Or all points on one block, none on
+  // others.
   way.owner = [](const Point& p)
   { return std::size_t(std::fabs(p.x * 7919.0 + p.y * 104729.0)) % 6; };
   expectEqual(points, way, "scattered");
@@ -194,7 +195,7 @@ TEST(Blocks, LoopsInsideAndAroundBlocks)
   }
 }
 
-/// Some ten points of a small lattice, scaled anyhow, in more blocks than points.
+/// Some ten points of a small lattice, at any scale, in more blocks than points.
 void expectLatticesEqual(std::uint64_t first, std::uint64_t end)
 {
   for (std::uint64_t seed = first; seed < end && !testing::Test::HasFailure(); ++seed)
@@ -248,7 +249,7 @@ TEST(LongBlocks, SmallSetsInManyBlocks)
   expectSmallCasesEqual(10000, 150000);
 }
 
-/// Which of several points stands for a vertex is seen by the block that has all of them.
+/// The block that has all of several points decides which of them represents the vertex.
 TEST(Blocks, RepresentativesByHeight)
 {
   std::vector<double> xyz;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Tuples on their way from block to block, against where each of them belongs.
+// Tuples moved from block to block, against the destination of each.
 #include "BlocksRun.h"
 #include "Distribute/BlockRoute.h"
 #include "ThreadTransport.h"
@@ -17,7 +17,7 @@ namespace test
 namespace
 {
 
-/// The bytes of tuple `id`, which no other one has.
+/// The bytes of tuple `id`, unique.
 std::vector<unsigned char> tupleOf(std::int64_t id, std::size_t width)
 {
   std::vector<unsigned char> bytes(width);
@@ -40,7 +40,7 @@ std::vector<unsigned char> tuplesOf(const std::vector<std::int64_t>& ids, std::s
   return all;
 }
 
-/// Each block has ids of a stretch; which block each of them is to go to is known to all.
+/// Each block has a range of ids; all blocks know the destination of each.
 struct Plan
 {
   std::vector<Point> points; ///< of all, by id

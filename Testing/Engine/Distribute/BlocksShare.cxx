@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What blocks tell each other: what is written is what is read; and constraints that are joined are
-// those of the appended input.
+// Messages between blocks: they are read as written; and joined constraints are those of the
+// appended input.
 #include "ConstraintSets.h"
 #include "Distribute/BlockChains.h"
 #include "Distribute/Share.h"
@@ -101,7 +101,7 @@ TEST(BlocksShare, WhatIsWrittenIsRead)
   }
 }
 
-/// Of what lies between its numbers nothing is sent: nobody has set it.
+/// The padding between its numbers is not sent: it is uninitialised.
 TEST(BlocksShare, PaddingIsNotSent)
 {
   BlockBytes sent;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What blocks do with their triangles when these are there: layers of ghosts, and the rim trimmed.
-// Both against their definitions, with all triangles in one place.
+// Steps after the triangulation: layers of ghosts, and the trimmed rim, against their definitions
+// with all triangles in one place.
 #include "BlocksRun.h"
 #include "ConstraintMakers.h"
 #include "Distribute/BlockGhosts.h"
@@ -88,7 +88,7 @@ private:
   }
 };
 
-/// A triangle, as all blocks know it: corners, who owns these, edges.
+/// A triangle by global ids: corners, their owners, edges.
 struct Known
 {
   std::array<std::int64_t, 3> ids;
@@ -105,7 +105,7 @@ struct Known
   }
 };
 
-/// By number, those of block 0 first; `firsts`: of each block, and how many there are.
+/// By number, those of block 0 first; `firsts`: of each block, and the total.
 std::vector<Known> listAll(const AllStars& all, std::vector<std::size_t>& firsts)
 {
   std::vector<Known> known;
@@ -234,7 +234,7 @@ TEST(BlocksStars, GhostsHaveTheirConstraintEdges)
   }
 }
 
-/// A point of another block that is in no triangle that is left asks for nothing.
+/// A point of another block that is in no remaining triangle requests nothing.
 TEST(BlocksStars, GhostsOfThoseThatAreKept)
 {
   const std::vector<Point> points = makePoints(Distribution::Mixed, 800, 2);
@@ -272,7 +272,7 @@ void add(std::array<std::int64_t, 3> ids, Triples& triples)
   triples.push_back(ids);
 }
 
-/// `hasArea`: areas are more than what rounding leaves of them.
+/// `hasArea`: areas are larger than rounding errors.
 void expectTrimmed(
   const std::vector<Point>& points, const BlocksWay& way, const std::string& name, bool hasArea)
 {
@@ -314,7 +314,7 @@ void expectTrimmed(
       EXPECT_NEAR(rim.area, report.trimmedArea, 1e-12 * report.trimmedArea) << name;
     }
   }
-  expectLayers(all, 1, name + ", trimmed"); // the same ones went from those around
+  expectLayers(all, 1, name + ", trimmed"); // the same ones were removed from those around
 }
 
 TEST(BlocksStars, RimsAreThoseOfAllPoints)
@@ -350,7 +350,7 @@ TEST(BlocksStars, RimsThatLeadOverManyBlocks)
       BlocksWay way;
       way.blocks = blocks;
       expectTrimmed(points, way, "bend " + std::to_string(bend), true);
-      // Blocks that are not where their points are: nearly every way leads to another one.
+      // Points at random on blocks: nearly every step leads to another block.
       way.owner = [blocks](const Point& p)
       { return std::size_t(std::fabs(p.x) * 7919.0) % blocks; };
       expectTrimmed(points, way, "scattered, bend " + std::to_string(bend), true);
@@ -358,7 +358,7 @@ TEST(BlocksStars, RimsThatLeadOverManyBlocks)
   }
 }
 
-/// One block that is told to stop, at any asking, ends all alike.
+/// One block that is cancelled, at any poll, ends all alike.
 TEST(BlocksStars, OneThatIsToldToCancelEndsAll)
 {
   const std::vector<Point> points = makePoints(Distribution::OnParabola, 300, 1);

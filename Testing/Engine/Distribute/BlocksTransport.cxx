@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// distribute() over a transport, a thread for each block: what one block cannot do ends all of them
+// distribute() over a transport, a thread for each block: a failure of one block ends all of them
 // with the same status, and none waits for ever.
 #include "BlocksRun.h"
 #include "Listeners.h"
@@ -25,7 +25,7 @@ struct Ended
   std::size_t mostAskings = 0; ///< of block 1
 };
 
-/// Each thread takes every third point, in order of x; block 1 is told to cancel.
+/// Each thread takes every third point, in order of x; block 1 is cancelled.
 Ended run(std::size_t cancelAt)
 {
   constexpr std::size_t kBlocks = 5;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Blocks whose memory runs out at any allocation, or that are told to cancel at any asking: the
-// status says so, nothing is thrown or leaked. And they take no more than was estimated. This
-// program's operator new fails when told to.
+// Blocks whose memory runs out at any allocation, or that are cancelled at any poll: the status
+// reports it, nothing is thrown or leaked. And they take no more than was estimated. This program's
+// operator new fails on demand.
 #include "BlocksRun.h"
 #include "ConstraintMakers.h"
 #include "Distribute/BlockRim.h"
@@ -69,8 +69,7 @@ public:
   }
 
   const std::vector<std::int64_t>& triples() const { return triples_; }
-  /// By how much the most that a step held at once exceeds what was estimated for it, 0 if it does
-  /// not.
+  /// The excess of a step's peak over its estimate, or 0.
   std::size_t excess() const { return excess_; }
   /// Most bytes that a block held at once, for each of its points.
   double mostPerPoint() const { return mostPerPoint_; }

@@ -120,7 +120,7 @@ void expectCanonical(const std::vector<Point>& points, const std::string& what)
   }
 }
 
-/// Few of many by a walk along the hull, many by a look at each triangle.
+/// Few of many by a walk along the hull, many by a test of each triangle.
 TEST(Extract, HullVerticesAreTheGhostsNeighboursOnThreads)
 {
   for (const Distribution d :
@@ -237,7 +237,7 @@ TEST(Extract, CancelledInAFan)
     Ticker ticker(&count, Phase::Extract, made.triangles());
     ASSERT_TRUE(writeCanonical(made.mesh, made.ranked.id.data(), ids.data(), made.scratch, ticker));
   }
-  // Read twice, counted, scattered and sorted: far more askings than one, and each is heard.
+  // Read twice, counted, scattered and sorted: many polls, and each can cancel.
   EXPECT_GE(count.askings, 3 * made.triangles() / kStepsPerAsking);
   for (std::size_t at = 1; at <= count.askings; at += 1 + count.askings / 20)
   {

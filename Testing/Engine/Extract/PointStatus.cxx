@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What comes in: any number of points, in any storage, some of them unfit; and what is said about
-// each.
+// The input: any number of points, in any storage, some of them rejected; and the status of each.
 #include "Distributions.h"
 #include "EngineRun.h"
 
@@ -202,7 +201,7 @@ TEST(PointStatus, NumbersBetweenTheCoordinatesAreNotLookedAt)
 
 TEST(PointStatus, MorePointsThanTheEngineTakesAreRefusedUnread)
 {
-  // Nothing lies behind this view but one point: the count alone has to be refused.
+  // This view has the memory of one point only: it must be refused by its count.
   const double one[] = { 0, 0 };
   Engine engine;
   const PointView view(one, kMaximumPoints + 1, 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Cancelled at a thousand random moments, in whichever call that is, of random inputs under random
-// settings: the object goes on as a new one would.
+// Cancelled at a thousand random moments, in any call, of random inputs under random settings:
+// afterwards the object works like a new one.
 #include "FaultsSession.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace test
 namespace
 {
 
-/// Cancels at one asking, and counts them all.
+/// Cancels at one poll, and counts all.
 class Listener : public Progress
 {
 public:
@@ -36,7 +36,7 @@ Status callOnly(const Session::Call& call)
   return call();
 }
 
-/// What random choices make of a seed.
+/// The random choices of a seed.
 struct Choice
 {
   explicit Choice(std::uint64_t seed, std::size_t most)
@@ -55,8 +55,8 @@ struct Choice
   Options options;
 };
 
-/// Runs one object through so many sessions, most of them cancelled, and holds each that is not
-/// against a new object.
+/// Runs one object through so many sessions, most of them cancelled, and compares each other one
+/// with a new object.
 void expectReusable(std::uint64_t seeds, std::size_t most)
 {
   Engine reused;
@@ -81,7 +81,7 @@ void expectReusable(std::uint64_t seeds, std::size_t most)
       reused.reclaim();
       Session session(chosen.given, chosen.options);
       const Status status = session.run(reused, callOnly, helpers);
-      // With threads the last askings may not come.
+      // With threads the last polls may not come.
       ASSERT_TRUE(status == Status::Cancelled || (status == Status::Ok && helpers.executor));
       cancelled += status == Status::Cancelled;
     }

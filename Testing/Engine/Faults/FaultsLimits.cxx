@@ -20,7 +20,7 @@ namespace
 
 static_assert(kMaximumPoints == 1000 && AHD_MOST_CHAIN_IDS == 100, "low limits");
 
-/// Nobody is to be asked: nothing was begun.
+/// Must not be polled: nothing was begun.
 class Nobody : public Progress
 {
 public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Memory runs out at any allocation of any entry point, once or for good: the status says so,
-// nothing is thrown or leaked, and the object goes on as a new one would. This program's operator
-// new fails when told to.
+// Memory runs out at any allocation of any entry point, once or for good: the status reports it,
+// nothing is thrown or leaked, and the object works like a new one. This program's operator new
+// fails on demand.
 #include "FaultsSession.h"
 #include "Job/Messages.h"
 #include "OwnMemory.h"

@@ -2,7 +2,7 @@
 #ifndef ahd_FaultsSession_h
 #define ahd_FaultsSession_h
 
-// Everything the engine can do, in one go, for tests of what happens when it ends in the middle.
+// Everything the engine can do, in one run, for tests that end it in the middle.
 #include "Crossings/Crossings.h"
 #include "Merge/Merge.h"
 #include "Sample/Sample.h"
@@ -33,12 +33,12 @@ public:
     options_.keepOrder = options_.keepBoxes = true;
   }
 
-  /// What calls an entry point; to be wrapped by who wants to let it fail.
+  /// Calls an entry point; wrapped by tests that make it fail.
   using Call = std::function<Status()>;
   using Caller = std::function<Status(const Call&)>;
 
-  /// @pre `t` has no result of a run before. Goes on until a call does not return Ok, and
-  /// returns what that returned.
+  /// @pre `t` has no result of a run before. Runs until a call does not return Ok, and returns its
+  /// status.
   Status run(Engine& t, const Caller& caller, const Helpers& helpers)
   {
     Progress* const p = helpers.progress;
@@ -87,7 +87,7 @@ public:
     return Status::Ok;
   }
 
-  /// All that it gave, so that equal strings are equal results.
+  /// All results as a string.
   std::string bytes() const
   {
     std::string all;

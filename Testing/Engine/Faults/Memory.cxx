@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the engine allocates: no more than it says beforehand, and where there is no memory it says
-// so and lives on. This program's operator new counts, and fails when told to.
+// Allocations of the engine: no more than estimated, and a failed one is reported and survived.
+// This program's operator new counts, and fails on demand.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "OwnMemory.h"
@@ -121,7 +121,7 @@ TEST(Memory, NothingIsHeldOnceWorkspaceAndTriangulationAreGone)
   EXPECT_EQ(account.held, before);
 }
 
-/// Fails the k-th allocation and all that follow, for every k, until a run gets through.
+/// Fails the k-th allocation and all that follow, for every k, until a run succeeds.
 void expectOutOfMemoryIsSurvived(const std::vector<Point>& points, const Options& options)
 {
   const Outcome expected = triangulate(points, options);
@@ -181,7 +181,7 @@ struct AllEdges
   std::vector<std::int64_t> offsets;
 };
 
-/// run(), constrain(), and all that is written per cell. Returns the first status that is not Ok.
+/// run(), constrain(), and all cell data. Returns the first status that is not Ok.
 Status runConstrained(Engine& engine, const std::vector<Point>& points, const AllEdges& edges)
 {
   const std::size_t most = 2 * points.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the engine says while it works, how often it asks, and that it stops when told to.
+// The engine's progress, how often it polls, and that it stops when cancelled.
 #include "Distributions.h"
 #include "EngineRun.h"
 
@@ -23,7 +23,7 @@ const char* nameOfPhase(Phase phase)
   return kNames[int(phase)];
 }
 
-/// Listens, notes what breaks the rules of Progress.h, and cancels at one asking if so told.
+/// Records violations of the rules of Progress.h, and cancels at one poll if set.
 class Listener : public Progress
 {
 public:
@@ -80,7 +80,7 @@ private:
   std::string faults_;
 };
 
-/// Runs with every step counted and checks how often the engine asked.
+/// Runs with every step counted and checks how often the engine polled.
 void expectAskedOften(const std::vector<Point>& points, Options options)
 {
   options.countWork = true;
@@ -129,7 +129,7 @@ TEST(ProgressAndCancel, AskedOftenOnEveryDistribution)
 TEST(ProgressAndCancel, AskedWithinOneCavity)
 {
   // The last insertion of the caller's order removes nearly all triangles at once; everything
-  // before it is the same with and without the last point, so the difference was asked within it.
+  // before it is the same with and without the last point, so the additional polls were within it.
   const std::size_t n = reduced(100000);
   Options options;
   options.order = InsertionOrder::AsGiven;
@@ -180,7 +180,7 @@ TEST(ProgressAndCancel, NothingToDo)
   }
 }
 
-/// Cancels at the k-th asking for all k up to the last, or for a dozen spread over them.
+/// Cancels at the k-th poll for all k up to the last, or for a dozen spread over them.
 void expectCancelledAnywhere(const std::vector<Point>& points, const Options& options)
 {
   Engine engine;

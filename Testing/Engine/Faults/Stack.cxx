@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How much stack the engine takes, whatever it is given: everything it does runs on threads with
-// stacks of 64 KiB, and what was used of them is measured. No depth depends on the input, but for
-// logarithms. Sanitizers take more stack: not run under them.
+// The stack that the engine takes for any input: everything runs on threads with stacks of 64 KiB,
+// and their use is measured. No depth depends on the input, but for logarithms. Sanitizers take
+// more stack: not run under them.
 #include "BlocksRun.h"
 #include "ConstrainedRun.h"
 #include "Corpus.h"
@@ -26,15 +26,14 @@ namespace test
 namespace
 {
 
-/// Most bytes of stack that anything may take, as Filters/Engine/README.md says. For the build that
-/// is shipped; one that is not optimised takes more.
+/// The limit on stack bytes in Filters/Engine/README.md. For the optimised build; others take more.
 #ifdef NDEBUG
 constexpr std::size_t kMostBytes = std::size_t(32) << 10;
 #else
 constexpr std::size_t kMostBytes = kSmallStack;
 #endif
 
-/// Tells what the whole of a test took most.
+/// Records the maximum over a whole test.
 class Stack : public testing::Test
 {
 protected:
@@ -49,7 +48,7 @@ protected:
     RecordProperty("most_bytes", std::to_string(most_));
   }
 
-  /// Runs `work` on a small stack, and holds it and the threads of `executor` to the limit.
+  /// Runs `work` on a small stack, and checks it and the threads of `executor` against the limit.
   void expectLittle(const std::function<void()>& work, const SmallStackExecutor* executor = nullptr)
   {
     const std::size_t bytes = std::max(onSmallStack(work), executor ? executor->mostBytes() : 0);

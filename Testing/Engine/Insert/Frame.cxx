@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The frame of an insertion: scales are exact or not taken, the ghost is where the filter answers
-// for it, units are found, and all that was changed is put back.
+// The frame of an insertion: scales are exact or not taken, the ghost is where the filter decides
+// for it, units are found, and all changes are undone.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -77,7 +77,7 @@ TEST(Frame, PutsBackEveryBit)
   }
 }
 
-/// Framed, coordinates are ratios of powers of two of what they were, one for all.
+/// Framed coordinates are the original ones times a power of two, the same for all.
 TEST(Frame, ScalesByOnePowerOfTwo)
 {
   for (const double scale : { 1e-300, 1e-150, 1e100, 1e307 })
@@ -95,7 +95,7 @@ TEST(Frame, ScalesByOnePowerOfTwo)
   }
 }
 
-/// One coordinate that would lose bits is enough: then all stays as it is.
+/// One coordinate that would lose bits is enough: then all stay unchanged.
 TEST(Frame, TakesNoScaleThatIsNotExact)
 {
   std::vector<Point> points = uniformTimes(1e300, 1e300);
@@ -155,7 +155,7 @@ TEST(Frame, FindsNoUnitThatIsTooFine)
   }
 }
 
-/// For the ghost in its place the filter says what the orientation is, or nothing.
+/// For the ghost in its place the filter gives the orientation, or no answer.
 TEST(Frame, TheFilterAnswersForTheGhost)
 {
   Random random(5);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What shows the algorithm at work: the order that is kept, a limit on the insertions, and the
-// boxes of the grid against the paper's section 3 done literally.
+// Outputs that show the algorithm: the order, a limit on the insertions, and the boxes of the grid
+// against a literal implementation of the paper's section 3.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -71,7 +71,7 @@ std::vector<std::int64_t> ranksOf(Engine& engine, std::size_t points)
   return ranks;
 }
 
-/// Points of which some are twice there, and one is none.
+/// Points with duplicates, and one that is rejected.
 std::vector<Point> pointsWithFaults(Distribution distribution, std::size_t n)
 {
   std::vector<Point> points = makePoints(distribution, n, 5);
@@ -195,7 +195,7 @@ TEST(Limit, GivesTheTriangulationOfTheFirstPoints)
   }
 }
 
-/// The last run's order is not the next one's: nothing is written of what was not kept.
+/// A run that keeps no order does not write that of the run before.
 TEST(Limit, TheNextRunForgetsOrderAndBoxes)
 {
   const std::vector<Point> points = makePoints(Distribution::Uniform, 300, 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// One result whoever does the work: triples, pointStatus and counts are the same bytes for any
+// One result with any threads: triples, pointStatus and counts are the same bytes for any
 // number of threads, in whatever order and on whichever threads the tasks run.
 #include "Corpus.h"
 #include "EngineRun.h"
@@ -21,7 +21,7 @@ namespace test
 namespace
 {
 
-/// Points enough for all phases to be shared, also where everything is slower.
+/// Enough points for all phases to be shared; fewer under sanitizers.
 std::size_t shared(std::size_t n)
 {
   return reduced(n) == n ? n : std::min<std::size_t>(n, 34000);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Several threads and something goes wrong: the caller cancels, or memory runs out in a task. This
-// program's operator new fails when told to.
+// Several threads and a failure: the caller cancels, or memory runs out in a task. This program's
+// operator new fails on demand.
 #include "Core/Border.h"
 #include "Core/Progress.h"
 #include "Core/Tasks.h"
@@ -32,7 +32,7 @@ std::vector<Point> somePoints(Distribution distribution)
   return makePoints(distribution, reduced(100000) == 100000 ? 100000 : 34000, 1);
 }
 
-/// Notes what breaks the rules of Progress.h, and cancels at one asking if so told.
+/// Records violations of the rules of Progress.h, and cancels at one poll if set.
 class Listener : public Progress
 {
 public:
@@ -116,7 +116,7 @@ void expectCancelledAnywhere(Distribution distribution, Executor& executor, std:
   {
     Listener listener(k);
     const Status status = attempt(engine, points, outcome, &listener, &executor);
-    // How often is asked depends on who was how fast: the k-th asking may not come.
+    // The number of polls depends on the threads' speeds: the k-th may not come.
     ASSERT_EQ(status, listener.askings() < k ? Status::Ok : Status::Cancelled) << "asking " << k;
     ASSERT_EQ(listener.faults(), "") << "cancelled at asking " << k;
     ASSERT_LE(listener.askings(), k);
@@ -151,7 +151,7 @@ TEST(ThreadsTrouble, CancelledAtManyMomentsOfAwkwardInput)
   }
 }
 
-/// Fails the k-th allocation and all that follow, for every k, until a run gets through.
+/// Fails the k-th allocation and all that follow, for every k, until a run succeeds.
 void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
 {
   const std::vector<Point> points = somePoints(distribution);
@@ -175,7 +175,7 @@ void expectOutOfMemoryIsSurvived(Distribution distribution, Executor& executor)
   FAIL() << "no run got through";
 }
 
-/// What the tasks of inParallel() throw, whichever it is and on whichever thread, is thrown by it.
+/// inParallel() throws what its tasks throw, of any type and on any thread.
 template <typename Exception>
 void expectThrown(Executor& executor, const Exception& thrown)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bounds of the work, whatever the input: triangles tested and removed by the insertion, at most
-// 2 n log2(n) in the default order; steps of constraints, crossings and the Voronoi diagram, by
-// the askings of Progress. Algorithm.md ("Work") says what is bounded and what is not.
+// 2 n log2(n) in the default order; steps of constraints, crossings and the Voronoi diagram, by the
+// polls of Progress. Bounds: Algorithm.md ("Work").
 #include "ConstrainedRun.h"
 #include "Corpus.h"
 #include "Distributions.h"
@@ -56,7 +56,7 @@ TEST(WorkBounds, Corpus)
   }
 }
 
-/// The corpus again, in a row of copies of each file that touch: what is hard about it, many times.
+/// The corpus again, as a row of touching copies of each file: its difficulty, many times.
 TEST(WorkBounds, CorpusManyTimes)
 {
   for (const CorpusFile& file : readCorpus(AHD_CORPUS_DIRECTORY))
@@ -266,7 +266,7 @@ std::vector<Point> twoRows(const std::vector<bool>& isLow)
   return points;
 }
 
-/// The lower row are those that are inserted before the last round.
+/// The points inserted before the last round are the lower row.
 std::vector<Point> madeAgainstTheHash(std::size_t n)
 {
   std::vector<bool> isLow(n);
@@ -285,8 +285,8 @@ std::vector<Point> madeAgainstTheHash(std::size_t n)
   return twoRows(isLow);
 }
 
-/// What has no bound but the square: the orders that look at no place, and an input made by who
-/// knows the hash. (If this fails the bounds have become better, and Algorithm.md is to say so.)
+/// Cases with no bound but the square: orders that ignore locations, and an input made to defeat
+/// the hash. (If this fails the bounds have become better, and Algorithm.md must say so.)
 TEST(WorkBounds, WhatIsNotBounded)
 {
   EXPECT_GT(stepsOver(madeAgainstTheHash(2000)), 20.0);
@@ -303,8 +303,8 @@ TEST(WorkBounds, WhatIsNotBounded)
 
 // ------------------------------------------------------------------------------- what comes after
 
-/// What several threads leave for one in the end is reached from near it: along slivers it may be
-/// far from anywhere else.
+/// Points that several threads leave to one are located from nearby: along slivers they may be far
+/// from anywhere else.
 TEST(WorkBounds, PointsThatWaitedForOneThread)
 {
   const std::size_t n = std::max<std::size_t>(reduced(100000), 34000);
@@ -318,7 +318,7 @@ TEST(WorkBounds, PointsThatWaitedForOneThread)
       ThreadExecutor executor(threads);
       Engine engine;
       ASSERT_EQ(engine.run(viewOf(points), Options(), &counter, &executor), Status::Ok);
-      // The insertion asks four times as often.
+      // The insertion polls four times as often.
       EXPECT_LE(counter.steps(Phase::Insert) / 4, kMostSteps * nLogN(n))
         << nameOf(distribution) << ", " << threads << " threads";
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * ahd_say(): with a job, with what its caller knows, with and without room. What it says of what is
- * held to Testing/Package/Arrays/Messages.json.
+ * ahd_say(): with a job, with the caller's facts, with and without room.
+ * Testing/Package/Arrays/Messages.json has the texts for all facts.
  */
 #include "Check.h"
 
@@ -9,7 +9,7 @@
 
 static char said[4096];
 
-/* How many bytes these facts take in so much room, which is full of marks before. */
+/* The number of bytes for these facts in a buffer of this size, filled with marks before. */
 static uint64_t say(
   ahd_job* job, int32_t words, const ahd_fact* facts, uint64_t count, uint64_t room)
 {
@@ -94,7 +94,7 @@ static int32_t stop_late(void* user, int32_t phase, double fraction)
   return phase == AHD_PHASE_EXTRACT;
 }
 
-/* After a run that did not succeed its counts are those of a part, and not said. */
+/* After a run that failed its counts are partial, and not in messages. */
 static void test_run_that_ended(void)
 {
   const double xy[] = { 0, 0, 1, 0, 1, 1, 0, 1 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * What comes out: known answers for small inputs, each feature once, and layouts of the input that
- * change nothing.
+ * Results: known answers for small inputs, each feature once, and layouts of the input that change
+ * nothing.
  */
 #include "Check.h"
 
@@ -146,9 +146,8 @@ static void test_layouts(void)
   ahd_job_free(job);
 }
 
-/* Without a third column z is 0, whatever lies there: in the plane, in space, in counts. */
-static void test_flat_rows(void)
-{
+/* Without a third column z is 0, whatever the memory there has: in the plane, in space, in counts.
+*/ static void test_flat_rows(void) {
   static double rows[] = { 0, 0, 50, 8, 0, 0, 8, 8, 7, 0, 8, 9, 0, 8, -9 };
   ahd_array flat = { rows, AHD_FLOAT64, 2, 5, 24, 8 };
   ahd_job* job = ahd_job_new();
@@ -174,7 +173,7 @@ static void test_flat_rows(void)
   ahd_job_free(job);
 }
 
-/* Which points are left out, and which of several stands for the vertex. */
+/* Points that are left out, and the representative of several. */
 static void test_points(void)
 {
   static const unsigned char marks[] = { 0, 9, 0, 9, 4, 9, 0, 9, 0, 9, 0, 9, 0 };
@@ -329,7 +328,7 @@ static void test_source(void)
   ahd_job_free(job);
 }
 
-/* What limits on size leave. */
+/* The cells that limits on size leave. */
 static void test_sizes(void)
 {
   static const double strip[] = { 0, 0, 1, 0, 0, 1, 5, 0, 5, 9 };

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * Values between the points: known answers, what is refused, and that arrays asked for in between
- * change nothing.
+ * Values between the points: known answers, refusals, and that arrays requested in between change
+ * nothing.
  */
 #include "Check.h"
 
@@ -25,7 +25,7 @@ static int near_to(double a, double b)
   return fabs(a - b) <= 1e-13 * 33;
 }
 
-/* All methods but the nearest give back what is linear; on the surface alone. */
+/* All methods but the nearest reproduce linear functions; on the surface alone. */
 static void test_linear_functions(void)
 {
   static const double xy[] = { 1, 0.5, 2, 2, 4, 1, 3, 3, 5, 5, (double)NAN, 0 };
@@ -63,7 +63,7 @@ static void test_linear_functions(void)
   ahd_job_free(job);
 }
 
-/* The nearest vertex, as a method and for what is outside; rows that run downwards. */
+/* The nearest vertex, as a method and for places outside; rows that run downwards. */
 static void test_nearest_and_rasters(void)
 {
   static const double expected[] = { 21, 17, 33, 17, 17, 17, 1, 17, 13 };
@@ -102,7 +102,7 @@ static void test_nearest_and_rasters(void)
   ahd_job_free(job);
 }
 
-/* Weights are those that values are made with. */
+/* Weights are those used for values. */
 static void test_weights(void)
 {
   static const double xy[] = { 2, 1, 9, 9, 4, 4, 2, 0 };
@@ -138,7 +138,7 @@ static void test_weights(void)
   ahd_job_free(job);
 }
 
-/* NaN at a point; constraints, holes and limits: no value where no triangle is put out. */
+/* NaN at a point; constraints, holes and limits: no value where no triangle is in the output. */
 static void test_surface(void)
 {
   static const int64_t loop[] = { 0, 1, 4 };
@@ -286,7 +286,7 @@ static void test_refused(void)
   ahd_job_free(job);
 }
 
-/* Memory: refused with figures before anything is written; what the estimate says is enough. */
+/* Memory: refused with numbers before anything is written; the estimate suffices. */
 static void test_memory(void)
 {
   ahd_job* job = square_job();
@@ -316,7 +316,7 @@ static void test_memory(void)
   ahd_job_free(job);
 }
 
-/* The same before there is a result; and counts alone matter of places. */
+/* The same before there is a result; of places only the counts matter. */
 static void test_memory_before(void)
 {
   ahd_job* job = ahd_job_new();
@@ -347,7 +347,7 @@ static void test_memory_before(void)
   ahd_job_free(job);
 }
 
-/* Points go where those of the input went, whatever the caller rounds to. */
+/* Points are moved like those of the input, in any rounding mode of the caller. */
 static void test_to_plane(void)
 {
   static const double wall[] = { 5, 0, 0, 5, 8, 0, 5, 8, 8, 6, 0, 8, 5, 3, 4 };
@@ -396,8 +396,8 @@ static int32_t count_calls(void* user, int32_t phase, double fraction)
   return ++own->calls == own->last_call;
 }
 
-/* What the callback hears of one call; cancelled at any of them, it can be made again, with the
- * same bytes, and changed no count. */
+/* The callbacks of one call; cancelled at any of them, it can be repeated with the same bytes, and
+ * changes no count. */
 static void test_progress(void)
 {
   enum
@@ -421,7 +421,7 @@ static void test_progress(void)
     CHECK(own.calls > 10 && own.fraction == 1.0);
     memcpy(first, out, kBytes);
     calls = own.calls;
-    /* how often it is told is a matter of time, too: 0.1 s without a word are told */
+    /* the number of callbacks depends on time, too: one after 0.1 s without any */
     for (own.last_call = 1; own.last_call <= calls / 2; own.last_call += 1 + calls / 8)
     {
       const int last = own.last_call;

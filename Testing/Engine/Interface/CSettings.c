@@ -8,7 +8,7 @@
 #include <math.h>
 #include <stddef.h>
 
-/* Names are added and never go: there are at least so many of each kind. */
+/* Names are added and never removed: there are at least so many of each kind. */
 void test_names(void)
 {
   static const uint32_t least[] = { 37, 4, 8, 61, 12, 33 };
@@ -186,7 +186,7 @@ static void test_misfits(ahd_job* job)
   CHECK_OK(job, ahd_set_array(job, "line_ids", NULL));
 }
 
-/* A plane that is asked for and not there. */
+/* A plane that is requested and not given. */
 static void test_planes_that_lack(ahd_job* job)
 {
   CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_MATRIX));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * A surface that was made before: its own triangles are put out and sampled, whatever they were
- * made by; what does not go with it is refused.
+ * An existing surface: its own triangles are written and sampled, however they were made; settings
+ * that do not fit it are refused.
  */
 #include "Check.h"
 
@@ -49,7 +49,7 @@ static void sample(ahd_job* job, const double* values, int32_t method, double* o
   CHECK_OK(job, ahd_sample(job, &raster, &array, 1, mask));
 }
 
-/* What a run with these chains makes, as input. */
+/* The result of a run with these chains, as input. */
 typedef struct surface
 {
   int64_t* corners;
@@ -126,8 +126,8 @@ static int are_near(const double* a, const double* b)
   return near;
 }
 
-/* The job samples as the run did, which the surface is of: to the byte where all vertices are there
- * again, else but for rounding. */
+/* The job samples like the run that made the surface: to the byte if it has all vertices, else up
+ * to rounding. */
 static void check_samples(
   ahd_job* job, const double* values, const surface* made, int32_t methods, int to_the_byte)
 {
@@ -165,8 +165,8 @@ static void test_same_values(void)
   free(xy);
 }
 
-/* Without a word about constraints, and with one that is not enough, the triangles are there; and
- * with columns and rows apart, of 32 bits, whatever is skipped. */
+/* The triangles are found without constraints, and with too few of them; with strides of columns
+ * and rows, of 32 bits, and with points skipped. */
 static void test_forms(void)
 {
   double* xy = points();
@@ -206,7 +206,7 @@ static void test_forms(void)
   free(xy);
 }
 
-/* Cancels when it was called so often. */
+/* Cancels at the call of this number. */
 static int32_t cancel_at(void* user, int32_t phase, double fraction)
 {
   int* left = (int*)user;
@@ -215,7 +215,7 @@ static int32_t cancel_at(void* user, int32_t phase, double fraction)
   return --*left <= 0;
 }
 
-/* Nobody says of a run that was cancelled that its surface is folded. */
+/* A run that was cancelled does not report a folded surface. */
 static void test_cancel(void)
 {
   double* xy = points();

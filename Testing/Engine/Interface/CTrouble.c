@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * What is refused, cancelled or busy; memory; threads; progress.
+ * Refused, cancelled and busy calls; memory; threads; progress.
  */
 #include "Check.h"
 
@@ -47,7 +47,7 @@ static void test_no_job(void)
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_locate(NULL, &value, 0, &kind, &number, NULL));
 }
 
-/* What there is without a result, and what is read wrongly. */
+/* Counts and arrays without a result, and wrong requests. */
 static void test_no_result(void)
 {
   static const double triangle[] = { 0, 0, 1, 0, 0, 1 };
@@ -80,7 +80,7 @@ static void test_no_result(void)
   CHECK_OK(job, ahd_get_array(job, "triangles", AHD_INT32, ids, 3));
   CHECK(ids[0] == 0 && ids[1] == 1 && ids[2] == 2);
   CHECK_OK(job, ahd_get_array(job, "lines", AHD_INT64, NULL, 0));
-  CHECK_OK(job, ahd_set_array(job, "skip", NULL)); /* any array: the result looked at them */
+  CHECK_OK(job, ahd_set_array(job, "skip", NULL)); /* any array: the result reads them */
   CHECK_STATUS(job, AHD_NOT_AVAILABLE, ahd_count(job, "triangles", &number));
   CHECK_OK(job, ahd_run(job));
   CHECK_OK(job, ahd_release(job, UINT64_MAX));
@@ -136,7 +136,7 @@ static void test_absurd_counts(void)
   ahd_job_free(job);
 }
 
-/* A job with everything in it that takes time. */
+/* A job with everything that takes time. */
 static ahd_job* busy_job(double* xy, int64_t* chain)
 {
   ahd_job* job = ahd_job_of(xy, kMany, 2);
@@ -177,7 +177,7 @@ static int32_t listen(void* user, int32_t phase, double fraction)
   return ++own->calls == own->last_call;
 }
 
-/* What the callback hears; and cancelled at any call of it, the job can run again. */
+/* The callbacks of a run; cancelled at any of them, the job can run again. */
 static void test_progress(void)
 {
   double* xy = ahd_scattered(kMany);
@@ -292,7 +292,7 @@ static void test_cancel(void)
   ahd_job_free(job);
 }
 
-/* The estimate, what it is held against, and boxes that may not be kept. */
+/* The estimate, the limit that it is compared with, and boxes that may not be kept. */
 static void test_memory(void)
 {
   static const double triangle[] = { 0, 0, 1, 0, 0, 1 };
@@ -335,13 +335,13 @@ static void test_memory(void)
   CHECK_STATUS(job, AHD_TOO_MANY_POINTS, ahd_estimate(job, &more));
   CHECK(ahd_available_memory() > 0);
 #if defined(__linux__) || defined(_WIN32) || defined(__APPLE__)
-  CHECK(ahd_available_memory() < (uint64_t)1 << 48); /* the system tells */
+  CHECK(ahd_available_memory() < (uint64_t)1 << 48); /* the system has a count */
 #endif
   free(xy);
   ahd_job_free(job);
 }
 
-/* Segments that cross in more places than there may be points for. */
+/* Segments that cross in more places than points are allowed. */
 static void test_crossings(void)
 {
   enum
@@ -380,7 +380,7 @@ static void test_crossings(void)
   ahd_job_free(job);
 }
 
-/* Memory that shows while loops are inserted: the table of their edges. */
+/* Memory known only while loops are inserted: the table of their edges. */
 static void test_asked_memory(void)
 {
   enum
@@ -407,7 +407,7 @@ static void test_asked_memory(void)
   CHECK_OK(job, ahd_run(job));
   needed = ahd_counted(job, "memory_estimate");
   CHECK(needed > (int64_t)bytes);
-  for (i = 0; i < 20; ++i) /* what was asked for is given back, refused or not */
+  for (i = 0; i < 20; ++i) /* requested memory is returned, refused or not */
   {
     CHECK_OK(job, ahd_set_int(job, "memory_limit", i % 3 == 0 ? (int64_t)bytes : needed - 1));
     CHECK_STATUS(job, AHD_MEMORY_LIMIT, ahd_run(job));

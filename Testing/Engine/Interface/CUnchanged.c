@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: BSD-3-Clause */
 /*
- * A call that failed changed nothing: all that can be asked of a job is the same before and after.
+ * A failed call changes nothing: all that a job returns is the same before and after.
  */
 #include "Check.h"
 
@@ -12,7 +12,7 @@ enum
   kMost = 4096
 };
 
-/* Fingerprints of all that a job says of itself. */
+/* Fingerprints of all that a job returns. */
 typedef struct snapshot
 {
   uint64_t words[kMost];
@@ -88,7 +88,7 @@ static void take(snapshot* to, ahd_job* job)
   CHECK(to->count <= kMost);
 }
 
-/* The call fails with this status, and the job is as `before`. */
+/* The call fails with this status, and the job equals `before`. */
 #define CHECK_UNCHANGED(job, before, expected, call)                                               \
   do                                                                                               \
   {                                                                                                \
@@ -133,7 +133,7 @@ static void check_results(ahd_job* job, const snapshot* before)
   CHECK(value == 7 && ids[0] == 7);
 }
 
-/* Cancels the call that comes to its second progress. */
+/* Cancels the call at its second progress. */
 static int32_t cancel_late(void* user, int32_t phase, double fraction)
 {
   (void)phase;
@@ -175,7 +175,7 @@ static void check_samples(ahd_job* job, const double* xy, snapshot* before)
   free(out);
 }
 
-/* What is asked for after a run, with samples and weights there. */
+/* Requests after a run, with samples and weights. */
 static void test_calls(void)
 {
   enum
@@ -208,7 +208,7 @@ static void test_calls(void)
   ahd_job_free(job);
 }
 
-/* But for a run: then there is no result, and settings and input are as they were. */
+/* A failed run leaves no result, and settings and input unchanged. */
 static void test_run(void)
 {
   double* xy = ahd_scattered(100);
@@ -225,7 +225,7 @@ static void test_run(void)
   CHECK_OK(job, ahd_set_int(job, "memory_limit", 0));
   CHECK_OK(job, ahd_run(job));
   take(again, job);
-  for (number = 0; number < again->count; ++number) /* all but what the machine has left */
+  for (number = 0; number < again->count; ++number) /* all but the machine's free memory */
   {
     again->words[number] = first->words[number] == again->words[number] ? 0 : 1;
   }
@@ -240,7 +240,7 @@ static void test_run(void)
   ahd_job_free(job);
 }
 
-/* What stays after ahd_release() is what is said to. */
+/* After ahd_release() the documented data remain. */
 static void test_release(void)
 {
   double* xy = ahd_scattered(100);
@@ -299,9 +299,8 @@ static int32_t call_all(void* user, int32_t phase, double fraction)
   return 0;
 }
 
-/* Every call from a callback is refused with a message, which is gone when the call at work is. */
-static void test_busy(void)
-{
+/* Every call from a callback is refused with a message, which is cleared when the running call
+ends. */ static void test_busy(void) {
   double* xy = ahd_scattered(5000);
   ahd_job* job = ahd_job_of(xy, 5000, 2);
   caller own = { 0 };

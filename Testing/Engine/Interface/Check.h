@@ -3,7 +3,7 @@
 #define ahd_Check_h
 
 /*
- * The least that tests in C need: CHECK(condition) says where what failed, and goes on.
+ * Minimal checks for tests in C: CHECK(condition) prints what failed and where, and continues.
  */
 
 #include "ahd.h"
@@ -23,7 +23,7 @@ extern int ahd_failures;
     }                                                                                              \
   } while (0)
 
-/* The call returns this status, and says something if and only if it failed. */
+/* The call returns this status, and sets a message if and only if it failed. */
 #define CHECK_STATUS(job, expected, call)                                                          \
   do                                                                                               \
   {                                                                                                \
@@ -38,7 +38,7 @@ extern int ahd_failures;
 
 #define CHECK_OK(job, call) CHECK_STATUS(job, AHD_OK, call)
 
-/* The message has this in it. */
+/* The message contains this. */
 #define CHECK_SAYS(job, text)                                                                      \
   do                                                                                               \
   {                                                                                                \
@@ -56,7 +56,7 @@ ahd_job* ahd_job_of(const double* numbers, int64_t count, int32_t columns);
 /* A list of 64-bit ids as an array of so many columns. */
 ahd_array ahd_ids(const int64_t* ids, int64_t rows, int32_t columns);
 
-/* A count; -7 if it cannot be had. */
+/* A count; -7 if it is not available. */
 int64_t ahd_counted(ahd_job* job, const char* name);
 
 /* An array of ids as 64-bit numbers, of doubles, of bytes: all of it, to be freed. Its length goes

@@ -15,8 +15,8 @@ namespace test
 {
 
 /// Runs a job again and again, each time with another allocation that fails, and all later ones:
-/// it has run out of memory, and holds nothing. Then it runs with memory, and look(run) finds what
-/// it finds without a failure. To be called within ASSERT_NO_FATAL_FAILURE.
+/// it has run out of memory, and holds nothing. Then it runs with memory, and look(run) finds the
+/// same as without a failure. Must be called within ASSERT_NO_FATAL_FAILURE.
 template <typename Look>
 void expectAnyAllocationCanFail(JobRun& run, const Look& look)
 {

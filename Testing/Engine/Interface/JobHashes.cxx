@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What comes out of the C interface, byte for byte what the engine writes: the hashes of
+// Results of the C interface, byte for byte the engine's: the hashes of
 // Data/Hashes/Engine.txt, made from the job's arrays.
 #include "Hash.h"
 #include "HashedResults.h"

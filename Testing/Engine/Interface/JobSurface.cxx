@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A job with a surface that was made before, where memory runs out; what it takes and what was
-// estimated. This program's operator new counts, and fails when told to.
+// A job with an existing surface, where memory runs out; memory taken and estimated. This program's
+// operator new counts, and fails on demand.
 #include "ConstraintMakers.h"
 #include "FailingJob.h"
 
@@ -16,8 +16,7 @@ namespace test
 namespace
 {
 
-/// The triangles that constraints made, of which the edges of one are named: not enough to have all
-/// of them again.
+/// Triangles made by constraints, with the edges of one named: not enough to restore all of them.
 struct Surface
 {
   explicit Surface(std::size_t count)

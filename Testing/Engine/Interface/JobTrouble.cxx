@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A job where memory runs out, callbacks throw, and what is held and estimated. This program's
-// operator new counts, and fails when told to.
+// A job where memory runs out or callbacks throw; memory held and estimated. This program's
+// operator new counts, and fails on demand.
 #include "ConstraintMakers.h"
 #include "FailingJob.h"
 
@@ -61,7 +61,7 @@ struct Case
 };
 constexpr int kVariants = 7;
 
-/// Every array that there is; what is not there was not asked for.
+/// Every available array; the others were not requested.
 std::string readAll(JobRun& run)
 {
   std::string all;
@@ -200,8 +200,8 @@ std::int64_t bytesOf(JobRun& run, const std::vector<std::string>& arrays)
   return bytes;
 }
 
-/// What an array adds to the estimate is its own bytes and little else, as memory of arrays may be
-/// rounded up; what it takes besides (a table, the order) is there with others already.
+/// An array adds its own bytes to the estimate and little else, as memory of arrays may be rounded
+/// up; anything it needs besides (a table, the order) exists for others already.
 TEST(JobTrouble, EstimateOfEachArrayIsItsBytes)
 {
   constexpr std::int64_t kCount = 20000;
@@ -243,8 +243,8 @@ TEST(JobTrouble, EstimateOfEachArrayIsItsBytes)
   }
 }
 
-/// The same of settings that take memory in the run, if that is when most is taken: here, with
-/// constraints, it is while these are inserted.
+/// The same for settings that take memory in the run, if the peak is then: here, with constraints,
+/// while these are inserted.
 TEST(JobTrouble, EstimateOfEachSettingIsWhatItTakes)
 {
   constexpr std::int64_t kCount = 20000;
@@ -257,7 +257,7 @@ TEST(JobTrouble, EstimateOfEachSettingIsWhatItTakes)
   } rows[] = {
     { "plane", AHD_PLANE_BEST_FIT, 25, 80 },          // a copy of the places, and its marks
     { "rim", AHD_RIM_TRIMMED, 0, 60 },                // the rim's triangles
-    { "duplicates", AHD_DUPLICATES_LOWEST_Z, 0, 32 }, // who stands for whom
+    { "duplicates", AHD_DUPLICATES_LOWEST_Z, 0, 32 }, // representatives
     { "duplicates", AHD_DUPLICATES_MEAN_Z, 24, 60 },  // a copy of the points, or the means
     { "bounding", 1, 25, 80 },                        // a copy of the points
     { "want_curve", 1, 24 + 3 * 8, 100 },             // drawn: places, rank, id, count
@@ -306,7 +306,7 @@ TEST(JobTrouble, WhatCallbacksThrowGoesNoFurther)
   EXPECT_EQ(run.run(), AHD_OK);
 }
 
-/// A raster beyond the points on all sides, sampled by one method, with what is outside filled.
+/// A raster beyond the points on all sides, sampled by one method, with places outside filled.
 struct Sampling
 {
   Sampling(JobRun& run, int method, std::size_t side)
@@ -391,7 +391,7 @@ TEST(JobTrouble, SamplingTakesNoMoreMemoryThanEstimated)
   }
 }
 
-/// Weights that are there stay until others are, so both count.
+/// Existing weights stay until the new ones are complete, so both count.
 TEST(JobTrouble, FormerWeightsCount)
 {
   const Case made(20000);
@@ -414,7 +414,7 @@ TEST(JobTrouble, FormerWeightsCount)
   EXPECT_GE(account.peak - before + 10000, std::size_t(former)) << "there are never both";
 }
 
-/// Two sides of each part: places, columns, tables, what is outside, and what others take.
+/// Bounds for each part: places, columns, tables, places outside, other memory.
 TEST(JobTrouble, EstimateOfSamplingIsThatOfItsParts)
 {
   constexpr std::int64_t kSide = 300, kPlaces = kSide * kSide;
@@ -452,7 +452,7 @@ TEST(JobTrouble, EstimateOfSamplingIsThatOfItsParts)
   run.set("other_memory", std::int64_t(777));
   EXPECT_EQ(estimate(raster, 1), plain + 777);
   run.set("other_memory", std::int64_t(0));
-  // the tables that it is asked with are made once: corners of two triangles, at least
+  // its tables are made once: corners of two triangles, at least
   std::vector<double> values(static_cast<std::size_t>(points)), out(kPlaces);
   const ahd_sampled array = { values.data(), 1, out.data(), nullptr };
   ASSERT_EQ(ahd_sample(run.job(), &raster, &array, 1, nullptr), AHD_OK);

@@ -84,7 +84,7 @@ Ids mergedIdsOf(const MergedPoints& merged, std::size_t count)
   return into;
 }
 
-/// Runs it and holds the result against the definition.
+/// Runs it and compares the result with the definition.
 void expectAsDefined(const PointView& points, double distance)
 {
   MergedPoints merged;
@@ -193,8 +193,8 @@ TEST(Merge, KeptIsTheNearestThenTheSmallestPlaceThenTheSmallestId)
   const std::vector<Point> points = { { 1, 0 }, { 0, 0 }, { 2, 0 }, { 0, -0.0 }, { 1.25, 0 },
     { 1, 0 } };
   MergedPoints merged;
-  // (0, 0) and (2, 0) are farther than 1.5 from each other; (1, 0) is as near to both, but when its
-  // turn comes only (0, 0) is kept.
+  // (0, 0) and (2, 0) are farther than 1.5 from each other; (1, 0) is as near to both, but at its
+  // turn only (0, 0) is kept.
   ASSERT_EQ(mergeWithin(viewOf(points), 1.5, nullptr, merged), Status::Ok);
   EXPECT_EQ(mergedIdsOf(merged, points.size()), (Ids{ 1, -1, -1, -1, 1, 1 }));
   // Here both are kept before: (2, -1) and (2, 1) lie between those of x = 1 and x = 3.
@@ -222,13 +222,13 @@ TEST(Merge, AllIsMergedByAnInfiniteDistance)
   MergedPoints merged;
   ASSERT_EQ(mergeWithin(viewOf(points), kInfinity, nullptr, merged), Status::Ok);
   EXPECT_EQ(mergedIdsOf(merged, points.size()), (Ids{ 3, 3, 3, -1 }));
-  // The largest double is no infinity: (0, 5e-324) is near the second, the first is not.
+  // The largest double is not infinity: (0, 5e-324) is near the second, the first is not.
   ASSERT_EQ(
     mergeWithin(viewOf(points), std::numeric_limits<double>::max(), nullptr, merged), Status::Ok);
   EXPECT_EQ(mergedIdsOf(merged, points.size()), (Ids{ 2, -1, -1, -1 }));
 }
 
-/// Counts the askings, which grow with the work, and cancels at one of them if so told.
+/// Counts the polls, which grow with the work, and cancels at one of them if set.
 class Counter : public Progress
 {
 public:
@@ -275,12 +275,12 @@ TEST(Merge, ManyPointsAnyDistance)
   }
 }
 
-/// Points of which some have another beside them, and nobody else: where each pair lies, in which
-/// direction and in which order of ids is chance.
+/// Points of which some have one near neighbour, at random places, in random directions and orders
+/// of ids.
 struct Pairs
 {
   std::vector<Point> points;
-  Ids into; ///< what each is to be merged into, or -1
+  Ids into; ///< the point each must be merged into, or -1
 };
 
 Pairs makePairs(std::size_t n, double distance)
@@ -367,7 +367,7 @@ TEST(Merge, OnAVerticalLineOfAnyScaleAndPlace)
   }
 }
 
-/// So far apart that no number of rows as high as the distance would do.
+/// So far apart that rows as high as the distance could not be numbered.
 TEST(Merge, ATinyDistanceOnAnEndlessLine)
 {
   std::vector<Point> points;

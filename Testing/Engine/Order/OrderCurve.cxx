@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Places along the curve: each is near the one before it, whatever lies far away.
+// Places along the curve: each is near the one before it, even if others lie far away.
 #include "Order/CurveOrder.h"
 
 #include "Distributions.h"

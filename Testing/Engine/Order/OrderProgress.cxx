@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Reading and sorting ask often enough, stop at once, and take a number of steps that is linear in
+// Reading and sorting poll often enough, stop at once, and take a number of steps that is linear in
 // the number of points however the points coincide or crowd.
 #include "Distributions.h"
 #include "EngineRun.h"
@@ -23,7 +23,7 @@ constexpr std::size_t kMany = 40000;
 constexpr std::size_t kMany = 140000;
 #endif
 
-/// Counts the askings of each phase and says no at one of them if so told.
+/// Counts the polls of each phase and cancels at one of them if set.
 class Counter : public Progress
 {
 public:
@@ -43,8 +43,8 @@ public:
   }
   std::size_t read = 0;
   std::size_t sort = 0;
-  std::size_t late = 0;  ///< askings after no was said
-  std::size_t falls = 0; ///< askings with a smaller fraction than before
+  std::size_t late = 0;  ///< polls after the cancel
+  std::size_t falls = 0; ///< polls with a smaller fraction than before
   double lastFraction() const { return fraction_; }
 
 private:
@@ -175,8 +175,8 @@ TEST(OrderProgress, StopsAtEveryAskingWithThreads)
          Distribution::RepeatedDraws, Distribution::AllEqual })
   {
     const std::vector<Point> points = makePoints(d, kMany, 65);
-    // In one thread's turn the number of askings is always the same; what real threads do is
-    // another matter, but they must stop, and nobody is asked again.
+    // With threads that take turns the number of polls is always the same; with real threads it is
+    // not, but they must stop, and none polls again.
     BackwardExecutor backward(3);
     Counter all;
     ASSERT_EQ(rank(points, &backward, all), Status::Ok);

@@ -94,7 +94,7 @@ TEST(Quantiser, IsEvenUpToRounding)
     const Quantiser quantiser(i.low, i.high);
     for (const double v : valuesOf(i))
     {
-      // A subnormal or overflowing span is no problem here.
+      // A subnormal or overflowing span is possible here.
       const long double t = ((long double)v - (long double)i.low) / span * 4294967295.0L;
       ASSERT_NEAR(double(quantiser(v)), double(t), 1.001)
         << v << " in " << i.low << " .. " << i.high;

@@ -48,7 +48,7 @@ std::vector<Index> idsOf(const RankedPoints& points)
   return std::vector<Index>(points.id.data(), points.id.data() + points.count);
 }
 
-/// What is wrong with a RankedPoints, by its own contract and a map of places; empty if nothing.
+/// The fault of a RankedPoints, by its contract and a map of places; empty if none.
 std::string faultsOfRank(const std::vector<Point>& points, const RankedPoints& sorted)
 {
   std::map<std::pair<double, double>, Index> kept; // -0.0 and +0.0 are equal as map keys, too
@@ -192,7 +192,7 @@ bool sameBytes(const void* a, const void* b, std::size_t bytes)
   return bytes == 0 || std::memcmp(a, b, bytes) == 0;
 }
 
-/// The first thing in which two results differ, byte for byte; empty if they are the same.
+/// The first difference of two results, byte for byte; empty if they are the same.
 std::string differenceOf(const RankedPoints& a, const RankedPoints& b)
 {
   const auto same = [](const auto& x, const auto& y, std::size_t n)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The places of an order in rounds: each once, and the same listed as asked for one by one.
+// The places of an order in rounds: each once, and the same as a list as one by one.
 #include "Order/Rounds.h"
 
 #include <gtest/gtest.h>

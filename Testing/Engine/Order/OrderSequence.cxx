@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The fast insertion order against the paper's section 3 done literally.
+// The fast insertion order against a literal implementation of the paper's section 3.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Order/Rank.h"
@@ -52,7 +52,7 @@ std::vector<Index> fastOrder(const RankedPoints& points, const Options& options)
   return ids;
 }
 
-/// Where two orders part, for the reader of a failure.
+/// The first difference of two orders, for failure messages.
 std::string firstDifference(const std::vector<Index>& a, const std::vector<Index>& b)
 {
   if (a.size() != b.size())

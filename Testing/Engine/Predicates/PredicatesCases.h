@@ -81,7 +81,7 @@ private:
   }
   double step(int count) { return double(below(static_cast<std::uint64_t>(count))); }
 
-  /// What the four points of a case have in common.
+  /// Parameters shared by the four points of a case.
   void startGroup()
   {
     exponent_ = whole(-1074, 1020);

@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <string>
 
-/// What was answered how often, and by which stage.
+/// Counts of answers, by stage.
 namespace ahd::test
 {
 
-/// The filters whose border is looked for.
+/// The filters whose border is searched for.
 enum Border
 {
   OrientBorder,

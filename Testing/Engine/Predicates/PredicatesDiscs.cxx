@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is safe from other blocks (Predicates/Discs.h), against rational arithmetic over the whole
-// range of double: boxes that circles touch, exactly and by a unit in the last place, boxes on both
-// sides of the filter's border, segments that touch triangles.
+// The predicates for final triangles of a block (Predicates/Discs.h), against rational arithmetic
+// over the whole range of double: boxes that circles touch, exactly and by a unit in the last
+// place, boxes on both sides of the filter's border, segments that touch triangles.
 #include "PredicatesExtremes.h"
 #include "PredicatesFastOracle.h"
 
@@ -260,7 +260,7 @@ TEST(LongPredicatesDiscs, EachIsTheExactAnswerOverTheWholeRangeOfDouble)
   }
 }
 
-/// A filter that leaves everything open would be right, too.
+/// A filter that leaves everything open would be correct, too.
 TEST(PredicatesDiscs, TheFilterDecidesWhatIsNotClose)
 {
   std::size_t open = 0;

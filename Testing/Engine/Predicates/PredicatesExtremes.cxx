@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Every predicate, every stage of it and the filters that the insertion inlines, against GMP over
-// the whole range of double (PredicatesExtremes.h): 10^6 cases, in the long run 10^8. A case is
-// one question to one predicate. Counted is which stage answered what: all answers must occur.
+// the whole range of double (PredicatesExtremes.h): 10^6 cases, in the long run 10^8. A case is one
+// call of one predicate. Answers are counted by stage: all must occur.
 #include "PredicatesExtremes.h"
 #include "PredicatesCounts.h"
 #include "PredicatesFastOracle.h"
@@ -52,7 +52,7 @@ constexpr std::uint64_t kQuick = 1200;
 constexpr std::uint64_t kQuick = 12000;
 #endif
 
-/// What the insertion computes of a, b, c as it sees them from p (Insert/Kernel.h).
+/// The insertion's data of a, b, c relative to p (Insert/Kernel.h).
 struct SeenFrom
 {
   Lifted a, b, c;
@@ -98,19 +98,19 @@ bool isCertain(Border border, const Quadruple& q)
   }
 }
 
-/// Where b is to lie for the angle at c to be as wide as that of the last triangle that is not
-/// flat: along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
+/// The place of b for which the angle at c is as wide as in the last triangle that is not flat:
+/// along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
 Point atTheLimitOfFlatness(const Point& a, const Point& c)
 {
   const double x = a.x - c.x, y = a.y - c.y;
   return { c.x - (2.0 * x + y), c.y - (2.0 * y - x) };
 }
 
-/// Asks all predicates about one quadruple after the other, until one answers wrongly.
+/// Tests all predicates on one quadruple after the other, until one is wrong.
 class Examiner : public Verdict
 {
 public:
-  /// Returns false if an answer was wrong: then what() tells it.
+  /// Returns false if an answer was wrong: what() has it.
   bool examine(const Quadruple& q, Extreme extreme)
   {
     extreme_ = static_cast<std::size_t>(extreme);
@@ -118,7 +118,7 @@ public:
       flat(q[0], q[1], q[2]) && nearlyFlat(q[3], q[1]) && less(q[0], q[1]) && less(q[2], q[3]);
   }
 
-  /// Moves q to the border of one of the filters first, if it finds that.
+  /// Moves q to the border of one of the filters first, if found.
   bool examineAtBorder(Quadruple q, Extreme extreme, Extremes& source)
   {
     const auto border = static_cast<Border>(source.below(Borders));

@@ -54,7 +54,7 @@ inline const char* nameOf(Extreme extreme)
   return names[static_cast<std::size_t>(extreme)];
 }
 
-/// What of an answer was wrong, if anything was.
+/// The wrong part of an answer, if any.
 class Verdict
 {
 public:
@@ -410,7 +410,7 @@ private:
 };
 
 /// Moves `coordinate`, with which `isCertain()` is false, as far as it takes for that to be true,
-/// and a unit in the last place farther or nearer at random: what is on both sides of the border of
+/// and a unit in the last place farther or nearer at random: points on both sides of the border of
 /// a filter. Returns false, and moves nothing, if it is nowhere true or not as required.
 template <class IsCertain>
 bool moveToBorder(double& coordinate, Extremes& source, IsCertain isCertain)

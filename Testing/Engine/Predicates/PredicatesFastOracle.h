@@ -16,7 +16,7 @@
 /// all of them kept from case to case, so that nothing is allocated. It shares no line with the
 /// engine, and uses other forms of the determinants: the orientation with untranslated
 /// coordinates, the in-circle determinant with a, not d, in the origin and developed by its lifted
-/// column. PredicatesExtremes.cxx holds it against PredicatesOracle.h.
+/// column. PredicatesExtremes.cxx compares it with PredicatesOracle.h.
 namespace ahd::test
 {
 
@@ -55,7 +55,7 @@ struct Scientific
   }
 };
 
-/// Coordinates times a common power of two, which changes no sign of what is asked here.
+/// Coordinates times a common power of two, which changes no sign here.
 template <std::size_t N>
 class CommonUnit
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The filters the insertion kernel inlines: never certain and wrong, uncertain about the vertex at
-// infinity, and certain often enough to be of use.
+// infinity, and certain often enough to be useful.
 #include "Predicates/FilterPairs.h"
 
 #include "ExactSigns.h"
@@ -62,7 +62,7 @@ struct Tally
   int asked = 0;
 };
 
-/// Asks both filters about q in each cyclic order of its first three points, as a kernel does.
+/// Tests both filters on q in each cyclic order of its first three points, as a kernel does.
 void askFilters(const Quadruple& q, Tally& tally)
 {
   const double guard = guardOf(q);
@@ -98,7 +98,7 @@ EdgePair edgesFrom(const VectorPair& p, const Point (&from)[2], const Point (&to
   return { a, b, cross(a, b) };
 }
 
-/// Asks the filter of two triangles at once, about each cyclic order of the first three points
+/// Tests the filter of two triangles at once, on each cyclic order of the first three points
 /// beside the next.
 void askPairs(const Quadruple& q, Tally& tally)
 {
@@ -238,7 +238,7 @@ TEST(PredicatesFilters, ThePointAtInfinityIsUncertain)
   EXPECT_FALSE(orientIsCertain(cross(a, ghost), a.z, ghost.z));
 }
 
-/// Of two triangles at once, the one beside it is certain all the same.
+/// Of two triangles at once, the other one remains certain.
 TEST(PredicatesFilters, OfAPairOnlyThePointAtInfinityIsUncertain)
 {
   const Point ghost{ kNan, kNan }, a{ 0, 0 }, b{ 1, 0 }, c{ 0.5, -2 };

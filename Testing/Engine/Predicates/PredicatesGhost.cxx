@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The ghost as a point far away: where the in-circle filter is certain of a triangle that has it,
-// one at a time or two, that is the exact orientation, for points so placed that the far point
-// tells least: at the ends of their range, and hardly off one line.
+// one at a time or two, that is the exact orientation, for the hardest points: at the ends of their
+// range, and hardly off one line.
 #include "Predicates/FilterPairs.h"
 
 #include "ExactSigns.h"
@@ -171,7 +171,7 @@ TEST(PredicatesGhost, IsNotTakenForAPointOfTheGrid)
   for (const int exponent : { -kFrameExponent, 0, kFrameExponent })
   {
     const Range range(exponent);
-    // The unit is half of all there is, or the finest that is found.
+    // The unit is half of the whole extent, or the finest that is found.
     for (const double unit : { 0.5 * range.end, 0x1p-51 * range.end })
     {
       const Exactly exactly{ exactErrorBound(unit), perturbationFor(unit) };

@@ -170,7 +170,7 @@ struct Tally
   int beyond = 0;     ///< not taken for exact, nor certain
 };
 
-/// What the kernel knows of a grid with this unit.
+/// The kernel's data of a grid with this unit.
 Exactly exactlyOf(double unit)
 {
   return { exactErrorBound(unit), perturbationFor(unit) };

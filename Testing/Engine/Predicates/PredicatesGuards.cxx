@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The filters where products underflow: rounded to a subnormal number or to zero, a product is
-// wrong by more than its own bits tell. What guards against that has to see all such cases.
+// wrong by more than its own bits show. The guards against that must catch all such cases.
 #include "Predicates/Filters.h"
 #include "Predicates/Stages.h"
 

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstddef>
 
-/// What the predicates have to say, from GMP's integers and from determinants of the untranslated
+/// The correct answers of the predicates, by GMP's integers and determinants of the untranslated
 /// coordinates: nothing is shared with the code under test.
 namespace ahd::test
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Rectangles with sides along the axes, which are known by their coordinates.
+// Rectangles with sides along the axes, which are recognised by their coordinates.
 #include "Predicates/Filters.h"
 #include "Predicates/TighterFilterPairs.h"
 
@@ -22,7 +22,7 @@ constexpr int kCases = 2000;
 constexpr int kCases = 20000;
 #endif
 
-/// Rectangles of rounded coordinates, each corner as P, and what is nearly one.
+/// Rectangles of rounded coordinates, each corner as P, and near rectangles.
 TEST(PredicatesRectangles, AreKnownInEveryOrder)
 {
   Cases source(Family::Uniform);
@@ -52,7 +52,7 @@ TEST(PredicatesRectangles, AreKnownInEveryOrder)
   EXPECT_EQ(conflictInRectangle({ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 2 }), 0);
 }
 
-/// Of two edges, those that are asked for.
+/// Of two edges, the requested ones.
 TEST(PredicatesRectangles, AreKnownOfPairs)
 {
   const Point p{ 0, 0 }, right{ 1, 0 }, far{ 1, 1 }, above{ 0, 1 }, other{ 5, 7 };

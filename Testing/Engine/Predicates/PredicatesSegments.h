@@ -15,8 +15,8 @@
 #include <limits>
 #include <utility>
 
-/// Pairs of segments and a point that are hard on what splits constraints, and what is to be said
-/// of them, in rational arithmetic.
+/// Pairs of segments and a point that are hard for the predicates of splitting, and the correct
+/// answers, in rational arithmetic.
 namespace ahd::test
 {
 

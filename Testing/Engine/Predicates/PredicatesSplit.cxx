@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What splits constraints where they cross (Predicates/Segments.h), each stage of it, against
-// rational arithmetic over the whole range of double. Each stage has to give each answer.
+// The predicates of splitting (Predicates/Segments.h), each stage, against rational arithmetic over
+// the whole range of double. Each stage must give each answer.
 #include "PredicatesFastOracle.h"
 #include "PredicatesSegments.h"
 
@@ -29,12 +29,12 @@ constexpr std::uint64_t kQuick = 2000;
 /// How often it happened; signs at sign + 1.
 struct Counts
 {
-  std::uint64_t sides[3] = {};           ///< orderAt: told by the sides of p
+  std::uint64_t sides[3] = {};           ///< orderAt: decided by the sides of p
   std::uint64_t onBoth = 0;              ///< orderAt: both at p
   std::uint64_t heightsByFilter[3] = {}; ///< orderAt: by the heights
   std::uint64_t heightsUnbounded[3] = {};
   std::uint64_t steepness[2][3] = {}; ///< orderAt: of equal heights, above p and below
-  std::uint64_t steepnessByLeft = 0;  ///< the same, where the right end does not tell
+  std::uint64_t steepnessByLeft = 0;  ///< the same, where the right end does not decide
   std::uint64_t outOfBox = 0;         ///< roundsTo
   std::uint64_t passes = 0;
   std::uint64_t meets[2] = {};
@@ -53,7 +53,7 @@ std::string textOf(const SegmentsAndPoint& c)
     hexText(c.t.right) + ", p = " + hexText(c.p);
 }
 
-/// Asks about one case after the other. Each answer is true if all was right.
+/// Tests one case after the other. Each function returns true if all answers are correct.
 class SplitExaminer : public Verdict
 {
 public:

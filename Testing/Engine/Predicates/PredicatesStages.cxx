@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which stage of a predicate decides what: cheap stages must settle the data they are there for,
-// and must leave alone what they cannot do exactly.
+// The stage of a predicate that decides: cheap stages must decide the data they are meant for, and
+// must decline cases that they cannot decide exactly.
 #include "Arithmetic/WideInteger.h"
 #include "Predicates/Stages.h"
 

@@ -106,7 +106,7 @@ TEST(PredicatesTies, EveryFourPointsOfSmallLattices)
 }
 
 /// Of the two diagonals of a cocircular quadrilateral exactly one is Delaunay, and its two
-/// triangles say the same about it.
+/// triangles agree on it.
 TEST(PredicatesTies, OneDiagonalOfEachCocircularQuadrilateral)
 {
   int quadrilaterals = 0;
@@ -175,7 +175,7 @@ TEST(PredicatesTies, TheSameAtEveryScale)
   }
 }
 
-/// The rule in its own words: of four cocircular points the largest is raised, so an edge of the
+/// The rule: of four cocircular points the largest is raised, so an edge of the
 /// triangulation runs between its two neighbours on the circle.
 TEST(PredicatesTies, TheLargestPointIsCutOff)
 {

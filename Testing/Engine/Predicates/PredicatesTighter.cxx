@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The filters that are asked second: never wrong, and they decide nearly all that slivers leave
-// open.
+// The second filters: never wrong, and they decide nearly all slivers that the first leave open.
 #include "Predicates/TighterFilterPairs.h"
 #include "Predicates/TighterFilters.h"
 
@@ -32,12 +31,12 @@ struct Answers
   int byLengths = 0;
   int bySharpCrosses = 0;
   int orientations = 0;
-  int bySharpPairs = 0; ///< what sharp crosses decide
+  int bySharpPairs = 0; ///< decided by sharp crosses
 
   int open() const { return asked - byFirst; }
 };
 
-/// Asks the filter for two triangles at once about q's first three points, from the k-th on, and
+/// Tests the filter for two triangles at once on q's first three points, from the k-th on, and
 /// the next three. @pre the guard is enough for them.
 InCirclePair askPair(const Quadruple& q, std::size_t k, double guard)
 {
@@ -53,7 +52,7 @@ InCirclePair askPair(const Quadruple& q, std::size_t k, double guard)
   return seen;
 }
 
-/// Asks all filters about q in each cyclic order of its first three points.
+/// Tests all filters on q in each cyclic order of its first three points.
 void ask(const Quadruple& q, Answers& answers)
 {
   for (std::size_t k = 0; k < 3; ++k)

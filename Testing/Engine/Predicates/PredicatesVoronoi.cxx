@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What Voronoi cells are made with (Predicates/Circles.h, Voronoi/Circumcentre.h,
-// Voronoi/ClipBox.h) and how near is near when points are merged (Merge.h), against rational
-// arithmetic over the whole range of double.
+// The arithmetic of Voronoi cells (Predicates/Circles.h, Voronoi/Circumcentre.h, Voronoi/ClipBox.h)
+// and the distances of merging (Merge.h), against rational arithmetic over the whole range of
+// double.
 #include "PredicatesExtremes.h"
 #include "PredicatesFastOracle.h"
 
@@ -89,7 +89,7 @@ mpq_class powerOfTwo(int exponent)
                       : mpq_class(one << (unsigned long)(exponent));
 }
 
-/// The circumcentre as offset from corner a, and the size of what it is computed from.
+/// The circumcentre as offset from corner a, and the size of its operands.
 struct ExactCentre
 {
   Vector u, v, offset; ///< the offset times the divisor
@@ -245,7 +245,7 @@ private:
       expect(side(at / 2 + 1) > 0, "what comes after where a box is left");
   }
 
-  /// `exact` rounded to the nearest double, ties to even; infinite as rounding has it.
+  /// `exact` rounded to the nearest double, ties to even; infinite if it rounds to that.
   static double rounded(const mpq_class& exact)
   {
     const mpq_class magnitude = abs(exact);

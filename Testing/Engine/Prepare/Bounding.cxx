@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The eight points of vtkDelaunay2D's bounding triangulation. test_filter.py (Testing/Filters)
-// holds them to those of vtkDelaunay2D itself.
+// compares them with vtkDelaunay2D itself.
 #include "Prepare/Bounding.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What prepare() makes of an input and a source, step by step.
+// The results of prepare() for an input and a source, step by step.
 #include "PrepareCase.h"
 
 #include "Crossings/Crossings.h"
@@ -232,7 +232,7 @@ TEST(Prepare, TheFittedPlaneIsThatOfTheInput)
   }
 }
 
-/// Turns x and y about, and writes down how often it was asked.
+/// Swaps x and y, and counts its calls.
 class Turn : public Projection
 {
 public:

@@ -2,7 +2,7 @@
 #ifndef ahd_PrepareCase_h
 #define ahd_PrepareCase_h
 
-// What the tests of prepare() share: an input with a source, in memory of its own.
+// Shared by the tests of prepare(): an input with a source, in memory of its own.
 #include "Prepare/Prepare.h"
 
 #include <cstdint>
@@ -61,7 +61,7 @@ struct CellStore
   std::vector<std::int32_t> ids32, offsets32;
 };
 
-/// Owns what a request looks at.
+/// Owns the data of a request.
 class PrepareCase
 {
 public:
@@ -95,7 +95,7 @@ private:
   CellStore lines_, polygons_;
 };
 
-/// All that prepare() gave, so that equal strings are equal results.
+/// All results of prepare() as a string.
 inline std::string bytesOf(const PreparedInput& prepared)
 {
   std::string all;
@@ -132,7 +132,7 @@ inline std::string bytesOf(const PreparedInput& prepared)
   return all + std::to_string(prepared.unfitIds().count);
 }
 
-/// Points in a unit cube, every tenth with something odd about it.
+/// Points in a unit cube, every tenth of them special.
 inline std::vector<Xyz> oddPoints(std::size_t count, unsigned seed)
 {
   std::mt19937_64 random(seed); // its sequence is fixed by the standard

@@ -79,7 +79,7 @@ TEST(PrepareClosedLines, WithoutOneNothingMoves)
   const Chains expected = chainsOf(given);
   given.request.closedLinesAreLoops = true;
   Chains found = chainsOf(given);
-  // one id, though its place is none: closed by its numbers
+  // one id, of a rejected point: closed by its numbers
   EXPECT_EQ(found.loops, (Cells{ { 6, 1, 2, 6 }, { 1, 2, 3 } }));
   found.loops.erase(found.loops.begin());
   EXPECT_EQ(found.open.size() + 1, expected.open.size());

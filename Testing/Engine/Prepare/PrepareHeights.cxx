@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of the source that are laid on the surface of the input.
+// Points of the source moved to the surface of the input.
 #include "PrepareCase.h"
 
 #include "Executors.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // prepare() where it is cancelled, has no memory, too many points, or several threads. This
-// program's operator new counts, and fails when told to.
+// program's operator new counts, and fails on demand.
 #include "PrepareCase.h"
 
 #include "Executors.h"
@@ -57,7 +57,7 @@ struct ManyRequests
   PrepareCase given;
 };
 
-/// Offsets that lie, in 32 and in 64 bits, on one thread and on several: the first bad cell.
+/// Invalid offsets, in 32 and in 64 bits, on one thread and on several: the first bad cell.
 TEST(PrepareTrouble, FirstCellWhoseOffsetsLieIsFound)
 {
   constexpr std::size_t kCells = 300000;
@@ -172,7 +172,7 @@ TEST(PrepareTrouble, ItTakesNoMoreMemoryThanEstimated)
   ManyRequests(20000).forAll(
     [](InputRequest request)
     {
-      request.split = false;              // nobody knows the crossings
+      request.split = false;              // the crossings are unknown
       request.heightsFromSurface = false; // whose triangulation is estimated as such
       const std::size_t before = account.held;
       account.peak = before;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Walls, volumes and lines, told from terrain.
+// Walls, volumes and lines, distinguished from terrain.
 #include "Prepare/Stacks.h"
 #include "PrepareCase.h"
 

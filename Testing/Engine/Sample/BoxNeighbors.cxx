@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Values across blocks: each block has a part of the points, and answers for a part of the places
-// with what it is told by the others. The same bytes as with all points.
+// Values across blocks: each block has a part of the points, and interpolates at a part of the
+// places with points from the others. The same bytes as with all points.
 #include "Sample/BoxNeighbors.h"
 #include "BlocksRun.h"
 #include "Distribute/BlockNeeds.h"
@@ -71,7 +71,7 @@ public:
     dealt_ = deal(all.view(), way);
   }
 
-  /// What each block needs for the boxes of several turns: by turn, then by block.
+  /// The points each block needs for the boxes of several turns: by turn, then by block.
   std::vector<std::vector<std::unique_ptr<PointsOfBlock>>> around(
     const std::vector<std::vector<std::vector<Bounds>>>& turns) const
   {
@@ -161,7 +161,7 @@ double valueOf(std::int64_t id)
   return std::sin(double(id * 7919 % 1000));
 }
 
-/// Compares all that is known at these places.
+/// Compares all results at these places.
 void expectSame(
   SampledCase& whole, PointsOfBlock& part, const SamplePlaces& places, const std::string& name)
 {
@@ -369,7 +369,7 @@ TEST(BoxNeighbors, BoxesCoverAllPlaces)
   EXPECT_TRUE(boxes.empty());
 }
 
-/// So that a block is sent what is near its places only.
+/// A block receives only points near its places.
 TEST(BoxNeighbors, FewAreNeeded)
 {
   const ConstraintCase given = withoutConstraints(makePoints(Distribution::Uniform, 20000, 3));

@@ -2,7 +2,7 @@
 #ifndef ahd_SampleCase_h
 #define ahd_SampleCase_h
 
-// A surface and what it is sampled by, for the tests of Sample/.
+// A surface and its sampler, for the tests of Sample/.
 #include "ConstraintMakers.h"
 #include "Engine.h"
 #include "EngineRun.h"
@@ -59,7 +59,7 @@ struct SampledCase
   Sampler sampler;
 };
 
-/// All that values() gives for one array.
+/// All results of values() for one array.
 struct SampledValues
 {
   std::vector<double> values;

@@ -160,7 +160,7 @@ TEST(SampleHard, PlacesNextToADiagonal)
   expectWeightsOfDefinition(given, places);
 }
 
-/// A wall through clusters: on either side all is as if the other side had no points.
+/// A wall through clusters: on either side the result is as if the other side had no points.
 TEST(SampleHard, NothingIsSeenBeyondAConstraint)
 {
   Random random(7);

@@ -2,7 +2,7 @@
 //
 // Linear and nearest values: weights against their definitions in rational arithmetic, at places
 // inside, on edges, on vertices and outside; linear functions; holes, dropped triangles; collinear
-// points; duplicates; what is NaN.
+// points; duplicates; NaN.
 #include "Listeners.h"
 #include "SampleCase.h"
 
@@ -15,7 +15,7 @@ namespace test
 namespace
 {
 
-/// The points that stand for vertices: the oracle knows no duplicates.
+/// The points that stand for vertices: the oracle supports no duplicates.
 std::vector<Point> distinct(const std::vector<Point>& points)
 {
   std::vector<Point> result = points;
@@ -289,8 +289,8 @@ TEST(SampleLinear, OnShortEdgesAlongAnAxisFarAway)
   }
 }
 
-/// Seen from afar, all vertices are equally far up to rounding: still the nearest, and not by
-/// looking at each.
+/// From far away all vertices are at the same distance up to rounding: still the nearest, and
+/// without testing each.
 TEST(SampleLinear, NearestFromAfar)
 {
   const std::vector<double> far{ 1e10, 1e16, 1e30, 0x1p501, 1e200, 1e308 };

@@ -2,7 +2,7 @@
 //
 // Natural neighbours: weights against their definition in rational arithmetic, for points of every
 // kind and places inside, on edges, on vertices and near the hull; linear functions; constraints,
-// holes and dropped triangles; what is NaN.
+// holes and dropped triangles; NaN.
 #include "SampleCase.h"
 
 namespace ahd
@@ -106,7 +106,7 @@ TEST(SampleNatural, LinearFunctionsAreReproducedBetweenConstraints)
   }
 }
 
-/// A wall from top to bottom: on either side all is as if the other side had no points.
+/// A wall from top to bottom: on either side the result is as if the other side had no points.
 TEST(SampleNatural, NothingIsSeenBeyondAConstraint)
 {
   Random random(7);

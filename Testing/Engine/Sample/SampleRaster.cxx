@@ -157,8 +157,8 @@ TEST(SampleRaster, AsCellByCellInLargeTriangles)
   }
 }
 
-/// What rasters are that nobody wants: spacings of no length, downwards or lost by rounding; far
-/// away, overflowing, without cells, NaN.
+/// Degenerate rasters: spacings that are 0, negative or lost by rounding; far away, overflowing,
+/// without cells, NaN.
 TEST(SampleRaster, AsCellByCellWhereTheyAreOdd)
 {
   SampledCase given(makePoints(Distribution::Uniform, 50, 1));
@@ -179,7 +179,7 @@ TEST(SampleRaster, AsCellByCellWhereTheyAreOdd)
   EXPECT_GT(valued, 400u);
 }
 
-/// Vertices on rows and columns up to rounding: crossings that only the exact predicates tell.
+/// Vertices on rows and columns up to rounding: crossings that only the exact predicates decide.
 TEST(SampleRaster, AsCellByCellNextToEdges)
 {
   Random random(9);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // A Sampler where it is cancelled, has no memory, or several threads; no more memory than
-// estimated. This program's operator new counts, and fails when told to.
+// estimated. This program's operator new counts, and fails on demand.
 #include "Executors.h"
 #include "Listeners.h"
 #include "OwnMemory.h"
@@ -31,7 +31,7 @@ std::vector<double> valuesFor(const std::vector<Point>& points)
   return values;
 }
 
-/// Fewer rows where everything is slower.
+/// Fewer rows under sanitizers.
 std::size_t fewer(std::size_t rows)
 {
   return reduced(20000) == 20000 ? rows : rows / 5;
@@ -88,7 +88,7 @@ TEST(SampleTrouble, ThreadsAndOtherPlacesHaveNoSay)
   }
 }
 
-/// What a call is to be wrapped by: prepares and samples anew.
+/// Prepares and samples anew; `call` wraps it.
 Status sampleAnew(SampledCase& given, SampleMethod method, const SamplePlaces& places,
   const std::vector<double>& values, const Context& context)
 {
@@ -134,7 +134,7 @@ TEST(SampleTrouble, AnyAskingCanCancelAlsoWithThreads)
   }
 }
 
-/// Asked at least once for so many places, of any kind: also where all are beyond the hull, or
+/// Polls at least once for so many places, of any kind: also where all are beyond the hull, or
 /// there is one vertex alone.
 TEST(SampleTrouble, AsksOftenEnough)
 {
@@ -171,10 +171,10 @@ std::vector<Point> placeAmidst(const std::vector<Point>& points)
   return { { 0.499 * b.xmin + 0.501 * b.xmax, 0.5 * (b.ymin + b.ymax) } };
 }
 
-/// Neighbours are gone through many times, each time with asking: in the search (8 steps for each),
-/// twice, as the weights are not good at once, around the place (3), to measure and divide (2),
-/// once for the scale, and to hand over. With NaturalNeighbor they are not even good the second
-/// time: once more around the place, 32 steps each, for the exponents, to measure and divide.
+/// Neighbours are visited many times, each time with polls: in the search (8 steps for each),
+/// twice, as the first weights are not accurate, around the place (3), to measure and divide (2),
+/// once for the scale, and to hand over. With NaturalNeighbor the second weights are not accurate
+/// either: once more around the place, 32 steps each, for the exponents, to measure and divide.
 TEST(SampleTrouble, AsksOftenEnoughAroundOnePlace)
 {
   constexpr std::size_t n = 100000, kSteps = 8 + 2 * (3 + 2) + 1, kWideSteps = 3 * 32 + 3;
@@ -212,7 +212,7 @@ std::vector<Point> pointsOfUnlikeUnits(double stretch = 0x1p900)
   return points;
 }
 
-/// The same for all the digits that a place asks for.
+/// The same for all the digits that a place needs.
 TEST(SampleTrouble, AnyAskingCanCancelWhereDoublesAreNotEnough)
 {
   SampledCase given(pointsOfUnlikeUnits());
@@ -282,7 +282,7 @@ TEST(SampleTrouble, AnyAllocationCanFail)
   }
 }
 
-/// All that blocks ask each other.
+/// All requests of blocks to each other.
 Status askBlock(Triangulation& part, const PointView& places, const Context& context)
 {
   std::vector<Bounds> boxes;
@@ -398,7 +398,7 @@ TEST(SampleTrouble, TakesNoMoreMemoryThanEstimatedForArrays)
   EXPECT_GE(2 * taken, sampleMemoryEstimate(3, places, 10000));
 }
 
-/// What the estimate does not count.
+/// Memory that the estimate does not count.
 TEST(SampleTrouble, TakesNoMoreMemoryThanSaidForEachNeighbor)
 {
   const std::size_t n = 70000; // a bit more than a power of two: vectors have just grown

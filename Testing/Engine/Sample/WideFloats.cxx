@@ -33,7 +33,7 @@ mpq_class valueOf(const WideFloat& a)
   return a.sign() < 0 ? mpq_class(-magnitude) : magnitude;
 }
 
-/// Is it wrong by no more than so many units of itself, and are its digits as they have to be?
+/// Is it wrong by no more than so many units of itself, and are its digits normalised?
 void expectNear(
   const WideFloat& found, const mpq_class& expected, const WideArithmetic& with, int units)
 {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is written per cell, when some of the triangles and other cells besides are put out: against
-// what is written when all are.
+// Arrays of cells, for some of the triangles and other cells besides: against the arrays for all.
 #include "ConstrainedRun.h"
 #include "EngineRun.h"
 #include "Executors.h"

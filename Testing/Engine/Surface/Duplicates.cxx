@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which of the points at one place stands for the vertex, and the mean of them; against a literal
-// search. This program's operator new fails when told to.
+// The representative of the points at one place, and their mean; against a literal search. This
+// program's operator new fails on demand.
 #include "Core/Progress.h"
 #include "Surface/Means.h"
 #include "Triangulate.h"
@@ -33,7 +33,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 using Xyz = Vector3;
 using Place = std::pair<double, double>;
 
-/// Points at few places, with few z; every tenth is to be left out.
+/// Points at few places, with few z; every tenth is marked as left out.
 struct Crowd
 {
   Crowd(std::size_t count, unsigned seed)
@@ -94,7 +94,7 @@ std::vector<Mean> meansOf(const PointView& points, const PointView& inSpace, std
 {
   Triangulation triangulation;
   make(points, triangulation);
-  std::vector<Mean> means(1); // what was there is gone
+  std::vector<Mean> means(1); // the old content is gone
   EXPECT_EQ(findMeans(triangulation, count, inSpace, Context(), means), Status::Ok);
   return means;
 }
@@ -262,7 +262,7 @@ TEST(Duplicates, MeansAreNearestToTheExactOnes)
   const int widths[] = { 0, 3, 30, 60, 300, 2040 };
   for (int trial = 0; trial < 3000; ++trial)
   {
-    // as many digits as there are, or few; exponents near each other or far; sums that cancel
+    // all digits, or few; exponents near each other or far; sums that cancel
     const int width = widths[random() % 6], lowest = int(random() % 2046) - 1073;
     std::vector<double> numbers(2 + random() % 9);
     for (double& x : numbers)

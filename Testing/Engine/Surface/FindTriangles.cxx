@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangles looked up in a triangulation of their points: those that are there, those that are
-// none, and that constraints bring back what is missing of a surface.
+// Triangles looked up in a triangulation of their points: those present, those missing, and that
+// constraints restore the missing ones of a surface.
 #include "Surface/FindTriangles.h"
 
 #include "ConstrainedRun.h"

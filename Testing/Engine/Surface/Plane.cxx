@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The best fitting plane: what it is, that nothing but the points decides it, and where it lays
-// them. Random planes are spanned by vectors of whole numbers, so the points lie in them exactly.
+// The best-fitting plane: its definition, that it depends on the points alone, and their places in
+// it. Random planes are spanned by vectors of whole numbers, so the points lie in them exactly.
 #include "PlaneMaker.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The best fitting plane of points that have none, or many, or are not all to be used.
+// The best-fitting plane of points that have none, or many, or do not all count.
 #include "Core/Progress.h"
 #include "PlaneMaker.h"
 
@@ -43,7 +43,7 @@ TEST(Plane, PointsWithACoordinateInCommonKeepTheOthers)
         p = { { maker.fraction() * 1e-3, maker.fraction() + 5e5, maker.fraction() * 7 } };
         p[k] = common;
       }
-      std::vector<Xyz> more = points; // of what does not count
+      std::vector<Xyz> more = points; // of points that do not count
       more.push_back({ { 1, 2, 3 } });
       more.push_back({ { kNaN, 2, 3 } });
       std::vector<unsigned char> marks(more.size(), 0);
@@ -73,7 +73,7 @@ TEST(Plane, PointsWithACoordinateInCommonKeepTheOthers)
   ASSERT_EQ(low.fit(PointView(wall.data(), 600, 3), Context()), Status::Ok);
   EXPECT_TRUE(low.isOfCoordinates());
   EXPECT_EQ(low.normal(), unitAxis(0));
-  // On a line there are other planes, too: the rule for lines says which.
+  // Many planes contain a line: the rule for lines chooses one.
   EXPECT_FALSE(fit({ { { 0, 1, 0 } }, { { 2, 1, 1 } }, { { 4, 1, 2 } } }).isOfCoordinates());
 }
 
@@ -231,7 +231,7 @@ TEST(Plane, AnyNumberOfThreadsHearsAnAbort)
   const std::vector<Xyz> points(std::size_t(1) << 18, { { 1, 2, 3 } });
   ThreadExecutor executor(3);
   Context context{ &countdown, &executor };
-  // How often they ask depends on which thread takes which part: at least once a pass.
+  // The number of polls depends on the threads: at least one a pass.
   for (int asked = 0; asked < 6; ++asked)
   {
     countdown.left = asked;

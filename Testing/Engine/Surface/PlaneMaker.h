@@ -2,7 +2,7 @@
 #ifndef ahd_PlaneMaker_h
 #define ahd_PlaneMaker_h
 
-// What the tests of the best fitting plane share.
+// Shared by the tests of the best-fitting plane.
 #include "Surface/Plane.h"
 
 #include "Executors.h"
@@ -43,7 +43,7 @@ inline double length(const Xyz& v)
   return std::hypot(v[0], v[1], v[2]);
 }
 
-/// The component that the rule of the sign looks at.
+/// The component that decides the sign.
 inline std::size_t mainOf(const Xyz& normal)
 {
   const double most = std::max(
@@ -56,7 +56,7 @@ inline std::size_t mainOf(const Xyz& normal)
   return k;
 }
 
-/// Unit vectors, right handed, turned as the rules say.
+/// Unit vectors, right handed, directed by the rules.
 inline void expectFrame(const Plane& plane)
 {
   const Xyz& x = plane.firstAxis();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The sums behind the plane that fits: exact, and so the same for any order and any parts.
+// The sums of the best-fitting plane: exact, and so the same for any order and any parts.
 #include "Surface/PlaneMoments.h"
 
 #include "Random.h"

@@ -19,7 +19,7 @@ namespace test
 namespace
 {
 
-/// Goes on with all parts alike.
+/// Runs all parts to the end.
 Plane fitParts(const std::vector<PointView>& parts, bool areDoubles)
 {
   std::vector<std::unique_ptr<PlaneFitting>> fittings;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What limits on the size of triangles leave: beside a search by definition, at the limits
-// themselves, and where all points are collinear.
+// The cells that limits on size leave: against a search by definition, at the limits themselves,
+// and for collinear points.
 #include "SelectionCase.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ double distance(const Xyz& a, const Xyz& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// What is to be selected, by definition.
+/// The selection by definition.
 struct Expected
 {
   std::vector<unsigned char> selected; ///< of the triangles that loops keep
@@ -62,7 +62,7 @@ public:
 
   Expected run()
   {
-    std::map<std::pair<int, int>, bool> isCovered; // is a triangle of the edge put out?
+    std::map<std::pair<int, int>, bool> isCovered; // is a triangle of the edge selected?
     std::vector<bool> isUsed(status_.size(), false);
     Expected out;
     for (std::size_t t = 0; t < triples_.size() / 3; ++t)

@@ -2,7 +2,7 @@
 #ifndef ahd_SelectionCase_h
 #define ahd_SelectionCase_h
 
-// What the tests of selectBySize() share: surfaces of all kinds.
+// Shared by the tests of selectBySize(): surfaces of all kinds.
 #include "Merge/Merge.h"
 #include "Surface/Selection.h"
 #include "Surface/Vectors.h"
@@ -23,14 +23,14 @@ namespace test
 
 using Xyz = Vector3;
 
-/// Points, what a user sees of them, and their triangulation.
+/// Points, in the plane and in space, and their triangulation.
 struct Surface
 {
   std::vector<Xyz> points;
   std::vector<Xyz> inSpace;
   MergedPoints merged;
   Options options;
-  std::vector<std::int64_t> loop; ///< what is outside of it is dropped
+  std::vector<std::int64_t> loop; ///< triangles outside of it are dropped
 
   PointView view() const
   {
@@ -64,7 +64,7 @@ struct Surface
 };
 
 /// A surface over the unit square, in space somewhere else. Odd seeds have points at one place, and
-/// z that are none; others have points merged, representatives that are not the first, a loop.
+/// z that are NaN; others have points merged, representatives that are not the first, a loop.
 inline Surface makeSurface(std::size_t count, unsigned seed)
 {
   std::mt19937_64 random(seed); // its sequence is fixed by the standard

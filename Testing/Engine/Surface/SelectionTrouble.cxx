@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // selectBySize() where it is cancelled, has no memory, or several threads. This program's operator
-// new counts, and fails when told to.
+// new counts, and fails on demand.
 #include "SelectionCase.h"
 
 #include "Executors.h"

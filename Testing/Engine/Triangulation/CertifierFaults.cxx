@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A certifier that never complains certifies nothing: every kind of fault is planted here and has
-// to be named. No engine takes part: the right triangulations come from the oracle.
+// The certifier must detect faults: every kind is planted here and must be named. The engine is not
+// used: the correct triangulations come from the oracle.
 #include "Certifier.h"
 #include "Oracle.h"
 
@@ -19,7 +19,7 @@ namespace test
 namespace
 {
 
-/// Points with their right triangulation, to be spoilt.
+/// Points with their correct triangulation, to be corrupted.
 struct Sample
 {
   explicit Sample(std::vector<Point> p)

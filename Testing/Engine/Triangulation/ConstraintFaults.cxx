@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The certifier of constraints complains when it has to: every kind of fault is planted, and has to
-// be named. No engine takes part: the right results come from the oracle.
+// The certifier of constraints must detect faults: every kind is planted here and must be named.
+// The engine is not used: the correct results come from the oracle.
 #include "ConstraintCertifier.h"
 #include "ConstraintOracle.h"
 #include "ConstraintSets.h"
@@ -18,7 +18,7 @@ namespace test
 namespace
 {
 
-/// Neighbours, constraint edges and regions, from what the oracle knows.
+/// Neighbours, constraint edges and regions, from the oracle.
 void describe(const ConstrainedByDefinition& defined, ConstrainedOutcome& outcome)
 {
   std::map<EdgeIds, std::int64_t> sideOf; // of a directed edge: its triangle
@@ -47,7 +47,7 @@ void describe(const ConstrainedByDefinition& defined, ConstrainedOutcome& outcom
   }
 }
 
-/// Points and constraints with their right outcomes, to be spoilt.
+/// Points and constraints with their correct outcomes, to be corrupted.
 struct Sample
 {
   Sample(std::vector<Point> p, ConstraintSet set, FillRule r = FillRule::Orientation)
@@ -83,7 +83,7 @@ struct Sample
     return joined(certifyConstrained(view(), constraints.view(), rule, whole, filled));
   }
 
-  /// Applies to both outcomes, as one who has no loops to fill would spoil them.
+  /// Corrupts both outcomes, as if there were no loops to fill.
   template <typename Spoil>
   void spoil(Spoil spoil)
   {
@@ -170,7 +170,7 @@ TEST(ConstraintFaults, TieBrokenTheWrongWay)
 {
   Sample sample = withLines({ { 0, 4 } });
   Sample other = withLines({ { 3, 1 } });
-  // One of the two diagonals is not the one that the ties ask for.
+  // One of the two diagonals breaks the rule for ties.
   sample.constraints = ConstraintSet();
   other.constraints = ConstraintSet();
   EXPECT_NE(
@@ -310,7 +310,7 @@ TEST(ConstraintFaults, WrongRegion)
   ASSERT_EQ(*std::max_element(sample.whole.regions.begin(), sample.whole.regions.end()), 1);
   for (std::int64_t& region : sample.filled.regions)
   {
-    region = 1 - region; // the right parts, but not in the order of their first triangles
+    region = 1 - region; // the correct parts, but not in the order of their first triangles
   }
   EXPECT_COMPLAINT(sample, "region: 1 instead of 0: triangle 0");
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Data/Corpus: small inputs that are hard for a reason, told in their first line. Every bug that is
-// found leaves a file there.
+// Data/Corpus: small inputs that are hard for a reason, given in their first line. Every bug that
+// is found leaves a file there.
 #include "Corpus.h"
 #include "EngineRun.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every result of the engine as a hash that stands in Data/Hashes/Engine.txt: so a change of any
-// result is seen in review, and compilers, builds, threads and settings are held to the same bytes.
+// Every result of the engine as a hash in Data/Hashes/Engine.txt: so a change of any result is seen
+// in review, and compilers, builds, threads and settings must give the same bytes.
 #include "EngineRun.h"
 #include "HashedResults.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A host program may have set another rounding, flushing to zero or traps, on any thread, or do so
-// when it is asked in between: the results are the same to the byte, and it finds its settings as
-// it left them, also where it cancelled or where memory ran out.
+// A host program may have set another rounding, flushing to zero or traps, on any thread, or set it
+// in a callback: the results are the same to the byte, and its settings are restored, also after a
+// cancel or without memory.
 #include "HashedResults.h"
 #include "HostModes.h"
 #include "OwnMemory.h"
@@ -81,7 +81,7 @@ std::vector<HostMode> twoModes()
 #endif
 }
 
-/// Calls in a mode, which has to be there afterwards.
+/// Calls in a mode, which must be restored afterwards.
 Way wayIn(const HostMode& mode)
 {
   Way way;
@@ -97,7 +97,7 @@ Way wayIn(const HostMode& mode)
   return way;
 }
 
-/// Leaves a mode behind whenever it is asked; cancels at one asking.
+/// Changes the mode at each poll; cancels at one poll.
 class HostProgress : public Progress
 {
 public:
@@ -119,7 +119,7 @@ private:
   std::size_t asked_ = 0;
 };
 
-/// Its threads have a mode when they take a task, which has to be there after it.
+/// Its threads have a mode when they take a task, which must be restored after it.
 class HostExecutor : public ThreadExecutor
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The result is a function of the point set: what may not change it does not change it, to the
-// byte, and what turns the points turns the result.
+// The result is a function of the point set: settings and order do not change a byte of it, and
+// turning the points turns the result.
 #include "Distributions.h"
 #include "EngineRun.h"
 

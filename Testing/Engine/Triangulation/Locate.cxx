@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where a place lies: each answer against its definition, on small sets at every place of a finer
+// Locations of places: each against its definition, on small sets at every place of a finer
 // lattice and from every triangle, on large ones from near and far and from several threads; with
-// constraints, where a walk could go round in circles, and by the way that is taken if it does.
+// constraints, where a walk could go round in circles, and by the search that follows if it does.
 #include "ConstraintMakers.h"
 #include "EngineRun.h"
 #include "Random.h"
@@ -36,8 +36,8 @@ bool isBetweenEnds(const Triangulation& made, HalfEdge h, const Point& place)
     lexicographicallyLess(place, std::max(a, b, lexicographicallyLess));
 }
 
-/// What is wrong with the answer as such; empty if nothing is. Any other answer would be wrong,
-/// but for the edge of the hull that a place outside lies beyond.
+/// The error of the answer; empty if it is correct. Only one answer is, except for the edge of the
+/// hull that a place outside lies beyond.
 std::string faultOf(const Triangulation& made, const Point& place, const Location& found)
 {
   const HalfEdge h = found.halfEdge;

@@ -20,8 +20,8 @@ struct Hash
   std::uint64_t value;
 };
 
-/// Of 100003 points with seed 7, as they have been since the first version. Budgets of instructions
-/// and counts of work in other tests hold for these points.
+/// Of 100003 points with seed 7: must never change. Budgets of instructions and counts of work in
+/// other tests hold for these points.
 constexpr Hash kHashes[] = {
   { Distribution::Uniform, 0xD7F0D9252F579630ull },
   { Distribution::Line, 0xC827701BAE361EA6ull },

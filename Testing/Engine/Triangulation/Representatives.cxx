@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which of several points at one place stands for the vertex: in triangles, status, order, tables
+// The representative of several points at one place: in triangles, status, order, tables
 // and Voronoi cells alike, and nothing else changes.
 #include "ConstrainedRun.h"
 #include "EngineRun.h"
@@ -24,7 +24,7 @@ namespace
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// Points x, y, z, many at one place, z from a few numbers and some that are none.
+/// Points x, y, z, many at one place, z from a few numbers, some NaN.
 struct Spatial
 {
   Spatial(std::size_t n, std::uint64_t seed, std::size_t places)
@@ -57,7 +57,7 @@ struct Spatial
   std::vector<double> xyz;
 };
 
-/// Of each point of the first result, which one stands for its vertex now.
+/// For each point of the first result, the point that represents its vertex now.
 std::vector<std::int64_t> bestOf(const Spatial& points, const Outcome& first, bool highest)
 {
   std::vector<std::int64_t> best(first.pointStatus.size(), -1);

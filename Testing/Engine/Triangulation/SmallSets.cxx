@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The engine against the definition: brute force in rational arithmetic (Oracle.h) on small sets,
-// where every cocircular and collinear case there is occurs.
+// where every cocircular and collinear case occurs.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "ExactSigns.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The tables of a triangulation: that they say what is written out, that neighbours are
-// neighbours, and that whatever happens while they are made, they can be made again.
+// The tables of a triangulation: they equal the outputs, neighbours are mutual, and after any
+// failure they can be made again.
 #include "ConstrainedRun.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -267,7 +267,7 @@ TEST(Tables, CanBeMadeAfterAnyCancelling)
   }
 }
 
-/// What is written and asked, of an engine whose triangles were numbered first.
+/// Outputs and queries of a triangulation whose triangles were numbered first.
 void expectAfterNumbers(
   Engine& engine, const std::vector<std::int32_t>& expected, const Context& context)
 {
@@ -322,7 +322,7 @@ public:
   std::size_t times = 0;
 };
 
-/// Who calls it first has the triangles put in order once.
+/// Called first, it sorts the triangles once.
 TEST(Tables, NumbersFirstSaveWork)
 {
   const std::vector<Point> points = makePoints(Distribution::Uniform, reduced(100000), 1);

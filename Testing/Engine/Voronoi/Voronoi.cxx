@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cells of the Voronoi diagram against their definition: convex, counterclockwise, as large
-// together as what they fill, and each nearer to its own vertex than to any other.
+// The cells of the Voronoi diagram against their definition: convex, counterclockwise, with the
+// total area of the clipping border, and each nearer to its own vertex than to any other.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "Executors.h"
@@ -28,7 +28,7 @@ using Cell = std::vector<Point>;
 
 const VoronoiClip kClips[] = { VoronoiClip::Hull, VoronoiClip::Bounds };
 
-/// The triangle across each edge, by looking for it.
+/// The triangle across each edge, by search.
 std::vector<std::int64_t> neighborsOf(const std::vector<std::int32_t>& triples)
 {
   std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> owners;
@@ -104,7 +104,7 @@ double areaOf(const Cell& cell)
   return 0.5 * twice;
 }
 
-/// Of what the cells have to fill.
+/// Of the area that the cells must fill.
 double areaToFill(const Made& made, VoronoiClip clip)
 {
   if (clip == VoronoiClip::Bounds)
@@ -135,7 +135,7 @@ double sizeOf(const std::vector<Point>& points)
   return size;
 }
 
-/// What is wrong with the cell, or "". `rounding`: how far a corner may be from its place.
+/// The fault of the cell, or "". `rounding`: how far a corner may be from its place.
 std::string faultOfShape(const Cell& cell, const Point& site, double rounding)
 {
   for (std::size_t i = 0; i < cell.size(); ++i)
@@ -434,7 +434,7 @@ TEST(Voronoi, SameWithThreads)
   EXPECT_EQ(listOf(one.cells.corners), listOf(three.cells.corners));
 }
 
-/// Says stop at one asking.
+/// Cancels at one poll.
 class StopAt : public Progress
 {
 public:
@@ -451,7 +451,7 @@ private:
 
 TEST(Voronoi, CanBeCancelledAtAnyAsking)
 {
-  // as many under sanitizers: of fewer it asks too seldom
+  // as many under sanitizers, too: with fewer it polls too seldom
   Made made(makePoints(Distribution::Uniform, 6000, 2), VoronoiClip::Hull);
   for (const VoronoiClip clip : kClips)
   {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Circumcentres of many triangles at once are those of one at a time, bit by bit, as compiled for
-// each kind of processor; these are held to exact ones in VoronoiCorners.cxx.
+// each kind of processor; VoronoiCorners.cxx compares these with exact ones.
 #include "Predicates/Predicates.h"
 #include "Voronoi/CentreBlocks.h"
 #include "Voronoi/Circumcentre.h"
@@ -18,7 +18,7 @@ namespace ahd::test
 namespace
 {
 
-constexpr std::size_t kTriangles = 10001; // no multiple of what is computed at once
+constexpr std::size_t kTriangles = 10001; // no multiple of the block size
 
 class Drawn
 {
@@ -54,8 +54,7 @@ std::vector<Point> triangles(Make make)
 
 void expectTheSame(CentresOf* compute, const std::vector<Point>& places, std::size_t count)
 {
-  // The last corner first, and every other triangle turned round: who stands where is not its
-  // place.
+  // The last corner first, and every other triangle reversed: places differ from numbers.
   std::vector<Index> vertices(3 * count);
   for (std::size_t i = 0; i < vertices.size(); ++i)
   {
@@ -116,7 +115,7 @@ TEST(VoronoiCentres, ManyAtOnceAreThoseOfOne)
   }
 }
 
-/// Flatter and flatter, beyond what is computed at once: centres far away, on either side.
+/// Flatter and flatter, beyond the limit of the blocks: centres far away, on either side.
 TEST(VoronoiCentres, OfNearlyFlatTriangles)
 {
   Drawn drawn(20);
@@ -133,7 +132,7 @@ TEST(VoronoiCentres, OfNearlyFlatTriangles)
 }
 
 /// Right angles with sides of a few units in the last place: half of the centres' coordinates lie
-/// in the middle between two doubles, or so near to it that only the last bits tell.
+/// in the middle between two doubles, or so near to it that only the last bits decide.
 TEST(VoronoiCentres, BetweenTwoDoubles)
 {
   for (const double origin : { 1.0, -1.0, 1.5, 0x1p20 })

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Where the corners of Voronoi cells are, each cell against the exact one: for vertices a few units
-// in the last place apart, in tiny clusters, on lattices that are none by their rounding, and at
+// Corners of Voronoi cells, each cell against the exact one: for vertices a few units
+// in the last place apart, in tiny clusters, on rounded lattices, and at
 // the ends of the range of double.
 #include "Distributions.h"
 #include "EngineRun.h"
@@ -197,7 +197,7 @@ TEST(VoronoiCorners, AtTheEndsOfTheRange)
   expectAllRight(120, [](Sets& sets) { return sets.extremes(); });
 }
 
-/// What was found by users' data: cells reached along the border up to the far corner.
+/// Found in users' data: cells that reached along the border up to the far corner.
 TEST(VoronoiCorners, NoSpikeAlongTheBorder)
 {
   expectRight({ { 10.499999999999998, 10.2 }, { 10.499999999999998, 10.4 },

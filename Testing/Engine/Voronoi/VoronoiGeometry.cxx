@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the Voronoi diagram computes with, against rational arithmetic: centres, bisectors, the sums
-// of two doubles beneath them, and the box in which cells end.
+// The arithmetic of the Voronoi diagram, against rationals: centres, bisectors, their sums of two
+// doubles, and the clipping box.
 #include "Arithmetic/DoubleDouble.h"
 #include "Voronoi/Circumcentre.h"
 #include "Voronoi/ClipBox.h"
@@ -188,7 +188,7 @@ TEST(VoronoiGeometry, BisectorsMeetLinesWhereTheyDo)
   }
 }
 
-/// Where about 100 bits do not tell: flat triangles far away, bisectors along a side, and places
+/// Where about 100 bits do not decide: flat triangles far away, bisectors along a side, and places
 /// that are nearly 0.
 TEST(VoronoiGeometry, PlacesThatTakeManyBits)
 {
@@ -237,7 +237,7 @@ TEST(VoronoiGeometry, SumsOfTwoDoublesHaveAHundredBits)
   }
 }
 
-/// Where a bisector leaves the box, and which corners are passed.
+/// Where a bisector leaves the box, and the corners passed.
 TEST(VoronoiGeometry, OneLeavesTheBoxWhereTheBisectorDoes)
 {
   Numbers numbers;
@@ -279,7 +279,7 @@ TEST(VoronoiGeometry, OneLeavesTheBoxInACorner)
   EXPECT_EQ(box.exitOf({ 1, 2 }, { 2, std::nextafter(1.0, 0.0) }), 3u) << "nearly, to the right";
 }
 
-/// Rounded onto a side, centres are told by their sign.
+/// Centres rounded onto a side are decided by their sign.
 TEST(VoronoiGeometry, ABoxHasTheCentresThatAreInIt)
 {
   const Point a{ 0.0, 0.0 }, b{ 3.0, 0.0 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the Voronoi diagram allocates: no more than it says beforehand, and where there is no memory
-// it says so and leaves nothing. This program's operator new counts, and fails when told to.
+// Allocations of the Voronoi diagram: no more than estimated, and a failed one is reported and
+// leaves nothing. This program's operator new counts, and fails on demand.
 #include "Distributions.h"
 #include "EngineRun.h"
 #include "OwnMemory.h"
@@ -19,7 +19,7 @@ namespace test
 namespace
 {
 
-/// A triangulation, with the tables that the diagram wants.
+/// A triangulation, with the tables that the diagram needs.
 struct Given
 {
   explicit Given(const std::vector<Point>& where)

@@ -176,8 +176,8 @@ TEST(VoronoiScales, CentresAreNearWhatStandsForThem)
   EXPECT_GT(joined, 1000u);
 }
 
-/// Vertices one unit in the last place apart: two corners on the border of the box come the wrong
-/// way round, and no cell passes the whole border for that.
+/// Vertices one unit in the last place apart: two corners on the border of the box are in reverse
+/// order, but no cell passes the whole border.
 TEST(VoronoiScales, NoCellPassesTheWholeBorderByRounding)
 {
   const std::vector<Point> points = { { -2, 4 }, { 3, 9 }, { -2, 0x1.0000000000001p+2 }, { -4, 16 },
@@ -210,9 +210,8 @@ void expectCornersWithinTheBounds(const std::vector<Point>& points)
   }
 }
 
-/// Bisectors of points that are nearer to each other than the box is large by more than doubles can
-/// say, or than a half of the smallest double: corners within the bounds of the points all the
-/// same.
+/// Bisectors of points whose distance is negligible beside the box in doubles, or below half of the
+/// smallest double: corners within the bounds of the points all the same.
 TEST(VoronoiScales, NearPointsInAHugeBox)
 {
   const std::vector<Point> drawings[] = { { { 0x1p-995, 0 }, { 0x1p-995, 0x1p-995 }, { 0, 0 },
