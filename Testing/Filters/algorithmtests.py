@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of the filter and of the source in Python share."""
+"""Shared by the Python tests of the filter and of the source."""
 
 import sys
 import unittest
 
 
 def check_abort_and_run_again(test, algorithm, size):
-    """An abort halfway leaves nothing, and the next run gives all. `size(output)` says how much there is; what a
-    whole run gives is returned."""
+    """An abort halfway leaves no output, and the next run is complete. `size(output)`: the amount of output; returns
+    that of a complete run."""
 
     def abort(caller, _):
         if caller.GetProgress() > 0.5:
@@ -24,6 +24,6 @@ def check_abort_and_run_again(test, algorithm, size):
 
 
 def run_tests():
-    # pvpython and pvbatch leave their own words in sys.argv.
+    # pvpython and pvbatch leave their own arguments in sys.argv.
     outcome = unittest.main(argv=sys.argv[:1], exit=False, verbosity=2).result
     sys.exit(not outcome.wasSuccessful())

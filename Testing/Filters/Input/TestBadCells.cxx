@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Sources whose offsets of cells lie: one error that says where, nothing put out, nothing read that
-// is not there.
+// Sources with invalid offsets of cells: one error that says where, no output, no read out of
+// bounds.
 #include "BadDataSupport.h"
 #include "SampleTestSupport.h"
 
@@ -16,7 +16,7 @@ namespace
 const std::vector<Xyz> kSquare = { { 0, 0, 1 }, { 4, 0, 2 }, { 4, 4, 3 }, { 0, 4, 4 } };
 const std::vector<vtkIdType> kIds = { 0, 1, 2, 3 };
 
-/// Two cells by offsets that lie, and what is said of the first of these cells.
+/// Two cells by invalid offsets, and the message about the first of them.
 struct Lie
 {
   std::vector<vtkIdType> Offsets;

@@ -25,7 +25,7 @@ namespace
 {
 const std::vector<Xyz> kSquare = { { 0, 0, 1 }, { 4, 0, 2 }, { 4, 4, 3 }, { 0, 4, 4 } };
 
-/// An array of `count` values: 0, 1, 2, ... as far as the type can say that.
+/// An array of `count` values: 0, 1, 2, ... as far as the type can represent them.
 template <typename Array>
 vtkSmartPointer<Array> makeArray(const char* name, vtkIdType count)
 {
@@ -47,7 +47,7 @@ int valueOf(vtkAbstractArray* array, vtkIdType i)
                  : array->GetVariantValue(i).ToInt();
 }
 
-/// All four kinds, as long as said.
+/// All four kinds, of the given length.
 std::vector<vtkSmartPointer<vtkAbstractArray>> makeArrays(vtkIdType count)
 {
   return { makeArray<vtkDoubleArray>("numbers", count), makeArray<vtkStringArray>("texts", count),
@@ -243,7 +243,7 @@ TEST(BadDataArrays, WithoutANameArePassedOnToo)
 
 TEST(BadDataArrays, OfTwoWithOneNameTheLastCounts)
 {
-  // VTK lets none be added under a name that is there, but an array can be renamed afterwards.
+  // VTK adds none under an existing name, but an array can be renamed afterwards.
   auto cloud = makeCloud(kSquare);
   cloud->GetPointData()->AddArray(makeArray<vtkStringArray>("first", 4));
   cloud->GetPointData()->AddArray(makeArray<vtkDoubleArray>("second", 4));
@@ -317,7 +317,7 @@ TEST(BadDataArrays, WithTheNamesOfTheFiltersAreReplacedWhereItMakesThem)
       EXPECT_EQ(idsOf(data, "Fate"), (std::vector<vtkIdType>{ 0, 1, 2, 3 }));
       EXPECT_EQ(idsOf(data, "InsertionRank").size(), 4u);
       EXPECT_EQ(data->GetArray("OriginalPointIds"), cloud->GetPointData()->GetArray(names[2]));
-      // what asks for normals takes three components for granted
+      // users of normals assume three components
       vtkDataArray* active = vtkArrayDownCast<vtkDataArray>(
         data->GetAbstractAttribute(attributes[k]));
       EXPECT_TRUE(!active || active->GetNumberOfComponents() == 3);

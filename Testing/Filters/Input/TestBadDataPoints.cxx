@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points as users have them: heights and places that are no numbers, whole numbers, none at all,
-// all in one place, as large as numbers get. Each has its documented message and result.
+// Points as users have them: heights and places that are not finite, whole numbers, no points, all
+// in one place, the largest numbers. Each has its documented message and result.
 #include "BadDataSupport.h"
 
 #include "vtkCellData.h"
@@ -23,7 +23,7 @@ namespace
 {
 const std::vector<Xyz> kSquare = { { 0, 0, 1 }, { 4, 0, 2 }, { 4, 4, 3 }, { 0, 4, 4 } };
 
-/// All that looks at coordinates is on.
+/// Every feature that reads coordinates is on.
 void switchAllOn(vtkAdaptiveHilbertDelaunay2D* filter)
 {
   filter->GenerateFateOn();
@@ -113,7 +113,7 @@ TEST(BadDataPoints, WithoutAPlaceTheyHaveNoCellAnywhere)
     switchAllOn(filter.Filter);
     filter->SetInputData(makeCloud(points, type));
     filter->SetTolerance(0.01);
-    filter->SetAlpha(1e9); // those that are used by nothing become vertices
+    filter->SetAlpha(1e9); // points that nothing uses become vertices
     filter->Update();
     expectWarnings(filter, 1, { "5 of 105 points were rejected", "the first is point 50" });
     expectCountsOfFates(filter.Filter);
@@ -422,7 +422,7 @@ TEST(BadDataPoints, WithCellsOfEveryKindAndGhostsAmongThemAreTriangulatedAsPoint
   cloud->SetLines(makeCells({ { 0, 1, 2 }, {} }));
   cloud->SetPolys(makeCells({ { 0, 1, 2, 3 } }));
   cloud->SetStrips(makeCells({ { 0, 1, 2, 3 } }));
-  vtkNew<vtkUnsignedCharArray> cellMarks; // of cells: they say nothing of points
+  vtkNew<vtkUnsignedCharArray> cellMarks; // of cells: they do not apply to points
   cellMarks->SetName(vtkDataSetAttributes::GhostArrayName());
   cellMarks->SetNumberOfValues(cloud->GetNumberOfCells());
   cellMarks->FillValue(vtkDataSetAttributes::HIDDENCELL | vtkDataSetAttributes::DUPLICATECELL);
@@ -443,7 +443,7 @@ TEST(BadDataPoints, WithCellsOfEveryKindAndGhostsAmongThemAreTriangulatedAsPoint
   marks->FillValue(vtkDataSetAttributes::DUPLICATEPOINT);
   cloud->GetPointData()->AddArray(marks);
   filter->Update();
-  expectWarnings(filter, 0); // nothing is left that could have been a triangle
+  expectWarnings(filter, 0); // nothing is left for a triangle
   EXPECT_EQ(filter->GetNumberOfSkippedPoints(), 4);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   expectCountsOfFates(filter.Filter);

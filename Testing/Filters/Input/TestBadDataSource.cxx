@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Sources as users have them: ids that are no points', cells of too few points, cells of other
-// kinds, places that are no numbers. Each has its documented message and result.
+// kinds, places that are not finite. Each has its documented message and result.
 #include "BadDataSupport.h"
 
 #include "vtkCellData.h"

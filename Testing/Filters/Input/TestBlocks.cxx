@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The blocks of a composite data set made one point set.
+// The blocks of a composite data set, merged into one point set.
 #include "ContextSupport.h"
 #include "FilterTestSupport.h"
 #include "Input/vtkAHDBlocks.h"
@@ -45,7 +45,7 @@ void addArray(vtkPointSet* block, const char* name, const std::vector<double>& v
   block->GetPointData()->AddArray(array);
 }
 
-/// Does something the first time that it hears.
+/// Acts at the first event.
 class AtFirst : public vtkCommand
 {
 public:
@@ -83,8 +83,8 @@ std::vector<double> valuesOf(vtkPointSet* set, const char* name)
 }
 }
 
-/// Observers hear while blocks are merged: what was there in the beginning is merged, whatever they
-/// do to the blocks.
+/// Events come while blocks are merged: the blocks of the beginning are merged, whatever observers
+/// do to them.
 TEST(Blocks, AreHeldWhileTheyAreMerged)
 {
   for (const bool isDisturbed : { false, true })
@@ -108,7 +108,7 @@ TEST(Blocks, AreHeldWhileTheyAreMerged)
     };
     filter->AddObserver(vtkCommand::ProgressEvent, observer);
     static double now = 0.0;
-    vtkAHDProgress progress(filter, [] { return now += 1.0; }); // each time it is time to be heard
+    vtkAHDProgress progress(filter, [] { return now += 1.0; }); // each time a report is due
     ahd::Threads threads(1);
     vtkAHDOutputMemory memory;
     const auto merged = vtkAHDBlocks(blocks).Merge(vtkAHDContext(progress, threads, memory));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Constraints by the ids of the input's points: what becomes of lines and polygons, and what is
-// said of those that cannot be had.
+// Constraints by the ids of the input's points: the results of lines and polygons, and the messages
+// about impossible ones.
 #include "ConstraintTestSupport.h"
 #include "ProgressWatch.h"
 
@@ -411,7 +411,7 @@ TEST(SplitCrossings, WhatBendsIsCountedAndNamed)
   EXPECT_EQ(filter->GetNumberOfBentConstraints(), 0);
 }
 
-/// The table of the edges of loops is asked for when their number is known.
+/// The table of the edges of loops is requested when their number is known.
 TEST(Constraints, WhatTheyNeedBeyondTheLimitIsRefused)
 {
   constexpr vtkIdType kSquares = 600; // within each other

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the filter takes: every vtkPointSet, every type of number, points marked to be left out.
+// The filter's inputs: every vtkPointSet, every type of number, points marked to be left out.
 #include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 
@@ -149,7 +149,7 @@ TEST(Inputs, MarksThatDoNotFitThePointsAreIgnoredAndTold)
 
 TEST(Inputs, BlocksThatHaveNoPointsOfTheirOwnAreTold)
 {
-  // The pipeline hands the blocks of a composite data set on whatever their type.
+  // The pipeline passes on the blocks of a composite data set whatever their type.
   const std::vector<Xyz> points = latticePoints(200, 1000);
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, vtkNew<vtkImageData>());
@@ -173,7 +173,7 @@ TEST(Inputs, BlocksThatHaveNoPointsOfTheirOwnAreTold)
   EXPECT_EQ(trianglesOf(vtkPolyData::SafeDownCast(made->GetBlock(3))), triangulate(points));
 }
 
-/// An array whose time changed has all others who have it run again.
+/// An array whose time changed makes all its other users run again.
 TEST(Inputs, TimesOfWhatIsReadStay)
 {
   auto cloud = makeCloud(scatteredPoints(50));

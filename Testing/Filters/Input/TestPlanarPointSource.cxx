@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The source of points: that its points are those of the tests and benchmarks, that each
-// distribution is what its formula says, and how it behaves in a pipeline.
+// The source of points: its points are those of the tests and benchmarks, each distribution follows
+// its formula, and it behaves in a pipeline.
 #include "vtkPlanarPointSource.h"
 
 #include "Distributions.h"
@@ -457,7 +457,7 @@ TEST(PlanarPointSource, TooLittleMemoryIsAnErrorAndNoMore)
 
 TEST(PlanarPointSource, MemoryThatIsRefusedAfterAllIsAnErrorToo)
 {
-  // A limit that the estimate of what is there knows nothing of.
+  // A limit that the estimate of available memory does not include.
   std::size_t size, resident, shared, text, library, data = 0; // in pages
   std::ifstream("/proc/self/statm") >> size >> resident >> shared >> text >> library >> data;
   vtkNew<vtkPlanarPointSource> source;

@@ -103,9 +103,9 @@ TEST(Projection, SlopesAreTriangulatedInTheirPlane)
     {
       --main;
     }
-    // Seen along that axis: counterclockwise all, and none lies over another or is missing, as the
-    // areas add up to the hull's. Points on an edge of the hull may be off it by a rounding and
-    // make triangles without area.
+    // Seen along that axis: all counterclockwise, without overlaps or gaps, as the areas add up to
+    // the hull's. Points on an edge of the hull may be off it by a rounding and make triangles
+    // without area.
     double area = 0.0;
     for (const Triangle& t : triangles)
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Points that are added: those of the source, and where constraints cross; their ids, their data,
-// and what is said of them.
+// and messages about them.
 #include "ConstraintTestSupport.h"
 
 #include "vtkDoubleArray.h"
@@ -332,7 +332,7 @@ TEST(SplitCrossings, InAnotherPlaneTheyAreInterpolatedInSpace)
 
 TEST(SplitCrossings, AnEndThatLiesOnALineButForRoundingNeedsNoPoint)
 {
-  // the second line begins on the first, as far as doubles can say, but on its other side
+  // the second line begins on the first, up to rounding, but on its other side
   const std::vector<Xyz> roads = { { 650918.04581886868, 5000487.6271896446, 0 },
     { 651544.78632731084, 5001249.2579914005, 0 }, { 650923.72225737572, 5000494.5253402395, 0 },
     { 650827.84740761865, 5000770.9921042062, 0 } };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Sources as readers give them: in several blocks, with outlines that are closed lines, without
-// heights, and with nothing in them that constrains.
+// heights, and without constraints.
 #include "ConstraintTestSupport.h"
 
 #include "vtkDoubleArray.h"
@@ -313,8 +313,8 @@ TEST(SourceKinds, APolygonOfTwoPointsIsAnEdge)
 namespace
 {
 /// The same two segments in cells as VTK can store them: ids and offsets of 64 bits, of 32 bits,
-/// cells of one size, ids of one more type. VTK 9.1 makes of the third what the first is, and
-/// refuses the last.
+/// cells of one size, ids of one more type. VTK 9.1 converts the third to the first, and refuses
+/// the last.
 template <typename Array>
 vtkSmartPointer<vtkCellArray> twoSegments(bool ofOneSize)
 {

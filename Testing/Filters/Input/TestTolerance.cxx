@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points within the tolerance of others: which are merged, how they are counted, and what follows
-// them.
+// Points within the tolerance of others: the merged ones, their counts, and their arrays.
 #include "ConstraintTestSupport.h"
 
 #include "vtkUnsignedCharArray.h"

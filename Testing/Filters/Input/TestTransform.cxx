@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points laid into a plane by any transform.
+// Points moved into a plane by any transform.
 #include "ContextSupport.h"
 #include "Input/vtkAHDProjection.h"
 
@@ -36,7 +36,7 @@ std::vector<double> randomNumbers(std::size_t count)
   return numbers;
 }
 
-/// vtkAHDProjection::project(). False if the filter is to abort.
+/// vtkAHDProjection::project(). False if the filter is aborted.
 bool project(
   const ahd::PointView& points, vtkAbstractTransform* transform, double* to, const Work& work)
 {
@@ -123,7 +123,7 @@ TEST(Transform, FloatsAreWidened)
 
 TEST(Transform, PointsThatAreNotFiniteStaySo)
 {
-  // everything to the origin: 0 times infinity is NaN, but nothing says that a transform multiplies
+  // everything to the origin: 0 times infinity is NaN, but a transform need not multiply
   vtkNew<vtkCylindricalTransform> transform;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double from[9] = { nan, 1, 2, 1, 2, std::numeric_limits<double>::infinity(), 1, 2, 3 };

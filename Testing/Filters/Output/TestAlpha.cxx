@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Alpha beside the real vtkDelaunay2D, on points of which both make the same triangles; what it
-// says of itself; MaximumEdgeLength.
+// Alpha beside the real vtkDelaunay2D, on points of which both make the same triangles; messages;
+// MaximumEdgeLength.
 #include "FilterTestSupport.h"
 
 #include "vtkDelaunay2D.h"
@@ -56,7 +56,7 @@ void keepTheHull(vtkAdaptiveHilbertDelaunay2D* filter)
   filter->SetRimToConvexHull();
 }
 
-/// What both have in common.
+/// The common part of both.
 template <typename Filter>
 vtkSmartPointer<vtkPolyData> run(vtkPolyData* points, double alpha, vtkAbstractTransform* transform)
 {
@@ -169,7 +169,7 @@ TEST(Alpha, BesideVtkWithATransform)
 
 TEST(Alpha, BesideVtkOnALine)
 {
-  // No triangles; from one point to the next all the same, where that is not too far.
+  // No triangles; but lines from one point to the next, where that is not too far.
   const auto points = ahdtest::makeCloud(
     { { 0, 0, 0 }, { 4, 0, 0 }, { 1, 0, 0 }, { 9, 0, 0 }, { 4.5, 0, 0 } });
   const Shape mine = ours(points, 1.0);
@@ -271,7 +271,7 @@ TEST(Alpha, PointsThatAreNoVerticesAreNoVerts)
 
 TEST(Alpha, HeightsThatAreNoNumbers)
 {
-  // As in vtkDelaunay2D: what cannot be measured drops no triangle, and makes no line.
+  // As in vtkDelaunay2D: a size that is NaN drops no triangle, and makes no line.
   std::vector<Xyz> xyz = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1.1, 0 } };
   xyz[2][2] = std::numeric_limits<double>::quiet_NaN();
   const auto points = ahdtest::makeCloud(xyz);

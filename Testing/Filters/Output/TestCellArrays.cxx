@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The cell arrays beside the cells they speak of, where all triangles are put out and where Alpha
-// or MaximumEdgeLength drops some.
+// The cell arrays against the cells, with all triangles and where Alpha or MaximumEdgeLength drops
+// some.
 #include "FilterTestSupport.h"
 
 #include "vtkCellData.h"
@@ -35,7 +35,7 @@ std::vector<int> edgesOf(vtkPolyData* surface)
     : std::vector<int>();
 }
 
-/// "Neighbors" as it has to be, from the cells alone.
+/// The correct "Neighbors", from the cells alone.
 std::vector<vtkIdType> expectedNeighbors(vtkPolyData* surface)
 {
   const std::vector<Triangle> cells = ahdtest::trianglesOf(surface);

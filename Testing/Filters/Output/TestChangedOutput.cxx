@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Outputs belong to who has them: their arrays may be emptied, filled and made larger as any
-// others.
+// Outputs belong to their holder: their arrays may be emptied, filled and enlarged like any others.
 #include "FilterTestSupport.h"
 
 #include "vtkCellArray.h"
@@ -19,7 +18,7 @@ namespace
 constexpr std::size_t kPoints = 400000; // arrays of several MiB
 const vtkIdType kCorners[3] = { 0, 1, 2 };
 
-/// An output that nobody holds any more but the test.
+/// An output that only the test still holds.
 class ChangedOutput : public ::testing::Test
 {
 protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which of several points at one place is the vertex, through the filter.
+// The representative of several points at one place, through the filter.
 #include "FilterTestSupport.h"
 
 #include "vtkTransform.h"

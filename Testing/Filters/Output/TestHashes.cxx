@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// All that the filter and the source of points put out, as hashes that stand in
-// Data/Hashes/Filter.txt: equal with every VTK, and whatever a host program did to floating-point
-// arithmetic, whose settings are put back.
+// All outputs of the filter and the source of points, as hashes in Data/Hashes/Filter.txt: equal
+// with every VTK and with any floating-point settings of a host program, which are restored.
 #include "FilterTestSupport.h"
 #include "Hash.h"
 #include "HashFile.h"
@@ -237,11 +236,11 @@ std::vector<Case> planesAndSources()
     { "blocks", blocks, [](Filter f) { f->MergeBlocksOn(); } } };
 }
 
-/// Runs it twice, the second time on what was kept, between `before` and `after`.
+/// Runs it twice, the second time on the kept triangulation, between `before` and `after`.
 std::string hashOf(
   const Case& given, const std::function<void()>& before, const std::function<void()>& after)
 {
-  ahdtest::WatchedFilter filter; // what it says is not printed
+  ahdtest::WatchedFilter filter; // its messages are not printed
   given.set(filter.Filter);
   filter->SetInputDataObject(given.input);
   filter->KeepTriangulationOn();
@@ -326,7 +325,7 @@ TEST(Hashes, NoModeOfTheHostChangesOne)
   }
 }
 
-/// They may be anybody's: those that are started here begin with the mode of the caller.
+/// Threads may be shared: those started here begin with the mode of the caller.
 TEST(Hashes, ThreadsComputeAsTheEngineDoes)
 {
   const HostMode asPrograms = { "", FE_TONEAREST, 0, 0 };

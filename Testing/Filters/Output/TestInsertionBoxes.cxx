@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The boxes of the grid in the second output: where they are, in which order, and what they hold.
+// The boxes of the grid in the second output: their places, their order, and their points.
 #include "FilterTestSupport.h"
 
 #include "vtkCellData.h"
@@ -63,7 +63,7 @@ std::vector<Box> boxesOf(vtkPolyData* order, double z)
   return boxes;
 }
 
-/// Do two boxes have a piece of border in common that is longer than a rounding error?
+/// Do two boxes share a piece of border longer than a rounding error?
 bool touch(const Box& a, const Box& b)
 {
   const double dx = std::min(a.xmax, b.xmax) - std::max(a.xmin, b.xmin);
@@ -71,7 +71,7 @@ bool touch(const Box& a, const Box& b)
   return std::min(dx, dy) > -1e-9 && std::max(dx, dy) > 1e-9;
 }
 
-/// How many boxes do not touch the one before.
+/// The number of boxes that do not touch the one before.
 std::size_t jumps(const std::vector<Box>& boxes)
 {
   std::size_t found = 0;
@@ -95,7 +95,7 @@ std::vector<Xyz> crowdedPoints(std::size_t count)
   return points;
 }
 
-/// Expects what the boxes of any run promise: they tile a rectangle and each point is in one.
+/// Checks the boxes of any run: they tile a rectangle and each point is in one.
 void expectTiling(const std::vector<Box>& boxes, const std::vector<Xyz>& points)
 {
   Box whole = boxes.front();

@@ -138,7 +138,7 @@ TEST(InsertionRank, DiffersBetweenTheOrders)
       filter->Update();
       found.insert(ranksOf(filter));
     });
-  // RG and AS_GIVEN have no control points; only HG knows genes.
+  // RG and AS_GIVEN have no control points; only HG uses genes.
   EXPECT_EQ(found.size(), 6u + 3u + 1u + 1u);
 }
 

@@ -264,7 +264,7 @@ TEST(InsertionOutput, IsPartOfTheMemoryEstimate)
     return std::make_pair(filter->GetMemoryEstimate(), vtkTypeInt64(made->GetActualMemorySize()));
   };
   const vtkTypeInt64 plain = estimate([](Filter*) {}).first;
-  // 8 bytes a point are put out, and 4 are the order
+  // 8 bytes a point are output, and 4 are the order
   const vtkTypeInt64 rank = estimate([](Filter* f) { f->GenerateInsertionRankOn(); }).first;
   EXPECT_GE(rank, plain + 12 * 20000 / 1024);
   EXPECT_LE(rank, plain + 13 * 20000 / 1024); // memory of arrays is rounded up
@@ -324,7 +324,7 @@ TEST(InsertionOutput, IsEmptyAfterAnAbort)
 
 namespace
 {
-/// Is told to abort when it asks for the `AbortAt`-th time, from 1.
+/// Aborts at the `AbortAt`-th poll, from 1.
 class AskingFilter : public vtkAdaptiveHilbertDelaunay2D
 {
 public:
@@ -350,7 +350,7 @@ TEST(InsertionOutput, IsEmptyWhereverTheAbortIsHeard)
   EXPECT_FALSE(isEmpty(filter->GetOutput(1)));
   const int askings = filter->Askings;
   ASSERT_GT(askings, 50);
-  for (int at = 1; at < askings - 1; at += at < askings / 2 ? 7 : 1) // VTK asks once at each end
+  for (int at = 1; at < askings - 1; at += at < askings / 2 ? 7 : 1) // VTK polls once at each end
   {
     filter->Askings = 0;
     filter->AbortAt = at;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the filter puts out: the triangles, and what it passes from its input.
+// The filter's outputs: the triangles, and data passed from its input.
 #include "FilterTestSupport.h"
 
 #include "vtkCellData.h"

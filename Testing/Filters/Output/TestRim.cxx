@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Rim: grids in another plane than x, y get the triangles of their squares and no walls, unless the
-// convex hull is asked for; what bounds the surface otherwise is left alone; what goes is said.
+// convex hull is requested; other bounds of the surface stay; removed triangles are reported.
 #include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 
@@ -185,7 +185,7 @@ TEST(Rim, HullAndTrimmedCanBeAskedForInAnyPlane)
   EXPECT_EQ(idsOf(filter->GetOutput()->GetFieldData(), "NumberOfTrimmedTriangles"),
     std::vector<vtkIdType>{ whole - trimmed });
 
-  // A bent rim in x, y: left alone unless asked for.
+  // A bent rim in x, y: trimmed only on request.
   std::vector<Xyz> bent = gridOf(10, 10, [](int, int) { return 0.0; });
   for (Xyz& p : bent)
   {
@@ -253,7 +253,7 @@ TEST(Rim, LinesAndLoopsStayEdges)
   EXPECT_EQ(edges.count({ 0, 90 }), 1u);
   EXPECT_EQ(filter->GetNumberOfConstraintEdges(), 2);
 
-  // Along the grid's own rim a loop bounds what lines do.
+  // Along the grid's own rim a loop bounds the same as lines.
   std::vector<vtkIdType> ring;
   for (vtkIdType i = 0; i < 9; ++i)
   {

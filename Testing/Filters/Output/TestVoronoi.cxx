@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Output port 2. What the cells are is checked in Testing/Engine/Voronoi/Voronoi.cxx; here, that
-// they are put out with the data of their points, and where these are.
+// Output port 2. Testing/Engine/Voronoi/Voronoi.cxx checks the cells; here, that they are output
+// with the data of their points, and at their places.
 #include "FilterTestSupport.h"
 
 #include "vtkCellData.h"
@@ -190,7 +190,7 @@ TEST(VoronoiOutput, HasNoSpikesAlongTheBorder)
 
 TEST(VoronoiOutput, LiesInThePlaneOfTheTriangulation)
 {
-  // x and z, far away; y is what is above the plane.
+  // x and z, far away; y is the height above the plane.
   std::vector<Xyz> xyz;
   for (const Xyz& p : ahdtest::scatteredPoints(200))
   {

@@ -39,7 +39,7 @@ public:
   bool Aborted = false;
 };
 
-/// A filter that is aborted and goes on.
+/// A filter that is aborted and runs on.
 struct AbortedFilter
 {
   AbortedFilter(const Feature& feature, std::size_t count)
@@ -62,10 +62,10 @@ struct AbortedFilter
     EXPECT_TRUE(this->Filter.Said->Errors.empty()) << this->Filter.Said->Errors[0];
   }
 
-  /// After an execution that was told to abort, or not any more.
+  /// After an execution that was aborted, or no longer.
   void ExpectReusable()
   {
-    // The last event may come when all is done.
+    // The last event may come after all work.
     const bool isWhole = outputOf(this->Filter.Filter) == this->Whole;
     EXPECT_TRUE(isWhole || sizeOfOutput(this->Filter.Filter) == 0);
     EXPECT_TRUE(isWhole || this->Abort->Aborted);
@@ -101,8 +101,8 @@ void expectReusable(std::size_t count, int moments)
   }
 }
 
-/// The observer aborts, on the thread that executes, when another thread has asked for it: that
-/// thread must not call SetAbortExecute itself, as VTK keeps it in a plain number.
+/// The observer aborts, on the thread that executes, when another thread has requested it: that
+/// thread must not call SetAbortExecute itself, as VTK's flag is not atomic.
 void expectReusableByTheClock(std::size_t count, int moments)
 {
   AbortedFilter filter(allFeatures()[1], count);
@@ -233,7 +233,7 @@ TEST(FaultsCancel, AnInputLivesAsLongAsTheFilterNeedsIt)
   filter->Update();
   EXPECT_TRUE(outputOf(filter.Filter) == expected);
 
-  // and the output of one that is gone feeds another
+  // and the output of a deleted one feeds another
   vtkSmartPointer<vtkPolyData> surface = filter->GetOutput();
   const std::vector<Triangle> triangles = trianglesOf(surface);
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Memory runs out anywhere in the filter: one error, empty outputs, nothing thrown, nothing leaked,
-// and the next execution is as if nothing had been. A program of its own, whose operator new and
-// malloc fail when told to.
+// and the next execution is unaffected. A program of its own, whose operator new and malloc fail on
+// demand.
 #include "FailingMemory.h"
 #include "FeatureTestSupport.h"
 
@@ -55,7 +55,7 @@ protected:
 using FaultyFilter = Faulty<vtkAdaptiveHilbertDelaunay2D>;
 using FaultySource = Faulty<vtkPlanarPointSource>;
 
-/// What is done to a filter, and what comes of it.
+/// The actions on a filter, and the outcome.
 struct Case
 {
   Case(const Feature& feature, std::size_t count, int threads)
@@ -63,7 +63,7 @@ struct Case
     this->Said->Watch(this->Filter);
     feature.SetUp(this->Filter, count);
     this->Filter->SetNumberOfThreads(threads);
-    // Twice: what the standard library and VTK keep for good is there then.
+    // Twice: then permanent memory of the standard library and VTK exists.
     this->Execute(0);
     this->Execute(0);
     this->Whole = outputOf(this->Filter);
@@ -85,14 +85,14 @@ struct Case
     EXPECT_FALSE(this->Filter->Threw);
     if (this->Said->Errors.empty() && sizeOfOutput(this->Filter) > 0)
     {
-      // It was done without, or it was the words of a warning that there was no room for.
+      // It was not needed, or the text of a warning did not fit.
       EXPECT_TRUE(outputOf(this->Filter) == this->Whole);
       return;
     }
     ++this->Failures;
     EXPECT_EQ(sizeOfOutput(this->Filter), 0);
     EXPECT_EQ(this->Filter->GetNumberOfTriangles(), 0);
-    // Where no memory comes back there may be none to say so, but on the standard error.
+    // Without any memory left, the error may appear only on the standard error.
     EXPECT_LE(this->Said->Errors.size(), 1u);
     EXPECT_TRUE(andAllLater || this->Said->Errors.size() == 1);
     for (const std::string& error : this->Said->Errors)
@@ -144,7 +144,7 @@ void expectNoLeakAnywhere(const Feature& feature, std::size_t count, std::size_t
   SCOPED_TRACE(feature.Name);
   std::ptrdiff_t before = memory::blocks();
   expectSurvivedAnywhere(feature, count, most);
-  if (memory::blocks() != before) // what stays in use for good was new the first time
+  if (memory::blocks() != before) // permanent memory was new the first time
   {
     before = memory::blocks();
     expectSurvivedAnywhere(feature, count, most);
@@ -190,7 +190,7 @@ TEST(LongFaultsMemory, RunningOutAtAThousandOfALargeInputWithThreads)
   }
 }
 
-/// Where no memory comes back there may be none to say so, but on the standard error.
+/// Without any memory left, the error may appear only on the standard error.
 void expectSourceSurvives(bool andAllLater)
 {
   vtkNew<FaultySource> source;
@@ -240,7 +240,7 @@ std::string bytesOf(vtkDataSet* output)
   return bytes;
 }
 
-/// The first execution of the points or the second, on the triangulation that was kept.
+/// The first execution of the points or the second, on the kept triangulation.
 void expectInterpolationSurvives(
   FaultyInterpolation* filter, const Messages* said, bool isFirst, bool andAllLater)
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The fingerprint of an array: by it an execution knows that the points are those of the one
+// The fingerprint of an array: by it an execution detects that the points are those of the one
 // before.
 #include "ContextSupport.h"
 #include "Execution/vtkAHDFingerprint.h"
@@ -93,7 +93,7 @@ TEST(Fingerprint, TellsApartPlacesTypesAndShapes)
 
 TEST(Fingerprint, TellsApartPairsOfBits)
 {
-  // what one changed word does must not be undone by another
+  // one changed word must not undo another
   vtkNew<vtkUnsignedCharArray> bytes;
   bytes->SetNumberOfValues(20);
   std::set<ahd::Fingerprint> seen;

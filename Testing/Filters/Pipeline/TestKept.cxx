@@ -49,7 +49,7 @@ TEST(Kept, WhatIsChangedWhereItLiesIsSeen)
   Line line;
   EXPECT_TRUE(line.RunsTwice(cloud));
   EXPECT_FALSE(line.Runs(cloud));
-  // not even the array is told that it was changed
+  // not even Modified() of the array is called
   double* numbers = vtkDoubleArray::SafeDownCast(cloud->GetPoints()->GetData())->GetPointer(0);
   for (std::size_t i : { std::size_t(0), std::size_t(3 * 57 + 1), std::size_t(3 * 99 + 1) })
   {
@@ -275,7 +275,7 @@ TEST(Kept, NothingIsKeptOfAnExecutionThatWasAborted)
   auto cloud = makeCloud(scatteredPoints(1000));
   Line line;
   EXPECT_TRUE(line.RunsTwice(cloud));
-  // by an observer: VTK 9.1 forgets an abort asked for before the execution begins
+  // by an observer: VTK 9.1 drops an abort requested before the execution begins
   vtkNew<ProgressWatch> watch;
   watch->AbortAt = 0.0;
   const unsigned long observed = line.Filter->AddObserver(vtkCommand::ProgressEvent, watch);
@@ -362,7 +362,7 @@ TEST(Kept, OutputsOfBeforeStayAsTheyWere)
   EXPECT_FALSE(line.Runs(next));
   EXPECT_EQ(dataOf(before), 1);
   EXPECT_EQ(before->GetPoints(), cloud->GetPoints());
-  // whoever gets an output may take it apart
+  // callers may modify an output
   line.Surface()->GetPointData()->Initialize();
   line.Surface()->SetPolys(nullptr);
   EXPECT_FALSE(line.Runs(cloud));
@@ -371,7 +371,7 @@ TEST(Kept, OutputsOfBeforeStayAsTheyWere)
 
 TEST(Kept, BlocksHaveTheirOwn)
 {
-  // each block is an execution of its own, in turn; nothing may get mixed up
+  // each block is an execution of its own, in turn; blocks must not be mixed up
   const std::vector<std::vector<Xyz>> points = { scatteredPoints(80, 1), scatteredPoints(80, 2) };
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;
   for (int step = 0; step < 3; ++step)

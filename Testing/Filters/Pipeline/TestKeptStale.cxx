@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What must not be passed on from one execution to another, and must not be held longer than it is
-// of use.
+// Data that must not be passed on from one execution to another, or be held longer than needed.
 #include "KeptTestSupport.h"
 
 #include "vtkCellData.h"
@@ -79,7 +78,7 @@ double timeOf(vtkDataObject* data)
   return value ? value->GetComponent(0, 0) : -1;
 }
 
-/// Does something at the first progress from a given one on.
+/// Acts at the first progress from a given one on.
 class AtProgress : public vtkCommand
 {
 public:
@@ -182,7 +181,7 @@ TEST(KeptStale, WhatDoesNotFitIsLetGoBeforeTheNextIsMade)
   vtkWeakPointer<vtkDataArray> old = line.Surface()->GetPolys()->GetConnectivityArray();
   vtkNew<AtProgress> watch;
   bool isThere = true;
-  watch->From = 0.1; // before that, it is the pipeline that speaks
+  watch->From = 0.1; // before that, messages are the pipeline's
   watch->Do = [&] { isThere = old != nullptr; };
   line.Filter->AddObserver(vtkCommand::ProgressEvent, watch);
   EXPECT_TRUE(line.Runs(makeCloud(scatteredPoints(1000, 2))));
@@ -215,8 +214,8 @@ TEST(KeptStale, AnEmptyVoronoiDiagramHasTheArraysOfNow)
   }
 }
 
-/// Outputs belong to who has them. What he did to their arrays is not passed on, whether or not VTK
-/// knows of it.
+/// Outputs belong to their holder. Changes of their arrays are not passed on, with or without
+/// Modified().
 TEST(KeptStale, AnEditedOutputIsNotPassedOn)
 {
   using Edit = std::function<void(vtkPolyData*, vtkPolyData*)>; // surface, diagram

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A triangulation is lent to one at a time, whoever asks from whatever thread.
+// A triangulation is lent to one borrower at a time, on any thread.
 #include "ContextSupport.h"
 #include "Execution/vtkAHDLentTriangulation.h"
 #include "FilterTestSupport.h"
@@ -67,7 +67,7 @@ struct Surface
   vtkNew<Lent> Lender;
 };
 
-/// All ask at the same moment; who has it works on while the others ask again.
+/// All request it at the same moment; the borrower works while the others retry.
 TEST(LentTriangulation, IsLentToOneAtATime)
 {
   constexpr int kThreads = 2, kRounds = 3000;
@@ -119,7 +119,7 @@ TEST(LentTriangulation, IsGoneWhenItIsClosed)
   EXPECT_EQ(Lent::Borrow(surface.Data, work.Context, none), nullptr);
 }
 
-/// Lines and vertices that limits leave are the surface's own.
+/// Lines and vertices left by limits belong to the surface.
 TEST(LentTriangulation, HasNoMemoryOfOtherCellsThanTriangles)
 {
   vtkNew<vtkAdaptiveHilbertDelaunay2D> filter;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Warnings and errors: which, how often, and with which counts. And what comes out then.
+// Warnings and errors: which, how often, and with which counts; and the outputs then.
 #include "FilterTestSupport.h"
 
 #include "vtkDoubleArray.h"
@@ -184,7 +184,7 @@ TEST(Messages, TooLittleMemoryIsRefusedBeforeTheWork)
   EXPECT_GT(needed, 100);
 
   filter.Said->Errors.clear();
-  filter->SetMemoryLimit(needed); // what it asked for is enough
+  filter->SetMemoryLimit(needed); // the requested memory is enough
   filter->Update();
   EXPECT_TRUE(filter.Said->Errors.empty()) << filter.Said->Errors[0];
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
@@ -201,7 +201,7 @@ TEST(Messages, AnErrorIsSaidOnceAndReachesTheFiltersBehind)
 
   filter->SetMemoryLimit(100);
   behind->Update();
-  behind->Update(); // what a viewer does again and again
+  behind->Update(); // as a viewer does repeatedly
   EXPECT_EQ(filter.Said->Errors.size(), 1u);
   EXPECT_TRUE(filter.PipelineSaid->Errors.empty()) << filter.PipelineSaid->Errors[0];
   EXPECT_EQ(behind->GetOutput()->GetNumberOfCells(), 0)
@@ -247,7 +247,7 @@ TEST(Messages, MemoryEstimateHasTheTablesThatAreLookedUp)
   const vtkTypeInt64 withDiagram = perPoint();
   EXPECT_GT(withDiagram, withNeighbors + ofDiagram + 32) << "two centres, and more";
   EXPECT_LT(withDiagram, withNeighbors + ofDiagram + 200);
-  // With the tables there, arrays of cells take their own bytes and no more.
+  // With existing tables, arrays of cells take only their own bytes.
   filter->GenerateRegionIdsOn();
   EXPECT_NEAR(double(perPoint() - withDiagram), 2.0 * sizeof(vtkIdType), 1.0);
   filter->GenerateRegionIdsOff();
@@ -261,7 +261,7 @@ TEST(Messages, MemoryEstimateHasTheTablesThatAreLookedUp)
 #if defined(__linux__)
 TEST(Messages, TooManyPointsAreRefused)
 {
-  // 2^28 points of address space that no memory stands behind: only their number may be looked at.
+  // 2^28 points of address space without memory: only their number may be read.
   const std::size_t numbers = 3 * (std::size_t(1) << 28);
   void* nothing = mmap(nullptr, numbers * sizeof(float), PROT_NONE,
     MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
@@ -306,7 +306,7 @@ TEST(Messages, TheLimitOfTheProcessIsSeen)
 namespace
 {
 /// Runs `filter` with more memory each time until it is enough, and expects of each run before an
-/// error and nothing else. The estimate is told to be no matter.
+/// error and nothing else. The estimate is disabled.
 void expectErrorsUntilMemoryIsEnough(WatchedFilter& filter, std::size_t step)
 {
   filter->SetMemoryLimit(VTK_TYPE_INT64_MAX);
@@ -322,7 +322,7 @@ void expectErrorsUntilMemoryIsEnough(WatchedFilter& filter, std::size_t step)
     }
     if (filter.Said->Errors.size() == refusals)
     {
-      break; // that was enough
+      break; // enough
     }
     ++refusals;
     ASSERT_EQ(filter.Said->Errors.size(), refusals) << "more than one error";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Observers of progress do what they like to what the filter works on: all that an execution reads
-// is held until it ends, so the result is that of what was there when it began.
+// Observers of progress change the filter's data in any way: all that an execution reads is held
+// until it ends, so the result is that of the data at its beginning.
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
@@ -25,7 +25,7 @@ using namespace ahdtest;
 using Delaunay = vtkAdaptiveHilbertDelaunay2D;
 using Interpolation = vtkAdaptiveHilbertInterpolation2D;
 
-/// Does something at the first progress from a given one on, which is not that of the pipeline.
+/// Acts at the first progress from a given one on that is not the pipeline's.
 class Meddler : public vtkCommand
 {
 public:
@@ -152,7 +152,7 @@ TEST(Observers, DoWhatTheyLikeToWhatIsTriangulated)
   }
 }
 
-/// Who takes outputs from the filter has what it makes of them.
+/// Outputs taken from the filter belong to their taker.
 TEST(Observers, ReplaceOutputs)
 {
   for (const bool interpolates : { false, true })
@@ -181,7 +181,7 @@ TEST(Observers, ReplaceOutputs)
   }
 }
 
-/// A transform that changes while it is used gives whatever it gives, and no more harm.
+/// A transform that changes while it is used gives unspecified values, and no other harm.
 TEST(Observers, ChangeATransformInPlace)
 {
   for (const bool isLinear : { false, true })

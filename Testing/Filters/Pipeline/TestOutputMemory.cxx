@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The memory of arrays that were put out, kept for those of the next execution.
+// The memory of output arrays, kept for those of the next execution.
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDOutputMemory.h"
 
@@ -142,7 +142,7 @@ TEST(OutputMemory, BuffersBecomeArrays)
   ahd::Buffer<std::int32_t> buffer = memory.Take<std::int32_t>(kCount);
   ASSERT_GE(buffer.size(), std::size_t(kCount));
   const void* const first = buffer.data();
-  buffer.allocate(kCount - 5); // as who fills it does
+  buffer.allocate(kCount - 5); // like a function that fills it
   EXPECT_EQ(buffer.data(), first);
   std::iota(buffer.begin(), buffer.end(), 1);
   auto array = memory.MakeArray<vtkTypeInt32Array>(buffer, kCount - 5);

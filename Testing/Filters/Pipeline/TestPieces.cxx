@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Pieces that are asked for in one process: what is put out is made of all points, whatever piece
-// of it is wanted.
+// Pieces requested in one process: the output is made of all points, whatever the piece.
 #include "SampleTestSupport.h"
 
 #include "vtkAlgorithmOutput.h"
@@ -71,7 +70,7 @@ protected:
   }
 };
 
-/// A structured grid that makes the extent that it is asked for.
+/// A structured grid that makes the requested extent.
 class GridPieces : public vtkStructuredGridAlgorithm
 {
 public:
@@ -147,7 +146,7 @@ TEST(Pieces, EachPieceOfARasterIsOfAllPoints)
   expectOneRaster(vtkNew<GridPieces>(), nullptr);
 }
 
-/// The raster is announced by all points, whatever another filter has asked of them last.
+/// The raster is announced by all points, whatever another filter has requested of them last.
 TEST(Pieces, RasterIsAnnouncedByAllPoints)
 {
   vtkNew<Pieces> points;
@@ -203,7 +202,7 @@ TEST(Pieces, FirstPieceIsTheWholeTriangulation)
     filter->UpdatePiece(piece, 3, 1);
     EXPECT_EQ(trianglesOf(filter->GetOutput()), piece == 0 ? whole : std::vector<Triangle>());
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), piece == 0 ? 600 : 0);
-    // of that port nobody has asked for another piece than the first
+    // of that port only the first piece was requested
     auto* diagram = vtkPolyData::SafeDownCast(filter->GetOutputDataObject(2));
     EXPECT_EQ(diagram->GetNumberOfCells(), 600) << piece;
   }
@@ -211,7 +210,7 @@ TEST(Pieces, FirstPieceIsTheWholeTriangulation)
   EXPECT_TRUE(filter.Said->Warnings.empty());
 }
 
-/// Writers of pieces say by the last piece which arrays there are.
+/// Writers of pieces list the arrays of the last piece.
 TEST(Pieces, OthersHaveTheArraysOfTheFirst)
 {
   vtkNew<Pieces> points;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Progress is reported and never goes back; an abort at any time leaves nothing and breaks nothing.
+// Progress is reported and never goes back; an abort at any time leaves no output and breaks
+// nothing.
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDProgress.h"
 #include "ProgressWatch.h"
@@ -26,7 +27,7 @@ double clockOfTests()
   return now;
 }
 
-/// Counts how often it is asked whether to abort, once it was told to.
+/// Counts the polls after an abort.
 class AskedFilter : public vtkAdaptiveHilbertDelaunay2D
 {
 public:
@@ -43,7 +44,7 @@ public:
   int AskedAfterwards = 0;
 };
 
-/// Counts how often it is asked at each place of the bar.
+/// Counts the polls at each place of the bar.
 class WorkingFilter : public vtkAdaptiveHilbertDelaunay2D
 {
 public:
@@ -57,7 +58,7 @@ public:
     return this->Superclass::GetAbortExecute();
   }
 
-  /// The part of all askings in which the bar stood still.
+  /// The part of all polls at which the bar stood still.
   double GetStandstill() const
   {
     int most = 0;
@@ -133,7 +134,7 @@ TEST(Progress, TheBarMovesWhileTheSurfaceForHeightsIsMade)
   EXPECT_LT(filter->GetStandstill(), 0.25);
 }
 
-/// Places one by one on the surface: walks through triangles, which ask on their way.
+/// Places one by one on the surface: walks through triangles, which poll on their way.
 TEST(Progress, AbortsAreHeardWhileHeightsAreLookedUp)
 {
   const auto points = latticePoints(100000, 1000000);
@@ -191,7 +192,7 @@ TEST(Progress, AbortAnywhereLeavesAnEmptyOutputAndAReusableFilter)
     filter->AddObserver(vtkCommand::ProgressEvent, watch);
     filter->Update();
     ASSERT_TRUE(watch->Aborted) << "no progress of " << at << " was ever reported";
-    // The pipeline may say once, with 1, that it is done with the filter.
+    // The pipeline may report once, with 1, that the filter is done.
     EXPECT_LE(watch->SeenAfterAbort, 1) << "work went on after the abort at " << at;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << "aborted at " << at;
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0) << "aborted at " << at;
@@ -338,7 +339,7 @@ TEST(Progress, AnAbortEndsThePhaseItIsAskedForIn)
   EXPECT_FALSE(progress.goesOn());
 }
 
-/// Where the engine goes on after an abort, it goes on asking.
+/// If the engine continued after an abort, it would continue to poll.
 TEST(Progress, AfterAnAbortNobodyAsksAgain)
 {
   for (double at : { 0.02, 0.3, 0.5, 0.7, 0.9 })

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// On several ranks the filter says, once, that each rank works on its own points.
+// On several ranks the filter warns, once, that each rank works on its own points.
 #include "FilterTestSupport.h"
 #include "Pipeline/vtkAHDContext.h"
 #include "Ranks/vtkAHDRoute.h"
@@ -33,7 +33,7 @@ public:
   }
 };
 
-/// Notes which piece it was asked for.
+/// Records the requested piece.
 class Asked : public vtkPolyDataAlgorithm
 {
 public:
@@ -58,7 +58,7 @@ protected:
   }
 };
 
-/// Seconds of a clock that goes on whenever it is read.
+/// Seconds of a clock that advances whenever it is read.
 double clockOfTests()
 {
   static double now = 0.0;
@@ -133,7 +133,7 @@ TEST(Ranks, EachAsksForItsPiece)
   vtkMultiProcessController::SetGlobalController(nullptr);
 }
 
-/// Ranks wait for each other while they do: the time of no output.
+/// Time in which ranks wait for each other belongs to no output.
 TEST(Ranks, WhileTheyMoveWhatTheyHaveNoPhaseRuns)
 {
   vtkNew<vtkDummyController> controller;

@@ -23,10 +23,10 @@ using namespace ahdtest;
 
 namespace
 {
-constexpr std::size_t kCount = 120000;  // well above what the engine shares
-constexpr std::size_t kShared = 300000; // what the filter's own loops share
+constexpr std::size_t kCount = 120000;  // well above the engine's threshold for threads
+constexpr std::size_t kShared = 300000; // the threshold of the filter's own loops
 
-/// All that an output has of triangles, as it lies in memory.
+/// All triangle data of an output, as it lies in memory.
 std::vector<char> bytesOf(vtkPolyData* surface)
 {
   std::vector<char> bytes;
@@ -177,7 +177,7 @@ TEST(Threads, AbortIsHeardAtOnceAndLeavesAReusableFilter)
       filter->Modified();
       filter->Update();
       EXPECT_TRUE(watch->Aborted) << at;
-      // The pipeline may say once, with 1, that it is done with the filter.
+      // The pipeline may report once, with 1, that the filter is done.
       EXPECT_LE(watch->SeenAfterAbort, 1) << "work went on after the abort at " << at;
       EXPECT_EQ(watch->OnOtherThread, 0);
       EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0) << at;
@@ -244,7 +244,7 @@ TEST(Threads, SettingsThatWantOneThreadGiveTheSame)
 #if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
 namespace
 {
-/// Bytes that the program holds of the heap and in large pieces beside it.
+/// Bytes that the program holds on the heap and in large blocks beside it.
 std::size_t heldByProgram()
 {
   const struct mallinfo2 info = mallinfo2();
@@ -264,7 +264,7 @@ TEST(Reuse, KeepsWorkingMemoryUpToTheLimit)
     filter->SetReuseLimit(limit);
     filter->Modified();
     filter->Update();
-    filter->GetOutput()->Initialize(); // what the filter itself holds is left
+    filter->GetOutput()->Initialize(); // memory of the filter itself is left
     return heldByProgram();
   };
   const std::size_t none = heldAfter(0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How many threads the filter takes, with every backend of vtkSMPTools. The threads themselves are
-// the engine's (Testing/Engine/Core).
+// The number of threads that the filter uses, with every backend of vtkSMPTools. The threads
+// themselves are the engine's (Testing/Engine/Core).
 #include "Pipeline/vtkAHDThreads.h"
 
 #include "vtkSMPTools.h"
@@ -27,7 +27,7 @@ std::vector<std::string> backends()
   std::vector<std::string> found;
   for (const char* name : { "Sequential", "STDThread", "TBB", "OpenMP" })
   {
-    testing::internal::CaptureStderr(); // VTK complains of those it has not
+    testing::internal::CaptureStderr(); // VTK reports those that it lacks
     if (vtkSMPTools::SetBackend(name))
     {
       found.push_back(name);

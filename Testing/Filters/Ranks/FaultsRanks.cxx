@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Memory runs out on one of several ranks: all end alike, with one error on each and nothing put
-// out, or with all as it is without; none waits for one that has left.
+// Memory runs out on one of several ranks: all end alike, with one error on each and no output, or
+// with the same output as without; none waits for one that has left.
 //   mpiexec -n RANKS FaultsRanks
 // The allocation that fails is the first after a collective step, on one rank after the other: in
 // the quick suite after some 40 of the steps of each execution.
@@ -27,7 +27,7 @@ using namespace ahdtest;
 namespace
 {
 
-/// Notes how many allocations were asked for before each collective step.
+/// Records the number of allocations before each collective step.
 class Watching : public vtkMPICommunicator
 {
 public:
@@ -38,7 +38,7 @@ public:
   int AllReduceVoidArray(
     const void* from, void* to, vtkIdType length, int type, int operation) override
   {
-    if (this->Steps.size() < this->Steps.capacity()) // no memory is asked for here
+    if (this->Steps.size() < this->Steps.capacity()) // nothing is allocated here
     {
       this->Steps.push_back(memory::count());
     }
@@ -54,7 +54,7 @@ private:
 vtkMPIController* controller = nullptr;
 Watching* communicator = nullptr;
 
-/// What is asked of the filter, where its memory may run out.
+/// The features requested of the filter, where memory may run out.
 enum Phase
 {
   Information,
@@ -147,7 +147,7 @@ int emptyOnesOf(vtkDataObject* output)
   return !set || set->GetNumberOfPoints() == 0 ? 1 : 0;
 }
 
-/// What is done to the filters of all ranks, and what comes of it.
+/// The actions on the filters of all ranks, and the outcome.
 template <typename Filter>
 class Case
 {
@@ -214,20 +214,20 @@ private:
     this->Execute(failAt, rank);
     EXPECT_FALSE(this->Made->Threw);
     vtkDataObject* const output = this->Made->GetOutputDataObject(0);
-    // Where it is not known what the raster will be, ranks get other pieces of it.
+    // Where the raster is not known in advance, ranks get other pieces of it.
     const bool isWhole = this->Said->Errors.empty() &&
       (this->Made->Where == Information || bytesOf(output) == this->Whole);
     const int empty = emptyOnesOf(output);
     const int own[] = { isWhole ? 1 : 0, empty, -empty };
     int least[3];
     controller->AllReduce(own, least, 3, vtkCommunicator::MIN_OP);
-    // of several blocks those are empty that were to be made when it happened, on all ranks
+    // of several blocks those not yet made at the failure are empty, on all ranks
     EXPECT_TRUE(least[0] != 0 || (least[1] != 0 && least[1] == -least[2])) << "of rank " << rank;
     if (least[0] == 0)
     {
       ++this->Failures;
-      // who has no memory to say so has said it on the standard error; who cannot merge its blocks
-      // says that, too
+      // a rank without memory for the message has written it to the standard error; one that cannot
+      // merge its blocks reports that, too
       const std::vector<std::string>& errors = this->Said->Errors;
       const bool isOwn = rank == controller->GetLocalProcessId();
       const bool cannotMerge = isOwn && !errors.empty() &&
@@ -259,7 +259,7 @@ vtkSmartPointer<vtkPolyData> pointsOfRank(std::size_t count, int type = VTK_DOUB
 
 using Filter = vtkAdaptiveHilbertDelaunay2D;
 
-/// Rims, fitted planes, loops, means, blocks, and what one rank does for all.
+/// Rims, fitted planes, loops, means, blocks, and work that one rank does for all.
 void expectTrianglesTogether(bool isAtEach)
 {
   const std::vector<std::pair<const char*, std::function<void(FaultyFilter*)>>> ways = {

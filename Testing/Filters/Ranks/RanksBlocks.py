@@ -27,7 +27,7 @@ STATUS = {"GeneratePointStatus": True}
 
 
 class OfBlock:
-    """Answers as the filter would after this block: its counts are in the field data."""
+    """Returns the filter's counts after this block, which are in the field data."""
 
     def __init__(self, out):
         self.GetOutput = lambda: out
@@ -133,7 +133,7 @@ def try_multi(settings):
 
 
 def try_gathered():
-    """Where one rank does it all, it does so for each block; of a diagram there are blocks, too."""
+    """Where one rank does everything, it does so for each block; a diagram has blocks, too."""
     first, second, _ = three()
     settings = {"GenerateVoronoi": True}
     own = make_multi([first[RANK], second[RANK]])
@@ -186,7 +186,7 @@ def try_source():
 
 
 def try_different(data, rank):
-    """One error on all, and nothing is put out."""
+    """One error on all, and no output."""
     found = on_all_ranks("different", lambda: run_blocks(data, {}))
     for part in found or ():
         check(len(part["errors"]) == 1 and part["errors"][0].startswith("The input of rank %d does not" % rank),

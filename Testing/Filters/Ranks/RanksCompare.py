@@ -3,8 +3,8 @@
 
     mpiexec -n RANKS pvbatch --sym RanksCompare.py
 
-Each rank writes what it got into AHD_SCRATCH, and rank 0 compares it with what it gets alone for all inputs appended.
-It goes through all cases whatever it finds, so that no rank waits for one that has given up.
+Each rank writes its result into AHD_SCRATCH, and rank 0 compares it with its own result for all inputs appended.
+It runs all cases whatever it finds, so that no rank waits for one that has given up.
 """
 
 import os
@@ -144,7 +144,7 @@ def value_of(array, i):
 
 
 def read(algorithm, said):
-    """What came out, as plain values."""
+    """The outputs as plain values."""
     out = algorithm.GetOutput()
     data, count = out.GetPointData(), out.GetNumberOfPoints()
     ids = data.GetGlobalIds()
@@ -192,7 +192,7 @@ def read(algorithm, said):
 
 
 def on_all_ranks(name, work):
-    """Does it on each rank; returns what all got, on rank 0, else None."""
+    """Runs it on each rank; returns all results on rank 0, else None."""
     try:
         result = work()
     except Exception:  # the other ranks wait
@@ -279,7 +279,7 @@ def compare_ghosts(found, expected, levels):
 
 
 def compare_warnings(name, found, expected):
-    """Word for word, but for what ranks alone have to say."""
+    """Word for word, except messages about ranks."""
     said = list(found["warnings"])
     told = [text for text in expected["warnings"] if "each triangulates its own points" not in text]
     if name == "partial arrays":
@@ -318,7 +318,7 @@ def try_case(name, made, settings):
 
 
 def failures_together():
-    """name -> (what each rank does, words of the one error that each says; None: no error)"""
+    """name -> (the action of each rank, words of the one error on each; None: no error)"""
     some = pieces(uniform(300), RANKS)
     last = RANK == RANKS - 1
 
@@ -351,7 +351,7 @@ def try_failure(name, work, words):
 
 
 def try_without_effect():
-    """Ranks go on where settings differ that have no effect."""
+    """Differing settings without effect do not stop ranks."""
     made, last = pieces(uniform(300), RANKS), RANK == RANKS - 1
 
     def on_ranks():
@@ -376,7 +376,7 @@ def try_odd_inputs(name, odd):
 
 
 def try_pipeline():
-    """No ghost levels are asked for, and none puts out what it had once others have changed."""
+    """No ghost levels are requested, and no rank outputs old results once others have changed."""
     made = pieces(uniform(300), RANKS)
     algorithm = make_filter(made[RANK], {}, True)
     said = Said(algorithm)
@@ -397,7 +397,7 @@ def try_pipeline():
 
 
 def try_more_ghosts():
-    """Who has asked for fewer layers before gets those that are asked for now, if they fit; one rank asks for all."""
+    """Ranks that requested fewer layers before get those requested by one rank, if they fit."""
     made = pieces(uniform(300), RANKS)
     algorithm = make_filter(made[RANK], {}, True)
     said = Said(algorithm)
@@ -422,7 +422,7 @@ def try_more_ghosts():
 
 
 def try_again_after_abort():
-    """What one rank aborted all make anew, although nothing has changed on the others."""
+    """An execution aborted on one rank is repeated by all, although nothing has changed on the others."""
     made = pieces(uniform(300), RANKS)
     algorithm = make_filter(made[RANK], {}, True)
     said = Said(algorithm)
@@ -444,13 +444,13 @@ def try_again_after_abort():
 def attempt(name, work, *arguments):
     try:
         work(*arguments)
-    except Exception:  # the other ranks go on
+    except Exception:  # the other ranks continue
         failures.append(name)
         print("rank %d, %s:" % (RANK, name), traceback.format_exc(), flush=True)
 
 
 def finish():
-    """Says how it went, and ends with a status if it did not go well."""
+    """Prints the outcome, and exits with a status on failure."""
     print("rank %d of %d: %s" % (RANK, RANKS, "failed: " + ", ".join(failures) if failures else "passed"), flush=True)
     sys.stdout.flush()
     if failures:

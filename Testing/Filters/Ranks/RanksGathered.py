@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""DistributePoints with settings that ranks have no method for: one rank puts out what one alone would, byte for byte.
+"""DistributePoints with settings that ranks have no method for: one rank has the output of one alone, byte for byte.
 
     mpiexec -n RANKS pvbatch --sym RanksGathered.py
 """
@@ -119,7 +119,7 @@ def try_case(made, settings, setting):
 
 
 def try_hosts(limit, is_first):
-    """Where rank 0 may take all, it does, though others may take more; where it may not, another one does."""
+    """Rank 0 gathers all if its limit permits, though others may take more; else another one does."""
     made = pieces(uniform(1500), RANKS)
     settings = {"GenerateVoronoi": True}
     found = on_all_ranks("host", lambda: run(made[RANK], dict(settings, MemoryLimit=10 ** 6 if RANK else limit)))
@@ -134,7 +134,7 @@ def try_hosts(limit, is_first):
 
 
 def try_unfit_marks():
-    """Of one rank, said by the first."""
+    """The message about one rank, reported by the first."""
     made = pieces(uniform(100), RANKS)
     made[-1].arrays["vtkGhostType"] = ("float", [1.0] * len(made[-1].points))
     found = on_all_ranks("marks", lambda: run(made[RANK], {"GenerateVoronoi": True}))
@@ -144,7 +144,7 @@ def try_unfit_marks():
 
 
 def try_again():
-    """It is said once for each filter, and what was put out before is gone."""
+    """It is reported once for each filter, and earlier outputs are gone."""
     made = pieces(uniform(200), RANKS)
     algorithm = make_filter(made[RANK], {"InsertionLimit": 50}, True)
     said = Said(algorithm)
@@ -164,7 +164,7 @@ def try_again():
 
 
 def failures():
-    """name -> (what each rank does, words of the one error that each says; None: no error)"""
+    """name -> (the action of each rank, words of the one error on each; None: no error)"""
     some = pieces(uniform(3000), RANKS)
     last = RANK == RANKS - 1
 
@@ -195,7 +195,7 @@ def failures():
 
 
 def try_no_points(settings):
-    """Where no rank has a point, the arrays of the input come out as on one; a rank with no arrays has no say."""
+    """Where no rank has a point, the arrays of the input come out as on one; a rank with no arrays does not count."""
     given = Piece([])
     given.arrays = {"Text": ("text", []), "Float": ("float", []), "Long": ("long", [])}
     expected = arrays_of(make_input(given).GetPointData()), "Float", []

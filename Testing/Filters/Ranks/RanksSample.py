@@ -28,7 +28,7 @@ valued = []  # places, of each comparison
 LINEAR, NATURAL, LAPLACE, NEAREST = range(4)
 OUTPUTS = [name for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")]
 WITHOUT_EFFECT_HERE = WITHOUT_EFFECT + [({}, dict.fromkeys(OUTPUTS, True))]
-# What is asked of each input: settings, and whether at places.
+# For each input: settings, and whether at places.
 WISHES = [
     ({"Method": LINEAR, "GenerateGradients": True}, False),
     ({"Method": NATURAL, "RasterSize": 1, "CellSize": None}, False),
@@ -194,7 +194,7 @@ def try_case(number, made, settings):
 
 
 def try_failure(work, words):
-    """All say the same one error, and put nothing out."""
+    """All report the same one error, and no output."""
     found = on_all_ranks("failure", work)
     for rank, part in enumerate(found or ()):
         check(not part["points"], "rank %d puts something out" % rank)
@@ -237,7 +237,7 @@ def failures_together():
 
 
 def try_without_effect():
-    """Ranks go on where settings differ that have no effect; none that adds outputs to a triangulation has one here."""
+    """Differing settings without effect do not stop ranks; those that add outputs to a triangulation have none here."""
     made, last = pieces(uniform(300), RANKS), RANK == RANKS - 1
 
     def on_ranks():
@@ -250,7 +250,7 @@ def try_without_effect():
 
 
 def try_again(raster):
-    """What was put out before is replaced, ghost cells are overlaps, and abort does not stick."""
+    """Earlier outputs are replaced, ghost cells are overlaps, and an abort does not persist."""
     made = pieces(lattice(800, 20), RANKS)
     sampler = make_sampler(made[RANK], {}, raster, True)
     said = Said(sampler)
@@ -333,7 +333,7 @@ def raster_of(side):
 
 
 def try_time():
-    """The raster of another time is another one: pieces of that come out."""
+    """Another time has another raster: its pieces are output."""
 
     def on_ranks():
         sampler = raster_of(1)
@@ -352,7 +352,7 @@ def try_time():
 
 
 def try_images_behind():
-    """Filters for images hear of the geometry, and are not run where there is an error."""
+    """Filters for images get the geometry, and do not run after an error."""
 
     def on_ranks():
         sampler = raster_of(2)
@@ -371,7 +371,7 @@ def try_images_behind():
 
 
 def try_whole():
-    """Where each rank is asked for the whole raster, a place counts once, and what that takes is estimated."""
+    """If the whole raster is requested from each rank, a place counts once, and its memory is estimated."""
     made = pieces(uniform(300), RANKS)
 
     def on_ranks():
@@ -387,7 +387,7 @@ def try_whole():
 
 
 def try_surface():
-    """A surface as input counts as its points, which one rank says."""
+    """A surface as input counts as its points, by a message of one rank."""
     made = pieces(uniform(300), RANKS)
 
     def on_ranks():

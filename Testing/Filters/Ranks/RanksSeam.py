@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""DistributePoints with filters behind it: across several ranks (pvbatch --sym) they give what they give on one.
+"""DistributePoints with filters behind it: across several ranks (pvbatch --sym) the same results as on one.
 
     mpiexec -n RANKS pvbatch --sym RanksSeam.py
 
-Contours have no gaps, and no piece twice. The gradient at a point needs all triangles around it, and who goes on with a
-triangle needs it at each of its corners: so it shows whether the layer of ghosts is whole.
+Contours have no gaps, and no piece twice. The gradient at a point needs all triangles around it, and each corner of a
+triangle needs it: so gradients show whether the layer of ghosts is complete.
 """
 
 import os

@@ -45,7 +45,7 @@ def named(row):
 
 
 def check_data(output, rows):
-    """What is beside a point is that of its row."""
+    """The data of a point are those of its row."""
     data = output.GetPointData()
     for array, expected in (("Row", rows), ("Wide", named(rows))):
         found = vtk_to_numpy(data.GetArray(array))

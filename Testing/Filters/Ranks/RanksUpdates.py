@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What changes on one rank alone (pvbatch --sym) has all ranks execute, and nothing else has any.
+"""A change on one rank alone (pvbatch --sym) makes all ranks execute, and nothing else does.
 
     mpiexec -n RANKS pvbatch --sym RanksUpdates.py
 
-Each case changes something on the last rank, or on the others, and updates on all; then all have what filters get that
-are made anew. Where ranks did not agree, one would wait for the others: the test would not end. What a rank finds is
-kept to the end of a case, for the same reason.
+Each case changes something on the last rank, or on the others, and updates on all; then all have the results of new
+filters. Where ranks did not agree, one would wait for the others: the test would not end. What a rank finds is kept to
+the end of a case, for the same reason.
 """
 
 import functools
@@ -37,7 +37,7 @@ def note(condition, what):
 
 
 def case(work):
-    """Does it on all ranks; then rank 0 hears what each has found."""
+    """Runs it on all ranks; then rank 0 gets the findings of each."""
 
     @functools.wraps(work)
     def on_ranks(*arguments):
@@ -53,7 +53,7 @@ def case(work):
 
 
 class Chain:
-    """A source, a filter on it, and a filter behind, which is what is updated."""
+    """A source, a filter on it, and a downstream filter, which is updated."""
 
     def __init__(self, kind, piece=GIVEN):
         self.data = make_input(piece)
@@ -116,14 +116,14 @@ def try_changes(kind, updated):
     for _ in range(3):
         expect(chain, 0, lambda: None, updated, lambda: Chain(kind, OTHER))
     expect(chain, 1, lambda: IS_LAST and chain.filter.Modified(), updated, lambda: Chain(kind, OTHER))
-    # what is said before there are data must not hide it
+    # messages before there are data must not hide it
     expect(chain, 1, lambda: (IS_LAST and chain.replace(GIVEN), chain.filter.UpdateInformation()), updated,
            lambda: Chain(kind, GIVEN if IS_LAST else OTHER))
 
 
 @case
 def try_behind(kind):
-    """What is changed behind the filter is no matter of the others."""
+    """Changes downstream of the filter do not affect the others."""
     chain = Chain(kind)
     update(chain.behind)
     before = chain.filter.GetNumberOfTriangulations()
@@ -161,12 +161,12 @@ def try_inputs(kind):
 
 @case
 def try_released(kind):
-    """An output that one rank has released is made anew by all, if somebody asks for it."""
+    """An output that one rank has released is made anew by all, if any rank requests it."""
     chain = Chain(kind)
     update(chain.behind)
     expect(chain, 1, lambda: IS_LAST and chain.filter.GetOutputDataObject(0).ReleaseData(), "behind",
            lambda: Chain(kind))
-    chain.filter.ReleaseDataFlagOn()  # on all: nobody executes, as nobody asks
+    chain.filter.ReleaseDataFlagOn()  # on all: none executes, as none requests it
     expect(chain, 1, lambda: chain.filter.Modified(), "behind", lambda: Chain(kind))
     expect(chain, 0, lambda: None, "behind", lambda: Chain(kind))
 
@@ -192,7 +192,7 @@ class Timed(VTKPythonAlgorithmBase):
 
 @case
 def try_times(kind, has_input):
-    """A rank whose input knows no times, or that has none, executes with the others."""
+    """A rank whose input has no times, or that has no input, executes with the others."""
     chain = Chain(kind)
     timed = Timed()
     if not IS_LAST:
@@ -210,7 +210,7 @@ def try_times(kind, has_input):
 
 @case
 def try_ghosts():
-    """Ranks that were asked for different layers have the same, and say so."""
+    """Ranks with different numbers of layers requested have the same, and report it."""
     chain = Chain(vtkAdaptiveHilbertDelaunay2D)
     chain.filter.UpdatePiece(RANK, RANKS, 2 if IS_LAST else 0)
     chain.filter.UpdatePiece(RANK, RANKS, 1)
@@ -220,7 +220,7 @@ def try_ghosts():
 
 @case
 def try_settings(kind):
-    """A setting of one rank alone is said by all, once for each execution."""
+    """A setting of one rank alone is reported by all, once for each execution."""
     chain = Chain(kind)
     update(chain.filter)
     if IS_LAST:
@@ -236,7 +236,7 @@ def try_settings(kind):
 
 @case
 def try_unfit(kind, port, data, words):
-    """What is no source, or are no places, on one rank alone: all say so, and go on when it is gone."""
+    """An invalid source, or invalid places, on one rank alone: all report it, and execute again once it is removed."""
     chain = Chain(kind)
     if IS_LAST:
         chain.filter.SetInputDataObject(port, data)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The inputs for which several ranks have to give the triangles of one.
+"""The inputs for which several ranks must give the triangles of one.
 
 A case is made alike on all ranks: what each rank has as input and source, and the settings of all. `pieces` deals
 points out by their number, not by their place, so that nearly all of them have to move.
@@ -14,9 +14,9 @@ TABLE = json.loads(
     (pathlib.Path(__file__).resolve().parents[2] / "Support" / "settings.json").read_text(encoding="utf-8"))
 
 
-# Settings that have an effect with others only, and these.
+# Settings that have an effect only with others, and these.
 NEEDED = {"SourceHeights": {"SourceMode": 1}}
-# Settings of all ranks, and what has no effect where the last rank sets it beside them.
+# Settings of all ranks, and settings without effect that the last rank has besides.
 WITHOUT_EFFECT = [
     ({"Rim": 1}, {"Rim": 0}),
     ({"Transform": True}, {"ProjectionPlaneMode": 1}),
@@ -44,7 +44,7 @@ def other_values(table):
 
 
 class Piece:
-    """What one rank has."""
+    """The input of one rank."""
 
     def __init__(self, points, number="double"):
         self.points = list(points)
@@ -56,7 +56,7 @@ class Piece:
 
 
 def appended_id(i, first, count):
-    """What is no point's on its rank is none's."""
+    """An id that is no point's on its rank is no point's on all."""
     return first + i if 0 <= i < count else i + 10 ** 7 if 0 <= i < 10 ** 5 else i
 
 
@@ -91,7 +91,7 @@ def appended(made, settings):
 
 
 def pieces(points, ranks, number="double"):
-    """Dealt out in rows of 7 points each, with what names them."""
+    """Distributed in rows of 7 points each, with arrays that name them."""
     dealt = [[] for _ in range(ranks)]
     for i, point in enumerate(points):
         dealt[i // 7 % ranks].append(point)
@@ -115,7 +115,7 @@ def uniform(count, seed=1):
 
 
 def lattice(count, side, seed=1):
-    """With many duplicates and cocircular points; z tells the duplicates apart."""
+    """With many duplicates and cocircular points; z distinguishes the duplicates."""
     draw = random.Random(seed)
     return [(float(draw.randrange(side)), float(draw.randrange(side)), float(i % 5)) for i in range(count)]
 
@@ -351,14 +351,14 @@ def with_values(made):
 
 
 def with_points_alone(made):
-    """Sources that constrain nothing, which is said with how many points they have."""
+    """Sources that constrain nothing, reported with the number of their points."""
     for piece in made:
         piece.source = (ring(0.5, 4), [], [])
     return made
 
 
 def gathered_cases(ranks):
-    """name -> (pieces, settings, the setting that has one rank do it all)"""
+    """name -> (pieces, settings, the setting that makes one rank do all)"""
     everything, coordinates = EVERYTHING, COORDINATES
     few = uniform(300)
     lines = dict(everything, GenerateRegionIds=True)

@@ -151,7 +151,7 @@ std::vector<Case> otherCases()
 std::string hashOf(
   const Case& given, const std::function<void()>& before, const std::function<void()>& after)
 {
-  WatchedInterpolation filter; // what it says is not printed
+  WatchedInterpolation filter; // its messages are not printed
   given.set(filter.Filter);
   filter->SetInputData(given.input);
   filter->SetDimensions(61, 47);

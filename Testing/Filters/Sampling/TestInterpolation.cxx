@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the interpolation puts out: values of all methods, arrays of all types, mask, slopes, images
-// and surfaces.
+// The outputs of the interpolation: values of all methods, arrays of all types, mask, slopes,
+// images and surfaces.
 #include "SampleTestSupport.h"
 
 #include "Engine/Sample/Sample.h"
@@ -32,7 +32,7 @@ using Filter = vtkAdaptiveHilbertInterpolation2D;
 const int kMethods[] = { Filter::LINEAR, Filter::NATURAL_NEIGHBOR, Filter::LAPLACE,
   Filter::NEAREST };
 
-/// What the engine gives at these places.
+/// The engine's values at these places.
 std::vector<double> sampled(
   const std::vector<Xyz>& points, const ahd::SamplePlaces& places, int method)
 {
@@ -203,7 +203,7 @@ TEST(Interpolation, TypesOfArrays)
   EXPECT_TRUE(filter.Said->Warnings.empty());
 }
 
-/// With NEAREST each value is one that a point has, of all arrays that of the same point.
+/// With NEAREST each value is a point's, in all arrays of the same point.
 TEST(Interpolation, NearestTakesValuesAsTheyAre)
 {
   auto cloud = makeCloud(onPlane(scatteredPoints(200, 2)));
@@ -314,7 +314,7 @@ TEST(Interpolation, OutsideByTheNearestVertex)
   }
 }
 
-/// More places outside than are looked up at a time.
+/// More places outside than one block of look-ups.
 TEST(Interpolation, OutsideInBatches)
 {
   WatchedInterpolation filter;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Arrays of the points that are kept otherwise, or have the names of arrays that are made.
+// Arrays of the points in other layouts, or with the names of output arrays.
 #include "SampleTestSupport.h"
 
 #include "vtkBitArray.h"
@@ -20,7 +20,7 @@ namespace
 
 using namespace ahdtest;
 
-/// Numbers that do not lie one after the other are the same as others.
+/// Arrays that are not contiguous give the same results.
 TEST(InterpolationArrays, NearestOfOtherLayouts)
 {
   auto cloud = makeCloud(onPlane(scatteredPoints(200, 2)));
@@ -31,7 +31,7 @@ TEST(InterpolationArrays, NearestOfOtherLayouts)
   vtkNew<vtkFloatArray> together;
   vtkNew<vtkSOADataArrayTemplate<long long>> large;
   large->SetName("large");
-  large->SetNumberOfComponents(1); // VTK 9.1 wants it said
+  large->SetNumberOfComponents(1); // required by VTK 9.1
   large->SetNumberOfTuples(200);
   for (vtkIdType i = 0; i < 200; ++i)
   {
@@ -84,7 +84,7 @@ void addBeside(vtkPolyData* cloud, const std::string& name, int width, double sc
     for (int c = 0; c < width; ++c)
     {
       array->SetComponent(i, c, scale * double((7 * i + 3 * c) % 101));
-      doubles->SetComponent(i, c, array->GetComponent(i, c)); // as the type has it
+      doubles->SetComponent(i, c, array->GetComponent(i, c)); // as the type represents it
     }
   }
   cloud->GetPointData()->AddArray(array);

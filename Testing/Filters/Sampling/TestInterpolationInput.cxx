@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Points of the interpolation that are few, double, collinear, without value, in blocks, bounded by
-// constraints; settings that make no sense.
+// Points of the interpolation: few, duplicate, collinear, without value, in blocks, bounded by
+// constraints; invalid settings.
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
 
@@ -108,7 +108,7 @@ TEST(InterpolationInput, DuplicatesByThePolicy)
   EXPECT_EQ(arrayOf(filter->GetOutput(), "Elevation")->GetComponent(0, 0), 40.0);
 }
 
-/// With NaN for one value: linear none in its triangles, natural neighbours go without it.
+/// With NaN for one value: linear none in its triangles, natural neighbours ignore it.
 TEST(InterpolationInput, ValuesThatAreNaN)
 {
   auto cloud = makeCloud(onPlane(scatteredPoints(400, 5)));
@@ -292,7 +292,7 @@ TEST(InterpolationInput, BoundsAreThoseInThePlane)
     std::none_of(heights.begin(), heights.end(), [](double h) { return std::abs(h) > 1e-12; }));
 }
 
-/// One error, nothing put out, and well again afterwards.
+/// One error, no output, and correct again afterwards.
 void expectOneError(WatchedInterpolation& filter, const char* word)
 {
   filter.Said->Errors.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Interpolation on a surface whose own triangulation is still there: no second one, and the same
+// Interpolation on a surface whose own triangulation is kept: no second one, and the same
 // bytes as if the interpolation had been given points and settings itself.
 #include "ConstraintTestSupport.h"
 #include "SampleTestSupport.h"
@@ -45,7 +45,7 @@ bool areSame(vtkDataSet* a, vtkDataSet* b)
   return same;
 }
 
-/// What interpolating directly gives.
+/// The result of interpolating directly.
 vtkSmartPointer<vtkImageData> directly(
   vtkPolyData* cloud, int method, const Setting& set = nullptr, vtkPolyData* source = nullptr)
 {
@@ -80,7 +80,7 @@ struct Surface
     askForRaster(this->Sampler.Filter);
     this->Update();
   }
-  /// As pvserver hands it on.
+  /// As pvserver passes it on.
   void Update()
   {
     this->Maker->Update();
@@ -161,7 +161,7 @@ TEST(InterpolationKept, IsGoneWithTheFilterOrItsLimit)
   EXPECT_EQ(limited.Triangulations(), 1);
 }
 
-/// A filter that executes anew has taken it from surfaces of before.
+/// A filter that executes anew takes it back from earlier surfaces.
 TEST(InterpolationKept, IsThatOfTheLastExecution)
 {
   auto cloud = hills();
@@ -177,7 +177,7 @@ TEST(InterpolationKept, IsThatOfTheLastExecution)
   EXPECT_EQ(surface.Triangulations(), 1);
 }
 
-/// Points or triangles that are not what they were: with and without VTK knowing of it.
+/// Changed points or triangles, with and without Modified().
 TEST(InterpolationKept, ChangedSurfacesAreOthers)
 {
   auto cloud = hills();
@@ -207,7 +207,7 @@ TEST(InterpolationKept, ChangedSurfacesAreOthers)
   EXPECT_EQ(touched.Triangulations(), 1);
 }
 
-/// Another plane than x, y: raster and places go by the settings of the interpolation.
+/// Another plane than x, y: raster and places follow the settings of the interpolation.
 TEST(InterpolationKept, InOtherPlanesThereIsNone)
 {
   auto cloud = makeCloud(onPlane(scatteredPoints(500)));
@@ -223,7 +223,7 @@ TEST(InterpolationKept, InOtherPlanesThereIsNone)
   }
 }
 
-/// Points of before are not held when their surface is passed on for others of the same numbers.
+/// Earlier points are not held when their surface is passed on for equal ones.
 TEST(InterpolationKept, HoldsNoOldInput)
 {
   auto cloud = hills();
@@ -241,7 +241,7 @@ TEST(InterpolationKept, HoldsNoOldInput)
   EXPECT_TRUE(areSame(directly(cloud, Filter::LINEAR), surface.Sample(Filter::LINEAR)));
 }
 
-/// All blocks of the places are interpolated on the one that is lent.
+/// All blocks of the places are interpolated on the lent triangulation.
 TEST(InterpolationKept, ForBlocksOfPlaces)
 {
   auto cloud = hills();
@@ -269,10 +269,10 @@ TEST(InterpolationKept, ForBlocksOfPlaces)
   EXPECT_EQ(surface.Triangulations(), 0);
   surface.Sampler->SetInputConnection(1, nullptr);
   surface.Sample(Filter::LINEAR);
-  EXPECT_EQ(surface.Triangulations(), 0); // it was given back
+  EXPECT_EQ(surface.Triangulations(), 0); // it was returned
 }
 
-/// An aborted interpolation gives it back.
+/// An aborted interpolation returns it.
 TEST(InterpolationKept, IsGivenBack)
 {
   auto cloud = hills();
@@ -286,8 +286,8 @@ TEST(InterpolationKept, IsGivenBack)
   EXPECT_EQ(surface.Triangulations(), 0);
 }
 
-/// Interpolations at the same time, while the filter that made the surface executes anew: who finds
-/// the triangulation lent or gone makes one, and all have the same values.
+/// Interpolations at the same time, while the filter that made the surface executes anew: one that
+/// finds the triangulation lent or gone makes one, and all have the same values.
 TEST(InterpolationKept, ManyAtATime)
 {
   auto cloud = hills();

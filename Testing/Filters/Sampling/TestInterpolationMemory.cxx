@@ -71,8 +71,8 @@ TEST(InterpolationMemory, NothingIsTriangulatedTwice)
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 6);
 }
 
-/// Between executions what is kept holds no data of the points, but those that were made of blocks,
-/// which count.
+/// Between executions the kept triangulation holds no data of the points, except those made from
+/// blocks, which count.
 TEST(InterpolationMemory, OnlyTheTriangulationIsKept)
 {
   auto points = cloud(20000);
@@ -143,7 +143,7 @@ TEST(InterpolationMemory, OtherSettingsWithTheSameTransformAreSeen)
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 4);
 }
 
-/// What is kept is not passed for what it is not.
+/// The kept triangulation is not used for other points.
 TEST(InterpolationMemory, PointsThatChangedAreTriangulatedAnew)
 {
   auto points = cloud(200);
@@ -152,7 +152,7 @@ TEST(InterpolationMemory, PointsThatChangedAreTriangulatedAnew)
   filter->SetPlacesData(makeCloud({ { 0.5, 0.5, 0 } }));
   filter->Update();
   const auto before = numbersOf(filter->GetOutput(), "Elevation");
-  // where they lie, and nobody is told but the filter
+  // in place, and only the filter is notified
   for (vtkIdType i = 0; i < 200; ++i)
   {
     const double* p = points->GetPoint(i);
@@ -206,8 +206,8 @@ TEST(InterpolationMemory, MemoryIsRefusedWithFigures)
   EXPECT_EQ(filter->GetMemoryEstimate(), estimate);
 }
 
-/// Each array by the numbers that are read of points and made of places, whichever its type; and
-/// what else takes memory for each place.
+/// Each array by the numbers read for points and made for places, whichever its type; and other
+/// memory for each place.
 TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
 {
   constexpr double kPoints = 5000, kPlaces = 300 * 300;
@@ -247,7 +247,7 @@ TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
   {
     SCOPED_TRACE(method);
     filter->SetMethod(method);
-    // by points: the values in the order of the vertices, and those that have to be read
+    // by points: the values in the order of the vertices, and those that must be read
     expectMore(make(doubles.Get(), 1), 8, 8);
     expectMore(make(doubles.Get(), 3), 24, 24);
     expectMore(make(floats.Get(), 2), 16 + 16, 2 * (8 + 4)); // made as doubles
@@ -281,7 +281,7 @@ TEST(InterpolationMemory, EachArrayIsEstimatedByItsBytes)
   EXPECT_LE(places, 64 * kPlaces);
 }
 
-/// Said when it is merged for its values, not when its raster is announced.
+/// Reported when blocks are merged for values, not when the raster is announced.
 TEST(InterpolationMemory, BlocksWithoutMemoryAreOneError)
 {
   WatchedInterpolation filter;
@@ -295,7 +295,7 @@ TEST(InterpolationMemory, BlocksWithoutMemoryAreOneError)
   EXPECT_NE(filter.Said->Errors[0].find("Merging blocks of 1500 points"), std::string::npos);
 }
 
-/// A transform that counts the points it is asked for.
+/// A transform that counts the points it moves.
 class Counted : public vtkSphericalTransform
 {
 public:
@@ -312,7 +312,7 @@ protected:
   }
 };
 
-/// Where the raster lies is not looked for either where there is no memory for that.
+/// The bounds of the raster are not computed either without memory for that.
 TEST(InterpolationMemory, NoPointIsMovedWhereThereIsNoMemory)
 {
   vtkNew<Counted> transform;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What is kept and the memory it was made of: the same array may have the same numbers elsewhere
-// (double buffers, arrays that are emptied and filled again), and the memory of before belongs to
-// others, who may write into it.
+// The kept triangulation and the memory of its points: the same array may have the same numbers at
+// another address (double buffers, arrays that are emptied and filled again), and the former memory
+// belongs to others, which may write to it.
 #include "KeptTestSupport.h"
 #include "SampleTestSupport.h"
 
@@ -38,7 +38,7 @@ struct Buffers
     this->Cloud->SetPoints(points);
   }
 
-  /// The same numbers to other memory; that of before gets others.
+  /// Moves the numbers to other memory; the former memory gets others.
   void Move()
   {
     const auto before = this->Now;
@@ -69,7 +69,7 @@ void expectThePlane(WatchedInterpolation& sampler)
   EXPECT_LT(farthestFromPlane(sampler->GetOutput()), 1e-9);
 }
 
-/// The triangulation that the filter has lent, for others and again for its own outputs.
+/// The triangulation lent by the filter, to others and again for its own outputs.
 TEST(InterpolationMoved, OnASurfaceWhoseArrayWasMoved)
 {
   Buffers buffers;
@@ -88,7 +88,7 @@ TEST(InterpolationMoved, OnASurfaceWhoseArrayWasMoved)
   EXPECT_EQ(after->GetNumberOfTriangulations(), 1);
 }
 
-/// In a pipeline that executes again and again, from the third execution on what is passed on.
+/// In a pipeline that executes repeatedly, from the third execution on with outputs passed on.
 TEST(InterpolationMoved, BehindAFilterThatPassesOn)
 {
   Buffers buffers;
@@ -105,7 +105,7 @@ TEST(InterpolationMoved, BehindAFilterThatPassesOn)
   EXPECT_EQ(maker->GetNumberOfTriangulations(), 2);
 }
 
-/// The triangulation that the interpolation keeps for itself, of points and of their marks.
+/// The triangulation kept by the interpolation itself, of points and of their marks.
 TEST(InterpolationMoved, OfPointsWhoseArrayWasMoved)
 {
   Buffers buffers;
@@ -123,7 +123,7 @@ TEST(InterpolationMoved, OfPointsWhoseArrayWasMoved)
   EXPECT_EQ(sampler->GetNumberOfTriangulations(), 4) << "where nothing moves, it is kept";
 }
 
-/// Of points that were converted a copy is kept, so it does not matter where they lie.
+/// Converted points are kept as a copy, so their address does not matter.
 TEST(InterpolationMoved, ConvertedPointsAreKept)
 {
   auto cloud = makeCloud(scatteredPoints(500, 34));
@@ -148,7 +148,7 @@ TEST(InterpolationMoved, ConvertedPointsAreKept)
   EXPECT_EQ(sampler->GetNumberOfTriangulations(), 1);
 }
 
-/// Marks, too, are read where they lie.
+/// Marks, too, are read in place.
 TEST(InterpolationMoved, MarksThatWereMoved)
 {
   Buffers buffers;
@@ -182,7 +182,7 @@ TEST(InterpolationMoved, PointsThatAreFilledAgain)
   WatchedInterpolation behind, direct;
   behind->SetInputConnection(maker->GetOutputPort());
   direct->SetInputData(cloud);
-  std::vector<std::vector<double>> taken; // memory that would be had again else
+  std::vector<std::vector<double>> taken; // memory that would be reused otherwise
   for (int step = 0; step < 4; ++step)
   {
     SCOPED_TRACE(step);
@@ -202,7 +202,7 @@ TEST(InterpolationMoved, PointsThatAreFilledAgain)
   }
 }
 
-/// Triangles that were edited where they lie, which VTK does not know of, are others.
+/// Triangles edited in place, without Modified(), are noticed.
 TEST(InterpolationMoved, EditedTrianglesAreOthers)
 {
   auto cloud = makeCloud(onPlane(scatteredPoints(500, 33)));

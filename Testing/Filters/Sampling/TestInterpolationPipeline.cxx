@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The interpolation in VTK's pipeline: what filters behind are told, abort, threads, settings.
+// The interpolation in VTK's pipeline: information for downstream filters, abort, threads,
+// settings.
 #include "PipelineSupport.h"
 #include "ProgressWatch.h"
 
@@ -63,7 +64,7 @@ TEST(InterpolationPipeline, FiltersForImagesBehindAreToldTheRaster)
   EXPECT_EQ(behind->Executed, before);
 }
 
-/// What cannot be had is not announced either.
+/// An impossible raster is not announced either.
 TEST(InterpolationPipeline, FiltersBehindSurviveErrors)
 {
   WatchedInterpolation filter;
@@ -91,8 +92,8 @@ TEST(InterpolationPipeline, FiltersBehindSurviveErrors)
   EXPECT_EQ(behind->GetOutput()->GetNumberOfPoints(), 100);
 }
 
-/// What comes to nothing though it was announced: those behind are not run, whatever they are, and
-/// the next update that comes to something is right.
+/// An announced raster that fails: downstream filters do not run, of any kind, and the next
+/// successful update is correct.
 TEST(InterpolationPipeline, NobodyIsRunBehindARasterThatCameToNothing)
 {
   for (const bool isAborted : { false, true })
@@ -133,7 +134,7 @@ TEST(InterpolationPipeline, NobodyIsRunBehindARasterThatCameToNothing)
   }
 }
 
-/// Whatever the progress at which it is aborted: nothing put out, no message, and well again.
+/// Aborted at any progress: no output, no message, and correct afterwards.
 TEST(InterpolationPipeline, AbortedAtEachStage)
 {
   auto points = cloud(40000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Places of the second input: data sets of all types, in another plane, and places that are none.
+// Places of the second input: data sets of all types, in another plane, and rejected places.
 #include "SampleTestSupport.h"
 
 #include "vtkCellArray.h"
@@ -147,7 +147,7 @@ TEST(InterpolationPlaces, NotFiniteOnesHaveNoValueAndAreCounted)
     EXPECT_EQ(filter->GetNumberOfNotFinitePlaces(), 3);
     EXPECT_EQ(filter->GetNumberOfValidPlaces(), method == 3 ? 2 : 1);
     EXPECT_TRUE(std::isnan(heights[0]) && std::isnan(heights[1]) && std::isnan(heights[4]));
-    EXPECT_FALSE(std::isnan(heights[2])); // z has no say
+    EXPECT_FALSE(std::isnan(heights[2])); // z is ignored
     EXPECT_FALSE(std::isnan(heights[3]));
     ASSERT_EQ(filter.Said->Warnings.size(), 1u);
     EXPECT_NE(filter.Said->Warnings[0].find("3 of 5 places"), std::string::npos);
@@ -272,7 +272,7 @@ TEST(InterpolationPlaces, BlocksOfACompositeOneByOne)
   EXPECT_EQ(filter->GetNumberOfTriangulations(), 2);
 }
 
-/// The outputs of all blocks are there at the same time, and are thought of before the first one.
+/// The outputs of all blocks exist at the same time, and are estimated before the first one.
 TEST(InterpolationPlaces, BlocksAreRefusedBeforeTheFirst)
 {
   constexpr vtkIdType kPlaces = 20000;

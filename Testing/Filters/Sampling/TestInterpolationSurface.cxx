@@ -34,7 +34,7 @@ bool areSame(const std::vector<double>& a, const std::vector<double>& b, double 
   return same;
 }
 
-/// Interpolates on the surface that `set` asks for, in one filter and in two.
+/// Interpolates on the surface of the settings `set`, in one filter and in two.
 void expectTheSame(const std::function<void(Delaunay*)>& set, vtkPolyData* source,
   const std::vector<int>& methods, bool setsPlane = false, double off = 1e-12)
 {
@@ -231,8 +231,7 @@ TEST(InterpolationSurface, InThePlaneOfAllPoints)
   EXPECT_TRUE(areSame(numbersOf(one, "Elevation"), numbersOf(two, "Elevation"), 1e-12));
 }
 
-/// Edges that are made constraints are known, and what they take, when the triangles are looked
-/// for.
+/// Edges that become constraints, and their memory, are known when the triangles are looked up.
 TEST(InterpolationSurface, MemoryOfConstraintsIsLimited)
 {
   vtkNew<Delaunay> delaunay;
@@ -272,7 +271,7 @@ TEST(InterpolationSurface, IsKnownAgain)
   delaunay->SetMaximumEdgeLength(0.1);
   delaunay->Update();
   WatchedInterpolation filter;
-  vtkNew<vtkPolyData> copy; // as ParaView hands it on
+  vtkNew<vtkPolyData> copy; // as ParaView passes it on
   copy->ShallowCopy(delaunay->GetOutput());
   filter->SetInputData(copy);
   filter->Update();
@@ -288,7 +287,7 @@ TEST(InterpolationSurface, IsKnownAgain)
   EXPECT_LT(filter->GetNumberOfValidPlaces(), valid);
 }
 
-/// Triangles of anybody else are not looked at: the points count.
+/// Triangles of other filters are ignored: the points count.
 TEST(InterpolationSurface, OthersAreOnlyPoints)
 {
   vtkNew<Delaunay> delaunay;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The interpolation's raster where points have other bounds at each time, and filters behind it.
+// The interpolation's raster where points have other bounds at each time, and downstream filters.
 #include "PipelineSupport.h"
 
 #include <gtest/gtest.h>
@@ -31,8 +31,8 @@ TEST(InterpolationTimes, EachTimeHasItsRaster)
   }
 }
 
-/// VTK asks for extents before there are data, and filters behind cannot be told of others then.
-/// All cells that they ask for are there.
+/// VTK requests extents before there are data, and downstream filters cannot be given others then.
+/// All requested cells exist.
 TEST(InterpolationTimes, FiltersBehindHaveWhatTheyWereToldAtEachTime)
 {
   vtkNew<Moving> moving;
@@ -54,7 +54,7 @@ TEST(InterpolationTimes, FiltersBehindHaveWhatTheyWereToldAtEachTime)
   behind->UpdateTimeStep(1.0);
   behind->Update();
   expect(400, 400);
-  behind->UpdateTimeStep(2.0); // larger: those that it was told are a part of it
+  behind->UpdateTimeStep(2.0); // larger: the announced cells are a part of it
   expect(900, 400);
   behind->Update();
   expect(900, 900);
@@ -64,7 +64,7 @@ TEST(InterpolationTimes, FiltersBehindHaveWhatTheyWereToldAtEachTime)
   EXPECT_GT(filter->GetNumberOfValidPlaces(), 80);
   behind->Update();
   expect(100, 100);
-  behind->UpdateTimeStep(1.5); // nothing says where it is
+  behind->UpdateTimeStep(1.5); // its bounds are unknown
   expect(100, 100);
   EXPECT_EQ(filter->GetNumberOfValidPlaces(), 0);
   EXPECT_TRUE(behind->HadItsPlace);
@@ -77,7 +77,8 @@ TEST(InterpolationTimes, FiltersBehindHaveWhatTheyWereToldAtEachTime)
   }
 }
 
-/// A raster that is larger than its points, for filters behind, is so until the next update alone.
+/// A raster that is larger than its points, for downstream filters, is so only until the next
+/// update.
 TEST(InterpolationTimes, ARasterThatWasCoveredIsItsOwnAtTheNextUpdate)
 {
   vtkNew<Moving> moving;
@@ -105,8 +106,8 @@ TEST(InterpolationTimes, ARasterThatWasCoveredIsItsOwnAtTheNextUpdate)
   EXPECT_TRUE(filter.Said->Errors.empty());
 }
 
-/// As many cells somewhere else: filters for images place them where they were told, which is said
-/// once, and are right from the next update on.
+/// As many cells somewhere else: filters for images place them at the announced origin, which is
+/// reported once, and are correct from the next update on.
 TEST(InterpolationTimes, AnotherPlaceIsSaidOnce)
 {
   vtkNew<Moving> moving;
@@ -125,7 +126,7 @@ TEST(InterpolationTimes, AnotherPlaceIsSaidOnce)
   }
   ASSERT_EQ(filter.Said->Warnings.size(), 1u);
   EXPECT_NE(filter.Said->Warnings[0].find("UseBounds"), std::string::npos);
-  WatchedInterpolation alone; // nobody was told anything
+  WatchedInterpolation alone; // nothing was reported
   alone->SetInputConnection(moving->GetOutputPort());
   for (const double time : { 0.0, 1.0, 2.0 })
   {
@@ -135,8 +136,8 @@ TEST(InterpolationTimes, AnotherPlaceIsSaidOnce)
   EXPECT_TRUE(alone.Said->Warnings.empty());
 }
 
-/// An executive whose memory nobody gets again when it is deleted, but is of no use: who follows a
-/// pointer to it ends there.
+/// An executive whose memory is overwritten at deletion and not reused: following a pointer to it
+/// crashes.
 class Tombstone : public vtkStreamingDemandDrivenPipeline
 {
 public:
@@ -179,7 +180,7 @@ TEST(InterpolationTimes, FiltersBehindThatWereDeleted)
     {
       filter->UpdateTimeStep(time);
       const vtkIdType own = time == 1.0 ? 400 : 100, before = time == 1.0 ? 900 : 400;
-      EXPECT_EQ(filter->GetNumberOfPlaces(), isAnotherThere ? before : own); // what it was told
+      EXPECT_EQ(filter->GetNumberOfPlaces(), isAnotherThere ? before : own); // as announced
       filter->Update();
       EXPECT_EQ(filter->GetNumberOfPlaces(), own);
     }

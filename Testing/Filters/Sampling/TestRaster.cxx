@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Which cells a raster has: their number, where they begin, and what is no raster.
+// The cells of a raster: their number, their origin, and invalid rasters.
 #include "Sampling/vtkAHDRaster.h"
 
 #include <gtest/gtest.h>
@@ -147,7 +147,7 @@ TEST(Raster, HugeCoordinates)
   ASSERT_EQ(all.Fault, Fault::None);
   EXPECT_EQ(all.Cells.spacing.x, most / 8);
   EXPECT_TRUE(std::isfinite(all.Cells.at(7, 7).x));
-  // Here 7 times the spacing is no number.
+  // Here 7 times the spacing overflows.
   EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 8), box(-most, most, 0, 1)).Fault, Fault::TooWide);
   EXPECT_EQ(vtkAHDMakeRaster(byCount(8, 1), box(0, 1, -most, most)).Fault, Fault::TooWide);
   EXPECT_EQ(vtkAHDMakeRaster(byCount(1, 1), box(-most, most, 0, 1)).Fault, Fault::TooWide);

@@ -33,7 +33,8 @@ inline void expectCountsOfFates(vtkAdaptiveHilbertDelaunay2D* filter)
   EXPECT_EQ(out, filter->GetNumberOfSkippedPoints() + filter->GetNumberOfPointsBeyondLimit());
 }
 
-/// The filter said so many warnings and no error, and the last warning has each of `parts` in it.
+/// The filter reported so many warnings and no error, and the last warning contains each of
+/// `parts`.
 inline void expectWarnings(
   const WatchedFilter& filter, std::size_t count, const std::vector<std::string>& parts = {})
 {

@@ -11,7 +11,7 @@
 namespace ahdtest
 {
 
-/// What an execution works with: a filter that could abort, progress, threads, memory.
+/// The context of an execution: a filter that can abort, progress, threads, memory.
 struct Work
 {
   explicit Work(unsigned threads = 2)

@@ -22,7 +22,7 @@ std::atomic<std::size_t> failAt{ 0 };
 std::atomic<bool> andLater{ false };
 std::atomic<std::ptrdiff_t> inUse{ 0 };
 
-/// Where the code of the filter's library lies.
+/// The address range of the filter's library.
 struct Code
 {
   std::uintptr_t begin = 0;
@@ -58,7 +58,7 @@ enum class Owner : unsigned char
   Unknown, ///< not looked up yet
   Filter,
   Vtk,
-  Other ///< the standard library, whose templates may be anybody's copy, and this program
+  Other ///< the standard library, whose templates may be any library's copy, and this program
 };
 
 Owner findOwner(void* address)

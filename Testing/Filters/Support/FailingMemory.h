@@ -7,20 +7,20 @@
 namespace ahdtest
 {
 
-/// Memory that runs out when told to: operator new and malloc, as the filter's own library asks for
-/// it (the engine is in it), itself or through the standard library, on any thread. VTK's own
-/// requests are met: after a failure within them its objects are not fit to be destroyed.
+/// Memory that runs out on demand: operator new and malloc, when called by the filter's own library
+/// (which has the engine), directly or through the standard library, on any thread. VTK's own
+/// requests succeed: after a failure within them its objects cannot be destroyed.
 ///
 /// Counts and fails only between begin() and end().
 namespace memory
 {
 /// The allocation of this number fails, from 1; 0: none. With `andAllLater` those after it, too.
 void begin(std::size_t failAt, bool andAllLater);
-/// How many allocations have been asked for since.
+/// The number of allocations since.
 std::size_t count();
-/// Returns how many allocations were asked for.
+/// Returns the number of allocations.
 std::size_t end();
-/// Blocks of operator new that are in use, whoever asked for them.
+/// Blocks of operator new that are in use, of all callers.
 std::ptrdiff_t blocks();
 }
 

@@ -2,8 +2,8 @@
 #ifndef ahd_FeatureTestSupport_h
 #define ahd_FeatureTestSupport_h
 
-// Filters with everything switched on, in several combinations since not all go together, and what
-// they put out as one string of bytes: for tests of what no feature may break.
+// Filters with everything switched on, in several combinations since not all go together, and their
+// outputs as one string of bytes: for tests of properties that no feature may break.
 #include "ConstraintTestSupport.h"
 #include "FilterTestSupport.h"
 #include "SettingRows.h"
@@ -255,7 +255,7 @@ inline void addBytes(vtkFieldData* data, std::string& bytes)
   }
 }
 
-/// All that the filter put out, each bit of it, so that equal strings are equal outputs.
+/// All outputs of the filter, bit by bit, as a string.
 inline std::string outputOf(vtkAdaptiveHilbertDelaunay2D* filter)
 {
   std::string bytes;
@@ -265,7 +265,7 @@ inline std::string outputOf(vtkAdaptiveHilbertDelaunay2D* filter)
     addBytes(output->GetPoints() ? output->GetPoints()->GetData() : nullptr, bytes);
     for (vtkCellArray* cells : { output->GetVerts(), output->GetLines(), output->GetPolys() })
     {
-      // where there are none, the type of the ids is VTK's affair
+      // without cells the type of the ids is VTK's choice
       addBytes(cells->GetNumberOfCells() > 0 ? cells->GetOffsetsArray() : nullptr, bytes);
       addBytes(cells->GetNumberOfCells() > 0 ? cells->GetConnectivityArray() : nullptr, bytes);
     }

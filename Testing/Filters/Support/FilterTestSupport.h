@@ -104,7 +104,7 @@ inline std::vector<Triangle> triangulate(const std::vector<Xyz>& xyz, int type =
   return trianglesOf(filter->GetOutput());
 }
 
-/// Keeps the warnings and errors of the filter it watches, and how often it said each.
+/// Records the warnings and errors of the filter it watches, and their numbers.
 class Messages : public vtkCommand
 {
 public:

@@ -9,9 +9,8 @@
 namespace ahdtest
 {
 
-/// All that vtkAdaptiveHilbertInterpolation2D puts out for some inputs and settings, as hashes.
-/// Each runs twice, the second time on the triangulation that was kept, between `before` and
-/// `after`.
+/// All outputs of vtkAdaptiveHilbertInterpolation2D for some inputs and settings, as hashes. Each
+/// runs twice, the second time on the kept triangulation, between `before` and `after`.
 ahd::test::Hashes hashedSamples(
   const std::function<void()>& before, const std::function<void()>& after);
 

@@ -28,7 +28,7 @@ inline double dataOf(vtkPolyData* surface)
   return array ? array->GetComponent(surface->GetNumberOfPoints() - 1, 0) : -1;
 }
 
-/// Hands on whatever it is told to.
+/// Passes on the data object that it is given.
 class Relay : public vtkPolyDataAlgorithm
 {
 public:

@@ -32,15 +32,15 @@ inline vtkSmartPointer<vtkPolyData> cloud(std::size_t count = 1000, double size 
   return makeCloud(points);
 }
 
-/// An image filter as VTK's own: it makes its output by what it was told before.
+/// An image filter like VTK's own: it makes its output by the announced geometry.
 class Behind : public vtkImageAlgorithm
 {
 public:
   static Behind* New() { VTK_STANDARD_NEW_BODY(Behind); }
   vtkTypeMacro(Behind, vtkImageAlgorithm);
   int Executed = 0;
-  bool HadAll = true;       ///< each time, all that it asked for
-  bool HadItsPlace = false; ///< the last time, origin and spacing that it was told
+  bool HadAll = true;       ///< each time, all requested cells
+  bool HadItsPlace = false; ///< the last time, announced origin and spacing
 
 protected:
   int RequestData(
@@ -71,7 +71,7 @@ protected:
   }
 };
 
-/// Points that are others at each time.
+/// Points that differ at each time.
 class Moving : public vtkPolyDataAlgorithm
 {
 public:

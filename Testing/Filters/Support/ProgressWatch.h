@@ -10,7 +10,7 @@
 namespace ahdtest
 {
 
-/// Asks a filter to abort as ParaView's button does where VTK has a method for that (from 9.3 on).
+/// Aborts a filter as ParaView's button does, where VTK has a method for that (from 9.3 on).
 template <typename Algorithm>
 auto askToAbort(Algorithm* filter, int) -> decltype(filter->SetAbortExecuteAndUpdateTime())
 {
@@ -22,7 +22,7 @@ void askToAbort(Algorithm* filter, long)
   filter->SetAbortExecute(1);
 }
 
-/// Keeps what a filter says of its progress, and aborts it at a given one.
+/// Records a filter's progress, and aborts it at a given one.
 class ProgressWatch : public vtkCommand
 {
 public:
