@@ -1,4 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
+# Made by Filters/Settings/generate.py: change what is there, not this.
 """Delaunay triangulation of NumPy arrays."""
 
 from __future__ import annotations
@@ -7,12 +8,12 @@ from typing import Any, Callable, Optional, Sequence, Union
 
 import numpy as np
 
-from ._input import DEFAULTS, Plane, Request
+from ._input import Plane
 from ._library import release_memory
 from ._names import by_any_name
 from ._results import Boxes, Kind, Location, Voronoi
-from ._triangulation import WANTED, Triangulation
-from ._warnings import DelaunayWarning, warn
+from ._triangulation import Triangulation, triangulate
+from ._warnings import DelaunayWarning
 
 __all__ = ["Boxes", "DelaunayWarning", "Kind", "Location", "Triangulation", "Voronoi", "delaunay", "release_memory"]
 
@@ -26,29 +27,29 @@ def delaunay(
     loops: Any = None,
     source_points: Any = None,
     skip: Any = None,
-    crossings: str = "leave_out",
-    fill_rule: str = "even_odd",
-    closed_lines_are_loops: bool = False,
-    source_heights: str = "own",
     plane: Plane = "xy",
-    rim: str = "automatic",
-    duplicates: str = "first",
-    tolerance: float = 0.0,
-    alpha: float = 0.0,
+    source_heights: str = "own",
+    closed_lines_are_loops: bool = False,
+    fill_rule: str = "even_odd",
+    crossings: str = "leave_out",
     maximum_edge_length: float = 0.0,
-    bounding: bool = False,
-    offset: float = 1.0,
+    alpha: float = 0.0,
+    rim: str = "automatic",
+    tolerance: float = 0.0,
+    duplicates: str = "first",
+    voronoi_clip: str = "hull",
     insertion_order: str = "adaptive_hilbert",
     nmax: int = 50,
     control_points: str = "every_level",
     gene_rotation: bool = True,
     insertion_limit: int = 0,
-    count_work: bool = False,
-    voronoi_clip: str = "hull",
-    id_dtype: Any = np.int32,
-    want: Union[str, Sequence[str]] = (),
+    offset: float = 1.0,
+    bounding: bool = False,
     threads: int = 0,
     memory_limit: int = 0,
+    count_work: bool = False,
+    id_dtype: Any = np.int32,
+    want: Union[str, Sequence[str]] = (),
     progress: Optional[Callable[[str, float], Any]] = None,
 ) -> Triangulation:
     """The Delaunay triangulation of points in the plane: exact, and the same to the byte on any machine.
@@ -75,43 +76,42 @@ def delaunay(
         triangulated with the others; in the result their ids follow those of `points`.
     skip : (n,) array of bool or uint8, optional
         Points with a nonzero value are skipped.
-    crossings : {'leave_out', 'split'}, default 'leave_out'
-        How crossing segments are treated. 'leave_out': the later one is left out, its loop bounds nothing, and a
-        warning counts them (segments come before lines, lines before loops). 'split': a point is added.
-    fill_rule : {'even_odd', 'orientation'}, default 'even_odd'
-        The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
-        'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.
-    closed_lines_are_loops : bool, default False
-        Treat lines that end where they begin as loops.
-    source_heights : {'own', 'surface'}, default 'own'
-        'surface': z of source points is interpolated on the triangulation of the others, where they lie on it.
     plane : {'xy', 'best_fit'}, (4, 4) array or function, default 'xy'
         The plane of the triangulation: x and y; the plane with the least sum of squared distances (if all points have
         the same z, x or y: the two other coordinates, unchanged); x and y after the matrix is applied to (x, y, z, 1);
         x and y of the function's result. The function gets (k, 3) float64, k at most 2**14, and changes it in place or
         returns an array: the position in the plane and the height above it. The result is exact for the coordinates in
         that plane, in float64.
-    rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
-        'trimmed': without the flat triangles (an angle above 153.4 degrees) along the hull. 'automatic': the convex
-        hull in the plane 'xy', and in 'best_fit' if all points have the same z, x or y; else trimmed. Nothing is
-        trimmed with alpha, maximum_edge_length or bounding.
-    duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
-        Which of several points at one place is the vertex: the one with the smallest id; with the lowest or highest
-        finite z; with the smallest id, moved to the mean of all with a finite z.
-    tolerance : float from 0 to 1, default 0.0
-        Merge points closer to each other than this fraction of the diagonal of the bounding box of all; 0: coinciding
-        points are duplicates, and none is merged.
+    source_heights : {'own', 'surface'}, default 'own'
+        The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
+        it.
+    closed_lines_are_loops : bool, default False
+        Treat lines that end where they begin as loops.
+    fill_rule : {'orientation', 'even_odd'}, default 'even_odd'
+        The regions that loops keep. 'even_odd': those inside an odd number of loops, whatever their direction.
+        'orientation': those on the left of every loop edge that bounds them, and those that no loop bounds.
+    crossings : {'leave_out', 'split'}, default 'leave_out'
+        How crossing segments are treated. 'leave_out': the later one is left out, its loop bounds nothing, and a
+        warning counts them (segments come before lines, lines before loops). 'split': a point is added.
+    maximum_edge_length : float, 0 or more, default 0.0
+        The longest edge of a triangle in the plane; 0: no limit.
     alpha : float, 0 or more, default 0.0
         The largest circumradius in space, in the unit of the points; 0: no limit. See `lines` and `vertices` of the
         result.
-    maximum_edge_length : float, 0 or more, default 0.0
-        The longest edge in the plane; 0: no limit.
-    bounding : bool, default False
-        Add eight points on a circle around all others, `offset` diagonals of their bounding box away. In 'xy' only.
-    offset : float, 0.75 or more, default 1.0
-        The distance of the points of `bounding`.
+    rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
+        Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 153.4 degrees) along
+        the hull. 'automatic': the convex hull in the plane 'xy', and in the best-fitting one if all points have the
+        same z, x or y; else trimmed. Nothing is trimmed with `bounding` or limits on the size of triangles.
+    tolerance : float from 0 to 1, default 0.0
+        Merge points closer to each other than this fraction of the diagonal of the bounding box of all; 0: coinciding
+        points are duplicates, and none is merged.
+    duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'
+        Which of several points at one place is the vertex: the one with the smallest id; with the lowest or highest
+        finite z; with the smallest id, moved to the mean of all with a finite z.
+    voronoi_clip : {'hull', 'bounds'}, default 'hull'
+        Clip the outer Voronoi cells at the convex hull of the points, or at their bounding box in the plane.
     insertion_order : {'adaptive_hilbert', 'multi_grid', 'regular_grid', 'as_given'}, default 'adaptive_hilbert'
-        This and the next three change the time, never the triangles.
+        The order of insertion. This and the next three change the time, never the triangles.
     nmax : int, 1 or more, default 50
         Boxes of the grid with more points are divided.
     control_points : {'off', 'single_level', 'every_level'}, default 'every_level'
@@ -120,19 +120,22 @@ def delaunay(
         Turn the curve in each box to connect to the boxes before and after.
     insertion_limit : int, 0 or more, default 0
         Insert only so many points of the order; 0: all.
-    count_work : bool, default False
-        Count np and nr, see `Triangulation.measures`. One thread inserts.
-    voronoi_clip : {'hull', 'bounds'}, default 'hull'
-        See `Triangulation.voronoi`.
-    id_dtype : numpy.int32 or numpy.int64, default numpy.int32
-        The type of all ids in the result. 32 bits are always enough.
-    want : sequence of str, optional
-        Results to compute in this call: 'neighbors', 'constraint_edges', 'regions', 'point_status', 'insertion_ranks',
-        'order', 'boxes', 'voronoi'. All are available later, too; the last four then triangulate once more.
+    offset : float, 0.75 or more, default 1.0
+        The distance of the points of `bounding` from the centre of the bounding box, in diagonals of it.
+    bounding : bool, default False
+        Add eight points on a circle around all others, `offset` diagonals of their bounding box away. In 'xy' only.
     threads : int from 0 to 1024, default 0
         Number of threads; 0: one for each processor that the process may run on. The result is the same.
     memory_limit : int, 0 or more, default 0
         The most bytes to allocate; 0: what the process can get without swapping.
+    count_work : bool, default False
+        Count np and nr, see `Triangulation.measures`. One thread inserts.
+    id_dtype : numpy.int32 or numpy.int64, default numpy.int32
+        The type of all ids in the result. 32 bits are always enough.
+    want : sequence of str, optional
+        Results to compute in this call: 'point_status', 'constraint_edges', 'regions', 'neighbors', 'voronoi', 'order',
+        'boxes', 'insertion_ranks'. All are available later, too; 'voronoi', 'order', 'boxes' and 'insertion_ranks' then
+        triangulate once more.
     progress : function of (str, float), optional
         Called with the phase ('merge', 'split', 'read', 'sort', 'insert', 'constrain', 'extract', 'outputs') and the
         fraction done, 0 to 1, about every hundredth, in this thread. To stop the work, raise an exception.
@@ -181,18 +184,4 @@ def delaunay(
     >>> len(notched.triangles), notched.boundary.shape
     (5, (5, 2))
     """
-    given = {name: value for name, value in locals().items() if name in DEFAULTS}
-    chains = {"segments": segments, "lines": lines, "loops": loops}
-    dtype = np.dtype(id_dtype)
-    if dtype not in (np.int32, np.int64) or not dtype.isnative:
-        raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
-    wanted = (want,) if isinstance(want, str) else tuple(want)
-    for name in wanted:
-        if name not in WANTED:
-            raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
-    if progress is not None and not callable(progress):
-        raise TypeError("progress must be a function, not %r" % (progress,))
-    request = Request(points, skip, source_points, chains, plane, given)
-    made = Triangulation(request, dtype, wanted, progress)
-    warn(made._job)
-    return made
+    return triangulate(**locals())

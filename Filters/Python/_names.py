@@ -32,14 +32,13 @@ def value_of(keyword: str, value: Any) -> Any:
     return VALUES.get(keyword, {}).get(value, value) if isinstance(value, str) else value
 
 
-def by_any_name(*more: str) -> Callable[[Function], Function]:
-    """Decorates a function that takes each keyword of its signature, and `more`, by the other name too. TypeError for
-    one that is given by both."""
+def by_any_name() -> Callable[[Function], Function]:
+    """Decorates a function that takes each keyword of its signature by the other name too. TypeError for one that is
+    given by both."""
 
     def decorate(function: Function) -> Function:
         signature = inspect.signature(function)
-        own = (*signature.parameters, *more)
-        others = {pair[1 - k]: pair[k] for pair in KEYWORDS for k in range(2) if pair[k] in own}
+        others = {pair[1 - k]: pair[k] for pair in KEYWORDS for k in range(2) if pair[k] in signature.parameters}
 
         @functools.wraps(function)
         def call(*arguments: Any, **keywords: Any) -> Any:

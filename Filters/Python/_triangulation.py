@@ -4,21 +4,18 @@
 from __future__ import annotations
 
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, Dict, Iterable, Mapping, Optional, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Dict, Iterable, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _library as library
-from ._input import CHOICES, DEFAULTS, Request
+from ._input import CHOICES, DEFAULTS, Plane, Request
+from ._keywords import WANTED
 from ._made import frozen
 from ._results import Boxes, Location, Voronoi, chained
 from ._raster import real_numbers, unmasked
 from ._sampling import Sampled
-
-#: Attributes that `delaunay` can compute at once.
-WANTED = (
-    "neighbors", "constraint_edges", "regions", "point_status", "insertion_ranks", "order", "boxes", "voronoi"
-)  # fmt: skip
+from ._warnings import warn
 
 
 def _arrays_of(made: Any) -> Iterable[np.ndarray]:
@@ -415,3 +412,32 @@ class Triangulation(Sampled):
         for made in self._cached.values():
             for array in _arrays_of(made):
                 frozen(array)
+
+
+def triangulate(
+    points: Any,
+    segments: Any,
+    lines: Any,
+    loops: Any,
+    source_points: Any,
+    skip: Any,
+    plane: Plane,
+    id_dtype: Any,
+    want: Union[str, Sequence[str]],
+    progress: Optional[Callable[[str, float], Any]],
+    **settings: Any,
+) -> Triangulation:
+    """`delaunay`, with the settings that are one number or word each."""
+    dtype = np.dtype(id_dtype)
+    if dtype not in (np.int32, np.int64) or not dtype.isnative:
+        raise TypeError("id_dtype must be numpy.int32 or numpy.int64, not %s" % dtype)
+    wanted = (want,) if isinstance(want, str) else tuple(want)
+    for name in wanted:
+        if name not in WANTED:
+            raise ValueError("want: %r is not one of %s" % (name, ", ".join(map(repr, WANTED))))
+    if progress is not None and not callable(progress):
+        raise TypeError("progress must be a function, not %r" % (progress,))
+    chains = {"segments": segments, "lines": lines, "loops": loops}
+    made = Triangulation(Request(points, skip, source_points, chains, plane, settings), dtype, wanted, progress)
+    warn(made._job)
+    return made

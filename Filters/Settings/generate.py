@@ -15,6 +15,7 @@ import sys
 
 import arrays
 import classes
+import doors
 import job
 import panel
 import pythontable
@@ -35,14 +36,16 @@ MADE = {
     "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
     "Filters/Engine/Job/SettingRows.h": "Filters/Settings/JobSettingRows.h.in",
     "Testing/Support/Run/SettingRows.h": "Filters/Settings/SettingRows.h.in",
+    "Filters/Python/_arrays.py": "Filters/Settings/_arrays.py.in",
     "Filters/Python/_keywords.py": "Filters/Settings/keywords.py.in",
     "Filters/Python/_vtk/table.py": "Filters/Settings/table.py.in",
+    "Filters/Python/pyvista.py": "Filters/Settings/pyvista.py.in",
 }
 # The header for C has the list of a job's settings; the rest of it is written by hand.
 C_HEADER = pathlib.Path("Filters/Engine/Interface/ahd.h")
 C_LIST = re.compile(r"^ \* int \(made of .*?\n(?= \*\n)", re.MULTILINE | re.DOTALL)
 # A comment that stands for a generated part.
-PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)(?: -->)?$", re.MULTILINE)
+PLACE = re.compile(r"^ *(?:<!--|//|#) @(\w+) (\w+)((?: \w+)*)(?: -->)?$", re.MULTILINE)
 PARTS = {
     "properties": panel.properties,
     **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
@@ -56,7 +59,9 @@ PARTS = {
     "old_names": lambda rows, _: [f'    "{row.old_name}": "{row.name}",' for row in rows if row.old_name],
     "job_ints": lambda rows, _: job.constants(rows, False),
     "job_doubles": lambda rows, _: job.constants(rows, True),
-    "keywords": lambda rows, _: job.keywords(rows),
+    **{part.__name__: part for part in (
+        doors.numpy_rows, doors.mesh_rows, doors.wanted, doors.numpy_parameters, doors.mesh_parameters,
+        doors.numpy_paragraphs, doors.mesh_paragraphs, doors.mesh_names, doors.numpy_want, doors.mesh_arrays)},
     "int_rows": lambda rows, _: job.rows(rows, False),
     "double_rows": lambda rows, _: job.rows(rows, True),
     "test_rows": lambda rows, _: testing.cxx_rows(rows),
@@ -71,7 +76,7 @@ def fill(template, read):
     """The text generated from a template."""
 
     def part(found):
-        return "\n".join(PARTS[found[1]](read[found[2]], found[2])).rstrip()
+        return "\n".join(PARTS[found[1]](read[found[2]], found[2], *found[3].split())).rstrip()
 
     path = ROOT / template
     text = path.read_text(encoding="utf-8").replace("@mark@", tables.MARK)

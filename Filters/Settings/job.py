@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The table of a job's settings, and its generated parts: rows for C++, the list in ahd.h, keywords of `delaunay`."""
+"""The table of a job's settings, and its generated parts: rows for C++, the list in ahd.h."""
 
 import dataclasses
 import math
 import tomllib
 
+import doors
 import rows as tables
 
 HUGE = 2**62
@@ -27,9 +28,20 @@ class Setting:
     help: str = ""
     says_range: bool = True
     elsewhere: bool = False
+    setting: str = ""
     keyword: str = ""
     names: tuple = ()
     keyword_default: object = None
+    about: str = ""
+    want: str = ""
+    mesh: str = ""
+    mesh_keyword: str = ""
+    mesh_names: tuple = ()
+    mesh_default: object = None
+    mesh_about: str = ""
+    # Not of the row: the filter's setting, and its place there.
+    of_filter: str = ""
+    place: int = 0
 
     @property
     def ends(self):
@@ -46,8 +58,16 @@ class Setting:
             raise ValueError(f"[{self.name}]: there is no type {self.type}")
         if None in self.ends:
             raise ValueError(f"[{self.name}]: no least or most")
-        if self.names and len(self.names) != self.ends[1] + 1:
-            raise ValueError(f"[{self.name}]: {len(self.names)} names for 0 to {self.ends[1]}")
+        for names in (self.names, self.mesh_names):
+            if names and len(names) != self.ends[1] + 1:
+                raise ValueError(f"[{self.name}]: {len(names)} names for 0 to {self.ends[1]}")
+        for wrong, text in ((bool(self.keyword) != bool(self.about), "about: of keywords, and each has it"),
+                            (self.keyword and not self.of_filter, "a keyword has a setting of the filter's"),
+                            (self.mesh and self.mesh not in doors.GROUPS, f"mesh is one of {doors.GROUPS}"),
+                            (self.mesh and not self.keyword, "mesh: of keywords"),
+                            (self.want and self.want not in doors.WANTS, f"want is one of {doors.WANTS}")):
+            if wrong:
+                raise ValueError(f"[{self.name}]: {text}")
 
     @property
     def value(self):
@@ -58,20 +78,23 @@ def read(file, rows):
     """The settings in their order; `rows`: the filter's."""
     with open(tables.HERE / file, "rb") as opened:
         table = tomllib.load(opened)
-    of_filter = {row.job: row for row in tables.settings(rows) if row.job}
-    if of_filter.keys() - table.keys():
-        raise ValueError(f"[{min(of_filter.keys() - table.keys())}]: no row in {file}, and a setting has that job")
-    return [_setting(name, said, of_filter.get(name)) for name, said in table.items()]
+    of_filter = tables.settings(rows)
+    missing = {row.job for row in of_filter if row.job} - table.keys()
+    if missing:
+        raise ValueError(f"[{min(missing)}]: no row in {file}, and a setting has that job")
+    return [_setting(name, said, of_filter) for name, said in table.items()]
 
 
-def _setting(name, said, row):
-    known = {field.name for field in dataclasses.fields(Setting)}
+def _setting(name, said, of_filter):
+    row = next((row for row in of_filter if row.name == said.get("setting") or row.job == name), None)
+    known = {field.name for field in dataclasses.fields(Setting)} - {"of_filter", "place"}
     if said.keys() - known or (not row and not {"type", "default"} <= said.keys()):
         raise ValueError(f"[{name}]: type and default, if no filter's setting has this job, and of {', '.join(known)}")
     same = {}
     if row:
         most = len(row.values) - 1 if row.values else row.most
-        same = {"type": row.type, "default": row.default, "least": row.least, "most": most}
+        same = {"type": row.type, "default": row.default, "least": row.least, "most": most, "of_filter": row.name,
+                "place": of_filter.index(row)}
     made = Setting(name=name, **{**same, **said})
     made.check()
     return made
@@ -123,20 +146,3 @@ def _about(one):
         return one.help
     ends = ", ".join(part for part in (one.units, ends) if part)
     return ends + ("; " if one.help.startswith("0:") else ": ") + one.help
-
-
-def keywords(settings):
-    """Rows of a Keyword each: of a choice its words, of a number its least and most."""
-    lines = []
-    for one in settings:
-        if one.keyword:
-            default = one.default if one.keyword_default is None else one.keyword_default
-            if one.names:
-                said = f"{one.names[default]!r}, words={tuple(one.names)!r}"
-            elif one.ends == (0, 1) and one.type != "double":
-                said = repr(bool(default))
-            else:
-                said = f"{default!r}, least={one.ends[0]!r}, most={repr(one.ends[1]).replace('inf', 'math.inf')}"
-            head, said = f'    "{one.keyword}": Keyword("{one.name}",', said.replace("'", '"') + "),"
-            lines += [f"{head} {said}"] if len(head + said) < tables.COLUMNS else [head, "        " + said]
-    return lines

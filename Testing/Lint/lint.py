@@ -48,8 +48,10 @@ MOST_LINES = 80
 LONG = {
     # The loop that the insertion spends its time in: in pieces, its state would not stay in registers.
     ("Filters/Engine/Insert/Kernel.cxx", "carve"),
-    # Its docstring is the reference of all keywords.
+    # Their docstrings are the reference of all keywords.
     ("Filters/Python/_arrays.py", "delaunay"),
+    ("Filters/Python/pyvista.py", "delaunay_2d"),
+    ("Filters/Python/pyvista.py", "to_raster"),
 }
 # A line of Python has at most so many characters.
 PYTHON_COLUMNS = 120

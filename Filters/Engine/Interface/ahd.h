@@ -236,7 +236,7 @@ AHD_API const char* ahd_message(const ahd_job* job);
  *   want_order       0        0, 1: keep the insertion order
  *   want_boxes       0        0, 1: keep the boxes of the grid, and the order
  *   want_curve       0        0, 1: draw the curve in ahd_draw_order(), and keep the order
- *   want_point_status  0      0, 1: announce this array, like the next four, for estimate, progress
+ *   want_point_status  0      0, 1: announce this array for estimate and progress
  *   want_insertion_ranks  0   0, 1: required to get them; keeps the order
  *   want_constraint_edges  0  0, 1: as want_point_status
  *   want_regions     0        0, 1: as want_point_status

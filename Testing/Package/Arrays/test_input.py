@@ -206,7 +206,7 @@ class RefusedTest(unittest.TestCase):
         (TypeError, "id_dtype", np.int16, "id_dtype"),
         (TypeError, "id_dtype", np.float64, "id_dtype"),
         (TypeError, "id_dtype", ">i4", "id_dtype"),
-        (ValueError, "want", "triangle", "want: 'triangle' is not one of 'neighbors'"),
+        (ValueError, "want", "triangle", "want: 'triangle' is not one of 'point_status'"),
         (ValueError, "want", ["order", "x"], "want: 'x'"),
         (ValueError, "threads", 1025, "threads .* 1024"),
         (TypeError, "threads", True, "threads"),

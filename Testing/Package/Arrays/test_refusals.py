@@ -20,7 +20,7 @@ import literals  # (arraysupport has put its folder on the path)
 import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
-MODULES = ("_arrays.py", "_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
+MODULES = ("_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
 # What is raised to be caught again, with other words.
 INSIDE = (" is not a number",)
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")

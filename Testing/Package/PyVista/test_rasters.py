@@ -174,7 +174,8 @@ class RasterTest(Case):
                 (ValueError, "threads must be from 0 to 1024, not -1", {"cell_size": 1.0, "threads": -1}),
                 (ValueError, "memory_limit must be from 0 to 9223372036854775807, not -1",
                  {"cell_size": 1.0, "memory_limit": -1}),
-                (TypeError, "unknown argument: 'unknown'", {"cell_size": 1.0, "unknown": 1})):
+                (TypeError, "to_raster() got an unexpected keyword argument 'unknown'",
+                 {"cell_size": 1.0, "unknown": 1})):
             with self.assertRaises(kind, msg=more) as caught:
                 slope().adaptive.to_raster(**more)
             self.assertEqual(str(caught.exception), text)

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""What the functions of `mesh.adaptive` (pyvista.py) do: VTK's filters on PyVista's meshes. `settings` are the keywords
+that are one number or word each, but for `memory_limit`."""
+
+import importlib
+import operator
+import re
+import warnings
+
+import numpy
+import pyvista
+
+from . import _raster, _vtk
+from ._input import real_of
+from ._keywords import MESH_KEYWORDS
+from ._names import value_of
+from ._sampling import METHODS
+from ._vtk.table import ARRAY_KEYWORDS
+from ._warnings import DelaunayWarning, _depth
+
+PLANES = ("xy", "automatic", "best_fit")
+#: The words of an argument, in the order of the filter's numbers.
+WORDS = {**{name: row.words for name, row in MESH_KEYWORDS.items() if row.words},
+         "plane": PLANES, "method": METHODS, "outside": ("none", "nearest")}
+
+
+def _number_of(value, argument):
+    words = WORDS[argument]
+    value = value_of(argument, value)
+    if value not in words:
+        raise ValueError("%s=%r: it is one of %s" % (argument, value, ", ".join(map(repr, words))))
+    return words.index(value)
+
+
+class _Messages:
+    """Makes the filter's errors exceptions and its warnings DelaunayWarnings, once it has run."""
+
+    def __init__(self, algorithm, package):
+        core = importlib.import_module(package + ".vtkCommonCore")
+        self._said = []
+
+        def keep(_caller, event, text):
+            self._said.append((event, text.split("): ", 1)[-1].strip()))
+        keep.CallDataType = core.VTK_STRING
+        for event in ("WarningEvent", "ErrorEvent"):
+            algorithm.AddObserver(event, keep)
+
+    def tell(self):
+        for event, text in self._said:
+            if event == "ErrorEvent":
+                raise MemoryError(_with_keyword(text)) if "memory" in text else RuntimeError(text)
+        for _, text in self._said:
+            warnings.warn(text, DelaunayWarning, stacklevel=_depth())
+
+
+def _with_keyword(text):
+    """Of `memory_limit`, in bytes, in place of the filter's MemoryLimit, in KiB."""
+    text = text.replace("MemoryLimit of Triangulation", "memory_limit").replace("MemoryLimit", "memory_limit")
+    return re.sub(r"(\d+) or more \(KiB\)", lambda found: "%d or more (bytes)" % (1024 * int(found[1])), text)
+
+
+def _is_flat(mesh):
+    """Do all points have the same z?"""
+    points = mesh.points
+    return len(points) == 0 or bool((points[:, 2] == points[0, 2]).all())
+
+
+def _check_points(mesh):
+    """TypeError for a mesh without points of its own."""
+    if not mesh.IsA("vtkCompositeDataSet") and not mesh.IsA("vtkPointSet"):
+        raise TypeError("a mesh with points of its own is needed, not %s; cast_to_structured_grid() or "
+                        "cast_to_unstructured_grid() give it some" % type(mesh).__name__)
+
+
+def _make_filter(mesh, plane, memory_limit, settings):
+    """A filter of the mesh's VTK, and its messages. TypeError for a mesh without points of its own."""
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)()
+    _check_points(mesh)
+    if mesh.IsA("vtkCompositeDataSet"):
+        algorithm.MergeBlocksOn()
+    algorithm.SetInputDataObject(mesh)
+    if isinstance(plane, str):
+        plane = PLANES[_number_of(plane, "plane")]
+        flat = plane == "automatic" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
+        fits = plane != "xy" and not flat
+        algorithm.SetProjectionPlaneMode(2 if fits else 0)
+    else:
+        if not (hasattr(plane, "IsA") and plane.IsA("vtkAbstractTransform")):
+            raise TypeError("plane must be one of %s, or a vtkAbstractTransform, not %r" % (
+                ", ".join(map(repr, PLANES)), plane))
+        algorithm.SetProjectionPlaneMode(1)
+        algorithm.SetTransform(plane)
+    _set(algorithm, AlphaLines=0, AlphaVerts=0, **_settings_of(settings))
+    algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
+    algorithm.KeepTriangulationOff()
+    algorithm.SetReuseLimit(0)
+    return algorithm, _Messages(algorithm, package)
+
+
+def _whole(value, argument, most):
+    """A whole number from 0 on. TypeError, ValueError."""
+    try:
+        number = operator.index(value)
+    except TypeError:
+        wanted = "number of bytes" if argument == "memory_limit" else "number"
+        raise TypeError("%s must be a whole %s, not %r" % (argument, wanted, value)) from None
+    if not 0 <= number <= most:
+        raise ValueError("%s must be from 0 to %d, not %r" % (argument, most, value))
+    return number
+
+
+def _settings_of(given):
+    """Settings of the filter, for keywords that are one number or word each. TypeError, ValueError."""
+    made = {}
+    for name, value in given.items():
+        row = MESH_KEYWORDS[name]
+        made[row.setting] = (
+            _number_of(value, name) if row.words else int(bool(value)) if row.least is None
+            else _whole(value, name, row.most) if isinstance(row.least, int)
+            else real_of(name, value, (row.least, row.most)))
+    return made
+
+
+def _set(algorithm, **settings):
+    for name, value in settings.items():
+        getattr(algorithm, "Set" + name)(value)
+
+
+def _arrays_to_add(names):
+    """Settings of the filter, for the names of arrays."""
+    names = [names] if isinstance(names, str) else list(names)
+    for name in names:
+        if name not in ARRAY_KEYWORDS:
+            raise ValueError("arrays: no %r; there are %s" % (name, ", ".join(map(repr, ARRAY_KEYWORDS))))
+    return {ARRAY_KEYWORDS[name]: True for name in names}
+
+
+def _constrain(algorithm, port, to_constrain, edge_source, constraints):
+    """Gives the constraints, if any, to a port of `to_constrain`."""
+    if edge_source is not None and constraints is not None:
+        raise ValueError("edge_source refers to the mesh's points, constraints have their own: give one of them")
+    if constraints is not None:
+        algorithm.SetSourceModeToCoordinates()
+    for argument, given in (("edge_source", edge_source), ("constraints", constraints)):
+        if given is not None and not (hasattr(given, "IsA") and (
+                given.IsA("vtkPolyData") or given.IsA("vtkCompositeDataSet"))):
+            raise TypeError("%s must be a pyvista.PolyData, or a MultiBlock of these, not %s" % (
+                argument, type(given).__name__))
+    if edge_source is not None or constraints is not None:
+        to_constrain.SetInputDataObject(port, constraints if edge_source is None else edge_source)
+
+
+def _run(algorithm, messages, progress_bar, title):
+    if progress_bar:
+        with pyvista.ProgressMonitor(algorithm, message=title):
+            algorithm.Update()
+    else:
+        algorithm.Update()
+    messages.tell()
+
+
+def _taken(output):
+    """A PyVista mesh of the output, without the filter's measures."""
+    made = pyvista.wrap(output)
+    fields = made.GetFieldData()
+    for i in range(fields.GetNumberOfArrays() - 1, -1, -1):
+        if (fields.GetArrayName(i) or "").startswith(("NumberOf", "SampleSeconds")):
+            fields.RemoveArray(i)
+    return made
+
+
+def _into(mesh, made, inplace):
+    if not inplace:
+        return made
+    mesh.copy_from(made, deep=False)
+    return mesh
+
+
+def delaunay_2d(mesh, inplace, edge_source, progress_bar, constraints, plane, memory_limit, arrays, **settings):
+    if inplace and not isinstance(mesh, pyvista.PolyData):
+        raise TypeError("inplace: a pyvista.PolyData can be overwritten, not %s" % type(mesh).__name__)
+    algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
+    _set(algorithm, **_arrays_to_add(arrays))
+    _constrain(algorithm, 1, algorithm, edge_source, constraints)
+    _run(algorithm, messages, progress_bar, "Computing 2D Triangulation")
+    return _into(mesh, _taken(algorithm.GetOutput()), inplace)
+
+
+def voronoi_2d(mesh, plane, memory_limit, progress_bar, **settings):
+    algorithm, messages = _make_filter(mesh, plane, memory_limit, settings)
+    algorithm.GenerateVoronoiOn()
+    _run(algorithm, messages, progress_bar, "Computing Voronoi Diagram")
+    return _taken(algorithm.GetOutput(2))
+
+
+def _interpolate(mesh, places, raster, method, outside, no_value, gradients, elevation, plane, edge_source, constraints,
+                 memory_limit, progress_bar, **settings):
+    """The output of vtkAdaptiveHilbertInterpolation2D, with settings of its raster."""
+    if not isinstance(elevation, str):
+        raise TypeError("elevation must be a name, a str, not %r" % (elevation,))
+    triangulation, _ = _make_filter(mesh, plane, memory_limit, settings)
+    triangulation.SetInputDataObject(None)
+    package = _vtk.package_of(mesh)
+    algorithm = _vtk.vtk_class("vtkAdaptiveHilbertInterpolation2D", package)()
+    messages = _Messages(algorithm, package)
+    algorithm.SetTriangulation(triangulation)
+    algorithm.SetInputDataObject(mesh)
+    if places is not None:
+        algorithm.SetInputDataObject(1, places)
+    _constrain(triangulation, 2, algorithm, edge_source, constraints)
+    _set(algorithm, Method=_number_of(method, "method"), Outside=_number_of(outside, "outside"),
+         NoValue=no_value, GenerateGradients=bool(gradients), HeightArrayName=elevation, **raster)
+    _run(algorithm, messages, progress_bar, "Interpolating")
+    return _taken(algorithm.GetOutputDataObject(0))
+
+
+def _raster_settings(cell_size, shape, bounds, align):
+    if (cell_size is None) == (shape is None):
+        raise ValueError("the raster needs a size: give cell_size, or shape=(rows, columns)")
+    made = {"UseBounds": bounds is not None}
+    if cell_size is not None:
+        made.update(RasterSize=1, CellSize=_raster.size_of(cell_size), AlignToCellSize=bool(align))
+    else:
+        rows, columns = _raster.shape_of(shape, 1)
+        if align:
+            raise ValueError("align needs cell_size, but shape is given")
+        made.update(RasterSize=0, Dimensions=(columns, rows))
+    if bounds is not None:
+        given = tuple(bounds)[:4] if numpy.ndim(bounds) == 1 else bounds  # of those of a mesh, without its z
+        xmin, xmax, ymin, ymax = made["Bounds"] = _raster.bounds_of(given)
+        if xmin == xmax or ymin == ymax:
+            raise ValueError("bounds must have an area, not %r" % (bounds,))
+    return made
+
+
+def to_raster(mesh, cell_size, shape, bounds, align, surface, **more):
+    raster = _raster_settings(cell_size, shape, bounds, align)
+    return _interpolate(mesh, None, dict(raster, OutputType=int(bool(surface))), **more)
+
+
+def _places_of(places):
+    """A mesh of places: of arrays its points, at z = 0 where they have none."""
+    if isinstance(places, pyvista.DataSet):
+        return places
+    if isinstance(places, pyvista.MultiBlock):
+        raise TypeError("places are one mesh or an array, not a MultiBlock: its combine() is one mesh")
+    xyz = _raster.real_numbers("places", places)
+    if xyz.shape == (0,):
+        xyz = xyz.reshape(0, 3)
+    if xyz.ndim == 1 and xyz.size in (2, 3):
+        xyz = xyz[None]
+    if xyz.ndim != 2 or xyz.shape[1] not in (2, 3):
+        raise ValueError("places are a mesh or an array of shape (k, 2) or (k, 3), not %s" % (xyz.shape,))
+    return pyvista.PolyData(numpy.c_[xyz, numpy.zeros((len(xyz), 3 - xyz.shape[1]))])
+
+
+def sample(mesh, places, **more):
+    return _interpolate(mesh, _places_of(places), {}, **more)
