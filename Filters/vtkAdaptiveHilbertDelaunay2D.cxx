@@ -278,8 +278,10 @@ void vtkAdaptiveHilbertDelaunay2D::Triangulate(
   }
 }
 
-/// `forSamples`: to interpolate on the triangulation, without its outputs.
-void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings, bool forSamples) const
+/// `forSamples`: to interpolate on the triangulation, without its outputs. `onSurface`: on that of
+/// a surface that was made before.
+void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
+  vtkAHDSettings& settings, bool forSamples, bool onSurface) const
 {
   ahd::JobSettings job;
   this->GetJobSettings(job);
@@ -287,8 +289,12 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(vtkAHDSettings& settings, bool f
   {
     job.wantSamplesOnly();
   }
+  if (onSurface)
+  {
+    job.leaveToSurface();
+  }
   static_cast<ahd::RunSettings&>(settings) = job.run();
-  settings.AddSourcePoints = this->SourceMode == SOURCE_COORDINATES;
+  settings.AddSourcePoints = !settings.idsAreOfInput;
   settings.heightsFromSurface = settings.AddSourcePoints && this->SourceHeights == FROM_SURFACE;
   const bool fits = this->ProjectionPlaneMode == VTK_BEST_FITTING_PLANE;
   settings.Transform = fits ? nullptr : this->Transform;

@@ -173,7 +173,8 @@ private:
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);
   void TakeMeasures(const vtkAHDReport& report);
-  void ReadSettings(vtkAHDSettings& settings, bool forSamples = false) const;
+  void ReadSettings(
+    vtkAHDSettings& settings, bool forSamples = false, bool onSurface = false) const;
   void WarnAboutRanks();
 
   const std::unique_ptr<ahd::Workspace> Workspace;        // kept for the next execution

@@ -308,9 +308,10 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   ahd::Threads threads(vtkAHDThreadsToUse(triangulation->GetNumberOfThreads()));
   vtkAHDOutputMemory notKept;
   const vtkAHDContext context(progress, threads, notKept);
-  vtkAHDSettings settings;
+  vtkAHDSettings settings, onSurface;
   vtkAHDSampleSettings wishes;
   this->ReadSettings(settings, wishes);
+  triangulation->ReadSettings(onSurface, true, true);
   if (!vtkAHDAreNamesFit(this, wishes))
   {
     return false;
@@ -328,7 +329,7 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   data.Surface = data.Source ? nullptr : vtkAHDFindSurface(data.Points);
   if (data.Surface)
   {
-    vtkAHDLeaveToSurface(settings);
+    settings = onSurface;
   }
   data.InputBytes = merged.GetBytes();
   vtkAbstractTransform* const transform = triangulation->GetTransform();

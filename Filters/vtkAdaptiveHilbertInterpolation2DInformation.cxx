@@ -123,7 +123,7 @@ void vtkAdaptiveHilbertInterpolation2D::Describe(vtkInformation* info, bool isRa
   vtkPolyData* const surface = merged.GetSource() ? nullptr : vtkAHDFindSurface(merged.GetInput());
   if (surface)
   {
-    vtkAHDLeaveToSurface(settings);
+    this->Triangulation->ReadSettings(settings, true, true);
   }
   vtkPointData* const data = merged.GetInput()->GetPointData();
   const vtkAHDSampleColumns::Kind scalars = vtkAHDSampleColumns(

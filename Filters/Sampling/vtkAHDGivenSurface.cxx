@@ -37,21 +37,6 @@ vtkPolyData* vtkAHDFindSurface(vtkDataObject* input)
   return isOurs && areTriangles ? surface : nullptr;
 }
 
-void vtkAHDLeaveToSurface(vtkAHDSettings& settings)
-{
-  settings.options.representative = ahd::Representative::FirstId;
-  settings.options.insertionLimit = 0;
-  settings.limits = ahd::SizeLimits();
-  settings.idsAreOfInput = true;
-  settings.AddSourcePoints = false;
-  settings.heightsFromSurface = false;
-  settings.split = false;
-  settings.tolerance = 0.0;
-  settings.showsMeans = false;
-  settings.bounding = false;
-  settings.rim = ahd::RimKind::ConvexHull;
-}
-
 vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface)
 {
   const vtkIdType added = CountOf(surface, "NumberOfAddedPoints");

@@ -20,10 +20,6 @@ class vtkPolyData;
 /// its field data say. Else null.
 vtkPolyData* vtkAHDFindSurface(vtkDataObject* input);
 
-/// Of the settings of a triangulation leaves those that such a surface has not used up: its plane,
-/// memory and how points are inserted.
-void vtkAHDLeaveToSurface(vtkAHDSettings& settings);
-
 /// How many of its points, the last ones, were not in the input of the filter that made it.
 vtkIdType vtkAHDCountAddedPoints(vtkPolyData* surface);
 

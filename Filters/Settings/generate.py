@@ -23,7 +23,6 @@ import rows as tables
 import testing
 
 ROOT = tables.HERE.parents[1]
-TABLES = {"delaunay": "delaunay.toml", "interpolation": "interpolation.toml", "points": "points.toml"}
 # Files generated from a template of the same name and .in: their place in the project, and the template's.
 MADE = {
     "Plugin/AdaptiveHilbertDelaunay.xml": "Plugin/AdaptiveHilbertDelaunay.xml.in",
@@ -62,6 +61,9 @@ PARTS = {
     **{part.__name__: part for part in (
         doors.numpy_rows, doors.mesh_rows, doors.wanted, doors.numpy_parameters, doors.mesh_parameters,
         doors.numpy_paragraphs, doors.mesh_paragraphs, doors.mesh_names, doors.numpy_want, doors.mesh_arrays)},
+    "ints_on_surface": lambda rows, _: job.on_surface(rows, False),
+    "doubles_on_surface": lambda rows, _: job.on_surface(rows, True),
+    "used_up": lambda rows, _: pythontable.used_up(rows),
     "int_rows": lambda rows, _: job.rows(rows, False),
     "double_rows": lambda rows, _: job.rows(rows, True),
     "test_rows": lambda rows, _: testing.cxx_rows(rows),
@@ -85,7 +87,9 @@ def fill(template, read):
 
 def all_files():
     """The generated texts, by their path below the project's folder."""
-    read = {name: tables.read(file) for name, file in TABLES.items()}
+    read = {"delaunay": tables.read("delaunay.toml")}
+    read["interpolation"] = tables.read("interpolation.toml", read["delaunay"])
+    read["points"] = tables.read("points.toml")
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
     read["job"] = job.read("job.toml", read["delaunay"])
     made = {pathlib.Path(made): fill(template, read) for made, template in MADE.items()}

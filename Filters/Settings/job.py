@@ -39,9 +39,10 @@ class Setting:
     mesh_names: tuple = ()
     mesh_default: object = None
     mesh_about: str = ""
-    # Not of the row: the filter's setting, and its place there.
+    # Of the filter's setting: its name, its place there, the value that counts on a surface.
     of_filter: str = ""
     place: int = 0
+    on_surface: object = None
 
     @property
     def ends(self):
@@ -87,14 +88,14 @@ def read(file, rows):
 
 def _setting(name, said, of_filter):
     row = next((row for row in of_filter if row.name == said.get("setting") or row.job == name), None)
-    known = {field.name for field in dataclasses.fields(Setting)} - {"of_filter", "place"}
+    known = {field.name for field in dataclasses.fields(Setting)} - {"of_filter", "place", "on_surface"}
     if said.keys() - known or (not row and not {"type", "default"} <= said.keys()):
         raise ValueError(f"[{name}]: type and default, if no filter's setting has this job, and of {', '.join(known)}")
     same = {}
     if row:
         most = len(row.values) - 1 if row.values else row.most
         same = {"type": row.type, "default": row.default, "least": row.least, "most": most, "of_filter": row.name,
-                "place": of_filter.index(row)}
+                "place": of_filter.index(row), "on_surface": row.on_surface}
     made = Setting(name=name, **{**same, **said})
     made.check()
     return made
@@ -112,6 +113,13 @@ def constants(settings, is_real):
 def rows(settings, is_real):
     return [f'  {{ "{one.name}", {", ".join(map(_literal, (one.value, *one.ends)))} }},'
             for one in _of_kind(settings, is_real)]
+
+
+def on_surface(settings, is_real):
+    """The settings that a surface has used up, and the values in place of theirs."""
+    return [f"  {{ {'Double' if is_real else 'Int'}Setting::{tables.constant(one.name)}, "
+            f"{one.on_surface if is_real else int(one.on_surface)} }},"
+            for one in _of_kind(settings, is_real) if one.on_surface is not None]
 
 
 def _literal(value):

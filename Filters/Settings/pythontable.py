@@ -73,6 +73,12 @@ def measures_of_job(rows):
     return [f'    "{row.name}": {tuple(row.job.split(" + "))!r},' for row in tables.measures(rows) if row.job]
 
 
+def used_up(rows):
+    """The settings that a surface has used up, and the values in place of theirs."""
+    return [f'    "{row.name}": {int(row.on_surface) if row.is_switch else row.on_surface!r},'
+            for row in tables.settings(rows) if row.on_surface is not None]
+
+
 def names_of(rows):
     """Of these, one a line."""
     return [f'    "{row.name}",' for row in rows]

@@ -55,6 +55,8 @@ class Row:
     of_all_runs: bool = False
     old_name: str = ""
     job: str = ""
+    on_surface: object = None
+    exposed: bool = False
     ranks: str = "same"
     visible: tuple = ()
     enabled: tuple = ()
@@ -105,7 +107,7 @@ class Row:
 
     def _complaints_about_numbers(self):
         kind = TYPES[self.type]
-        for name in ("default", "panel_default", "least", "most", "panel_least"):
+        for name in ("default", "panel_default", "least", "most", "panel_least", "on_surface"):
             for value in _as_list(getattr(self, name)):
                 yield value is not None and type(value) is not kind, f"{name} is no {kind.__name__}"
         yield self.default is None, "no default"
@@ -203,8 +205,9 @@ def _converted(value, kind):
     return float(value) if kind == "double" and type(value) is int else value
 
 
-def read(file):
-    """The rows of a table, in their order: a row outside of a group is a table with a type."""
+def read(file, within=()):
+    """The rows of a table, in their order: a row outside of a group is a table with a type. `within`: the rows of the
+    filter within this one, of which some are exposed."""
     with open(HERE / file, "rb") as opened:
         table = tomllib.load(opened)
     rows = []
@@ -213,8 +216,16 @@ def read(file):
             rows.append(_row(name, "", said))
         else:
             rows += [_row(below, name, more) for below, more in said.items()]
+    rows = [more for row in rows for more in (_exposed(within, row.group) if row.type == "exposed" else [row])]
     _check_names(rows)
     return rows
+
+
+def _exposed(within, group):
+    found = [Row(row.name, group, "exposed") for row in within if row.exposed and row.group == group]
+    if not found:
+        raise ValueError(f"[{group}]: nothing is exposed in this group")
+    return found
 
 
 def _check_names(rows):

@@ -2,17 +2,20 @@
 """What tests know of the tables: Testing/Support/settings.json, SettingRows.h."""
 
 import json
+import math
 
 import classes
 import rows as tables
 
 
 def table(read):
-    """By the name of a table: settings and measures by name, and the names of those that are exposed; the arrays."""
+    """By the name of a table: settings and measures by name, and the names of those that are exposed; the job's
+    settings; the arrays."""
     found = {name: {"settings": {row.name: _of_setting(row) for row in tables.settings(rows)},
                     "measures": {row.name: _of_measure(row) for row in tables.measures(rows)},
                     "exposed": [row.name for row in rows if row.type == "exposed"]}
              for name, rows in read.items() if name not in ("arrays", "job")}
+    found["job"] = {one.name: _of_job(one) for one in read["job"]}
     found["arrays"] = {array.name: {"of": array.of, "type": array.type, "components": array.components,
                                     "setting": array.setting} for array in read["arrays"]}
     return json.dumps({"mark": tables.MARK, **found}, indent=1) + "\n"
@@ -22,8 +25,17 @@ def _of_setting(row):
     default = None if row.default != row.default else row.default  # JSON has no NaN
     told = {"type": row.type, "default": default, "least": row.least, "most": row.most, "panel": row.panel,
             "values": [value.label for value in row.values], "ranks": row.ranks}
-    if row.panel_default is not None:
-        told["panel_default"] = row.panel_default
+    for name in ("panel_default", "on_surface"):
+        if getattr(row, name) is not None:
+            told[name] = getattr(row, name)
+    return told
+
+
+def _of_job(one):
+    least, most = (None if end == math.inf else end for end in one.ends)
+    told = {"type": one.type, "default": one.value, "least": least, "most": most}
+    if one.on_surface is not None:
+        told["on_surface"] = one.on_surface
     return told
 
 

@@ -50,8 +50,8 @@
  * With a row or more, ahd_run() makes these triangles, and they alone are put out and sampled, each
  * once. Of the points, their corners are triangulated, whatever is in skip. Edges become
  * constraints if surface_edges says so, or if a triangle cannot be had otherwise. AHD_BAD_ARRAY:
- * with source points, lines or loops. AHD_BAD_VALUE: with tolerance, bounding, alpha,
- * maximum_edge_length, insertion_limit, or a rim that may be trimmed.
+ * with source points, lines or loops. AHD_BAD_VALUE: with a setting that drops points or triangles,
+ * or bounding; the message names all of these.
  *
  * Arrays, made by ahd_sample_weights():
  *   weight_offsets   int64    (places + 1)   place i has the entries from offset i to i + 1

@@ -93,6 +93,23 @@ void Job::runWith(const Context& context)
   check(run.findStacks(made, context));
 }
 
+/// Refuses what a surface has used up, if it would change that.
+void Job::refuseUsedUp(const RunSettings& asked) const
+{
+  std::string names = "\"bounding\", \"insertion_limit\"";
+  bool isUsed = asked.addsBounding() || asked.options.insertionLimit > 0 || asked.mayTrimRim();
+  for (const auto& used : kDoublesOnSurface)
+  {
+    names += ", \"" + std::string(kDoubleRows[std::size_t(used.setting)].name) + "\"";
+    isUsed = isUsed || settings[used.setting] != used.value;
+  }
+  if (isUsed)
+  {
+    refuse(Reason::BadValue,
+      "With \"surface\" there is no " + names + ", and \"rim\" is AHD_RIM_CONVEX_HULL.");
+  }
+}
+
 /// The engine's request, without the views of arrays.
 InputRequest Job::request(const RunSettings& asked) const
 {
@@ -106,13 +123,9 @@ InputRequest Job::request(const RunSettings& asked) const
     refuse(Reason::BadValue, "\"plane\" is AHD_PLANE_CALLBACK, but ahd_set_projection() set none.");
   }
   arrays.count(request);
-  const bool dropsTriangles = asked.limitsSize() || asked.addsBounding() || asked.mayTrimRim();
-  if (request.surface.count > 0 &&
-    (dropsTriangles || asked.tolerance > 0.0 || asked.options.insertionLimit > 0))
+  if (request.surface.count > 0)
   {
-    refuse(Reason::BadValue,
-      "With \"surface\" there is no \"tolerance\", \"bounding\", \"alpha\", "
-      "\"maximum_edge_length\" or \"insertion_limit\", and \"rim\" is AHD_RIM_CONVEX_HULL.");
+    refuseUsedUp(asked);
   }
   request.firstCell = settings[IntSetting::FirstCell];
   asked.ask(request);

@@ -98,6 +98,7 @@ private:
   };
 
   void runWith(const Context& context);
+  void refuseUsedUp(const RunSettings& asked) const;
   InputRequest request(const RunSettings& asked) const;
   CallersMemory callersMemory() const;
   void open(const Context& context, InputRequest& request);

@@ -116,6 +116,33 @@ constexpr SettingRow<double> kDoubleRows[] = {
   { "maximum_edge_length", 0.0, 0.0, std::numeric_limits<double>::infinity() },
 };
 
+template <typename Setting, typename Number>
+struct OnSurface
+{
+  Setting setting;
+  Number value;
+};
+
+/// The settings that a surface made before has used up, and the values that count with it.
+constexpr OnSurface<IntSetting, std::int64_t> kIntsOnSurface[] = {
+  { IntSetting::InsertionLimit, 0 },
+  { IntSetting::Duplicates, 0 },
+  { IntSetting::CellIds, 0 },
+  { IntSetting::SplitCrossings, 0 },
+  { IntSetting::SourceHeights, 0 },
+  { IntSetting::Rim, 1 },
+  { IntSetting::Bounding, 0 },
+  { IntSetting::AlphaTriangles, 1 },
+  { IntSetting::AlphaLines, 1 },
+  { IntSetting::AlphaVertices, 1 },
+};
+
+constexpr OnSurface<DoubleSetting, double> kDoublesOnSurface[] = {
+  { DoubleSetting::Tolerance, 0.0 },
+  { DoubleSetting::Alpha, 0.0 },
+  { DoubleSetting::MaximumEdgeLength, 0.0 },
+};
+
 constexpr std::size_t kIntSettings = std::size(kIntRows);
 constexpr std::size_t kDoubleSettings = std::size(kDoubleRows);
 

@@ -103,6 +103,18 @@ void JobSettings::wantSamplesOnly()
   }
 }
 
+void JobSettings::leaveToSurface()
+{
+  for (const auto& used : kIntsOnSurface)
+  {
+    set(used.setting, used.value);
+  }
+  for (const auto& used : kDoublesOnSurface)
+  {
+    set(used.setting, used.value);
+  }
+}
+
 const char* JobSettings::intName(std::size_t number)
 {
   return number < kIntSettings ? kIntRows[number].name : nullptr;

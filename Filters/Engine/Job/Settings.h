@@ -34,6 +34,8 @@ public:
   void set(DoubleSetting setting, double value) { doubles_[std::size_t(setting)] = value; }
   /// Values between points instead of cells: switches want_samples on, and all other want_... off.
   void wantSamplesOnly();
+  /// The values that count where values are interpolated on a surface that was made before.
+  void leaveToSurface();
 
   bool is(IntSetting setting) const { return (*this)[setting] != 0; }
 

@@ -4,12 +4,12 @@
 import contextlib
 
 from .. import _library as engine
-from . import messages, python_class, raster, raster_messages, raster_settings, settings
+from . import messages, python_class, raster, raster_messages, raster_settings, settings, table
 from .arrays import held
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
-from .sampling import USED_UP, area_of, surface_of
+from .sampling import area_of, surface_of
 from .vtkclass import Followers, Inputs, Pieces, build
 
 NAMES = ("vtkAdaptiveHilbertInterpolation2D", "vtkAdaptiveHilbertInterpolationAlgorithm", "vtkDataSetAlgorithm")
@@ -191,7 +191,7 @@ class _Executions:
         if given is None:
             return
         surface = surface_of(merged)
-        values.update(USED_UP if surface else {})
+        values.update(table.USED_UP if surface else {})
         data = given.GetPointData()
         kind = Columns(vtk, self._values, data, data, given.GetNumberOfPoints()).kind_of_scalars()
         vtk.vtkDataObject.SetPointDataActiveScalarInfo(info, *kind)
@@ -289,7 +289,7 @@ class _Executions:
             return False
         merged.warn()
         surface = surface_of(merged)
-        values.update(USED_UP if surface else {})
+        values.update(table.USED_UP if surface else {})
         asked = triangulation, values, wishes, surface
         pieces, found = self._pieces(places, made), None
         all_places = [piece for piece, _ in pieces] if isinstance(places, self._backend.vtkCompositeDataSet) else ()

@@ -21,9 +21,6 @@ def times_of(backend, triangulation):
     return backend.vtkObject.GetMTime(triangulation), transform.GetMTime() if transform is not None else 0
 
 
-# Of the settings of a triangulation those that a surface has used up.
-USED_UP = dict(DuplicatePolicy=0, InsertionLimit=0, Alpha=0.0, MaximumEdgeLength=0.0, SourceMode=0, SourceHeights=0,
-               CrossingMode=0, Tolerance=0.0, BoundingTriangulation=False, Rim=engine.RIM_CONVEX_HULL)
 CONSTRAINT_EDGES = "ConstraintEdges"
 
 

@@ -439,6 +439,22 @@ SAME = {
     "offset": "Offset",
     "count_work": "CountWork",
 }
+# Settings that a surface made before has used up, and the values that count for values on it.
+USED_UP = {
+    "SourceMode": 0,
+    "SourceHeights": 0,
+    "CrossingMode": 0,
+    "MaximumEdgeLength": 0.0,
+    "Alpha": 0.0,
+    "AlphaTris": 1,
+    "AlphaLines": 1,
+    "AlphaVerts": 1,
+    "Rim": 1,
+    "Tolerance": 0.0,
+    "DuplicatePolicy": 0,
+    "InsertionLimit": 0,
+    "BoundingTriangulation": 0,
+}
 
 # Arrays of the surface that a setting adds: the setting, the job's array, name, type, components, of which data.
 ARRAYS = (

@@ -7,7 +7,8 @@ import gc
 import threading
 import weakref
 
-from classtests import Case, Said, array, blocks, cloud, core, model, run_tests, source, tested_class, values_of
+from classtests import (TABLE, Case, Said, array, blocks, cloud, core, model, run_tests, source, tested_class,
+                        values_of)
 from rastercases import copy_of, maker_of
 from test_kept import scattered
 
@@ -187,6 +188,41 @@ class LentTest(Case):
         found = {str(values_of(one.GetOutput().GetPointData().GetArray("Elevation"))) for one in filters}
         self.assertEqual(len(found), 1)
         self.assertTriangulates(interpolation(self.maker.GetOutput()), 0)
+
+
+class UsedUpTest(Case):
+    """Settings of a triangulation that shape its surface do nothing where that was made before."""
+
+    @staticmethod
+    def others(row):
+        """Other values than that which counts."""
+        if row["values"]:
+            return [value for value in range(len(row["values"])) if value != row["on_surface"]]
+        if row["type"] in ("bool", "flag"):
+            return [not row["on_surface"]]
+        return [row["most"] or 20]
+
+    def test_each(self):
+        plain, shaping = cloud(scattered(200)), set()
+        maker = maker_of(plain, source([], lines=[(70, 3)]))
+        given = plain, copy_of(maker.GetOutput()), maker.GetOutput()
+        for name, row in TABLE["delaunay"]["settings"].items():
+            for value in self.others(row) if "on_surface" in row else ():
+                for number, data in enumerate(given):
+                    found = []
+                    algorithm = interpolation(data)
+                    algorithm.SetDimensions(9, 9)
+                    algorithm.SetUseBounds(True)
+                    algorithm.SetBounds(*plain.GetBounds()[:4])
+                    for given_value in (row["on_surface"], value):
+                        getattr(algorithm.GetTriangulation(), "Set" + name)(given_value)
+                        algorithm.Update()
+                        found.append(str(values_of(algorithm.GetOutput().GetPointData().GetArray("Elevation"))))
+                    if number:
+                        self.assertEqual(*found, (name, value))
+                    elif found[0] != found[1]:
+                        shaping.add(name)
+        self.assertLessEqual({"Alpha", "MaximumEdgeLength", "Tolerance", "InsertionLimit", "Rim"}, shaping)
 
 
 if __name__ == "__main__":
