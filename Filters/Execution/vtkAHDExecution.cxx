@@ -48,18 +48,10 @@ std::size_t vtkAHDExecution::EstimateBytes() const
   return run.estimate();
 }
 
-/// The most that is lent: the triangulation, the tables of an interpolation, and copies of
-/// points.
+/// The most that is lent.
 std::size_t vtkAHDExecution::EstimateLent() const
 {
-  const std::size_t count = this->Report.points;
-  const bool isConstrained = this->Report.segments > 0 || this->Settings.mayTrimRim();
-  return this->BytesBefore + this->Input.EstimateBytes() +
-    ahd::preparedMemoryEstimate(this->Input.GetRequest()) +
-    ahd::triangulatedMemoryEstimate(count, this->Settings.options) +
-    ahd::tableMemoryEstimate(count) +
-    (isConstrained ? ahd::constraintMemoryEstimate(count, 0) : 0) +
-    (this->Settings.limitsSize() ? 2 * count : 0) + (3 * sizeof(double) + 1) * count;
+  return this->BytesBefore + this->Input.EstimateBytes() + this->Report.keptEstimate;
 }
 
 /// Are there not too many points, and is there memory for it all, as far as that is known before?

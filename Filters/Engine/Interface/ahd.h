@@ -341,6 +341,7 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *   first_not_finite    smallest id of these, 0 if there is none
  *   odd_z               points with finite x, y and a z that is not finite
  *   delaunay_triangles  before constraints
+ *   kept_estimate       bytes that the job keeps at most, once it has interpolated
  *   kept_triangles      not removed by loops or trimming
  *   trimmed_triangles, bare_vertices (left in no triangle by trimming)
  *   triangles, lines, vertices, cells (all three)

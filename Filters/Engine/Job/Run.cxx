@@ -295,6 +295,7 @@ void Run::reportOn(const RunResult& made)
   report_.unfitIds = points.unfitIds();
   report_.pointsOffSurface = points.outsideCount();
   report_.isProjected = points.isProjected();
+  report_.keptEstimate = keptMemoryEstimate(counts_, settings_, report_);
 }
 
 } // namespace ahd

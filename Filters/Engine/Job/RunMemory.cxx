@@ -245,6 +245,16 @@ std::size_t Estimate::orderDrawn() const
 
 } // namespace
 
+std::size_t keptMemoryEstimate(
+  const InputRequest& request, const RunSettings& settings, const RunSizes& sizes)
+{
+  const std::size_t count = sizes.points;
+  const bool isConstrained = sizes.segments > 0 || settings.mayTrimRim();
+  return preparedMemoryEstimate(request) + triangulatedMemoryEstimate(count, settings.options) +
+    tableMemoryEstimate(count) + (isConstrained ? constraintMemoryEstimate(count, 0) : 0) +
+    (settings.limitsSize() ? 2 * count : 0) + (kPlace + 1) * count;
+}
+
 std::size_t runMemoryEstimate(const InputRequest& request, const RunSettings& settings,
   const RunSizes& sizes, const CallersMemory& callers)
 {

@@ -39,6 +39,11 @@ struct CallersMemory
 std::size_t runMemoryEstimate(const InputRequest& request, const RunSettings& settings,
   const RunSizes& sizes, const CallersMemory& callers = {});
 
+/// Upper estimate of the bytes of what is kept of a run to interpolate on it later: the
+/// triangulation, all tables, marks and copies of points.
+std::size_t keptMemoryEstimate(
+  const InputRequest& request, const RunSettings& settings, const RunSizes& sizes);
+
 /// More boxes than memory can be estimated for.
 constexpr std::size_t kTooManyBoxes = std::size_t(1) << 40;
 

@@ -42,6 +42,7 @@ constexpr ReportRow kRows[] = {
   { "first_not_finite", true, [](R r) { return std::uint64_t(r.oddPoints.firstNotFinite); } },
   { "odd_z", true, [](R r) { return std::uint64_t(r.oddPoints.oddZ); } },
   { "delaunay_triangles", true, [](R r) { return std::uint64_t(r.delaunayTriangles); } },
+  { "kept_estimate", true, [](R r) { return std::uint64_t(r.keptEstimate); } },
   { "kept_triangles", true, [](R r) { return std::uint64_t(r.counts.triangles); } },
   { "trimmed_triangles", true, [](R r) { return std::uint64_t(r.counts.trimmed); } },
   { "bare_vertices", true, [](R r) { return std::uint64_t(r.counts.bareVertices); } },

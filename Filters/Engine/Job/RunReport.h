@@ -32,6 +32,7 @@ struct RunReport : RunSizes
   Report counts;
   ConstraintReport constraints;      ///< but for leftOut, which the triangulation has
   std::size_t delaunayTriangles = 0; ///< before constraints dropped some
+  std::size_t keptEstimate = 0;      ///< bytes, of what is kept to interpolate on it later
   std::size_t inputPoints = 0;
   std::size_t sourcePoints = 0;
   std::size_t addedPoints = 0;

@@ -118,7 +118,7 @@ class Execution:
         """For where the points lie in the plane, a copy if they do not lie there or others come to them."""
         count = self.expected_points()
         copied = self.found.is_projected or count > self.found.input_points
-        return self.bytes_before + self._bytes_converted() + 25 * count * copied
+        return self.bytes_before + self.bytes_converted() + 25 * count * copied
 
     def _give_settings(self):
         values = self.values
@@ -137,9 +137,9 @@ class Execution:
         """Bytes that VTK's arrays take, beyond those that the job knows of."""
         # The polygons of the Voronoi diagram have a copy of the point data.
         copied = self.given.GetPointData().GetActualMemorySize() if self.values["GenerateVoronoi"] else 0
-        return self.bytes_before + self._bytes_converted() + 1024 * copied
+        return self.bytes_before + self.bytes_converted() + 1024 * copied
 
-    def _bytes_converted(self):
+    def bytes_converted(self):
         source = self.source if self.values["SourceMode"] else None
         cells = (self.source.GetLines(), self.source.GetPolys()) if self.source else ()
         return sum(24 * points.GetNumberOfPoints() for points in (

@@ -10,9 +10,6 @@ from .execution import let_go
 from .raster import box_of
 from .sampling import SampledSurface, skipped_of
 
-BYTES, POINT_BYTES = 1 << 20, 226  # with the tables of an interpolation, at most
-MARK_BYTES, KEPT_BYTES = 18, 2  # of constraints, and of limits on size, for each point
-
 _lent = weakref.WeakValueDictionary()  # by the corners of the surface
 
 
@@ -86,12 +83,10 @@ class LentTriangulation:
 
 def lent_of(execution, surface, most):
     """What an execution lends, with its job: None if that would be of no use, or more than `most` KiB."""
-    count, values, given = execution.job.count, execution.values, execution.given
-    for_each = POINT_BYTES + MARK_BYTES * bool(count("segments") or values["Rim"] == 2) + KEPT_BYTES * bool(
-        values["Alpha"] > 0.0 or values["MaximumEdgeLength"] > 0.0)
+    given = execution.given
     is_fit = surface.GetNumberOfPolys() > 0 and not (
         execution.found.is_projected or must_be_converted(given.GetPoints()))
-    fits = execution.bytes_before + BYTES + for_each * count("points") < most * 1024
+    fits = (execution.bytes_before + execution.bytes_converted() + execution.job.count("kept_estimate")) // 1024 < most
     return LentTriangulation(execution.job, held_places(execution.backend, given), surface) if is_fit and fits else None
 
 

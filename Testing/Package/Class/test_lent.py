@@ -5,6 +5,7 @@ test_interpolation.py."""
 
 import gc
 import threading
+import unittest
 import weakref
 
 from classtests import (TABLE, Case, Said, array, blocks, cloud, core, model, run_tests, source, tested_class,
@@ -67,6 +68,27 @@ class LentTest(Case):
             self.maker.SetReuseLimit(limit)
             self.maker.Update()
             self.assertTriangulates(interpolation(self.maker.GetOutput()), count)
+
+    def test_as_large_as_the_library_says(self):
+        """The limit is in KiB, and more than what is kept."""
+        try:
+            import numpy
+            from adaptivehilbertdelaunay import _library as library
+        except ImportError:
+            raise unittest.SkipTest("there is no C library") from None
+        job = library.Job()
+        for maximum, lines in ((0.0, False), (0.0, True), (6e4, True)):
+            job.set_array("points", numpy.array(scattered(COUNT), float))
+            job.set_array("line_ids", numpy.array([[700, 3]]) if lines else None)
+            job.set(maximum_edge_length=maximum)
+            job.run()
+            limit = job.count("kept_estimate") // 1024
+            maker = maker_of(self.given, source([], lines=[(700, 3)]) if lines else None, MaximumEdgeLength=maximum)
+            for more, count in ((0, 1), (1, 0)):
+                maker.SetReuseLimit(limit + more)
+                maker.Modified()
+                maker.Update()
+                self.assertTriangulates(interpolation(maker.GetOutput()), count)
 
     def test_of_the_last_execution(self):
         surface = shallow(self.maker.GetOutput())
