@@ -17,6 +17,7 @@ from typing import Any, Dict, List, Mapping, Optional, Tuple
 import numpy as np
 
 from . import __path__ as _folders
+from ._keywords import ARRAY_DTYPES
 
 #: The AHD_ABI_VERSION of the header that this file follows.
 ABI_VERSION = 1
@@ -74,7 +75,7 @@ FIXED_DTYPES: Dict[str, Any] = {
         "points", "heights", "vertex_bounds", "weights",
     )  # fmt: skip
 }
-FIXED_DTYPES.update(constraint_edges=np.uint8, box_levels=np.int32, weight_offsets=np.int64)
+FIXED_DTYPES.update(ARRAY_DTYPES, box_levels=np.int32, weight_offsets=np.int64)
 
 
 # --- Errors -------------------------------------------------------------------------------------------------

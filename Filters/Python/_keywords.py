@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Made by Filters/Settings/generate.py: change what is there, not this.
-"""The keywords that are one number or word each."""
+"""The keywords that are one number or word each, and results."""
 
 import math
 from typing import Any, NamedTuple, Tuple
@@ -68,3 +68,7 @@ WANTED = (
     "boxes",
     "insertion_ranks",
 )
+#: The types of arrays of results that are no ids.
+ARRAY_DTYPES = {
+    "constraint_edges": "uint8",
+}

@@ -7,6 +7,7 @@ import tomllib
 import rows as tables
 
 VTK = {"id": "vtkIdTypeArray", "int": "vtkIntArray", "uint8": "vtkUnsignedCharArray"}
+NUMPY = {"int": "int32", "uint8": "uint8"}  # ids: as the caller asks
 # Which data of an output has them; of those that the code places by itself, none.
 DATA = {"points": "PointData", "cells": "CellData", "field": "FieldData", "other outputs": "", "ranks": ""}
 
@@ -64,6 +65,11 @@ def python_rows(arrays):
     """Arrays that the class in Python adds to the surface, if a setting is on."""
     return [f'    ("{array.setting}", "{array.job}", "{array.name}", "{VTK[array.type]}", {array.components}, '
             f'"{DATA[array.of]}"),' for array in arrays if array.setting]
+
+
+def dtypes(arrays):
+    """NumPy's types of the job's arrays that are no ids."""
+    return [f'    "{array.job}": "{NUMPY[array.type]}",' for array in arrays if array.job and array.type != "id"]
 
 
 def keywords(arrays):

@@ -68,6 +68,7 @@ PARTS = {
     "double_rows": lambda rows, _: job.rows(rows, True),
     "test_rows": lambda rows, _: testing.cxx_rows(rows),
     "array_constants": lambda rows, _: arrays.constants(rows),
+    "array_dtypes": lambda rows, _: arrays.dtypes(rows),
     "array_rows": lambda rows, _: arrays.python_rows(rows),
     "array_keywords": lambda rows, _: arrays.keywords(rows),
     "all_run_names": lambda rows, _: pythontable.names_of([row for row in tables.measures(rows) if row.of_all_runs]),

@@ -1,21 +1,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What the tests of arrays share: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
 
+import json
 import os
 import subprocess
 import sys
+import unittest
+import warnings
 
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 import numbered  # noqa: E402
+from adaptivehilbertdelaunay import DelaunayWarning, Triangulation  # noqa: E402
 from numbered import Random  # noqa: E402
 
 ROOT = os.path.normpath(os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", ".."))
 DATA = os.path.join(ROOT, "Data")
 
+with open(os.path.join(ROOT, "Testing", "Support", "settings.json"), encoding="utf-8") as _file:
+    TABLE = json.load(_file)  # of Filters/Settings
+
 SQUARE = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [1, 2], [3, 2]], float)
+
+
+class KeywordTest(unittest.TestCase):
+    """A warning that is not awaited is an error."""
+
+    def setUp(self):
+        warnings.simplefilter("error", DelaunayWarning)
+        self.addCleanup(warnings.resetwarnings)
 
 
 # --- Points -------------------------------------------------------------------------------------------------
@@ -55,6 +70,15 @@ def uniform(count, seed):
     """The points of Testing/Support/Points/Distributions.h with this name."""
     random = Random(seed)
     return np.array([random.unit() for _ in range(2 * count)]).reshape(-1, 2)
+
+
+# --- Results ------------------------------------------------------------------------------------------------
+
+
+def attributes():
+    """The names of a Triangulation's arrays."""
+    return [name for name, member in vars(Triangulation).items() if isinstance(member, property)
+            and not name.startswith("_") and name not in ("boxes", "counts", "measures")]  # fmt: skip
 
 
 # --- Programs -----------------------------------------------------------------------------------------------

@@ -10,23 +10,32 @@ import unittest
 import numpy as np
 
 from adaptivehilbertdelaunay import _library as library
-from arraysupport import ROOT, drawn_by
+from arraysupport import ROOT, TABLE, drawn_by
 
 STEPS, SEEDS = 40, range(1, 9)
-SETTINGS = {
-    "plane": (0, 0, 1, 2), "split_crossings": (0, 1), "closed_lines": (0, 1), "cell_ids": (0, 1),
-    "source_heights": (0, 1), "fill_rule": (0, 1), "rim": (0, 1, 2), "duplicates": (0, 1, 2, 3), "bounding": (0, 0, 1),
-    "insertion_order": (0, 1, 2, 3), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40), "count_work": (0, 1),
-    "voronoi_clip": (0, 1), "tolerance": (0.0, 0.0, 0.02), "alpha": (0.0, 0.0, 0.3),
-    "maximum_edge_length": (0.0, 0.0, 0.2), "unfitted_points": (0, 0, 5, 1 << 40),
-    "control_points": (0, 1, 2), "skip_mask": (255, 2), "first_cell": (0, 7), "offset": (1.0, 3.0),
-    **dict.fromkeys(("gene_rotation", "alpha_triangles", "alpha_lines", "alpha_vertices"), (0, 1, 1)),
-    **dict.fromkeys(("want_neighbors", "want_order", "want_boxes", "want_voronoi", "want_regions", "want_curve",
-                     "want_constraint_edges", "want_point_status", "want_insertion_ranks"), (0, 1, 1)),
+# Of memory, and those that questions set.
+OTHERS = ("memory_limit", "other_memory", "other_memory_per_point", "want_samples", "sample_method", "sample_outside",
+          "threads")  # fmt: skip
+# Values to draw from, where these say more than all of a choice, or the default and a fifth.
+BETTER = {
+    "plane": (0, 0, 1, 2), "bounding": (0, 0, 1), "nmax": (1, 7, 50), "insertion_limit": (0, 0, 40),
+    "tolerance": (0.0, 0.0, 0.02), "unfitted_points": (0, 0, 5, 1 << 40), "skip_mask": (255, 2), "first_cell": (0, 7),
+    "offset": (1.0, 3.0),
 }  # fmt: skip
+
+
+def values_of(row):
+    if row["type"] == "double":
+        return row["default"], row["default"], row["default"] + 0.2
+    choices = tuple(range(row["least"], row["most"] + 1))
+    return choices + (1,) if row["type"] in ("bool", "flag") else choices
+
+
+SETTINGS = {name: BETTER.get(name) or values_of(row) for name, row in TABLE["job"].items() if name not in OTHERS}
 # With a surface there are no others of these.
-ALONE = dict.fromkeys(("tolerance", "bounding", "alpha", "maximum_edge_length", "insertion_limit"), 0)
-ALONE["rim"] = library.RIM_CONVEX_HULL
+ALONE = {name: row["on_surface"] for name, row in TABLE["job"].items()
+         if "on_surface" in row and row["type"] == "double"}  # fmt: skip
+ALONE.update(bounding=0, insertion_limit=0, rim=library.RIM_CONVEX_HULL)
 # Of the machine, of the moment, or of how the work was shared.
 OTHER_COUNTS = {"memory_estimate", "memory_allowed", "most_boxes", "most_crossings", "threads_used", "dispatch_target"}
 PLACES = np.random.default_rng(5).random((25, 2)) * 1.4 - 0.2
@@ -157,16 +166,15 @@ class AgainTest(unittest.TestCase):
 
 
 class NamesTest(unittest.TestCase):
-    """A setting or input array that is new to the library is given here and by the fuzzers."""
+    """An input array that is new to the library is given here; it, and a new setting, by the fuzzers."""
 
     NAMES = {name for kind in (library.INT_SETTINGS, library.DOUBLE_SETTINGS, library.INPUT_ARRAYS)
              for name in library.names(kind)}
     OF_MEMORY = {"memory_limit", "other_memory", "other_memory_per_point", "want_samples"}
-    WITH_QUESTIONS = {"sample_method", "sample_outside", "threads"}
 
     def test_here(self):
-        given = {*SETTINGS, *ALONE, *new_arrays(np.random.default_rng(1))}
-        self.assertEqual(self.NAMES - given, self.OF_MEMORY | self.WITH_QUESTIONS)
+        given = {*SETTINGS, *OTHERS, *new_arrays(np.random.default_rng(1))}
+        self.assertEqual(self.NAMES - given, set())
 
     def test_by_the_fuzzers(self):
         given = set()

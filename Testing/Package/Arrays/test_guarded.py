@@ -14,7 +14,7 @@ import numpy as np
 import adaptivehilbertdelaunay  # noqa: F401 (a package of the path, before the suites)
 from adaptivehilbertdelaunay import _library as library
 
-SUITES = ("test_results", "test_keywords", "test_sampling", "test_places", "test_oracle")
+SUITES = ("test_results", "test_keywords", "test_runs", "test_sampling", "test_places", "test_oracle")
 PAGE = mmap.PAGESIZE
 
 

@@ -4,10 +4,12 @@
 import copy
 import pickle
 import unittest
+import warnings
 
 import numpy as np
-from adaptivehilbertdelaunay import Kind, delaunay
-from arraysupport import SQUARE, cloud, complaints, hull_of, integers, lattice, orient, twice_area
+from adaptivehilbertdelaunay import DelaunayWarning, Kind, delaunay
+from adaptivehilbertdelaunay._keywords import KEYWORDS, WANTED
+from arraysupport import SQUARE, attributes, cloud, complaints, hull_of, integers, lattice, orient, twice_area
 
 
 def point_sets():
@@ -139,15 +141,8 @@ class DelaunayTest(unittest.TestCase):
 
 
 class ObjectTest(unittest.TestCase):
-    ARRAYS = (
-        "points", "plane_points", "point_status", "vertex_of_point", "point_of_vertex", "merged", "triangles",
-        "neighbors", "edges", "boundary", "hull",
-        "lines", "vertices", "constraint_edges", "is_constraint", "regions", "left_out",
-        "crossing_ends", "crossing_fractions", "order", "insertion_ranks", "plane_matrix",
-    )  # fmt: skip
-
     def every(self, made):
-        found = {name: getattr(made, name) for name in self.ARRAYS}
+        found = {name: getattr(made, name) for name in attributes()}
         found.update(("boxes %d" % k, array) for k, array in enumerate(made.boxes))
         found.update(("voronoi " + name, array) for name, array in vars(made.voronoi()).items())
         return found
@@ -170,19 +165,9 @@ class ObjectTest(unittest.TestCase):
 
     def test_wanted_is_what_is_made_later(self):
         points, loops = cloud(12), [[0, 1, 2, 3], [4, 5, 6]]
-        names = (
-            "neighbors",
-            "constraint_edges",
-            "regions",
-            "point_status",
-            "insertion_ranks",
-            "order",
-            "boxes",
-            "voronoi",
-        )
         later = delaunay(points, loops=loops, crossings="split", alpha=0.2)
-        self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=names), later)
-        for name in names:
+        self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=WANTED), later)
+        for name in WANTED:
             self.assert_same(delaunay(points, loops=loops, crossings="split", alpha=0.2, want=name), later)
 
     def test_released_is_made_again(self):
@@ -206,6 +191,26 @@ class ObjectTest(unittest.TestCase):
             self.assertEqual((twin.counts, twin.measures), (made.counts, made.measures))
         points[0] = 9
         self.assertEqual(len(twins[1].voronoi("bounds")), 200)
+
+    @staticmethod
+    def values_of(row):
+        """Each word, both of a switch, of a range its lower end and more."""
+        if row.words or row.least is None:
+            return row.words or (False, True)
+        return row.least, row.least + (0.3 if isinstance(row.least, float) else 7)
+
+    def test_each_keyword_is_kept(self):
+        """What is made later, of a copy too, is made with it."""
+        points = cloud(20, 60, 3)
+        given = {"segments": [(0, 1), (2, 3)], "loops": [[4, 5, 6, 7]], "source_points": cloud(21, 8, 3)}
+        for name, row in KEYWORDS.items():
+            for value in self.values_of(row) if name != "memory_limit" else (0, 1 << 24):
+                with warnings.catch_warnings(), self.subTest(name=name, value=value):
+                    warnings.simplefilter("ignore", DelaunayWarning)
+                    made, again = (delaunay(points, **{name: value}, **given) for _ in range(2))
+                    again.release()
+                    self.assert_same(made, again)
+                    self.assert_same(made, pickle.loads(pickle.dumps(again)))
 
     def test_points_that_were_changed_are_noticed(self):
         for view in (lambda points: points, lambda points: points[::2, ::-1], memoryview):

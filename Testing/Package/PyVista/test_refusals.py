@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """mesh.adaptive: what each refusal says, word for word, and that none is left out."""
 
+import inspect
 import sys
 import unittest
 from pathlib import Path
@@ -9,6 +10,7 @@ import numpy
 import pyvista
 
 import adaptivehilbertdelaunay.pyvista  # noqa: F401 (registers mesh.adaptive)
+from adaptivehilbertdelaunay._keywords import MESH_KEYWORDS
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
 
@@ -16,11 +18,9 @@ import literals  # noqa: E402
 
 POINTS = numpy.array([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (1, 2, 0), (3, 2, 0)], float)
 MESH = pyvista.PolyData(POINTS)
-CHOICES = {
-    "plane": "'xy', 'automatic', 'best_fit'", "duplicates": "'first', 'lowest_z', 'highest_z', 'mean_z'",
-    "crossings": "'leave_out', 'split'", "closed_lines": "'lines', 'loops'", "heights": "'own', 'surface'",
-    "fill_rule": "'orientation', 'even_odd'", "rim": "'automatic', 'convex_hull', 'trimmed'",
-}  # fmt: skip
+CHOICES = {name: ", ".join(map(repr, row.words)) for name, row in MESH_KEYWORDS.items()
+           if row.words and name in inspect.signature(MESH.adaptive.delaunay_2d).parameters}  # fmt: skip
+CHOICES["plane"] = "'xy', 'automatic', 'best_fit'"
 # (method, arguments, exception, text)
 ROWS = [
     ("delaunay_2d", dict(arrays=["fate"]), ValueError,
