@@ -20,7 +20,7 @@ surface.UpdatePipeline()
 cells = surface.GetDataInformation().GetNumberOfCells()
 assert cells > 20, "%d triangles" % cells
 
-# It must be the installed library that did it, not the one of the build tree.
+# It must have used the installed library, not the one of the build tree.
 if os.path.exists("/proc/self/maps"):
     with open("/proc/self/maps") as maps:
         loaded = {line.split()[-1] for line in maps if "AdaptiveHilbertDelaunay" in line}

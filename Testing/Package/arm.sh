@@ -21,7 +21,7 @@ EOF
 }
 . "$root/Testing/Package/elsewhere.sh"
 
-# Debian's Python for arm64 and what it needs, in a folder: apt is told that this is arm64, and that it has nothing.
+# Debian's Python for arm64 and what it needs, in a folder: apt is configured for arm64, with nothing installed.
 fetch_python() {
   [ ! -f "$folder/fetched" ] || return 0
   local archive own=$folder/apt

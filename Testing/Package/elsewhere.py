@@ -23,7 +23,7 @@ HERE = Path(__file__).resolve().parent
 
 
 def tell(file, *arguments):
-    """Runs a file of tests as a program; what is skipped is told in a line."""
+    """Runs a file of tests as a program; each skipped test is printed in a line."""
 
     def skipped(result, test, reason):
         print("SKIPPED %s: %s" % (test.id().replace("__main__.", ""), reason), flush=True)
@@ -37,7 +37,7 @@ def tell(file, *arguments):
 
 
 def run(python, file, *arguments):
-    """Prints what came of it. Returns how many tests ran, how many were skipped, and whether all is well."""
+    """Prints the outcome. Returns the numbers of tests run and skipped, and whether all passed."""
     import pairs
 
     begun = time.monotonic()

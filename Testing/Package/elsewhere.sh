@@ -1,7 +1,7 @@
 # shellcheck shell=bash disable=SC2034,SC2154
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# What arm.sh and wine.sh share: a wheel for another system, tested by an emulator. To be sourced by bash.
+# Shared by arm.sh and wine.sh: a wheel for another system, tested by an emulator. Sourced by bash.
 # REQUIRES: root, program and target (of wheels.sh) are set, help() is defined, "$@" is what the script was given.
 build=${AHD_BUILD_DIR:-$root/build}
 folder=$build/$(basename "$program" .sh)
@@ -37,7 +37,7 @@ compile() {
 }
 
 # test_c <suffix of programs> <emulator>...
-# The tests of ahd.h and the program of somebody else. They write into pipes: Wine 8 does not into files.
+# The tests of ahd.h and the program of OutsideC. They write to pipes: Wine 8 does not write to files.
 test_c() {
   local suffix=$1 name
   shift

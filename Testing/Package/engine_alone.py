@@ -3,8 +3,8 @@
 
     python3 engine_alone.py CMAKE GENERATOR BUILD CONFIG STATIC SHARED FOLDER
 
-It would compile what the build has compiled, with the same commands: that is checked, and so the build's libraries
-(STATIC, SHARED) are installed. Afterwards FOLDER/staged/moved holds what would be in /usr/local.
+It would compile the same as the build, with the same commands: that is checked, and so the build's libraries (STATIC,
+SHARED) are installed. Afterwards FOLDER/staged/moved holds what would be in /usr/local.
 """
 
 import glob
@@ -20,7 +20,7 @@ ENGINE = os.path.normpath(os.path.join(HERE, "..", "..", "Filters", "Engine"))
 
 
 def compile_commands(build):
-    """What each source of the engine's libraries is compiled with: the words that say how, not where to."""
+    """The compile options of each source of the engine's libraries, without output paths."""
     commands = {}
     with open(os.path.join(build, "compile_commands.json"), encoding="utf-8") as file:
         for entry in json.load(file):
@@ -36,7 +36,7 @@ def check_same_commands(mine, build):
 
 
 def try_pkg_config(prefix, folder):
-    """The C program of OutsideC/, compiled as somebody would who has no CMake."""
+    """The C program of OutsideC/, compiled without CMake."""
     (file,) = glob.glob(os.path.join(prefix, "lib*", "**", "adaptivehilbertdelaunay.pc"), recursive=True)
     environment = {**os.environ, "PKG_CONFIG_PATH": os.path.dirname(file)}
     asked = ["pkg-config", "--cflags", "--libs", "adaptivehilbertdelaunay"]

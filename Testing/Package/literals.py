@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the sources say, as text: to hold tables of messages against, so that none is left out."""
+"""The string literals of the sources: compared with tables of messages, so that none is left out."""
 
 import ast
 import re
@@ -14,7 +14,7 @@ CXX_LITERAL = re.compile(r'"((?:\\.|[^"\\\n])*)"')
 
 
 def pieces_of(tree):
-    """(line, text) of all literals below a node but docstrings and what is compared with, without what % puts in."""
+    """(line, text) of all literals below a node but docstrings and operands of comparisons, without the values of %."""
     others = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
     for node in ast.walk(tree):
         if isinstance(node, ast.Compare):
@@ -27,7 +27,7 @@ def pieces_of(tree):
 
 
 def pieces_of_refusals(name):
-    """(line, text) of the literals in what a module of the package raises."""
+    """(line, text) of the literals in exceptions of a module of the package."""
     for node in ast.walk(ast.parse((PYTHON / name).read_text(encoding="utf-8"))):
         if isinstance(node, ast.Raise):
             yield from pieces_of(node)

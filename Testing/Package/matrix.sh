@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The Python package on all pairs of a Python that is found here and a VTK or cvista that PyPI has wheels for: prints
-# which ran, and what came of it. An hour; needs PyPI and a gigabyte in build/pairs.
+# which ran, and the outcome. An hour; needs PyPI and a gigabyte in build/pairs.
 #
 #   Testing/Package/matrix.sh [<wheel, or folder that holds the package>] [<pair>...]
 #

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The hash of Data/Hashes, and the random numbers of the tests that it is taken in, in Python."""
+"""The hash of Data/Hashes, and the random numbers of its tests, in Python."""
 
 import struct
 

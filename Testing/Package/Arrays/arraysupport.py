@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of arrays share: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
+"""Shared by the tests of arrays: points, exact arithmetic in Python's integers, the hash of Data/Hashes."""
 
 import json
 import os
@@ -158,7 +158,7 @@ def twice_area(places, triangles):
 
 
 def complaints(points, triangles, neighbors, is_constraint=None):
-    """What is wrong with the triangles of a (constrained) Delaunay triangulation, locally and exactly."""
+    """The faults of the triangles of a (constrained) Delaunay triangulation, locally and exactly."""
     places = integers(points)
     triangles, neighbors = triangles.tolist(), neighbors.tolist()
     found = []

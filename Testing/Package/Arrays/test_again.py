@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A job that is used again is as a new one: settings and arrays change at random, runs are cancelled, answers are
-asked for in any order; each is that of a job that never did anything else.
+"""A job that is used again equals a new one: settings and arrays change at random, runs are cancelled, results are
+requested in any order; each is that of a new job.
 """
 
 import os
@@ -36,7 +36,7 @@ SETTINGS = {name: BETTER.get(name) or values_of(row) for name, row in TABLE["job
 ALONE = {name: row["on_surface"] for name, row in TABLE["job"].items()
          if "on_surface" in row and row["type"] == "double"}  # fmt: skip
 ALONE.update(bounding=0, insertion_limit=0, rim=library.RIM_CONVEX_HULL)
-# Of the machine, of the moment, or of how the work was shared.
+# Depend on the machine, the moment, or how the work was shared.
 OTHER_COUNTS = {"memory_estimate", "memory_allowed", "most_boxes", "most_crossings", "threads_used", "dispatch_target"}
 PLACES = np.random.default_rng(5).random((25, 2)) * 1.4 - 0.2
 
@@ -166,7 +166,7 @@ class AgainTest(unittest.TestCase):
 
 
 class NamesTest(unittest.TestCase):
-    """An input array that is new to the library is given here; it, and a new setting, by the fuzzers."""
+    """A new input array of the library must be set here and by the fuzzers."""
 
     NAMES = {name for kind in (library.INT_SETTINGS, library.DOUBLE_SETTINGS, library.INPUT_ARRAYS)
              for name in library.names(kind)}

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Rasters over bounds and of cells that were written in decimal, held against rational arithmetic: what a decimal
-loses in float64 neither adds a row nor drops one, and nothing else is rounded away.
+"""Rasters over bounds and of cells that were written in decimal, against rational arithmetic: rounding of decimals to
+float64 neither adds a row nor drops one, and nothing else is rounded away.
 """
 
 import math

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the docstrings and the README say of arrays is so; every public name is documented and typed."""
+"""The docstrings and the README are right about arrays; every public name is documented and typed."""
 
 import ast
 import doctest
@@ -67,7 +67,7 @@ class DocumentTest(unittest.TestCase):
         self.assertGreater(seen, 30)
 
     def test_the_first_lines_of_the_project(self):
-        """Run as they stand in its README, on the first screen."""
+        """Run verbatim from the README's first screen."""
         with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
             begin, code = file.read().split("```python\n")[:2]
         self.assertLess(begin.count("\n"), 20)
@@ -84,7 +84,7 @@ class DocumentTest(unittest.TestCase):
                 self.assertRegex(text, "`%s[(`]" % name.split(".")[1])
 
     def test_interpolators_of_collinear_points(self):
-        """Are warned of and have values on their line, as the docstring says; scipy's refuses such points."""
+        """Cause a warning and have values on their line, as documented; scipy's refuses such points."""
         self.assertIn("all on one line", LinearInterpolator.__doc__)
         for kind in (LinearInterpolator, NaturalNeighborInterpolator):
             with self.assertWarnsRegex(DelaunayWarning, "all distinct points are collinear"):
@@ -111,7 +111,7 @@ class DocumentTest(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(folder, "py.typed")))
 
     def test_type_checkers_find_names_that_are_none(self):
-        """Of a class with __getattr__ they take any name, unless it is hidden from them."""
+        """For a class with __getattr__ they accept any name, unless it is hidden from them."""
         for kind in adaptivehilbertdelaunay.Triangulation.__mro__[:-1]:
             (made,) = ast.parse(inspect.getsource(kind)).body
             seen = [node.name for node in made.body if isinstance(node, ast.FunctionDef)]

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The suites of arrays once more, with memory behind each array that nobody may touch: one number read or written
-behind the end of what was given, and the process ends there.
+"""The suites of arrays once more, with inaccessible memory after each array: reading or writing one number past the end
+ends the process.
 """
 
 import ctypes
@@ -19,7 +19,7 @@ PAGE = mmap.PAGESIZE
 
 
 def forbid(address):
-    """Nobody may read or write the page that begins here."""
+    """Makes the page that begins here inaccessible."""
     page, size = ctypes.c_void_p(address), ctypes.c_size_t(PAGE)
     if sys.platform == "win32":
         no_access, before = 1, ctypes.c_uint32()
@@ -31,7 +31,7 @@ def forbid(address):
 
 
 def guarded(count, item):
-    """Bytes for `count` items, which end where a page begins that cannot be touched."""
+    """Bytes for `count` items, which end at an inaccessible page."""
     size = max(1, count) * item
     pages = -(-size // PAGE)
     memory = mmap.mmap(-1, (pages + 1) * PAGE)

@@ -11,7 +11,7 @@ from adaptivehilbertdelaunay import _library as library
 from arraysupport import Hash, Random, corpus, expected_hashes, lattice, uniform
 
 EXPECTED = expected_hashes()
-OK = 0  # what each call of the engine ends with is hashed as well
+OK = 0  # the status of each call of the engine is hashed as well
 
 
 def add_written(hashed, made):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""delaunay: what it takes, without copies where none is needed, and what it refuses, naming it."""
+"""delaunay: inputs, without unneeded copies, and refusals that name the argument."""
 
 import collections
 import re
@@ -73,7 +73,7 @@ class PointsTest(unittest.TestCase):
                 self.assertTrue(given.flags.writeable)
 
     def test_memory_in_python(self):
-        """Beside the triangles there is nothing as large as the points: neither in the call nor after it."""
+        """Nothing but the triangles is as large as the points, during the call or after it."""
         count = 200000
         wide = cloud(45, count, 5)
         for points in (wide[:, :2], wide[:, 1:4], wide[:, :2].copy(), wide.astype(np.float32)[:, 2:5]):
@@ -104,7 +104,7 @@ class PointsTest(unittest.TestCase):
 
 
     def test_what_makes_arrays_is_asked_once(self):
-        """It may read a file for that; what it shows may be its own memory, which can change."""
+        """It may read a file for that; its memory may be its own, which can change."""
 
         class Shows:
             def __init__(self, array):
@@ -134,7 +134,7 @@ class PointsTest(unittest.TestCase):
 
 
 class RefusedTest(unittest.TestCase):
-    """Each wrong value: the exception, and what it has to say."""
+    """Each wrong value: the exception, and its text."""
 
     POINTS = (
         (ValueError, np.zeros(4), "points .* not \\(4,\\)"),
@@ -268,7 +268,7 @@ class RefusedTest(unittest.TestCase):
 
 class NamesTest(unittest.TestCase):
     def test_other_names(self):
-        """Those of mesh.adaptive are taken for the same, and never both."""
+        """Those of mesh.adaptive are accepted as synonyms, and never both."""
         heights, points = np.array([[0, 0, 5], [1, 0, 1], [0, 1, 1], [1, 1, 2], [0, 0, 3]], float), cloud(31)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""delaunay at work: Ctrl-C."""
+"""Ctrl-C during delaunay."""
 
 import signal
 import sys
@@ -9,7 +9,7 @@ from adaptivehilbertdelaunay import _library as library
 from adaptivehilbertdelaunay import delaunay
 from arraysupport import SQUARE, cloud, in_a_process
 
-# Interrupts itself while the engine is at work in the main thread, and tells how that ended.
+# Interrupts itself while the engine runs in the main thread, and returns the outcome.
 INTERRUPTED = """
 import signal, sys, threading
 import numpy as np
@@ -62,7 +62,7 @@ print(job.count("inserted"))
 
 class InterruptTest(unittest.TestCase):
     def test_control_c(self):
-        """Is obeyed while the engine works, raises what its handler raises, and nothing is lost on the way."""
+        """Cancels the engine, raises the exception of its handler, and none is lost."""
         for how, name in (("default", "KeyboardInterrupt"), ("handler", "Stop"), ("changed", "Stop")):
             done = in_a_process(INTERRUPTED, how)
             self.assertEqual(done.stdout.split("\n"), [name, "it was stopped", "True", "400000", ""], done.stderr)
@@ -96,7 +96,7 @@ class InterruptTest(unittest.TestCase):
         self.assertEqual(called, [signal.SIGINT])
 
     def test_a_handler_that_is_changed(self):
-        """By the handler or by a callback: it stays, and is heard during the work."""
+        """By the handler or by a callback: it remains installed, and works during the run."""
         for change_in in ("handler", "callback"):
             heard = []
 
@@ -133,7 +133,7 @@ class InterruptTest(unittest.TestCase):
         self.assertEqual(signal.getsignal(signal.SIGINT), signal.SIG_IGN)
 
     def test_a_handler_that_was_looked_up_during_the_work(self):
-        """And is set again afterwards: it raises what the program's raises."""
+        """And is restored afterwards: it raises what the program's raises."""
         def stop(number, frame):
             raise LookupError
 
@@ -147,7 +147,7 @@ class InterruptTest(unittest.TestCase):
             signal.getsignal(signal.SIGINT)
 
     def test_wherever_it_comes(self):
-        """After each call that the package makes: no job stays at work, and the next run knows nothing of it."""
+        """After each call of the package: no job stays running, and the next run is unaffected."""
         handler, tried = signal.getsignal(signal.SIGINT), 0
         while True:
             job, left = library.Job(), [tried + 1]
@@ -178,7 +178,7 @@ class InterruptTest(unittest.TestCase):
         self.assertGreater(tried, 30)
 
     def test_calls_within_calls(self):
-        """All are cancelled, the inner one at once, and the program's handler comes back."""
+        """All are cancelled, the inner one at once, and the program's handler is restored."""
         told, outcome, handler = [], [], signal.getsignal(signal.SIGINT)
 
         def press(phase, done):
@@ -198,7 +198,7 @@ class InterruptTest(unittest.TestCase):
         self.assertIs(signal.getsignal(signal.SIGINT), handler)
 
     def test_a_callback_that_asks_afterwards(self):
-        """What is refused, as the job is at work, does not take the interrupt away."""
+        """A call refused because the job is running does not lose the interrupt."""
         job, told = library.Job(), []
         job.set_array("points", SQUARE)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The binding of the C interface: it follows the header, and says what it refuses."""
+"""The binding of the C interface: it follows the header, and reports refusals."""
 
 import gc
 import inspect
@@ -78,7 +78,7 @@ class HeaderTest(unittest.TestCase):
             np.testing.assert_array_equal(written, array)
 
     def test_delaunay_has_every_setting(self):
-        """What has no keyword, and why."""
+        """Settings and arrays without a keyword, and why."""
         without = {
             "skip_mask": "a mark that is not zero",
             "cell_ids": "source_points",
@@ -120,7 +120,7 @@ class LoadTest(unittest.TestCase):
         self.assertIn(other + " is not the library of adaptivehilbertdelaunay", self.load(other))
 
     def test_a_library_that_lacks_a_function(self):
-        """The error says which; Python takes an AttributeError for the answer that the package has no such name."""
+        """The error says which; an AttributeError would mean that the package has no such name."""
         class Older:
             def __init__(self, path):
                 self.ahd_abi_version = lambda: library.ABI_VERSION
@@ -215,7 +215,7 @@ class JobTest(unittest.TestCase):
             job.set(nmax=1.5)
 
     def test_memory_that_shows_during_the_run_is_refused(self):
-        """The table of loops' edges, each time anew: nothing stays taken."""
+        """The table of loops' edges, each time anew: all memory is returned."""
         job, half = self.job, np.arange(1.0, 601.0)
         corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
         job.set_array("points", (half[:, None, None] * corners).reshape(-1, 2))  # squares within each other
@@ -342,7 +342,7 @@ class JobTest(unittest.TestCase):
     @unittest.skipUnless(os.path.exists("/proc/self/statm"), "Linux tells how much memory a process has")
     @unittest.skipIf("AHD_TEST_EMULATED" in os.environ, "an emulator has memory of its own: qemu keeps that of threads")
     def test_jobs_are_freed(self):
-        """Many at once and one after the other, with results, take no more than those that live."""
+        """Many at once and one after the other, with results, take no more than the live ones."""
         points = cloud(77, 20000)
         for _ in range(3):
             jobs = [library.Job() for _ in range(10)]

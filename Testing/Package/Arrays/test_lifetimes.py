@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who frees what, and when: cycles, finalizers, threads, forks, the end of a program; what might crash in a process of
-its own, with malloc's checks."""
+"""Lifetimes: cycles, finalizers, threads, forks, the end of a program; tests that might crash in a process of their
+own, with malloc's checks."""
 
 import gc
 import os
@@ -13,10 +13,11 @@ from adaptivehilbertdelaunay import _held, delaunay, release_memory
 from adaptivehilbertdelaunay import _library as library
 from arraysupport import SQUARE, cloud
 
-# Freed memory is overwritten, and looked at by malloc.
+# Freed memory is overwritten, and checked by malloc.
 CHECKED = {**os.environ, "MALLOC_PERTURB_": "165", "MALLOC_CHECK_": "3"}
 
-# Every kind of object that has a job, or is had by one, in a cycle: what `made()` leaves only the collector frees.
+# Every kind of object that owns a job, or is owned by one, in a cycle: only the collector frees the objects of
+# `made()`.
 CYCLES = """
 import faulthandler, gc, os, sys, threading
 import numpy as np
@@ -154,7 +155,7 @@ class HandleTest(unittest.TestCase):
         release_memory()
 
     def test_a_job_outlives_all_finalizers(self):
-        """Whether the object that has it was made before or after the one that asks."""
+        """Objects made before and after the job use it in their finalizers."""
         found = []
 
         class Asks:
@@ -239,7 +240,7 @@ class HandleTest(unittest.TestCase):
         gc.collect()
 
     def test_half_made(self):
-        """What a debugger shows of it."""
+        """Its repr, as debuggers show it."""
         from adaptivehilbertdelaunay import LinearInterpolator, NearestInterpolator, Triangulation
 
         for kind in (Triangulation, LinearInterpolator, NearestInterpolator):

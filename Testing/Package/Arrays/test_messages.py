@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The engine's catalogue of messages (Filters/Engine/Job/Catalogue.h), word for word as Messages.json has it, in the
-words of each door; none is left out. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
+"""The engine's catalogue of messages (Filters/Engine/Job/Catalogue.h), word for word as in Messages.json, in the words
+of each door; none is left out. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
 """
 
 import json
@@ -28,7 +28,7 @@ MISSING = {"missing": [("", 2), ("Flow", 1), ("Class", 0)], "of_points": [1, 0, 
 USUAL = {"points": 40, "inserted": 30, "delaunay_triangles": 50, "kept_triangles": 50, "cells": 50, "source_points": 9,
          "segments": 12}  # fmt: skip
 NONE = {"delaunay_triangles": 0, "kept_triangles": 0, "cells": 0}
-# What a run of any door may leave, by name: counts, the trimmed area, are crossings split?
+# Facts of a run of any door, by name: counts, the trimmed area, are crossings split?
 CASES = {
     "nothing to say": ({}, 0.0, False),
     "not finite": ({"not_finite": 3, "first_not_finite": 7}, 0.0, False),
@@ -67,7 +67,7 @@ def facts_of_runs():
 
 
 def facts_of_class():
-    """What a run of a class may leave."""
+    """Facts of a run of a class."""
     source = {"segments": 0, "source_points": 2, "source_vertices": 1, "source_strips": 3}
     for name, more in (
         ("planes", {"transform_is_missing": 1, "bounding_is_missing": 1, "diagram_in_plane": 1}),
@@ -127,7 +127,7 @@ def facts_of_places():
 
 
 def cases():
-    """What NumPy does not say: (topic, name, facts)."""
+    """Messages that NumPy does not have: (topic, name, facts)."""
     for name, facts in facts_of_class():
         yield engine.SAY_TRIANGULATION, name, facts
     for facts in refusals():
@@ -156,7 +156,7 @@ class MessagesTest(unittest.TestCase):
             }
             for words, number in WORDS.items()
         }
-        for name, said in list(cls.found["C"].items()):  # what is the same need not be there twice
+        for name, said in list(cls.found["C"].items()):  # equal texts are listed once
             if said == cls.found["class"][name]:
                 del cls.found["C"][name]
         if os.environ.get("AHD_WRITE_HASHES") == "1":

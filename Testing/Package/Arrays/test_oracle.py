@@ -62,7 +62,7 @@ def cross(a, b, c, d):
 
 
 class Oracle:
-    """What is to come out: places, vertices, the constraint edges."""
+    """The expected result: places, vertices, the constraint edges."""
 
     def __init__(self, points, chains):
         self.finite = [k for k, point in enumerate(points) if np.isfinite(point[:2]).all()]
@@ -98,8 +98,8 @@ class Oracle:
         return not any(cross(a, b, *edge) for edge in self.edges)
 
     def is_in(self, corners):
-        """Is this triangle one of a constrained Delaunay triangulation? By definition: no vertex that its inside sees
-        lies in its circle. It is enough to look from its corners and edges, which no constraint crosses."""
+        """Is this triangle one of a constrained Delaunay triangulation? By definition: no vertex visible from its
+        inside lies in its circle. Visibility from its corners and edges suffices, which no constraint crosses."""
         middle = tuple(sum(c) for c in zip(*corners))
         for p in self.vertices:
             if in_circle(*corners, p) > 0:

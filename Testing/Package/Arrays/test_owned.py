@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whose memory is looked at: what callers get, what they gave and change, move or free afterwards."""
+"""Ownership of memory: results, and input that callers change, move or free afterwards."""
 
 import copy
 import gc
@@ -22,7 +22,7 @@ METHODS = ("linear", "natural", "laplace", "nearest")
 
 class ProjectionTest(unittest.TestCase):
     def test_what_is_kept_of_a_plane(self):
-        """Its points outlive the engine's, and so does what a debugger shows after an error."""
+        """Its points outlive the engine's, and so do frames of an error."""
         script = (
             "import numpy as np\nfrom adaptivehilbertdelaunay import delaunay\n"
             "points, kept = np.random.default_rng(0).random((40000, 3)), []\n"
@@ -69,10 +69,10 @@ class ProjectionTest(unittest.TestCase):
 
 
 class MemoryTest(unittest.TestCase):
-    """Memory that an array lies in is not moved or freed while something looks at it."""
+    """An array's memory is not moved or freed while it is borrowed."""
 
     def refuses(self, given, move):
-        """`move` cannot be done while a triangulation of what is given lives, released or not."""
+        """`move` fails while a triangulation of the array lives, released or not."""
         made = delaunay(given)
         expected = delaunay(np.array(given)).order
         self.assertRaises((ValueError, BufferError), move)
@@ -115,7 +115,7 @@ class MemoryTest(unittest.TestCase):
             mapped.close()
 
     def test_during_a_call(self):
-        """Places, values and what is written."""
+        """Places, values and outputs."""
         points, places, tried = cloud(6, 3000), cloud(7, 3000), []
         values = np.ascontiguousarray(points[:, 0])
         made = delaunay(points)
@@ -143,7 +143,7 @@ class MemoryTest(unittest.TestCase):
         self.assertGreater(len(tried), 2)
 
     def test_places_live_as_long_as_the_call(self):
-        """Those that are no doubles side by side are copied: by `sample` for the call."""
+        """Values other than contiguous doubles are copied: by `sample` for the call."""
         job, wide = library.Job(), cloud(8, 40000, 4)
         points = cloud(9, 3000)
         job.set_array("points", points)
@@ -171,7 +171,7 @@ class MemoryTest(unittest.TestCase):
         self.assertEqual(len(made.order), 100)
 
     def test_arrays_of_a_job(self):
-        """A job keeps what it looks at, the one before if the next is refused."""
+        """A job keeps the arrays that it reads; the former one if the next is refused."""
         job, points = library.Job(), cloud(11, 100)
         job.set_array("points", points.copy())
         with self.assertRaises(library.BadInput):
@@ -201,7 +201,7 @@ class ReadOnlyTest(unittest.TestCase):
 
 
 class ChangedTest(unittest.TestCase):
-    """Input that was changed is noticed, whichever it is, and whatever the change."""
+    """Any change of any input is noticed."""
 
     def noticed(self, made, name):
         for ask in (lambda: made.order, lambda: made.neighbors, lambda: made.voronoi("bounds")):
@@ -264,7 +264,7 @@ class ChangedTest(unittest.TestCase):
             made.points
 
     def test_copies_of_what_was_not_changed(self):
-        """However it lay in memory."""
+        """In every memory layout."""
         for points in (cloud(23, 20000)[:, ::-1], cloud(23, 20000)[::-1], np.asfortranarray(cloud(23, 20000, 3)),
                        cloud(23, 20001, 5, np.float32)[::2, 1:4]):  # fmt: skip
             made = delaunay(points, threads=1)
@@ -297,7 +297,7 @@ class ChangedTest(unittest.TestCase):
             self.assertFalse(job.hasTables)
 
     def test_places_need_no_points(self):
-        """Once places were found; whatever was asked first, and by which method."""
+        """Once places were found; in any order of queries, and with any method."""
         given, places = cloud(25, 300), cloud(26, 50)
         values = given @ [2, 1]
         reference = delaunay(given.copy())
@@ -317,7 +317,7 @@ class ChangedTest(unittest.TestCase):
             np.testing.assert_array_equal(made.locate(places).corners, reference.locate(places).corners)
 
     def test_a_new_job_has_found_no_places(self):
-        """One that a progress function had made has none of what the one at work has."""
+        """One made by a progress function shares nothing with the running one."""
         for ask in (lambda made: made.order, lambda made: made.voronoi(), lambda made: made.boxes):
             points = cloud(27, 3000)
             made, asked = delaunay(points), []
@@ -347,7 +347,7 @@ class ChangedTest(unittest.TestCase):
 
 class FrozenTest(unittest.TestCase):
     def test_after_pickling(self):
-        """Nothing can be written there either."""
+        """It is not writable either."""
         made = delaunay(cloud(29, 60), segments=[[0, 1]])
         arrays = ("triangles", "neighbors", "constraint_edges", "is_constraint", "hull")
         [getattr(made, name) for name in arrays]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Places, rasters and numbers that interpolation takes, and those that it refuses with one clear error."""
+"""Places, rasters and numbers accepted by interpolation, and those refused with one clear error."""
 
 import pickle
 import tracemalloc
@@ -23,7 +23,7 @@ class PlacesTest(unittest.TestCase):
             made.raster(cell_size=1)
 
     def test_masked_arrays(self):
-        """Where nothing is masked they are arrays as others; else all doors refuse them."""
+        """Where nothing is masked they are ordinary arrays; else all doors refuse them."""
         points = cloud(1, 100)
         whole, masked = np.ma.array(points), np.ma.masked_less(points, 0.2)
         made, linear = delaunay(points), LinearInterpolator(points, points[:, 0])
@@ -86,7 +86,7 @@ class PlacesTest(unittest.TestCase):
 
 class SourceTest(unittest.TestCase):
     def test_points_of_the_source(self):
-        """Have values of their own; points that were added have none, which the nearest point needs."""
+        """Have values of their own; added points have none, which the nearest point needs."""
         points, source = cloud(6, 300), cloud(7, 5)
         made = delaunay(points, source_points=source, lines=[0, 1])
         values = np.concatenate((points, source)) @ [2, 1]

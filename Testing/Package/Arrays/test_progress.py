@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What progress functions are told, whatever is asked for: phases that are known, and fractions that only go up,
-nearly to the end.
+"""Arguments of progress functions, for every request: known phases, and fractions that only rise, nearly to 1.
 """
 
 import unittest

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every refusal of the arrays' package, word for word as Refusals.json has it, and none left out: what a module raises
-is said in one of them. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
+"""Every refusal of the arrays' package, word for word as in Refusals.json, and none left out: every text that a module
+raises is in one of them. AHD_WRITE_HASHES=1 writes the file anew, to be read and committed with the change.
 """
 
 import ast
@@ -21,7 +21,7 @@ import test_input
 
 FILE = pathlib.Path(__file__).with_name("Refusals.json")
 MODULES = ("_input.py", "_interpolators.py", "_raster.py", "_sampling.py", "_triangulation.py")
-# What is raised to be caught again, with other words.
+# Exceptions that are caught again, with other texts.
 INSIDE = (" is not a number",)
 NOT_MUST = re.compile("(is|are|has|have) to (be|have) ")
 VALUES = np.arange(6.0)
@@ -35,7 +35,7 @@ def plane_of_shape(xyz):
     return xyz[:, :2]
 
 
-# By name: what is refused. Those of delaunay()'s own arguments are in test_input.py.
+# By name: the refused call. Refusals of delaunay()'s own arguments are in test_input.py.
 CALLS = {
     "raster of nothing": lambda: MADE.raster(),
     "raster of both": lambda: MADE.raster(cell_size=1, shape=(1, 1)),
@@ -97,7 +97,7 @@ CALLS = {
 for k, (_, points, _) in enumerate(test_input.RefusedTest.POINTS):
     CALLS["points %d" % k] = lambda points=points: delaunay(points)
 for k, (_, name, value, _) in enumerate(test_input.RefusedTest.KEYWORDS):
-    if name not in ("memory_limit", "no_such"):  # as much as is free; Python's own words
+    if name not in ("memory_limit", "no_such"):  # all free memory; Python's own text
         CALLS["%s %d" % (name, k)] = lambda name=name, value=value: delaunay(SQUARE, **{name: value})
 
 
@@ -117,7 +117,7 @@ class RefusalsTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.found = {name: refusal_of(call) for name, call in CALLS.items()}
-        # NumPy's words, which differ between its versions
+        # NumPy's text, which differs between its versions
         cls.found = {name: text for name, text in cls.found.items() if "inhomogeneous" not in text}
         if os.environ.get("AHD_WRITE_HASHES") == "1":
             FILE.write_text(json.dumps(cls.found, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
@@ -127,7 +127,7 @@ class RefusalsTest(unittest.TestCase):
         self.assertNotIn("taken", self.found.values())
 
     def test_they_say_must(self):
-        """Of what callers do, in Python and in C++: neither "is to be" nor "has to be"."""
+        """For callers, in Python and in C++: neither "is to be" nor "has to be"."""
         found = [text for text in literals.said_in_cxx().split("\0") if NOT_MUST.search(text)]
         for path in sorted(literals.PYTHON.rglob("*.py")):
             tree = ast.parse(path.read_text(encoding="utf-8"))

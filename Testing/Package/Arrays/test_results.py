@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""delaunay: what it gives, against definitions in exact arithmetic."""
+"""delaunay: results, against definitions in exact arithmetic."""
 
 import copy
 import pickle

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Values between the points: functions that are known, places on vertices and edges, shapes, what is refused."""
+"""Values between the points: known functions, places on vertices and edges, shapes, refusals."""
 
 import copy
 import pickle
@@ -403,7 +403,7 @@ class WorkTest(unittest.TestCase):
         self.assertAlmostEqual(float(made.interpolate(np.ones(30000), [0.5, 0.5])), 1)
 
     def test_a_progress_function_cannot_ask(self):
-        """And goes on to hear."""
+        """And is still called afterwards."""
         points = cloud(6, 30000)
         made, heard, refused = delaunay(points), [], []
         cells = made.raster(shape=(500, 500))

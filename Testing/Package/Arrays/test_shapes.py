@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever type, columns, number and layout arrays have, the results are those of contiguous doubles; and what
-docstrings say of defaults is so."""
+"""For every type, number of columns and layout of arrays the results are those of contiguous doubles; and defaults are
+as documented."""
 
 import inspect
 import itertools
@@ -28,7 +28,7 @@ def rows(array):
 
 
 def columns(array):
-    """Columns that do not lie side by side."""
+    """Columns that are not contiguous."""
     wide = np.zeros((*array.shape[:-1], 2 * array.shape[-1] + 1), array.dtype)
     wide[..., 1::2] = array
     return wide[..., 1::2]
@@ -132,13 +132,13 @@ class Values(unittest.TestCase):
 
 
 def documented(thing):
-    """Names and defaults that a docstring tells of, "name : kind, default value"."""
+    """Names and defaults in a docstring, "name : kind, default value"."""
     text = inspect.getdoc(thing) or ""
     return re.findall(r"^(\w+) : .*default (.+)$", text, re.MULTILINE)
 
 
 class Documented(unittest.TestCase):
-    """Each default that a docstring names is that of the signature, and what it takes are those that are taken."""
+    """Each default in a docstring is that of the signature, and each value that it lists is accepted."""
 
     CALLABLES = (delaunay, LinearInterpolator, NaturalNeighborInterpolator, NearestInterpolator,
                  Triangulation.interpolate, Triangulation.raster, Triangulation.weights)

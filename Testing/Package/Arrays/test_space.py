@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where points are in space, for every plane, kind of source, number type and rule for duplicates: computed again from
-what was given, and from another triangulation.
+"""Positions of points in space, for every plane, kind of source, number type and rule for duplicates: recomputed from
+the input, and from another triangulation.
 """
 
 import itertools
@@ -26,7 +26,7 @@ COUNT, OWN = 101, 9  # odd
 
 
 def flat(points):
-    """Nearly in a plane, so that what fits it best is not on edge."""
+    """Nearly in a plane, so that the best fit is unambiguous."""
     points[:, 2] *= 0.05
     return points
 
@@ -92,7 +92,7 @@ class SpaceTest(unittest.TestCase):
                 self.assertTrue(np.array_equal(made.points[len(points) :], more["source_points"]))
 
     def test_values_that_are_z_follow_the_means(self):
-        """In every plane, with points that are added, and with columns that are something else."""
+        """In every plane, with added points, and with columns of other data."""
         for dtype, plane, others in itertools.product((np.float64, np.float32), ("xy", "best_fit"), (False, True)):
             points = flat(np.repeat(cloud(5, 20, 3, dtype), 5, axis=0))
             points[:, 2] += np.arange(100) % 5

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""One object, asked by several threads at once: each has the answer that it would have had alone.
+"""One object, used by several threads at once: each gets the result that it would get alone.
 
-Threads begin at a barrier, what they ask for takes the engine long enough for them to meet in it, and Python changes
-threads as often as it can.
+Threads begin at a barrier, their calls take long enough to overlap in the engine, and Python switches threads as often
+as possible.
 """
 
 import pickle
@@ -57,7 +57,7 @@ def flat(answer):
 
 
 def at_once(questions, made):
-    """What each thread was answered; `questions`: a list for each. What one raises is raised."""
+    """The results of each thread; `questions`: a list for each. An exception of one is raised."""
     barrier, answers, errors = threading.Barrier(len(questions)), [[] for _ in questions], []
 
     def ask(k):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""delaunay at work: exceptions of callbacks, memory that is kept, threads."""
+"""Runs of delaunay: exceptions of callbacks, kept memory, threads."""
 
 import os
 import pickle
@@ -66,7 +66,7 @@ class CallbackTest(unittest.TestCase):
         self.assertEqual(set(errors), {library.BUSY})
 
     def test_projections_of_wrong_points(self):
-        """A function that gives what is no place leaves points out."""
+        """A function that returns NaN leaves points out."""
         with self.assertWarnsRegex(UserWarning, "no finite position in the plane"):
             made = delaunay(SQUARE, plane=lambda xyz: np.where(xyz[:, :1] > 3, np.nan, xyz))
         self.assertEqual(made.counts["not_finite"], 2)
@@ -129,7 +129,7 @@ class MemoryTest(unittest.TestCase):
 
     @unittest.skipUnless(hasattr(os, "fork"), "POSIX only")
     def test_forks(self):
-        """What a process has before it forks does not hinder the one that begins there."""
+        """Objects made before a fork do not hinder the child."""
         script = (
             "import os, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
             "points = numpy.random.default_rng(1).random((50000, 2))\n"
@@ -143,7 +143,7 @@ class MemoryTest(unittest.TestCase):
         self.assertEqual((done.stdout, done.returncode), ("True 7\n", 0), done.stderr)
 
     def test_the_end_of_a_program(self):
-        """Triangulations that live until the end, or are made there, do no harm."""
+        """Triangulations that live until the interpreter's end, or are made there, do no harm."""
         script = (
             "import atexit, sys, numpy\nfrom adaptivehilbertdelaunay import delaunay\n"
             "points = numpy.random.default_rng(1).random((1000, 2))\n"
@@ -156,7 +156,7 @@ class MemoryTest(unittest.TestCase):
 
 class ThreadTest(unittest.TestCase):
     def in_threads(self, work, count):
-        """What `work(k)` returns for each k, called by as many threads at once."""
+        """The results of `work(k)` for each k, called by as many threads at once."""
         results, errors, start = [None] * count, [], threading.Barrier(count)
 
         def run(k):
@@ -202,7 +202,7 @@ class ThreadTest(unittest.TestCase):
                 np.testing.assert_array_equal(one, two)
 
     def test_what_one_thread_asks_waits_for_the_other(self):
-        """Every question, while another thread interpolates; none is refused, and none is answered before."""
+        """Every query, while another thread interpolates; none is refused, and none returns before."""
         points, places, values = cloud(65, 2000), cloud(66, 3000), cloud(65, 2000)[:, 0].copy()
         questions = {
             **{name: lambda made, name=name: getattr(made, name) for name in (
@@ -225,7 +225,7 @@ class ThreadTest(unittest.TestCase):
             def hear(phase, done, asking=asking, answered=answered, early=early):
                 asking.wait()
                 if not early:
-                    time.sleep(0.01)  # what needs no lock would be answered in it
+                    time.sleep(0.01)  # a query without a lock would return in this time
                     early.append(list(answered))
 
             def ask(made=made, question=question, asking=asking, answered=answered, wrong=wrong):
@@ -270,7 +270,7 @@ class ThreadTest(unittest.TestCase):
                     np.testing.assert_array_equal(one, expected)
 
     def test_other_threads_go_on(self):
-        """The main thread sees the other in the engine: so it is not the GIL that is waited for."""
+        """The main thread runs while the other is in the engine: so they do not wait for the GIL."""
         points, seen = cloud(63, 200000), 0
         while not seen:
             worker = threading.Thread(target=delaunay, args=(points,))
@@ -293,7 +293,7 @@ class ThreadTest(unittest.TestCase):
         canceller = threading.Thread(target=cancel)
         canceller.start()
         with self.assertRaises(library.Cancelled):
-            while True:  # it may come between two runs: then it is the next that ends
+            while True:  # it may come between two runs: then the next one ends
                 job.run()
                 job.count("points")
         canceller.join()

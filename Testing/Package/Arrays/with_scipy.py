@@ -16,7 +16,7 @@ import numpy as np
 
 
 def reached(folder):
-    """The venv's Python, with scipy in it; None if it cannot be had."""
+    """The venv's Python, with scipy in it; None if it is not available."""
     python = os.path.join(folder, "bin", "python")
     clean = {name: value for name, value in os.environ.items() if name != "PYTHONPATH"}
     commands = [

@@ -447,13 +447,13 @@ def little_memory():
 
 @case
 def little_memory_for_boxes():
-    """Enough before the boxes are known, and then not: the second execution's limit is the first one's estimate."""
+    """Enough until the boxes are known: the second execution's limit is the first one's estimate."""
     return full(2000), dict(MemoryLimit=1700, GenerateBoxes=True, Nmax=1)
 
 
 @case
 def little_memory_for_crossings():
-    """Enough for the points and lines, and then not for 1600 crossings."""
+    """Enough for the points and lines, but not for 1600 crossings."""
     ends = [[(i + 0.5, k, 0) for i in range(40)] for k in (-1, 41)] + [[(k, i + 0.25, 0) for i in range(40)]
                                                                       for k in (-1, 41)]
     lines = [(i, 40 + i) for i in range(40)] + [(80 + i, 120 + i) for i in range(40)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests of vtkAdaptiveHilbertDelaunay2D in Python share. They are the same for the compiled class and for
+"""Shared by the tests of vtkAdaptiveHilbertDelaunay2D in Python. They are the same for the compiled class and for
 the class in Python, on VTK or on cvista.
 
 Environment: AHD_TEST_VTK, the package that VTK's modules are taken from (vtkmodules, the default, or cvista);
@@ -26,7 +26,7 @@ WRITES = os.environ.get("AHD_WRITE_HASHES") == "1"
 
 
 def vtk(module):
-    """A module of the VTK that is tested with, such as vtkCommonCore."""
+    """A module of the VTK under test, such as vtkCommonCore."""
     return importlib.import_module(BACKEND + "." + module)
 
 
@@ -161,7 +161,8 @@ def values_of(data):
 
 
 class Said:
-    """Keeps the warnings and errors of a filter, without file, line and address; `pipeline`, those of its executive."""
+    """Records the warnings and errors of a filter, without file, line and address; `pipeline`, those of its
+    executive."""
 
     def __init__(self, algorithm):
         self.warnings, self.errors, self.pipeline = [], [], []
@@ -181,7 +182,7 @@ class Said:
 
 
 def run(data, **settings):
-    """A filter with these settings, updated, and what it said."""
+    """A filter with these settings, updated, and its messages."""
     algorithm = Filter()
     said = Said(algorithm)
     for name, value in settings.items():
@@ -212,6 +213,6 @@ def write_rows(path, data):
 
 
 def run_tests():
-    # pvpython and pvbatch leave their own words in sys.argv.
+    # pvpython and pvbatch leave their own arguments in sys.argv.
     outcome = unittest.main(argv=sys.argv[:1], exit=False).result
     sys.exit(not outcome.wasSuccessful())

@@ -51,10 +51,10 @@ def add_arrays(sum_, data):
 
 
 def hash_of(given, settings, of_triangulation):
-    """Run twice, the second time on what was kept."""
+    """Run twice, the second time on the kept triangulation."""
     algorithm = Interpolation()
     algorithm.SetTriangulation(Filter())
-    Said(algorithm)  # what it says is not printed
+    Said(algorithm)  # its messages are not printed
     for name, values in settings.items():
         getattr(algorithm, "Set" + name)(*values)
     for name, value in of_triangulation.items():

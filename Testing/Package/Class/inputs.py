@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Points and constraints with all that the filter looks at. For cases.py."""
+"""Points and constraints with all data that the filter reads. For cases.py."""
 
 import math
 
@@ -31,7 +31,7 @@ def full(count=200, number=core.VTK_DOUBLE):
 
 
 def lines_and_loops():
-    """With points of their own: lines that cross, one of an id that is none, a square with a hole."""
+    """With points of their own: lines that cross, one with an invalid id, a square with a hole."""
     made = source(
         [(100, 510, 1), (900, 520, 2), (500, 100, 3), (510, 900, 4), (20, 30, 0), (50, 50, 0), (950, 50, 0),
          (950, 950, 0), (50, 950, 0), (600, 600, 0), (600, 800, 0), (800, 600, 0)],

@@ -145,7 +145,7 @@ def nearest_of_other_layouts():
     apart.SetName("Apart")
     apart.SetNumberOfComponents(2)
     large = core.vtkSOADataArrayTemplate["int64"]()
-    large.SetNumberOfComponents(1)  # VTK 9.1 wants it said
+    large.SetNumberOfComponents(1)  # required by VTK 9.1
     large.SetName("Large")
     for data in (apart, large):
         data.SetNumberOfTuples(120)
@@ -396,7 +396,7 @@ def copy_of(data):
 
 
 def surface(*given, **settings):
-    """What a filter made, without the filter: its own triangles are all that there is."""
+    """A surface without its filter: only its own triangles are known."""
     return copy_of(maker_of(*given, **settings).GetOutput())
 
 
@@ -414,7 +414,7 @@ ALIVE = []  # makers of surfaces that are interpolated on
 
 
 def behind(name):
-    """The surface of a filter that is there."""
+    """The surface of an existing filter."""
     ALIVE.append(MAKERS[name]())
     return ALIVE[-1].GetOutput()
 
@@ -452,7 +452,7 @@ def surface_and_places_none_of_which_is_on_it():
 
 @case
 def surface_in_the_best_plane():
-    """To which points count that are no corner, and none that were added."""
+    """It is fitted to points that are no corner, too, but not to added ones."""
     added = source([(500.0, 500.0, 2000.0)])
     made = surface(full(), added, SourceMode=1, ProjectionPlaneMode=2, MaximumEdgeLength=130.0)
     return made, dict(SMALL, Method=1, **{"Triangulation.ProjectionPlaneMode": 2})

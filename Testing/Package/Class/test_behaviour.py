@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter as a part of a pipeline: ports, progress, aborts, what is kept, who owns what."""
+"""The filter as a part of a pipeline: ports, progress, aborts, kept data, ownership."""
 
 import gc
 import os
@@ -93,7 +93,7 @@ class PipelineTest(Case):
         self.assertEqual(len(junk), 20)
 
     def test_it_ends(self):
-        """With nobody to hold it, neither it nor its input stays."""
+        """Without references, neither it nor its input stays alive."""
         import weakref
 
         algorithm, _ = run(cloud(scattered(80)), Transform=vtk("vtkCommonTransforms").vtkTransform())
@@ -127,7 +127,7 @@ class PipelineTest(Case):
         self.assertIsInstance(algorithm.GetOutputDataObject(0), model.vtkMultiBlockDataSet)
 
     def test_arrays_of_merged_blocks(self):
-        """In the order of their names, with what is said of them; those without a name one by one."""
+        """In the order of their names, with their documentation; those without a name one by one."""
         attributes, table, members = model.vtkDataSetAttributes, core.vtkLookupTable(), []
         for k in range(2):
             block = cloud(scattered(30, k))
@@ -153,7 +153,7 @@ class PipelineTest(Case):
             attributes.SCALARS, attributes.VECTORS)], [None, "b"])
 
     def test_field_data_of_the_input(self):
-        """Are those of each output, be it made or not."""
+        """Are those of each output, whether it is made or not."""
         given = cloud(scattered(30))
         given.GetFieldData().AddArray(array("vtkIntArray", "survey", [7]))
         for settings in ({}, {"GenerateVoronoi": True}, {"GenerateBoxes": True}):
@@ -202,7 +202,7 @@ class PipelineTest(Case):
         self.assertGreater(algorithm.GetOutput().GetNumberOfCells(), 0)
 
     def test_every_number_at_its_ends(self):
-        """What a setter takes, or clamps to, an execution can do with."""
+        """An execution works with every value that a setter accepts or clamps to."""
         ends = {"int": 2**31 - 1, "id": 2**63 - 1, "int64": 2**63 - 1, "double": 1e299}
         rows = {name: row for name, row in TABLE["delaunay"]["settings"].items() if row["type"] in ends}
         self.assertGreater(len(rows), 8)
@@ -215,7 +215,7 @@ class PipelineTest(Case):
                     self.assertEqual(algorithm.GetNumberOfPointsInserted(), 1 if merges else 50)
 
     def test_estimate_grows_with_what_is_asked_for(self):
-        """By what is put out at least, and not by much more; bytes per point."""
+        """By the bytes of the outputs at least, and not by much more; bytes per point."""
         count, points = 20000, scattered(20000)
 
         def estimate(number=core.VTK_DOUBLE, arrays=0, **settings):
@@ -322,7 +322,7 @@ class ProgressTest(Case):
 
 
 class KeptTest(Case):
-    """What is passed on from the third execution on."""
+    """Outputs passed on from the third execution on."""
 
     def start(self, **settings):
         given = cloud(scattered(60))
@@ -393,7 +393,7 @@ class PackageTest(Case):
         return done.stdout
 
     def test_it_can_be_looked_at(self):
-        """As help() does; with VTK and where there is none."""
+        """As help() does; with VTK and without."""
         script = (
             "import sys\n"
             "for name in sys.argv[1:]: sys.modules[name] = None\n"
@@ -425,7 +425,7 @@ class ThreadsTest(Case):
 
     def test_vtk_says_how_many(self):
         before = os.environ.get("VTK_SMP_MAX_THREADS")
-        os.environ["VTK_SMP_MAX_THREADS"] = "1"  # looked at anew by its Sequential backend, once by others
+        os.environ["VTK_SMP_MAX_THREADS"] = "1"  # read anew by its Sequential backend, once by others
         core.vtkSMPTools.Initialize(1)
         try:
             self.assertEqual(run(cloud(scattered(40000)))[0].GetNumberOfThreadsUsed(), 1)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What comes out of many inputs and settings, good and bad, as Cases.json has it of the compiled class: messages word
+"""The results of many inputs and settings, good and bad, as in Cases.json by the compiled class: messages word
 for word, measures, and of each output the points, cells and arrays with their types and a hash of their values.
 AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
 
@@ -59,7 +59,7 @@ def of_output(data):
             found[kind] = of_array(cells.GetOffsetsArray()) + ", " + of_array(cells.GetConnectivityArray())
     for kind in ("PointData", "CellData", "FieldData"):
         if kind == "FieldData" and "points" in found and not found["points"]:
-            continue  # what is left of it in an output that was initialized is VTK's affair
+            continue  # its rest in an output that was initialized depends on VTK
         rows = of_attributes(getattr(data, "Get" + kind)())
         found.update({kind: rows} if rows else {})
     return found

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""No point, one, two, three, some at one place: what filter and interpolation make of them, with every method, with and
-without values outside, for arrays of several kinds; held against the definition.
+"""No point, one, two, three, some at one place: the results of filter and interpolation, with every method, with and
+without values outside, for arrays of several kinds, against the definition.
 """
 
 import itertools
@@ -35,7 +35,7 @@ def nearest(points, place):
 
 class FewPointsTest(Case):
     def test_active_attributes_of_empty_arrays(self):
-        """Arrays without a value are the attributes that they were, in each piece."""
+        """Arrays without a value keep their attributes, in each piece."""
         for name in ("none", "two", "three"):
             given = made_of(SETS[name])
             given.GetPointData().SetActiveScalars("a0")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows of Data/Hashes/Filter.txt: what the filters and the source of points put out, the same from the classes in
+"""The rows of Data/Hashes/Filter.txt: outputs of the filters and the source of points, the same from the classes in
 C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx; hashedsamples.py has those of the
 interpolation."""
 
@@ -97,9 +97,9 @@ def add_output(sum_, data):
 
 
 def hash_of(given, settings):
-    """Run twice, the second time on what was kept."""
+    """Run twice, the second time on the kept triangulation."""
     algorithm = Filter()
-    Said(algorithm)  # what it says is not printed
+    Said(algorithm)  # its messages are not printed
     for name, value in settings.items():
         getattr(algorithm, "Set" + name)(value)
     algorithm.SetInputDataObject(given)

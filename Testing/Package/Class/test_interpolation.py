@@ -88,7 +88,7 @@ def growing_square():
 
 
 def silent():
-    """What it says is not printed."""
+    """Its messages are not printed."""
     algorithm = Interpolation()
     Said(algorithm)
     return algorithm
@@ -253,7 +253,7 @@ class InterpolationTest(Case):
         self.assertTrue(valid[0] == valid[2] > valid[1], valid)
 
     def test_blocks_of_places_are_refused_before_the_first(self):
-        """The outputs of all are there at the same time."""
+        """The outputs of all exist at the same time."""
         places, algorithm = full(5000), silent()
         algorithm.SetInputData(full())
         given = {}
@@ -341,7 +341,7 @@ class InterpolationTest(Case):
         self.assertEqual(algorithm.GetOutput().GetExtent(), (0, 9, 0, 19, 0, 0))
 
     def test_a_raster_that_is_too_large_is_not_announced(self):
-        """9 bytes for each place; filters for images behind may make room for one as large."""
+        """9 bytes for each place; downstream filters for images may allocate one as large."""
         algorithm, pipeline = silent(), vtk("vtkCommonExecutionModel").vtkStreamingDemandDrivenPipeline
         algorithm.SetInputData(full())
         algorithm.SetDimensions(1000, 1000)
@@ -365,7 +365,7 @@ class InterpolationTest(Case):
             self.assertEqual(algorithm.GetOutputInformation(0).Get(pipeline.WHOLE_EXTENT())[1], cells - 1)
 
     def test_a_time_whose_raster_is_refused(self):
-        """A filter behind is not run, as one for images would read what is not there; and at the time before and after
+        """A downstream filter is not run, as one for images would read out of bounds; and at the time before and after
         there is the raster of that time."""
         algorithm = silent()
         points, after = growing_square()(), behind(algorithm)
@@ -379,7 +379,7 @@ class InterpolationTest(Case):
             self.assertGreater(after.GetOutput().GetNumberOfPoints(), 0, time)
 
     def test_a_surface_that_changes(self):
-        """Kept with its triangles and constraints, and no other's."""
+        """Kept with its own triangles and constraints."""
         surface = surface_of("breaklines")
         algorithm = silent()
         algorithm.SetMethod(1)
@@ -422,7 +422,7 @@ class InterpolationTest(Case):
         self.assertEqual(found, dict.fromkeys(changes, found["nothing"]))
 
     def test_aborted(self):
-        """The output is empty, and nothing is said."""
+        """The output is empty, without a message."""
         algorithm = Interpolation()
         said = Said(algorithm)
         algorithm.SetInputData(full(5000))
@@ -462,10 +462,10 @@ class InterpolationTest(Case):
 
 
 class EstimateTest(Case):
-    """What is taken beside what is estimated is looked at in Testing/Package/Memory."""
+    """Testing/Package/Memory compares memory taken with estimates."""
 
     def test_the_triangulation_counts(self):
-        """That of an execution which makes it anew, and of one on a surface that is kept."""
+        """That of an execution which makes it anew, and of one on a kept surface."""
         algorithm = silent()
         algorithm.SetInputData(cloud(scattered(20000)))
         algorithm.SetDimensions(2, 2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Ctrl-C while VTK asks for data, in the class in Python."""
+"""Ctrl-C during VTK's requests for data, in the class in Python."""
 
 import ctypes
 import os
@@ -19,7 +19,7 @@ Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
 
 @unittest.skipUnless(IN_PYTHON, "the compiled class does not hear it")
 class InterruptsTest(Case):
-    """Ctrl-C arrives where VTK was asked for data; nothing is put out, and the next update runs."""
+    """Ctrl-C is raised by the call that requested data; there is no output, and the next update runs."""
 
     def setUp(self):
         self.before = signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -92,7 +92,7 @@ class InterruptsTest(Case):
         self.assertEqual(asks(behind(algorithm)), "caught")
 
     def test_filters_behind_do_not_ask_again(self):
-        """One in Python, which has its input brought up to date when it is asked for information."""
+        """One in Python, which updates its input when information is requested."""
         first, second = self.make(Filter), silent(Interpolation())
         second.SetInputConnection(first.GetOutputPort())
         ends = self.interrupted(first)
@@ -120,7 +120,7 @@ class InterruptsTest(Case):
             self.assertTrue(os.path.exists(path))
 
     def test_a_file_of_blocks_is_left_alone(self):
-        """Whichever block is at work; VTK calls the filter for each."""
+        """In any block; VTK calls the filter for each."""
         writers = vtk("vtkIOXML") if BACKEND == "vtkmodules" else None
         if writers is None:
             self.skipTest("no writer")
@@ -177,7 +177,7 @@ class InterruptsTest(Case):
         self.assertGreater(triangulation.GetOutput().GetNumberOfCells(), 900)
 
     def test_a_filter_in_python_that_asks_others(self):
-        """It hears it first, and its request fails; then whoever asked it does."""
+        """It is interrupted first, and its request fails; then its caller's does."""
         base, heard, algorithm, test = vtk("util.vtkAlgorithm").VTKPythonAlgorithmBase, [], self.make(Filter), self
 
         class Asks(base):
@@ -214,8 +214,8 @@ class InterruptsTest(Case):
         self.assertEqual(ProcessRequest(), "caught")
 
     def heard_behind(self, hears):
-        """Ctrl-C behind a filter in Python, which calls this when it hears it, and raises it again. Tells whether
-        the test hears it, too."""
+        """Ctrl-C downstream of a filter in Python, which calls this when interrupted, and raises it again. Returns
+        whether the test is interrupted, too."""
         base, algorithm = vtk("util.vtkAlgorithm").VTKPythonAlgorithmBase, self.make(Filter)
 
         class Asks(base):
@@ -252,10 +252,10 @@ class InterruptsTest(Case):
         self.assertTrue(self.heard_behind(hears))
 
     def test_an_exception_is_set_where_python_goes_on(self):
-        """As while VTK tells of a failure: that exception is printed, and Ctrl-C is not lost."""
+        """As while VTK reports a failure: that exception is printed, and Ctrl-C is not lost."""
         printed, known = [], sys.excepthook
 
-        def hears():  # after what waits: this sets a TypeError, which nobody raises
+        def hears():  # after the pending one: this sets a TypeError that is not raised
             sets = ctypes.cast(ctypes.pythonapi.PyErr_BadArgument, ctypes.c_void_p)
             self.assertEqual(ctypes.pythonapi.Py_AddPendingCall(sets, None), 0)
 
@@ -267,7 +267,7 @@ class InterruptsTest(Case):
         self.assertEqual(printed, [TypeError])
 
     def test_who_asked_has_ended(self):
-        """Without it: it arrives at who asks next, once."""
+        """Without it: the next call raises it, once."""
         interrupts = sys.modules[type(Source()).__mro__[1].__module__.rpartition(".")[0] + ".interrupts"]
         lost = interrupts._Arrival.__new__(interrupts._Arrival)  # which Python does not call
         lost.raised, lost.asker, lost.failed = KeyboardInterrupt(), (lambda: sys._getframe())(), []
@@ -294,7 +294,7 @@ class InterruptsTest(Case):
         self.assertEqual(caught.exception.args, (7,))
 
     def test_nothing_is_printed(self):
-        """VTK's pipeline need not tell what the exception tells."""
+        """VTK's pipeline need not repeat the exception."""
         script = (
             "import signal\n"
             "from test_interrupts import Filter, InterruptsTest, behind\n"

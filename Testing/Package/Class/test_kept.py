@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is kept between executions: a filter that is used again gives what a new one gives, whatever has become of its
+"""Data kept between executions: a filter that is used again gives the results of a new one, after any change of its
 input, its outputs and their memory."""
 
 import functools
@@ -37,7 +37,7 @@ def numbers_of(data):
 
 
 def contents(data):
-    """All that an output has."""
+    """All data of an output."""
     found = [data.GetClassName(), data.GetNumberOfPoints()]
     if data.IsA("vtkPointSet"):
         found.append(numbers_of(data.GetPoints() and data.GetPoints().GetData()))
@@ -51,7 +51,7 @@ def contents(data):
 
 
 def silent(algorithm):
-    """What it says is not printed."""
+    """Its messages are not printed."""
     Said(algorithm)
     return algorithm
 
@@ -92,7 +92,7 @@ def with_arrays(given, lines):
     lines.GetPointData().AddArray(array("vtkDoubleArray", "depth", range(lines.GetNumberOfPoints())))
 
 
-# What may be changed: of the input, of the source.
+# Possible changes: of the input, of the source.
 CHANGES = {
     "a point": lambda given, lines: given.GetPoints().SetPoint(COUNT - 1, 5, 5, 5),
     "a height": lambda given, lines: given.GetPoints().SetPoint(0, *given.GetPoint(0)[:2], 1e3),
@@ -110,7 +110,7 @@ CHANGES = {
 
 
 class ChangesTest(Case):
-    """Each array that a triangulation is made of is looked at."""
+    """Each array of a triangulation is checked."""
 
     def assertLikeNew(self, make, given, lines, algorithm, what):
         self.assertTrue(updated(algorithm, given, lines) == updated(make(), given, lines), what)
@@ -133,7 +133,7 @@ class ChangesTest(Case):
                 self.assertEqual(algorithm.GetNumberOfTriangulations(), before + 1, what)
 
     def test_the_source_s_data_are_looked_at_again(self):
-        """On a triangulation that is kept."""
+        """On a kept triangulation."""
         given, lines, algorithm = cloud(scattered()), square(), interpolation()
         with_arrays(given, lines)
         updated(algorithm, given, lines)
@@ -150,7 +150,7 @@ class ChangesTest(Case):
         self.assertEqual(algorithm.GetNumberOfTriangulations(), 2)
 
     def test_what_was_given_first_is_changed(self):
-        """While its equal is there in its place."""
+        """While an equal array has its place."""
         for with_source in (False, True):
             first, lines, algorithm = cloud(scattered()), square() if with_source else None, interpolation()
             updated(algorithm, first, lines)
@@ -212,7 +212,7 @@ class MemoryTest(Case):
                     points.SetNumberOfPoints(len(base))
                     NUMBERS.vtk_to_numpy(points.GetData())[:] = base
                 else:
-                    numbers = points.GetData()  # has another name for it since VTK 9.7
+                    numbers = points.GetData()  # renamed in VTK 9.7
                     getattr(numbers, "ReserveTuples", numbers.Resize)(3 * 4**k * len(base))
                 junk = [core.vtkDoubleArray() for _ in range(4)]
                 for data in junk:
@@ -285,7 +285,7 @@ class EditsTest(Case):
 
 
 class ObserversTest(Case):
-    """Who watches the progress changes what the filter works with."""
+    """Observers of progress change the filter's data."""
 
     def watched(self, make, given, change, **settings):
         algorithm, seen = make(**settings), []
@@ -335,9 +335,9 @@ class ObserversTest(Case):
             self.assertTrue(found == expected)
 
     def test_outputs(self):
-        """They are empty until all is there, and nothing is lost that an observer takes out of them before."""
+        """They are empty until all is written, and data that observers take from them before are not lost."""
         for make, ports in ((triangulation, 3), (interpolation, 1)):
-            given = cloud(scattered() + [(float("nan"), 0, 0)])  # of which a warning tells
+            given = cloud(scattered() + [(float("nan"), 0, 0)])  # which a warning reports
             expected, algorithm, seen = updated(make(GenerateVoronoi=True), given), make(GenerateVoronoi=True), []
 
             def look(*_):
@@ -347,7 +347,7 @@ class ObserversTest(Case):
                     output.Initialize()
 
             algorithm.AddObserver("WarningEvent", look)
-            for _ in range(4):  # the last two pass on what was kept
+            for _ in range(4):  # the last two pass on kept outputs
                 self.assertTrue(updated(algorithm, given) == expected)
             self.assertGreater(len(seen), 0)
             self.assertEqual(set(seen), {(0, 0)})

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What comes out is the same however arrays lie in memory: component after component (VTK's SOA) or, as most do, tuple
+"""Results do not depend on the memory layout of arrays: component after component (VTK's SOA) or, as most do, tuple
 after tuple; for coordinates, arrays of points and of the source, of each kind of number and of one to three components.
 """
 
@@ -18,7 +18,7 @@ COUNT, OWN = 41, 7
 
 
 def of_components(kind):
-    """A new array of this kind of number that lies component after component; None where VTK does not wrap it."""
+    """A new array of this kind of number, component after component; None where VTK does not wrap it."""
     wanted = getattr(core, KINDS[kind])().GetDataType()  # on Windows int32 is long, another type than int
     for template in getattr(core, "vtkSOADataArrayTemplate", {}).values():
         if template().GetDataType() == wanted:
@@ -112,7 +112,7 @@ class LayoutsTest(Case):
                     self.assertEqual(made(kind, components, apart, option), expected, (kind, components, option, apart))
 
     def test_times_of_what_is_read_stay(self):
-        """An array whose time changed has all others who have it run again."""
+        """An array whose time changed makes all its other users run again."""
         for apart in ((False,) * 3, (True,) * 3):
             given, lines = self.given("float64", 1, apart)
             at = cloud(places(COUNT, 5))
@@ -125,7 +125,7 @@ class LayoutsTest(Case):
                 Said(algorithm)
                 algorithm.SetInputDataObject(0, blocks(given) if algorithm is in_blocks else given)
                 algorithm.SetInputDataObject(1 if isinstance(algorithm, Filter) else 2, lines)
-                for _ in range(3):  # the last passes on what was kept
+                for _ in range(3):  # the last passes on kept outputs
                     algorithm.Update()
                     self.assertEqual([thing.GetMTime() for thing in read], times)
                     algorithm.Modified()
@@ -133,7 +133,7 @@ class LayoutsTest(Case):
             self.assertIs(at_places.GetOutput().GetPoints().GetData(), at.GetPoints().GetData())
 
     def test_an_array_that_is_replaced_meanwhile(self):
-        """Outputs have the points that there were when the execution began, whatever an observer gives the input."""
+        """Outputs have the points of the execution's beginning, whatever an observer sets."""
         for is_surface in (True, False):
             given, at = cloud(places(COUNT, 6)), cloud(places(COUNT, 7))
             read = given if is_surface else at
@@ -144,7 +144,7 @@ class LayoutsTest(Case):
                 algorithm.SetInputDataObject(1, at)
 
             def replace(*_):
-                if 0 < algorithm.GetProgress() < 1:  # at 0 it has not begun, at 1 the outputs are handed on
+                if 0 < algorithm.GetProgress() < 1:  # at 0 it has not begun, at 1 the outputs are passed on
                     read.GetPoints().SetData(cloud(places(3, 8)).GetPoints().GetData())
 
             algorithm.AddObserver("ProgressEvent", replace)

@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Interpolation on the triangulation that a surface was written from: as long as that is there, and nothing has
-changed; else on its own triangles, with the same values. What the values are: the cases behind_... of
-test_interpolation.py."""
+"""Interpolation on the triangulation that a surface was written from: as long as that exists, and nothing has changed;
+else on its own triangles, with the same values. For the values see the cases behind_... of test_interpolation.py."""
 
 import gc
 import threading
@@ -35,7 +34,7 @@ def shallow(data):
 class LentTest(Case):
     def setUp(self):
         self.given = cloud(scattered(COUNT))
-        # a Delaunay edge: that it is a constraint is known to the filter alone
+        # a Delaunay edge: only the filter knows that it is a constraint
         self.maker = maker_of(self.given, source([], lines=[(700, 3)]))
 
     def assertTriangulates(self, algorithm, count):
@@ -98,7 +97,7 @@ class LentTest(Case):
         self.assertTriangulates(interpolation(self.maker.GetOutput()), 0)
 
     def test_points_that_moved(self):
-        """Without a word to VTK, and in arrays of the surface's own."""
+        """Without Modified(), and in the surface's own arrays."""
         surface = self.maker.GetOutput()
         x, y, z = self.given.GetPoint(700)
         self.given.GetPoints().SetPoint(700, x, y, z + 1.0)
@@ -118,7 +117,7 @@ class LentTest(Case):
         self.assertTriangulates(algorithm, 1)
 
     def test_lent_to_one_at_a_time(self):
-        """An interpolation during another one makes its own, and both have values; then it is there again."""
+        """An interpolation during another one makes its own, and both have values; then it is available again."""
         surface, counts = self.maker.GetOutput(), []
         outer = interpolation(surface)
 
@@ -182,7 +181,7 @@ class LentTest(Case):
             self.assertEqual(flow.GetReferenceCount(), 1)
 
     def test_one_that_is_kept_by_an_interpolation_holds_no_data(self):
-        """None but what it was made of; of the points and of a surface."""
+        """None but its own data; of the points and of a surface."""
         for given in (self.given, copy_of(self.maker.GetOutput())):
             data = given.GetPointData(), given.GetCellData()
             own = [array("vtkDoubleArray", "Own", range(count)) for count in (COUNT, given.GetNumberOfCells())]
@@ -198,7 +197,7 @@ class LentTest(Case):
             self.assertEqual([held.GetReferenceCount() for held in own], [1, 1])
 
     def test_several_threads(self):
-        """Whoever finds it lent has its own, of a surface that says all."""
+        """An interpolation that finds it lent makes its own, by the surface's constraint edges."""
         self.maker.GenerateConstraintEdgesOn()
         self.maker.Update()
         filters = [interpolation(shallow(self.maker.GetOutput())) for _ in range(3)]

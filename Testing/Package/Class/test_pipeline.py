@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What filters before and behind ask and are asked: pieces, changes elsewhere, cells that are damaged."""
+"""Requests between upstream and downstream filters: pieces, changes elsewhere, damaged cells."""
 
 import unittest
 
@@ -48,7 +48,7 @@ def sliced_points(count=600):
 
 
 class PiecesTest(Case):
-    """In one process what is put out is made of all points, whatever piece of it is wanted."""
+    """In one process the output is made of all points, whatever the requested piece."""
 
     def test_each_piece_of_a_raster_is_of_all_points(self):
         points, lines = sliced_points(), sliced_points()
@@ -102,7 +102,7 @@ class PiecesTest(Case):
             self.assertTrue(triangles(algorithm.GetOutput()) == (whole if number == 0 else []), number)
             marks = algorithm.GetOutput().GetPointData().GetAbstractArray(0)  # there are in all pieces
             self.assertEqual(marks.GetNumberOfTuples(), 0 if number else 600)
-            self.assertEqual(algorithm.GetOutput(2).GetNumberOfCells(), 600)  # of that the first is wanted
+            self.assertEqual(algorithm.GetOutput(2).GetNumberOfCells(), 600)  # of that the first is requested
         self.assertEqual(points.runs, 1)
 
     def test_other_pieces_take_no_triangulation(self):
@@ -164,7 +164,7 @@ class FollowersTest(Case):
                                lambda: contents(algorithm.GetOutput()))
 
     def turned(self):
-        """A transform, and one that it is made of: that one's changes are told to nobody."""
+        """A transform, and one that it is made of: changes of the latter are not signalled."""
         inner, outer = transforms.vtkTransform(), transforms.vtkTransform()
         outer.SetInput(inner)
         return inner, outer
@@ -225,7 +225,7 @@ LIES = {
 
 
 class BadCellsTest(Case):
-    """Offsets of cells that lie are one error, which says where."""
+    """Invalid offsets of cells are one error, which says where."""
 
     SQUARE = [(0, 0, 1), (4, 0, 2), (4, 4, 3), (0, 4, 4)]
 
@@ -275,7 +275,7 @@ class BadCellsTest(Case):
         self.assertEqual((algorithm.GetNumberOfTriangles(), algorithm.GetNumberOfConstraintEdges()), (2, 1))
 
     def test_cells_that_begin_late_keep_their_ids_in_blocks(self):
-        """Ids before the first and behind the last cell are nobody's."""
+        """Ids before the first and after the last cell belong to no cell."""
         late, other = cloud(self.SQUARE), source(self.SQUARE, lines=[(0, 1)], verts=[(0,), (1,)])
         late.SetLines(self.cells((1, 3), "vtkTypeInt32Array"))
         algorithm = silent(Filter())

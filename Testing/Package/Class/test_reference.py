@@ -17,7 +17,7 @@ OF_PANEL = {"Input", "Surface", "Voronoi", "Values"}
 
 
 def members(kind, start):
-    """What follows `start` in the names of the methods that the class has and VTK's do not."""
+    """The rest after `start` of the names of methods that the class has beyond VTK's."""
     names = {name[len(start):] for name in dir(kind) if re.match(start + "[A-Z]", name) and not any(
         hasattr(base, name) for base in BASES)}  # fmt: skip
     return {name for name in names if not re.search("(M(ax|in)Value|Input|Output|(In|Out)putData)$", name)}

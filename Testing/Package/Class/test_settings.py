@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every method of the compiled class is there, with its defaults, its ranges and its exceptions, as Settings.json has
-them. AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
+"""Every method of the compiled class is there, with its defaults, its ranges and its exceptions, as in Settings.json.
+AHD_WRITE_HASHES=1 with the compiled class writes the file anew."""
 
 import json
 import math
@@ -15,7 +15,7 @@ OBJECTS = ("SetSourceData", "SetSourceConnection", "SetTransform", "SetControlle
 
 
 def own_names(kind):
-    """What a class has beyond VTK's vtkPolyDataAlgorithm, and beyond what VTK's algorithms in Python have."""
+    """Methods of a class beyond those of vtkPolyDataAlgorithm and of VTK's algorithms in Python."""
     base = dir(vtk("vtkCommonExecutionModel").vtkPolyDataAlgorithm) + [
         "GetInputData", "GetOutputData", "GetPythonObject", "SetPythonObject", "SetNumberOfInputPorts",
         "SetNumberOfOutputPorts"]
@@ -23,7 +23,7 @@ def own_names(kind):
 
 
 def outcome(algorithm, name, value):
-    """What the setting is after it was set to this and whether the filter has to run again, or the exception."""
+    """The value after setting this, and whether the filter must run again; or the exception."""
     before = algorithm.GetMTime()
     try:
         getattr(algorithm, "Set" + name)(value)

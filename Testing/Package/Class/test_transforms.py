@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes by transforms of every kind: what is made in the plane comes back into space, where the transform can be
-undone; triangles and cells are those of points that were transformed before.
+"""Planes by transforms of every kind: points made in the plane are moved back into space, where the transform has an
+inverse; triangles and cells are those of points transformed before.
 """
 
 from classtests import Case, Filter, Said, cloud, core, ids_of, run_tests, triangles, vtk
@@ -52,7 +52,7 @@ def general():
 
 
 def flattening():
-    """Cannot be undone."""
+    """Has no inverse."""
     made = transforms.vtkTransform()
     made.Scale(1, 1, 0)
     return made

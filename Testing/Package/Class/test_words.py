@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the class in Python says: which message a run that failed has, what it refuses, how a run that fails ends, and
-what each port has.
+"""Messages of the class in Python: of failed runs, of refusals; the end of a failed run, and the information of each
+port.
 """
 
 import unittest
@@ -17,7 +17,7 @@ IN_PYTHON = hasattr(Filter, "_backend")
 @unittest.skipUnless(IN_PYTHON, "the compiled class is tested in C++")
 class ErrorsTest(Case):
     def test_ranks(self):
-        """One says it, once."""
+        """One reports it, once."""
         for rank, warned in ((0, 1), (1, 0)):
             ranks = unittest.mock.Mock()
             ranks.GetNumberOfProcesses.return_value, ranks.GetLocalProcessId.return_value = 3, rank
@@ -112,8 +112,8 @@ class PortsTest(Case):
 
 
 class FailuresTest(Case):
-    """A run that fails says one thing, which the pipeline does not say again, and leaves empty outputs; the next one
-    is as if nothing had been."""
+    """A failed run has one message, which the pipeline does not repeat, and empty outputs; the next one is
+    unaffected."""
 
     POINTS = [(0.1 * k, (0.7 * k) % 1.0, 0.0) for k in range(40)]
 

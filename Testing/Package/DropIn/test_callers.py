@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""adaptivehilbertdelaunay.drop_in: what callers give its constructor and do with observers; with which VTK."""
+"""adaptivehilbertdelaunay.drop_in: arguments of its constructor, observers, versions of VTK."""
 
 import gc
 import os
@@ -22,7 +22,7 @@ from vtkmodules.vtkFiltersCore import vtkDelaunay2D, vtkTriangleFilter
 class VersionTest(unittest.TestCase):
     @staticmethod
     def ask_for_the_class(version):
-        """Where VTK says that it is this version, and there is no class in Python."""
+        """Where VTK reports this version, and there is no class in Python."""
         script = (
             "import vtkmodules.vtkCommonCore as core\n"
             "class Other:\n"
@@ -48,7 +48,7 @@ class VersionTest(unittest.TestCase):
 
 
 class ConstructorTest(unittest.TestCase):
-    """Refused is what VTK refuses, with the same exception."""
+    """Refuses what VTK refuses, with the same exception."""
 
     ARGUMENTS = (((1,), {}), (("no address",), {}), ((None,), {}), ((1, 2), {}), ((), {"Alpha": 2}), ((), {"no": 1}))
 
@@ -126,7 +126,7 @@ class ObserverTest(unittest.TestCase):
         self.assertEqual(seen, [0] * 4)
 
     def test_no_priority_above_0(self):
-        """VTK 9.7 calls an observer of such a priority without end, once Python holds the filter no longer."""
+        """VTK 9.7 calls an observer of such a priority endlessly once Python no longer holds the filter."""
         added = []
 
         class Spy(vtkDelaunay2D):
@@ -158,21 +158,21 @@ class NamesTest(unittest.TestCase):
         self.addCleanup(drop_in.install)  # whatever a test takes off
 
     def test_names_that_a_module_took_from_here_stay(self):
-        """Whatever is suspended, installed or taken off; those that it has of VTK are replaced as before."""
+        """Whatever is suspended, installed or removed; names imported from VTK are replaced as before."""
         user = self.user
         exec("from vtkmodules.vtkFiltersCore import vtkTriangleFilter as other\n"
              "from adaptivehilbertdelaunay import drop_in\n"
              "with drop_in.suspended():\n"
              "    from vtkmodules.vtkFiltersCore import vtkDelaunay2D as of_vtk\n"
              "drop_in.install()\n", vars(user))
-        self.assertIs(user.of_vtk, drop_in.original)  # taken where the original was asked for
+        self.assertIs(user.of_vtk, drop_in.original)  # used where the original was requested
         exec("from adaptivehilbertdelaunay.drop_in import original as theirs\n"
              "from adaptivehilbertdelaunay.drop_in import vtkDelaunay2D as ours\n", vars(user))
         for change in (drop_in.uninstall, drop_in.install, drop_in.install, drop_in.uninstall, drop_in.install):
             change()
             self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
             expected = drop_in.vtkDelaunay2D if drop_in.installed() else drop_in.original
-            self.assertIs(vtkDelaunay2D, expected)  # here, where both have been asked for
+            self.assertIs(vtkDelaunay2D, expected)  # here, where both have been requested
         with drop_in.suspended():
             self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))
         self.assertEqual((user.theirs, user.ours), (drop_in.original, drop_in.vtkDelaunay2D))

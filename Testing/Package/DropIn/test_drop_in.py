@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""adaptivehilbertdelaunay.drop_in: what it replaces; callers of vtkDelaunay2D find what they know."""
+"""adaptivehilbertdelaunay.drop_in: the replaced names; callers of vtkDelaunay2D find the methods of the original."""
 
 import gc
 import math
@@ -99,7 +99,7 @@ def run(maker, data, **settings):
 
 
 def names_of_it():
-    """What the names hold that VTK and this module have for vtkDelaunay2D."""
+    """The values of the names of vtkDelaunay2D in VTK and this module."""
     return vtkFiltersCore.vtkDelaunay2D, everything.vtkDelaunay2D, vtkDelaunay2D, under_another_name
 
 
@@ -170,7 +170,7 @@ class ReplacementTest(unittest.TestCase):
 class InterfaceTest(unittest.TestCase):
     """Every method of the original is there, with the same default."""
 
-    # Methods without an argument whose answer differs, and why.
+    # Methods without an argument whose result differs, and why.
     DIFFERENT = {
         "GetMTime": "another object",
         "GetObjectDescription": "names the class behind it, and its address",
@@ -196,7 +196,7 @@ class InterfaceTest(unittest.TestCase):
             try:
                 expected = getattr(theirs, name)()
             except TypeError:
-                continue  # it wants an argument
+                continue  # it needs an argument
             answer = getattr(ours, name)()
             if hasattr(expected, "GetClassName"):
                 answer, expected = answer.GetClassName(), expected.GetClassName()
@@ -401,7 +401,7 @@ class OutputTest(unittest.TestCase):
 
 
 class OriginalTest(unittest.TestCase):
-    """Points in general position and away from what vtkDelaunay2D gets wrong: the same cells, as sets."""
+    """Points in general position, without cases that vtkDelaunay2D gets wrong: the same cells, as sets."""
 
     def compare(self, data, kinds=("Polys",), **settings):
         ours = run(drop_in.vtkDelaunay2D, data, **settings).GetOutput()
@@ -433,7 +433,7 @@ class OriginalTest(unittest.TestCase):
         self.compare(wall, ProjectionPlaneMode=2)
 
     def test_flat_points_in_their_best_fitting_plane(self):
-        """As PyVista's delaunay_2d asks for it: nothing is trimmed."""
+        """As PyVista's delaunay_2d requests it: nothing is trimmed."""
         numbers = random.Random(10)
         flat = cloud([(numbers.random(), numbers.random(), 5.0) for _ in range(2000)])
         surface = run(drop_in.vtkDelaunay2D, flat, ProjectionPlaneMode=2).GetOutput()

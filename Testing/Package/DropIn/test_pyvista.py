@@ -80,7 +80,7 @@ class ParameterTest(unittest.TestCase):
         self.assertTrue(numpy.array_equal(surface["height"], mesh["height"]))
 
     def test_a_grid_on_a_hill(self):
-        """PyVista's own test of delaunay_2d, for more seeds: 722 triangles, and not one that is a wall."""
+        """PyVista's own test of delaunay_2d, for more seeds: 722 triangles, none of them a wall."""
         for seed in range(20):
             draw = numpy.random.default_rng(seed).uniform
             x, y = (numpy.linspace(-200, 200, num=20) + draw(-5, 5, size=20) for _ in range(2))
@@ -135,8 +135,8 @@ class ParameterTest(unittest.TestCase):
         self.assertIn("100%", said.getvalue())
 
     def test_bound(self):
-        """delaunay_2d always asks for the best-fitting plane, where there is no bounding triangulation (the
-        original says so, but puts out triangles of points that do not exist)."""
+        """delaunay_2d always requests the best-fitting plane, where there is no bounding triangulation (documented by
+        the original, which outputs triangles of points that do not exist)."""
         points = scattered(100)
         surface = pyvista.PolyData(points).delaunay_2d(bound=True)
         self.assertEqual(surface.n_points, len(points))
@@ -154,7 +154,7 @@ class ParameterTest(unittest.TestCase):
 
 
 class IssueTest(unittest.TestCase):
-    """What users of PyVista reported of constraints; shapes of our own where theirs are long."""
+    """Constraints reported by users of PyVista; shapes of our own where theirs are long."""
 
     def check(self, mesh, cells, area):
         surface = mesh.delaunay_2d(edge_source=mesh)

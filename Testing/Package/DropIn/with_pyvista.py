@@ -17,7 +17,7 @@ SECONDS = 240
 
 
 def install(folder):
-    """Makes the venv unless it is complete; what went wrong, or None."""
+    """Makes the venv unless it is complete; returns the error, or None."""
     done = folder / "requirements.txt"
     wanted = REQUIREMENTS.read_text(encoding="utf-8")
     if done.exists() and done.read_text(encoding="utf-8") == wanted:

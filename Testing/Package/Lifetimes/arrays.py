@@ -32,7 +32,7 @@ def sampled(method):
     return lambda made, at: made.interpolate(heights(made), at, method)
 
 
-#: What a triangulation is asked for: functions of it and of some places.
+#: Queries of a triangulation: functions of it and of some places.
 ASKS = {name: (lambda made, _, name=name: getattr(made, name)) for name in (
     "triangles", "neighbors", "edges", "boundary", "hull", "plane_points", "point_status", "vertex_of_point",
     "point_of_vertex", "merged", "constraint_edges", "is_constraint", "regions", "left_out", "order", "insertion_ranks",
@@ -59,7 +59,7 @@ def closure_of(thing):
 
 
 class Turned:
-    """A function for `plane`, which keeps what it is given; copies of it keep nothing."""
+    """A function for `plane`, which keeps its argument; copies of it keep nothing."""
 
     def __init__(self, turn, how, kept):
         self.turn, self.how, self.kept = turn, how, kept
@@ -97,7 +97,7 @@ class Item:
 
 
 class Arrays(World):
-    """Triangulations of arrays, and all that is done with them."""
+    """Triangulations of arrays, and all operations on them."""
 
     def __init__(self):
         super().__init__()
@@ -121,7 +121,7 @@ class Arrays(World):
         if kind == 0:
             points = np.round(points * 8) / 8  # a lattice, with duplicates
         if kind == 1:
-            points = np.repeat(points, 2, axis=0)[::2]  # rows that do not lie side by side
+            points = np.repeat(points, 2, axis=0)[::2]  # rows that are not contiguous
         made = {"points": points}
         if rng.random() < 0.3:
             made["segments"] = random.integers(0, count, (3, 2))
@@ -153,20 +153,20 @@ class Arrays(World):
 
     @step(1)
     def make_many(self, rng):
-        """As many points as a sum of bits that cancels would not see turned over."""
+        """So many points that changes of all could cancel in a sum of bits."""
         points = np.random.default_rng(rng.randrange(9)).random((16384, 2))
         self.items.append(Item(lambda given: delaunay(**given), {"points": points}))
 
     @step(3)
     def make_with_plane(self, rng):
-        """With a function that keeps what it is given."""
+        """With a function that keeps its argument."""
         plane = Turned(rng.random(), rng.randrange(3), self.kept)
         inputs = {"points": np.random.default_rng(rng.randrange(99)).random((rng.choice((7, 300)), 3))}
         self.items.append(Item(lambda given: delaunay(**given, plane=plane), inputs))
 
     @step(2)
     def make_and_fail(self, rng):
-        """A callback raises, or an argument is none; the error is kept, and with it what its frames refer to."""
+        """A callback raises, or an argument is invalid; the error is kept, with the objects of its frames."""
         points, how = np.random.default_rng(rng.randrange(99)).random((300, 3)), rng.randrange(4)
 
         def fails(*given):
@@ -226,7 +226,7 @@ class Arrays(World):
 
     @step(1)
     def cancel(self, rng):
-        """A progress function that asks for another triangulation and stops this one."""
+        """A progress function that makes another triangulation and stops this one."""
         item = self._item(rng)
 
         def progress(*_):
@@ -328,12 +328,12 @@ class Arrays(World):
 
     @step(4)
     def drop(self, rng):
-        """The last reference goes; what was held of it stays."""
+        """The last reference is dropped; results held of it stay."""
         if self.items:
             self._leave(rng, [self.items.pop(rng.randrange(len(self.items))).made])
 
     def _leave(self, rng, box):
-        """Lets go of what is in a box, the last reference to it, in one of the ways programs do: mostly in a cycle."""
+        """Drops the last reference to the content of a box, in one of the ways programs do: mostly in a cycle."""
         thing, how = box.pop(), rng.randrange(6)
         if how == 0:
             return
@@ -360,7 +360,7 @@ class Arrays(World):
 
     @step(3)
     def leave_cycle(self, rng):
-        """A triangulation that nobody but the garbage collector frees; its memory is not that of the next ones."""
+        """A triangulation that only the garbage collector frees; its memory is not that of the next ones."""
         self._leave(rng, [delaunay(np.random.default_rng(rng.randrange(9)).random((30, 2)), threads=1)])
         self.items.append(Item(lambda given: delaunay(**given), self._inputs(rng)))
 
@@ -380,7 +380,7 @@ class Arrays(World):
 
     @step(1)
     def fork_while_asked(self, rng):
-        """Another thread holds what the child asks."""
+        """Another thread holds the lock that the child needs."""
         asked, forked = threading.Event(), threading.Event()
 
         def plane(xyz):

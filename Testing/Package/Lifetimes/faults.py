@@ -41,11 +41,11 @@ def mutated(fault, root):
 
 
 class Workshop:
-    """A copy of the sources, its package, and a build of what is watched."""
+    """A copy of the sources, its package, and a build under sanitizers."""
 
     def __init__(self, folder, vtk):
         self.tree = folder / "tree"
-        self.build = self.tree / "build" / "fuzz" / "build"  # as fuzz.sh has it, so that a compiler cache knows it
+        self.build = self.tree / "build" / "fuzz" / "build"  # as in fuzz.sh, so that a compiler cache has it
         if not self.tree.exists():
             for part in ("Filters", "Testing"):
                 shutil.copytree(ROOT / part, self.tree / part)
@@ -79,7 +79,7 @@ class Workshop:
         return ended.returncode, ended.stdout
 
     def is_found(self, fault):
-        """Puts it back, runs, and takes it away again."""
+        """Plants it, runs, and removes it again."""
         texts = mutated(fault, self.tree)
         before = {path: path.read_text() for path in texts}
         is_compiled = any(path.suffix != ".py" for path in texts)

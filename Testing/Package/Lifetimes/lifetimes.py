@@ -96,13 +96,13 @@ def parse(given=None):
 
 
 def list_sequences(options):
-    """The texts of the sequences that are asked for."""
+    """The texts of the requested sequences."""
     world, numbers = world_of(options.world), range(options.first, options.first + options.sequences)
     return [world.sequence(number, options.length, options.without) for number in numbers]
 
 
 def run_child(options):
-    """Runs the sequences of a file, and says on stdout which one it is at."""
+    """Runs the sequences of a file, and prints the current one to stdout."""
     world = world_of(options.world)
     for number, sequence in enumerate(pathlib.Path(options.child).read_text().splitlines()):
         print(number, flush=True)
@@ -117,11 +117,11 @@ def run_child(options):
     print("done", flush=True)
 
 
-# --- The process that watches it ----------------------------------------------------------------------------
+# --- The process that monitors it ----------------------------------------------------------------------------
 
 
 class Runner:
-    """Starts children, with memory that is watched."""
+    """Starts children, with checked memory."""
 
     def __init__(self, options):
         self.options, self.environment = options, dict(os.environ, PYTHONFAULTHANDLER="1", PYTHONUNBUFFERED="1")
@@ -146,7 +146,7 @@ class Runner:
         given["UBSAN_OPTIONS"] = "print_stacktrace=1"
 
     def run(self, sequences):
-        """None if all passed; else the number of the sequence that failed and what was said."""
+        """None if all passed; else the number of the failed sequence and its output."""
         options = self.options
         with tempfile.TemporaryDirectory() as folder:
             if options.world == "program":
@@ -207,13 +207,13 @@ class Runner:
 
 
 def shortened(said):
-    """Without what follows the first frames of a sanitizer's stacks."""
+    """With only the first frames of a sanitizer's stacks."""
     lines = [line[:2000] for line in said.splitlines() if not re.match(r" +#(1[2-9]|[2-9]\d)", line)]
     return re.sub(r"Shadow bytes around.*?(?===|$)", "", "\n".join(lines), flags=re.DOTALL)[-6000:]
 
 
 def kind_of(said):
-    """What went wrong, in a word: the sanitizer's summary, or the exception and what it begins with."""
+    """The failure in short: the sanitizer's summary, or the exception and the beginning of its text."""
     lines = [line.strip() for line in said.splitlines() if line.strip()]
     summaries = [line.split(":")[0] for line in lines if "not what a new" in line]
     summaries += [line for line in lines if line.startswith("SUMMARY:")]
@@ -221,7 +221,7 @@ def kind_of(said):
 
 
 def report(runner, sequences, failed):
-    """Prints the shortest sequence found that fails in the same way, and how to see it."""
+    """Prints the shortest sequence found that fails in the same way, and the command to repeat it."""
     number, said = failed
     sequence, kind = sequences[number], kind_of(said)
 

@@ -83,7 +83,7 @@ def make_source(rng):
 
 
 def lying_cells(rng):
-    """Cells whose offsets are not what VTK says they are."""
+    """Cells with invalid offsets."""
     offsets, corners = vtkIdTypeArray(), vtkIdTypeArray()
     for k in rng.choice(((0, 2, 200000000), (0, 5, 2, 3), (0, -7, 3), (1, 2, 3), (0, 2, 3, 900))):
         offsets.InsertNextValue(k)
@@ -101,7 +101,7 @@ def copy_of(data):
 
 
 class Source(VTKPythonAlgorithmBase):
-    """Points that depend on the time; a piece of them where pieces are asked for."""
+    """Points that depend on the time; a piece of them where pieces are requested."""
 
     def __init__(self):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
@@ -151,7 +151,7 @@ def arrays_of(data):
 
 
 def dump(data):
-    """All of a data set that can be compared."""
+    """All comparable data of a data set."""
     if data is None:
         return None
     made = [data.GetClassName(), arrays_of(data.GetPointData()), arrays_of(data.GetCellData()),
@@ -168,8 +168,8 @@ def dump(data):
 
 
 def expect_close(name, found, wanted):
-    """The same numbers, but for the rounding of weights: on a surface they come from the triangulation behind it or,
-    where that is not to be had, from its own triangles, whose corners begin elsewhere."""
+    """The same numbers, but for the rounding of weights: on a surface they come from its triangulation or, if that is
+    not available, from its own triangles, whose corners begin elsewhere."""
     one, other = found.GetPointData(), wanted.GetPointData()
     expect_same(name + " [arrays]", one.GetNumberOfArrays(), other.GetNumberOfArrays())
     for k in range(other.GetNumberOfArrays()):
@@ -192,7 +192,7 @@ def part_of(image, extent):
 
 
 def doubles(numbers):
-    """A vtkDoubleArray over memory of the program's, which goes with the array."""
+    """A vtkDoubleArray over the program's memory, freed with the array."""
     made = vtkDoubleArray()
     made.SetNumberOfComponents(3)
     lend(made, numbers)
@@ -200,7 +200,7 @@ def doubles(numbers):
 
 
 def lend(array, numbers):
-    """Lends other memory to an array; returns what was lent before."""
+    """Lends other memory to an array; returns the memory lent before."""
     before = getattr(array, "lent", None)
     array.SetVoidArray(numbers, numbers.size, 1)
     array.lent = numbers

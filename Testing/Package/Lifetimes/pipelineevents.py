@@ -36,8 +36,8 @@ class WhileItWorks:
 
     @step(2)
     def change_in_observer(self, rng):
-        """What the filter works on is replaced or goes away; the next execution is right. Memory that is read, such as
-        that of an array, is not to be changed meanwhile."""
+        """The filter's data are replaced or deleted; the next execution is correct. Memory that is read, such as that
+        of an array, must not be changed meanwhile."""
         how = rng.randrange(5)
 
         def act():
@@ -67,8 +67,8 @@ class WhileItWorks:
 
     @step(1)
     def interrupt(self, rng):
-        """Ctrl-C while a filter works. Not while Python code works that VTK calls: VTK ends the process then, or loses
-        the exception, which is not ours to mend."""
+        """Ctrl-C while a filter works. Not while VTK calls Python code: VTK ends the process then, or loses the
+        exception."""
         if self.route == "stream":
             return
         filter, asked, tags = rng.choice((self.surface, self.raster)), threading.Event(), []

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The world of a program with VTK's pipelines: see worlds.py. One filter that triangulates and one that interpolates
-live through the whole sequence; whatever was done, they give what new ones give."""
+live through the whole sequence; after any operations, they give the results of new ones."""
 
 import contextlib
 import gc
@@ -32,12 +32,12 @@ RASTER = {"Method": (0, 1, 3), "Outside": (0, 1), "GenerateGradients": (False, T
 
 
 class Pipelines(WhileItWorks, World):
-    """Two filters, what they are connected to, and all that is done with them."""
+    """Two filters, their connections, and all operations on them."""
 
     def __init__(self):
         super().__init__()
         self.surface, self.raster = Delaunay(), Interpolation()
-        # without the edges a surface that is copied or passed on again says less than the triangulation behind
+        # without the edges a copied or passed-on surface has less information than its triangulation
         self.settings, self.wishes = {"NumberOfThreads": 1, "GenerateConstraintEdges": True}, {"Dimensions": (9, 7)}
         self.held, self.consumers, self.outputs = [], [], []
         self.source = self.data = self.stream = self.transform = None
@@ -78,10 +78,10 @@ class Pipelines(WhileItWorks, World):
         for name, value in self.wishes.items():
             getattr(raster, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
         if self.route == "surface" and self.source is not None:
-            raster.SetMethod(0)  # the others ask of constraints, of which a surface's own triangles say less
+            raster.SetMethod(0)  # the others depend on constraints, of which a surface's own triangles tell less
 
     def _now(self):
-        """A copy of the input as it is now."""
+        """A copy of the current input."""
         return Source.whole(self.time) if self.route == "stream" else copy_of(self.data)
 
     def _new(self):
@@ -165,7 +165,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(3)
     def update_pieces(self, rng):
-        """A raster in pieces, as writers of pieces ask for it."""
+        """A raster in pieces, as writers of pieces request it."""
         count = rng.choice((2, 3))
         for piece in range(count):
             self.raster.UpdatePiece(piece, count, 0)
@@ -182,7 +182,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(3)
     def interpolate_on_output(self, rng):
-        """A new filter on the surface as it is, which may find what the surface was written from."""
+        """A new filter on the current surface, which may find the triangulation of the surface."""
         if not self.isCurrent or self.route == "stream":
             return
         found, new = [], self._new()[0]
@@ -264,7 +264,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(2)
     def new_filter(self, rng):
-        """One of the filters goes, perhaps in a cycle, and a new one takes its place."""
+        """One of the filters is deleted, perhaps in a cycle, and a new one takes its place."""
         which = rng.choice(("surface", "raster"))
         old = getattr(self, which)
         if rng.random() < 0.5:
@@ -301,7 +301,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(7)
     def move_points(self, rng):
-        """The same numbers at another address. What was there before belongs to others then, or to nobody."""
+        """The same numbers at another address. The former memory is reused or freed."""
         before = rng.choice((self.update_surface, self.update_raster, None))
         if before is not None:
             before(rng)
@@ -330,7 +330,7 @@ class Pipelines(WhileItWorks, World):
             self.update_raster(rng)
 
     def _refill(self, array, numbers):
-        """An array is told of other memory; the old one, if it is the program's, is used for other numbers."""
+        """An array gets other memory; the old one, if it is the program's, is used for other numbers."""
         old = lend(array, numbers)
         if old is not None:
             old[:] = 7 * np.random.default_rng(1).random(old.shape)
@@ -396,7 +396,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(1)
     def lie_in_source(self, rng):
-        """Offsets of cells that lead nowhere: an error, or those cells are left out, as in a new filter."""
+        """Invalid offsets of cells: an error, or those cells are left out, as in a new filter."""
         before, self.source = self.source, make_source(rng)
         self.source.SetLines(lying_cells(rng))
         self._apply()
@@ -409,7 +409,7 @@ class Pipelines(WhileItWorks, World):
 
     @step(4)
     def edit_output(self, rng):
-        """What a filter put out belongs to who has it."""
+        """Outputs of a filter belong to their holder."""
         data = self.surface.GetOutput()
         arrays = [data.GetCellData().GetArray(k) for k in range(data.GetCellData().GetNumberOfArrays())]
         arrays = [array for array in arrays if array is not None and array.GetNumberOfTuples()]

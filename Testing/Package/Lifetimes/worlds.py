@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What sequences of steps are made of, and the comparison of results.
+"""Steps, sequences, and the comparison of results.
 
-A world is what a program has at one time: inputs, filters, results. A step is a method of the world that is decorated
+A world is the state of a program: inputs, filters, results. A step is a method of the world that is decorated
 by `step`; it gets a random number generator of its own, so that a sequence stays the same where steps before it are
 left out. A sequence is written as a text, `fill:81,update:3`: names of steps and what their generators start from.
 """
@@ -24,7 +24,7 @@ TASKS = len(os.listdir("/proc/self/task")) if os.path.exists("/proc/self/task") 
 
 
 class Mismatch(AssertionError):
-    """A result is not what it is to be."""
+    """A result is wrong."""
 
 
 def step(weight=1):
@@ -38,7 +38,7 @@ def step(weight=1):
 
 
 def bytes_of(thing):
-    """All that can be compared of a result: arrays and numbers, nested as they are."""
+    """All comparable data of a result: nested arrays and numbers."""
     if isinstance(thing, np.ndarray):
         return thing.dtype.str, thing.shape, thing.tobytes()
     if isinstance(thing, Mapping):
@@ -52,7 +52,7 @@ def bytes_of(thing):
 
 
 def outcome(ask):
-    """What a call gave, as bytes_of() has it, or what it raised."""
+    """The result of a call, by bytes_of(), or its exception."""
     try:
         return bytes_of(ask())
     except (ValueError, TypeError, RuntimeError, MemoryError) as error:
@@ -74,7 +74,7 @@ def difference(found, wanted):
 
 
 class Kept:
-    """Arrays that a program holds: nobody but itself changes them."""
+    """Arrays that a program holds: only the program changes them."""
 
     def __init__(self):
         self.arrays = []
@@ -90,9 +90,9 @@ class Kept:
 
 
 class Rubbish:
-    """Memory that takes the place of what was freed just before, and objects that are collected late."""
+    """Memory that reuses blocks just freed, and objects that are collected late."""
 
-    #: What ends up in a cycle that nobody collects before the interpreter ends.
+    #: Objects in a cycle that is not collected before the interpreter ends.
     last = []
 
     @staticmethod
@@ -114,8 +114,8 @@ class Rubbish:
 
 
 def fork(work, seconds, threads=0):
-    """Does some work in a child of fork, which is ended if it hangs. Mismatch if it fails. `threads`: so many are at
-    work in the program and wait."""
+    """Does some work in a child of fork, which is ended if it hangs. Mismatch if it fails. `threads`: so many of the
+    program's threads wait meanwhile."""
     # A thread that was joined may still be in the sanitizer's allocator, which a child would find locked.
     tasks, tries = pathlib.Path("/proc/self/task"), 1000
     while tasks.exists() and len(list(tasks.iterdir())) > TASKS + threads and tries:
@@ -140,7 +140,7 @@ def fork(work, seconds, threads=0):
 
 
 class World:
-    """The superclass of worlds: has steps, and what the steps left to be checked."""
+    """The superclass of worlds: has steps, and the results of steps to check."""
 
     def __init__(self):
         self.kept = Kept()
@@ -161,7 +161,7 @@ class World:
         return ",".join("%s:%d" % (name, rng.randrange(10000)) for name in names)
 
     def run(self, sequence):
-        """Goes through a sequence. Mismatch, or whatever a step raises that no program should see."""
+        """Runs a sequence. Raises Mismatch, or any unexpected exception of a step."""
         for token in filter(None, sequence.split(",")):
             name, _, seed = token.partition(":")
             getattr(self, name)(random.Random("%s %s" % (name, seed)))
@@ -169,4 +169,4 @@ class World:
         self.end()
 
     def end(self):
-        """What holds at the end of a sequence."""
+        """Checks at the end of a sequence."""

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Counts what malloc and its like give a process, to be put before them by LD_PRELOAD: bytes that
-// can be used, held now and at most. For glibc.
+// Counts the memory that malloc and its relatives give a process, by LD_PRELOAD: usable bytes, held
+// now and at most. For glibc.
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
@@ -56,7 +56,7 @@ extern "C"
     return took(__libc_calloc(count, size));
   }
 
-  /// The old block and the new one are there at a time where it moves, but for large ones, whose
+  /// The old block and the new one exist at the same time where it moves, except large ones, whose
   /// pages move.
   void* realloc(void* block, std::size_t size) noexcept
   {

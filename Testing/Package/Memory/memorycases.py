@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What features take of memory at each door, and what was estimated. Requires: CountedMemory before malloc."""
+"""Memory that features take at each door, and its estimates. Requires: CountedMemory before malloc."""
 
 import collections
 import ctypes
@@ -22,7 +22,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkMultiBl
 
 COUNTED = ctypes.CDLL(None)
 COUNTED.counted_held.restype = COUNTED.counted_most.restype = ctypes.c_long
-COUNT = 60000  # points: so many that the megabyte of each estimate is a small part
+COUNT = 60000  # so many points that the megabyte of each estimate is a small part
 NAMES = "vtkAdaptiveHilbertDelaunay2D", "vtkAdaptiveHilbertInterpolation2D"
 
 python_class = importlib.import_module("adaptivehilbertdelaunay._vtk").python_class
@@ -35,7 +35,7 @@ Taken = collections.namedtuple("Taken", "estimate most said")
 
 
 def taken_by(work):
-    """The most bytes held while it works, beyond those before; and what it returns."""
+    """The most bytes held while it runs, beyond those before; and its result."""
     gc.collect()
     gc.disable()
     try:
@@ -233,7 +233,7 @@ def listen(algorithm):
 
 
 def make_filter(of, door, limit=0):
-    """The filter of a feature, and what it says."""
+    """The filter of a feature, and its messages."""
     algorithm = CLASSES[door][NAMES[0]]()
     said = listen(algorithm)
     for name, value in of.settings.items():
@@ -352,7 +352,7 @@ def of_sampler(of, door, limit=0):
 
 
 def warm():
-    """What is made once and kept: modules, tables of names."""
+    """Makes everything that is made once and kept: modules, tables of names."""
     small = Feature("", {}, {}, ["triangles"], lambda: uniform()[:100], 0, None, 0)
     for door in CLASSES:
         of_class(small, door)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Estimates of memory, from both sides: what is taken is no more, and not much less, for every feature and at every
+"""Estimates of memory, from both sides: the memory taken is no more, and not much less, for every feature and at every
 door. Both classes estimate the same, and refuse the same."""
 
 import unittest
@@ -45,7 +45,7 @@ class MemoryTest(unittest.TestCase):
         self.compare(SAMPLINGS, of_sampler)
 
     def test_of_points_that_are_added(self):
-        """Both classes count them, and point data that a triangulation which is kept got only later."""
+        """Both classes count them, and point data that a kept triangulation got later."""
         of = sampling("", triangulation=dict(BoundingTriangulation=True, KeepTriangulation=True), points=few_points)
         found = {}
         for door in CLASSES:
@@ -70,7 +70,7 @@ class MemoryTest(unittest.TestCase):
                     self.assertLessEqual(taken.estimate, max(2, of.most) * taken.most, what)
 
     def test_limits(self):
-        """What is estimated is enough, and one KiB less is not."""
+        """The estimate is enough, and one KiB less is not."""
         for of, measure in [(of, of_class) for of in FEATURES[::6]] + [(of, of_sampler) for of in SAMPLINGS[::4]]:
             needed = measure(of, "compiled").estimate // 1024
             for door in CLASSES:

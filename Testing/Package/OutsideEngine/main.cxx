@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Triangulates a square, a point on its side, one in its middle and a duplicate, and asks the
+// Triangulates a square, a point on its side, one in its middle and a duplicate, and checks the
 // result.
 #include "Triangulate.h"
 

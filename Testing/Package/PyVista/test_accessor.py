@@ -55,7 +55,7 @@ def area(mesh):
 class DelaunayTest(unittest.TestCase):
     @contextlib.contextmanager
     def warns(self, pattern):
-        """One warning, and what the test calls is blamed. (unittest's assertWarns loads all of PyVista.)"""
+        """One warning, attributed to the test's line. (unittest's assertWarns loads all of PyVista.)"""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             yield
@@ -241,7 +241,7 @@ class DelaunayTest(unittest.TestCase):
         self.assertEqual(str(caught.exception), text)
 
     def test_other_names(self):
-        """Those of `delaunay` and shorter ones are taken for the same, and never both."""
+        """Those of `delaunay` and shorter ones are accepted as synonyms, and never both."""
         mesh = mesh_of(numpy.r_[scattered(60), scattered(9) + (0, 0, 5)])
         for other, name, value, own in (
                 ("max_edge_length", "maximum_edge_length", 60.0, 60.0), ("tolerance", "tol", 0.05, 0.05),
@@ -273,7 +273,7 @@ class DelaunayTest(unittest.TestCase):
             mesh.adaptive.sample(mesh, heights="own", source_heights="own")
 
     def test_nothing_is_left_at_a_transform(self):
-        """Whose every change would have to tell all filters that there were."""
+        """Each change of which would have to reach all filters ever made."""
         core = type(mesh_of(box(0, 0, 1))).__mro__[-3].__module__.split(".")[0]
         turned = __import__(core + ".vtkCommonTransforms", fromlist=["vtkTransform"]).vtkTransform()
         for _ in range(3):

@@ -39,7 +39,7 @@ def slope(count=400, side=100.0):
 class Case(unittest.TestCase):
     @contextlib.contextmanager
     def warns(self, pattern):
-        """One warning, and what the test calls is blamed."""
+        """One warning, attributed to the test's line."""
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             yield

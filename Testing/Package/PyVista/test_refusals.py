@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""mesh.adaptive: what each refusal says, word for word, and that none is left out."""
+"""mesh.adaptive: the text of each refusal, word for word; none is left out."""
 
 import inspect
 import sys

@@ -35,7 +35,7 @@ modules = os.path.join(farm, "lib", "python3", "dist-packages", "vtkmodules")
 open_up(os.path.dirname(mine))
 open_up(modules)
 os.unlink(mine)
-shutil.copytree(vtk, mine)  # not links: what is mended must not be the package itself
+shutil.copytree(vtk, mine)  # not links: the package itself must not be mended
 for name in os.listdir(modules):
     if name.endswith(".so") and ".cpython-" not in name:
         os.rename(os.path.join(modules, name), os.path.join(modules, name[:-3] + ".cpython-any.so"))

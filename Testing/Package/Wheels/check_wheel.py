@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run in a venv with nothing but the wheel: is all there, and are the triangles those of Data/Hashes?
+"""Run in a venv with nothing but the wheel: is it complete, and are the triangles those of Data/Hashes?
 
     python check_wheel.py DATA
 """

@@ -12,7 +12,7 @@ import struct
 import subprocess
 import sys
 
-# The linker of zig gives these to every library for macOS; nobody can bind to them by mistake.
+# The linker of zig adds these to every library for macOS; nothing can bind to them by mistake.
 OF_THE_LINKER = {"___dso_handle", "__mh_dylib_header"}
 
 
@@ -29,7 +29,7 @@ def kind(path):
 
 
 def exports(path):
-    """As C has the names."""
+    """The names as in C."""
     if kind(path) == "ELF":
         return {line.split()[-1].split("@")[0] for line in said("nm", "-D", "--defined-only", path).splitlines()}
     if kind(path) == "PE":
@@ -69,7 +69,7 @@ def least_macos(path):
 
 
 def check_signature(path):
-    """Signed ad hoc, without which arm64 runs nothing, and not changed since: each page has the hash that it says."""
+    """Signed ad hoc, without which arm64 runs nothing, and not changed since: each page has the signed hash."""
     commands = said("llvm-objdump", "--macho", "--private-headers", path)
     begin = int(re.search(r"LC_CODE_SIGNATURE\n.*\n +dataoff (\d+)", commands)[1])
     with open(path, "rb") as file:

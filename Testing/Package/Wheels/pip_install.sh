@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# `pip install .` in a clean venv, then `pip install -e .`, and whether what they installed
-# is right:
+# `pip install .` in a clean venv, then `pip install -e .`, and checks what they installed:
 #   pip_install.sh PYTHON FOLDER [NAME=VALUE]...
 # FOLDER is made anew. The others are entries of CMake's cache: the compiler and its launchers. Needs PyPI.
 set -euo pipefail
@@ -15,7 +14,7 @@ rm -rf "$folder"
 mkdir -p "$folder"
 "$python" -m venv "$folder/venv"
 
-# install <pip's arguments>...: all is there, the triangles are right.
+# install <pip's arguments>...: the package is complete, the triangles are right.
 install() {
   "$folder/venv/bin/pip" install --no-input --disable-pip-version-check "$@" \
     "--config-settings=build-dir=$folder/build" ${defines[@]+"${defines[@]}"}

@@ -41,13 +41,13 @@ TARGETS = {
     "macosx_10_13_x86_64": Target("x86_64-macos.10.13", "Darwin", "x86_64", "macosx-10.13-x86_64"),
 }
 
-# As Filters/Python/_interface.py looks for it.
+# As Filters/Python/_interface.py searches for it.
 FILES = {
     "Linux": "libadaptivehilbertdelaunay.so",
     "Windows": "adaptivehilbertdelaunay.dll",
     "Darwin": "libadaptivehilbertdelaunay.dylib",
 }
-# What a library may need: what every system of the kind has. (Of Linux auditwheel knows.)
+# Libraries that every system of the kind has. (For Linux auditwheel checks.)
 OF_THE_SYSTEM = {
     "Windows": r"KERNEL32\.dll|api-ms-win-crt-[a-z]+-l1-1-0\.dll",  # the latter from Windows 10 on
     "Darwin": r"/usr/lib/libSystem\.B\.dylib",
@@ -55,8 +55,8 @@ OF_THE_SYSTEM = {
 
 
 def wrap(folder, name, *arguments):
-    """A program for CMake, which wants one word, that runs zig with these. Written only where it differs: a compiler
-    launcher goes by its date."""
+    """A program for CMake, which needs one word, that runs zig with these. Written only where it differs: a compiler
+    launcher uses its date."""
     path = folder / "bin" / name
     text = "#!/bin/sh\nexport ZIG_GLOBAL_CACHE_DIR=%s\nexec %s -m ziglang %s \"$@\"\n" % (
         shlex.quote(str(folder / "zig")), shlex.quote(sys.executable), " ".join(arguments))  # fmt: skip
@@ -112,7 +112,7 @@ def check_library(name, wheel):
 
 
 def check_name(name, wheel):
-    """The tag is this target's, and pip takes the wheel there."""
+    """The tag is this target's, and pip accepts the wheel there."""
     *_, python, abi, platforms = wheel.name[: -len(".whl")].split("-")
     assert (python, abi) == ("py3", "none") and name in platforms.split("."), wheel.name  # auditwheel names several
     with tempfile.TemporaryDirectory() as folder:
@@ -129,7 +129,7 @@ def build(name, folder, launcher=""):
     for old in glob.glob("%s/*%s*.whl" % (dist, name)):
         os.remove(old)
     raw = make(name, folder, launcher)
-    if TARGETS[name].system == "Linux":  # the oldest tag that fits: of another processor none can be asked for
+    if TARGETS[name].system == "Linux":  # the oldest tag that fits: for another processor none can be requested
         subprocess.run([os.path.join(os.path.dirname(sys.executable), "auditwheel"), "repair", "--plat", "auto",
                         "-w", str(dist), str(raw)], check=True)  # fmt: skip
     else:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What of recipe.yaml can be tried without conda's channels: it is rendered for each platform, and the packages are
 built with this system's compiler, CMake, Ninja and Python in place of conda's. Contents are tested; that Python imports
-its package is not, as the test wants conda's Python.
+its package is not, as the test needs conda's Python.
 
     python3 try_recipe.py FOLDER      needs PyPI, for py-rattler-build; packages for Linux come into FOLDER/packages
 """
@@ -26,7 +26,7 @@ def render(build, path, platform):
 
 
 def without_channels(folder):
-    """The recipe, which asks for nothing that a channel has. Its Python is this one, and installs below the prefix."""
+    """The recipe, which needs nothing from a channel. Its Python is this one, and installs below the prefix."""
     import yaml
 
     recipe = yaml.safe_load(RECIPE.read_text(encoding="utf-8"))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Half a sphere that stands upright: turned by a transform for the triangulation, put out as it was."""
+"""Half a sphere that stands upright: turned by a transform for the triangulation, output unchanged."""
 
 import math
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A tilted wall in its best-fitting plane: found by the filter, or asked for and given as a transform."""
+"""A tilted wall in its best-fitting plane: found by the filter, or requested and given as a transform."""
 
 import vtkmodules.vtkFiltersCore
 from vtkmodules.vtkCommonCore import vtkPoints
