@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The engine and the tests' tools as static libraries without VTK, for the tests and benchmarks:
-#   AdaptiveHilbertDelaunay::Engine   the engine, where that has not been made already
+#   AdaptiveHilbertDelaunay::Engine   the engine, unless it exists already
 #   ahd_point_makers    Testing/Support/Points/Distributions.cxx and Filters/Distributions, no engine
 #   ahd_test_support    Testing/Support: point makers, oracle, certifier, one-call runs
 # and, in every folder that includes this, the variables ahd_root_dir, ahd_engine_options,
-# ahd_rounding_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and what
-# ahd_point_makers is made of, to make it otherwise: ahd_point_maker_sources, ahd_point_maker_includes.
-# ahd_engine_dir, if it is set: where the engine's headers are.
+# ahd_rounding_options, ahd_warnings, AHD_GMP_LIBRARY and AHD_GMPXX_LIBRARY, and the sources of ahd_point_makers, to
+# build it in other ways: ahd_point_maker_sources, ahd_point_maker_includes. ahd_engine_dir, if it is set: where the
+# engine's headers are.
 find_package(Threads REQUIRED)
 find_library(AHD_GMP_LIBRARY gmp REQUIRED)
 find_library(AHD_GMPXX_LIBRARY gmpxx REQUIRED)
@@ -53,7 +53,7 @@ file(GLOB ahd_support_sources CONFIGURE_DEPENDS "${ahd_testing_dir}/Support/*/*.
 list(FILTER ahd_support_sources EXCLUDE REGEX "/Distributions\\.cxx$")
 add_library(ahd_test_support STATIC EXCLUDE_FROM_ALL ${ahd_support_sources})
 target_compile_options(ahd_test_support PRIVATE ${ahd_engine_options} ${ahd_warnings})
-if (AHD_SANITIZE MATCHES "address") # the judges are not what is judged: faster without
+if (AHD_SANITIZE MATCHES "address") # the certifiers are not under test: faster without
   target_compile_options(ahd_test_support PRIVATE -fno-sanitize=all)
 endif ()
 target_include_directories(ahd_test_support PUBLIC ${ahd_support_includes})

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Half of the time of a test run was the compiler's, and most of that went into test programs.
+# Most of the compile time of a test run is that of test programs.
 #
 # ahd_quick_to_compile(<target> <level> [<header>...])
-# Compiles a program of tests with the optimisation -O<level>, whatever the build type: it is what
-# is tested that is to be compiled as users have it. The headers, all of them other projects', are
-# compiled beforehand, once for all targets of one folder: these name the same headers and level, and
-# have the same definitions and options. A compiler cache could not keep what uses such headers:
-# with one they are left out.
+# Compiles a program of tests with the optimisation -O<level>, whatever the build type: only the code under test must be
+# compiled as for users. The headers, all of them other projects', are compiled beforehand, once for all targets of one
+# folder: these name the same headers and level, and have the same definitions and options. A compiler cache cannot keep
+# objects that use such headers: with one they are left out.
 function (ahd_quick_to_compile target level)
   if (NOT CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     return ()
@@ -27,7 +26,7 @@ endfunction ()
 
 # ahd_precompile_engine(<target>)
 # Compiles the standard library's headers that most files of the engine include beforehand: for builds of the engine
-# that are only tested. Those that are installed are compiled without, so that a missing #include is noticed.
+# that are only tested. Installed builds are compiled without, so that a missing #include is noticed.
 function (ahd_precompile_engine target)
   if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang" AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
     target_precompile_headers(${target} PRIVATE <algorithm> <array> <atomic> <cmath> <cstddef> <cstdint> <functional>

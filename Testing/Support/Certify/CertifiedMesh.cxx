@@ -19,7 +19,7 @@ bool CertifiedMesh::check()
   checkTriangles();
   if (!faults_.empty())
   {
-    return false; // what follows relies on ids that are vertices
+    return false; // the code below relies on ids that are vertices
   }
   if (triples_.empty())
   {
@@ -307,7 +307,7 @@ void CertifiedMesh::checkDelaunay(const std::vector<char>& fixed)
     const std::int32_t twin = twin_[std::size_t(h)];
     if (twin < h || (!fixed.empty() && fixed[std::size_t(h)]))
     {
-      continue; // on the hull (none), seen from the other side, or there whatever the circles say
+      continue; // on the hull (none), seen from the other side, or exempt from the circle test
     }
     const Point a = at(origin(h));
     const Point b = at(target(h));

@@ -52,8 +52,8 @@ private:
   Complaints texts_;
 };
 
-/// Triangles that are checked and linked on the way: what the certifiers are made of. Borrows all
-/// it is given.
+/// Triangles that are checked and linked on the way: the core of the certifiers. Borrows its
+/// arguments.
 class CertifiedMesh
 {
 public:
@@ -74,11 +74,11 @@ public:
   {
   }
 
-  /// Points 1 to 4 and 6 of certify(). False if pointStatus or corners are so wrong that nothing
-  /// below may be used.
+  /// Points 1 to 4 and 6 of certify(). False if pointStatus or corners are too wrong to use the
+  /// rest.
   bool check();
 
-  /// Point 5. `fixed`: by half-edge, those that need not be Delaunay; empty if all have to be.
+  /// Point 5. `fixed`: by half-edge, those that need not be Delaunay; empty if all must be.
   void checkDelaunay(const std::vector<char>& fixed);
 
   FaultList& faults() { return faults_; }

@@ -20,8 +20,8 @@ using Complaints = std::vector<std::string>;
 std::string joined(const Complaints& complaints);
 
 /// Checks in exact arithmetic, in time linear in the number of points, that `triples` and
-/// `pointStatus` are what the engine promises for `points`:
-///  1. every point status is right: the smallest id at the point's place, or not finite, or left
+/// `pointStatus` are the correct result for `points`:
+///  1. every point status is correct: the smallest id at the point's place, or not finite, or left
 ///  out;
 ///  2. every triangle has three different vertices and is strictly counterclockwise;
 ///  3. every directed edge is used once; the edges used one way only form one convex loop around
@@ -31,7 +31,7 @@ std::string joined(const Complaints& complaints);
 ///  5. every inner edge is locally Delaunay, cocircular ties broken by the coordinates;
 ///  6. without triangles, all vertices are collinear.
 /// By 2 to 4 the triangles tile the convex hull, by 5 they are then the one perturbed Delaunay
-/// triangulation. The order of the triangles is not looked at. Empty means certified; faults of
+/// triangulation. The order of the triangles is not checked. Empty means certified; faults of
 /// one kind are named up to a limit and then counted.
 Complaints certify(const PointView& points, const std::vector<std::int32_t>& triples,
   const std::vector<std::int64_t>& pointStatus);

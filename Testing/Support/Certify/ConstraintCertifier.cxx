@@ -132,7 +132,7 @@ private:
 // --- Segments
 // --------------------------------------------------------------------------------------
 
-/// Sorts the segments into those that count for nothing and those that have a way to go.
+/// Separates segments without effect from those to follow.
 void ConstraintCertifier::collect()
 {
   broken_.assign(constraints_.chains, 0);
@@ -189,7 +189,7 @@ void ConstraintCertifier::lay()
   }
 }
 
-/// Follows an accepted segment from vertex to vertex. False if there is no edge to go on.
+/// Follows an accepted segment from vertex to vertex. False if an edge is missing.
 bool ConstraintCertifier::layOne(Way& way)
 {
   way.vertices.push_back(way.from);
@@ -330,7 +330,7 @@ void ConstraintCertifier::checkReport(const ConstrainedOutcome& outcome, std::si
 
 void ConstraintCertifier::checkFilled()
 {
-  std::size_t taken = 0; // triangles of filled_ that were met
+  std::size_t taken = 0; // triangles of filled_ that were visited
   for (std::size_t t = 0; t < mesh_.triangleCount(); ++t)
   {
     const auto corners = whole_.triples.begin() + std::ptrdiff_t(3 * t);
@@ -358,8 +358,7 @@ void ConstraintCertifier::checkFilled()
   }
 }
 
-// --- What is written for each triangle
-// -------------------------------------------------------------
+// --- Arrays of triangles -------------------------------------------------------------
 
 void ConstraintCertifier::checkExtras(
   const ConstrainedOutcome& outcome, const std::vector<char>& kept)

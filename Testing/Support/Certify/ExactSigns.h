@@ -12,7 +12,7 @@ namespace test
 {
 
 /// The tests' own exact predicates. They share no line with the engine's: a filter in double, then
-/// 128-bit integers where the differences allow it, then GMP integers for whatever is left.
+/// 128-bit integers where the differences allow it, then GMP integers for the rest.
 /// Every finite double is legal.
 
 /// Sign of the area of a, b, c: +1 counterclockwise, -1 clockwise, 0 collinear.

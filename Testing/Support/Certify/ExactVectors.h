@@ -11,7 +11,7 @@ namespace ahd
 namespace test
 {
 
-/// Vectors in rational arithmetic, for oracles. Whoever includes this links GMP.
+/// Vectors in rational arithmetic, for oracles. Users must link GMP.
 struct Vector
 {
   mpq_class x, y;
@@ -27,8 +27,8 @@ inline mpq_class cross(const Vector& a, const Vector& b)
   return a.x * b.y - a.y * b.x;
 }
 
-/// Where on the ray from p along d, in lengths of d, the inside of the segment a-b is met. Negative
-/// if nowhere, which includes a segment that touches the ray's line with an end only.
+/// The position on the ray from p along d, in lengths of d, where it meets the inside of the
+/// segment a-b. Negative if it does not, also if only an end touches the ray's line.
 inline mpq_class meeting(const Point& p, const Vector& d, const Point& a, const Point& b)
 {
   const Vector toA = between(p, a);

@@ -14,7 +14,7 @@ namespace ahd
 namespace test
 {
 
-/// Straight ways through a mesh without a fault.
+/// Straight walks through a correct mesh.
 class MeshWalk
 {
 public:
@@ -28,7 +28,7 @@ public:
 
   /// Calls stop(h) with each half-edge that the open way from one vertex to another crosses in no
   /// vertex, in their order, until it returns true. Returns whether it did. Half-edges are seen
-  /// from the side the way comes from.
+  /// from the near side.
   bool crossEdges(
     std::int32_t from, std::int32_t to, const std::function<bool(std::int32_t)>& stop);
 

@@ -23,7 +23,7 @@ struct Accepted
   bool ofLoop;
 };
 
-/// How constrainedByDefinition() finds it; for its own source files.
+/// The parts of constrainedByDefinition(), for its own source files.
 class Definition
 {
 public:

@@ -25,7 +25,7 @@ struct LoopUses
 std::vector<char> keptByRule(CertifiedMesh& mesh, FillRule rule, const std::vector<LoopUses>& uses);
 
 /// By triangle: the number of its region, in the order of their first triangles; -1 if it is not
-/// kept. `border`: by half-edge, what parts regions.
+/// kept. `border`: by half-edge, does it separate regions?
 std::vector<std::int64_t> regionsOf(
   const CertifiedMesh& mesh, const std::vector<char>& kept, const std::vector<char>& border);
 

@@ -25,7 +25,7 @@ bool Definition::isFlat() const
     });
 }
 
-/// Without triangles no segment can be had.
+/// Without triangles no segment can become an edge.
 void Definition::refuse()
 {
   std::set<std::size_t> loops;

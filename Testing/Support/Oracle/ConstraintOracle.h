@@ -19,13 +19,13 @@ namespace test
 /// An edge by the ids of its ends, the smaller first.
 using EdgeIds = std::pair<std::int32_t, std::int32_t>;
 
-/// What the engine is to make of constraints.
+/// The correct result for constraints.
 struct ConstrainedByDefinition
 {
   ConstraintReport report;
   std::set<EdgeIds> edges;       ///< constraint edges, those of the triangles left out included
   std::set<Triple> all;          ///< the constrained triangulation of the whole hull
-  std::set<Triple> kept;         ///< what the loops leave of it
+  std::set<Triple> kept;         ///< the part that the loops keep
   std::map<Triple, int> regions; ///< of the triangles kept: which have the same number, not which
 };
 

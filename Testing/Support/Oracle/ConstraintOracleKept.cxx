@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The last part of the definition: what is kept of the triangles, and their regions.
+// The last part of the definition: the kept triangles, and their regions.
 #include "ConstraintDefinition.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void Definition::collectEdges()
   result_.report.edges = result_.edges.size();
 }
 
-/// Triangles have the same number if one can walk between them without stepping over a border.
+/// Triangles have the same number if no border separates them.
 std::map<Triple, int> Definition::regionsOf(
   const std::set<Triple>& triples, const std::set<EdgeIds>& borders) const
 {

@@ -14,8 +14,8 @@ namespace ahd
 namespace test
 {
 
-// Section 3 of Su et al. 2016 to the letter, and slow: the oracle of the fast order. It shares with
-// the engine only the quantisation of the coordinates to integers.
+// A literal and slow implementation of section 3 of Su et al. 2016: the oracle of the fast order.
+// It shares with the engine only the quantisation of the coordinates to integers.
 
 /// How the curve steps from one box to the next (the paper's Figure 7).
 enum class Step
@@ -35,7 +35,7 @@ enum class Turn
   Counterclockwise90
 };
 
-/// A row of Table 1, rows 5 to 8 with the first column put right.
+/// A row of Table 1, rows 5 to 8 with the first column corrected.
 struct GeneRow
 {
   Step fromPrevious;

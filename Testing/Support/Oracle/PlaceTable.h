@@ -29,7 +29,7 @@ public:
     slots_.assign(capacity, kEmpty);
   }
 
-  /// The id of the first point handed in that lies where point i lies: i itself if it is the first.
+  /// The id of the first point given at the place of point i: i itself if it is the first.
   std::int32_t firstAt(std::size_t i)
   {
     const Point p = points_[i];

@@ -38,7 +38,7 @@ Number dot(const Vector& a, const Vector& b)
   return a.x * b.x + a.y * b.y;
 }
 
-/// Weights that sum to 1, from numbers that sum to anything.
+/// Weights that sum to 1, from numbers with any sum.
 PointWeights normalised(const std::map<std::int64_t, Number>& parts)
 {
   Number sum;
@@ -80,7 +80,7 @@ public:
     corners_ = { { -far, -far }, { far, -far }, { far, far }, { -far, far } };
   }
 
-  /// Keeps what is nearer to a than to b.
+  /// Keeps the part nearer to a than to b.
   void keepNearer(const Vector& a, const Vector& b)
   {
     const Vector normal{ b.x - a.x, b.y - a.y };

@@ -32,8 +32,8 @@ public:
   /// Areas within the triangle that has the place in it or on its border.
   PointWeights linear(const Point& place) const;
 
-  /// Sibson's: what the cell of the place takes of the Voronoi cells. Laplace's: the length of the
-  /// border of cells over the distance. @pre the triangles are all of a Delaunay
+  /// Sibson's: the area that the cell of the place takes from the Voronoi cells. Laplace's: the
+  /// length of the border of cells over the distance. @pre the triangles are all of a Delaunay
   /// triangulation; points are distinct.
   PointWeights sibson(const Point& place) const;
   PointWeights laplace(const Point& place) const;

@@ -14,9 +14,9 @@ namespace test
 {
 namespace
 {
-/// What ids that are those of no point become.
+/// Replaces ids that are no point's.
 constexpr std::int64_t kNoPoint = -1;
-/// Most ids in the chains. Tests of what is refused are compiled with fewer.
+/// Most ids in the chains. Tests of refusals are compiled with fewer.
 #ifndef AHD_MOST_CHAIN_IDS
 #define AHD_MOST_CHAIN_IDS (std::size_t(1) << 31)
 #endif
@@ -164,7 +164,7 @@ bool Splitter::copyChains()
   return true;
 }
 
-// ------------------------------------------------------------------------------- what crosses now
+// ------------------------------------------------------------------------------- current crossings
 
 bool Splitter::find()
 {
@@ -288,7 +288,7 @@ bool Splitter::locateMeetings()
   return true;
 }
 
-/// Adds the points that are new, and tells all meetings their ids.
+/// Adds the new points, and sets their ids in all meetings.
 bool Splitter::nameMeetings()
 {
   const auto comesBefore = [](const Meeting& m, const Meeting& n)
@@ -432,7 +432,7 @@ bool Splitter::rebuildChains()
   return true;
 }
 
-// ---------------------------------------------------------------------------------- what is where
+// ---------------------------------------------------------------------------------- positions
 
 bool Splitter::isUsable(std::int64_t id) const
 {
@@ -475,7 +475,7 @@ std::size_t Splitter::chainOf(Index piece) const
   return std::size_t(after - out_.offsets.begin()) - 1;
 }
 
-/// Which fraction of the input's segment ends at p.
+/// The fraction of the input's segment at p.
 double Splitter::along(std::size_t chain, std::size_t segment, const Point& p) const
 {
   const std::size_t begin = std::size_t(chains_.offsets[chain]), k = begin + segment;

@@ -9,8 +9,9 @@ namespace ahd
 namespace test
 {
 
-/// What splitAtCrossings() is to give, but for SplitConstraints::bent: the plain way. Each round
-/// searches all pieces by strips (Crossings/SplitFind.h) and lists every pair that crosses.
+/// The expected result of splitAtCrossings(), except SplitConstraints::bent, by the simple
+/// algorithm. Each round searches all pieces by strips (Crossings/SplitFind.h) and lists every pair
+/// that crosses.
 Status splitBySearchingAll(
   const PointView& points, const ConstraintView& chains, SplitConstraints& out);
 

@@ -150,7 +150,7 @@ private:
         [&](const Point& p) { return orientSign(vertices_[i], vertices_[j], p) >= 0; });
   }
 
-  /// By how much each coordinate of a corner may be off.
+  /// The error allowed in each coordinate of a corner.
   static mpq_class slackAt(const Vector& corner, const Vector& site)
   {
     const mpq_class far = abs(corner.x - site.x) + abs(corner.y - site.y);

@@ -12,20 +12,20 @@ namespace ahd
 namespace test
 {
 
-/// Points with constraints on which some order of inserting them, or looking at each on its own,
-/// takes time that grows with the square. The same on every platform.
+/// Points with constraints for which some order of insertion, or processing each on its own, takes
+/// quadratic time. The same on every platform.
 struct ConstraintFamily
 {
   std::string name;
   ConstraintCase given;
-  bool split = false; ///< they cross, and are to be split there
+  bool split = false; ///< they cross, and must be split there
 };
 
-/// Of about n points each. Only those that are to be split cross.
+/// Of about n points each. Only those that must be split cross.
 std::vector<ConstraintFamily> constraintFamilies(std::size_t n);
 
 /// About n points in some rows, segments between successive rows and along them in some order, some
-/// twice: or bundles of parallel segments that are to be split.
+/// twice: or bundles of parallel segments that must be split.
 ConstraintFamily randomFamily(std::uint64_t seed, std::size_t n);
 
 /// Two columns of n / 2 points, and n / 4 segments from one to the other that climb as far as that.

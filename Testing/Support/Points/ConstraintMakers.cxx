@@ -31,7 +31,7 @@ void addSegmentAcross(ConstraintCase& result)
   result.constraints.addLine({ first, first + 1 });
 }
 
-/// n / 2 points above and as many below the segment, at the distances that height(x) says.
+/// n / 2 points above and as many below the segment, at the distances height(x).
 template <typename Height>
 ConstraintCase acrossTwoRows(std::size_t n, Height height)
 {

@@ -23,7 +23,7 @@ struct ConstraintCase
   ConstraintSet constraints;
 
   PointView view() const;
-  /// Every bit of it, to make a test of.
+  /// All of it as text, to make a test of.
   std::string text() const;
 };
 
@@ -50,7 +50,7 @@ ConstraintCase edgesOfOthers(std::size_t n, std::size_t segments);
 /// n uniform points and segments between any two of them: nearly all cross others.
 ConstraintCase randomSegments(std::size_t n, std::size_t segments);
 
-/// What crossingSegments() makes.
+/// The result of crossingSegments().
 struct CrossingSegments
 {
   const char* name;
@@ -59,7 +59,7 @@ struct CrossingSegments
   std::size_t others;   ///< points that are no ends
 };
 
-/// Seven of them, for the comparison of splitting; the names tell segments and crossings.
+/// Seven of them, for the comparison of splitting; the names give segments and crossings.
 const std::vector<CrossingSegments>& crossingCases();
 
 /// Segments anywhere in the unit square. `scale` multiplies the numbers of segments and points: the

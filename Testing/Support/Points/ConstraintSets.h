@@ -17,7 +17,7 @@ namespace test
 
 using Chain = std::vector<std::int64_t>;
 
-/// Constraints of one's own, as the engine wants them.
+/// Constraints that own their arrays, in the engine's form.
 class ConstraintSet
 {
 public:
@@ -33,10 +33,10 @@ public:
   /// The same segments with the same numbers, but all chains open: nothing is filled.
   ConstraintSet asLines() const;
 
-  /// The same chains of other ids: id i becomes newId[i]; ids that are none of a point stay.
+  /// The same chains of other ids: id i becomes newId[i]; ids that are no point's stay.
   ConstraintSet renamed(const std::vector<std::int64_t>& newId) const;
 
-  /// As a test body can hold it: "lines {0 1 2} {3 4}; loops {0 1 2}".
+  /// As text for a test body: "lines {0 1 2} {3 4}; loops {0 1 2}".
   std::string text() const;
 
 private:
@@ -63,7 +63,7 @@ std::vector<GivenSegment> segmentsOf(const ConstraintView& constraints);
 /// vertex.
 std::vector<std::int32_t> verticesOf(const PointView& points);
 
-/// The same, but what has fewer than three vertices is no loop: an id without a vertex counts as
+/// The same, but chains of fewer than three vertices are no loops: an id without a vertex counts as
 /// one more.
 std::vector<GivenSegment> segmentsOf(
   const ConstraintView& constraints, const std::vector<std::int32_t>& vertices);

@@ -19,7 +19,7 @@ struct CorpusFile
   std::string name;
   std::string reason;
   std::vector<Point> points;
-  std::string fault; ///< what could not be read; empty if all could
+  std::string fault; ///< the error of reading; empty if none
 };
 
 /// All files *.txt of a folder, by name.

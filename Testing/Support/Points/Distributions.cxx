@@ -12,7 +12,7 @@ namespace test
 namespace
 {
 
-/// What the source vtkPlanarPointSource makes too is made by its makers, Filters/Distributions.
+/// Distributions of vtkPlanarPointSource are made by its makers, Filters/Distributions.
 Point at(const Place& p)
 {
   return { p.x, p.y };
@@ -167,7 +167,7 @@ Point independentPoint(Distribution d, Random& random)
 static_assert(int(Distribution::Mixed) == int(PlanarDistribution::Mixed),
   "the paper's distributions have the same numbers here and there");
 
-/// The distribution of the source that is the same as `d`. Of no meaning where there is none.
+/// The distribution of the source that equals `d`; undefined if there is none.
 PlanarDistribution planar(Distribution d)
 {
   return d == Distribution::Lattice ? PlanarDistribution::Lattice

@@ -248,7 +248,7 @@ private:
     return Status::Ok;
   }
 
-  /// Triangles by the block that they are of and one that owns another corner: ids, flags.
+  /// Triangles by their block and one that owns another corner: ids, flags.
   using SharedRows =
     std::map<std::pair<std::size_t, std::size_t>, std::vector<std::array<std::int64_t, 4>>>;
 
@@ -315,7 +315,7 @@ private:
     }
   }
 
-  /// Each vertex has as many triangles around it on its block as there are in all.
+  /// Each vertex has all of its triangles on its block.
   void compareAround()
   {
     for (const std::int32_t id : result_.triples)

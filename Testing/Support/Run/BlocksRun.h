@@ -17,7 +17,7 @@ namespace ahd
 namespace test
 {
 
-/// How points are given to simulated blocks.
+/// Settings of simulated blocks.
 struct BlocksWay
 {
   std::size_t blocks = 4;
@@ -26,7 +26,7 @@ struct BlocksWay
   /// Gathers all borders of this level to one block; none if there is no such level.
   std::size_t gatherLevel = std::size_t(-1);
   std::size_t gatherBlock = 0;
-  /// Which block owns a point; null: cut from samples.
+  /// The block that owns a point; null: cut from samples.
   std::function<std::size_t(const Point&)> owner = nullptr;
   Options options;
   Context context;
@@ -45,7 +45,7 @@ struct OwnPoints
 
 std::vector<OwnPoints> deal(const PointView& points, const BlocksWay& way);
 
-/// What all blocks together gave.
+/// The results of all blocks together.
 struct BlocksOutcome
 {
   Status status = Status::Ok;
@@ -53,21 +53,21 @@ struct BlocksOutcome
   std::vector<std::int32_t> triples; ///< of global ids, each from its smallest one, sorted
   std::vector<std::uint8_t> flags;   ///< of these: constraint edges, from the smallest id on
   std::vector<std::int64_t> pointStatus;
-  std::vector<std::size_t> border; ///< points that each block handed on
+  std::vector<std::size_t> border; ///< points that each block sent
   std::vector<std::size_t> own;    ///< points of each block
   std::size_t bytesSent = 0;       ///< in messages to some
-  std::string fault;               ///< what is wrong in itself: owners, numbers, sums
+  std::string fault;               ///< inconsistencies: owners, numbers, sums
 };
 
 /// All blocks in this process, one after the other, step by step.
 BlocksOutcome runBlocks(
   const PointView& points, const ConstraintView& constraints, FillRule rule, const BlocksWay& way);
 
-/// The same triples of the engine's in one go, in the same form.
+/// The engine's result of one run, in the same form.
 BlocksOutcome runWhole(const PointView& points, const ConstraintView& constraints, FillRule rule,
   const Options& options = Options());
 
-/// The first thing that differs, in words; empty if triangles, statuses and reports are the same.
+/// The first difference, in words; empty if triangles, statuses and reports are the same.
 std::string difference(const BlocksOutcome& whole, const BlocksOutcome& blocks);
 
 } // namespace test

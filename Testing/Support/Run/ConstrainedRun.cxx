@@ -10,7 +10,7 @@ namespace test
 namespace
 {
 
-/// Asks the engine for everything, as long as it says Ok.
+/// Calls everything in the engine, as long as it returns Ok.
 void writeAll(
   Engine& engine, std::size_t points, const Helpers& helpers, ConstrainedOutcome& outcome)
 {

@@ -14,27 +14,27 @@ namespace ahd
 namespace test
 {
 
-/// Who works and who listens; all of it may be null.
+/// Executor and progress; all may be null.
 struct Helpers
 {
   Progress* progress = nullptr;
   Executor* executor = nullptr;
 };
 
-/// run(), constrain() and all that can be written then, in one go. `status` is that of the first
-/// call that was not Ok; what had not been written by then stays empty.
+/// run(), constrain() and all outputs, in one call. `status` is that of the first call that was not
+/// Ok; outputs not written by then stay empty.
 ConstrainedOutcome constrain(Engine& engine, const PointView& points,
   const ConstraintView& constraints, FillRule rule, const Options& options = Options(),
   const Helpers& helpers = Helpers());
 ConstrainedOutcome constrain(const ConstraintCase& given, FillRule rule);
 
-/// Runs twice, filled and not, and certifies both (certifyConstrained). Empty if all is right.
+/// Runs twice, filled and not, and certifies both (certifyConstrained). Empty if all is correct.
 std::string faultsOfConstraining(const ConstraintCase& given, FillRule rule);
 
-/// The first thing that differs, in words; empty if all is the same to the byte.
+/// The first difference, in words; empty if all is the same to the byte.
 std::string difference(const ConstrainedOutcome& a, const ConstrainedOutcome& b);
 
-/// What differs where the executor works instead of this thread; empty if nothing.
+/// The differences with this executor instead of this thread; empty if none.
 /// `expected` is constrain(given, rule).
 std::string differenceByThreads(const ConstraintCase& given, FillRule rule,
   const ConstrainedOutcome& expected, Executor& executor);

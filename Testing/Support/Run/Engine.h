@@ -13,8 +13,7 @@ namespace test
 {
 
 /// A workspace and the triangulation that was made in it last, for tests that make many. Each call
-/// is that of the engine with the same name; what is written per cell is that of all kept
-/// triangles.
+/// is that of the engine with the same name; cell data are those of all kept triangles.
 struct Engine
 {
   Status run(const PointView& points, const Options& options = Options(),

@@ -22,7 +22,7 @@ namespace test
 class ThreadExecutor : public Executor
 {
 public:
-  /// `said`: how many threads it says to have; 0: as many as it has.
+  /// `said`: the number of threads it reports; 0: the actual one.
   explicit ThreadExecutor(unsigned threads, unsigned said = 0);
   ~ThreadExecutor() override;
 
@@ -51,7 +51,7 @@ private:
   std::vector<std::thread> others_;
 };
 
-/// Its threads come late: the tasks are then shared in another way, or the caller has done them
+/// Its threads start late: the tasks are then shared in another way, or the caller has done them
 /// all.
 class LateExecutor : public ThreadExecutor
 {
@@ -62,7 +62,7 @@ protected:
   void beforeTasks(unsigned thread) override;
 };
 
-/// Says it has so many threads, whatever runs the tasks.
+/// Reports so many threads, whatever runs the tasks.
 class NominalExecutor : public Executor
 {
 public:
@@ -84,7 +84,7 @@ constexpr bool kOnlyThreadsMatter = true;
 constexpr bool kOnlyThreadsMatter = false;
 #endif
 
-/// Runs all tasks on the calling thread, the last first: what comes out wrong then depends on the
+/// Runs all tasks on the calling thread, the last first: results that are wrong then depend on the
 /// order of the tasks.
 class BackwardExecutor : public NominalExecutor
 {
@@ -94,7 +94,7 @@ public:
     const std::function<void()>& idle) override;
 };
 
-/// Runs all tasks on one thread that is not the caller's, who only waits and asks.
+/// Runs all tasks on one thread that is not the caller's, which only waits and polls.
 class ElsewhereExecutor : public NominalExecutor
 {
 public:
@@ -103,7 +103,7 @@ public:
     const std::function<void()>& idle) override;
 };
 
-/// Runs all tasks on one thread that is not the caller's, and is done before the caller asks.
+/// Runs all tasks on one thread that is not the caller's, and is done before the caller polls.
 class QuickElsewhereExecutor : public NominalExecutor
 {
 public:

@@ -21,12 +21,12 @@ using Hashes = std::vector<NamedHash>;
 /// Reads lines "hash name"; those that begin with # are comments. Empty if there is no such file.
 Hashes readHashes(const std::string& path);
 
-/// What differs, a line for each: its name, the hash before and the one now. Empty if nothing does.
+/// The differences, a line for each: its name, the hash before and the one now. Empty if none.
 std::string differences(const Hashes& before, const Hashes& now);
 
-/// As differences(), of the file and what was found now, and how to write the file anew. But where
+/// differences() between the file and the current hashes, and how to write the file anew. But if
 /// the environment variable AHD_WRITE_HASHES is set, the file is written, its comments kept, and
-/// the answer is empty, or says why it could not be.
+/// the result is empty, or the reason why it could not be.
 std::string differencesFromFile(const std::string& path, const Hashes& now);
 
 } // namespace test

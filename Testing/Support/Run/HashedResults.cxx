@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr std::size_t kPoints = 10000;
-constexpr std::size_t kFewPoints = 2000; ///< of what is made in many ways
+constexpr std::size_t kFewPoints = 2000; ///< of results made in many ways
 constexpr std::size_t kWidePoints = 200; ///< where predicates need thousands of bits
 constexpr std::size_t kManyPoints = 34000;
 constexpr std::uint64_t kSmallCases = 200;
@@ -41,7 +41,7 @@ Status called(const Way& way, const std::function<Status()>& work)
   return way.call ? way.call(work) : work();
 }
 
-/// A engine that has run, and the arrays it writes.
+/// An engine that has run, and the arrays it writes.
 class Run
 {
 public:

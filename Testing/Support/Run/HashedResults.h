@@ -17,14 +17,14 @@ namespace ahd
 namespace test
 {
 
-/// How results are made; none of it may change a hash.
+/// Ways to make results, none of which may change a hash.
 struct Way
 {
   Options options;
   Executor* executor = nullptr; ///< threads; null: none
   Progress* progress = nullptr;
   Engine* engine = nullptr; ///< one for all runs; null: a new one for each
-  std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls what it is given
+  std::function<Status(const std::function<Status()>&)> call = nullptr; ///< calls its argument
 };
 
 /// Points with a name.
@@ -49,20 +49,20 @@ struct NamedCase
 };
 std::vector<NamedCase> constraintCases();
 
-/// Everything that is written of the triangulation: report, triangles, pointStatus, neighbours.
+/// All outputs of the triangulation: report, triangles, pointStatus, neighbours.
 std::string hashOfTriangles(const PointView& points, const Way& way);
 
 /// The same of the triangulation in the plane, without ids: its corners' coordinates (-0 as 0) and
 /// neighbours. Shuffled points have the same hash.
 std::string hashOfPlaces(const PointView& points, const Way& way);
 
-/// The same as the first with constraints, and what was reported of these, their edges, regions.
+/// The same as the first with constraints, and their report, edges, regions.
 std::string hashOfConstrained(const ConstraintCase& given, FillRule rule, const Way& way);
 
 /// The insertion order, the ranks, the boxes, and the triangles after half of the points.
 std::string hashOfOrder(const PointView& points, const Options& order, const Way& way);
 
-/// All that is found of the points merged within 1/100 of the width of all.
+/// All results of merging within 1/100 of the width of all points.
 std::string hashOfMerged(const PointView& points, const Way& way);
 
 /// The cells, corners with all bits, cut off at the hull and at the box.
@@ -72,8 +72,8 @@ std::string hashOfVoronoi(const PointView& points, const Way& way);
 std::string hashOfSplit(const ConstraintCase& given, const Way& way);
 
 /// Values, slopes, masks, weights and counts by every method, on a raster and at places on points,
-/// on edges and anywhere; what is outside filled by the nearest; of all points, and of what loops
-/// keep.
+/// on edges and anywhere; places outside filled by the nearest; of all points, and of the parts
+/// that loops keep.
 std::string hashOfSamples(const PointView& points, const Way& way);
 std::string hashOfSamples(const ConstraintCase& given, const Way& way);
 
@@ -82,7 +82,7 @@ std::string hashOfSamples(const ConstraintCase& given, const Way& way);
 Hashes hashesOfTriangles(const std::string& corpus, const Way& way);
 /// ... constrained results of each case by each rule, and of many small cases together, ...
 Hashes hashesOfConstrained(const Way& way);
-/// ... the rest, in which Way::options has no say; few points ...
+/// ... the rest, which Way::options does not affect; few points ...
 Hashes hashesOfTheRest(const Way& way);
 /// ... all that threads can share ...
 Hashes hashesOfMany(const Way& way);

@@ -98,7 +98,7 @@ void add(Hash& hash, const SampleReport& report)
   }
 }
 
-/// What a surface gives by one method.
+/// The values of a surface by one method.
 class Sampled
 {
 public:
@@ -108,7 +108,7 @@ public:
   {
   }
 
-  /// False if something was not done.
+  /// False if a step failed.
   bool prepare(Triangulation& made, SampleMethod method)
   {
     method_ = method;

@@ -68,7 +68,7 @@ void enter(const HostMode& mode)
 bool isIn(const HostMode& mode)
 {
 #if defined(__SSE2__)
-  // The register alone: the functions of <cfenv> look at the x87 unit instead.
+  // The register alone: the functions of <cfenv> read the x87 unit instead.
   constexpr unsigned kSigns = 0x3F; // of exceptions that were
   const unsigned now = _mm_getcsr();
   enter(mode);

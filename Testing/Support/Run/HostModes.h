@@ -22,8 +22,8 @@ struct HostMode
 constexpr unsigned kFlushToZero = 0x8000;
 constexpr unsigned kDenormalsAreZero = 0x0040;
 
-/// Every rounding but the usual one, flushing, traps, and all together: what the processor has of
-/// these.
+/// Every rounding but the usual one, flushing, traps, and all together: as far as the processor has
+/// them.
 const std::vector<HostMode>& hostModes();
 
 /// Sets this thread's arithmetic.

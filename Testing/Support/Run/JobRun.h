@@ -16,7 +16,7 @@ namespace ahd
 namespace test
 {
 
-/// A job of the C interface, as tests in C++ want it. Borrows what it is given.
+/// A job of the C interface, for tests in C++. Borrows its arguments.
 class JobRun
 {
 public:
@@ -33,7 +33,7 @@ public:
   ahd_status run() { return ahd_run(job_); }
 
   std::int64_t count(const char* name);
-  /// An output array, row by row; empty if it could not be had, and status() says why.
+  /// An output array, row by row; empty on failure, which status() gives.
   std::vector<std::int64_t> ids(const char* name);
   std::vector<std::int32_t> shortIds(const char* name);
   std::vector<double> doubles(const char* name);

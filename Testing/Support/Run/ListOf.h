@@ -12,14 +12,14 @@ namespace ahd
 namespace test
 {
 
-/// What an array has, to be compared and kept.
+/// The content of an array, to be compared and kept.
 template <typename Value>
 std::vector<Value> listOf(const Buffer<Value>& values)
 {
   return std::vector<Value>(values.begin(), values.end());
 }
 
-/// Where corners are, in the plane.
+/// Places of corners in the plane.
 inline std::vector<Point> listOf(const Buffer<VoronoiCorner>& corners)
 {
   return std::vector<Point>(corners.begin(), corners.end());

@@ -14,7 +14,7 @@ namespace ahd
 namespace test
 {
 
-/// Cancels at one asking, the first being 1 (0: never). Counts them all, notes the phases, and
+/// Cancels at one poll, the first being 1 (0: never). Counts all polls, records the phases, and
 /// expects no fraction to fall within a phase.
 class Listener : public Progress
 {
@@ -50,7 +50,7 @@ private:
   double fraction_ = 0.0;
 };
 
-/// Counts the askings of each phase, at least one per 2^14 steps.
+/// Counts the polls of each phase, at least one per 2^14 steps.
 class StepCounter : public Progress
 {
 public:

@@ -11,7 +11,7 @@ namespace ahd
 namespace test
 {
 
-/// Allows so much of what is asked for beyond an estimate.
+/// Grants so many of the bytes requested beyond an estimate.
 class MemoryListener : public Progress
 {
 public:

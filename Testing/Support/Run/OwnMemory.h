@@ -2,8 +2,8 @@
 #ifndef ahd_OwnMemory_h
 #define ahd_OwnMemory_h
 
-// Gives a program an operator new that keeps account of what is held, and fails when told to. To be
-// included by one of its sources.
+// Gives a program an operator new that counts the bytes held, and fails on demand. Include it in
+// one source.
 #include "OwnNew.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace ahd
 namespace test
 {
 
-/// What was asked of operator new, by all threads.
+/// Counts of operator new, over all threads.
 struct Account
 {
   std::atomic<std::size_t> held{ 0 }; ///< bytes
@@ -51,7 +51,7 @@ struct BlockHeader
   void* block;
 };
 
-/// Lets the sanitizer, if there is one, complain of who touches the header.
+/// Makes the sanitizer, if there is one, detect accesses to the header.
 inline void guard(BlockHeader* header, bool isOn)
 {
 #ifdef AHD_POISONS_HEADERS
@@ -63,7 +63,7 @@ inline void guard(BlockHeader* header, bool isOn)
 #endif
 }
 
-/// Is the next allocation to fail?
+/// Must the next allocation fail?
 inline bool failsNow()
 {
   if (account.countsNothing)

@@ -3,9 +3,8 @@
 #define ahd_OwnNew_h
 
 // Gives a program operator new and delete of its own, over two functions that the program defines.
-// To be included by one of its sources. In every form but those for arrays of high alignment: a
-// sanitizer has a form of its own for each that is not here, and what one gives the other can't
-// take back.
+// Include it in one source. In every form but those for arrays of high alignment: a sanitizer has
+// its own form for each missing here, and one cannot free the memory of the other.
 #include <algorithm>
 #include <cstddef>
 #include <new>
@@ -18,7 +17,7 @@ namespace test
 /// A block of `size` bytes; `alignment` is at least that of std::max_align_t. Throws
 /// std::bad_alloc.
 void* ownAllocate(std::size_t size, std::size_t alignment);
-/// Takes it back; null is legal.
+/// Frees it; null is legal.
 void ownRelease(void* block);
 
 } // namespace test

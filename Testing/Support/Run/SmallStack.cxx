@@ -56,7 +56,7 @@ public:
   Thread(const Thread&) = delete;
   Thread& operator=(const Thread&) = delete;
 
-  /// Waits for its end. Returns how many bytes of the stack have lost their paint.
+  /// Waits for its end. Returns how many bytes of the stack have been overwritten.
   std::size_t join()
   {
     pthread_join(thread_, nullptr);

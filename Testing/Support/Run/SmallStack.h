@@ -12,12 +12,12 @@ namespace ahd
 namespace test
 {
 
-/// What a thread has that makes do with little, in bytes. The thread library takes part of it.
+/// The size of a small stack in bytes. The thread library takes part of it.
 constexpr std::size_t kSmallStack = std::size_t(64) << 10;
 
-/// Runs `work` on a thread of its own whose stack is kSmallStack bytes. Below it is a page that
-/// nobody may touch, so that going beyond it is a crash. Returns how many bytes of the stack were
-/// written to, what the thread library puts there included. `work` throws nothing.
+/// Runs `work` on a thread of its own whose stack is kSmallStack bytes. Below it is an inaccessible
+/// page, so that an overflow crashes. Returns how many bytes of the stack were written to, those of
+/// the thread library included. `work` throws nothing.
 std::size_t onSmallStack(const std::function<void()>& work);
 
 /// Runs tasks on the calling thread and on others whose stacks are small, new ones for each run.

@@ -21,7 +21,7 @@ namespace ahd
 namespace test
 {
 
-/// Where all blocks meet.
+/// The barrier and exchange of all blocks.
 class Hall
 {
 public:
@@ -48,7 +48,7 @@ public:
     all_.wait(lock, [&] { return round_ != round; });
   }
 
-  /// What one block sends another one directly.
+  /// A message from one block to another directly.
   void send(std::size_t from, std::size_t to, const void* what, std::size_t count)
   {
     const auto* const first = static_cast<const unsigned char*>(what);
@@ -160,9 +160,9 @@ void onBlocks(std::size_t blocks, const Work& work)
   }
 }
 
-/// Of three blocks block `listening` is told to cancel, at each of its askings in turn, of which
-/// there are `least` or more: all end alike. make() gives the work of one run, which is called as
-/// work(block, transport, context) and returns how it ended.
+/// Of three blocks block `listening` is cancelled, at each of its polls in turn, of which there are
+/// `least` or more: all end alike. make() returns the work of one run, which is called as
+/// work(block, transport, context) and returns its status.
 template <typename Make>
 void expectThatOneEndsAll(std::size_t listening, std::size_t least, const Make& make)
 {
