@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bytes become points, chains and settings (FuzzCase.h). The points may be merged within a distance
-// and the chains split where they cross, both held against their definitions; the engine
-// constrains, and the certifier of constraints has the last word; small sets go through the oracle
-// too. Then the same with other settings and threads, cancelled or without memory before, to the
-// byte; the Voronoi diagram of the points; and the same in several blocks.
+// and the chains split where they cross, both compared with their definitions; the engine
+// constrains, and the certifier of constraints decides; small sets go through the oracle too. Then
+// the same with other settings and threads, cancelled or without memory before, to the byte; the
+// Voronoi diagram of the points; and the same in several blocks.
 #include "BlocksRun.h"
 #include "ConstrainedRun.h"
 #include "ConstraintOracle.h"
@@ -26,7 +26,7 @@ namespace
 constexpr std::size_t kFewPointsForOracle = 7;
 constexpr std::size_t kFewSegmentsForOracle = 8;
 
-/// What the engine is given, once merged and split.
+/// The engine's input, once merged and split.
 struct Prepared
 {
   explicit Prepared(const FuzzCase& fuzzed)
@@ -132,7 +132,7 @@ void expectAsDefined(const Prepared& prepared, const test::ConstrainedOutcome& f
     "the counts are those of the definition", prepared.given);
 }
 
-/// Constrains and asks for all cell data, as long as it is Ok.
+/// Constrains and writes all cell data, as long as it is Ok.
 Status everythingOnce(const Prepared& prepared, test::Engine& engine, Progress* progress)
 {
   Status status = engine.constrain(prepared.chains, prepared.rule, progress);
@@ -140,7 +140,7 @@ Status everythingOnce(const Prepared& prepared, test::Engine& engine, Progress* 
   std::vector<std::int64_t> numbers;
   std::vector<std::uint8_t> edges;
   {
-    const NoMemory pause(0); // of what is the test's own
+    const NoMemory pause(0); // of the test's own data
     numbers.resize(3 * triangles);
     edges.resize(triangles);
   }
@@ -151,7 +151,7 @@ Status everythingOnce(const Prepared& prepared, test::Engine& engine, Progress* 
   return status;
 }
 
-/// A run that is cancelled or has no memory says so, in whatever it is stopped.
+/// A run that is cancelled or has no memory reports it, at any point.
 void expectAllStops(const Prepared& prepared, test::Engine& engine)
 {
   Run run = runOf(prepared.given, 0);
@@ -176,7 +176,7 @@ void expectAllStops(const Prepared& prepared, test::Engine& engine)
     });
 }
 
-/// Other settings, threads, layout of the points, and what the engine did before.
+/// Other settings, threads, layout of the points, and earlier runs of the engine.
 void expectTheSame(const Prepared& prepared, const test::ConstrainedOutcome& expected)
 {
   test::Engine engine;

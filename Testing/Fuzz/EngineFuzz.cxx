@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bytes become points and settings (FuzzCase.h), the engine triangulates them, and the certifier
-// has the last word; small sets go through the oracle too. Then whatever may not change the result
-// is changed: settings, threads, the order and layout of the points, a run cancelled or without
-// memory before, the door: the C interface, with all that it has.
+// decides; small sets go through the oracle too. Then it varies what must not change the result:
+// settings, threads, the order and layout of the points, a run cancelled or without memory before,
+// the door: the C interface, with all its features.
 #include "JobJudge.h"
 #include "Judge.h"
 #include "SampleJudge.h"
@@ -22,11 +22,11 @@ namespace
 
 constexpr std::size_t kFewForOracle = 7;
 
-/// The first run of a case, and what all others are compared with.
+/// The first run of a case, which all others are compared with.
 struct First
 {
   const FuzzCase& given;
-  const std::vector<Point> points; ///< as the engine sees them
+  const std::vector<Point> points; ///< as the engine reads them
   const Layout layout;
   test::Outcome outcome;
 
@@ -46,7 +46,7 @@ std::string differenceOf(const test::Outcome& a, const test::Outcome& b)
                                      : "";
 }
 
-/// Points left out become such that are not finite, which the oracle leaves out.
+/// Points left out become NaN, which the oracle leaves out.
 std::vector<Point> withoutSkipped(const PointView& view)
 {
   std::vector<Point> result;
@@ -133,7 +133,7 @@ void expectBoxes(const First& first, const test::Engine& engine, InsertionOrder 
   expect(count == vertices, "each vertex is in one box", first.given);
 }
 
-/// Twins are twins, and each vertex is found where it is.
+/// Twins are mutual, and each vertex is located at its place.
 void expectTables(const First& first, const Triangulation& made)
 {
   const HalfEdge halfEdges = static_cast<HalfEdge>(3 * made.triangleCount());
@@ -204,7 +204,7 @@ void expectRepresentatives(const First& first, const Run& run)
   expect(outcome.triples == triples, "z says whose ids triangles have", first.given);
 }
 
-/// What else the first run can be asked for.
+/// Further queries of the first run.
 void expectExtras(const First& first, test::Engine& engine)
 {
   const Run run = runOf(first.given, 0);
@@ -277,7 +277,7 @@ void expectTooManyBoxes(const First& first, test::Engine& engine)
     some == (boxes > run.options.mostBoxes ? Status::TooManyBoxes : Status::Ok), "", first.given);
 }
 
-/// A run that is cancelled says so.
+/// A run that is cancelled reports it.
 void expectCancelled(const First& first, test::Engine& engine)
 {
   Run run = runOf(first.given, 0);
@@ -291,7 +291,7 @@ void expectCancelled(const First& first, test::Engine& engine)
     first.given);
 }
 
-/// A run without memory says so, or is right.
+/// A run without memory reports it, or is correct.
 void expectOutOfMemory(const First& first, test::Engine& engine)
 {
   engine.release();
@@ -302,8 +302,8 @@ void expectOutOfMemory(const First& first, test::Engine& engine)
     "out of memory or right", first.given);
 }
 
-/// More points than the engine takes are refused unread; what is forgotten is not there any more;
-/// the estimate is no less than what is kept.
+/// More points than the engine takes are refused unread; released memory is gone; the estimate is
+/// no less than the memory kept.
 void expectRefusals(const First& first, test::Engine& engine)
 {
   const Run run = runOf(first.given, 0);
@@ -319,7 +319,7 @@ void expectRefusals(const First& first, test::Engine& engine)
   engine.release();
 }
 
-/// What goes wrong leaves nothing behind: the next run is what it would have been.
+/// Failures leave nothing behind: the next run is unaffected.
 void expectTrouble(const First& first, test::Engine& engine)
 {
   using Trouble = void (*)(const First&, test::Engine&);

@@ -98,7 +98,7 @@ void addArrays(ByteReader& bytes, std::size_t count, vtkPointSet* set)
       continue;
     }
     const std::string name = array->GetName() ? array->GetName() : "";
-    if (role >= 128 && !name.empty()) // added with another name: there may be two of one then
+    if (role >= 128 && !name.empty()) // added with another name: so a name may occur twice
     {
       array->SetName(("other" + std::to_string(k)).c_str());
     }

@@ -20,10 +20,10 @@ namespace fuzz
 /// others', twice or none, active as anything they fit; and a field data array.
 void addArrays(ByteReader& bytes, std::size_t count, vtkPointSet* set);
 
-/// Changes a value, or which arrays there are.
+/// Changes a value, or the set of arrays.
 void changeArrays(unsigned what, vtkPointSet* set);
 
-/// All there is to know of the arrays, as text to be compared.
+/// All data of the arrays, as text to be compared.
 std::string textOf(vtkFieldData* data);
 
 } // namespace fuzz

@@ -52,7 +52,7 @@ enum InputKind
   kInputKinds
 };
 
-/// A setting: nothing, powers of two, and what is no number.
+/// A setting: 0, powers of two, and special values.
 double number(std::uint8_t byte)
 {
   const double odd[] = { std::numeric_limits<double>::quiet_NaN(),
@@ -60,7 +60,7 @@ double number(std::uint8_t byte)
   return byte == 0 ? 0.0 : byte >= 248 ? odd[byte - 248] : std::ldexp(1.0, (int(byte) - 160) / 8);
 }
 
-/// NaN is not taken: what stays is the value before, which is to be a new filter's.
+/// NaN is refused: the value before stays, which must be a new filter's.
 void set(const ahdtest::SettingRow& row, double value, vtkAdaptiveHilbertDelaunay2D* filter)
 {
   if (std::isnan(value))
@@ -70,7 +70,7 @@ void set(const ahdtest::SettingRow& row, double value, vtkAdaptiveHilbertDelauna
   row.Set(filter, value);
 }
 
-/// Of a setting that no byte is for: the default, where the byte is 0.
+/// Of a setting without a byte: the default, where the byte is 0.
 double anyValue(const ahdtest::SettingRow& row, std::uint8_t byte)
 {
   if (byte == 0 || row.IsReal)

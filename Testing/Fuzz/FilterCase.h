@@ -28,7 +28,7 @@ enum FilterByte : std::size_t
   kPointType,  ///< see pointType()
   kPointCount, ///< of the first data set; others have some fewer
   kArrayCount, ///< low 4 bits: of the input; high 4 bits: of the source
-  kSourceKind, ///< bit 0 there is one; 1 it has points; 2-7 how many of these
+  kSourceKind, ///< bit 0 it exists; 1 it has points; 2-7 how many of these
   kCellCount,  ///< of the source
   kModes,  ///< bit 0 source mode; 1 crossing mode; 2 fill rule; 3-4 duplicates; 5-6 plane; 7 merge
   kExtras, ///< fate, constraint edges, regions, neighbours, rank, curve, boxes, Voronoi
@@ -43,7 +43,7 @@ enum FilterByte : std::size_t
   kMemory,     ///< 0, or MemoryLimit as a number
   kThreadCount, ///< bits 0-1 NumberOfThreads; 2 closed lines; 3 source heights
   kAbortAt,     ///< a first execution is aborted at this progress event; 0: there is none
-  kChange,      ///< what is changed between executions
+  kChange,      ///< changes between executions
   kMultiply,    ///< from 224 on: the points 4, 16, 64 times, side by side
   kFilterHeadBytes
 };
@@ -66,18 +66,18 @@ private:
   const std::uint8_t* end_;
 };
 
-/// What the filter is fed. Any bytes are legal: the head, then the points of the input, those of
-/// the source, its cells, the arrays. Whatever VTK lets a caller build may come out.
+/// The filter's inputs. Any bytes are legal: the head, then the points of the input, those of
+/// the source, its cells, the arrays. Anything that VTK permits may result.
 class FilterCase
 {
 public:
   FilterCase(const std::uint8_t* data, std::size_t size);
 
-  /// All settings, those that no byte of the head is for by one that has another meaning. Those
+  /// All settings; those without a byte of the head by a byte of another meaning. Those
   /// that change no byte of the result differ between `run` 0 and others.
   void configure(vtkAdaptiveHilbertDelaunay2D* filter, unsigned run) const;
 
-  /// Changes one of settings, coordinates and data, as the case says, each time another.
+  /// Changes one of settings, coordinates and data, by the case, each time another.
   void change(unsigned step);
 
   vtkDataObject* input() const { return input_; }

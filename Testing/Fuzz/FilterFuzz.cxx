@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bytes become a data set of any kind, a source and settings (FilterCase.h), and the filter runs on
-// them: aborted once, then several times with changes between, each time held to what its
-// documentation says of the outputs, and compared with a filter that is new and has other threads.
-// Nothing may be said by others than the filter and its pipeline, and the input stays as it is.
+// them: aborted once, then several times with changes between, each time checked against the
+// documentation of the outputs, and compared with a new filter with other threads. Only the filter
+// and its pipeline may report messages, and the input stays unchanged.
 #include "FilterJudge.h"
 
 #include "vtkAdaptiveHilbertDelaunay2D.h"
@@ -19,8 +19,8 @@
 #include <cstdlib>
 #include <cstring>
 
-/// VTK is not compiled with the sanitizers, and leaves some things to the end of the program. What
-/// it allocates is much: short stacks and a small quarantine make this thrice as fast.
+/// VTK is not compiled with the sanitizers, and frees some things only at the end of the program.
+/// It allocates much: short stacks and a small quarantine make this three times as fast.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
 {
@@ -35,8 +35,8 @@ namespace fuzz
 namespace
 {
 
-/// Hears what VTK's own classes say; but not of an input that already has normals or the like of a
-/// number of components they cannot have, as VTK lets one make: that is worth its warning.
+/// Records messages of VTK's own classes; but not about an input whose normals or the like have a
+/// wrong number of components, which VTK permits: that deserves its warning.
 class Ear : public vtkOutputWindow
 {
 public:
@@ -73,7 +73,7 @@ Ear& ear()
   std::abort();
 }
 
-/// A filter that is heard, and aborted at the given progress event, if any.
+/// A filter whose messages are recorded, aborted at the given progress event, if any.
 class Watched
 {
 public:
@@ -92,7 +92,7 @@ public:
     filter_->AddObserver(vtkCommand::ProgressEvent, callback_);
   }
 
-  /// Updates, and complains of what is wrong.
+  /// Updates, and reports faults.
   void update(unsigned abortAt = 0)
   {
     said_ = false;
@@ -160,7 +160,7 @@ void run(FilterCase& given)
   for (unsigned step = 0; step < 3; ++step)
   {
     watched.update();
-    if (step != 1) // the second only prepares for the third, which may pass on what was kept
+    if (step != 1) // the second only prepares for the third, which may pass on kept outputs
     {
       Watched fresh(given, 1);
       fresh.update();

@@ -47,7 +47,7 @@ const vtkIdTypeArray* idsOf(vtkFieldData* data, const char* name)
   return vtkIdTypeArray::SafeDownCast(data->GetAbstractArray(name));
 }
 
-/// What the field data say of how many.
+/// The counts in the field data.
 vtkIdType countOf(vtkPolyData* surface, const char* what)
 {
   const std::string name = std::string("NumberOf") + what;
@@ -90,7 +90,7 @@ std::string faultOfArrays(vtkDataSetAttributes* data, vtkIdType count)
   return "";
 }
 
-/// Arrays of the filter's that are taken for what one of the input was.
+/// Arrays of the filter that are mistaken for one of the input.
 std::string faultOfAttributes(vtkPointData* data, vtkAdaptiveHilbertDelaunay2D* filter)
 {
   for (int k = 0; k < vtkDataSetAttributes::NUM_ATTRIBUTES; ++k)
@@ -125,7 +125,7 @@ std::string faultOfFates(vtkPolyData* surface)
   }
   const bool fit = vertices == countOf(surface, "PointsInserted") &&
     rejected == countOf(surface, "RejectedPoints");
-  // what is a duplicate of or merged into a point beyond the limit is out, too
+  // points that duplicate or are merged into a point beyond the limit are out, too
   const vtkIdType doubles = countOf(surface, "Duplicates") + countOf(surface, "MergedPoints");
   const vtkIdType beyond = countOf(surface, "PointsBeyondLimit");
   const bool doubleFit = beyond > 0 ? others <= doubles : others == doubles;

@@ -19,8 +19,8 @@ std::string textOf(vtkDataObject* data);
 /// All outputs of the filter.
 std::string outputsOf(vtkAdaptiveHilbertDelaunay2D* filter);
 
-/// What is wrong with the outputs in themselves, as the filter's documentation has it; empty if
-/// nothing is. `said`: the filter ended in an error.
+/// The faults of the outputs, by the filter's documentation; empty if none. `said`: the filter
+/// ended in an error.
 std::string faultOf(vtkAdaptiveHilbertDelaunay2D* filter, bool said);
 
 } // namespace fuzz

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# FilterFuzz, where there is VTK (that of ParaView first): the filter's sources watched, with VTK's
-# own libraries as they are.
+# FilterFuzz, where there is VTK (that of ParaView first): the filter's sources instrumented, with VTK's own libraries
+# unchanged.
 file(GLOB ahd_paraviews "/usr/lib/${CMAKE_CXX_LIBRARY_ARCHITECTURE}/cmake/paraview-*/vtk")
 find_package(VTK 9.1 QUIET
   COMPONENTS CommonCore CommonDataModel CommonExecutionModel CommonMath CommonTransforms
@@ -12,7 +12,7 @@ if (NOT VTK_FOUND)
 endif ()
 message(STATUS "FilterFuzz with VTK ${VTK_VERSION} in ${VTK_DIR}")
 
-# what vtk_module_build() would make
+# normally made by vtk_module_build()
 set(ahd_fuzz_export "${CMAKE_CURRENT_BINARY_DIR}/export")
 file(WRITE "${ahd_fuzz_export}/AdaptiveHilbertDelaunayFiltersModule.h"
   "#define ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT\n")

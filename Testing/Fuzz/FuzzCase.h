@@ -36,24 +36,24 @@ enum HeadByte : std::size_t
   kLimit,     ///< insertionLimit of a further run, 0 for none
   kCopies,    ///< from 240 on: 2, 4, ... 2^16 copies of the points, side by side, but at most
               ///< kMostPoints
-  kCancelAt,  ///< a further run is cancelled at this asking, 0 for none
+  kCancelAt,  ///< a further run is cancelled at this poll, 0 for none
   kFailAt,    ///< a further run has no memory from this allocation on, 0 for none
   kMergeDistance, ///< 2^(value / 2 - 64) of the larger side of the bounds
   kMostBoxes,     ///< mostBoxes of a further run, 0 for none
   kShuffle,       ///< how the ids of the second run are shuffled
-  kRefusals,      ///< 0, or ask for what is refused too
-  kPoints,        ///< how many points follow, if there are bytes for so many
+  kRefusals,      ///< 0, or request refused things too
+  kPoints,        ///< the number of points that follow, as far as there are bytes
   kHeadBytes
 };
 
-/// What a fuzz target is fed. As bytes: the head; x, y of each point, little-endian doubles; the
+/// The input of a fuzz target. As bytes: the head; x, y of each point, little-endian doubles; the
 /// rest are ids of points, which make chains. Any bytes are legal. The marks among the ids:
 enum ChainByte : std::uint8_t
 {
   kFarId = 0xFB,    ///< the largest number
   kFarBelow = 0xFC, ///< the smallest
-  kNewLine = 0xFD,  ///< what follows is a line
-  kNewLoop = 0xFE,  ///< what follows is a loop; so it is at the beginning
+  kNewLine = 0xFD,  ///< a line follows
+  kNewLoop = 0xFE,  ///< a loop follows; also at the beginning
   kMinusOne = 0xFF  ///< the id -1
 };
 
@@ -85,7 +85,7 @@ struct FuzzCase
 
   bool layoutBit(unsigned bit) const { return (head[kLayout] >> bit & 1) != 0; }
 
-  /// All of it, for people.
+  /// All of it, in readable form.
   std::string text() const;
 };
 

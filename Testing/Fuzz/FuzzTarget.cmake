@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # How a fuzz target is compiled. Sets
-#   ahd_fuzz_watched   compile options of what is fuzzed: sanitizers, and libFuzzer's eyes
-#   ahd_fuzz_quiet     compile options of what judges it: none of these, so that it is fast
-# and the libraries
+#   ahd_fuzz_watched   compile options of code under test: sanitizers, and libFuzzer's instrumentation
+#   ahd_fuzz_quiet compile options of code that checks it: none of these, so that it is fast and the libraries
 #   ahd_fuzz_engine    the engine, watched
 #   ahd_fuzz_support   the cases, and Testing/Support
 find_package(GTest REQUIRED)
@@ -56,13 +55,13 @@ target_include_directories(ahd_fuzz_support PUBLIC "${CMAKE_CURRENT_LIST_DIR}")
 target_link_libraries(ahd_fuzz_support PUBLIC ahd_test_support ahd_fuzz_engine)
 
 # ahd_add_fuzz_target(<name> <sources>...)
-# A libFuzzer program: the sources have LLVMFuzzerTestOneInput, and are compiled quietly; what they
-# fuzz beyond the engine is to be compiled with ahd_fuzz_watched.
+# A libFuzzer program: the sources have LLVMFuzzerTestOneInput, and are compiled quietly; code under test beyond the
+# engine must be compiled with ahd_fuzz_watched.
 function (ahd_add_fuzz_target name)
   add_executable(${name} ${ARGN})
   target_compile_options(${name} PRIVATE
     ${ahd_fuzz_quiet} ${ahd_engine_options} ${ahd_warnings} -Wno-ignored-optimization-argument)
   target_link_options(${name} PRIVATE ${ahd_fuzz_link})
-  # the engine first: of functions that both have the linker takes those that are watched
+  # the engine first: of functions in both the linker takes the instrumented ones
   target_link_libraries(${name} PRIVATE ahd_fuzz_engine ahd_fuzz_support GTest::gtest)
 endfunction ()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The tests that fuzz: Fuzz.Build makes all targets, then each runs its corpus and goes on for some
-# seconds. With AHD_LONG_TESTS each goes on for minutes; the engine with small thresholds.
+# The tests that fuzz: Fuzz.Build makes all targets, then each runs its corpus and continues for some seconds, with
+# AHD_LONG_TESTS for minutes; the engine with small thresholds.
 find_program(AHD_CLANGXX NAMES clang++-14 clang++)
 mark_as_advanced(AHD_CLANGXX)
 if (NOT AHD_CLANGXX)
@@ -22,7 +22,7 @@ add_test(NAME Fuzz.Build COMMAND ${ahd_fuzz_command} --build -- -DVTK_DIR=${VTK_
 set_tests_properties(Fuzz.Build PROPERTIES
   LABELS fuzz TIMEOUT 1800 PROCESSORS 2 COST 1000 FIXTURES_SETUP ahd_fuzz_targets)
 
-# What fuzzing does not reach: memory that runs out, single bits, larger inputs.
+# Code that fuzzing does not reach: memory that runs out, single bits, larger inputs.
 cmake_host_system_information(RESULT ahd_cores QUERY NUMBER_OF_LOGICAL_CORES)
 add_test(NAME Engine.Sanitized
   COMMAND "${CMAKE_CTEST_COMMAND}" --test-dir "${ahd_fuzz_folder}/build" --output-on-failure --no-tests=error
@@ -44,7 +44,7 @@ function (ahd_add_fuzz_test test target seconds minutes)
     LABELS fuzz TIMEOUT 600 FIXTURES_REQUIRED ahd_fuzz_targets)
   if (AHD_LONG_TESTS)
     set(how --small)
-    if (target STREQUAL "filter") # with the engine as it is
+    if (target STREQUAL "filter") # with the unchanged engine
       set(how --built)
     endif ()
     add_test(NAME FuzzLong.${test}

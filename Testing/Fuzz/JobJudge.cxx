@@ -45,7 +45,7 @@ void setFlags(JobRun& run, unsigned bits)
   }
 }
 
-/// Whatever else there is, as the case's bytes say.
+/// All other features, by the case's bytes.
 void setAnything(JobRun& run, const FuzzCase& given, const std::vector<double>& xyz)
 {
   const std::uint8_t bits = given.head[kShuffle], more = given.head[kRefusals];
@@ -85,7 +85,7 @@ bool areCells(const std::string& name)
   return name == "neighbors" || name == "regions";
 }
 
-/// Which ids an array can have: up to which, beyond -2.
+/// The largest id that an array can have.
 std::int64_t mostOf(JobRun& run, const std::string& name)
 {
   if (areCells(name))
@@ -98,7 +98,7 @@ std::int64_t mostOf(JobRun& run, const std::string& name)
   return areNumbers ? INT64_MAX : run.count("points") - 1;
 }
 
-/// Every array there is can be had, and its ids name what there is.
+/// Every array is available, and its ids name existing points and cells.
 void expectArrays(const FuzzCase& given, JobRun& run)
 {
   for (std::uint32_t i = 0; const char* name = ahd_name(AHD_OUTPUT_ARRAYS, i); ++i)
@@ -106,7 +106,7 @@ void expectArrays(const FuzzCase& given, JobRun& run)
     std::uint64_t rows = 0, columns = 0;
     if (ahd_array_size(run.job(), name, &rows, &columns) != AHD_OK)
     {
-      continue; // not asked for
+      continue; // not requested
     }
     std::vector<double> room(static_cast<std::size_t>(rows * columns));
     const std::uint64_t size = room.size();
@@ -129,7 +129,7 @@ void expectArrays(const FuzzCase& given, JobRun& run)
 }
 
 /// Values between the points, whatever the surface: a place of the surface has a mask, any finite
-/// one a value if what is outside has that of the nearest vertex; weights can be had afterwards.
+/// one a value if places outside have that of the nearest vertex; weights are available afterwards.
 void expectSampled(const FuzzCase& given, JobRun& run, const PointView& points)
 {
   constexpr std::size_t kSide = 5;
@@ -178,7 +178,7 @@ std::int32_t countDown(void* user, std::int32_t, double)
   return own->left > 0 && --own->left == 0 ? 1 : 0;
 }
 
-/// Cancelled or without memory it says so, or is Ok; afterwards it runs as if nothing had been.
+/// Cancelled or without memory it reports it, or is Ok; afterwards it runs unaffected.
 void expectTrouble(const FuzzCase& given, JobRun& run)
 {
   Countdown countdown = { given.head[kCancelAt] };
@@ -229,8 +229,8 @@ void setSurface(JobRun& run, const Triangles& triangles, const std::uint8_t* edg
   ahd_set_array(run.job(), "surface_edges", edges ? &constraints : nullptr);
 }
 
-/// Triangles of a triangulation can be had again, all or some of them, whichever of their edges are
-/// said to be constraints. If a corner is changed they can be had, or it is said that they cannot.
+/// Triangles of a triangulation can be restored, all or some of them, with any of their edges
+/// marked as constraints. If a corner is changed they are restored, or refused.
 void expectSurface(const FuzzCase& given, const JobCase& made, const PointView& points)
 {
   Dice dice(given.head[kShuffle]);
@@ -274,7 +274,7 @@ void expectSameThroughC(const FuzzCase& given, const JobCase& made)
   run.set("fill_rule", std::int64_t(made.rule));
   setOptions(run, given.options(1));
   PointView flat = made.points;
-  flat.isFlat = true; // behind x and y of the last there may be nothing
+  flat.isFlat = true; // after x and y of the last the memory may end
   run.setPoints(flat);
   run.setConstraints(made.chains);
   expect(run.run() == AHD_OK, ahd_message(run.job()), given);

@@ -22,9 +22,9 @@ struct JobCase
   const std::vector<std::int32_t>& triples;
 };
 
-/// The same triangles come through the C interface. Then the case's bytes switch on whatever else
-/// it has, alone or together, with memory that may run out and a callback that may cancel: a run
-/// ends with a status that says so, and its arrays have numbers of points and cells that there are.
+/// The same triangles come through the C interface. Then the case's bytes switch on its other
+/// features, alone or together, with memory that may run out and a callback that may cancel: the
+/// status reports it, and arrays have numbers of existing points and cells.
 void expectSameThroughC(const FuzzCase& given, const JobCase& made);
 
 } // namespace fuzz

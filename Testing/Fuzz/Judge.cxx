@@ -85,7 +85,7 @@ Layout::Layout(const FuzzCase& given, const std::vector<Point>& points)
   , mask_(given.head[kSkipMask])
 {
   const bool asFloats = given.layoutBit(0);
-  // not a number more than there has to be: reading beyond is seen
+  // not a number more than needed: reading beyond is detected
   const std::size_t numbers = count_ == 0 ? 0 : (count_ - 1) * stride_ + 2;
   doubles_.assign(asFloats ? 0 : numbers, 7.0);
   floats_.assign(asFloats ? numbers : 0, 7.0F);
@@ -134,7 +134,7 @@ test::Outcome triangulate(test::Engine& engine, const PointView& points, const R
   outcome.report = engine.report();
   if (status == Status::Ok)
   {
-    const NoMemory pause(0); // of what is the test's own
+    const NoMemory pause(0); // of the test's own data
     outcome.triples.resize(3 * outcome.report.triangles, -7);
     outcome.pointStatus.resize(points.count, -7);
   }

@@ -2,7 +2,7 @@
 #ifndef ahd_Judge_h
 #define ahd_Judge_h
 
-// What the fuzz targets of the engine share: complaints, and runs in which something goes wrong.
+// Shared by the fuzz targets of the engine: reports of faults, and runs that fail.
 #include "Core/Progress.h"
 #include "EngineRun.h"
 #include "FuzzCase.h"
@@ -17,12 +17,12 @@ namespace ahd
 namespace fuzz
 {
 
-/// Ends the program with the case and what is wrong with it, unless `fault` is empty.
+/// Ends the program with the case and its fault, unless `fault` is empty.
 void expectNone(const std::string& fault, const FuzzCase& given);
 /// Likewise, unless it is true.
 void expect(bool isTrue, const char* what, const FuzzCase& given);
 
-/// While one lives, no memory is to be had from the given allocation on (1 is the next one; 0: all
+/// While one lives, allocations fail from the given one on (1 is the next one; 0: all
 /// is well), in all threads. An inner one takes the place of the outer one meanwhile.
 class NoMemory
 {
@@ -36,7 +36,7 @@ private:
   std::size_t outerFailAt_, outerAllocations_;
 };
 
-/// Holds the engine to Progress.h, and cancels at one asking (0: at none).
+/// Checks the rules of Progress.h, and cancels at one poll (0: at none).
 class Watch : public Progress
 {
 public:
@@ -48,7 +48,7 @@ public:
   bool advance(Phase phase, double fraction) override;
 
   bool cancelled() const { return cancelAt_ != 0 && askings_ >= cancelAt_; }
-  /// What went against the rules; empty if nothing did.
+  /// The broken rules; empty if none.
   const std::string& fault() const { return fault_; }
 
 private:
@@ -59,10 +59,10 @@ private:
   std::string fault_;
 };
 
-/// Does the work cancelled and without memory, if the case says so: it has to say so too, or be Ok.
+/// Does the work cancelled and without memory, by the case: it must report it, or be Ok.
 void expectStops(const FuzzCase& given, const std::function<Status(Progress*)>& work);
 
-/// Coordinates laid out as the case wants them, and the marks of those to skip.
+/// Coordinates in the layout of the case, and the marks of those to skip.
 class Layout
 {
 public:
@@ -77,10 +77,10 @@ private:
   unsigned char mask_;
 };
 
-/// The numbers 0 to n - 1 in an order that depends on the seed; 0 leaves them as they are.
+/// The numbers 0 to n - 1 in an order that depends on the seed; 0 keeps the order.
 std::vector<std::size_t> shuffledIds(std::size_t n, unsigned seed);
 
-/// Who runs what, and how.
+/// Settings, executor and progress of a run.
 struct Run
 {
   Options options;

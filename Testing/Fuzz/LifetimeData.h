@@ -23,8 +23,8 @@ namespace ahd
 namespace fuzz
 {
 
-/// Points whose number, place and size depend on the time; a piece of them where pieces are asked
-/// for.
+/// Points whose number, place and size depend on the time; a piece of them where pieces are
+/// requested.
 class TimedPoints : public vtkPolyDataAlgorithm
 {
 public:
@@ -38,7 +38,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 };
 
-/// A filter behind the raster, for images.
+/// A downstream filter of the raster, for images.
 class ImageConsumer : public vtkImageAlgorithm
 {
 public:
@@ -49,13 +49,13 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 };
 
-/// Memory of the program's that arrays of VTK's work on.
+/// The program's memory, used by VTK's arrays.
 class Lenders
 {
 public:
   vtkSmartPointer<vtkDoubleArray> lend(std::vector<double> numbers);
-  /// The same numbers elsewhere; what was lent before is overwritten and freed. False if the array
-  /// has memory of its own.
+  /// The same numbers at another address; the memory lent before is overwritten and freed. False if
+  /// the array has memory of its own.
   bool lendOther(vtkDataArray* array);
 
 private:
@@ -67,7 +67,7 @@ private:
   std::vector<Lent> all_;
 };
 
-/// Takes memory that was freed just before, so that nobody finds there what was there.
+/// Reuses memory that was freed just before, so that its old content is gone.
 class Rubbish
 {
 public:
@@ -81,7 +81,7 @@ std::vector<double> numbersOf(vtkDataArray* array);
 vtkSmartPointer<vtkPoints> pointsOf(const std::vector<double>& xyz);
 vtkSmartPointer<vtkPolyData> makeInput(Dice& dice);
 vtkSmartPointer<vtkPolyData> makeSource(Dice& dice);
-/// Cells of a source whose offsets are not what VTK says they are.
+/// Cells of a source with invalid offsets.
 void makeLie(vtkPolyData* source, Dice& dice);
 vtkSmartPointer<vtkPolyData> copyOf(vtkPolyData* data);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Bytes become a sequence of steps (LifetimeWorld.h): each is four bytes, its kind and where its
-// dice begin, so that a step stays what it is where others are left out. With AHD_FUZZ_SHOW set the
+// dice begin, so that a step stays the same where others are left out. With AHD_FUZZ_SHOW set the
 // steps are printed. Testing/Package/Lifetimes/lifetimes.py makes sequences, and shortens them.
 #include "LifetimeWorld.h"
 
@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <cstring>
 
-/// VTK is not compiled with the sanitizers, and leaves some things to the end of the program.
+/// VTK is not compiled with the sanitizers, and frees some things only at the end of the program.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options()
 {
@@ -24,7 +24,7 @@ extern "C" const char* __asan_default_options()
 namespace
 {
 constexpr std::size_t kBytes = 4;      // of a step
-constexpr std::size_t kMostSteps = 64; // more take long, and find no more
+constexpr std::size_t kMostSteps = 64; // more take longer, and find no more faults
 }
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
@@ -58,7 +58,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 extern "C" std::size_t LLVMFuzzerCustomMutator(
   std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed);
 
-/// Steps are inserted, dropped, replaced and said again elsewhere.
+/// Steps are inserted, dropped, replaced and repeated elsewhere.
 extern "C" std::size_t LLVMFuzzerCustomMutator(
   std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed)
 {

@@ -120,7 +120,7 @@ void LifetimeWorld::changeInPlace(Dice& dice)
   this->inputModified();
 }
 
-/// The same numbers at another address; what was there before is others', or nobody's.
+/// The same numbers at another address; the former memory is reused or freed.
 void LifetimeWorld::movePoints(Dice& dice)
 {
   const std::size_t before = dice.below(3);
@@ -167,7 +167,7 @@ void LifetimeWorld::movePoints(Dice& dice)
   }
 }
 
-/// Another data set of the same content; the one before is overwritten, or goes.
+/// Another data set of the same content; the one before is overwritten, or deleted.
 void LifetimeWorld::copyInput(Dice& dice)
 {
   const auto old = input_;
@@ -239,7 +239,7 @@ void LifetimeWorld::changeSource(Dice& dice)
   rubbish_.fill(dice);
 }
 
-/// Cells that lead nowhere are an error, or left out, and nothing else.
+/// Invalid cells are an error, or left out, and nothing else.
 void LifetimeWorld::lieInSource(Dice& dice)
 {
   const auto before = source_;
@@ -254,7 +254,7 @@ void LifetimeWorld::lieInSource(Dice& dice)
 
 // --- Outputs -----------------------------------------------------------------------------------
 
-/// What a filter put out belongs to who has it.
+/// Outputs of a filter belong to their holder.
 void LifetimeWorld::editOutput(Dice& dice)
 {
   vtkPolyData* const output = surface_->GetOutput();
@@ -288,7 +288,7 @@ vtkAlgorithm* LifetimeWorld::oneFilter(Dice& dice) const
   return dice.below(2) == 0 ? static_cast<vtkAlgorithm*>(surface_) : raster_;
 }
 
-/// Updates it, and does something at one of its events of progress.
+/// Updates it, and acts at one of its progress events.
 void LifetimeWorld::workWith(vtkAlgorithm* filter, unsigned event, const std::function<void()>& act)
 {
   struct Rest
@@ -322,8 +322,8 @@ void LifetimeWorld::abort(Dice& dice)
   this->workWith(filter, 1 + unsigned(dice.below(5)), [filter] { filter->SetAbortExecute(1); });
 }
 
-/// What the filter works on is replaced or goes; the next execution is right. Memory that is read,
-/// such as that of an array, is not to be changed meanwhile.
+/// The filter's data are replaced or deleted; the next execution is correct. Memory that is read,
+/// such as that of an array, must not be changed meanwhile.
 void LifetimeWorld::changeInObserver(Dice& dice)
 {
   const std::size_t how = dice.below(5);

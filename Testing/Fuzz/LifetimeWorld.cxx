@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The world and how its results are judged; the steps that change it are in LifetimeSteps.cxx.
+// The world and the checks of its results; the steps that change it are in LifetimeSteps.cxx.
 #include "LifetimeWorld.h"
 
 #include "FilterJudge.h"
@@ -117,8 +117,8 @@ void expectSame(const char* what, const std::string& found, const std::string& w
   }
 }
 
-/// On a surface weights come from the triangulation behind it or, where that is not to be had, from
-/// its own triangles, whose corners begin elsewhere.
+/// On a surface weights come from its triangulation or, if that is not available, from its own
+/// triangles, whose corners begin elsewhere.
 void expectClose(const char* what, vtkDataObject* found, vtkDataObject* wanted)
 {
   if (!areClose(found, wanted))
@@ -139,7 +139,7 @@ void LifetimeWorld::configure(vtkAdaptiveHilbertDelaunay2D* surface) const
   surface->SetGenerateRegionIds(settings_[4] % 2 == 1);
   surface->SetGenerateNeighbors(settings_[5] % 2 == 1);
   surface->SetDuplicatePolicy(settings_[6] % 4);
-  // without it a surface that is copied or passed on again says less than the triangulation behind
+  // without it a copied or passed-on surface has less information than its triangulation
   surface->SetGenerateConstraintEdges(true);
   surface->SetNumberOfThreads(1 + settings_[7] % 2);
 }
@@ -150,8 +150,8 @@ void LifetimeWorld::configure(
   this->configure(surface);
   this->configure(raster->GetTriangulation());
   raster->SetDimensions(9, 7);
-  // natural neighbours and the nearest vertex do not end where the triangulation behind a surface
-  // ends them, as its own triangles say less of constraints
+  // natural neighbours and the nearest vertex end elsewhere than in the triangulation of a surface,
+  // as its own triangles tell less about constraints
   raster->SetMethod(route_ == kSurface && source_ ? 0 : settings_[8] % 4);
   raster->SetOutside(settings_[9] % 2);
   raster->SetUseBounds(settings_[10] % 2 == 1);
@@ -159,7 +159,7 @@ void LifetimeWorld::configure(
   raster->SetOutputType(settings_[11] % 4 == 1);
 }
 
-/// Everything as route and settings have it.
+/// Sets everything by route and settings.
 void LifetimeWorld::attach()
 {
   isCurrent_ = false;
@@ -297,7 +297,7 @@ void LifetimeWorld::updateRaster(Dice& dice)
   this->checkRaster(true);
 }
 
-/// As writers of pieces ask for a raster.
+/// As writers of pieces request a raster.
 void LifetimeWorld::updatePieces(Dice& dice)
 {
   if (route_ == kStream) // at the time that a piece without one gets
@@ -314,8 +314,8 @@ void LifetimeWorld::updatePieces(Dice& dice)
   raster_->UpdateWholeExtent();
 }
 
-/// On the surface as it is, where a new filter may find what it was written from, and on that of a
-/// new filter.
+/// On the current surface, where a new filter may find its triangulation, and on that of a new
+/// filter.
 void LifetimeWorld::interpolateOnOutput(Dice&)
 {
   if (!isCurrent_ || route_ == kStream)

@@ -22,24 +22,23 @@ namespace ahd
 namespace fuzz
 {
 
-/// What a program has at one time: a filter that triangulates, one that interpolates, their input
-/// and what is connected to them. Steps do to it what programs do; whatever was done, both filters
-/// give what new ones give. Where they do not, or the sanitizer sees memory that is nobody's, the
-/// program ends.
+/// The state of a program: a filter that triangulates, one that interpolates, their input and
+/// connections. Steps are operations of programs; after any of them both filters give the results
+/// of new ones. Where they do not, or the sanitizer finds an invalid access, the program ends.
 class LifetimeWorld
 {
 public:
   LifetimeWorld();
   ~LifetimeWorld();
 
-  /// How many kinds of steps there are, and their names.
+  /// The number of kinds of steps, and their names.
   static std::size_t kinds();
   static const char* name(std::size_t kind);
 
-  /// `dice`: decides all that is open.
+  /// `dice`: makes all random choices.
   void step(std::size_t kind, Dice& dice);
 
-  /// What holds in the end.
+  /// Checks at the end.
   void finish();
 
   /// Route, time and settings, in words.
@@ -110,7 +109,7 @@ private:
   enum Route
   {
     kData,
-    kSurface, // what the filter that triangulates puts out
+    kSurface, // the output of the filter that triangulates
     kStream   // a source of time steps and pieces
   } route_ = kData;
   double time_ = 0.0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Mutations that know what the bytes mean, for libFuzzer to choose among: points that are nearly,
-// or to the bit, where the predicates have a hard time; chains that overlap, cross and nest.
+// Mutations by the meaning of the bytes, for libFuzzer to choose among: points exactly or nearly in
+// positions that are hard for the predicates; chains that overlap, cross and nest.
 #include "FuzzCase.h"
 #include "Moves.h"
 
@@ -17,7 +17,7 @@ namespace fuzz
 namespace
 {
 
-/// Copies are dear: an input of the corpus that has them rarely hands them on.
+/// Copies are expensive: an input of the corpus rarely passes them on.
 void dropCopies(FuzzCase& mutated, Dice& dice)
 {
   if (mutated.head[kCopies] >= 240 && dice.below(24) != 0)
@@ -34,7 +34,7 @@ std::size_t write(const FuzzCase& mutated, std::uint8_t* data, std::size_t most)
   return size;
 }
 
-/// Small inputs are tried more often per second, and find as much.
+/// Small inputs run more often per second, and find as many faults.
 void shrink(FuzzCase& mutated, Dice& dice)
 {
   constexpr std::size_t kMany = 40;

@@ -34,7 +34,7 @@ Bounds boundsOf(const PointView& points)
   return b;
 }
 
-/// As Merge.h says it is computed.
+/// As defined in Merge.h.
 bool isWithin(const Point& a, const Point& b, double distance)
 {
   const double s = distance == kInfinity ? 1.0
@@ -96,7 +96,7 @@ struct Diagram
 };
 
 /// If all coordinates of vertices are small integers times one power of two: that. Else 0. With
-/// them the rounding of double precision is easily told from a fault.
+/// them rounding is easily distinguished from a fault.
 double unitOf(const Diagram& diagram)
 {
   const Bounds& b = diagram.bounds;

@@ -42,7 +42,7 @@ std::vector<Point> placesFor(const FuzzCase& given, const PointView& points)
   return places;
 }
 
-/// Sampled once, by one method, with all that comes of it.
+/// Sampled once, by one method, with all results.
 class Judgement
 {
 public:
@@ -133,7 +133,7 @@ private:
     }
   }
 
-  /// locate() is of the same opinion.
+  /// locate() agrees.
   void expectWhere(std::size_t k) const
   {
     const Location found = surface_.made.locate(places_[k]);
@@ -152,7 +152,7 @@ private:
     }
   }
 
-  /// A raster gives the bytes that its places give.
+  /// A raster gives the same bytes as its places.
   void expectRaster() const
   {
     const std::size_t last = places_.size() - 1;
@@ -185,7 +185,7 @@ private:
     }
   }
 
-  /// Are they so small that natural weights are as right as is promised of shapes that are not
+  /// Are they so small that natural weights have the accuracy promised for shapes that are not
   /// flat?
   bool areSmallIntegers(const std::vector<Point>& points) const
   {

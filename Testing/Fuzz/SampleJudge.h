@@ -13,7 +13,7 @@ namespace ahd
 namespace fuzz
 {
 
-/// A triangulation that is sampled, and what was written of it.
+/// A triangulation to sample, and its outputs.
 struct ToSample
 {
   Triangulation& made;
@@ -26,7 +26,7 @@ struct ToSample
 /// raster. They are the sums of their weights times values; weights are none below 0 and sum to 1;
 /// there are some where locate() finds a kept triangle and none outside; a raster gives what its
 /// places give. Few points go through the oracle too: linear and nearest always, natural neighbours
-/// where coordinates are small integers. Cancelled and without memory it says so.
+/// where coordinates are small integers. Cancelled and without memory it reports it.
 void expectSamples(const FuzzCase& given, const ToSample& surface);
 
 } // namespace fuzz

@@ -3,7 +3,7 @@
 // Writes cases for the fuzz targets to begin with, made of the text files of a corpus:
 //   FuzzSeeds <folder of the corpus> <folder to write to>
 // Each file is written whole, and several times cut down, as small inputs are tried more often,
-// with settings and chains of which each is met in some.
+// with settings and chains that each occur in some.
 #include "Corpus.h"
 #include "FuzzCase.h"
 #include "Moves.h"
@@ -31,7 +31,7 @@ FuzzCase caseOf(const ahd::test::CorpusFile& file, std::size_t most)
   return result;
 }
 
-/// Head and chains by chance; bytes that make a run go wrong, or copies, are zero mostly.
+/// Head and chains by chance; bytes that make a run fail, or copies, are zero mostly.
 void decorate(FuzzCase& seed, Dice& dice)
 {
   using namespace ahd::fuzz;
@@ -40,7 +40,7 @@ void decorate(FuzzCase& seed, Dice& dice)
   {
     seed.head[byte] = std::uint8_t(dice.below(256));
   }
-  seed.head[kLayout] &= dice.below(4) == 0 ? 0xFF : 0xFE; // floats lose what is hard
+  seed.head[kLayout] &= dice.below(4) == 0 ? 0xFF : 0xFE; // floats lose the difficulty
   for (const HeadByte byte : { kSkipMarks, kLimit, kCancelAt, kFailAt, kMostBoxes, kRefusals })
   {
     seed.head[byte] = std::uint8_t(dice.below(4) == 0 ? 1 + dice.below(24) : 0);

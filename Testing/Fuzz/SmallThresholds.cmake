@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # The engine does some things for tens of thousands of points only: it shares work among threads,
-# sorts in several passes, asks whether to stop. ahd_copy_with_small_thresholds(<folder>) makes a
+# sorts in several passes, polls for cancellation. ahd_copy_with_small_thresholds(<folder>) makes a
 # copy of its sources in which a few points are enough, so that small inputs reach all of it.
 set(ahd_small_thresholds
   "Triangulation/State.h|kLeastForThreads = 15000|kLeastForThreads = 12"

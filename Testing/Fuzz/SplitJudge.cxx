@@ -35,7 +35,7 @@ std::string splitAndJudge(const ToSplit& given, SplitConstraints& split)
   {
     return "splitting: status " + std::to_string(int(status));
   }
-  // the largest double has no next one, by which nearness is measured
+  // the largest double has no next one, which nearness needs
   const bool isSmall = split.ids.size() <= kMostPieces && given.points.size() <= kMostPieces &&
     test::largestCoordinate(given.points) < std::numeric_limits<double>::max();
   return isSmall && split.unresolved == 0 ? faultsOf(drawing, split) : "";

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
 # Libraries under the sanitizers for the Python package, in place of those it is built with: see
-# Testing/Package/Lifetimes. They are loaded into a Python that knows no sanitizer, so the
+# Testing/Package/Lifetimes. They are loaded into a Python without a sanitizer, so the
 # sanitizers' own library comes with LD_PRELOAD; its path is written to watched/runtime.txt.
 #   watched/libadaptivehilbertdelaunay.so          the C library
 #   watched/libAdaptiveHilbertDelaunayFilters.so   that of the compiled classes, without ranks

@@ -64,7 +64,7 @@ report() {
   printf '%s: %s\n' "$name" "$(tail -n 1 "$folder/$name.txt")"
 }
 
-# fuzz <name of the build> <what to tell cmake>
+# fuzz <name of the build> <settings of cmake>
 fuzz() {
   local build=$folder/$1 target from files
   cmake -S "$here" -B "$build" -DCMAKE_CXX_COMPILER="$compiler" -DAHD_FUZZ_COVERAGE=ON "$2" >/dev/null

@@ -102,7 +102,7 @@ minimise() {
   # by the lines reached, not by how often: a tenth as many
   "$(program "$name")" -set_cover_merge=1 -use_counters=0 -max_len=4096 -timeout=60 \
     "$fresh" "$kept" "$folder/corpus/$name" ${seeds:+"$seeds"}
-  # what has a name of its own stays
+  # named files stay
   find "$kept" -type f -regextype posix-extended -regex '.*/[0-9a-f]{40}' -delete
   cp "$fresh"/* "$kept"
 }
