@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Installs what is missing, builds, and runs the tests. See help below, or ./Testing/test.sh --help.
+# Installs missing packages, builds, and runs the tests. See help below, or ./Testing/test.sh --help.
 set -uo pipefail
 program=test.sh
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// How long an abort may have to wait: the longest processor time, on one thread, in which the
-// filter does not ask whether it is to abort, from the beginning of Update() to its end. For
-// settings that take every step, on points of every kind. A row each, and the largest gap of each
-// setting last.
+// The longest delay of an abort: the longest processor time, on one thread, between two polls of
+// the filter, from the beginning of Update() to its end. For settings that take every step, on
+// points of every kind. A row each, and the largest gap of each setting last.
 //   AbortGaps [--points=1000000] [--settings=voronoi,split,...] [--distributions=Uniform,...]
 #include "Distributions.h"
 
@@ -37,7 +36,7 @@ double processSeconds()
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-/// Notes when it is asked whether it is to abort.
+/// Records the times of polls for an abort.
 class AskedFilter : public vtkAdaptiveHilbertDelaunay2D
 {
 public:

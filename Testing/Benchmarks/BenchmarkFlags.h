@@ -12,13 +12,13 @@ namespace ahd
 namespace test
 {
 
-/// What the benchmark was asked to measure.
+/// The requested measurements.
 struct BenchmarkFlags
 {
   std::vector<std::size_t> sizes = { 1000000 };
   std::vector<Distribution> distributions; ///< by default those of the paper and five harder ones
 
-  /// What triangulates them, and by which clock:
+  /// The triangulators, and their clocks:
   ///   ours, cgal   by the CPU time of the thread
   ///   c            ours, through the C interface
   ///   float        ours, with coordinates of 32 bits

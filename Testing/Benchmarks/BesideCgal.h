@@ -10,8 +10,8 @@
 
 #include <ctime>
 
-// What the benchmarks of constraints begin with: makers of them, the engine, CGAL where it is
-// found, and the clock.
+// Shared by the benchmarks of constraints: makers of them, the engine, CGAL where it is found, and
+// the clock.
 
 namespace ahd
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What one triangulation over very many blocks costs beyond the blocks' own: counted, and timed on
-// this thread alone. Uniform points are drawn in the boxes of the blocks, block after block; of
-// each nothing but its border is kept, so 4,096 blocks of a million fit into a few gigabytes.
+// The cost of one triangulation over very many blocks beyond the blocks' own: counted, and timed on
+// this thread alone. Uniform points are drawn in the boxes of the blocks, block after block; only
+// the border of each is kept, so 4,096 blocks of a million fit into a few gigabytes.
 //   BlockCounts [--blocks=2,8,64,512,4096] [--points=1e6] [--write=FILE.md]
 //   BlockCounts --check    few points: the same counts as the engine's BlockTriangulation
 #include "BlockTree.h"
@@ -31,7 +31,7 @@ public:
   {
   }
 
-  /// Exits if it does not count the same.
+  /// Exits if its counts differ.
   void compare(const Counts& counts)
   {
     using Waiting = BlockTriangulation::Waiting;

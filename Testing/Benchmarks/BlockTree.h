@@ -115,13 +115,13 @@ private:
   std::size_t each_;
 };
 
-/// What is counted and timed at one level of the tree; at level 0 of the blocks.
+/// Counts and times of one level of the tree; level 0 are the blocks.
 struct Level
 {
   Many points;                            ///< that a part is made of
-  Many borderPoints, borderEdges;         ///< that it hands up
-  Many seconds;                           ///< for what is common: the search, or the whole part
-  Many secondsDown;                       ///< listing what goes to blocks
+  Many borderPoints, borderEdges;         ///< that it sends up
+  Many seconds;                           ///< of the common work: the search, or the whole part
+  Many secondsDown;                       ///< listing the data for blocks
   std::size_t bytesUp = 0, bytesDown = 0; ///< messages, those to the sender itself as well
   std::size_t mostBytesIn = 0, mostBytesOut = 0; ///< of one part
   std::size_t triangles = 0;                     ///< that have become final
@@ -134,7 +134,7 @@ struct Counts
   std::size_t hull = 0;
 };
 
-/// What messages take, as BlockTriangulation writes them.
+/// The size of messages, as BlockTriangulation writes them.
 inline std::size_t bytesOf(const PartBorder& border)
 {
   return 16 + border.points.size() * sizeof(BorderPoint) + border.edges.size() * sizeof(BorderEdge);
@@ -258,7 +258,7 @@ private:
     counts_.hull = isTop ? hullOf(part.triangulation()) : 0;
   }
 
-  /// Without loops nothing has to be heard from above first.
+  /// Without loops no message from above is needed first.
   static void giveDown(const Part& part, const BlockRow& row, Level& level)
   {
     const double begun = secondsOfThread();

@@ -13,7 +13,7 @@ namespace ahd
 namespace test
 {
 
-/// Points and segments as CGAL wants them, made before the clock starts.
+/// Points and segments in CGAL's form, made before the clock starts.
 class CgalConstrained
 {
 public:
@@ -23,7 +23,7 @@ public:
   /// Constrained_Delaunay_triangulation_2 over Exact_predicates_inexact_constructions_kernel: all
   /// points inserted as one range, which CGAL sorts spatially, and then the segments between the
   /// vertices that came of them, one by one. Calls `triangulated` between the two and `constrained`
-  /// before what was made is given back. Returns the number of finite triangles: nothing is filled.
+  /// before the result is freed. Returns the number of finite triangles: nothing is filled.
   std::size_t triangulate(
     const std::function<void()>& triangulated, const std::function<void()>& constrained) const;
 

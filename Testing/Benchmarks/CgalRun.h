@@ -13,7 +13,7 @@ namespace ahd
 namespace test
 {
 
-/// The points as CGAL wants them, made before the clock starts.
+/// The points in CGAL's form, made before the clock starts.
 class CgalRun
 {
 public:
@@ -26,10 +26,10 @@ public:
   /// inserted as one range (CGAL sorts them spatially). Returns the number of finite triangles.
   std::size_t triangulate() const;
 
-  /// The same; calls `triangulated` before what was made is given back, to end a measurement there.
+  /// The same; calls `triangulated` before the result is freed, to end a measurement there.
   std::size_t triangulate(const std::function<void()>& triangulated) const;
 
-  /// Triangulates: does CGAL find the result right (its is_valid(), with exact predicates)?
+  /// Triangulates: is the result valid for CGAL (is_valid(), with exact predicates)?
   bool isValid() const;
 
   /// CGAL's version, as "5.5.1".

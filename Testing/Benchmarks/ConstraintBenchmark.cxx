@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What constraints cost, beside CGAL's Constrained_Delaunay_triangulation_2 on the same points and
-// segments, one thread, by its CPU time. `plain` is the triangulation alone; `constrained` that and
-// the constraints; `two` the same by two threads, by the clock on the wall; `cgal` CGAL's points
-// and then its constraints, without ids. Each is timed from the points to the triangles written
-// (CGAL: to its data structure); `constrain` is what the constraints alone took, and is given for
-// CGAL as well.
+// The cost of constraints, beside CGAL's Constrained_Delaunay_triangulation_2 on the same points
+// and segments, one thread, by its CPU time. `plain` is the triangulation alone; `constrained` that
+// and the constraints; `two` the same by two threads, by the clock on the wall; `cgal` CGAL's
+// points and then its constraints, without ids. Each is timed from the points to the triangles
+// written (CGAL: to its data structure); `constrain` is the time of the constraints alone, given
+// for CGAL as well.
 //
-// What is made, and how many segments it has, depends on --points; see shapes().
+// Shapes and numbers of segments depend on --points; see shapes().
 #include "BesideCgal.h"
 #include "Core/Threads.h"
 #include "Places.h"
@@ -160,7 +160,7 @@ const std::vector<Shape>& shapes()
   return all;
 }
 
-/// What one call took, and what it made.
+/// The time and the result of one call.
 struct Measured
 {
   double whole = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What splitting costs where constraints cross, beside CGAL's Constrained_Delaunay_triangulation_2
+// The cost of splitting where constraints cross, beside CGAL's Constrained_Delaunay_triangulation_2
 // with Exact_predicates_tag, one thread, CPU time, in turns. Each from the points to the
 // constrained triangulation; "left out" is ours without splitting. The segments are those of
 // crossingCases().
@@ -20,7 +20,7 @@ namespace
 using namespace ahd;
 using namespace ahd::test;
 
-/// Returns how many pairs crossed.
+/// Returns the number of crossing pairs.
 std::size_t triangulateOurs(const ConstraintCase& given, bool splits)
 {
   static Workspace workspace;

@@ -62,7 +62,7 @@ const std::vector<Point>& pointsOf(const Case& c)
   return points;
 }
 
-/// Times `run(done)` until it calls done(), so that giving memory back is not part of it, and
+/// Times `run(done)` until it calls done(), so that freeing memory is not part of it, and
 /// reports the number of triangles it returns. Small cases are run several times in a row, of which
 /// the fastest counts: they are over before the clock has moved much.
 template <typename Run>
@@ -118,7 +118,7 @@ struct Ours
   }
 };
 
-/// The same through the C interface, which is what the wheel calls.
+/// The same through the C interface, as the wheel calls it.
 struct OursInC
 {
   ahd_job* const job = ahd_job_new();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What the engine does, counted: nothing here depends on the machine or on what else it does.
+// Counts of the engine's work: nothing here depends on the machine or its load.
 // Prints one JSON object a line:
 //   EngineCounts [--sizes=1e6] [--distributions=paper] [--threads=1,2,64]
-// Numbers of threads beyond those of the machine are said, not had: what is counted is the same.
+// Numbers of threads beyond those of the machine are reported, not started: the counts are the
+// same.
 #include "BenchmarkFlags.h"
 #include "Executors.h"
 #include "OwnMemory.h"
@@ -21,7 +22,7 @@ namespace
 using namespace ahd;
 using namespace ahd::test;
 
-/// Runs and prints what was counted; false if the engine did not get through.
+/// Runs and prints the counts; false if the engine failed.
 bool count(Distribution distribution, const std::vector<Point>& points, unsigned threads)
 {
   const unsigned there = std::max(1u, std::thread::hardware_concurrency());

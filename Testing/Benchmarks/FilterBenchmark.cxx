@@ -2,7 +2,7 @@
 //
 // The filter's Update() beside the engine alone on the same coordinates, and with each feature
 // beside a plain one. Counters: nsPerPoint, CPU time of the process, and wallNsPerPoint. All are
-// warm and have what they keep from one call to the next; the engine alone gets new memory for its
+// warm and keep their memory from one call to the next; the engine alone gets new memory for its
 // triangles each time, as the filter makes a new output each time.
 //   FilterBenchmark [--points=1000000] [--threads=1] [--features=engine,plain] [Google Benchmark's
 //   own]
@@ -35,7 +35,7 @@ namespace
 using namespace ahd;
 using Filter = vtkAdaptiveHilbertDelaunay2D;
 
-/// What all runs share.
+/// Data shared by all runs.
 struct Inputs
 {
   std::size_t n = 1000000;
@@ -84,7 +84,7 @@ double secondsOf(clockid_t clock)
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-/// Times the second of two calls, the first fills what is kept; cold, the first.
+/// Times the second of two calls, the first fills the caches; cold, the first.
 template <typename Run>
 void measure(benchmark::State& state, const Inputs& in, Run run)
 {

@@ -29,7 +29,7 @@ public:
   }
   bool advance(Phase, double) override { return true; }
 
-  /// What was executed since the phase began.
+  /// The instructions since the phase began.
   void dump()
   {
     static const char* const kNames[] = { "merge", "split", "read", "sort", "insert", "constrain",

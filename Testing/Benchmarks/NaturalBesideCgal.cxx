@@ -43,7 +43,7 @@ std::vector<Point> placesAmong(const std::vector<Point>& points, std::size_t cou
   return places;
 }
 
-/// The largest difference of a weight; infinite where one side has a value alone. On the hull's
+/// The largest difference of a weight; infinite where only one side has a value. On the hull's
 /// edges CGAL has none.
 double largestDifference(
   const std::vector<Point>& points, const std::vector<Point>& places, std::size_t& compared)

@@ -10,9 +10,9 @@
 // settings, which may be changed: HG:control=none|one|every  HG:genes=off  MG:nmax=100.
 //
 // One thread, timed by its CPU time. Every run is cold: it begins with a new engine and no memory,
-// and page faults are part of it, as in a program that runs once. What was made is given back after
-// the clock has stopped. The first of the engine's results is certified, all others have to be the
-// same bytes; of CGAL's, the number of triangles has to agree.
+// and page faults are part of it, as in a program that runs once. Results are freed after the clock
+// has stopped. The first of the engine's results is certified, all others have to be the same
+// bytes; of CGAL's, the number of triangles has to agree.
 #include "BenchmarkFlags.h"
 #ifdef AHD_WITH_CGAL
 #include "CgalRun.h"
@@ -50,7 +50,7 @@ struct Configuration
   Options options;
 };
 
-/// What is printed of a configuration: times by name, one a round, and what came out.
+/// The printed data of a configuration: times by name, one a round, and results.
 struct Measured
 {
   std::map<std::string, std::vector<double>> times;
@@ -147,8 +147,8 @@ public:
   }
 
 private:
-  /// A limit beyond all points says "as an explicit sequence, by one thread": the path of the other
-  /// orders, which the default does without.
+  /// A limit beyond all points means "as an explicit sequence, by one thread": the path of the
+  /// other orders, unlike the default.
   Options withLimit(Options options) const
   {
     options.insertionLimit = options.insertionLimit > 0 ? points_.size() : 0;

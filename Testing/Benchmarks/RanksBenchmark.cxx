@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The filter on the ranks of an MPI program: one triangulation of uniform points, of which each
-// rank has a run by number, wherever they lie. On one rank it is the filter as ever.
+// rank has a run by number, wherever they lie. On one rank it is the plain filter.
 //   mpirun -np RANKS RanksBenchmark [--points=10000000] [--threads=1] [--runs=3] [--cpu]
 // Prints a line of JSON for each run: wall-clock seconds, or of CPU time, the longest of all ranks,
 // of the whole and of each stage, and bytes at the peak beyond input and output, per point, the
@@ -39,7 +39,7 @@ struct Way
   int threads = 1, runs = 3;
 };
 
-/// What one rank took.
+/// Times and memory of one rank.
 struct Taken
 {
   enum
@@ -106,7 +106,7 @@ double memory(const char* name)
   return 1024.0 * kib;
 }
 
-/// The peak starts anew. Returns what is held.
+/// Resets the peak. Returns the bytes held.
 double beginPeak()
 {
   malloc_trim(0);

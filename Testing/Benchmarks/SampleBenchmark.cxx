@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// What values between the points cost: linear, natural neighbour, Laplace and nearest, on a raster
-// and at scattered places, on one thread by its CPU time; natural neighbours beside CGAL's
-// natural_neighbor_coordinates_2 at the same places in the same order. The triangulation and what a
-// Sampler prepares are ready, the memory written to is warm. On two threads by the clock on the
-// wall, and, for busy machines, as it would be if tasks took the CPU time that they take alone.
+// The cost of values between the points: linear, natural neighbour, Laplace and nearest, on a
+// raster and at scattered places, on one thread by its CPU time; natural neighbours beside CGAL's
+// natural_neighbor_coordinates_2 at the same places in the same order. The triangulation and the
+// Sampler are prepared, the output memory is warm. On two threads by the clock on the wall, and,
+// for busy machines, as it would be if tasks took the CPU time that they take alone.
 #include "BesideCgal.h"
 #include "Core/Threads.h"
 #include "Random.h"
@@ -72,7 +72,7 @@ struct Surface
   Triangulation made;
 };
 
-/// Runs all tasks itself, and finds out how much sooner two threads would have ended.
+/// Runs all tasks itself, and computes how much sooner two threads would have ended.
 class Pretended : public Executor
 {
 public:

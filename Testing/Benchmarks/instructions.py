@@ -44,7 +44,7 @@ def parse_arguments():
 
 
 def obstacle(built_by):
-    """Why the budget says nothing about a program built so, or None."""
+    """Why the budget does not apply to a program built so, or None."""
     if built_by is None:
         return None
     compiler, build_type, flags = built_by

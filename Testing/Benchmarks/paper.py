@@ -58,7 +58,7 @@ def parse_arguments():
 
 
 class Plan:
-    """What is to be measured: parts of (kind, points, distribution), and how often."""
+    """The measurements: parts of (kind, points, distribution), and how often."""
 
     def __init__(self, arguments, about):
         quick = arguments.quick
@@ -153,8 +153,8 @@ def compare(folder):
 
 
 def begin_data(arguments, about):
-    """Empty results, or those there are, as far as they may be kept. The peers, which have a date of their
-    own, stay unless they are to be measured."""
+    """Empty results, or the existing ones, as far as they may be kept. The peers, which have a date of their own, stay
+    unless they are measured."""
     empty = {"made": about, "failures": [], "tables": [], "ablations": []}
     if not (arguments.out / "Results.json").exists():
         return empty
@@ -193,7 +193,7 @@ def measure_part(part, plan, arguments, data):
 
 
 def without_words(peers):
-    """All that programs said beside their figures names files of this machine: it is not published."""
+    """The programs' other output names files of this machine: it is not published."""
     for run in peers["runs"].values():
         run.pop("said", None)
     return peers
@@ -247,7 +247,7 @@ def measure_all(arguments):
 
 
 def missing(data, plan):
-    """What --check looks for: each row, each of its columns, and that it was checked."""
+    """The checks of --check: each row, each of its columns, and that it was certified."""
     gaps = []
     for part in plan.parts():
         rows = {row["configuration"]: row for row in rows_of(part, data)}
@@ -260,8 +260,8 @@ def missing(data, plan):
 
 
 def missing_peers(peers):
-    """Every peer has run on every input, every result was judged, and ours are right. What PyPI did not
-    give is no fault of the programs; Debian's packages are there where the tests run."""
+    """Every peer has run on every input, every result was judged, and ours are correct. Packages missing from PyPI are
+    no fault of the programs; Debian's packages are there where the tests run."""
     gaps = [] if peers.get("inputs") else ["no peers"]
     for name, peer in peers.get("peers", {}).items():
         if "missing" in peer:

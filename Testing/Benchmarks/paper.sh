@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds what repeats the paper's experiments, and runs it. See help below, or paper.sh --help.
+# Builds the programs that repeat the paper's experiments, and runs them. See help below, or paper.sh --help.
 set -uo pipefail
 program=paper.sh
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The numbers of the paper's experiments, here and in the paper, and what follows from them.
+"""The numbers of the paper's experiments, here and in the paper, and their consequences.
 
-A row is a dict with points, distribution, configuration, and of np, nr (per point), grid, insert, total
-(milliseconds) what is known. Results.json and PaperTables.json hold such rows.
+A row is a dict with points, distribution, configuration, and the known ones of np, nr (per point), grid, insert, total
+(milliseconds). Results.json and PaperTables.json hold such rows.
 """
 
 import json

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs PaperExperiments and says on what machine."""
+"""Runs PaperExperiments and describes the machine."""
 
 import datetime
 import hashlib
@@ -15,7 +15,7 @@ PROCESSORS = sorted(os.sched_getaffinity(0))
 
 
 def first_line(path, start="", default=""):
-    """What follows `start` in the first line of the file that begins with it."""
+    """The rest of the first line of the file that begins with `start`."""
     try:
         for line in Path(path).read_text().splitlines():
             if line.startswith(start):
@@ -51,7 +51,7 @@ def machine():
 
 
 def git(*arguments):
-    """What git says about the sources; empty without git."""
+    """The output of git about the sources; empty without git."""
     try:
         run = subprocess.run(["git", "-C", str(HERE), *arguments], capture_output=True, text=True, check=True)
     except (OSError, subprocess.CalledProcessError):
@@ -66,7 +66,7 @@ def revision():
 
 
 def about(program):
-    """What is written down once: how the program was built, where and when it runs."""
+    """Recorded once: how the program was built, where and when it runs."""
     built = json.loads(subprocess.run([program, "--about"], capture_output=True, check=True).stdout)
     return {
         "date": datetime.date.today().isoformat(),
@@ -95,7 +95,7 @@ def row_of(line, points, distribution):
 
 
 def measure(program, points, distribution, configurations, rounds, validate=False):
-    """(rows, what went wrong) of one distribution and number of points, on one processor."""
+    """(rows, errors) of one distribution and number of points, on one processor."""
     command = [
         program,
         f"--sizes={points}",

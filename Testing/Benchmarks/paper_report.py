@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Results.md from Results.json: nothing else goes into it but PaperTables.json and PaperText.md."""
+"""Results.md from Results.json, PaperTables.json and PaperText.md alone."""
 
 import re
 import sys
@@ -281,7 +281,7 @@ def failures_section(data):
 
 
 def of_peers(data, render_peers):
-    """What a function of peers.py, by its name, makes of the peers' part of the data; [] without it."""
+    """The result of a function of peers.py, by its name, for the peers' part of the data; [] without it."""
     if not data.get("peers"):
         return []
     sys.path.insert(0, str(Path(HERE) / "peers"))

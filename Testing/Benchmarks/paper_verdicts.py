@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the numbers say: every sentence here is computed, none knows how the measurement came out."""
+"""Sentences about the numbers: every one is computed, for any outcome of the measurement."""
 
 from statistics import median
 
@@ -155,7 +155,7 @@ def total(rows, points, distribution, configuration):
 
 
 def gains_of_pairs(rows, points, pairs, column):
-    """Of the pairs (distribution, with, without): what `with` gains, in percent, where known."""
+    """For the pairs (distribution, with, without): the gain of `with`, in percent, where known."""
     found = (gain(rows, (points, d), of, over, column) for d, of, over in pairs)
     return [value for value in found if value is not None]
 
@@ -181,7 +181,7 @@ def work_change(rows, points, pairs, column):
 
 
 def effect(rows, points, what, pairs):
-    """What a setting does: by insertion alone first, as orders are made in other ways than the paper's."""
+    """The effect of a setting: by insertion alone first, as orders are made in other ways than the paper's."""
     inserting = gains_of_pairs(rows, points, pairs, "insert")
     in_all = gains_of_pairs(rows, points, pairs, "total")
     if not inserting:

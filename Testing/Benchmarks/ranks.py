@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Medians and least times of what RanksBenchmark printed, for ranks.sh.
+"""Medians and least times of RanksBenchmark's output, for ranks.sh.
 
 ranks.py FILE    lines of JSON
 """

@@ -42,7 +42,7 @@ class Table:
         self.rounds, self.rows, self.missing = rounds, [], []
 
     def add(self, name, ours, theirs, difference):
-        """Rates of the rounds, and how far values are from each other."""
+        """Rates of the rounds, and the differences of values."""
         both = ["%.3g (%.3g to %.3g)" % (statistics.median(rates), min(rates), max(rates)) for rates in (ours, theirs)]
         ratio = statistics.median(ours) / statistics.median(theirs)
         self.rows.append("| %s | %s | %s | %.3g | %s |" % (name, *both, ratio, difference))

@@ -49,7 +49,7 @@ def parse_arguments():
 
 
 def print_scaling(programs, plan):
-    """How the insertion would go on more threads than there may be here: by counts."""
+    """The insertion on more threads than this machine may have: by counts."""
     threads = [2, 4, 8, 16, 32, 64]
     say(f"scaling, {powered(plan.large)} points, 2 to 64 threads, counted")
     counted = programs.count([plan.large], ["Uniform", "NestedClusters"], threads)

@@ -52,7 +52,7 @@ if command -v dpkg-query >/dev/null; then
   [ -z "$missing" ] || printf 'The filter may not be measured: missing are %s\n' "$missing"
 fi
 
-# configure <source folder> <settings>...: quietly; a folder that was configured stays as it is
+# configure <source folder> <settings>...: quietly; a configured folder stays unchanged
 configure() {
   local source=$1
   shift
@@ -86,7 +86,7 @@ where_is() {
   done
 }
 
-# The engine of an old commit, against which one row is measured; nothing where it is not at hand.
+# The engine of an old commit, against which one row is measured; empty if it is not available.
 build_before() {
   local commit folder=$build/before
   commit=$(sed -n 's/^BEFORE = "\([0-9a-f]*\)".*/\1/p' "$root/Testing/Benchmarks/speed_rows.py")

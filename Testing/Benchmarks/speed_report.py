@@ -82,7 +82,7 @@ def sections(data):
 
 def markdown(data):
     parts = [HEAD.format(**data["machine"], date=data["date"])]
-    parts += [data["remark"] + "\n"] if "remark" in data else []  # written by hand, where a run had something odd
+    parts += [data["remark"] + "\n"] if "remark" in data else []  # written by hand, where a run was unusual
     parts += [table(title, rows) for title, rows in sections(data).items()]
     return "\n".join([*parts, TAIL])
 

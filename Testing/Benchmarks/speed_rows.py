@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What is aimed at in speed: every row that speed.py measures, with its target.
+"""Targets of speed: every row that speed.py measures.
 
-A row has samples of two sides or more, measured in one run, in turns; what is aimed at is the ratio of two
-medians. Warm: a later call in a process. Cold: the first call of a process, page faults included."""
+A row has samples of two sides or more, measured in one run, in turns; the target is a ratio of two medians.
+Warm: a later call in a process. Cold: the first call of a process, page faults included."""
 
 import os
 import subprocess
@@ -62,7 +62,7 @@ class Row:
         return value >= self.target if self.sense == ">=" else value <= self.target
 
     def run(self, once=False):
-        """Measures; what comes out short is measured once more, and the better of the two stands."""
+        """Measures; a row that misses its target is measured once more, and the better of the two stands."""
         self.samples = self.measure()
         if once or self.value() is None or self.good():
             return
@@ -351,7 +351,7 @@ SECTIONS = [
 
 
 def machine(root):
-    """What it was measured on."""
+    """The machine."""
     def first(path, begin):
         with open(path, encoding="utf-8") as file:
             return next((line.split(":", 1)[1].strip() for line in file if line.startswith(begin)), "unknown")

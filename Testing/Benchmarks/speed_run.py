@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs the benchmark programs for speed.py and gives what they measured."""
+"""Runs the benchmark programs for speed.py and returns their measurements."""
 
 import json
 import os
@@ -16,7 +16,7 @@ def say(text):
 
 
 def output_of(command, pinned, seconds=None):
-    """What the command prints; None if it takes longer. It ends everything if it fails."""
+    """The output of the command; None if it takes longer. Exits if it fails."""
     processors = PROCESSORS[-1:] if pinned else PROCESSORS
     try:
         run = subprocess.run(
@@ -31,7 +31,7 @@ def output_of(command, pinned, seconds=None):
 
 
 def benchmarks_of(command, pinned, seconds=None):
-    """What Google Benchmark measured, the runs of one process in random turns; None if it took longer."""
+    """The measurements of Google Benchmark, the runs of one process in random turns; None if it took longer."""
     text = output_of(
         command + ["--benchmark_format=json", "--benchmark_enable_random_interleaving=true"], pinned, seconds
     )
@@ -43,7 +43,7 @@ def benchmarks_of(command, pinned, seconds=None):
 
 
 class Programs:
-    """The programs, and what they measure as lists of samples."""
+    """The programs, and their measurements as lists of samples."""
 
     def __init__(self, arguments):
         self.paths = {
@@ -98,7 +98,7 @@ class Programs:
         return samples
 
     def shape(self, size, name, repeat):
-        """What ConstraintBenchmark measured of one shape: {engine: [its counters, real_time in ms]}."""
+        """The measurements of ConstraintBenchmark for one shape: {engine: [its counters, real_time in ms]}."""
         command = [
             self.paths["constraints"], f"--points={size}", f"--repeat={repeat}",
             f"--benchmark_filter=^[a-z]+/{name}/",

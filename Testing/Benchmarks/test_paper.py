@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sentences of Results.md follow from the numbers, whatever they are."""
+"""The sentences of Results.md follow from any numbers."""
 
 import argparse
 import json

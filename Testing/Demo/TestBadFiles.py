@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Bad files of kinds that VTK reads: each is refused with one line, whatever VTK's reader does with it.
+"""Bad files of kinds that VTK reads: each is refused with one line, whatever VTK's reader does.
 
 Read in a process of its own, good ones come back as they are.
 """

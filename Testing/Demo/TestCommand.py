@@ -60,8 +60,8 @@ class Command(unittest.TestCase):
             self.assertIn(option if len(option) > 3 else '"--" + axis', source)
 
     def test_the_demo_builds_all_that_is_installed(self):
-        """So that `cmake --install build` works after it: of what is installed the demo's targets need all that the
-        build makes. ninja knows what they need."""
+        """So that `cmake --install build` works after it: the demo's targets must build all installed files. By ninja's
+        dependencies."""
         with open(os.path.join(ROOT, "Plugin", "demo.sh"), encoding="utf-8") as file:
             targets = re.search(r"/usr/bin/python3 -- (.*)", file.read()).group(1).split()
         if not os.path.exists(os.path.join(BUILD, "build.ninja")):
@@ -82,7 +82,7 @@ class Command(unittest.TestCase):
                     installed.update(re.findall('"%s/([^"]*)"' % re.escape(BUILD), file.read()))
         installed &= made
         self.assertGreater(len(installed), 4, "what is installed was not found")
-        for path in installed:  # links are made with what they lead to
+        for path in installed:  # links are made with their targets
             self.assertIn(os.path.relpath(os.path.realpath(os.path.join(BUILD, path)), os.path.realpath(BUILD)), needed)
 
     def test_what_cannot_be_used(self):
@@ -202,7 +202,7 @@ class Command(unittest.TestCase):
             self.assertEqual((done.stdout + done.stderr).count("There is no triangle"), 1, done.stderr)
 
     def test_without_rights_to_install_it_says_what_to_ask_for(self):
-        """Nobody is asked for a password here: sudo is not in the PATH."""
+        """No password is requested here: sudo is not in the PATH."""
         script = 'program=test logs=%s; . "%s/.ci/setup.sh"; id() { echo 1000; }; PATH=/nowhere; become_root "a b"'
         with tempfile.TemporaryDirectory() as folder:
             done = subprocess.run(

@@ -21,7 +21,7 @@ del sys.argv[1:6]
 
 
 def hull_size(places):
-    """How many points lie on the boundary of the convex hull, those on its edges included. Exact for
+    """The number of points on the boundary of the convex hull, those on its edges included. Exact for
     integers."""
 
     def half(ordered):
@@ -65,7 +65,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "survey.png")), 20000)
 
     def test_coastline(self):
-        """Every point of shore and islands is a vertex, and nothing was left out; of land nothing is left."""
+        """Every point of shore and islands is a vertex, nothing was left out, and no land remains."""
         bay = os.path.join(ROOT, "Data", "Bay")
         files = [os.path.join(bay, name) for name in ("soundings.csv", "coastline.vtp")]
         said = self.run_example("pvpython", os.path.join(EXAMPLES, "coastline.py"), PLUGIN, *files, "bay.png")
@@ -119,7 +119,7 @@ class Examples(unittest.TestCase):
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "hill.vtp")), 10000)
 
     def test_arrays(self):
-        """The water is what the coastline encloses, of which nothing was left out."""
+        """The water is the area inside the coastline, of which nothing was left out."""
         files = [os.path.join(ROOT, "Data", "Bay", name) for name in ("soundings.csv", "coastline.vtp")]
         said = self.run_example(sys.executable, os.path.join(EXAMPLES, "arrays.py"), *files)
         with open(files[1], encoding="ascii") as file:
@@ -176,7 +176,7 @@ class Examples(unittest.TestCase):
         self.assertTrue(run.returncode == 1 and run.stderr.startswith("usage: "), run.stderr)
 
     def test_without_arguments(self):
-        """One line says what is missing, as the text at the top does: no traceback."""
+        """One line names the missing package, like the text at the top: no traceback."""
         for name in sorted(os.listdir(EXAMPLES)):
             path = os.path.join(EXAMPLES, name)
             if not name.endswith(".py") or name == "pipeline.py":  # whose one argument may be left out
@@ -190,14 +190,14 @@ class Examples(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr[:25]), (1, "usage: python3 arrays.py "))
 
     def test_volumes_of_flat_triangles(self):
-        """What lies at the level is not above it."""
+        """Points at the level are not above it."""
         with open(os.path.join(self.folder, "flat.csv"), "w", encoding="ascii") as file:
             file.write("x,y,z\n0,0,5\n1,0,5\n0,1,5\n")
         said = self.run_example(sys.executable, os.path.join(EXAMPLES, "volumes.py"), "flat.csv", "5")
         self.assertRegex(said, "area above the level: 0$")
 
     def test_cxx(self):
-        """With either generator of CMake, as far as its program is there: the demo installs ninja alone."""
+        """With either generator of CMake, if its program is installed: the demo installs ninja alone."""
         with open(os.path.join(self.folder, "points.xyz"), "w", encoding="ascii") as file:
             file.write("0 0 1\n1 0 2\n1 1 3\n0 1 4\n0.5 0.5 5\n1 0 6\n")
         programs = {"Ninja": "ninja", "Unix Makefiles": "make"}
@@ -212,7 +212,7 @@ class Examples(unittest.TestCase):
             self.assertTrue(os.path.exists(os.path.join(self.folder, folder + ".vtp")))
 
     def test_lines_of_the_documents(self):
-        """They name a generator, whose program the demo installs, and plugins by whole paths: ParaView 5.13 takes no
+        """They name a generator, whose program the demo installs, and plugins by whole paths: ParaView 5.13 accepts no
         others."""
         for name in ("Plugin/Examples/README.md", "Plugin/Examples/cxx/CMakeLists.txt",
                      "Filters/Engine/Interface/README.md", "Testing/Engine/README.md"):  # fmt: skip

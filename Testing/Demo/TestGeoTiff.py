@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo's GeoTIFFs, written by GDAL and by rasterio, each where it is; what is said without them. In a file that is
-read again: where each pixel lies, what is nodata, whose coordinates these are."""
+"""The demo's GeoTIFFs, written by GDAL and by rasterio, if installed; the message without them. In a file that is read
+again: the places of pixels, nodata, the coordinate system."""
 
 import contextlib
 import importlib

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The demo in pvbatch: VTK's file formats, what it prints and writes, and the picture.
+"""The demo in pvbatch: VTK's file formats, its output and files, and the picture.
 
     pvbatch TestPipeline.py <AdaptiveHilbertDelaunay.so>
 """
@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.join(ROOT, "Plugin", "Demo"))
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 
-from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D  # noqa: F401 (so that Python knows it)
+from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D  # noqa: F401 (so that Python loads it)
 import badfiles
 import demo
 import geotiff
@@ -81,7 +81,7 @@ class InFolder(unittest.TestCase):
         return self.path(name)
 
     def run_demo(self, *words):
-        """What the demo prints."""
+        """The demo's output."""
         said = io.StringIO()
         with contextlib.redirect_stdout(said):
             demo.run(demo.parse_arguments(["--plugin", PLUGIN, "--output", self.folder, *words]))
@@ -171,7 +171,7 @@ class WholeRuns(InFolder):
         self.assert_picture("square.png")
 
     def test_a_table_with_text_in_it(self):
-        """As a spreadsheet saves it: names, a row of units, remarks, gaps said in words, a foot."""
+        """As a spreadsheet saves it: names, a row of units, remarks, gaps as words, a foot."""
         rows = ["station;lat;lon;depth;remark", "-;deg;deg;m;-"]
         rows += ["S%02d;%d;%d;%d;ok" % (i, i // 6, i % 6, i % 5) for i in range(36)]
         rows[7] = "S05;0;5;n/a;\"lost; see log\""
@@ -268,7 +268,7 @@ class WholeRuns(InFolder):
             self.run_demo(path, "--own-output")
 
     def test_links_and_lists_that_lie(self):
-        """Nothing is written through a link that somebody else has put there, wherever it leads to."""
+        """Nothing is written through another user's link, wherever it leads."""
         path = self.write_text("line.csv", "0,0,1\n1,1,2\n2,2,3\n")
         os.symlink(self.path("nowhere.vtp"), self.path("line.vtp"))
         for known in ("", "[" * 100_000, "{}", '{"line.vtp": null, "../x": [1, 2], "a\\u0000": 3}', "[1]"):

@@ -243,7 +243,7 @@ class BadRows(FileTest):
         self.assertIn("  line 3: 4,five,6", found.notes)
 
     def test_same_numbers_with_and_without_a_bad_row(self):
-        """The fast way of reading and the careful one round alike."""
+        """The fast reader and the careful one round alike."""
         rows = ["%r %r %r" % (x / 7, x / 11, 10.0 ** (x - 300)) for x in range(600)]
         fast = self.read("\n".join(rows))
         careful = self.read("\n".join(rows + ["a b c"]))

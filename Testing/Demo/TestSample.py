@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The samples in Data/ are what make_survey.py and make_bay.py make, and have in them what is claimed."""
+"""The samples in Data/ are made by make_survey.py and make_bay.py, and have the documented content."""
 
 import filecmp
 import os

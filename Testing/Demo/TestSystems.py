@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the commands work: which packages they ask for there, and what they say elsewhere.
+"""Systems on which the commands work: the packages they request there, and their messages elsewhere.
 
-Systems are played by files like /etc/os-release, which AHD_OS_RELEASE names.
+Systems are simulated by files like /etc/os-release, which AHD_OS_RELEASE names.
 """
 
 import os
@@ -26,7 +26,7 @@ OTHERS = {
     "Fedora Linux 43": "ID=fedora\nVERSION_ID=43\n",
     "Ubuntu that claims to be bookworm": "ID=ubuntu\nVERSION_CODENAME=bookworm\n",
 }
-# Systems made from Debian or Ubuntu, and the ParaView that each is taken to have.
+# Systems derived from Debian or Ubuntu, and the ParaView that each is assumed to have.
 DERIVED = {
     "Ubuntu 24.04.1 LTS":
         ('ID=ubuntu\nID_LIKE=debian\nVERSION_CODENAME=noble\nUBUNTU_CODENAME=noble\n', "5.11.2+dfsg-6"),
@@ -55,7 +55,7 @@ class Systems(unittest.TestCase):
         self.lists("5.11.2")
 
     def lists(self, paraview, lacking="nothing"):
-        """The package lists have this ParaView, and every package but the one that is lacking."""
+        """The package lists have this ParaView, and every package but the missing one."""
         stub = ("#!/bin/sh\nshift\nfor name; do\n  case $name in\n    paraview-dev) version=%s ;;\n"
                 "    %s) version='(none)' ;;\n    *) version=1.0 ;;\n  esac\n"
                 '  printf "%%s:\\n  Installed: (none)\\n  Candidate: %%s\\n" "$name" "$version"\ndone\n')
@@ -65,7 +65,7 @@ class Systems(unittest.TestCase):
         os.chmod(path, 0o755)
 
     def run_in(self, system, *command):
-        """Runs a command in a system with this os-release; None: there is no such file."""
+        """Runs a command in a system with this os-release; None: no such file."""
         path = os.path.join(self.folder, "os-release")
         if system is not None:
             with open(path, "w", encoding="utf-8") as file:
@@ -97,7 +97,7 @@ class Systems(unittest.TestCase):
                     self.assertFalse(os.path.exists(os.path.join(self.folder, "build")))
 
     def required(self, text, *needed, finished=""):
-        """What require_release sets, and what it says."""
+        """The variables and the message of require_release."""
         script = ('program=test logs=/nowhere root=/sources; . "{0}/.ci/setup.sh"; . "{0}/.ci/packages.sh";'
                   ' require_release "{1}" {2}; echo "<$release><$like>"')
         return self.run_in(text, "bash", "-c", script.format(ROOT, finished, " ".join(needed)))
@@ -160,7 +160,7 @@ class Systems(unittest.TestCase):
         points = os.path.join(self.folder, "points.csv")
         with open(points, "w", encoding="utf-8") as file:
             file.write("x,y,z\n0,0,0\n1,0,0\n0,1,0\n")
-        # a display that is there at once, and a ParaView that shows what it is asked for
+        # a display that is ready at once, and a ParaView that prints its arguments
         for name, words in (("xauth", ""), ("mcookie", ""), ("Xvfb", "echo 7 >&3; sleep 9"), ("pvbatch", 'echo "$@"')):
             with open(os.path.join(self.folder, "bin", name), "w", encoding="utf-8") as file:
                 file.write("#!/bin/sh\n%s\n" % words)
@@ -173,7 +173,7 @@ class Systems(unittest.TestCase):
             self.assertFalse(os.path.exists(self.touched), "something was run")
 
     def test_by_hand_with_the_systems_python(self):
-        """CMake takes the Python of an active venv, which has no VTK, unless it is told."""
+        """CMake takes the Python of an active venv, which has no VTK, unless one is given."""
         for name in (".ci/packages.sh", "CONTRIBUTING.md", "Plugin/Documentation/Installing.md"):
             with open(os.path.join(ROOT, name), encoding="utf-8") as file:
                 lines = [line for line in file if "cmake -S . " in line]
@@ -188,7 +188,7 @@ class Systems(unittest.TestCase):
             self.assertIn("this is an unknown system", done.stderr)
 
     def test_on_debian_it_goes_on(self):
-        """As far as to the package manager, which is a stub here."""
+        """Up to the package manager, which is a stub here."""
         for name, text in SUPPORTED.items():
             with self.subTest(release=name):
                 done = self.required(text, "build")
@@ -218,7 +218,7 @@ class Systems(unittest.TestCase):
         self.assertNotIn("nothing can be built", done.stderr)
 
     def install(self, *updates):
-        """install_packages with an apt-get whose updates say this in turn: what it was asked, and the end."""
+        """install_packages with an apt-get whose updates print this in turn: its calls, and the end."""
         log = os.path.join(self.folder, "asked")
         for number, words in enumerate(updates, 1):
             with open("%s.%d" % (log, number), "w", encoding="utf-8") as file:
@@ -264,7 +264,7 @@ class Systems(unittest.TestCase):
                     self.assertFalse(os.path.exists(self.touched), "something was run")
 
     def test_room_is_told_before_packages_are_installed(self):
-        """As apt says it, in its words of Debian 12 and those that `apt` has since version 3."""
+        """As apt prints it, in Debian 12 and since `apt` 3."""
         apt = os.path.join(self.folder, "bin", "apt-get")
         script = (
             'program=test logs="{1}/logs"; . "{0}/.ci/setup.sh"; become_root() {{ :; }}; refresh_lists() {{ :; }};'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Files that the demo has to refuse, and the words it refuses each with."""
+"""Files that the demo must refuse, and the message for each."""
 
 import struct
 
@@ -22,7 +22,7 @@ def las(scale=(0.01, 0.01, 0.01), offset=(0.0, 0.0, 0.0), points=5):
 
 VTK = b"# vtk DataFile Version 3.0\nt\nASCII\nDATASET POLYDATA\nPOINTS %s float\n1 2 3\n"
 
-# Those that VTK's readers do not survive, or believe.
+# Those that crash VTK's readers, or that they accept.
 FOR_VTK = {
     "much.vtk": (VTK % b"1000000000000", "its reader was stopped by SIGABRT, saying: Unable to allocate"),
     "short.vtk": (VTK % b"5", "Error reading ascii data"),

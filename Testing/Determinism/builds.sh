@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# Builds the test of the engine's hashes by several compilers with several flags, and runs it.
+# Builds the test of the engine's hashes with several compilers and flags, and runs it.
 set -uo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 

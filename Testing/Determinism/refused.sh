@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# refused.sh [compiler]: is the engine not compiled where arithmetic would not be as written, with a
-# sentence that says so? And is it compiled elsewhere?
+# refused.sh [compiler]: does the engine refuse to compile where arithmetic would not be as written, with a clear
+# message? And does it compile elsewhere?
 set -uo pipefail
 header=$(dirname "${BASH_SOURCE[0]}")/../../Filters/Engine/Predicates/Filters.h
 compiler=${1:-g++}
@@ -16,7 +16,7 @@ compile() {
 
 refused=(-ffast-math -Ofast -ffinite-math-only)
 if ! "$compiler" --version | grep -q clang; then
-  refused+=(-funsafe-math-optimizations -mfpmath=387) # clang has not the one, and does not tell of the other
+  refused+=(-funsafe-math-optimizations -mfpmath=387) # clang lacks the one, and does not define a macro for the other
 fi
 for flag in "${refused[@]}"; do
   error=$(compile "$flag")

@@ -33,20 +33,20 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 FOLDERS = ("Filters", "Plugin", "Testing", "Data", ".ci")
 CXX = {".cxx", ".h"}
 
-# The layout of C++ differs between versions of clang-format: this one's counts.
+# The layout of C++ differs between versions of clang-format: this one is used.
 CLANG_FORMAT = "14"
-# A file has at most so many lines, but for those that a program makes.
+# A file has at most so many lines, except generated ones.
 FILE_LINES = 500
 MADE = "Made by Filters/Settings/generate.py"
-MADE_LIST = re.compile(r"\(made of Filters/Settings/.*?\n \*\n", re.DOTALL)  # in a header that is else written by hand
-# At most so much of a public header is comment: what is longer belongs in Reference.md.
+MADE_LIST = re.compile(r"\(made of Filters/Settings/.*?\n \*\n", re.DOTALL)  # in a header otherwise written by hand
+# At most so much of a public header is comment: longer texts belong in Reference.md.
 PUBLIC_HEADERS = "Filters/vtk*.h"
 COMMENT_SHARE = 0.5
 # Nine functions of ten have fewer lines than the first, none has more than the second.
 USUAL_LINES = 40
 MOST_LINES = 80
 LONG = {
-    # The loop that the insertion spends its time in: in pieces, its state would not stay in registers.
+    # The insertion's hot loop: in pieces, its state would not stay in registers.
     ("Filters/Engine/Insert/Kernel.cxx", "carve"),
     # Their docstrings are the reference of all keywords.
     ("Filters/Python/_arrays.py", "delaunay"),
@@ -61,22 +61,22 @@ PAGE_WORDS = {"README.md": 800, "Filters/Engine/*/README.md": 1500}
 MAPS = ("README.md", "CONTRIBUTING.md", "Filters/README.md", "Filters/Engine/README.md", "Testing/README.md")
 MAPS_WORDS = 6000
 
-# Functions of <cmath>, math and NumPy that IEEE 754 does not define: every system's library rounds them as it likes.
+# Functions of <cmath>, math and NumPy that IEEE 754 does not define: each system's library rounds them differently.
 OWN_BITS = re.compile(
     r"\b(?:__builtin_)?(hypot|dist|norm|(?:a|arc)?(?:sin|cos|tan)h?|(?:a|arc)tan2|exp(?:2|m1)?|log(?:2|10|1p)?"
     r"|pow|power|cbrt|erfc?|[lt]gamma)[fl]?(?:<\w+>)?\(|(\*\* ?)-?\d*\.\d")
 NO_CODE = {".py": re.compile(r"#.*"), "": re.compile(r"//.*|^ *(\*|/\*).*")}
-# How each object that computes results is compiled (Filters/Engine/Rounding.cmake), and what would undo that.
+# How each object that computes results is compiled (Filters/Engine/Rounding.cmake), and options that would undo that.
 ROUNDING = {"-ffp-contract=off", "/clang:-ffp-contract=off", "/fp:precise", "/fp:strict"}
 UNROUNDED = re.compile(
     r"-Ofast|(/clang:)?-f(fp-contract|fp-model|fast-math|associative-math|unsafe-math|reciprocal-math)|[-/]fp:")
 
-# What pyflakes says of `from x import *`, which ParaView's scripts begin with.
+# Pyflakes' message about `from x import *`, which ParaView's scripts begin with.
 STARRED = re.compile(r"import \* ?' used|may be undefined, or defined from star imports|\.\*' imported but unused")
 
 
 def files(root, *suffixes):
-    """The files of the project that end so, in order."""
+    """The project's files with these suffixes, in order."""
     found = []
     for folder in FOLDERS:
         for directory, below, names in os.walk(root / folder):
@@ -96,7 +96,7 @@ def shell_files(root):
 
 
 def run(command, **more):
-    """What a command printed, and its exit code."""
+    """The output of a command, and its exit code."""
     done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, **more)
     return done.stdout, done.returncode
 
@@ -114,7 +114,7 @@ def tool(name):
 
 
 def clang_format(program):
-    """The program's path; where it is not the version whose layout counts the test is skipped."""
+    """The program's path; the test is skipped if it has another version."""
     path = tool(program)
     version = re.search(r"version (\d+)", run([path, "--version"])[0])
     if version is None or version[1] != CLANG_FORMAT:
@@ -183,7 +183,7 @@ def long_comments(place, lines):
 
 
 def check_sizes(root):
-    """Files, functions and comments that are too long."""
+    """Reports files, functions and comments that are too long."""
     complaints = []
     functions = []
     for path in files(root, ".cxx", ".h", ".py", ".sh", ".cmake"):
@@ -216,7 +216,7 @@ def check_sizes(root):
 
 
 def meant(root, complaint):
-    """Is this what `from x import *` brings, or does the line itself say that it is meant?"""
+    """Is this the result of `from x import *`, or does the line itself allow it?"""
     place = re.match(r"(.*?):(\d+):", complaint)
     if STARRED.search(complaint):
         return True
@@ -225,7 +225,7 @@ def meant(root, complaint):
 
 
 def check_python(root):
-    """What is too wide, or by pyflakes' account does not compile, is unused or unknown."""
+    """Lines that are too wide, and pyflakes' reports of errors, unused and unknown names."""
     complaints = []
     sources = files(root, ".py")
     for path in sources:
@@ -240,7 +240,7 @@ def check_python(root):
 
 
 def check_shell(root):
-    """What shellcheck warns of; the scripts' own files are followed."""
+    """The warnings of shellcheck; sourced files are followed."""
     scripts = [path.relative_to(root) for path in shell_files(root)]
     command = [tool("shellcheck"), "--severity=warning", "--external-sources", "--source-path=SCRIPTDIR"]
     output, _ = run([*command, "--format=gcc", *scripts], cwd=root)
@@ -248,7 +248,7 @@ def check_shell(root):
 
 
 def check_made(root):
-    """What generate.py would write anew. Its tables are TOML, which Python reads from 3.11 on."""
+    """Files that generate.py would change. Its tables are TOML, which Python reads from 3.11 on."""
     if sys.version_info < (3, 11):
         print("Python 3.11 is needed for the tables of settings")
         sys.exit(77)
@@ -267,7 +267,7 @@ def check_mathematics(root):
 
 
 def check_rounding(root, build):
-    """Objects of Filters/ without an option of ROUNDING, or with another that has a say."""
+    """Objects of Filters/ without an option of ROUNDING, or with another that changes rounding."""
     with open(build / "compile_commands.json", encoding="utf-8") as file:
         entries = [(entry, pathlib.Path(build, entry["file"]).resolve()) for entry in json.load(file)]
     entries = [(entry, path) for entry, path in entries if path.is_relative_to(root / "Filters")]
@@ -332,7 +332,7 @@ def numbers(text):
 
 
 def check_version(root):
-    """The number is that of CMakeLists.txt: where it has to be repeated, and in the change notes' order."""
+    """The number is that of CMakeLists.txt: where it must be repeated, and in the change notes' order."""
     project = (root / "CMakeLists.txt").read_text(encoding="utf-8")
     number = re.search(r"^project\(\w+ VERSION ([\d.]+)", project, re.M)[1]
     complaints = []
@@ -357,7 +357,7 @@ def check_version(root):
 
 
 def tidy_sources(root, build, only):
-    """What the build compiles of the filter, the engine and the tests' tools, each file once."""
+    """The files of the filter, the engine and the tests' tools that the build compiles, each once."""
     with open(build / "compile_commands.json", encoding="utf-8") as file:
         compiled = {pathlib.Path(entry["file"]).resolve() for entry in json.load(file)}
     wanted = re.compile(only)
@@ -366,7 +366,7 @@ def tidy_sources(root, build, only):
 
 
 def check_tidy(root, build, only, jobs):
-    """What clang-tidy warns of. Its own errors count too: then something was not looked at."""
+    """The warnings of clang-tidy. Its own errors count too: then a file was not checked."""
     program = tool("clang-tidy")
     sources = tidy_sources(root, build, only)
     commands = (build / "compile_commands.json").read_text(encoding="utf-8")
@@ -378,7 +378,7 @@ def check_tidy(root, build, only, jobs):
 
     complaints = set()
     with tempfile.TemporaryDirectory() as folder, concurrent.futures.ThreadPoolExecutor(jobs) as pool:
-        # headers that gcc has compiled beforehand are nothing that clang can read
+        # clang cannot read headers precompiled by gcc
         with open(os.path.join(folder, "compile_commands.json"), "w", encoding="utf-8") as file:
             file.write(re.sub(r" -Winvalid-pch -include \S*cmake_pch\.hxx", "", commands))
         for path, (output, code) in zip(sources, pool.map(look, sources)):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""lint.py complains of what it is there for: each fault is planted in a project of one file."""
+"""lint.py reports each fault that it checks for: each is planted in a project of one file."""
 
 import contextlib
 import io
@@ -44,14 +44,14 @@ class ComplaintsTest(unittest.TestCase):
         shutil.copy(lint.ROOT / ".clang-tidy", self.root)
 
     def write(self, name, text):
-        """Puts a file there and gives its path."""
+        """Writes a file there and returns its path."""
         path = self.root / name
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, encoding="utf-8")
         return path
 
     def need(self, tool):
-        """Skips the test where the tool is not installed."""
+        """Skips the test if the tool is not installed."""
         if shutil.which(tool) is None:
             self.skipTest(f"{tool} is not installed")
 
@@ -153,7 +153,7 @@ class ComplaintsTest(unittest.TestCase):
             "README.md: 801 words, more than 800"])
 
     def copy_settings(self):
-        """What the tables' generator reads."""
+        """The input of the tables' generator."""
         settings = pathlib.Path("Filters/Settings")
         shutil.copytree(lint.ROOT / settings, self.root / settings)
         for name in ("Plugin/AdaptiveHilbertDelaunay.xml.in", "Filters/Engine/Interface/ahd.h"):
@@ -178,7 +178,7 @@ class ComplaintsTest(unittest.TestCase):
         self.assertIn("not in order", complaints("1.2.0", "1.2.0", "Next", "1.0.0", "1.1.0")[0])
 
     def test_made(self):
-        """A row that was changed by hand where it is made, or in its table without making the rest of it."""
+        """A row changed by hand in a generated file, or in its table without generating the files."""
         settings = self.copy_settings()
         made = [line.split(":")[0] for line in lint.check_made(self.root)]
         self.assertIn("Filters/vtkAdaptiveHilbertAlgorithm.h", made)
@@ -192,7 +192,7 @@ class ComplaintsTest(unittest.TestCase):
 
     @unittest.skipIf(sys.version_info < (3, 11), "the tables are TOML")
     def test_rows(self):
-        """A row of each type is made; one that says what none can is named."""
+        """A row of each type is generated; an invalid one is named."""
         settings = self.copy_settings()
         table = self.root / settings / "delaunay.toml"
         rows = table.read_text(encoding="utf-8")
@@ -289,7 +289,7 @@ class ComplaintsTest(unittest.TestCase):
         self.assertTrue(any("no member named 'value'" in line for line in self.tidied()))
 
     def tidied(self):
-        """What clang-tidy says of the project's file."""
+        """The messages of clang-tidy for the project's file."""
         return lint.check_tidy(self.root, self.root, "Filters/", 1)
 
 

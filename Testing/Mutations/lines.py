@@ -53,9 +53,9 @@ class Executed:
                 executed.add(f"{name}:{number}")
 
     def around(self, fault):
-        """The lines with a counter that tell whether a fault is executed: its own, or if there are none the next ones
-        before and after, as a statement of several lines may have one in its first or its last only. Nothing where its
-        file has none.
+        """The lines with a counter that show whether a fault is executed: its own, or if there are none the next ones
+        before and after, as a statement of several lines may have one in its first or its last only. Empty if its file
+        has none.
         """
         known = self.counted.get(fault.file, [])
         first = bisect.bisect_left(known, fault.line)

@@ -24,11 +24,11 @@ class ListError(Exception):
 class Mutant:
     """One way to break the engine or the VTK layer.
 
-    `old` becomes `new` in `file` (a path below `folder`, that of its list: Filters/Engine unless it says
-    otherwise). `old` occurs there once; else `at` says which occurrence is meant, from 1. `hints` are the
-    tests likely to notice, best first. Of the engine: names without "Engine."; "asan:" or "tsan:" before
-    one means its run under sanitizers. Of the VTK layer: suites of FilterTests, or programs beside it.
-    `equivalent` is empty, or the reason why nothing that is promised changes.
+    `old` becomes `new` in `file` (a path below `folder`, that of its list: Filters/Engine by default). `old` occurs
+    there once; else `at` is the number of the occurrence, from 1. `hints` are the tests likely to notice, best first.
+    Of the engine: names without "Engine."; "asan:" or "tsan:" before one means its run under sanitizers. Of the VTK
+    layer: suites of FilterTests, or programs beside it. `equivalent` is empty, or the reason why nothing that is
+    promised changes.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Mutant:
         return pathlib.Path(root) / self.folder / self.file
 
     def apply(self, text):
-        """The mutated text of the file. Raises ListError where `old` is not found as told."""
+        """The mutated text of the file. Raises ListError where `old` is not found so."""
         count = text.count(self.old)
         if count == 0:
             raise ListError(f"{self.name}: not found in {self.file}: {self.old!r}")

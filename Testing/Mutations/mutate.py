@@ -44,7 +44,7 @@ def parse_arguments():
 
 
 class Campaign:
-    """Runs mutants, and keeps what came of them."""
+    """Runs mutants, and keeps the results."""
 
     def __init__(self, work, jobs):
         self.shop = workshop.Workshop(work, jobs)
@@ -57,7 +57,7 @@ class Campaign:
         self.file.write_text(json.dumps({"mutants": self.results, "usual": self.usual}, indent=1))
 
     def measure(self, tests):
-        """Runs each test on the engine as it is. Raises BuildError if one does not build or pass."""
+        """Runs each test on the unchanged engine. Raises BuildError if one does not build or pass."""
         for test in tests:
             if test not in self.usual:
                 run = self.shop.run(test, self.shop.build(test), 3000)

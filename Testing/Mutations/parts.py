@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Which tests a part of the product has, and how a fault comes into what they run.
+"""The tests of a part of the product, and how a fault is planted for them.
 
-A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and says what of the product it
-runs, files or lines; `concerns(facts, fault)` says whether a test of which that was said can notice a fault;
-`run(test, limit)` runs it. `plant(fault)` changes a file of its copy and builds, `heal(fault)` changes it back: the
-sources may change meanwhile.
+A part has the `names` of its tests. `measure(test, limit)` runs one without a fault and returns the files or lines of
+the product that it runs; `concerns(facts, fault)` tells whether a test with these can notice a fault; `run(test,
+limit)` runs it. `plant(fault)` changes a file of its copy and builds, `heal(fault)` changes it back: the sources may
+change meanwhile.
 """
 
 import dataclasses
@@ -26,8 +26,8 @@ BUILT_INTO = "_compiled.py"  # CMake writes into it
 
 @dataclasses.dataclass(frozen=True)
 class Tests:
-    """What is built for a part, and what is run: `programs` of GoogleTest with their filters, and those that ctest
-    has whose names match `listed`.
+    """Targets and tests of a part: `programs` of GoogleTest with their filters, and tests of ctest whose names match
+    `listed`.
     """
 
     targets: tuple
@@ -122,7 +122,7 @@ class PythonPart(workshop.Workshop):
         return ran
 
     def measure(self, test, limit):
-        """How it runs without a fault, and the files that it loads; all of them where it does not say."""
+        """How it runs without a fault, and the files that it loads; all of them if unknown."""
         ran = self.run(test, limit)
         return ran, sorted({str(pathlib.PurePath(path).relative_to(self.place)) for path in self.loaded})
 
@@ -142,7 +142,7 @@ class PythonPart(workshop.Workshop):
         self.path(fault.file).write_text(self.before)
 
 
-# For the interpreters of the tests: those that end tell what they loaded of the package.
+# For the interpreters of the tests: at their end they report the modules loaded of the package.
 TELL_WHAT_IS_LOADED = '''\
 import atexit, os, sys
 
@@ -157,7 +157,7 @@ atexit.register(_tell)
 
 
 def system_python():
-    """The interpreter that ParaView's VTK is made for, and not the first of PATH."""
+    """The interpreter of ParaView's VTK, not the first of PATH."""
     return ["-DPython3_EXECUTABLE=/usr/bin/python3"] if pathlib.Path("/usr/bin/python3").exists() else []
 
 
@@ -180,7 +180,7 @@ class CxxPart(workshop.Workshop):
         self.executed = lines.Executed(counting, self.source, part)
 
     def make(self, build, *options):
-        """Configures a build if need be, and brings it up to date."""
+        """Configures a build if needed, and updates it."""
         if not (build / "build.ninja").exists():
             command = ["cmake", "-S", self.source, "-B", build, "-G", "Ninja", "-DBUILD_TESTING=ON", *system_python(),
                        *(options or ["-DCMAKE_BUILD_TYPE=Release"])]  # fmt: skip
@@ -206,7 +206,7 @@ class CxxPart(workshop.Workshop):
                     yield f"{program} {suite}{name}", ([*words, f"--gtest_filter={suite}{name}"], {})
 
     def listed(self, build):
-        """Commands and environments of tests as ctest has them."""
+        """Commands and environments of tests from ctest."""
         command = ["ctest", "--test-dir", build, "--show-only=json-v1"]
         for test in json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["tests"]:
             settings = {row["name"]: row["value"] for row in test.get("properties", [])}
@@ -225,7 +225,7 @@ class CxxPart(workshop.Workshop):
         """How it runs without a fault, and the lines that it executes; all of them where they were not counted."""
         self.executed.forget()
         if test in self.counting_commands:
-            self.execute(self.counting_commands[test], limit)  # what limits time or memory may fail here
+            self.execute(self.counting_commands[test], limit)  # limits of time or memory may fail here
         return self.run(test, limit), self.executed.read()
 
     def concerns(self, facts, fault):

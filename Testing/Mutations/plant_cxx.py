@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where a file of C++ can be broken, and how: by its tokens, as clang-format lays them out. Whether a fault compiles
-the compiler says.
+"""Where a file of C++ can be broken, and how: by its tokens, as clang-format lays them out. The compiler decides
+whether a fault compiles.
 """
 
 import re
@@ -126,7 +126,7 @@ def statements(text, code, begin, end):
         start = begin + match.end()
         if match.group() != ";" or not part.strip() or part.count("(") != part.count(")"):
             continue
-        # what hangs on a condition without braces
+        # the statement of a condition without braces
         if (head := CONDITION.match(part)) or part.startswith("for ("):
             opened = part.index("(") if not head else head.end() - 1
             first += closing(part, opened) + 1

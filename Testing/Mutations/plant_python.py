@@ -28,7 +28,7 @@ def is_docstring(node):
 
 
 class Finder(ast.NodeVisitor):
-    """Walks through what is executed: no docstrings, no annotations, nothing for type checkers alone."""
+    """Walks through executed code: no docstrings, no annotations, no code for type checkers alone."""
 
     def __init__(self, text):
         self.text = text
@@ -54,7 +54,7 @@ class Finder(ast.NodeVisitor):
         self.found.append((*span, replacement, kind, ".".join(self.names)))
 
     def add_between(self, left, right, pattern, replacement, kind):
-        """Replaces what is written between two nodes."""
+        """Replaces the text between two nodes."""
         begin, end = self.span(left)[1], self.span(right)[0]
         if match := re.search(pattern, self.text[begin:end]):
             self.add((begin + match.start(), begin + match.end()), replacement, kind)
@@ -69,7 +69,7 @@ class Finder(ast.NodeVisitor):
         super().visit(node)
 
     def statement(self, node):
-        """What can be done to a statement of a function or a class as a whole."""
+        """Faults of a whole statement of a function or a class."""
         if isinstance(node, (ast.Assign, ast.AugAssign, ast.Delete, ast.Raise, ast.Expr)):
             kind = "statement removed"
             targets = getattr(node, "targets", [getattr(node, "target", None)])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Faults at random places of the sources: what they are, and how they are drawn."""
+"""Faults at random places of the sources, and how they are drawn."""
 
 import dataclasses
 import hashlib
@@ -15,8 +15,8 @@ SITES = {".py": plant_python.sites, ".cxx": plant_cxx.sites, ".h": plant_cxx.sit
 class Fault:
     """One fault: `old` becomes `new` in the lines `line` and following of `file`, a path below the root.
 
-    Both are whole lines. What identifies it is its text and not its line, so that it is known again where
-    other parts of the file changed: `at` tells it from others of the same text in the same function, from 0.
+    Both are whole lines. It is identified by its text and not its line, so that it is found again where other parts of
+    the file changed: `at` distinguishes it from others of the same text in the same function, from 0.
     """
 
     file: str

@@ -54,7 +54,7 @@ def parse_arguments():
 
 
 class Judged:
-    """What was judged by hand, by a fault's text: whether it is equivalent, and why it is not noticed."""
+    """Judgements by hand, by a fault's text: whether it is equivalent, and why it is not noticed."""
 
     def __init__(self, path=JUDGED):
         rows = tomllib.loads(path.read_text()).get("fault", []) if path.exists() else []
@@ -65,7 +65,7 @@ class Judged:
 
 
 class Campaign:
-    """Plants faults, and keeps what came of them."""
+    """Plants faults, and keeps the results."""
 
     def __init__(self, work):
         work.mkdir(parents=True, exist_ok=True)
@@ -73,7 +73,7 @@ class Campaign:
         kept = json.loads(self.file.read_text()) if self.file.exists() else {}
         self.results = kept.get("results", {})  # by the fault's key
         self.runs = kept.get("runs", {})  # by folder and seed: keys of faults
-        self.usual = {}  # by test: seconds of processor time, and what it runs of the product
+        self.usual = {}  # by test: seconds of processor time, and the parts of the product that it runs
 
     def keep(self):
         text = json.dumps({"results": self.results, "runs": self.runs}, indent=1)
@@ -95,7 +95,7 @@ class Campaign:
         return sorted(those, key=lambda test: ("hash" in test.lower(), self.usual[test][0]))
 
     def run(self, part, fault):
-        """What came of a fault: `test` and `failure` are empty if it survived; None if it does not compile."""
+        """The result of a fault: `test` and `failure` are empty if it survived; None if it does not compile."""
         result = {**dataclasses.asdict(fault), "test": "", "failure": "", "seconds": 0.0}
         result["date"] = datetime.date.today().isoformat()
         try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""random_mutants.py plants each kind of fault, sees what notices it, goes on where it was stopped, and reports."""
+"""random_mutants.py plants each kind of fault, finds the tests that notice it, continues after a stop, and reports."""
 
 import argparse
 import contextlib
@@ -164,7 +164,7 @@ class PlacesTest(unittest.TestCase):
         self.assertEqual({fault.key() for fault in drawn(1)}, before)
 
 
-# What the campaign is run on: a module of a few lines, and a test that looks at half of it.
+# The subject of the campaign: a module of a few lines, and a test of half of it.
 MODULE = '''\
 def half(value):
     steps = 0
@@ -263,7 +263,7 @@ class CampaignTest(unittest.TestCase):
         self.assertEqual(len(kept["runs"]["part 1"]), 6)
 
     def check_report(self, campaign, results):
-        """It has what survived, and why."""
+        """It has the survivors, and why."""
         left = [result for result in results if not result["test"]]
         row = '[[fault]]\nfile = "part/module.py"\nfunction = "unseen"\nold = "%s"\nnew = "%s"\n'
         text = row % (left[0]["old"].strip(), left[0]["new"].strip()) + 'equivalent = true\nwhy = "nobody | calls it"\n'

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A copy of the sources, where they may be broken, and its builds."""
+"""A copy of the sources to break, and its builds."""
 
 import contextlib
 import dataclasses
@@ -14,12 +14,11 @@ import time
 
 from mutants import FILTER, FILTER_PROGRAMS, ROOT, engine_tests
 
-# What the tests of the engine and of the VTK layer are made of. Parts of Testing/ that are not here are
-# not configured.
+# The sources of the tests of the engine and of the VTK layer. Parts of Testing/ not listed are not configured.
 FOLDERS = ("Filters", "Testing/Engine", "Testing/Filters", "Testing/Support", "Data")
 FILES = ("CMakeLists.txt", "Testing/CMakeLists.txt", ".ci/mpi.env", ".ci/unquoted.txt")
 PARTS_OF_FILTER_TESTS = ("*-*Hashes*", "*Hashes*")  # hashes last
-WANT_A_PROCESS = "Messages.RunningOut*"  # of FilterTests: memory left over by others is enough for them
+WANT_A_PROCESS = "Messages.RunningOut*"  # of FilterTests: memory kept by others is enough for them
 SANITIZERS = {"": "", "asan": "address,undefined", "tsan": "thread"}  # by prefix of a test's name
 GIBIBYTE = 1 << 30
 
@@ -49,7 +48,7 @@ class Workshop:
         self.copy()
 
     def copy(self):
-        """Brings the copy up to date with the sources."""
+        """Updates the copy from the sources."""
         for name in self.folders:
             here, there = ROOT / name, self.source / name
             wanted = {path.relative_to(here) for path in here.rglob("*") if path.is_file()}
@@ -80,7 +79,7 @@ class Workshop:
         if sanitizer not in self.configured:
             top = self.source if sanitizer == FILTER else self.source / "Testing/Engine"
             command = ["cmake", "-S", top, "-B", build, "-G", "Ninja"]
-            # Without warnings (-w): what a mutant leaves unused is no error.
+            # Without warnings (-w): code that a mutant leaves unused is no error.
             if sanitizer == FILTER:
                 command += ["-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -DNDEBUG -w", *filter_options()]
             elif sanitizer:
@@ -167,7 +166,7 @@ def children_cpu():
 
 
 def failure_in(text, code):
-    """Which test failed, and how, from what the program printed and how it ended; empty if none did."""
+    """The test that failed, and how, from the program's output and exit; empty if none did."""
     if code == 0:
         return ""
     failed = re.findall(r"^\[  FAILED  \] ([^\s,(]+)|^(?:FAIL|ERROR): (\w+) \(", text, re.MULTILINE)

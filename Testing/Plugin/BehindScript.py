@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What filters behind a surface over all ranks make of it; run by RunBehind.py on one rank and on several.
+"""Results of downstream filters of a surface over all ranks; run by RunBehind.py on one rank and on several.
 
     pvbatch BehindScript.py           the ranks are those of pvbatch
     pvpython BehindScript.py PORT     those of a server
@@ -27,7 +27,7 @@ def integrated(proxy):
 
 
 def length_of(proxy):
-    """Of all lines, ghosts left out. IntegrateVariables says nothing where the first rank has no line."""
+    """Of all lines, ghosts left out. IntegrateVariables gives no result if the first rank has no line."""
     found = servermanager.Fetch(proxy)
     ghosts = found.GetCellData().GetArray("vtkGhostType")
     length = 0.0
@@ -66,7 +66,7 @@ def cells_of(proxy):
 
 
 def draw(surface, kind, name):
-    """From above, by all ranks together however little it is."""
+    """From above, drawn by all ranks together even if it is small."""
     GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0.0
     view = CreateRenderView(ViewSize=[500, 500], Background=[0.0, 0.0, 1.0], OrientationAxesVisibility=0)
     view.UseColorPaletteForBackground = 0

@@ -51,7 +51,7 @@ check_equal(found["NumberOfPointsBeyondLimit"], 293, "points beyond the limit on
 order = servermanager.Fetch(surface, idx=1)
 check_equal(order.GetNumberOfLines(), 1, "curves that came from the server")
 check_equal(order.GetNumberOfPoints(), 100 + 4 * order.GetNumberOfPolys(), "points that came from the server")
-# Constraints, read on the server too: a ring around the middle of the hill is all that is kept.
+# Constraints, read on the server too: only a ring around the middle of the hill is kept.
 shore = XMLPolyDataReader(FileName=[write_vtp("shore.vtp", ring(1.0), loops=[range(8)])])
 set_properties(surface, Source=shore, InsertionLimit=0)
 found = measures(surface)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two ranks of pvbatch --sym triangulate a sphere, each having a piece: together, then each its own, twice."""
+"""Two ranks of pvbatch --sym triangulate a sphere, a piece on each: together, then each its own, twice."""
 
 from paraview.simple import *
 from vtkmodules.vtkParallelCore import vtkMultiProcessController

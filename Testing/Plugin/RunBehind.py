@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Filters behind a surface over several ranks give what they give behind that of one, and so does drawing it.
+"""Downstream filters of a surface over several ranks give the results of one rank, and so does drawing it.
 
     RunBehind.py RANKS MPIEXEC...    mpiexec and what goes before the program, such as mpiexec -n 4
 """
@@ -20,7 +20,7 @@ PVBATCH = [os.environ["AHD_PVBATCH"], "--dr"]
 
 
 def results(name, start):
-    """The numbers and pictures of one way to run the script; start(variables) returns status and what was printed."""
+    """The numbers and pictures of one way to run the script; start(variables) returns status and output."""
     folder = os.path.join(SCRATCH, name)
     os.makedirs(folder, exist_ok=True)
     status, printed = start({"AHD_SCRATCH": folder})
@@ -48,7 +48,7 @@ def compare(name, found, expected):
     numbers, pictures = found
     wanted, drawn = expected
     check_equal(numbers.pop("ranks"), RANKS, "ranks of " + name)
-    # Points of others come with those that a rank owns: so each has its own.
+    # A rank also has points of others: so each has its own.
     check(numbers.pop("points") >= POINTS + 10 * RANKS, name + ": the ranks do not share the surface")
     check_equal(set(numbers), set(wanted), "numbers of " + name)
     for what, value in wanted.items():

@@ -16,7 +16,7 @@ from pluginsupport import check_equal, outputs_of_ranks, run, scratch
 
 
 def read_log():
-    """What the server has printed, one rank after the other."""
+    """The server's output, one rank after the other."""
     with open(scratch("server.log"), errors="replace") as log:
         return "\n".join([log.read()] + outputs_of_ranks())
 
@@ -43,7 +43,7 @@ def start_server(command):
 
 
 def stop_server(server):
-    """A server ends by itself when its client leaves; one that does not is made to."""
+    """A server ends when its client leaves; one that does not is killed."""
     for make_it_end in (lambda: None, server.terminate, server.kill):
         make_it_end()
         try:

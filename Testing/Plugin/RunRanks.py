@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""On several ranks all make one surface; without DistributePoints each its own, which is said once, clearly.
+"""On several ranks all make one surface; without DistributePoints each its own, with one warning.
 
     RunRanks.py COMMAND...   runs the command (mpiexec -n 2 own_output.sh pvbatch --sym RanksScript.py) and reads
                              what each rank prints

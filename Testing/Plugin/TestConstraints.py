@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The source of constraints, and what Delaunay 2D has besides, at work in a ParaView pipeline."""
+"""The source of constraints, and the other features of Delaunay 2D, in a ParaView pipeline."""
 
 import math
 
@@ -46,7 +46,7 @@ def test_point_ids():
 
 
 def test_coordinates():
-    """An octagon between the points of the lattice: a hole or all there is, by direction and rule."""
+    """An octagon between the points of the lattice: a hole or the whole surface, by direction and rule."""
     for clockwise in (True, False):
         shore = source("ring%d" % clockwise, ring(0.3, clockwise=clockwise), loops=[range(8)])
         surface = lattice(Source=shore, FillRule="Orientation")
@@ -131,7 +131,7 @@ def test_heights_from_the_surface():
 
 
 def test_a_source_made_from_the_surface_itself():
-    """A circle in the pipeline would never end: the source is taken away again."""
+    """A cycle in the pipeline would never end: the source is removed again."""
     shore = source("own", ring(0.3), loops=[range(8)])
     surface = lattice(Source=shore)
     rim = FeatureEdges(Input=surface)
@@ -139,7 +139,7 @@ def test_a_source_made_from_the_surface_itself():
         surface.Source = own
         check(surface.Source is None, "the surface is its own source")
         check_equal(measures(surface)["NumberOfTriangles"], WHOLE, "triangles without the source")
-    # The source may have what the surface has not been made of, of course.
+    # A source that does not depend on the surface is accepted, of course.
     surface.Source = FeatureEdges(Input=Sphere())
     check(surface.Source is not None, "a source that is no part of a circle was refused")
 

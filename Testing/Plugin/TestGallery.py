@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The gallery of the documentation: figures show what they are about, and the page is what its source makes.
+"""The gallery of the documentation: figures show their subject, and the page is generated from its source.
 
     pvbatch TestGallery.py     (draws some of the figures, small)
 """
@@ -30,7 +30,7 @@ BLUE, VERMILLION, LIGHT_GREEN = (
 
 
 def share(picture, colour):
-    """How much of the picture has nearly this colour."""
+    """The share of the picture with nearly this colour."""
     off = numpy.abs(numpy.asarray(picture.convert("RGB"), float) - 255.0 * numpy.array(colour))
     return float((off < 24).all(axis=2).mean())
 
@@ -46,7 +46,7 @@ def draw(name, numbers):
 
 
 def check_pictures(numbers):
-    """Each colour that a figure is about is there, and there is not too much of it."""
+    """Each colour of a figure's subject occurs, and not too much."""
     picture = draw("one-point", numbers)
     check(0.002 < share(picture, LIGHT_GREEN) < 0.2, "the star is not green in one-point")
     check(share(picture, VERMILLION) > 0.0005, "the new point is not to be seen in one-point")
@@ -67,7 +67,7 @@ def check_pictures(numbers):
 
 
 def check_as_published(numbers):
-    """What small pictures do not change is what the page says."""
+    """Numbers that do not depend on the size of pictures are those of the page."""
     published = read_json(os.path.join(DOCUMENTATION, "Figures", "numbers.json"))
     for name in ("one-point", "multi-grid"):
         check_equal(numbers[name], published[name], "numbers of %s: draw the gallery again?" % name)
@@ -81,7 +81,7 @@ def read_json(path):
 
 
 def check_page():
-    """The page in the repository is what its source and its numbers make, and its pictures are there."""
+    """The page in the repository is generated from its source and its numbers, and its pictures exist."""
     numbers = read_json(os.path.join(DOCUMENTATION, "Figures", "numbers.json"))
     for name, text in page.pages(DOCUMENTATION, numbers).items():
         with open(os.path.join(DOCUMENTATION, name), encoding="utf-8") as file:

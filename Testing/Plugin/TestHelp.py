@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin's help is built, says something of every property, and its links lead somewhere.
+"""The plugin's help is built, documents every property, and has no dead links.
 
     TestHelp.py FOLDER    the folder in which the help was built
 """

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Help.md and Recipes.md say what ParaView's help says, and the places in them that others lead to are there."""
+"""Help.md and Recipes.md have the text of ParaView's help, and their anchors exist."""
 
 import html
 import os

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What only the plugin in Python has: that it is made of the XML, how it finds the package and says that it does not,
-and how it drives the filter.
+"""Tests of the plugin in Python alone: it is made of the XML, finds the package or reports that it is missing, and
+drives the filter.
 
     TestInPython.py              runs the cases, those that load the plugin elsewhere in processes of their own
     TestInPython.py load FILE    one such: loads it and tells what is there then
@@ -21,7 +21,7 @@ SAYS = "Adaptive Hilbert Delaunay 2D is not there"
 
 
 class NoInstalledPackage:
-    """Has Python find no package of this name, though one may be installed."""
+    """Makes Python find no package of this name, though one may be installed."""
 
     def find_spec(self, name, *_):
         if name == PACKAGE:
@@ -47,7 +47,7 @@ def load(path):
 
 
 def load_elsewhere(path, **environment):
-    """What load() prints in a process that finds no package by itself."""
+    """The output of load() in a process that finds no package by itself."""
     command = [os.environ["AHD_PVPYTHON"], "--dr", os.path.abspath(__file__), "load", path]
     status, printed = run(command, **environment)
     check_equal(status, 0, "exit status after loading " + path)
@@ -136,7 +136,7 @@ def test_beside_the_compiled_plugin():
 
 
 def driven(**settings):
-    """A filter with 90,000 points, and what drives it."""
+    """A filter with 90,000 points, and its driver."""
     surface = AdaptiveHilbertDelaunay2D(Input=Plane(XResolution=299, YResolution=299), **settings)
     return surface, surface.GetClientSideObject()
 
@@ -173,7 +173,7 @@ def test_settings_of_the_same_value_change_nothing():
 
 
 def test_nothing_is_kept():
-    """Neither the data between runs, nor the filter when ParaView has let it go."""
+    """Neither the data between runs, nor the filter once ParaView has released it."""
     surface, driver = driven()
     surface.UpdatePipeline()
     for port in (0, 1, 2):

@@ -35,7 +35,7 @@ def values(source, name="Elevation"):
 
 
 def check_plane(source, what, where=lambda x, y: True):
-    """Every value is that of the plane, and there is one just where there should be one."""
+    """Every value is that of the plane, and there is one exactly where there should be."""
     found, places = values(source)
     mask, _ = values(source, "vtkValidPointMask")
     for value, valid, (x, y, *_) in zip(found, mask, places):
@@ -56,7 +56,7 @@ def raster_measures(of):
     return {name: getattr(of, name) for name in RASTER_MEASURES}
 
 
-# --- What ParaView knows of it ---------------------------------------------------------------------
+# --- Its menu, panel and names ---------------------------------------------------------------------
 
 
 def test_menu():
@@ -156,7 +156,7 @@ def test_defaults_are_those_of_the_class():
     strings = {"HeightArrayName", "ValidPointMaskArrayName"}
     untouched = AdaptiveHilbertInterpolation2D(Input=Sphere())
     for name in RASTER_SETTINGS + RASTER_MEASURES:
-        # what the property begins with: some were suggested for the points since
+        # the property's default: some were suggested for the points since
         untouched.SMProxy.GetProperty(name).ResetToXMLDefaults()
         given = servermanager.vtkSMPropertyHelper(untouched.SMProxy, name)
         told = getattr(fresh, "Get" + name)()
@@ -170,7 +170,7 @@ def test_defaults_are_those_of_the_class():
     setters = {m[3:] for m in dir(type(fresh)) if m.startswith("Set") and not hasattr(of_vtk, m)}
     setters = {m for m in setters if not re.search("To[A-Z]", m) or m in RASTER_SETTINGS}  # choices: SetXToY
     others = {"Triangulation", "PlacesData", "PlacesConnection", "SourceData", "SourceConnection", "Controller"}
-    # NoValue is NaN at first, which ParaView has no way to write down
+    # NoValue is NaN by default, which ParaView cannot write
     check_equal(setters - others, set(RASTER_SETTINGS) | {"NoValue"}, "settings of the class")
 
 
@@ -183,7 +183,7 @@ def test_settings_of_the_triangulation_are_those_of_the_other_filter():
         check_equal(ours.GetPanelVisibility(), theirs.GetPanelVisibility(), "visibility of " + name)
 
 
-# --- What it does ----------------------------------------------------------------------------------
+# --- Its results ----------------------------------------------------------------------------------
 
 
 def test_a_raster():
@@ -290,7 +290,7 @@ def test_what_is_shown_is_what_is_used():
 
 
 def test_a_raster_is_suggested():
-    """Where nobody gave them yet, the area and the cell size begin with what suits the points."""
+    """Unless set, the area and the cell size are suggested from the points."""
     points = reader("plane.vtp", plane_points())
     points.UpdatePipeline()
     raster = AdaptiveHilbertInterpolation2D(Input=points)
@@ -301,14 +301,14 @@ def test_a_raster_is_suggested():
 
 
 def test_no_cell_size_is_suggested_for_extents_beyond_all_numbers():
-    """Nor for none: what there is no size for is left to whoever wants a raster."""
+    """Nor for none: without points no size is suggested."""
     for size in (1e308, 5e-324, 0.0):
         points = reader("extent.vtp", [(-size, 0, 0), (size, 0, 0), (0, size, 0)])
         points.UpdatePipeline()
         raster = AdaptiveHilbertInterpolation2D(Input=points)
         check_equal(list(raster.Bounds), [-size, size, 0.0, size], "the area that is suggested for %r" % size)
         check_equal(list(raster.CellSize), [1.0, 1.0], "the cell size for %r" % size)
-        raster.Dimensions = (0, 9)  # what is set up after that is, too
+        raster.Dimensions = (0, 9)  # settings made after that work, too
         check_equal(list(raster.Dimensions), [1, 9], "dimensions, as 0 and 9 were given")
 
 

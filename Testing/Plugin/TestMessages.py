@@ -63,7 +63,7 @@ EXPECTED = {
 }
 
 
-# By the compiled class, or by the one in Python, which says it in a line of its own.
+# By the compiled class, or by the one in Python, in a line of its own.
 SAID = re.compile(r"(^|\| )vtkAdaptiveHilbertDelaunay2D \(0x")
 
 
@@ -78,8 +78,8 @@ def run_cases():
 
 
 def messages_by_case(printed):
-    """The filter's own messages, and what VTK's pipeline says of a filter that reports failure, which
-    would be a second message for one error."""
+    """The filter's own messages, and the message of VTK's pipeline about a failed filter, which would be a second one
+    for one error."""
     found, case = {}, None
     for line in printed.splitlines():
         if line.startswith("case "):

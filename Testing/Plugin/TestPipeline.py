@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The filter at work in a ParaView pipeline, in one process (pvpython, pvbatch)."""
+"""The filter in a ParaView pipeline, in one process (pvpython, pvbatch)."""
 
 import math
 
@@ -9,7 +9,7 @@ from paraview import servermanager
 from pluginsupport import *
 
 if os.environ.get("AHD_LOAD") == "config":
-    # PV_PLUGIN_CONFIG_FILE is set: the filter is there without a line of code.
+    # PV_PLUGIN_CONFIG_FILE is set: the filter is available without a line of code.
     check("AdaptiveHilbertDelaunay2D" in globals(), "PV_PLUGIN_CONFIG_FILE did not load the plugin")
 else:
     check("AdaptiveHilbertDelaunay2D" not in globals(), "the filter is there before the plugin is loaded")
@@ -29,7 +29,7 @@ def test_lattice():
 
 
 def test_table():
-    """What a user with a .csv does."""
+    """The steps of a user with a .csv."""
     table = CSVReader(FileName=[write_csv("hill.csv", hill_points(400, 7))])
     points = TableToPoints(Input=table, XColumn="x", YColumn="y", ZColumn="z", KeepAllDataArrays=1)
     surface = AdaptiveHilbertDelaunay2D(Input=points)
@@ -41,7 +41,7 @@ def test_table():
 
 
 def test_measures():
-    """Counts in the information properties and in the field data; work only if asked for."""
+    """Counts in the information properties and in the field data; work only on request."""
     points = hill_points(300, 5) + [(math.nan, 0.0, 0.0), (1.0, math.inf, 0.0)]
     reader = XMLPolyDataReader(FileName=[write_vtp("measures.vtp", points)])
     surface = AdaptiveHilbertDelaunay2D(Input=reader)
@@ -125,7 +125,7 @@ def test_multiblock():
 
 
 def test_second_output():
-    """The order of insertion, for what users do with it."""
+    """The order of insertion, in typical uses."""
     reader = XMLPolyDataReader(FileName=[write_vtp("order.vtp", hill_points(500, 3))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader, InsertionLimit=200)
     surface.UpdatePipeline()
@@ -155,7 +155,7 @@ def test_second_output():
 
 
 def test_animation():
-    """What a user does who wants to see the surface grow."""
+    """The steps of a user who animates the growing surface."""
     reader = XMLPolyDataReader(FileName=[write_vtp("animation.vtp", hill_points(60, 0))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader, GenerateInsertionCurve=1)
     track = GetAnimationTrack("InsertionLimit", proxy=surface)
@@ -188,7 +188,7 @@ def test_input_types():
 
 
 def test_filters_behind_it():
-    """The output is fit for what users do next."""
+    """The output works with usual downstream filters."""
     reader = XMLPolyDataReader(FileName=[write_vtp("behind.vtp", hill_points(600, 0, seed=3))])
     surface = AdaptiveHilbertDelaunay2D(Input=reader)
     contour = Contour(Input=surface, ContourBy=["POINTS", "Height"], Isosurfaces=[1.0])

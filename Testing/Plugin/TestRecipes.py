@@ -18,7 +18,7 @@ import volumes
 
 
 def ground(x, y, with_pit=False):
-    """What recipes.GROUND and DUG say."""
+    """The values in recipes.GROUND and DUG."""
     x, y = x / 1000, y / 1000
     height = 60 + 30 * math.sin(5 * x) * math.cos(4 * y) + 45 * math.exp(-20 * ((x - 0.62) ** 2 + (y - 0.55) ** 2))
     return height - with_pit * 8 * max(0, 1 - ((x - 0.3) ** 2 + (y - 0.35) ** 2) / 0.0144)
@@ -70,7 +70,7 @@ def test_profile():
 
 
 def test_volume_above():
-    """By ParaView's filters, by the function of the example, and by what the hills are."""
+    """By ParaView's filters, by the function of the example, and by the formula of the hills."""
     points, level = recipes.survey(), 80.0
     data, tuples = fetched(recipes.volume_above(points, level))
     by_filters = tuples("Above")[0][0]

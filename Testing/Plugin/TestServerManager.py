@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What ParaView knows of the filter: where it is in the menu, how its properties are called and
-documented, and that their defaults are those of the C++ class."""
+"""The filter in ParaView: its place in the menu, the names and documentation of its properties, and that their defaults
+are those of the C++ class."""
 
 import re
 
@@ -49,8 +49,8 @@ def test_everything_is_documented():
 
 
 def test_everything_is_in_the_panel():
-    """information_only hides a property unless its visibility is set; none is to be hidden but those that
-    do nothing and the old name of one."""
+    """information_only hides a property unless its visibility is set; only those without effect and the old name of one
+    may be hidden."""
     for name, item in properties(sm).items():
         hidden = name in ["RandomPointInsertion", "UseHilbertSorter", "GenerateFate"] + HIDDEN
         check(
@@ -169,7 +169,7 @@ def makers():
 
 
 def test_what_is_shown_of_lists_is_what_is_used():
-    """Numbers that stand for nothing become the nearest that does, as in the classes."""
+    """Numbers without a meaning become the nearest with one, as in the classes."""
     for make, count in zip(makers(), (11, 4, 2)):
         lists = enumerations(make().SMProxy)
         check(len(lists) >= count, "%d lists, and there are %d" % (len(lists), count))
@@ -237,7 +237,7 @@ def nested(element):
 
 
 def test_the_limit_goes_up_to_the_number_of_points():
-    """A range with both ends is shown as a slider, and is what an animation goes through at first."""
+    """A range with both ends is shown as a slider, and is the default of animations."""
     reader = XMLPolyDataReader(FileName=[write_vtp("limit.vtp", hill_points(300))])
     limited = AdaptiveHilbertDelaunay2D(Input=reader)
     item = limited.SMProxy.GetProperty("InsertionLimit")
@@ -285,8 +285,8 @@ def vtk_class():
 
 
 def own_methods(cls, prefix):
-    """What follows the prefix in the names of the methods that vtkPolyDataAlgorithm has not, nor VTK's superclass in
-    Python, choices (SetXToY) left out."""
+    """The rest after the prefix of the names of methods that neither vtkPolyDataAlgorithm nor VTK's superclass in
+    Python has, without choices (SetXToY)."""
     bases = [c for c in cls.__mro__ if c.__name__ == "VTKPythonAlgorithmBase"] + [vtkPolyDataAlgorithm]
     names = {m[len(prefix) :] for m in dir(cls) if m.startswith(prefix) and not any(hasattr(b, m) for b in bases)}
     return {n for n in names if not re.search(r"(To[A-Z]|MinValue$|MaxValue$)", n)}
@@ -302,7 +302,7 @@ def test_defaults_and_names_are_those_of_the_class():
     check_equal(own_methods(cls, "Set"), setters, "settings of the class")
     check_equal(own_methods(cls, "Get"), getters, "values of the class")
     fresh = cls()
-    # VTK's default is the ids, for the sake of old programs; what a user picks in the panel has coordinates.
+    # VTK's default is the ids, for old programs; a source picked in the panel has coordinates.
     check_equal((proxy.SourceMode, fresh.GetSourceMode()), ("Coordinates", 0), "the defaults of SourceMode")
     # and vtkDelaunay2D's rule, where most outlines that people have run the other way
     check_equal((proxy.FillRule, fresh.GetFillRule()), ("Even-odd", 0), "the defaults of FillRule")

@@ -39,7 +39,7 @@ def build():
     hole = write_vtp("hole.vtp", ring(1.0, clockwise=True), loops=[range(8)])
     hole = XMLPolyDataReader(registrationName="hole", FileName=[hole])
     surface = AdaptiveHilbertDelaunay2D(registrationName="surface", Input=hill, **INSERTION)
-    # A filter on the second output, so that the state has to say which.
+    # A filter on the second output, so that the state must name the port.
     Outline(registrationName="outline", Input=OutputPort(surface, 1)).UpdatePipeline()
     crater = AdaptiveHilbertDelaunay2D(registrationName="crater", Input=hill, Source=hole)
     others = AdaptiveHilbertDelaunay2D(registrationName="others", Input=hill, **OTHERS)

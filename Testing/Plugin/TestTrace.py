@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The Python trace of a session holds the filter and what was changed, and runs by itself."""
+"""The Python trace of a session has the filter and the changes, and runs by itself."""
 
 import re
 
@@ -19,7 +19,7 @@ outline = Outline(registrationName="outline", Input=OutputPort(surface, 1))
 shore = XMLPolyDataReader(registrationName="shore", FileName=[shore_path])
 bounded = AdaptiveHilbertDelaunay2D(registrationName="bounded", Input=reader, Source=shore)
 surface.UpdatePipeline()
-# What the Apply button does: trace what is changed between here ...
+# Like the Apply button: traces changes between here ...
 modified = smtrace._create_trace_item_internal("PropertiesModified", kwargs={"proxy": surface.SMProxy})
 surface.InsertionOrder = "Regular grid"
 surface.GeneratePointStatus = 1

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the plugin's tests share: where the plugin is, small inputs, and checks that name the culprit.
+"""Shared by the plugin's tests: the plugin's path, small inputs, and checks with clear messages.
 
 CTest sets the environment (see CMakeLists.txt):
     AHD_PLUGIN       the plugin's shared library, or the plugin in Python
@@ -50,20 +50,20 @@ def others(table, names):
     return {name: another(TABLE[table]["settings"][name]) for name in names}
 
 
-# What the panel has: settings, measures, and those of these that count something.
+# The panel's properties: settings, measures, and those measures that are counts.
 SETTINGS = names_of("delaunay", "settings")
 MEASURES = names_of("delaunay", "measures", lambda row: True)
 COUNTS = names_of("delaunay", "measures", lambda row: row["type"] == "id")
-# What the plugin in Python has for itself: it is in no panel, state or trace.
+# Attributes of the plugin in Python alone: in no panel, state or trace.
 HIDDEN = ["InsertionLimitRange"] if IS_PYTHON else []
-# The same of the interpolation: its own settings, those of its triangulation that have a say, and its measures.
+# The same of the interpolation: its own settings, those of its triangulation that have an effect, and its measures.
 RASTER_SETTINGS = names_of("interpolation", "settings")
 RASTER_MEASURES = names_of("interpolation", "measures", lambda row: True)
 EXPOSED = [name for name in TABLE["interpolation"]["exposed"] if name != "Transform"]
 
 
 def class_in_paraview(name):
-    """What ParaView calls the class of a proxy with this name."""
+    """ParaView's name of the class of a proxy with this name."""
     if IS_PYTHON:
         return "%s.%s" % (os.path.splitext(os.path.basename(PLUGIN))[0], name)
     return "vtk" + name
@@ -200,7 +200,7 @@ def measures(proxy):
 
 
 def outputs_of_ranks(forget=False):
-    """What each rank that own_output.sh started has printed so far, one text a rank; or makes it be as if none had."""
+    """The output so far of each rank that own_output.sh started, one text a rank; or discards it."""
     texts = []
     for path in sorted(glob.glob(scratch("rank.*.log"))):
         if forget:
@@ -212,7 +212,7 @@ def outputs_of_ranks(forget=False):
 
 
 def run(command, timeout=100, **environment):
-    """Runs a command to its end; returns its exit status and all it printed."""
+    """Runs a command to its end; returns its exit status and its output."""
     done = subprocess.run(
         command,
         stdout=subprocess.PIPE,

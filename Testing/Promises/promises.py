@@ -16,7 +16,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 def promised():
-    """The promises of Guarantees.md: what is bold at the head of each item."""
+    """The promises of Guarantees.md: the bold text at the head of each item."""
     text = (HERE.parents[1] / "Plugin" / "Documentation" / "Guarantees.md").read_text()
     return re.findall(r"^- \*\*(.+?)\.\*\*", text, re.MULTILINE)
 
@@ -31,7 +31,7 @@ def rows():
 
 
 def tests_of(folder):
-    """Names of the tests that ctest knows."""
+    """Names of ctest's tests."""
     listed = subprocess.run(
         ["ctest", "--test-dir", folder, "--show-only=json-v1"], stdout=subprocess.PIPE, check=True
     )

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The judge has to name every kind of fault, and nothing else: each is planted here. The right
+// The judge must name every kind of fault, and nothing else: each is planted here. The correct
 // triangulations come from the oracle, not from the engine.
 #include "Oracle.h"
 #include "TriangleJudge.h"

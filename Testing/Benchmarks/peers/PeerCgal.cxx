@@ -2,10 +2,10 @@
 //
 // PeerCgal POINTS TRIANGLES VERTICES [--ids]: CGAL's Delaunay_triangulation_2 over
 // Exact_predicates_inexact_constructions_kernel, all points inserted as one range (CGAL sorts them
-// spatially). Timed: the insertion. Without ids the triangles are then CGAL's faces, which know
+// spatially). Timed: the insertion. Without ids the triangles are then CGAL's faces, which have
 // coordinates only: VERTICES has these. With ids each vertex carries the id of its point, and an
-// array of triangles in these ids is filled too within the time.
-// CGAL is GPL: this program is for comparisons and is not installed.
+// array of triangles in these ids is filled too within the time. CGAL is GPL: this program is for
+// comparisons and is not installed.
 #include "PeerFiles.h"
 
 #include <CGAL/Delaunay_triangulation_2.h>

@@ -84,7 +84,7 @@ double memory(const char* name)
   return 0.0;
 }
 
-/// From now on VmHWM is the peak from now on.
+/// Resets VmHWM, the peak.
 void forgetPeak()
 {
   if (const File file{ std::fopen("/proc/self/clear_refs", "w") })

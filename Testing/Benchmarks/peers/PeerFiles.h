@@ -14,7 +14,7 @@ namespace ahd
 namespace test
 {
 
-/// The files that peers are fed from and judged by: bare numbers in the machine's byte order.
+/// The files that peers read and write: bare numbers in the machine's byte order.
 /// Points: two doubles (x, y) each. Triangles: three 32-bit integers each. Readers and writers end
 /// the program with a message where a file cannot be read or written.
 std::vector<Point> readPoints(const std::string& file);
@@ -22,9 +22,9 @@ void writePoints(const std::string& file, const std::vector<Point>& points);
 std::vector<std::int32_t> readTriples(const std::string& file);
 void writeTriples(const std::string& file, const std::vector<std::int32_t>& triples);
 
-/// Times a call as runs.py expects it of every peer. Says "call" on stdout before, and "called"
-/// after; then `write` saves what was made, and the line "done" with the figures ends it all.
-/// Returns main()'s exit code.
+/// Times a call as runs.py expects it of every peer. Prints "call" to stdout before, and "called"
+/// after; then `write` saves the result, and the line "done" with the figures ends the run. Returns
+/// main()'s exit code.
 int timeCall(const std::function<void()>& call, const std::function<void()>& write);
 
 } // namespace test

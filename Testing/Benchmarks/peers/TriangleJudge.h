@@ -14,7 +14,7 @@ namespace ahd
 namespace test
 {
 
-/// What is right and wrong about triangles somebody made of points. All counts are exact. "Place":
+/// The verdict on triangles of points, from any program. All counts are exact. "Place":
 /// the x, y of one or more points; points at one place are one vertex, whichever of them is named.
 struct Verdict
 {
@@ -35,7 +35,7 @@ struct Verdict
   double areaShare = 0.0;    ///< the sum of the areas, over the area of the hull; 1 if that is 0
 
   /// The Delaunay triangulation, whole. Cocircular points may be joined either way, and either
-  /// orientation will do if it is that of all triangles.
+  /// orientation is accepted if it is that of all triangles.
   bool isRight() const;
 
   std::string json() const;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Who is compared: the peers, how each is started, and what its time covers."""
+"""The peers, how each is started, and what its time covers."""
 import os
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,8 +13,8 @@ class Peer:
     title: str
     kind: str  # program: C++, in --bin; pypi: Python, in the venv; vtk91, paraview: Debian's VTK
     licence: str
-    options: str  # what is set, and what is left as it is
-    gives: str  # what is there when the clock stops
+    options: str  # settings, changed and default
+    gives: str  # the results when the clock stops
     threads: bool = False
     package: str = ""  # of PyPI
 
@@ -71,7 +71,7 @@ REAL_FILES = ["lidar.csv", "soundings.csv"]  # in the folder of --data
 
 
 class Places:
-    """Where the peers are on this machine."""
+    """Paths of the peers on this machine."""
 
     def __init__(self, programs, venv, vtk91):
         self.programs = Path(programs)

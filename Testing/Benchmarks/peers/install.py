@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Gets the peers: PyPI's in a venv, Debian's VTK 9.1 unpacked. What cannot be had is said, not fatal."""
+"""Gets the peers: PyPI's in a venv, Debian's VTK 9.1 unpacked. Missing ones are reported, not fatal."""
 import json
 import os
 import re
@@ -13,7 +13,7 @@ PIP_SECONDS = 600
 
 
 def run(command, **options):
-    """Runs; returns (worked, the last line said)."""
+    """Runs; returns (success, the last line printed)."""
     try:
         done = subprocess.run([str(word) for word in command], stdin=subprocess.DEVNULL, text=True,
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False, **options)
@@ -32,7 +32,7 @@ def requirements():
 
 
 def make_venv(folder, packages):
-    """A venv with these packages of requirements.txt; {package: why it is not there}."""
+    """A venv with these packages of requirements.txt; {package: why it is missing}."""
     folder = Path(folder)
     python = folder / "bin" / "python"
     if not python.exists():
@@ -74,7 +74,7 @@ def find_vtk91(work, fetch):
 
 
 def about(command, env):
-    """What a peer answers to --version: a dict with `version`, or with `missing`, why it is not there."""
+    """A peer's output for --version: a dict with `version`, or with `missing`, the reason."""
     try:
         done = subprocess.run(command, env=env, text=True, capture_output=True, timeout=120, check=False)
     except (OSError, subprocess.TimeoutExpired) as error:

@@ -175,7 +175,7 @@ PEERS = {
 
 
 def version(peer):
-    """What is being run, as it says itself, and VTK's library; an exception if it is not there."""
+    """The running version, by its own report, and VTK's library; an exception if it is missing."""
     if peer.startswith(("vtk", "paraview")):
         from vtkmodules.vtkCommonCore import vtkVersion
 

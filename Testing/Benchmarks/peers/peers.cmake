@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 #
-# The programs behind peers.py, and the tests of the tools that judge and report. Sets
+# The programs of peers.py, and the tests of the tools that judge and report. Sets
 # ahd_peer_programs. For Testing/Benchmarks/CMakeLists.txt, which has looked for CGAL.
 set(ahd_peers_dir "${CMAKE_CURRENT_LIST_DIR}")
 set(ahd_peer_programs PeerInputs PeerJudge PeerOurs)

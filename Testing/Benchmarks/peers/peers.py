@@ -109,7 +109,7 @@ class Session:
         draft.replace(self.file)
 
     def prepare(self):
-        """Finds or fetches the peers, and writes down what each is."""
+        """Finds or fetches the peers, and records their versions."""
         chosen = [BY_NAME[name] for name in self.options.only]
         missing = {}
         if not self.options.no_install:
@@ -130,7 +130,7 @@ class Session:
         self.save()
 
     def points_of(self, name, size):
-        """The file with an input's points; None if it is not there. Made anew each time."""
+        """The file with an input's points; None if it is missing. Made anew each time."""
         file = self.work / "points"
         if name in REAL_FILES:
             source = Path(self.options.data or "") / name
@@ -277,7 +277,7 @@ class Session:
 
 
 def seconds_of(peer, record):
-    """What a run is said to have taken: CPU time on one thread, else time on the wall; 0 if it failed."""
+    """The time of a run: CPU time on one thread, else time on the wall; 0 if it failed."""
     return record.get("wall" if peer.threads else "cpu", 0.0)
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Renders peers.json: who was compared, times, faults, memory. Every figure comes from the data."""
+"""Renders peers.json: peers, times, faults, memory. Every figure comes from the data."""
 import statistics
 
 FAILURES = {"hang": "over the limit", "crash": "crash", "error": "gave up", "memory": "out of memory"}
@@ -27,7 +27,7 @@ class Results:
         return [key for key, about in self.inputs.items() if about["size"] == size]
 
     def seconds(self, peer, key):
-        """CPU time of what runs on one thread, time on the wall of the others; None where it failed."""
+        """CPU time of runs on one thread, wall-clock time of the others; None where it failed."""
         run = self.run(peer, key)
         return run["wall" if self.peers[peer]["threads"] else "cpu"] if run.get("status") == "ok" else None
 
@@ -62,7 +62,7 @@ def markdown(data):
 
 
 def summary(data):
-    """A short table: of each peer how often it was right, how fast, and what it lost most."""
+    """A short table: for each peer how often it was correct, its speed, and its largest loss."""
     results = Results(data)
     rows = []
     for peer in results.there:
@@ -156,7 +156,7 @@ def sentences(results):
 
 
 def scope(results):
-    """What was run, and, if they wrote one into the settings, the remark of those who ran it."""
+    """The runs, and, if the settings have one, the remark on them."""
     tried = sum(len(results.tried(peer)) for peer in results.there)
     right = sum(results.certified(peer, key) for peer in results.there for key in results.tried(peer))
     settings = results.settings

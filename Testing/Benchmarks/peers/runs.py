@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a peer in a process of its own, under limits of time and memory, and says how it ended."""
+"""Runs a peer in a process of its own, under limits of time and memory, and returns the outcome."""
 import json
 import os
 import re
@@ -9,7 +9,7 @@ import signal
 import subprocess
 import time
 
-ASIDE_SECONDS = 300  # for what is not timed: imports and reading before the call, writing after it
+ASIDE_SECONDS = 300  # for untimed work: imports and reading before the call, writing after it
 TEXT_LENGTH = 300
 
 
@@ -64,7 +64,7 @@ def _prepare(core):
 
 
 def _listen(process, limit):
-    """Until the process says no more: the last word it said, its figures, and whether it was late."""
+    """Reads to the end of the output: its last word, its figures, and whether it was late."""
     reached, figures, pending = "", {}, b""
     deadline = time.monotonic() + ASIDE_SECONDS
     while True:
@@ -92,7 +92,7 @@ def _said(file):
 
 
 def last_words(said):
-    """What a program died of, if it says: the exception of a traceback, else the last line."""
+    """The cause of a program's end, if printed: the exception of a traceback, else the last line."""
     lines = [line.strip() for line in said.splitlines() if line.strip()]
     exceptions = [line for line in lines if re.match(r"[\w.]*(Error|Exception)\b", line)]
     return (exceptions or lines or [""])[-1][:TEXT_LENGTH]

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests of peers.py: each way a peer can fail is played by a small program, and has to be told as such.
+"""Tests of peers.py: each way a peer can fail is simulated by a small program, and must be reported as such.
 
     test_peers.py FOLDER [unittest's options]      FOLDER: PeerInputs, PeerJudge and PeerOurs, built
 """
@@ -34,7 +34,7 @@ def play(text, limit=20.0):
 
 
 class Endings(unittest.TestCase):
-    """How a process ended, told."""
+    """The reported end of a process."""
 
     def check(self, text, status, words, limit=20.0):
         record = play(text, limit)
@@ -91,7 +91,7 @@ class Endings(unittest.TestCase):
 
 
 class Sessions(unittest.TestCase):
-    """Whole runs of peers.py, of our programs and of peers that are played."""
+    """Whole runs of peers.py, of our programs and of simulated peers."""
 
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
