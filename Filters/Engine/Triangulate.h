@@ -112,8 +112,8 @@ std::size_t triangulatedMemoryEstimate(std::size_t pointCount, const Options& op
 /// one passes; usually a few.
 std::size_t constraintMemoryEstimate(std::size_t pointCount, std::size_t segmentCount);
 
-/// The part of it that constrain() takes without asking Progress::take(): that of segments which
-/// cross nothing and belong to no loop.
+/// The part of it that constrain() takes without a request by Progress::take(): that of segments
+/// which cross nothing and belong to no loop.
 std::size_t knownConstraintMemory(std::size_t pointCount, std::size_t segmentCount);
 
 /// Upper bound of the bytes that trim() takes in addition.

@@ -134,7 +134,7 @@ Taken runAlone(vtkPolyData* input, const Way& way)
 Taken runTogether(vtkPolyData* input, const Way& way, vtkMultiProcessController* controller)
 {
   Taken taken;
-  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter; // hears of progress
+  vtkNew<vtkAdaptiveHilbertDelaunay2D> filter; // observes progress
   vtkNew<vtkPolyData> output, order, cells;
   const double held = beginPeak(), begun = now();
   vtkAHDProgress progress(filter, now);

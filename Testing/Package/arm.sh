@@ -47,7 +47,7 @@ step "Fetching Debian's Python and NumPy for arm64" fetch fetch_python ||
 get_wheel
 unpack_wheel "$folder/root/usr/lib/python3/dist-packages"
 emulator=(qemu-aarch64 -L "$folder/root")
-# -0: its children are to be run by this, too
+# -0: runs its children, too
 printf '#!/bin/sh\nexec %s -0 "$0" "%s" "$@"\n' "${emulator[*]@Q}" "$folder/root/usr/bin/python3" >"$folder/python"
 chmod +x "$folder/python"
 step "Running the tests of the C interface" c test_c "" "${emulator[@]}" || exit

@@ -22,7 +22,7 @@ public:
   /// all have returned. Tasks are independent: none waits for another, so one thread may run them
   /// all. They throw nothing.
   /// The calling thread takes part, or else calls idle() every few milliseconds until the last
-  /// task has returned: that is when the caller is told of progress and can cancel.
+  /// task has returned: there the caller gets progress and can cancel.
   virtual void run(std::size_t count, const std::function<void(std::size_t)>& task,
     const std::function<void()>& idle) = 0;
 };

@@ -13,8 +13,8 @@ namespace ahd
 {
 
 /// Steps that all blocks take together. After one that failed on some block no block takes any:
-/// status() has the reason, the same on all. Work on each block returns bool, false if it is to be
-/// cancelled, or a Status; it may throw std::bad_alloc.
+/// status() has the reason, the same on all. Work on each block returns bool, false if cancelled,
+/// or a Status; it may throw std::bad_alloc.
 class Steps
 {
 public:

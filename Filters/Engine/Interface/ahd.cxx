@@ -50,7 +50,7 @@ ahd_status guarded(ahd_job& job, const Work& work)
   try
   {
     work(job.job);
-    job.said = ""; // callbacks may have been told that it is busy
+    job.said = ""; // a callback's calls may have set the message that it is busy
     return AHD_OK;
   }
   catch (ahd::Refusal& refusal)

@@ -11,7 +11,7 @@ namespace ahd
 namespace
 {
 
-/// Calls with each edge that is to be a constraint: all of missing triangles, and those that the
+/// Calls with each edge that must become a constraint: all of missing triangles, and those that the
 /// caller names. Returns false if cancelled.
 template <typename Call>
 bool forEdges(const GivenTriangles& given, const std::vector<std::size_t>& missing,

@@ -252,8 +252,7 @@ bool report(
     });
 }
 
-/// Finds out.pairs. `flags` is scratch, a byte per point. Returns false if the work is to be
-/// cancelled.
+/// Finds out.pairs. `flags` is scratch, a byte per point. Returns false if cancelled.
 bool findPairs(const PointView& points, double distance, unsigned char* flags, Ticker& ticker,
   std::vector<MergedPoint>& pairs)
 {
@@ -279,8 +278,7 @@ bool findPairs(const PointView& points, double distance, unsigned char* flags, T
     (count == 0 || report(keptIds, count, pairs, ticker));
 }
 
-/// Marks the points of pairs and those that the caller had left out. Returns false if the work is
-/// to be cancelled.
+/// Marks the points of pairs and those that the caller had left out. Returns false if cancelled.
 bool markSkipped(const PointView& points, MergedPoints& out, Ticker& ticker)
 {
   unsigned char* const skip = out.skip.data();

@@ -64,7 +64,7 @@ private:
 
 /// Sorts boxes along a curve through their middles, up to rounding: the low halves of `keys` become
 /// their numbers in this order, `all` the box around them. boxOf(number) is a box. Returns false if
-/// the work is to be cancelled; throws std::bad_alloc.
+/// cancelled; throws std::bad_alloc.
 template <typename BoxOf>
 bool sortAlongCurve(
   std::size_t count, const BoxOf& boxOf, Buffer<std::uint64_t>& keys, Box& all, Ticker& ticker)

@@ -76,8 +76,7 @@ public:
     boxes_.allocate(begins_.back());
   }
 
-  /// Makes the boxes; leafBox(leaf) is that of a leaf. Returns false if the work is to be
-  /// cancelled.
+  /// Makes the boxes; leafBox(leaf) is that of a leaf. Returns false if cancelled.
   template <typename LeafBox>
   bool fit(const LeafBox& leafBox, Ticker& ticker)
   {

@@ -67,8 +67,7 @@ double diagonalOf(const Box& box)
   return std::min(length, std::numeric_limits<double>::max());
 }
 
-/// Writes where the points lie from the plane, three numbers each. Returns false if the work is to
-/// be cancelled.
+/// Writes the points' places relative to the plane, three numbers each. Returns false if cancelled.
 bool projectAll(const PointView& points, const Plane& plane, double* to, Ticker& ticker)
 {
   constexpr std::size_t kAhead = 64; // points: fetched

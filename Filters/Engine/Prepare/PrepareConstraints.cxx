@@ -77,8 +77,7 @@ void Preparation::readId(std::int64_t id)
   out_.ids_.push_back(fits ? firstId_ + id : -1);
 }
 
-/// Puts for each point that was merged the one that was kept. Returns false if the work is to be
-/// cancelled.
+/// Replaces each merged point by the kept one. Returns false if cancelled.
 bool Preparation::followMerged(Ticker& ticker)
 {
   const std::vector<MergedPoint>& merged = out_.merged_;
@@ -121,8 +120,7 @@ bool Preparation::isClosed(std::size_t chain) const
   return a[0] == b[0] && a[1] == b[1];
 }
 
-/// Puts the closed lines behind the open ones, where they are loops. Returns false if the work is
-/// to be cancelled.
+/// Puts the closed lines behind the open ones, where they are loops. Returns false if cancelled.
 bool Preparation::closeLines(Ticker& ticker)
 {
   const std::size_t chains = out_.offsets_.size() - 1;

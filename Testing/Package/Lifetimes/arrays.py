@@ -237,7 +237,7 @@ class Arrays(World):
             delaunay(np.random.default_rng(2).random((200, 2)), progress=progress)
             raise Mismatch("what a progress function raised was swallowed")
 
-    # --- asking ---
+    # --- queries ---
 
     @step(14)
     def ask(self, rng):
