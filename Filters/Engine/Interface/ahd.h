@@ -172,7 +172,7 @@ enum
   AHD_PLANE_CALLBACK = 3  /* x, y of the points projected by ahd_set_projection() */
 };
 
-/* rim: of a surface; nothing is trimmed with alpha, maximum_edge_length or bounding */
+/* rim: of a surface; nothing is trimmed with bounding, or limits on the size of triangles */
 enum
 {
   AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, and in AHD_PLANE_BEST_FIT if all points
