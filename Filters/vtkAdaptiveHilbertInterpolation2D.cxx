@@ -338,6 +338,7 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
   const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
   data.Told = isRaster && vtkAHDHasFiltersBehind(info) ? vtkAHDToldRaster(info)
                                                        : ahd::SampleRaster();
+  progress.Watch(vtkDataObject::GetData(inputs[1]));
   const vtkAHDSamplePieces pieces(vtkDataObject::GetData(inputs[1]), output);
   vtkAHDSettings between = settings; // the triangulation is kept until the last piece is done
   between.ReuseLimit = VTK_TYPE_INT64_MAX;

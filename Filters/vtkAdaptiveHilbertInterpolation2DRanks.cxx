@@ -104,6 +104,7 @@ struct RankWork
   {
     if (places)
     {
+      this->Progress.Watch(places);
       this->Places.TakeReference(places->NewInstance());
       this->Places->ShallowCopy(places);
       this->Given.Places = this->Places;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Execution/vtkAHDExecution.h"
 
+#include "Execution/vtkAHDFingerprint.h"
 #include "Execution/vtkAHDLentTriangulation.h"
 #include "Output/vtkAHDOrderOutput.h"
 #include "Output/vtkAHDPointOutput.h"
@@ -16,6 +17,7 @@
 #include <algorithm>
 #include <memory>
 #include <new>
+#include <optional>
 #include <utility>
 
 vtkAHDExecution::vtkAHDExecution(const vtkAHDSettings& settings, vtkAHDInput& input,
@@ -86,6 +88,10 @@ vtkAHDReport vtkAHDExecution::Run(const vtkAHDOutputs& outputs, LentPointer* len
 {
   ahd::RunResult made;
   bool isLent = false;
+  if (lent && this->Context.GetProgress().IsObserved())
+  {
+    this->TakePrints();
+  }
   const bool isTried = this->Try(0,
     [&](ahd::Run& run)
     {
@@ -222,6 +228,20 @@ void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
   this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
 
+/// Of places and marks, to which observers may write.
+void vtkAHDExecution::TakePrints()
+{
+  const auto arrays = this->Input.FindBorrowed(this->Input.GetRequest().points);
+  for (std::size_t k = 0; k < arrays.size(); ++k)
+  {
+    ahd::Fingerprint print;
+    if (vtkAHDTakeFingerprint(arrays[k], this->Context, print))
+    {
+      this->Prints[k] = print;
+    }
+  }
+}
+
 /// Lends the triangulation, if requested and not too large. Returns false if
 /// not: then nothing has changed. Throws vtkAHDStop if the filter is to abort.
 bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPointer& lent) const
@@ -241,6 +261,10 @@ bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPoint
     std::copy(borrowed.begin(), borrowed.end(), content->Borrowed.begin());
     const void* const floats = points.floats;
     content->At = { { points.doubles ? points.doubles : floats, points.skip } };
+    for (std::size_t k = 0; k < borrowed.size(); ++k)
+    {
+      content->Before[k] = borrowed[k] ? this->Prints[k] : std::nullopt;
+    }
     content->ShowMeans = this->Settings.showsMeans;
     const auto object = LentPointer::New();
     vtkAHDLentTriangulation::Content& to = *content;

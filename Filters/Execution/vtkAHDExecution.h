@@ -2,6 +2,7 @@
 #ifndef vtkAHDExecution_h
 #define vtkAHDExecution_h
 
+#include "Engine/Core/Fingerprint.h"
 #include "Engine/Job/Run.h"
 #include "Execution/vtkAHDReport.h"
 #include "Input/vtkAHDInput.h"
@@ -11,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 class vtkAbstractTransform;
@@ -72,6 +74,7 @@ private:
   void Finish(ahd::Run& run, const ahd::RunResult& made);
   bool Lend(ahd::RunResult& made, vtkPolyData* surface, LentPointer& lent) const;
   std::size_t EstimateLent() const;
+  void TakePrints();
   void GiveBack(ahd::RunResult& made);
   void KeepOutputMemory(std::size_t held) const;
 
@@ -81,6 +84,8 @@ private:
   const vtkAHDContext& Context;
   const std::size_t BytesBefore;
   vtkAHDReport Report;
+  std::array<std::optional<ahd::Fingerprint>, 2>
+    Prints; // before the run, where there are observers
 };
 
 #endif

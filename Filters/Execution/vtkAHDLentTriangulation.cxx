@@ -62,6 +62,13 @@ bool vtkAHDLentTriangulation::Keep(
   {
     return false;
   }
+  for (std::size_t k = 0; k < content->Before.size(); ++k)
+  {
+    if (content->Before[k] && *content->Before[k] != this->AtTheTime[k + 1])
+    {
+      return false;
+    }
+  }
   corners->GetInformation()->Set(LENT(), this);
   this->Corners = corners;
   this->CornersTime = corners->GetMTime();

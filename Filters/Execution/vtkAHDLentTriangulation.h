@@ -11,6 +11,7 @@
 #include <array>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <vector>
 
 class vtkAHDContext;
@@ -42,20 +43,22 @@ public:
     /// What the points borrow, their places and marks; null where they have their own.
     std::array<vtkSmartPointer<vtkDataArray>, 2> Borrowed;
     std::array<const void*, 2> At = {}; ///< where it reads them
+    /// What they were when the run began, where somebody may have written to them since.
+    std::array<std::optional<ahd::Fingerprint>, 2> Before;
   };
   using ContentPointer = std::unique_ptr<Content>;
 
   /// Lends the triangulation of a surface in its plane x, y. Null if there is none, another has it,
   /// or points or triangles have changed since, or lie elsewhere; and if the filter is to abort.
-  /// Nobody may give their arrays other memory until it is given back. Throws
-  /// std::bad_alloc.
+  /// Their arrays are read until the tables of corners and heights are made: until then nobody may
+  /// be told of progress (vtkAHDProgress::Silence). Throws std::bad_alloc.
   static ContentPointer Borrow(vtkPolyData* surface, const vtkAHDContext& context,
     vtkSmartPointer<vtkAHDLentTriangulation>& lender);
 
   /// Keeps the content, which `surface` was written from, and says so in the surface. Returns false
-  /// if the numbers cannot be known again, or if the filter is to abort; throws std::bad_alloc.
-  /// Then `content` is as it was, and nothing is said. To be called once, before anybody knows of
-  /// this.
+  /// if the numbers cannot be known again or have changed, or if the filter is to abort; throws
+  /// std::bad_alloc. Then `content` is as it was, and nothing is said. To be called once, before
+  /// anybody knows of this.
   bool Keep(ContentPointer& content, vtkPolyData* surface, const vtkAHDContext& context);
 
   /// From who borrowed it.

@@ -27,6 +27,8 @@ vtkAHDMergedBlocks::vtkAHDMergedBlocks(vtkAlgorithm* filter, const vtkAHDSetting
   , Input(vtkAHDHeldCopy(vtkPointSet::SafeDownCast(input)))
   , Source(vtkAHDHeldCopy(vtkPolyData::SafeDownCast(source)))
 {
+  context.GetProgress().Watch(input);
+  context.GetProgress().Watch(source);
   if (this->Input)
   {
     this->GivenPoints = vtkPointSet::SafeDownCast(input)->GetPoints();

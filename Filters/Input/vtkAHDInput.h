@@ -16,8 +16,8 @@
 
 /**
  * The data sets of one execution as the engine reads them: points, ghost marks and cells, in
- * place. Holds the data sets and the arrays that it reads; their memory must not be replaced while
- * the opened views are in use.
+ * place. Holds the data sets and the arrays that it reads; that their memory is
+ * not replaced while the opened views are in use, the progress looks (vtkAHDProgress::Watch()).
  */
 class vtkAHDInput
 {

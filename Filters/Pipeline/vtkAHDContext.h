@@ -42,7 +42,7 @@ public:
 
   vtkAHDOutputMemory& GetOutputMemory() const { return this->Memory; }
 
-  ahd::RunProgress& GetProgress() const { return this->Progress; }
+  vtkAHDProgress& GetProgress() const { return this->Progress; }
 
   /// A VTK array for an output, of `count` numbers, one component, not initialised. Throws
   /// std::bad_alloc.

@@ -54,6 +54,8 @@ std::size_t vtkAHDEstimateBounds(const vtkAHDSettings& settings, const vtkAHDSam
 
 ahd::Bounds vtkAHDBoundsOf(const ahd::PointView& points, const vtkAHDContext& context)
 {
+  const vtkAHDProgress::Silence whileTheyAreRead(context.GetProgress());
+  context.StopIfAborted();
   ahd::Bounds all = Nothing();
   std::mutex mutex;
   context.ForRange(points.count,

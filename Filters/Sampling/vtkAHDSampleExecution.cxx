@@ -73,6 +73,7 @@ bool vtkAHDSampleExecution::Run(
   try
   {
     this->Context.StopIfAborted();
+    this->Silence.emplace(this->Context.GetProgress());
     if (kept.Surface)
     {
       // One that is lent is there between the pieces of an execution alone.
@@ -83,10 +84,7 @@ bool vtkAHDSampleExecution::Run(
             inputs.SettingsTimes, inputs.Points, inputs.Source, inputs.Surface, this->Context);
       if (!this->IsKept)
       {
-        if (!isLent) // its memory is for the new one
-        {
-          kept.Surface->GiveBack(kept.Workspace);
-        }
+        kept.Surface->GiveBack(kept.Workspace); // its memory is for the new one
         kept.Surface.reset();
       }
     }
@@ -326,6 +324,7 @@ void vtkAHDSampleExecution::TakeSurface(
     this->Context.NextStage();
     return;
   }
+  this->Silence.reset();
   kept.Surface = std::make_unique<vtkAHDSampledSurface>(
     this->Settings, inputs.Points, inputs.Source, inputs.Surface, this->Context);
   vtkAHDExecution execution(
@@ -360,6 +359,7 @@ void vtkAHDSampleExecution::Interpolate(
     ? ahd::SamplePlaces(this->Places->Open(this->Settings, surface.GetPoints(), this->Context))
     : ahd::SamplePlaces(this->Raster.Cells);
   const auto heights = surface.MakeHeights(this->Settings, this->Context);
+  this->Silence.reset();
   const vtkSmartPointer<vtkPointData> data = surface.MakePointData(this->Context);
   vtkAHDSampleColumns columns(
     this->Wishes, inputs.Points->GetPointData(), data, surface.GetPoints().points().count);

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 class vtkAHDSamplePieces;
@@ -122,6 +123,7 @@ private:
   vtkAHDReport Report;          // of the triangulation
   vtkAHDSampleResult Result;
   vtkAHDSampleMemory Memory;
+  std::optional<vtkAHDProgress::Silence> Silence; // while what is read has been checked
   bool IsKept = false; // the surface is there: that of the execution before, or borrowed
   bool Triangulated = false;
   double Seconds = 0.0;

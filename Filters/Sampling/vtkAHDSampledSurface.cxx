@@ -253,11 +253,14 @@ vtkSmartPointer<vtkPointData> vtkAHDSampledSurface::MakePointData(
 ahd::UninitialisedVector<double> vtkAHDSampledSurface::MakeHeights(
   const vtkAHDSettings& settings, const vtkAHDContext& context)
 {
+  const vtkAHDProgress::Silence whileTheyAreRead(context.GetProgress());
+  context.StopIfAborted();
   const bool showsMeans = this->Lent ? this->Lent->ShowMeans : settings.showsMeans;
   ahd::UninitialisedVector<double> heights;
   heights.resize(this->GetPoints().points().count);
   context.Check(ahd::findHeights(
     this->GetPoints(), this->GetTriangulation(), showsMeans, context, heights.data()));
+  context.Check(this->GetTriangulation().makeCorners(context)); // reads places that were given up
   return heights;
 }
 

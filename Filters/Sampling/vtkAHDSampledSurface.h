@@ -63,7 +63,7 @@ public:
   void Remember(const vtkAHDSettingsTimes& settings, const vtkAHDContext& context);
 
   /// Is it the surface of these, with settings of those times, and all that it reads where it was?
-  /// False if the filter is to abort. Nobody may give the arrays other memory while it is in use.
+  /// False if the filter is to abort. Nobody may be told of progress before MakeHeights().
   bool IsOf(const vtkAHDSettingsTimes& settings, vtkPointSet* input, vtkPolyData* source,
     vtkPolyData* surface, const vtkAHDContext& context) const;
 
@@ -73,7 +73,8 @@ public:
   /// Point data with a value for each point, added ones included.
   vtkSmartPointer<vtkPointData> MakePointData(const vtkAHDContext& context) const;
 
-  /// The height of each point above the plane of the triangulation.
+  /// The height of each point above the plane of the triangulation. After this, places and heights
+  /// of points are not read from the input any more.
   ahd::UninitialisedVector<double> MakeHeights(
     const vtkAHDSettings& settings, const vtkAHDContext& context);
 
@@ -97,7 +98,7 @@ public:
   /// Bytes of what it was made of, which nobody else may hold.
   std::size_t CountInputBytes() const;
 
-  /// Lets the workspace have the memory.
+  /// Lets the workspace have the memory, unless the triangulation is only borrowed.
   void GiveBack(ahd::Workspace& workspace);
 
 private:

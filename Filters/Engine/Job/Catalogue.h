@@ -82,6 +82,9 @@ constexpr Row kRows[] = {
   { Topic::Refusal, "no triangulation", "triangulation_is_null",
     "Triangulation is null, so there are no settings to triangulate with. Set it to a "
     "vtkAdaptiveHilbertDelaunay2D." },
+  { Topic::Refusal, "changed input", "input_is_changed",
+    "An observer gave an array of the input other memory or another size while the filter worked. "
+    "The output is empty. Change inputs before or after an update." },
   { Topic::Refusal, "cell size", "raster=cell_size",
     "CellSize is {cell_width}, {cell_height}, but both numbers must be greater than 0 and finite. "
     "Nothing was computed." },

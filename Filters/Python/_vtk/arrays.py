@@ -94,6 +94,40 @@ class Held:
         taker.SetPoints(points)
 
 
+class Watched:
+    """The arrays that an execution reads: their memory cannot be held, only looked for. `given`: data sets, blocks of
+    these, or None."""
+
+    def __init__(self, backend, *given):
+        self._arrays, self._backend = [], backend
+        for data in given:
+            self._add(data)
+        self._places = self._find()
+
+    def are_in_place(self):
+        """Have all the memory and the size that they had?"""
+        return self._find() == self._places
+
+    def _find(self):
+        return [place(data) if is_viewable(data) else data.GetNumberOfValues() for data in self._arrays]
+
+    def _add(self, data):
+        if isinstance(data, self._backend.vtkCompositeDataSet):
+            each = data.NewIterator()
+            each.InitTraversal()
+            while not each.IsDoneWithTraversal():
+                self._add(each.GetCurrentDataObject())
+                each.GoToNextItem()
+        elif isinstance(data, self._backend.vtkDataSet):
+            arrays = [some.GetArray(i) for some in (data.GetPointData(), data.GetCellData())
+                      for i in range(some.GetNumberOfArrays())]
+            if data.IsA("vtkPointSet") and data.GetPoints() is not None:
+                arrays.append(data.GetPoints().GetData())
+            for cells in (data.GetLines(), data.GetPolys()) if data.IsA("vtkPolyData") else ():
+                arrays += [cells.GetConnectivityArray(), cells.GetOffsetsArray()]
+            self._arrays += [found for found in arrays if found is not None]
+
+
 def held(backend, given):
     """The same points and data, and the same cells but those of a vtkPolyData that has none. None of None."""
     if given is None:

@@ -50,14 +50,22 @@ class Progress:
         self.algorithm, self.shown, self.told_at = algorithm, 0.0, time.monotonic()
 
     def is_aborted(self):
-        return bool(self.algorithm.CheckAbort() if hasattr(self.algorithm, "CheckAbort")
-                    else self.algorithm.GetAbortExecute())
+        return self.algorithm._input_is_changed or bool(
+            self.algorithm.CheckAbort() if hasattr(self.algorithm, "CheckAbort") else self.algorithm.GetAbortExecute())
+
+    def _look_at_input(self):
+        """Nothing is read any more once an observer has given an array of it other memory."""
+        watched = self.algorithm._watched
+        if watched is not None and not watched.are_in_place():
+            self.algorithm._watched, self.algorithm._input_is_changed = None, True
+            messages.Speaker(self.algorithm._backend, self.algorithm).error(messages.refusal(input_is_changed=1))
 
     def __call__(self, _phase, fraction):
         moved = fraction >= self.shown + STEP
         if (moved or time.monotonic() - self.told_at >= SILENCE) and not self.is_aborted():
             self.shown = max(self.shown, fraction)
             self.algorithm.UpdateProgress(self.shown)
+            self._look_at_input()
             self.told_at = time.monotonic()  # observers take time
         return self.is_aborted()
 

@@ -4,10 +4,9 @@
 import itertools
 
 from .. import _library as engine
-from . import messages, settings
-from .arrays import coordinates, ghost_marks, new_array, without_points
+from . import cache, messages, settings
+from .arrays import Watched, coordinates, ghost_marks, new_array, without_points
 from .blocks import Merged
-from .cache import OutputCache
 from .execution import SKIPPED, Execution, Progress, let_go
 from .lent import lent_of
 from .outputs import plane_transform
@@ -63,6 +62,7 @@ class _Executions:
             return 1
         given = [vtk.vtkDataObject.GetData(inputs[port]) if inputs[port].GetNumberOfInformationObjects() else None
                  for port in range(2)]
+        self._watched, self._input_is_changed = Watched(vtk, *given), False
         try:
             self._make(*given, made)
             self._empty, self._empty_of = [without_points(vtk, output) for output in made], time
@@ -75,6 +75,7 @@ class _Executions:
             self._end(made, engine.CANCELLED)
             raise
         finally:
+            self._watched = None
             let_go(self._job)
         return 1
 
@@ -119,6 +120,9 @@ class _Executions:
         self._take_back()
         self._values["NumberOfTriangulations"] += 1
         execution = Execution(vtk, self, merged.input, merged.source, merged.bytes)
+        # observers may write to them
+        numbers = cache.Inputs(merged.input, None) if self.HasObserver("ProgressEvent") else None
+        before = numbers and numbers.fingerprints()
         execution.run(made)
         self._values.update(execution.measures())
         self._values["MemoryEstimate"] = self._job.count("memory_estimate") // 1024
@@ -128,7 +132,8 @@ class _Executions:
         if self._values["KeepTriangulation"]:
             self._cache.keep(merged.input, made)
         merged.hand_on_points(made[0])
-        self._lent = lent_of(execution, made[0], self._values["ReuseLimit"])
+        if not numbers or (before and before == numbers.fingerprints()):
+            self._lent = lent_of(execution, made[0], self._values["ReuseLimit"])
         if self._lent is not None:
             self._job = engine.Job()
         else:
@@ -300,7 +305,7 @@ def make_class(backend):
         self._transform = None
         self._warned_about_ranks = False
         self._job = engine.Job()
-        self._cache, self._lent = OutputCache(backend), None
+        self._cache, self._lent = cache.OutputCache(backend), None
         self._empty, self._empty_of = [], None  # the last outputs without a point, and the time of their settings
 
     members = dict(settings.all_methods(), __doc__=ABOUT,

@@ -5,7 +5,7 @@ import contextlib
 
 from .. import _library as engine
 from . import messages, python_class, raster, raster_messages, raster_settings, settings, table
-from .arrays import held
+from .arrays import Watched, held
 from .blocks import Merged
 from .columns import Columns
 from .interpolating import Interpolating, Stopped
@@ -253,14 +253,18 @@ class _Executions:
         else:
             own = made.NewInstance()  # observers have the output, too, which is filled in the end
             own.ShallowCopy(made)
+            given = [self._data(inputs, port) for port in range(3)]
+            self._watched, self._input_is_changed = Watched(self._backend, *given), False
             try:
-                is_done = self._execute([self._data(inputs, port) for port in range(3)], own, speaker)
+                is_done = self._execute(given, own, speaker)
                 made.ShallowCopy(own)
             except BaseException:  # Ctrl-C, mostly
                 self._let_go()
                 self._clear_measures()
                 made.Initialize()
                 raise
+            finally:
+                self._watched = None
         if not is_done:
             made.Initialize()
         info, is_raster = outputs.GetInformationObject(0), self._data(inputs, 1) is None

@@ -162,6 +162,8 @@ class Inputs:
 class Outputs:
     """Mixed into a class that has _backend."""
 
+    _watched, _input_is_changed = None, False  # while an execution goes: arrays.Watched, and what became of it
+
     def GetOutput(self, port=0):
         """The vtkPolyData at this output port."""
         found = self.GetOutputDataObject(port)

@@ -318,4 +318,149 @@ TEST(Observers, DoWhatTheyLikeToWhatIsInterpolated)
   }
 }
 
+using Change = std::function<void(vtkDataArray*)>;
+const std::vector<std::pair<const char*, Change>> kChangesOfMemory = {
+  { "grown", [](vtkDataArray* array) { array->Resize(1000000); } },
+  { "shrunk", [](vtkDataArray* array) { array->Resize(10); } },
+  { "let go of", [](vtkDataArray* array) { array->Initialize(); } },
+};
+
+vtkDataArray* placesIn(vtkDataSet* data)
+{
+  return vtkPointSet::SafeDownCast(data)->GetPoints()->GetData();
+}
+
+/// Nothing is read once it is gone: an error, no output, and the next execution is as ever.
+TEST(Observers, TakeMemoryOfWhatIsTriangulated)
+{
+  const std::vector<std::pair<const char*, std::function<vtkDataArray*(Case&)>>> arrays = {
+    { "points", [](Case& c) { return placesIn(c.Cloud); } },
+    { "marks", [](Case& c) -> vtkDataArray* { return c.Cloud->GetPointGhostArray(); } },
+    { "lines", [](Case& c) { return c.Source->GetLines()->GetConnectivityArray(); } },
+    { "offsets", [](Case& c) { return c.Source->GetLines()->GetOffsetsArray(); } },
+  };
+  for (const auto& array : arrays)
+  {
+    for (const auto& change : kChangesOfMemory)
+    {
+      for (const double from : { 0.01, 0.3, 0.7 })
+      {
+        SCOPED_TRACE(std::string(array.first) + change.first + std::to_string(from));
+        Case disturbed;
+        disturbed.Watch->From = from;
+        disturbed.Watch->Do = [&] { change.second(array.second(disturbed)); };
+        EXPECT_TRUE(disturbed.Triangles().empty());
+        EXPECT_EQ(disturbed.Said->Errors.size(), 1u);
+        EXPECT_EQ(disturbed.Filter->GetOutput()->GetNumberOfPoints(), 0);
+        disturbed.Filter->SetInputData(makeCloud(scatteredPoints(9)));
+        disturbed.Filter->SetSourceData(nullptr);
+        EXPECT_FALSE(disturbed.Triangles().empty());
+      }
+    }
+  }
+}
+
+TEST(Observers, TakeMemoryOfWhatIsInterpolated)
+{
+  const std::vector<std::pair<const char*, std::function<vtkDataArray*(Interpolated&)>>> arrays = {
+    { "points", [](Interpolated& i) { return placesIn(i.Of.Cloud); } },
+    { "values", [](Interpolated& i) { return i.Of.Cloud->GetPointData()->GetArray("a"); } },
+    { "places", [](Interpolated& i) { return placesIn(i.Places); } },
+  };
+  for (const auto& array : arrays)
+  {
+    for (const auto& change : kChangesOfMemory)
+    {
+      for (const double from : { 0.01, 0.3, 0.9 })
+      {
+        SCOPED_TRACE(std::string(array.first) + change.first + std::to_string(from));
+        Interpolated disturbed(placesOf(false));
+        disturbed.Watch->From = from;
+        disturbed.Watch->Do = [&] { change.second(array.second(disturbed)); };
+        EXPECT_TRUE(disturbed.Values().empty());
+        EXPECT_EQ(disturbed.Said->Errors.size(), 1u);
+      }
+    }
+  }
+}
+
+/// Numbers behind a triangulation that is lent, which nobody can be seen to change: all of them are
+/// read before anybody is told of progress.
+TEST(Observers, OverwriteWhatALentTriangulationIsMadeOf)
+{
+  std::vector<Xyz> points = scatteredPoints(20000, 3);
+  for (Xyz& p : points)
+  {
+    p[2] = p[0] * p[1];
+  }
+  const auto heights = [&points](int threads, int method, double from, const Change& change)
+  {
+    vtkNew<Delaunay> triangulation;
+    triangulation->SetInputData(makeCloud(points));
+    triangulation->SetNumberOfThreads(threads);
+    triangulation->Update();
+    vtkNew<Interpolation> filter;
+    filter->GetTriangulation()->SetNumberOfThreads(threads);
+    filter->SetInputConnection(triangulation->GetOutputPort());
+    filter->SetMethod(method);
+    filter->SetDimensions(60, 50);
+    vtkNew<Meddler> watch;
+    watch->From = from;
+    watch->Do = [&]
+    { change(placesIn(vtkDataSet::SafeDownCast(triangulation->GetInputDataObject(0, 0)))); };
+    filter->AddObserver(vtkCommand::ProgressEvent, watch);
+    filter->Update();
+    EXPECT_FALSE(watch->Do) << "it was not heard";
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), 0) << "it is not lent";
+    return numbersOf(vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0)), "Elevation");
+  };
+  for (const int method : { Interpolation::LINEAR, Interpolation::NATURAL_NEIGHBOR })
+  {
+    const std::vector<double> expected = heights(1, method, 0.01, [](vtkDataArray*) {});
+    ASSERT_EQ(expected.size(), 3000u);
+    for (const int threads : { 1, 2 })
+    {
+      for (const double from : { 0.01, 0.1 })
+      {
+        SCOPED_TRACE(std::to_string(threads) + " threads, from " + std::to_string(from));
+        EXPECT_EQ(heights(threads, method, from, [](vtkDataArray* places) { places->Fill(0.5); }),
+          expected);
+      }
+    }
+  }
+}
+
+/// Numbers that an observer of the filter that lends it wrote over are not those of the
+/// triangulation: it is not lent.
+TEST(Observers, OverwriteWhatIsTriangulatedAndLent)
+{
+  for (const double from : { 0.01, 0.2, 0.4, 0.6, 0.8, 0.99 })
+  {
+    SCOPED_TRACE(from);
+    const auto cloud = makeCloud(scatteredPoints(20000, 3));
+    vtkNew<Delaunay> triangulation;
+    triangulation->SetInputData(cloud);
+    triangulation->SetNumberOfThreads(1);
+    vtkNew<Meddler> watch;
+    watch->From = from;
+    watch->Do = [&]
+    {
+      const std::vector<Xyz> others = scatteredPoints(20000, 4);
+      for (vtkIdType i = 0; i < 20000; ++i)
+      {
+        placesIn(cloud)->SetTuple(i, others[static_cast<std::size_t>(i)].data());
+      }
+    };
+    triangulation->AddObserver(vtkCommand::ProgressEvent, watch);
+    triangulation->Update();
+    EXPECT_FALSE(watch->Do) << "it was not heard";
+    vtkNew<Interpolation> filter;
+    filter->SetInputConnection(triangulation->GetOutputPort());
+    filter->SetMethodToNaturalNeighbor();
+    filter->SetDimensions(60, 50);
+    filter->Update();
+    EXPECT_EQ(filter->GetNumberOfTriangulations(), 1) << "it is lent";
+  }
+}
+
 } // namespace

@@ -108,6 +108,7 @@ def refusals():
     yield {"reason": engine.BAD_ARRAY}
     yield {"folded_triangles": 3, "triangles": 50}
     yield {"triangulation_is_null": 1}
+    yield {"input_is_changed": 1}
     for fault in ("cell_size", "bounds", "too_many", "too_wide", "out_of_numbers", "no_area"):
         yield {"raster": fault, "cell_width": 0.1, "cell_height": 1e-12, "columns": 4e12, "rows": 3.0,
                "bounds": [0.0, 0.25, -1e300, float("inf")]}  # fmt: skip

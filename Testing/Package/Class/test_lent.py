@@ -159,6 +159,45 @@ class LentTest(Case):
         algorithm.Modified()
         self.assertTriangulates(algorithm, 0)
 
+    def test_observers_that_write_to_what_it_is_made_of(self):
+        """During the interpolation: all was read before. While it is made: it is not lent."""
+        expected = str(self.assertTriangulates(interpolation(self.maker.GetOutput()), 0))
+
+        def overwrite(caller, _event):
+            if caller.GetProgress() > 0:
+                self.given.GetPoints().GetData().Fill(caller.GetProgress())
+
+        algorithm = interpolation(self.maker.GetOutput())
+        algorithm.AddObserver("ProgressEvent", overwrite)
+        self.assertEqual(str(self.assertTriangulates(algorithm, 0)), expected)
+        self.given = cloud(scattered(COUNT))
+        self.maker.SetInputData(self.given)
+        self.maker.AddObserver("ProgressEvent", overwrite)
+        self.maker.Update()
+        algorithm = interpolation(self.maker.GetOutput())
+        algorithm.Update()
+        self.assertEqual(algorithm.GetNumberOfTriangulations(), 1)
+
+    def test_observers_that_take_memory(self):
+        """An error before it is read, at both filters; then all is as ever."""
+        for takes in (lambda data: data.Resize(10), lambda data: data.Resize(10**6), lambda data: data.Initialize()):
+            given = cloud(scattered(COUNT))
+            maker = maker_of(given)
+            for algorithm in (interpolation(maker.GetOutput()), maker):
+                said = Said(algorithm)
+                tag = algorithm.AddObserver("ProgressEvent", lambda caller, _event: (
+                    caller.GetProgress() > 0 and takes(given.GetPoints().GetData())))
+                algorithm.Modified()
+                algorithm.Update()
+                self.assertSaid(said, errors=1)
+                self.assertIn("other memory or another size", said.errors[0])
+                self.assertEqual(algorithm.GetOutput().GetNumberOfPoints(), 0)
+                algorithm.RemoveObserver(tag)
+                given = cloud(scattered(COUNT))
+                maker.SetInputData(given)
+            maker.Update()
+            self.assertTriangulates(interpolation(maker.GetOutput()), 0)
+
     def test_no_input_of_before_is_held(self):
         arrays = []
         for _ in range(3):  # the third passes on
