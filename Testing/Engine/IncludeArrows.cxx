@@ -67,10 +67,10 @@ const Names& machineHeaders(const fs::path& file)
 {
   static const std::map<std::string, Names> kFiles = { { "Core/Threads.cxx",
                                                          { "chrono", "mutex", "thread" } },
-    { "Core/Processors.cxx", { "thread", "sched.h", "windows.h" } },
-    { "Core/Memory.cxx",
-      { "fstream", "sys/resource.h", "unistd.h", "windows.h", "psapi.h", "mach/mach.h" } },
-    { "Core/Clock.cxx", { "chrono" } }, { "Interface/ahd.h", { "stdint.h" } } };
+    { "Core/Processors.cxx", { "thread", "sched.h" } },
+    { "Core/Memory.cxx", { "fstream", "sys/resource.h", "unistd.h", "psapi.h", "mach/mach.h" } },
+    { "Core/Windows.h", { "windows.h" } }, { "Core/Clock.cxx", { "chrono" } },
+    { "Interface/ahd.h", { "stdint.h" } } };
   static const Names kNone;
   const auto found = kFiles.find(file.generic_string());
   return found == kFiles.end() ? kNone : found->second;

@@ -7,12 +7,8 @@
 #include <string>
 
 #if defined(_WIN32)
-#ifndef NOMINMAX
-#define NOMINMAX
-#endif
-#define WIN32_LEAN_AND_MEAN
 #define PSAPI_VERSION 2 // of kernel32
-#include <windows.h>
+#include "Windows.h"
 
 #include <psapi.h>
 #else
