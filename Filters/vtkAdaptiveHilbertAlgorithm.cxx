@@ -2,12 +2,11 @@
 // Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertAlgorithm.h"
 
+#include "Engine/Job/ReportRows.h"
 #include "Engine/Job/Settings.h"
+#include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDSetters.h"
 #include "Pipeline/vtkAHDSettingsOfRanks.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 
 #include <algorithm>
 #include <array>
@@ -70,6 +69,36 @@ void vtkAdaptiveHilbertAlgorithm::ClearSeconds()
   this->OutputSeconds = 0.0;
 }
 
+void vtkAdaptiveHilbertAlgorithm::TakeMeasures(const ahd::RunReport& report)
+{
+  const auto count = [&report](const char* name)
+  { return ahd::findRow(ahd::kCountRows, name)->get(report); };
+  const auto measure = [&report](const char* name)
+  { return ahd::findRow(ahd::kMeasureRows, name)->get(report); };
+  this->NumberOfThreadsUsed = static_cast<int>(count("threads_used"));
+  this->NumberOfTriangles = static_cast<vtkIdType>(count("triangles"));
+  this->NumberOfPointsInserted = static_cast<vtkIdType>(count("inserted"));
+  this->NumberOfDuplicates = static_cast<vtkIdType>(count("duplicates"));
+  this->NumberOfMergedPoints = static_cast<vtkIdType>(count("merged_points"));
+  this->NumberOfAddedPoints = static_cast<vtkIdType>(count("added_points"));
+  this->NumberOfRejectedPoints = static_cast<vtkIdType>(count("not_finite"));
+  this->NumberOfSkippedPoints = static_cast<vtkIdType>(count("skipped"));
+  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(count("beyond_limit"));
+  this->NumberOfConstraintEdges = static_cast<vtkIdType>(count("constraint_edges"));
+  this->NumberOfCrossings = static_cast<vtkIdType>(count("crossings"));
+  this->NumberOfBentConstraints = static_cast<vtkIdType>(count("bent_segments"));
+  this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
+    count("segments_without_vertex") + count("segments_crossing"));
+  this->NumberOfUnfilledLoops = static_cast<vtkIdType>(count("unfilled_loops"));
+  this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(count("trimmed_triangles"));
+  this->NP = measure("np");
+  this->NR = measure("nr");
+  this->SortSeconds = measure("seconds_merge") + measure("seconds_read") + measure("seconds_sort");
+  this->InsertSeconds = measure("seconds_insert");
+  this->ConstrainSeconds = measure("seconds_split") + measure("seconds_constrain");
+  this->OutputSeconds = measure("seconds_extract") + measure("seconds_outputs");
+}
+
 void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
 {
   const std::pair<const char*, vtkIdType> counts[] = {
@@ -90,10 +119,7 @@ void vtkAdaptiveHilbertAlgorithm::AddCounts(vtkFieldData* data) const
   };
   for (const auto& count : counts)
   {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(count.first);
-    array->InsertNextValue(count.second);
-    data->AddArray(array);
+    vtkAHDAddCount(count.first, count.second, data);
   }
 }
 
@@ -162,6 +188,25 @@ void vtkAdaptiveHilbertAlgorithm::GetSettingsOfRanks(vtkAHDSettingsOfRanks& sett
     { "BoundingTriangulation", double(this->BoundingTriangulation != 0) },
     { "CountWork", double(this->CountWork) },
   };
+  const std::pair<bool, const char*> onOneRank[] = {
+    { this->Alpha > 0, "Alpha" },
+    { this->Tolerance > 0, "Tolerance" },
+    { this->GenerateRegionIds, "GenerateRegionIds" },
+    { this->GenerateNeighbors, "GenerateNeighbors" },
+    { this->GenerateVoronoi, "GenerateVoronoi" },
+    { this->InsertionLimit > 0, "InsertionLimit" },
+    { this->GenerateInsertionRank, "GenerateInsertionRank" },
+    { this->GenerateInsertionCurve, "GenerateInsertionCurve" },
+    { this->GenerateBoxes, "GenerateBoxes" },
+    { this->CountWork, "CountWork" },
+  };
+  for (const auto& setting : onOneRank)
+  {
+    if (setting.first)
+    {
+      settings.OnOneRank.push_back(setting.second);
+    }
+  }
 }
 
 void vtkAdaptiveHilbertAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

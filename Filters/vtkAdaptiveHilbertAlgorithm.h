@@ -30,6 +30,7 @@
 namespace ahd
 {
 class JobSettings;
+struct RunReport;
 }
 class vtkFieldData;
 struct vtkAHDSettingsOfRanks;
@@ -751,6 +752,9 @@ protected:
 
   /// Sets all measures to their values after a failed execution.
   void ClearMeasures();
+
+  /// Sets those that an engine's report has.
+  void TakeMeasures(const ahd::RunReport& report);
 
   /// Sets those that are seconds to 0.
   void ClearSeconds();

@@ -22,7 +22,6 @@
 #include "vtkAbstractTransform.h"
 #include "vtkDataObject.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -305,35 +304,6 @@ void vtkAdaptiveHilbertDelaunay2D::ReadSettings(
     !this->Transform;
   settings.MemoryLimit = this->MemoryLimit;
   settings.ReuseLimit = this->ReuseLimit;
-}
-
-void vtkAdaptiveHilbertDelaunay2D::TakeMeasures(const vtkAHDReport& report)
-{
-  using Phase = ahd::Phase;
-  this->NumberOfPointsInserted = static_cast<vtkIdType>(report.counts.inserted);
-  this->NumberOfDuplicates = static_cast<vtkIdType>(report.counts.duplicates);
-  this->NumberOfRejectedPoints = static_cast<vtkIdType>(report.counts.notFinite);
-  this->NumberOfSkippedPoints = static_cast<vtkIdType>(report.counts.skipped - report.mergedPoints);
-  this->NumberOfPointsBeyondLimit = static_cast<vtkIdType>(report.counts.beyondLimit);
-  this->NumberOfTriangles = static_cast<vtkIdType>(report.Triangles);
-  this->NP = this->CountWork ? report.counts.np() : -1.0;
-  this->NR = this->CountWork ? report.counts.nr() : -1.0;
-  this->SortSeconds = report.SecondsOf(Phase::Merge, Phase::Read, Phase::Sort);
-  this->InsertSeconds = report.SecondsOf(Phase::Insert);
-  this->OutputSeconds = report.SecondsOf(Phase::Extract, Phase::Outputs);
-  this->NumberOfThreadsUsed = static_cast<int>(report.threadsUsed);
-  const ahd::ConstraintReport& constraints = report.constraints;
-  this->NumberOfMergedPoints = static_cast<vtkIdType>(report.mergedPoints);
-  this->NumberOfAddedPoints = static_cast<vtkIdType>(report.addedPoints);
-  this->NumberOfConstraintEdges = static_cast<vtkIdType>(constraints.edges);
-  this->NumberOfCrossings = static_cast<vtkIdType>(
-    this->CrossingMode == SPLIT ? report.crossings : constraints.crossing);
-  this->NumberOfBentConstraints = static_cast<vtkIdType>(report.bentConstraints);
-  this->NumberOfConstraintsLeftOut = static_cast<vtkIdType>(
-    constraints.withoutVertex + constraints.crossing);
-  this->NumberOfUnfilledLoops = static_cast<vtkIdType>(constraints.unfilledLoops);
-  this->NumberOfTrimmedTriangles = static_cast<vtkIdType>(report.counts.trimmed);
-  this->ConstrainSeconds = report.SecondsOf(Phase::Split, Phase::Constrain);
 }
 
 int vtkAdaptiveHilbertDelaunay2D::FillInputPortInformation(int port, vtkInformation* info)

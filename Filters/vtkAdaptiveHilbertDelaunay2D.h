@@ -172,7 +172,6 @@ private:
   void TakeBackLent();
   bool PassOnCached(const vtkAHDDataSets& data, const vtkAHDContext& context);
   void EndWithoutMemory(const vtkAHDDataSets& data);
-  void TakeMeasures(const vtkAHDReport& report);
   void ReadSettings(
     vtkAHDSettings& settings, bool forSamples = false, bool onSurface = false) const;
   void WarnAboutRanks();

@@ -22,7 +22,6 @@
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -363,9 +362,9 @@ bool vtkAdaptiveHilbertInterpolation2D::Execute(
       (execution.CoversTold() || vtkAHDIsNotAnnounced(output, info));
     all.Add(execution.GetResult());
     this->SampleSeconds += execution.GetSeconds();
-    AddCounts(execution.GetResult(), pieces.GetOutput(k));
+    AddCounts(execution.GetResult().Counts, pieces.GetOutput(k)->GetFieldData());
   }
-  this->AddMeasures(all);
+  this->AddMeasures(all.Counts);
   vtkAHDSayPlaceWarnings(this, all);
   return true;
 }
@@ -376,38 +375,6 @@ void vtkAdaptiveHilbertInterpolation2D::ClearCounts()
   const vtkTypeInt64 estimate = this->MemoryEstimate;
   this->ClearMeasures();
   this->MemoryEstimate = estimate;
-}
-
-void vtkAdaptiveHilbertInterpolation2D::AddMeasures(const vtkAHDSampleResult& result)
-{
-  const ahd::SampleReport& counts = result.Counts;
-  this->NumberOfPlaces += static_cast<vtkIdType>(result.Places);
-  this->NumberOfValidPlaces += static_cast<vtkIdType>(counts.valued);
-  this->NumberOfPlacesOutside += static_cast<vtkIdType>(counts.outside);
-  this->NumberOfNotFinitePlaces += static_cast<vtkIdType>(counts.notFinite);
-  this->NumberOfPlacesWithoutValue += static_cast<vtkIdType>(counts.withoutValue);
-  this->NumberOfPlacesWithNeighborsLeftOut += static_cast<vtkIdType>(counts.leftOut);
-}
-
-/// Field data, with the names of the Get methods.
-void vtkAdaptiveHilbertInterpolation2D::AddCounts(
-  const vtkAHDSampleResult& result, vtkDataSet* output)
-{
-  const std::pair<const char*, std::size_t> counts[] = {
-    { "NumberOfPlaces", result.Places },
-    { "NumberOfValidPlaces", result.Counts.valued },
-    { "NumberOfPlacesOutside", result.Counts.outside },
-    { "NumberOfNotFinitePlaces", result.Counts.notFinite },
-    { "NumberOfPlacesWithoutValue", result.Counts.withoutValue },
-    { "NumberOfPlacesWithNeighborsLeftOut", result.Counts.leftOut },
-  };
-  for (const auto& count : counts)
-  {
-    vtkNew<vtkIdTypeArray> array;
-    array->SetName(count.first);
-    array->InsertNextValue(static_cast<vtkIdType>(count.second));
-    output->GetFieldData()->AddArray(array);
-  }
 }
 
 void vtkAdaptiveHilbertInterpolation2D::PrintSelf(ostream& os, vtkIndent indent)

@@ -140,8 +140,6 @@ private:
   void WarnOfOtherRaster();
   int EndWithOtherRaster(bool isDone, vtkDataObject* output);
   void ClearCounts();
-  void AddMeasures(const vtkAHDSampleResult& result);
-  static void AddCounts(const vtkAHDSampleResult& result, vtkDataSet* output);
   bool IsDistributed() const;
   void AnnouncePieces(vtkInformation* info) const;
   void DescribeOnRanks(vtkInformation* info, bool isRaster);

@@ -291,9 +291,9 @@ int vtkAdaptiveHilbertInterpolation2D::ExecuteOnRanks(
     {
       if (isDone)
       {
-        this->AddMeasures(execution.GetResult());
+        this->AddMeasures(execution.GetResult().Counts);
         this->SampleSeconds = execution.GetSeconds();
-        AddCounts(execution.GetResult(), vtkDataSet::SafeDownCast(output));
+        AddCounts(execution.GetResult().Counts, vtkDataSet::SafeDownCast(output)->GetFieldData());
       }
       const bool isRaster = inputs[1]->GetNumberOfInformationObjects() == 0;
       fitAll = !ranks.IsAny(

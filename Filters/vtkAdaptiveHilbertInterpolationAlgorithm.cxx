@@ -2,11 +2,15 @@
 // Made by Filters/Settings/generate.py: change what is there, not this.
 #include "vtkAdaptiveHilbertInterpolationAlgorithm.h"
 
+#include "Engine/Job/ReportRows.h"
+#include "Pipeline/vtkAHDAttributes.h"
 #include "Pipeline/vtkAHDSetters.h"
 #include "Pipeline/vtkAHDSettingsOfRanks.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <utility>
 
 vtkAdaptiveHilbertInterpolationAlgorithm::vtkAdaptiveHilbertInterpolationAlgorithm() = default;
 vtkAdaptiveHilbertInterpolationAlgorithm::~vtkAdaptiveHilbertInterpolationAlgorithm() = default;
@@ -51,6 +55,37 @@ void vtkAdaptiveHilbertInterpolationAlgorithm::ClearMeasures()
   this->NumberOfPlacesWithoutValue = 0;
   this->NumberOfPlacesWithNeighborsLeftOut = 0;
   this->SampleSeconds = 0.0;
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::AddMeasures(const ahd::SampleReport& report)
+{
+  const auto count = [&report](const char* name)
+  { return ahd::findRow(ahd::kSampleRows, name)->get(report); };
+  this->NumberOfPlaces += static_cast<vtkIdType>(count("sampled_places"));
+  this->NumberOfValidPlaces += static_cast<vtkIdType>(count("sampled_valued"));
+  this->NumberOfPlacesOutside += static_cast<vtkIdType>(count("sampled_outside"));
+  this->NumberOfNotFinitePlaces += static_cast<vtkIdType>(count("sampled_not_finite"));
+  this->NumberOfPlacesWithoutValue += static_cast<vtkIdType>(count("sampled_without_value"));
+  this->NumberOfPlacesWithNeighborsLeftOut += static_cast<vtkIdType>(count("sampled_left_out"));
+}
+
+void vtkAdaptiveHilbertInterpolationAlgorithm::AddCounts(
+  const ahd::SampleReport& report, vtkFieldData* data)
+{
+  const auto count = [&report](const char* name)
+  { return ahd::findRow(ahd::kSampleRows, name)->get(report); };
+  const std::pair<const char*, std::size_t> counts[] = {
+    { "NumberOfPlaces", count("sampled_places") },
+    { "NumberOfValidPlaces", count("sampled_valued") },
+    { "NumberOfPlacesOutside", count("sampled_outside") },
+    { "NumberOfNotFinitePlaces", count("sampled_not_finite") },
+    { "NumberOfPlacesWithoutValue", count("sampled_without_value") },
+    { "NumberOfPlacesWithNeighborsLeftOut", count("sampled_left_out") },
+  };
+  for (const auto& one : counts)
+  {
+    vtkAHDAddCount(one.first, static_cast<vtkIdType>(one.second), data);
+  }
 }
 
 void vtkAdaptiveHilbertInterpolationAlgorithm::GetSettingsOfRanks(

@@ -21,6 +21,11 @@
 #include <limits> // for defaults that are NaN
 #include <string> // for settings that are names
 
+namespace ahd
+{
+struct SampleReport;
+}
+class vtkFieldData;
 struct vtkAHDSettingsOfRanks;
 
 class ADAPTIVEHILBERTDELAUNAYFILTERS_EXPORT vtkAdaptiveHilbertInterpolationAlgorithm
@@ -268,6 +273,12 @@ protected:
 
   /// Sets all measures to their values after a failed execution.
   void ClearMeasures();
+
+  /// Adds those of an engine's report.
+  void AddMeasures(const ahd::SampleReport& report);
+
+  /// Adds its counts to field data, as arrays of one value with the names of the measures.
+  static void AddCounts(const ahd::SampleReport& report, vtkFieldData* data);
 
   /// Throws std::bad_alloc.
   void GetSettingsOfRanks(vtkAHDSettingsOfRanks& settings) const;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace ahd
@@ -67,6 +68,11 @@ struct ConstraintReport
   std::size_t unfilledLoops = 0; ///< loops that bound no region, as a segment of theirs is missing
   std::size_t edges = 0;         ///< distinct edges of the triangulation that are constraints
   std::vector<LeftOut> leftOut;  ///< in the order of the chains
+
+  auto fields()
+  {
+    return std::tie(segments, points, withoutVertex, crossing, unfilledLoops, edges, leftOut);
+  }
 };
 
 } // namespace ahd

@@ -12,7 +12,7 @@ file(GLOB_RECURSE ahd_engine_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_LIST_DIR
 
 set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Core/AskedMemory.h Core/Border.h Core/Buffer.h Core/Chunks.h Core/Clock.h Core/Context.h Core/Executor.h
-  Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Prefetch.h Core/Processors.h
+  Core/Fields.h Core/Fingerprint.h Core/FloatingPoint.h Core/Memory.h Core/Prefetch.h Core/Processors.h
   Core/Progress.h Core/SizeInWords.h Core/Stages.h Core/Threads.h Core/Uninitialised.h
   Crossings/Crossings.h Distribute/BlockBytes.h Distribute/BlockCuts.h Distribute/BlockTransport.h
   Distribute/BlockChains.h Distribute/BlockGhosts.h Distribute/BlockNeeds.h Distribute/BlockRim.h Distribute/BlockRoute.h
@@ -20,8 +20,10 @@ set(ahd_engine_headers Triangulate.h Options.h Constraints.h Result.h
   Merge/Merge.h Points/JoinedBounds.h Points/Points.h Prepare/Prepare.h Prepare/Stacks.h
   Surface/CellArrays.h Surface/FindTriangles.h Surface/Means.h Surface/OrderDrawing.h Surface/Plane.h Surface/PlaneFit.h
   Surface/Selection.h Surface/Vectors.h Predicates/Predicates.h
-  Interface/ahd.h Interface/ahd_messages.h Interface/ahd_sample.h Job/Messages.h Job/Run.h Job/RunMemory.h
-  Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SettingRows.h Job/Settings.h Job/SpacePoints.h Job/Words.h
+  Interface/ahd.h Interface/ahd_messages.h Interface/ahd_sample.h Job/ArrayRows.h Job/Messages.h Job/Run.h Job/RunMemory.h
+  Job/ReportRows.h
+  Job/RunProgress.h Job/RunReport.h Job/RunSettings.h Job/SettingRows.h Job/Settings.h Job/SpacePoints.h
+  Job/WantedArrays.h Job/Words.h
   Sample/BoxNeighbors.h Sample/Outside.h Sample/Sample.h
   Triangulation/Triangulation.h Voronoi/Voronoi.h)
 

@@ -186,8 +186,7 @@ void vtkAHDExecution::Write(ahd::RunResult& made, const vtkAHDOutputs& outputs)
   surface.WriteCells(made);
   this->Context.NextStage();
   surface.AddCrossings(made);
-  surface.AddPointArrays(made);
-  surface.AddCellArrays(made);
+  surface.AddArrays(made);
   this->Context.NextStage();
   this->WriteVoronoi(made, outputs);
   this->Context.NextStage();
@@ -197,8 +196,6 @@ void vtkAHDExecution::Write(ahd::RunResult& made, const vtkAHDOutputs& outputs)
   }
   this->Context.NextStage();
   this->Context.StopIfAborted();
-  this->Report.Triangles = static_cast<std::size_t>(outputs[0]->GetNumberOfPolys());
-  this->Report.Cells = static_cast<std::size_t>(outputs[0]->GetNumberOfCells());
 }
 
 void vtkAHDExecution::WriteVoronoi(ahd::RunResult& made, const vtkAHDOutputs& outputs)
@@ -221,10 +218,10 @@ void vtkAHDExecution::WriteVoronoi(ahd::RunResult& made, const vtkAHDOutputs& ou
 
 void vtkAHDExecution::Finish(ahd::Run& run, const ahd::RunResult& made)
 {
-  this->Context.Check(run.findStacks(made, this->Context));
+  this->Context.Check(run.finish(made, this->Context));
   this->Report.Source = this->Input.GetSourceContent();
   this->Report.MarksAreUnfit = this->Input.GetMarksAreUnfit();
-  this->Report.Seconds = this->Context.GetProgress().seconds();
+  this->Report.seconds = this->Context.GetProgress().seconds();
   this->Report.threadsUsed = this->Context.GetThreadsUsed();
 }
 
@@ -247,7 +244,7 @@ void vtkAHDExecution::TakePrints()
 bool vtkAHDExecution::Lend(ahd::RunResult& made, vtkPolyData* surface, LentPointer& lent) const
 {
   // Places that were converted go with the input.
-  const bool isFit = this->Report.Triangles > 0 && !made.points.isProjected() &&
+  const bool isFit = this->Report.triangles > 0 && !made.points.isProjected() &&
     !this->Input.MustConvertPoints();
   if (!isFit || static_cast<vtkTypeInt64>(this->EstimateLent() / 1024) >= this->Settings.ReuseLimit)
   {

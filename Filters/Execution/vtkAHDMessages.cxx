@@ -38,7 +38,7 @@ void vtkAHDSayWarnings(
         { "bounding_is_missing", settings.bounding && !settings.addsBounding() },
         { "is_projected", settings.isProjected() }, { "splits", settings.split },
         { "cell_ids", !settings.idsAreOfInput }, { "marks_are_unfit", report.MarksAreUnfit },
-        { "cells", report.Cells }, { "may_be_emptied_by_loops", report.MayBeEmptiedByLoops },
+        { "may_be_emptied_by_loops", report.MayBeEmptiedByLoops },
         { "diagram_in_plane", report.IsDiagramInPlane }, { "source_points", report.Source.Points },
         { "source_vertices", report.Source.Vertices },
         { "source_strips", report.Source.Strips } }));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/vtkAHDSurface.h"
 
+#include "Engine/Job/WantedArrays.h"
 #include "Output/vtkAHDPointOutput.h"
 #include "Pipeline/vtkAHDArray.h"
 #include "Pipeline/vtkAHDAttributes.h"
@@ -14,10 +15,12 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkTypeInt32Array.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace
@@ -54,6 +57,26 @@ vtkSmartPointer<vtkCellArray> MakeCells(
   std::copy(ids.begin(), ids.end(), array->GetPointer(0));
   return MakeCells(array, size, context);
 }
+
+template <typename Number>
+constexpr std::int32_t TypeOf()
+{
+  return std::is_floating_point<Number>::value ? ahd::kFloat64
+    : sizeof(Number) == 1                      ? ahd::kUint8
+    : sizeof(Number) == 4                      ? ahd::kInt32
+                                               : ahd::kInt64;
+}
+
+/// An array as the engine writes it.
+template <typename Array>
+vtkSmartPointer<vtkDataArray> Write(const vtkAHDOutputArray<Array>& kind, ahd::WantedArray wanted,
+  ahd::RunResult& made, const vtkAHDContext& context)
+{
+  auto array = kind.Make(ahd::rowsOf(wanted, made), context);
+  context.Check(ahd::writeArray(
+    wanted, made, { TypeOf<typename Array::ValueType>(), array->GetPointer(0), context }));
+  return array;
+}
 }
 
 void vtkAHDSurface::WritePoints(const vtkAHDInput& input, ahd::RunResult& made) const
@@ -72,8 +95,9 @@ void vtkAHDSurface::WriteCells(ahd::RunResult& made)
   }
   auto corners = this->Context.NewArray<IdArray>(3 * static_cast<vtkIdType>(made.triangleCount()));
   std::int32_t* const to = corners->GetPointer(0);
-  this->Context.Check(this->Settings.neighbors ? this->WriteWithNeighbors(made, to)
-                                               : made.writeTriangles(to, this->Context));
+  this->Context.Check(this->Settings.wants(ahd::WantedArray::Neighbors)
+      ? this->WriteWithNeighbors(made, to)
+      : made.writeTriangles(to, this->Context));
   this->Output->SetPolys(MakeCells(corners, 3, this->Context));
   if (!made.selection.vertices.empty())
   {
@@ -94,48 +118,24 @@ ahd::Status vtkAHDSurface::WriteWithNeighbors(ahd::RunResult& made, std::int32_t
   return ahd::writeWithNeighbors(made.triangulation, made.selection, to, this->Context);
 }
 
-void vtkAHDSurface::AddPointArrays(ahd::RunResult& made) const
+void vtkAHDSurface::AddArrays(ahd::RunResult& made) const
 {
-  const std::size_t count = made.points.points().count;
-  if (this->Settings.pointStatus)
-  {
-    auto array = vtkAHDOutputArrays::Fate.Make(count, this->Context);
-    this->Context.Check(made.writeStatus(array->GetPointer(0), this->Context));
-    vtkAHDReplaceArray(this->Output->GetPointData(), array);
-  }
-  if (this->Settings.insertionRanks)
-  {
-    auto array = vtkAHDOutputArrays::InsertionRank.Make(count, this->Context);
-    this->Context.Check(
-      made.triangulation.writeInsertionRanks(array->GetPointer(0), this->Context));
-    vtkAHDReplaceArray(this->Output->GetPointData(), array);
-  }
-}
-
-void vtkAHDSurface::AddCellArrays(ahd::RunResult& made) const
-{
-  ahd::Triangulation& triangulation = made.triangulation;
-  const ahd::Selection& selection = made.selection;
-  const std::size_t count = ahd::cellCount(triangulation, selection);
-  vtkCellData* data = this->Output->GetCellData();
-  if (this->Settings.constraintEdges)
-  {
-    auto edges = vtkAHDOutputArrays::ConstraintEdges.Make(count, this->Context);
-    this->Context.Check(
-      ahd::writeConstraintEdges(triangulation, selection, edges->GetPointer(0), this->Context));
-    data->AddArray(edges);
-  }
-  if (this->Settings.regions)
-  {
-    auto regions = vtkAHDOutputArrays::RegionId.Make(count, this->Context);
-    this->Context.Check(
-      ahd::writeRegions(triangulation, selection, regions->GetPointer(0), this->Context));
-    data->AddArray(regions);
-  }
-  if (this->Neighbors)
-  {
-    data->AddArray(this->Neighbors);
-  }
+  vtkAHDOutputArrays::VisitWanted(
+    [&](const auto& kind, ahd::WantedArray wanted)
+    {
+      if (!this->Settings.wants(wanted))
+      {
+        return;
+      }
+      vtkSmartPointer<vtkDataArray> array = this->Neighbors;
+      if (wanted != ahd::WantedArray::Neighbors)
+      {
+        array = Write(kind, wanted, made, this->Context);
+      }
+      const bool isOfCells = ahd::kWantedRows[std::size_t(wanted)].isOfCells;
+      vtkAHDReplaceArray(
+        this->Output->GetAttributes(isOfCells ? vtkDataObject::CELL : vtkDataObject::POINT), array);
+    });
 }
 
 void vtkAHDSurface::AddCrossings(const ahd::RunResult& made) const

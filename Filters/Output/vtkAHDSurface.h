@@ -41,11 +41,8 @@ public:
   /// Makes the selection. @pre the points are written.
   void WriteCells(ahd::RunResult& made);
 
-  /// The requested point arrays.
-  void AddPointArrays(ahd::RunResult& made) const;
-
-  /// The requested cell arrays. @pre WriteCells().
-  void AddCellArrays(ahd::RunResult& made) const;
+  /// The requested arrays of points and cells. @pre WriteCells().
+  void AddArrays(ahd::RunResult& made) const;
 
   /// The field data array "Crossings", at most a thousand rows; none, and none of the input's, if
   /// nothing crosses.

@@ -2,8 +2,10 @@
 #ifndef vtkAHDAttributes_h
 #define vtkAHDAttributes_h
 
+#include "Pipeline/vtkAHDArray.h"
 #include "vtkAbstractArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkIdTypeArray.h"
 
 #include <cstring>
 
@@ -12,6 +14,15 @@
 inline void vtkAHDReplaceArray(vtkDataSetAttributes* data, vtkAbstractArray* array)
 {
   data->RemoveArray(array->GetName());
+  data->AddArray(array);
+}
+
+/// Adds a number as an array of one value. Throws std::bad_alloc.
+inline void vtkAHDAddCount(const char* name, vtkIdType count, vtkFieldData* data)
+{
+  auto array = vtkAHDNewArray<vtkIdTypeArray>(1);
+  array->SetName(name);
+  array->SetValue(0, count);
   data->AddArray(array);
 }
 

@@ -3,7 +3,9 @@
 #ifndef vtkAHDOutputArrays_h
 #define vtkAHDOutputArrays_h
 
+#include "Engine/Job/ArrayRows.h"
 #include "Pipeline/vtkAHDContext.h"
+#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
@@ -64,6 +66,17 @@ constexpr vtkAHDOutputArray<vtkIdTypeArray> Count = { "Count", 1 };
 constexpr vtkAHDOutputArray<vtkIdTypeArray> GlobalPointIds = { "GlobalPointIds", 1 };
 /// The same for the triangles.
 constexpr vtkAHDOutputArray<vtkIdTypeArray> GlobalCellIds = { "GlobalCellIds", 1 };
+
+/// Calls visit(array, ahd::WantedArray) for each that a setting adds.
+template <typename Visit>
+void VisitWanted(const Visit& visit)
+{
+  visit(Fate, ahd::WantedArray::PointStatus);
+  visit(InsertionRank, ahd::WantedArray::InsertionRanks);
+  visit(ConstraintEdges, ahd::WantedArray::ConstraintEdges);
+  visit(RegionId, ahd::WantedArray::Regions);
+  visit(Neighbors, ahd::WantedArray::Neighbors);
+}
 }
 
 #endif

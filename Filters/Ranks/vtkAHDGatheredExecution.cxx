@@ -34,24 +34,6 @@ void AddIds(vtkDataSetAttributes* data, const char* name, vtkIdType count)
   data->SetActiveAttribute(name, vtkDataSetAttributes::GLOBALIDS);
 }
 
-/// What can be sent of a report.
-struct SentReport
-{
-  vtkAHDReport Report;
-
-  auto fields()
-  {
-    vtkAHDReport& r = this->Report;
-    ahd::ConstraintReport& c = r.constraints;
-    return std::tie(r.status, r.isRefused, r.isLimited, r.points, r.estimate, r.allowed,
-      r.crossings, r.mostBoxes, r.mostCrossings, r.counts, c.segments, c.points, c.withoutVertex,
-      c.crossing, c.unfilledLoops, c.edges, r.delaunayTriangles, r.MayBeEmptiedByLoops, r.Triangles,
-      r.Cells, r.inputPoints, r.mergedPoints, r.addedPoints, r.firstCrossing, r.bentConstraints,
-      r.firstBentCell, r.unfitIds, r.oddPoints, r.MarksAreUnfit, r.Source, r.pointsOffSurface,
-      r.areOnOneLine, r.areStacked, r.IsDiagramInPlane, r.Seconds, r.threadsUsed, r.CrossingCells);
-  }
-};
-
 /// The structure of one output, without its values.
 struct Shape
 {
@@ -215,13 +197,13 @@ void vtkAHDGatheredExecution::ShareReport(vtkAHDReport& report)
 {
   const bool isHost = this->Ranks.GetOwn() == this->Host;
   const auto all = this->Ranks.Share(
-    this->Context, [&] { return isHost ? SentReport{ report } : SentReport(); });
+    this->Context, [&] { return isHost ? report : vtkAHDReport(); });
   this->Ranks.Together(this->Context,
     [&]
     {
       if (!isHost)
       {
-        report = all[this->Host].Report;
+        report = all[this->Host];
       }
     });
 }

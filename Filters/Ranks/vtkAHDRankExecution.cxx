@@ -224,11 +224,12 @@ void vtkAHDRankExecution::FindStacks(const vtkAHDRankPoints& points,
   {
     return;
   }
-  if (counts.triangles == 0)
+  const ahd::Report& sums = counts.counts;
+  if (sums.triangles == 0)
   {
     this->Context.Check(ahd::findIfOnOneLine(points.GetView(), this->Context, areOnLine));
   }
-  else if (counts.duplicates > counts.vertices / 2 && !this->Settings.showsMeans &&
+  else if (sums.duplicates > sums.inserted / 2 && !this->Settings.showsMeans &&
     this->Settings.options.representative == ahd::Representative::FirstId)
   {
     this->Context.Check(ahd::findIfStacked(points.GetView(), this->Context, areStacked));
@@ -243,28 +244,28 @@ std::size_t vtkAHDRankExecution::ShareOdds(
   constexpr std::int64_t kNone = -1;
   struct Odds
   {
-    std::int64_t First = kNone;
-    std::size_t OddZ = 0, Triangles = 0;
+    ahd::OddPoints Points;
+    std::int64_t First = kNone; // of Points, by its number among those of all
+    std::size_t Triangles = 0;
     bool AreStacked = false, AreOnLine = true;
 
     auto fields()
     {
-      return std::tie(this->First, this->OddZ, this->Triangles, this->AreStacked, this->AreOnLine);
+      return std::tie(
+        this->Points, this->First, this->Triangles, this->AreStacked, this->AreOnLine);
     }
   };
   const ahd::PointView& mine = points.GetPrepared().points();
   const auto all = this->Ranks.Share(this->Context,
     [&]
     {
-      ahd::OddPoints odd;
       Odds own;
       this->FindStacks(points, counts, own.AreStacked, own.AreOnLine);
-      this->Context.Check(ahd::findOddPoints(mine, this->Context, odd));
-      const std::size_t first = odd.firstNotFinite; // 0 also stands for none
+      this->Context.Check(ahd::findOddPoints(mine, this->Context, own.Points));
+      const std::size_t first = own.Points.firstNotFinite; // 0 also stands for none
       const bool isOdd = first > 0 ||
         (mine.count > 0 && !ahd::isFinite(mine[0]) && !mine.skipped(0));
       own.First = isOdd ? points.GetOwnIds().of(static_cast<std::int64_t>(first)) : kNone;
-      own.OddZ = odd.oddZ;
       own.Triangles = triangles;
       return own;
     });
@@ -275,14 +276,13 @@ std::size_t vtkAHDRankExecution::ShareOdds(
     const Odds& of = all[rank];
     firstOdd = firstOdd == kNone || (of.First != kNone && of.First < firstOdd) ? of.First
                                                                                : firstOdd;
-    this->Report.oddPoints.oddZ += of.OddZ;
+    ahd::addCounts(of.Points, this->Report.oddPoints);
     before = rank == this->Ranks.GetOwn() ? cells : before;
     cells += of.Triangles;
     this->Report.areStacked = of.AreStacked || this->Report.areStacked;
     this->Report.areOnOneLine = of.AreOnLine && this->Report.areOnOneLine;
   }
-  this->Report.Triangles = cells;
-  this->Report.Cells = cells;
+  this->Report.triangles = cells;
   this->Report.oddPoints.firstNotFinite = static_cast<std::size_t>(
     std::max<std::int64_t>(firstOdd, 0));
   return before;
@@ -300,21 +300,17 @@ void vtkAHDRankExecution::ReportOn(const ahd::BlockRim& rim)
 void vtkAHDRankExecution::ReportOn(const ahd::BlocksReport& counts, const ahd::BlockChains& chains)
 {
   vtkAHDReport& report = this->Report;
-  report.counts.inserted = counts.vertices;
-  report.counts.duplicates = counts.duplicates;
-  report.counts.notFinite = counts.notFinite;
-  report.counts.skipped = counts.skipped;
-  report.counts.triangles = counts.triangles;
+  report.counts = counts.counts;
   report.constraints = counts.constraints;
-  report.delaunayTriangles = counts.triangles;
-  report.MayBeEmptiedByLoops = counts.triangles == 0 && chains.haveLoops();
+  report.delaunayTriangles = counts.counts.triangles;
+  report.MayBeEmptiedByLoops = counts.counts.triangles == 0 && chains.haveLoops();
   report.unfitIds = chains.unfitIds();
   report.Source = this->Facts.GetContent();
   for (const vtkAHDRankFacts& facts : this->Facts.Of)
   {
     report.MarksAreUnfit = report.MarksAreUnfit || facts.MarksAreUnfit;
   }
-  report.Seconds = this->Context.GetProgress().seconds();
+  report.seconds = this->Context.GetProgress().seconds();
   report.threadsUsed = this->Context.GetThreadsUsed();
   report.estimate = this->Estimate;
   for (const ahd::LeftOut& out : counts.constraints.leftOut)

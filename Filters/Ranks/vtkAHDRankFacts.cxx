@@ -46,6 +46,12 @@ bool IsNamed(const std::vector<vtkAHDArrayFacts>& arrays, const std::string& nam
     [&name](const vtkAHDArrayFacts& array) { return array.Name == name; });
 }
 
+/// Has the setting of this name no effect, as an interpolation has no outputs of the triangulation?
+bool HasNoEffect(const vtkAHDSettings& settings, const char* name)
+{
+  return settings.samples && std::strncmp(name, "Generate", 8) == 0;
+}
+
 /// Settings that must be the same on all ranks, by name: those that always have an effect as they
 /// were set, of others the effect.
 std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSettings& settings)
@@ -53,8 +59,7 @@ std::vector<std::pair<const char*, double>> NumbersToCompare(const vtkAHDSetting
   std::vector<std::pair<const char*, double>> numbers;
   for (const auto& number : settings.OfRanks.Numbers)
   {
-    // an interpolation has no outputs of the triangulation
-    if (!settings.samples || std::strncmp(number.first, "Generate", 8) != 0)
+    if (!HasNoEffect(settings, number.first))
     {
       numbers.push_back(number);
     }
@@ -232,21 +237,18 @@ void vtkAHDAllFacts::Compare(const vtkAHDSettings& own, std::string& error) cons
 
 const char* vtkAHDAllFacts::FindUnfit(const vtkAHDSettings& settings) const
 {
+  const std::vector<const char*>& onOneRank = settings.OfRanks.OnOneRank;
+  const auto first = std::find_if(onOneRank.begin(), onOneRank.end(),
+    [&settings](const char* name) { return !HasNoEffect(settings, name); });
+  if (first != onOneRank.end())
+  {
+    return *first;
+  }
   const bool hasSegments = this->GetSegments() > 0;
   const std::pair<bool, const char*> unfit[] = {
-    { settings.options.insertionLimit > 0, "InsertionLimit" },
-    { settings.options.countWork, "CountWork" },
-    { settings.insertionRanks, "GenerateInsertionRank" },
-    { settings.curve, "GenerateInsertionCurve" },
-    { settings.options.keepBoxes, "GenerateBoxes" },
-    { settings.regions, "GenerateRegionIds" },
-    { settings.neighbors, "GenerateNeighbors" },
-    { settings.voronoi, "GenerateVoronoi" },
-    { settings.limits.alpha > 0.0, "Alpha" },
     { settings.mayTrimRim() && hasSegments,
       "Rim Trimmed (what Automatic is in any other plane than x, y), where there are "
       "constraints," },
-    { settings.tolerance > 0.0, "Tolerance" },
     { settings.split && hasSegments, "CrossingMode Split" },
     { settings.heightsFromSurface && this->GetSourcePoints() > 0, "SourceHeights From Surface" },
   };

@@ -92,15 +92,6 @@ struct Found
       this->Seconds, this->Error, this->Missing);
   }
 };
-
-void Add(const ahd::SampleReport& more, ahd::SampleReport& sum)
-{
-  sum.valued += more.valued;
-  sum.outside += more.outside;
-  sum.notFinite += more.notFinite;
-  sum.withoutValue += more.withoutValue;
-  sum.leftOut += more.leftOut;
-}
 }
 
 vtkAHDRankSampling::vtkAHDRankSampling(vtkAlgorithm* filter, const vtkAHDSettings& settings,
@@ -360,7 +351,7 @@ void vtkAHDRankSampling::Share(const vtkAHDSampleExecution& execution, bool isDo
             (one.Error.empty() ? "the interpolation failed. The output is empty." : one.Error);
         }
         this->Aborted = this->Aborted || one.IsAborted;
-        Add(one.Counts, this->Result.Counts);
+        ahd::addCounts(one.Counts, this->Result.Counts);
         this->Result.AddMissing(one.Missing);
         this->Result.Places += one.Places;
         this->Result.Wanted = ahd::joined(this->Result.Wanted, one.Wanted);

@@ -59,7 +59,8 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
 {
   const bool hasGhosts = facts.GetGhostLevels() > 0;
   constexpr std::size_t kId = sizeof(vtkIdType);
-  std::size_t perPoint = 3 * sizeof(double) + kId + 1 + (settings.pointStatus ? kId : 0);
+  std::size_t perPoint = 3 * sizeof(double) + kId + 1 +
+    (settings.wants(ahd::WantedArray::PointStatus) ? kId : 0);
   std::size_t widest = 0; // of strings that are moved at one time, sent and received
   for (const vtkAHDArrayFacts& array : facts.GetArrays())
   {
@@ -70,7 +71,7 @@ std::size_t vtkAHDRankSurface::EstimateBytes(
     widest = array.Type == VTK_STRING ? std::max(widest, width) : widest;
   }
   const std::size_t perTriangle = (3 + 1) * sizeof(vtkTypeInt32) + kId +
-    (settings.constraintEdges ? 2 : 0) + (hasGhosts ? 1 : 0);
+    (settings.wants(ahd::WantedArray::ConstraintEdges) ? 2 : 0) + (hasGhosts ? 1 : 0);
   const bool hasPlaces = settings.limitsSize() || settings.mayTrimRim();
   // a pair of numbers for each duplicate, as a vector grows, a mean, and the vertex of each point
   perPoint += settings.showsMeans
@@ -239,7 +240,7 @@ void vtkAHDRankSurface::Open(
   std::size_t count, Triangles& triangles, ahd::BlockTriangles& view) const
 {
   triangles.Corners = vtkAHDNewArray<vtkTypeInt32Array>(static_cast<vtkIdType>(3 * count));
-  triangles.Edges.resize(this->Settings.constraintEdges ? count : 0);
+  triangles.Edges.resize(this->Settings.wants(ahd::WantedArray::ConstraintEdges) ? count : 0);
   view.corners = triangles.Corners->GetPointer(0);
   view.edges = triangles.Edges.empty() ? nullptr : triangles.Edges.data();
   view.count = count;
@@ -389,7 +390,7 @@ void vtkAHDRankSurface::WriteCells(vtkPolyData* output, std::size_t firstCell)
   {
     ids->GetPointer(0)[own + k] = static_cast<vtkIdType>(ghosts[k].id);
   }
-  if (this->Settings.constraintEdges)
+  if (this->Settings.wants(ahd::WantedArray::ConstraintEdges))
   {
     auto edges = MakeArray<vtkUnsignedCharArray>(vtkAHDOutputArrays::ConstraintEdges.Name, count);
     unsigned char* to = std::copy_n(this->Cells.Edges.begin(), own, edges->GetPointer(0));
@@ -416,7 +417,7 @@ void vtkAHDRankSurface::Write(vtkPolyData* output, std::size_t firstCell)
     [&]
     {
       this->ListOthers();
-      if (this->Settings.pointStatus)
+      if (this->Settings.wants(ahd::WantedArray::PointStatus))
       {
         this->MakeStatus();
       }

@@ -48,10 +48,10 @@ ahd::Plane vtkAHDFitPlaneOf(
 {
   vtkAHDInput view(settings, surface, nullptr);
   view.Open(context);
-  ahd::PointView given = view.GetRequest().points;
-  given.count -= static_cast<std::size_t>(vtkAHDCountAddedPoints(surface));
+  ahd::InputRequest request = view.GetRequest();
+  request.unfittedPoints = static_cast<std::size_t>(vtkAHDCountAddedPoints(surface));
   ahd::Plane plane;
-  context.Check(plane.fit(given, context));
+  context.Check(ahd::fitPlaneOf(request, context, plane));
   return plane;
 }
 

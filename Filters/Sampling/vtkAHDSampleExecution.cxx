@@ -341,7 +341,7 @@ void vtkAHDSampleExecution::TakeSurface(
   kept.Surface->Select(this->Settings, this->Context, this->Report);
   if (this->Report.foldedTriangles > 0)
   {
-    vtkAHDSayFolded(this->Filter, this->Report.Triangles, this->Report.foldedTriangles);
+    vtkAHDSayFolded(this->Filter, this->Report.triangles, this->Report.foldedTriangles);
     throw vtkAHDStop{ ahd::Status::Cancelled };
   }
   this->Context.NextStage();
@@ -430,12 +430,7 @@ void vtkAHDSampleExecution::TakeFromCounts(const vtkAHDSampleInputs& inputs,
     this->Wishes, surface.GetTriangulation(), surface.GetKept(), this->Context);
   sampling.Run(ahd::SamplePlaces(ahd::PointView(&places[0].x, places.size(), 2)), heights, columns);
   const ahd::SampleReport& others = sampling.GetReport();
-  ahd::SampleReport& counts = this->Result.Counts;
-  counts.valued -= others.valued;
-  counts.outside -= others.outside;
-  counts.notFinite -= others.notFinite;
-  counts.withoutValue -= others.withoutValue;
-  counts.leftOut -= others.leftOut;
+  ahd::takeCounts(others, this->Result.Counts);
   this->Result.Places -= places.size();
   for (vtkAHDMissingValues& missing : this->Result.Missing)
   {

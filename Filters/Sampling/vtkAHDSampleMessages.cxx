@@ -85,11 +85,7 @@ void vtkAHDSayFolded(vtkAlgorithm* filter, std::size_t triangles, std::size_t mi
 
 void vtkAHDSampleResult::Add(const vtkAHDSampleResult& more)
 {
-  this->Counts.valued += more.Counts.valued;
-  this->Counts.outside += more.Counts.outside;
-  this->Counts.notFinite += more.Counts.notFinite;
-  this->Counts.withoutValue += more.Counts.withoutValue;
-  this->Counts.leftOut += more.Counts.leftOut;
+  ahd::addCounts(more.Counts, this->Counts);
   this->Places += more.Places;
   this->AddMissing(more.Missing);
   this->Triangles = more.Triangles;
@@ -116,11 +112,7 @@ void vtkAHDSampleResult::AddMissing(const std::vector<vtkAHDMissingValues>& more
 
 void vtkAHDSayPlaceWarnings(vtkAlgorithm* filter, const vtkAHDSampleResult& result)
 {
-  const ahd::SampleReport& counts = result.Counts;
-  ahd::Facts facts{ { "sampled_places", result.Places }, { "sampled_valued", counts.valued },
-    { "sampled_outside", counts.outside }, { "sampled_not_finite", counts.notFinite },
-    { "sampled_without_value", counts.withoutValue }, { "sampled_left_out", counts.leftOut },
-    { "triangles", result.Triangles } };
+  ahd::Facts facts = ahd::factsOf(result.Counts, { { "triangles", result.Triangles } });
   AddBox(facts, "wanted", result.Wanted);
   AddBox(facts, "surface", result.Surface);
   for (const vtkAHDMissingValues& missing : result.Missing)

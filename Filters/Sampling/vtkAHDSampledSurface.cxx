@@ -89,12 +89,11 @@ void vtkAHDSampledSurface::Select(
 {
   if (this->Surface)
   {
-    report.Triangles = report.Cells = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
+    report.triangles = static_cast<std::size_t>(this->Surface->GetNumberOfPolys());
     this->View->GiveTriangles({});
     this->Given.reset();
     return;
   }
-  report.Triangles = report.Cells = this->Made.triangulation.report().triangles;
   if (!settings.limitsSize() || this->Made.points.points().count == 0)
   {
     return;
@@ -107,7 +106,7 @@ void vtkAHDSampledSurface::Select(
     context.Check(space.showMeans(this->Made, context));
   }
   context.Check(this->Made.select(settings, space.view(), context));
-  report.Triangles = report.Cells = this->Made.triangleCount();
+  report.triangles = this->Made.triangleCount();
 }
 
 std::vector<vtkDataArray*> vtkAHDSampledSurface::ArraysOf(

@@ -155,6 +155,34 @@ def cleared(rows):
     return [f"  this->{row.name} = {_initial(row)};" for row in tables.measures(rows) if not row.of_all_runs]
 
 
+def taken(rows):
+    """The statements of TakeMeasures()."""
+    return _measured(rows, "=")
+
+
+def added(rows):
+    """The statements of AddMeasures()."""
+    return _measured(rows, "+=")
+
+
+def _measured(rows, assignment):
+    lines = []
+    for row in tables.measures(rows):
+        if row.job:
+            kind = "measure" if row.type == "double" else "count"
+            value = " + ".join(f'{kind}("{name}")' for name in row.terms)
+            head, end = f"  this->{row.name} {assignment} static_cast<{CXX[row.type]}>(", f"{value});"
+            lines += [f"  this->{row.name} {assignment} {value};"] if kind == "measure" else (
+                [head + end] if len(head + end) <= COLUMNS else [head, "    " + end])
+    return lines
+
+
+def job_counts(rows):
+    """The rows of AddCounts() by what the job counts."""
+    return [f'    {{ "{row.name}", {" + ".join(f"""count("{name}")""" for name in row.terms)} }},'
+            for row in tables.counts(rows)]
+
+
 def seconds(rows):
     """The statements of ClearSeconds()."""
     return [f"  this->{row.name} = 0.0;" for row in tables.seconds(rows)]
@@ -185,7 +213,13 @@ def compared_texts(rows):
 
 
 def _compared(rows):
-    return [row for row in tables.settings(rows) if row.ranks == "same"]
+    return [row for row in tables.settings(rows) if row.ranks in ("same", "one")]
+
+
+def on_one_rank(rows):
+    """Settings with which one rank works for all: is each on?"""
+    return [f'    {{ this->{row.name}{"" if row.type == "bool" else " > 0"}, "{row.name}" }},'
+            for row in tables.settings(rows) if row.ranks == "one"]
 
 
 def setters(rows):

@@ -34,6 +34,8 @@ MADE = {
         "Filters/Settings/vtkAdaptiveHilbertInterpolationAlgorithm.cxx.in",
     "Filters/Pipeline/vtkAHDOutputArrays.h": "Filters/Settings/vtkAHDOutputArrays.h.in",
     "Filters/Engine/Job/SettingRows.h": "Filters/Settings/JobSettingRows.h.in",
+    "Filters/Engine/Job/ArrayRows.h": "Filters/Settings/JobArrayRows.h.in",
+    "Filters/Engine/Job/ReadSettings.cxx": "Filters/Settings/ReadSettings.cxx.in",
     "Testing/Support/Run/SettingRows.h": "Filters/Settings/SettingRows.h.in",
     "Filters/Python/_arrays.py": "Filters/Settings/_arrays.py.in",
     "Filters/Python/_keywords.py": "Filters/Settings/keywords.py.in",
@@ -49,9 +51,10 @@ PARTS = {
     "properties": panel.properties,
     **{part.__name__: lambda rows, _, part=part: part(rows) for part in (
         panel.groups, panel.exposed, classes.enums, classes.accessors, classes.members, classes.printed,
-        classes.cleared, classes.seconds, classes.counts, classes.compared_numbers, classes.compared_texts,
-        classes.job_values, classes.setters, pythontable.setting_rows, pythontable.constants, pythontable.measure_rows,
-        pythontable.job_rows, pythontable.measures_of_job)},
+        classes.cleared, classes.taken, classes.added, classes.job_counts, classes.seconds, classes.counts,
+        classes.compared_numbers, classes.compared_texts, classes.job_values, classes.on_one_rank, classes.setters,
+        pythontable.setting_rows, pythontable.constants, pythontable.measure_rows, pythontable.job_rows,
+        pythontable.measures_of_job)},
     "count_names": lambda rows, _: pythontable.names_of(tables.counts(rows)),
     "second_names": lambda rows, _: pythontable.names_of(tables.seconds(rows)),
     "endless_names": lambda rows, _: pythontable.names_of([row for row in tables.settings(rows) if not row.ends]),
@@ -69,6 +72,10 @@ PARTS = {
     "test_rows": lambda rows, _: testing.cxx_rows(rows),
     "array_constants": lambda rows, _: arrays.constants(rows),
     "array_dtypes": lambda rows, _: arrays.dtypes(rows),
+    "run_members": lambda rows, _: job.run_members(rows),
+    "wanted_names": lambda rows, _: arrays.wanted_names(rows),
+    "wanted_rows": lambda rows, _: arrays.wanted_rows(rows),
+    "visited": lambda rows, _: arrays.visited(rows),
     "array_rows": lambda rows, _: arrays.python_rows(rows),
     "array_keywords": lambda rows, _: arrays.keywords(rows),
     "all_run_names": lambda rows, _: pythontable.names_of([row for row in tables.measures(rows) if row.of_all_runs]),
@@ -86,6 +93,14 @@ def fill(template, read):
     return PLACE.sub(part, text).replace("@CLASS@", path.name.split(".")[0])
 
 
+def check_header(names):
+    """ValueError for a count, measure or array that the headers for C do not describe."""
+    text = "".join((ROOT / C_HEADER).with_name(name).read_text(encoding="utf-8") for name in ("ahd.h", "ahd_sample.h"))
+    for name in names:
+        if not re.search(rf"^ \*  .*\b{name}\b", text, re.MULTILINE):
+            raise ValueError(f"{C_HEADER.name} has no {name}")
+
+
 def all_files():
     """The generated texts, by their path below the project's folder."""
     read = {"delaunay": tables.read("delaunay.toml")}
@@ -93,6 +108,10 @@ def all_files():
     read["points"] = tables.read("points.toml")
     read["arrays"] = arrays.read("arrays.toml", read["delaunay"])
     read["job"] = job.read("job.toml", read["delaunay"])
+    reported = tables.reported()
+    check_header([one.job for one in read["arrays"] if one.job] + sum(reported.values(), []))
+    tables.check_measures(read["delaunay"], reported["kCountRows"], reported["kMeasureRows"])
+    tables.check_measures(read["interpolation"], reported["kSampleRows"], ())
     made = {pathlib.Path(made): fill(template, read) for made, template in MADE.items()}
     made[pathlib.Path("Testing/Support/settings.json")] = testing.table(read)
     said = "\n".join(job.said(read["job"])) + "\n"

@@ -29,6 +29,7 @@ class Setting:
     says_range: bool = True
     elsewhere: bool = False
     setting: str = ""
+    run: str = ""
     keyword: str = ""
     names: tuple = ()
     keyword_default: object = None
@@ -120,6 +121,12 @@ def on_surface(settings, is_real):
     return [f"  {{ {'Double' if is_real else 'Int'}Setting::{tables.constant(one.name)}, "
             f"{one.on_surface if is_real else int(one.on_surface)} }},"
             for one in _of_kind(settings, is_real) if one.on_surface is not None]
+
+
+def run_members(settings):
+    """The statements that give a run those of its members that are settings."""
+    return [f"  put((*this)[{'Double' if one.type == 'double' else 'Int'}Setting::{tables.constant(one.name)}], "
+            f"run.{one.run});" for one in settings if one.run]
 
 
 def _literal(value):

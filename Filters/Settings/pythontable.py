@@ -70,7 +70,7 @@ def measure_rows(rows):
 
 def measures_of_job(rows):
     """The terms of a measure, in the job."""
-    return [f'    "{row.name}": {tuple(row.job.split(" + "))!r},' for row in tables.measures(rows) if row.job]
+    return [f'    "{row.name}": {tuple(row.terms)!r},' for row in tables.measures(rows) if row.job]
 
 
 def used_up(rows):

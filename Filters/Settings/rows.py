@@ -10,12 +10,14 @@ import tomllib
 
 HERE = pathlib.Path(__file__).resolve().parent
 COLUMNS = 120
+REPORT_ROWS = HERE.parent / "Engine/Job/ReportRows.h"
 MARK = "Made by Filters/Settings/generate.py: change what is there, not this."
 # The type of a default in the table, by type.
 TYPES = {"bool": bool, "flag": bool, "enum": int, "int": int, "id": int, "int64": int, "double": float, "text": str}
 PLACEHOLDERS = ("object", "exposed")
 INPUTS = ["Input", "Places"]  # of which conditions may be, too
 SWITCHES = ("bool", "flag")
+RANKS = ("same", "one", "effect", "own")
 PANELS = ("default", "advanced", "never", "none")
 PANEL_RANGES = ("", "points", "any", "without a most")
 VECTORS = (2, 3, 4, 6)  # so many numbers VTK's macros take
@@ -75,6 +77,11 @@ class Row:
         return self.type in SWITCHES
 
     @property
+    def terms(self):
+        """Of a measure: the job's counts and measures whose sum it is."""
+        return self.job.split(" + ") if self.job else []
+
+    @property
     def is_clamped(self):
         return self.least is not None or self.most is not None
 
@@ -97,7 +104,8 @@ class Row:
                 f"{field.name} is of another type")
         yield self.panel not in PANELS, f"panel is one of {PANELS}"
         yield self.panel_range not in PANEL_RANGES, f"panel_range is one of {PANEL_RANGES}"
-        yield self.ranks not in ("same", "effect", "own"), 'ranks are "same", "effect" or "own"'
+        yield self.ranks not in RANKS, f"ranks is one of {RANKS}"
+        yield self.ranks == "one" and (self.values or self.elements > 1), "one rank: of a number or a switch only"
         if self.type in PLACEHOLDERS:
             return
         yield not self.help.strip(), "no help"
@@ -245,6 +253,21 @@ def settings(rows):
 
 def measures(rows):
     return [row for row in rows if row.measure]
+
+
+def check_measures(rows, whole, real):
+    """ValueError for a measure that is a sum of others than those whole or real numbers of a job."""
+    for row in measures(rows):
+        for name in row.terms:
+            if name not in (real if row.type == "double" else whole):
+                raise ValueError(f"[{row.name}]: a job has no {name} of this kind, in {REPORT_ROWS.name}")
+
+
+def reported():
+    """The numbers that reports of a job have: names by the name of their list."""
+    text = REPORT_ROWS.read_text(encoding="utf-8")
+    lists = re.findall(r"^constexpr [^;]* (k\w+Rows)\[\] = \{(.*?)^\};", text, re.MULTILINE | re.DOTALL)
+    return {name: re.findall(r'^  \{ "(\w+)"', rows, re.MULTILINE) for name, rows in lists}
 
 
 def counts(rows):

@@ -17,7 +17,7 @@ def table(read):
              for name, rows in read.items() if name not in ("arrays", "job")}
     found["job"] = {one.name: _of_job(one) for one in read["job"]}
     found["arrays"] = {array.name: {"of": array.of, "type": array.type, "components": array.components,
-                                    "setting": array.setting} for array in read["arrays"]}
+                                    "setting": array.setting, "job": array.job} for array in read["arrays"]}
     return json.dumps({"mark": tables.MARK, **found}, indent=1) + "\n"
 
 

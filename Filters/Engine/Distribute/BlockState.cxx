@@ -2,6 +2,7 @@
 #include "BlockState.h"
 
 #include "../Core/Border.h"
+#include "../Core/Fields.h"
 #include "../Core/SortAsking.h"
 
 #include <algorithm>
@@ -15,9 +16,7 @@ namespace ahd
 bool BlockTriangulation::State::beginFacts(Ticker& ticker)
 {
   const TriangulationAccess::State& made = *TriangulationAccess::stateOf(own().triangulation());
-  const Report& counts = made.report;
-  const BlockFacts facts{ made.ranked.count == 0 ? Bounds() : made.ranked.bounds, counts.inserted,
-    counts.duplicates, counts.notFinite, counts.skipped };
+  const BlockFacts facts{ made.ranked.count == 0 ? Bounds() : made.ranked.bounds, made.report };
   std::vector<Index> vertices;
   std::vector<ChainEnd> found;
   if (!findOwnEnds(vertices, found, ticker) ||
@@ -43,10 +42,7 @@ bool BlockTriangulation::State::takeFacts(const std::vector<BlockBytes>& all, Ti
     std::vector<ChainEnd> more;
     BytesReader{ bytes }(facts, more);
     bounds.push_back(facts.bounds);
-    report.vertices += facts.vertices;
-    report.duplicates += facts.duplicates;
-    report.notFinite += facts.notFinite;
-    report.skipped += facts.skipped;
+    addCounts(facts.counts, report.counts);
     for (const ChainEnd& end : more)
     {
       ends[end.place] = end;

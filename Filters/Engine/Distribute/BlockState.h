@@ -35,9 +35,9 @@ inline std::size_t constraintIds(const ConstraintView& given)
 struct BlockFacts
 {
   Bounds bounds;
-  std::uint64_t vertices, duplicates, notFinite, skipped;
+  Report counts;
 
-  auto fields() { return std::tie(bounds, vertices, duplicates, notFinite, skipped); }
+  auto fields() { return std::tie(bounds, counts); }
 };
 
 /// The last message of a block to all.
@@ -47,12 +47,7 @@ struct BlockTotals
   bool isHostOfAll = false;
   ConstraintReport constraints; ///< of the host of all
 
-  auto fields()
-  {
-    ConstraintReport& c = constraints;
-    return std::tie(own, shared, isHostOfAll, c.segments, c.points, c.withoutVertex, c.crossing,
-      c.unfilledLoops, c.edges, c.leftOut);
-  }
+  auto fields() { return std::tie(own, shared, isHostOfAll, constraints); }
 };
 
 /// A triangle that other blocks took part in: its corners by number.

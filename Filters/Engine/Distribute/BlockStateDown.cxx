@@ -162,12 +162,13 @@ void BlockTriangulation::State::sayTotals()
 
 void BlockTriangulation::State::takeTotals(const std::vector<BlockBytes>& all)
 {
+  report.counts.triangles = 0; // for those of each block by itself
   for (const BlockBytes& bytes : all)
   {
     BlockTotals totals;
     BytesReader{ bytes }(totals);
     report.ownTriangles += totals.own;
-    report.triangles += totals.own + totals.shared;
+    report.counts.triangles += totals.own + totals.shared;
     if (totals.isHostOfAll)
     {
       report.constraints = std::move(totals.constraints);

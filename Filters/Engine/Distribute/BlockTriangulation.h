@@ -64,7 +64,7 @@ struct BorderCount
 /// Counts of all blocks together, the same on each, when all is done.
 struct BlocksReport
 {
-  std::size_t vertices = 0, duplicates = 0, notFinite = 0, skipped = 0, triangles = 0;
+  Report counts;                ///< summed
   std::size_t ownTriangles = 0; ///< of them, those found by one block alone
   std::size_t borderPoints = 0; ///< that blocks sent, those of higher levels not counted
   ConstraintReport constraints;

@@ -336,6 +336,7 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  * Known after AHD_OK:
  *   input_points, source_points, added_points (source, bounding points, crossings),
  *   split_crossings     crossings that were split
+ *   crossings           the same, or, without the setting split_crossings, segments_crossing
  *   inserted, duplicates, not_finite, skipped, merged_points, beyond_limit
  *                       numbers of points by status; their sum is points. not_finite: rejected
  *   first_not_finite    smallest id of these, 0 if there is none

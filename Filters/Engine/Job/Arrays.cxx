@@ -3,8 +3,8 @@
 
 #include "../Core/Border.h"
 #include "../Core/Loops.h"
-#include "../Surface/CellArrays.h"
 #include "Refusal.h"
+#include "WantedArrays.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +13,7 @@
 #include <limits>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 namespace ahd
 {
@@ -31,24 +32,10 @@ constexpr unsigned kDouble = bitOf(kFloat64);
 
 // --- Writing ---
 
-/// The destination and type of an array.
-struct Target
+struct Target : ArrayTarget
 {
-  std::int32_t type;
-  void* out;
   std::size_t numbers;
-  const Context& context;
-
-  double* doubles() const { return static_cast<double*>(out); }
 };
-
-/// Calls work(pointer to ids of the type).
-template <typename Work>
-Status withIds(const Target& to, const Work& work)
-{
-  return to.type == kInt32 ? work(static_cast<std::int32_t*>(to.out))
-                           : work(static_cast<std::int64_t*>(to.out));
-}
 
 /// Calls write(i) for all i in [0, count), on all threads.
 template <typename Write>
@@ -262,10 +249,6 @@ std::size_t boxCount(const Made& m)
 {
   return m.triangulation.boxes().size();
 }
-std::size_t cellCount(const Made& m)
-{
-  return m.cellCount();
-}
 std::size_t crossingCount(const Made& m)
 {
   return m.points.crossings().size();
@@ -284,27 +267,6 @@ constexpr Row kRows[] = {
     [](Made& m, const Target& to) { return copyIds(to, m.selection.lines); }, kWritingCells },
   { "vertices", kId, 1, [](const Made& m) { return m.selection.vertices.size(); },
     [](Made& m, const Target& to) { return copyIds(to, m.selection.vertices); }, kWritingCells },
-  { "neighbors", kId, 3, cellCount,
-    [](Made& m, const Target& to)
-    {
-      return withIds(to,
-        [&](auto* ids) { return writeNeighbors(m.triangulation, m.selection, ids, to.context); });
-    },
-    kWritingArrays },
-  { "constraint_edges", bitOf(kUint8), 1, cellCount,
-    [](Made& m, const Target& to)
-    {
-      return writeConstraintEdges(
-        m.triangulation, m.selection, static_cast<std::uint8_t*>(to.out), to.context);
-    },
-    kWritingArrays },
-  { "regions", kId, 1, cellCount,
-    [](Made& m, const Target& to)
-    {
-      return withIds(
-        to, [&](auto* ids) { return writeRegions(m.triangulation, m.selection, ids, to.context); });
-    },
-    kWritingArrays },
   { "points", kReal, 3, pointCount, writePoints, kWritingCells },
   { "plane_points", kDouble, 3, pointCount, writePlanePoints, kWritingCells },
   { "heights", kDouble, 1, pointCount,
@@ -314,10 +276,6 @@ constexpr Row kRows[] = {
     kWritingCells },
   { "plane_matrix", kDouble, 4, [](const Made&) { return std::size_t(4); }, writePlaneMatrix,
     kWritingCells, kMatrix },
-  { "point_status", kId, 1, pointCount,
-    [](Made& m, const Target& to)
-    { return withIds(to, [&](auto* ids) { return m.writeStatus(ids, to.context); }); },
-    kWritingArrays },
   { "vertex_of_point", kId, 1, pointCount, writeVertexOfPoint, kWritingArrays },
   { "point_of_vertex", kId, 1, [](const Made& m) { return m.triangulation.vertexCount(); },
     [](Made& m, const Target& to)
@@ -331,13 +289,6 @@ constexpr Row kRows[] = {
   { "order", kId, 1, [](const Made& m) { return m.triangulation.report().inserted; },
     [](Made& m, const Target& to)
     { return withIds(to, [&](auto* ids) { return m.triangulation.writeOrder(ids, to.context); }); },
-    kWritingArrays, kOrder },
-  { "insertion_ranks", kId, 1, pointCount,
-    [](Made& m, const Target& to)
-    {
-      return withIds(
-        to, [&](auto* ids) { return m.triangulation.writeInsertionRanks(ids, to.context); });
-    },
     kWritingArrays, kOrder },
   { "box_bounds", kDouble, 4, boxCount,
     [](Made& m, const Target& to)
@@ -427,11 +378,34 @@ constexpr Row kRows[] = {
     kWritingArrays, kWeights },
 };
 
+template <std::size_t number>
+constexpr Row wantedRow()
+{
+  constexpr WantedArray kArray = WantedArray(number);
+  constexpr const WantedRow& kRow = kWantedRows[number];
+  return { kRow.name, kRow.type == kInt64 ? kId : bitOf(kRow.type), kRow.columns,
+    [](const Made& m) { return rowsOf(kArray, m); },
+    [](Made& m, const Target& to) { return ahd::writeArray(kArray, m, to); }, kWritingArrays,
+    needsOrder(kArray) ? kOrder : kNothing };
+}
+
+template <std::size_t... numbers>
+constexpr std::array<Row, kWantedArrays> wantedRows(std::index_sequence<numbers...>)
+{
+  return { { wantedRow<numbers>()... } };
+}
+
+constexpr auto kRowsOfWanted = wantedRows(std::make_index_sequence<kWantedArrays>());
+
 const Row& rowOf(Job& job, const char* name)
 {
-  const Row* const row = std::find_if(std::begin(kRows), std::end(kRows),
-    [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
+  const auto hasName = [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; };
+  const Row* row = std::find_if(std::begin(kRows), std::end(kRows), hasName);
   if (row == std::end(kRows))
+  {
+    row = std::find_if(kRowsOfWanted.data(), kRowsOfWanted.data() + kWantedArrays, hasName);
+  }
+  if (row == kRowsOfWanted.data() + kWantedArrays)
   {
     refuse(Reason::UnknownName,
       "There is no output array \"" + std::string(name ? name : "(null)") + "\".");
@@ -477,13 +451,16 @@ void writeArray(Job& job, const char* name, std::int32_t type, void* out, std::u
   job.progress.reach(row.stage);
   job.withThreads(
     [&](const Context& context) {
-      check(row.write(made, { type, out, numbers, context }));
+      check(row.write(made, { { type, out, context }, numbers }));
     });
 }
 
 const char* outputArrayName(std::size_t number)
 {
-  return number < std::size(kRows) ? kRows[number].name : nullptr;
+  const std::size_t others = std::size(kRows);
+  return number < others              ? kRows[number].name
+    : number - others < kWantedArrays ? kRowsOfWanted[number - others].name
+                                      : nullptr;
 }
 
 } // namespace ahd

@@ -3,11 +3,12 @@
 
 #include "../Surface/OrderDrawing.h"
 #include "Refusal.h"
+#include "ReportRows.h"
 
-#include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace ahd
 {
@@ -21,75 +22,21 @@ DrawnOrder drawnOrderOf(const Made& m)
   return drawnOrder(m.triangulation, m.asked.curve);
 }
 
-/// A count besides those of the report.
-struct CountRow
+/// A number besides those of the reports.
+template <typename Number>
+struct ResultRow
 {
   const char* name;
-  std::uint64_t (*get)(const Made&);
+  Number (*get)(const Made&);
 };
-constexpr CountRow kCounts[] = {
-  { "triangles", [](const Made& m) { return std::uint64_t(m.triangleCount()); } },
-  { "lines", [](const Made& m) { return std::uint64_t(m.selection.lines.size() / 2); } },
-  { "vertices", [](const Made& m) { return std::uint64_t(m.selection.vertices.size()); } },
-  { "cells", [](const Made& m) { return std::uint64_t(m.cellCount()); } },
+constexpr ResultRow<std::uint64_t> kCounts[] = {
   { "drawn_points", [](const Made& m) { return std::uint64_t(drawnOrderOf(m).points()); } },
   { "drawn_cells", [](const Made& m) { return std::uint64_t(drawnOrderOf(m).cells()); } },
-  { "sampled_places", [](const Made& m) { return std::uint64_t(m.sampling.places); } },
-  { "sampled_valued", [](const Made& m) { return std::uint64_t(m.sampling.report.valued); } },
-  { "sampled_outside", [](const Made& m) { return std::uint64_t(m.sampling.report.outside); } },
-  { "sampled_not_finite",
-    [](const Made& m) { return std::uint64_t(m.sampling.report.notFinite); } },
-  { "sampled_without_value",
-    [](const Made& m) { return std::uint64_t(m.sampling.report.withoutValue); } },
-  { "sampled_left_out", [](const Made& m) { return std::uint64_t(m.sampling.report.leftOut); } },
   { "sampling_estimate", [](const Made& m) { return std::uint64_t(m.sampling.estimate); } },
 };
-
-const Report& countsOf(const Made& m)
-{
-  return m.triangulation.report();
-}
-
-double ifCounted(const Made& m, double mean)
-{
-  return m.asked.options.countWork ? mean : -1.0;
-}
-
-struct MeasureRow
-{
-  const char* name;
-  double (*get)(const Made&, const JobProgress&);
+constexpr ResultRow<double> kMeasures[] = {
+  { "seconds_sample", [](const Made& m) { return m.sampling.seconds; } },
 };
-
-template <Phase phase>
-double secondsOf(const Made&, const JobProgress& progress)
-{
-  return progress.seconds(phase);
-}
-
-constexpr MeasureRow kMeasures[] = {
-  { "np", [](const Made& m, const JobProgress&) { return ifCounted(m, countsOf(m).np()); } },
-  { "nr", [](const Made& m, const JobProgress&) { return ifCounted(m, countsOf(m).nr()); } },
-  { "trimmed_area", [](const Made& m, const JobProgress&) { return countsOf(m).trimmedArea; } },
-  { "seconds_merge", secondsOf<Phase::Merge> },
-  { "seconds_split", secondsOf<Phase::Split> },
-  { "seconds_read", secondsOf<Phase::Read> },
-  { "seconds_sort", secondsOf<Phase::Sort> },
-  { "seconds_insert", secondsOf<Phase::Insert> },
-  { "seconds_constrain", secondsOf<Phase::Constrain> },
-  { "seconds_extract", secondsOf<Phase::Extract> },
-  { "seconds_outputs", secondsOf<Phase::Outputs> },
-  { "seconds_sample", [](const Made& m, const JobProgress&) { return m.sampling.seconds; } },
-};
-
-/// The row of that name; null if there is none.
-template <typename Row, std::size_t count>
-const Row* find(const Row (&rows)[count], const char* name)
-{
-  const Row* const row = std::find_if(std::begin(rows), std::end(rows),
-    [name](const Row& r) { return name && std::strcmp(r.name, name) == 0; });
-  return row == std::end(rows) ? nullptr : row;
-}
 
 [[noreturn]] void refuseName(const char* kind, const char* name)
 {
@@ -97,33 +44,57 @@ const Row* find(const Row (&rows)[count], const char* name)
     "There is no " + std::string(kind) + " \"" + std::string(name ? name : "(null)") + "\".");
 }
 
+/// The name of row `number` of all these tables, one after the other; null past the last.
+template <typename... Rows>
+const char* nameOf(std::size_t number, const Rows&... tables)
+{
+  const char* name = nullptr;
+  const auto look = [&](const auto& rows)
+  {
+    name = number < std::size(rows) ? rows[number].name : name;
+    number -= std::size(rows); // beyond all others
+  };
+  (look(tables), ...);
+  return name;
+}
+
 } // namespace
 
 std::int64_t countOf(Job& job, const char* name)
 {
-  for (std::size_t i = 0; const ReportRow* row = reportRow(i); ++i)
+  const std::string_view wanted = name ? name : "";
+  if (const auto* const row = findRow(kCountRows, wanted))
   {
-    if (name && std::strcmp(row->name, name) == 0)
+    if (row->isOfResult)
     {
-      if (row->isOfResult)
-      {
-        job.result(); // or refuses
-      }
-      return static_cast<std::int64_t>(row->get(job.report()));
+      job.result(); // or refuses
     }
+    return static_cast<std::int64_t>(row->get(job.report()));
   }
-  if (const CountRow* const row = find(kCounts, name))
+  if (const auto* const row = findRow(kCounts, wanted))
   {
     return static_cast<std::int64_t>(row->get(job.result()));
+  }
+  if (const auto* const row = findRow(kSampleRows, wanted))
+  {
+    return static_cast<std::int64_t>(row->get(job.result().sampling.report));
   }
   refuseName("count", name);
 }
 
 double measureOf(Job& job, const char* name)
 {
-  if (const MeasureRow* const row = find(kMeasures, name))
+  const std::string_view wanted = name ? name : "";
+  if (const auto* const row = findRow(kMeasureRows, wanted))
   {
-    return row->get(job.result(), job.progress);
+    job.result(); // or refuses
+    RunReport report = job.report();
+    report.seconds = job.progress.seconds(); // later calls included
+    return row->get(report);
+  }
+  if (const auto* const row = findRow(kMeasures, wanted))
+  {
+    return row->get(job.result());
   }
   refuseName("measure", name);
 }
@@ -133,10 +104,11 @@ Facts factsOf(const Job& job, Facts known)
   const std::size_t given = known.count();
   if (const JobResult* const made = job.madeResult())
   {
-    for (const CountRow& row : kCounts)
+    for (const auto& row : kCounts)
     {
       known.addMissing({ row.name, row.get(*made) }, given);
     }
+    known = factsOf(made->sampling.report, std::move(known));
     known.addMissing({ "splits", made->asked.split }, given);
     known.addMissing({ "cell_ids", !made->asked.idsAreOfInput }, given);
   }
@@ -146,21 +118,12 @@ Facts factsOf(const Job& job, Facts known)
 
 const char* countName(std::size_t number)
 {
-  std::size_t i = 0;
-  while (const ReportRow* const row = reportRow(i))
-  {
-    if (i++ == number)
-    {
-      return row->name;
-    }
-  }
-  number -= i;
-  return number < std::size(kCounts) ? kCounts[number].name : nullptr;
+  return nameOf(number, kCountRows, kCounts, kSampleRows);
 }
 
 const char* measureName(std::size_t number)
 {
-  return number < std::size(kMeasures) ? kMeasures[number].name : nullptr;
+  return nameOf(number, kMeasureRows, kMeasures);
 }
 
 } // namespace ahd

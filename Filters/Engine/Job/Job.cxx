@@ -90,7 +90,7 @@ void Job::runWith(const Context& context)
         "that are no vertices.");
   }
   select(context);
-  check(run.findStacks(made, context));
+  check(run.finish(made, context));
 }
 
 /// Refuses what a surface has used up, if it would change that.
@@ -156,9 +156,10 @@ void Job::open(const Context& context, InputRequest& request)
   input.openPoints(arrays, context);
   input.openCells(arrays, context);
   input.points.skipMask = static_cast<unsigned char>(settings[IntSetting::SkipMask]);
-  if (request.fitPlane && (request.surface.count > 0 || settings[IntSetting::UnfittedPoints] > 0))
+  request.points = input.points;
+  if (request.fitPlane && request.surface.count > 0) // also to points that are no corner
   {
-    check(fit(input.points, result_->fitted, context));
+    check(fitPlaneOf(request, context, result_->fitted));
     request.plane = &result_->fitted;
   }
   input.openSurface(arrays, context);
@@ -192,26 +193,20 @@ void Job::check(Status status) const
   ahd::check(status);
 }
 
-Status Job::fit(const PointView& points, Plane& plane, const Context& context) const
-{
-  PointView fitted = points;
-  fitted.count -= std::min(
-    fitted.count, static_cast<std::size_t>(settings[IntSetting::UnfittedPoints]));
-  return plane.fit(fitted, context);
-}
-
 void Job::fitPlane(double* matrix)
 {
   Plane plane;
-  InputRequest counts;
-  arrays.count(counts);
+  InputRequest request;
+  arrays.count(request);
+  settings.run().ask(request);
   withThreads(
     [&](const Context& context)
     {
       OpenInput input;
       input.openPoints(arrays, context);
       input.points.skipMask = static_cast<unsigned char>(settings[IntSetting::SkipMask]);
-      ahd::check(fit(input.points, plane, context));
+      request.points = input.points;
+      ahd::check(fitPlaneOf(request, context, plane));
     });
   writeMatrix(plane, matrix);
 }

@@ -29,7 +29,7 @@ struct JobResult : RunResult
   std::size_t otherMemory = 0; ///< the caller's, in the estimate
   std::array<double, 16> matrix = {};
   OpenInput input;
-  Plane fitted;                     ///< to some of the input's points, if not to all
+  Plane fitted;                     ///< with a surface
   std::vector<std::int32_t> cellOf; ///< of each triangle, or -1; made when first wanted
   JobSampling sampling;
 
@@ -102,7 +102,6 @@ private:
   InputRequest request(const RunSettings& asked) const;
   CallersMemory callersMemory() const;
   void open(const Context& context, InputRequest& request);
-  Status fit(const PointView& points, Plane& plane, const Context& context) const;
   void select(const Context& context);
   void check(Status status) const;
 

@@ -4,6 +4,7 @@
 #include "../Core/SizeInWords.h"
 #include "../Points/Points.h"
 #include "Catalogue.h"
+#include "ReportRows.h"
 
 #include <algorithm>
 #include <iterator>
@@ -289,17 +290,27 @@ Reason reasonOf(Status status, bool isRefused)
 Facts factsOf(const RunReport& report, Facts known)
 {
   const std::size_t given = known.count();
-  for (std::size_t k = 0; const ReportRow* const row = reportRow(k); ++k)
+  for (const auto& row : kCountRows)
   {
-    if (!row->isOfResult || report.status == Status::Ok)
+    if (!row.isOfResult || report.status == Status::Ok)
     {
-      known.addMissing({ row->name, row->get(report) }, given);
+      known.addMissing({ row.name, row.get(report) }, given);
     }
   }
   // where there are too many crossings, points are those with them
   known.addMissing({ "own_points", report.points - report.crossings }, given);
   known.addMissing({ "memory_limit", report.isLimited }, given);
   known.addMissing({ "trimmed_area", report.counts.trimmedArea }, given);
+  return known;
+}
+
+Facts factsOf(const SampleReport& report, Facts known)
+{
+  const std::size_t given = known.count();
+  for (const SampleRow& row : kSampleRows)
+  {
+    known.addMissing({ row.name, row.get(report) }, given);
+  }
   return known;
 }
 

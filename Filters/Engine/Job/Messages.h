@@ -2,6 +2,7 @@
 #ifndef ahd_Messages_h
 #define ahd_Messages_h
 
+#include "../Sample/Sample.h"
 #include "RunReport.h"
 #include "Words.h"
 
@@ -65,9 +66,11 @@ private:
   std::vector<Fact> facts_;
 };
 
-/// The facts of a run: its counts in RunReport.cxx, and those of refusals. Memory is in bytes.
+/// The facts of a run: its counts in ReportRows.h, and those of refusals. Memory is in bytes.
 /// `known` ones take precedence.
 Facts factsOf(const RunReport& report, Facts known = Facts());
+/// Those of an interpolation.
+Facts factsOf(const SampleReport& report, Facts known = Facts());
 
 /// The reason why a run failed. `isRefused`: RunReport's.
 Reason reasonOf(Status status, bool isRefused);

@@ -140,9 +140,7 @@ std::vector<double> Run::stages() const
   stages.insert(stages.end(),
     {
       0.15 + weight(settings_.limitsSize(), 1.5) + weight(settings_.showsMeans, 0.2),
-      weight(settings_.pointStatus, 0.1) + weight(settings_.insertionRanks, 0.1) +
-        weight(settings_.constraintEdges, 0.5) + weight(settings_.regions, 1.0) +
-        weight(settings_.neighbors, 0.9),
+      settings_.timeOfArrays(),
       weight(settings_.voronoi, 0.5),
       weight(settings_.drawsOrder(), 0.4),
     });
@@ -258,8 +256,11 @@ Status Run::constrain(RunResult& made)
   return end(status);
 }
 
-Status Run::findStacks(const RunResult& made, const Context& context)
+Status Run::finish(const RunResult& made, const Context& context)
 {
+  report_.triangles = made.triangleCount();
+  report_.lines = made.selection.lines.size() / 2;
+  report_.vertices = made.selection.vertices.size();
   const PointView& points = made.points.points();
   if (!report_.mayBeStacked())
   {
@@ -278,6 +279,8 @@ void Run::reportOn(const RunResult& made)
 {
   const PreparedInput& points = made.points;
   const ConstraintReport& constraints = made.triangulation.constraints();
+  report_.splits = settings_.split;
+  report_.countsWork = settings_.options.countWork;
   report_.counts = made.triangulation.report();
   report_.constraints = { constraints.segments, constraints.points, constraints.withoutVertex,
     constraints.crossing, constraints.unfilledLoops, constraints.edges, {} };

@@ -117,9 +117,10 @@ public:
   Status make(
     const Open& open, const Lend& lend, RunProgress& progress, Executor* executor, RunResult& made);
 
-  /// Checks whether x and y distinguish the points, if the triangles suggest that they do not.
-  /// After make(). Returns Ok, Cancelled or OutOfMemory.
-  Status findStacks(const RunResult& made, const Context& context);
+  /// After make() and the selection of triangles: reports on the output, and checks whether x and y
+  /// distinguish the points, if the triangles suggest that they do not. Returns Ok, Cancelled or
+  /// OutOfMemory.
+  Status finish(const RunResult& made, const Context& context);
 
 private:
   bool fits() const { return estimate() <= report_.allowed; }

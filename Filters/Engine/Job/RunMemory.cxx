@@ -64,7 +64,8 @@ public:
 private:
   std::size_t perPoint(bool is, std::size_t bytes) const { return is ? sizes_.points * bytes : 0; }
   bool selectsByAlpha() const { return settings_.limits.alpha > 0.0; }
-  bool selectsByLength() const { return settings_.limits.maximumEdgeLength > 0.0; }
+  /// By limits in the plane alone?
+  bool selectsInPlane() const { return settings_.limitsSize() && !selectsByAlpha(); }
   bool hasSurface() const { return request_.surface.count > 0; }
   bool writesCells() const { return !settings_.samples; }
   bool keepsTables() const { return settings_.voronoi && sizes_.segments == 0; }
@@ -175,7 +176,7 @@ std::size_t Estimate::selecting() const
 {
   if (!selectsByAlpha())
   {
-    return perPoint(selectsByLength(), 2 + kCorners + (hasMarks_ ? kNumbers : 0));
+    return perPoint(selectsInPlane(), 2 + kCorners + (hasMarks_ ? kNumbers : 0));
   }
   // Where the plane is x, y, of the places in space z alone is read.
   const bool isUpright = !request_.fitPlane && !request_.projection;
@@ -187,9 +188,8 @@ std::size_t Estimate::selecting() const
 /// (vtkAHDOutputMemory::GetCapacity).
 std::size_t Estimate::written() const
 {
-  std::size_t bytes = perPoint(settings_.pointStatus, kId) +
-    perPoint(settings_.insertionRanks, kId) + perPoint(settings_.voronoi, kVoronoiWritten) +
-    orderDrawn();
+  std::size_t bytes = sizes_.points * settings_.bytesOfArrays(false) +
+    perPoint(settings_.voronoi, kVoronoiWritten) + orderDrawn();
   if (writesCells())
   {
     // Corners and offsets of two triangles a point; of lines in place of all of them there are
@@ -197,9 +197,7 @@ std::size_t Estimate::written() const
     const std::size_t rows = selectsByAlpha() ? 3 : 2;
     bytes += sizes_.points *
       ((selectsByAlpha() ? 3 * (2 + 1) : 2 * (3 + 1)) * sizeof(std::int32_t) +
-        rows *
-          ((settings_.neighbors ? 3 * kId : 0) + (settings_.regions ? kId : 0) +
-            (settings_.constraintEdges ? 1 : 0)));
+        rows * settings_.bytesOfArrays(true));
   }
   return bytes + bytes / 16 + 4096 + perPoint(adds_, callers_.perAddedPoint);
 }
@@ -209,12 +207,14 @@ std::size_t Estimate::writing() const
 {
   // By corners alone, where these are there and numbers are not; else with a place among those
   // that are left. A byte for each triangle, the ends of lines.
-  const bool byCorners = selectsByLength() && !selectsByAlpha();
+  const bool byCorners = selectsInPlane();
   const std::size_t ends = selectsByAlpha() ? 24 : 0, places = byCorners && !hasMarks_ ? 0 : 8;
   // a set of each slot, and three numbers for each set
   constexpr std::size_t kRegions = 8 + 2 * 12;
-  const bool looksUp = settings_.neighbors ||
-    (hasMarks_ && (settings_.regions || settings_.constraintEdges || byCorners));
+  const bool looksUp = settings_.wants(WantedArray::Neighbors) ||
+    (hasMarks_ &&
+      (settings_.wants(WantedArray::Regions) || settings_.wants(WantedArray::ConstraintEdges) ||
+        byCorners));
   const std::size_t selected = perPoint(settings_.limitsSize() || hasSurface(), 2);
   if (settings_.samples) // all tables are made, except existing ones
   {
@@ -227,7 +227,7 @@ std::size_t Estimate::writing() const
                                           : 0;
   return selected + perPoint(settings_.limitsSize() || hasSurface(), ends + places) +
     perPoint(byCorners, 24) + perPoint(true, tables) +
-    perPoint(hasMarks_ && settings_.regions, kRegions);
+    perPoint(hasMarks_ && settings_.wants(WantedArray::Regions), kRegions);
 }
 
 std::size_t Estimate::orderDrawn() const

@@ -5,6 +5,7 @@
 #include "RunSettings.h"
 
 #include <cstddef>
+#include <tuple>
 
 namespace ahd
 {
@@ -20,6 +21,12 @@ struct RunSizes
   std::size_t surfaceEdges = 0; ///< of given triangles, to become constraints
   /// Bytes requested while segments are split, and while they are inserted (Progress::take()).
   std::size_t askedToSplit = 0, askedToConstrain = 0;
+
+  auto fields()
+  {
+    return std::tie(
+      points, segments, crossings, boxes, surfaceEdges, askedToSplit, askedToConstrain);
+  }
 };
 
 /// The caller's own memory, for the estimate of a run.

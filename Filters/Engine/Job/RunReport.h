@@ -3,6 +3,8 @@
 #define ahd_RunReport_h
 
 #include "../Constraints.h"
+#include "../Core/Fields.h"
+#include "../Core/Progress.h"
 #include "../Prepare/Prepare.h"
 #include "../Result.h"
 #include "RunMemory.h"
@@ -10,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 
 namespace ahd
 {
@@ -27,12 +30,16 @@ struct RunReport : RunSizes
   std::size_t mostBoxes = 0;     ///< that fit in memory
   std::size_t mostCrossings = 0; ///< the same
   unsigned threadsUsed = 0;      ///< that shared work
+  bool splits = false;           ///< segments, where they cross
+  bool countsWork = false;
+  std::array<double, kPhases> seconds = {}; ///< of each phase, by the wall clock
 
   // The rest is defined if the status is Ok.
   Report counts;
   ConstraintReport constraints;      ///< but for leftOut, which the triangulation has
   std::size_t delaunayTriangles = 0; ///< before constraints dropped some
   std::size_t keptEstimate = 0;      ///< bytes, of what is kept to interpolate on it later
+  std::size_t triangles = 0, lines = 0, vertices = 0; ///< of the output
   std::size_t inputPoints = 0;
   std::size_t sourcePoints = 0;
   std::size_t addedPoints = 0;
@@ -54,17 +61,22 @@ struct RunReport : RunSizes
   bool mayBeStacked() const { return !isProjected && counts.beyondLimit == 0; }
   /// Without merged points, which the engine counts as skipped.
   std::size_t skipped() const { return counts.skipped - mergedPoints; }
-};
+  /// Of the output.
+  std::size_t cells() const { return triangles + lines + vertices; }
 
-/// One number of a report, by its name in ahd.h.
-struct ReportRow
-{
-  const char* name;
-  bool isOfResult; ///< defined if the status is Ok
-  std::uint64_t (*get)(const RunReport&);
+  auto fields()
+  {
+    return std::tuple_cat(RunSizes::fields(),
+      std::tie(status, isRefused, estimate, allowed, isLimited, mostBoxes, mostCrossings,
+        threadsUsed, splits, countsWork, seconds, counts, constraints, delaunayTriangles,
+        keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints, addedPoints,
+        mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds, oddPoints,
+        pointsOffSurface, isProjected, areOnOneLine, areStacked, foldedTriangles));
+  }
 };
-/// Numbered from 0; null past the last.
-const ReportRow* reportRow(std::size_t number);
+static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&
+    listsAll<OddPoints>() && listsAll<RunSizes>() && listsAllBehind<RunReport, RunSizes>(),
+  "what fields() leaves out is not sent to other ranks");
 
 } // namespace ahd
 

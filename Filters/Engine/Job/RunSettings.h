@@ -8,7 +8,11 @@
 #include "../Surface/Plane.h"
 #include "../Surface/Selection.h"
 #include "../Voronoi/Voronoi.h"
+#include "ArrayRows.h"
 #include "Words.h"
+
+#include <array>
+#include <cstddef>
 
 namespace ahd
 {
@@ -24,6 +28,7 @@ struct RunSettings
   bool split = false;
   FillRule fillRule = FillRule::Orientation;
   PlaneKind plane = PlaneKind::Xy;
+  std::size_t unfittedPoints = 0;
   double tolerance = 0.0;
   bool bounding = false;
   double offset = 1.0;
@@ -32,14 +37,32 @@ struct RunSettings
   VoronoiClip voronoiClip = VoronoiClip::Hull;
 
   // The requested outputs.
-  bool pointStatus = false;
-  bool insertionRanks = false;
+  std::array<bool, kWantedArrays> wanted = {};
   bool curve = false;
-  bool constraintEdges = false;
-  bool regions = false;
-  bool neighbors = false;
   bool voronoi = false;
   bool samples = false; ///< values are interpolated: tables of the surface, and no cells
+
+  bool wants(WantedArray array) const { return wanted[std::size_t(array)]; }
+  /// Bytes of the wanted arrays for each cell, or for each point.
+  std::size_t bytesOfArrays(bool ofCells) const
+  {
+    std::size_t bytes = 0;
+    for (std::size_t k = 0; k < kWantedArrays; ++k)
+    {
+      bytes += wanted[k] && kWantedRows[k].isOfCells == ofCells ? kWantedRows[k].bytes : 0;
+    }
+    return bytes;
+  }
+  /// The time to write them; that of a plain triangulation is 1.
+  double timeOfArrays() const
+  {
+    double time = 0.0;
+    for (std::size_t k = 0; k < kWantedArrays; ++k)
+    {
+      time += wanted[k] ? kWantedRows[k].time : 0.0;
+    }
+    return time;
+  }
 
   /// Is the plane another than x, y?
   bool isProjected() const { return plane != PlaneKind::Xy; }
@@ -48,7 +71,7 @@ struct RunSettings
   /// Is a bounding triangulation added?
   bool addsBounding() const { return bounding && !isProjected(); }
   /// Are triangles removed for their size?
-  bool limitsSize() const { return limits.alpha > 0.0 || limits.maximumEdgeLength > 0.0; }
+  bool limitsSize() const { return limits.any(); }
   /// May the rim be trimmed? It depends on the plane.
   bool mayTrimRim() const
   {
@@ -78,6 +101,7 @@ struct RunSettings
     request.representative = options.representative;
     request.meanHeights = showsMeans;
     request.fitPlane = fitsPlane();
+    request.unfittedPoints = unfittedPoints;
     request.tolerance = tolerance;
     request.bounding = addsBounding();
     request.offset = offset;

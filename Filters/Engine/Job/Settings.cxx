@@ -127,42 +127,16 @@ const char* JobSettings::doubleName(std::size_t number)
 
 RunSettings JobSettings::run() const
 {
-  const JobSettings& own = *this;
   RunSettings run;
-  run.options.order = InsertionOrder(own[IntSetting::InsertionOrder]);
-  run.options.controlPoints = ControlPoints(own[IntSetting::ControlPoints]);
-  run.options.geneRotation = is(IntSetting::GeneRotation);
-  run.options.nmax = static_cast<int>(own[IntSetting::Nmax]);
-  run.options.countWork = is(IntSetting::CountWork);
-  run.options.insertionLimit = static_cast<std::size_t>(own[IntSetting::InsertionLimit]);
-  run.insertionRanks = is(IntSetting::WantInsertionRanks);
-  run.curve = is(IntSetting::WantCurve);
-  run.options.keepOrder = is(IntSetting::WantOrder) || run.insertionRanks || run.curve;
-  run.options.keepBoxes = is(IntSetting::WantBoxes);
-  const auto duplicates = Duplicates(own[IntSetting::Duplicates]);
+  read(run);
+  run.options.keepOrder = run.options.keepOrder || run.wants(WantedArray::InsertionRanks) ||
+    run.curve;
+  const auto duplicates = Duplicates((*this)[IntSetting::Duplicates]);
   run.options.representative = duplicates == Duplicates::LowestZ ? Representative::LowestZ
     : duplicates == Duplicates::HighestZ                         ? Representative::HighestZ
                                                                  : Representative::FirstId;
   run.showsMeans = duplicates == Duplicates::MeanZ;
   run.idsAreOfInput = !is(IntSetting::CellIds);
-  run.closedLinesAreLoops = is(IntSetting::ClosedLines);
-  run.heightsFromSurface = is(IntSetting::SourceHeights);
-  run.split = is(IntSetting::SplitCrossings);
-  run.fillRule = FillRule(own[IntSetting::FillRule]);
-  run.plane = PlaneKind(own[IntSetting::Plane]);
-  run.tolerance = own[DoubleSetting::Tolerance];
-  run.bounding = is(IntSetting::Bounding);
-  run.offset = own[DoubleSetting::Offset];
-  run.rim = RimKind(own[IntSetting::Rim]);
-  run.limits = { own[DoubleSetting::Alpha], own[DoubleSetting::MaximumEdgeLength],
-    is(IntSetting::AlphaTriangles), is(IntSetting::AlphaLines), is(IntSetting::AlphaVertices) };
-  run.voronoiClip = VoronoiClip(own[IntSetting::VoronoiClip]);
-  run.pointStatus = is(IntSetting::WantPointStatus);
-  run.constraintEdges = is(IntSetting::WantConstraintEdges);
-  run.regions = is(IntSetting::WantRegions);
-  run.neighbors = is(IntSetting::WantNeighbors);
-  run.voronoi = is(IntSetting::WantVoronoi);
-  run.samples = is(IntSetting::WantSamples);
   return run;
 }
 

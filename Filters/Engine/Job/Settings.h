@@ -43,6 +43,9 @@ public:
   RunSettings run() const;
 
 private:
+  /// The members of the run that are settings: in ReadSettings.cxx.
+  void read(RunSettings& run) const;
+
   std::array<std::int64_t, kIntSettings> ints_;
   std::array<double, kDoubleSettings> doubles_;
 };

@@ -227,9 +227,7 @@ Status Preparation::project()
   }
   else if (request_.fitPlane)
   {
-    PointView own = out_.points_;
-    own.count = out_.inputCount_;
-    const Status status = out_.plane_.fit(own, context_);
+    const Status status = fitPlaneOf(request_, context_, out_.plane_);
     if (status != Status::Ok)
     {
       return status;

@@ -212,6 +212,13 @@ Status prepare(const InputRequest& request, const Context& context, PreparedInpu
   return withoutThrowing([&] { return Preparation(request, context, out).run(); });
 }
 
+Status fitPlaneOf(const InputRequest& request, const Context& context, Plane& plane)
+{
+  PointView fitted = request.points;
+  fitted.count -= std::min(fitted.count, request.unfittedPoints);
+  return plane.fit(fitted, context);
+}
+
 std::size_t expectedPoints(const InputRequest& request)
 {
   const bool isBounded = request.bounding && !isProjected(request);

@@ -15,6 +15,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace ahd
@@ -71,8 +72,9 @@ struct InputRequest
   Representative representative = Representative::FirstId;
   bool meanHeights = false; ///< it has the mean of all instead
 
-  bool fitPlane = false;                  ///< triangulate in the plane that fits the input best
-  const Plane* plane = nullptr;           ///< that plane, if it was fitted to more than the input
+  bool fitPlane = false;          ///< triangulate in the plane that fits the input best
+  std::size_t unfittedPoints = 0; ///< but for so many of its points, the last ones
+  const Plane* plane = nullptr;   ///< that plane, if it was fitted before, perhaps to other points
   const Projection* projection = nullptr; ///< or in this one; null: in x, y
   double tolerance = 0.0;                 ///< merge within this part of the diagonal of the points
   bool bounding = false; ///< add VTK's eight bounding points; only where the plane is x, y
@@ -141,6 +143,8 @@ struct UnfitIds
   std::size_t count = 0;
   std::int64_t firstId = 0;
   std::int64_t firstCell = 0;
+
+  auto fields() { return std::tie(count, firstId, firstCell); }
 };
 
 /// Points and constraints, ready to be triangulated, each with its id in the output: the input's,
@@ -246,6 +250,11 @@ Status prepare(const InputRequest& request, const Context& context, PreparedInpu
 Status findHeights(const PreparedInput& points, Triangulation& triangulation, bool means,
   const Context& context, double* heights);
 
+/// The plane that fits the points of the input best, but for InputRequest::unfittedPoints.
+///
+/// @return Ok, Cancelled or OutOfMemory
+Status fitPlaneOf(const InputRequest& request, const Context& context, Plane& plane);
+
 /// A cell whose offsets do not ascend, or lie outside the ids.
 struct BadCell
 {
@@ -280,6 +289,8 @@ struct OddPoints
   std::size_t firstNotFinite = 0; ///< smallest id of a point with an x or y that is not finite; 0
                                   ///< if there is none
   std::size_t oddZ = 0;           ///< points with finite x, y and a z that is not finite
+
+  auto fields() { return std::tie(firstNotFinite, oddZ); }
 };
 
 /// One pass over points, without those left out. The phase is Phase::Extract.

@@ -4,6 +4,7 @@
 
 #include "../Core/Buffer.h"
 #include "../Core/Context.h"
+#include "../Core/Fields.h"
 #include "../Points/Points.h"
 #include "../Result.h"
 
@@ -91,7 +92,7 @@ struct SampleArray
   double* gradients = nullptr;
 };
 
-/// The outcome for the places. valued + outside + notFinite = their number.
+/// The outcome for the places.
 struct SampleReport
 {
   std::size_t valued = 0;    ///< on the surface, or any with Nearest
@@ -102,7 +103,12 @@ struct SampleReport
   std::size_t withoutValue = 0;
   /// Components of valued places without some neighbours, whose values are NaN.
   std::size_t leftOut = 0;
+
+  std::size_t places() const { return valued + outside + notFinite; }
+
+  auto fields() { return std::tie(valued, outside, notFinite, withoutValue, leftOut); }
 };
+static_assert(listsAll<SampleReport>());
 
 /// The points and weights of the value at each place, for callers that interpolate themselves.
 struct SampleWeights

@@ -34,6 +34,8 @@ struct SizeLimits
   bool triangles = true;          ///< with alpha: write triangles? They still bound the others
   bool lines = true;
   bool vertices = true;
+
+  bool any() const { return alpha > 0.0 || maximumEdgeLength > 0.0; }
 };
 
 /// The points that limits are measured on.

@@ -227,10 +227,8 @@ class Execution:
     def measures(self):
         """The filter's measures, but those of all executions."""
         count, measured = self.job.count, self.job.measures()
-        made = {name: sum(measured[part] if part in measured else count(part) for part in parts)
+        return {name: sum(measured[part] if part in measured else count(part) for part in parts)
                 for name, parts in table.OF_JOB.items()}
-        split = self.values["CrossingMode"] == 1
-        return dict(made, NumberOfCrossings=count("split_crossings" if split else "segments_crossing"))
 
     def warnings(self):
         return messages.warnings(self.job, self.values, self.found)

@@ -9,7 +9,7 @@ import numpy
 
 from .. import _library as engine
 from .._raster import Raster
-from . import messages, raster, raster_messages
+from . import messages, raster, raster_messages, table
 from .arrays import GHOSTS, must_be_converted, new_array, view
 from .blocks import MOST_POINTS
 from .columns import NEAREST, Columns, blocks_of
@@ -223,7 +223,7 @@ class Interpolating:
         heights = surface.heights()
         mask = self._sample(columns, heights, xy, found)
         found.missing = []
-        if found.without_value + found.left_out:
+        if found.counts["sampled_without_value"] + found.counts["sampled_left_out"]:
             added = self.surface.added if self.surface else self.job.count("added_points")
             found.missing = columns.find_missing(self.job, heights, self.job.count("points") - added)
         if self.places is not None:
@@ -237,7 +237,7 @@ class Interpolating:
         columns.add_to(made.GetPointData())
         self._add_mask(made.GetPointData(), mask)
         found.wanted = found.surface = None
-        if found.outside and not found.valued:
+        if found.counts["sampled_outside"] and not found.counts["sampled_valued"]:
             found.wanted = raster.box_of(xy) if xy is not None else self.cells.box()
             found.surface = surface.bounds()
         self._take_measures(made, found, time.monotonic() - started)
@@ -258,12 +258,10 @@ class Interpolating:
         else:
             mask = columns.interpolate(job, places, heights, self.wishes["Outside"] == 1)
         job.set_progress(None)
-        count = job.count
-        found.places, found.valued, found.outside = (
-            count("sampled_" + name) for name in ("places", "valued", "outside"))
-        found.not_finite, found.left_out = count("sampled_not_finite"), count("sampled_left_out")
-        found.without_value = count("sampled_without_value") if missing is None else missing
-        found.triangles = count("triangles")
+        found.counts = {part: job.count(part) for parts in table.INTERPOLATION_OF_JOB.values() for part in parts}
+        if missing is not None:
+            found.counts["sampled_without_value"] = missing
+        found.triangles = job.count("triangles")
         return mask
 
     def _write_surface(self, made, heights, mask):
@@ -295,10 +293,8 @@ class Interpolating:
             data.AddArray(mask)
 
     def _take_measures(self, made, found, seconds):
-        counts = dict(
-            NumberOfPlaces=found.places, NumberOfValidPlaces=found.valued, NumberOfPlacesOutside=found.outside,
-            NumberOfNotFinitePlaces=found.not_finite, NumberOfPlacesWithoutValue=found.without_value,
-            NumberOfPlacesWithNeighborsLeftOut=found.left_out)
+        counts = {name: sum(found.counts[part] for part in parts)
+                  for name, parts in table.INTERPOLATION_OF_JOB.items()}
         values = self.algorithm._values
         for name, count in dict(counts, SampleSeconds=seconds).items():
             values[name] += count

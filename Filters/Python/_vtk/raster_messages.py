@@ -44,13 +44,12 @@ def together(found, more):
     """The sum of the results of two sets of places on the same surface; None: no result yet."""
     if found is None:
         return more
-    counts = {name: getattr(found, name) + getattr(more, name) for name in (
-        "places", "valued", "outside", "not_finite", "without_value", "left_out")}
+    counts = {name: count + more.counts[name] for name, count in found.counts.items()}
     boxes = [box for box in (found.wanted, more.wanted) if box is not None]
     wanted = tuple(end(box[k] for box in boxes) for k, end in enumerate((min, max, min, max))) if boxes else None
     return types.SimpleNamespace(
         triangles=more.triangles, wanted=wanted, surface=found.surface or more.surface,
-        missing=_missing_together(found.missing + more.missing), **counts)
+        missing=_missing_together(found.missing + more.missing), counts=counts)
 
 
 def _missing_together(all_missing):
@@ -62,12 +61,9 @@ def _missing_together(all_missing):
 
 
 def of_places(found):
-    """Warnings about places and values. `found`: places, valued, outside, not_finite, without_value, left_out,
-    triangles, wanted and surface, the boxes of the places and of the points, and missing, the arrays without some
-    values."""
-    counts = {"sampled_" + name: getattr(found, name) for name in (
-        "places", "valued", "outside", "not_finite", "without_value", "left_out")}
+    """Warnings about places and values. `found`: the job's counts by name, triangles, wanted and surface, the boxes of
+    the places and of the points, and missing, the arrays without some values."""
     boxes = {name: list(getattr(found, name) or ("nowhere",)) for name in ("wanted", "surface")}
     return messages.said(engine.SAY_PLACES, dict(
-        counts, **boxes, triangles=found.triangles, missing=[(one.name, one.places) for one in found.missing],
+        found.counts, **boxes, triangles=found.triangles, missing=[(one.name, one.places) for one in found.missing],
         of_points=[one.of_points for one in found.missing], of_added=[one.of_added for one in found.missing]))

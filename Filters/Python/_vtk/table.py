@@ -396,6 +396,7 @@ OF_JOB = {
     "NumberOfSkippedPoints": ('skipped',),
     "NumberOfPointsBeyondLimit": ('beyond_limit',),
     "NumberOfConstraintEdges": ('constraint_edges',),
+    "NumberOfCrossings": ('crossings',),
     "NumberOfBentConstraints": ('bent_segments',),
     "NumberOfConstraintsLeftOut": ('segments_without_vertex', 'segments_crossing'),
     "NumberOfUnfilledLoops": ('unfilled_loops',),
@@ -596,6 +597,14 @@ INTERPOLATION_COUNTS = (
     "NumberOfPlacesWithoutValue",
     "NumberOfPlacesWithNeighborsLeftOut",
 )
+INTERPOLATION_OF_JOB = {
+    "NumberOfPlaces": ('sampled_places',),
+    "NumberOfValidPlaces": ('sampled_valued',),
+    "NumberOfPlacesOutside": ('sampled_outside',),
+    "NumberOfNotFinitePlaces": ('sampled_not_finite',),
+    "NumberOfPlacesWithoutValue": ('sampled_without_value',),
+    "NumberOfPlacesWithNeighborsLeftOut": ('sampled_left_out',),
+}
 
 POINTS = (
     ("Distribution", "enum", 0,

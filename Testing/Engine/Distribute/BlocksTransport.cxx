@@ -60,7 +60,7 @@ Ended run(std::size_t cancelAt)
         triangles[b] = made.triangles();
         if (b == kBlocks - 1)
         {
-          ended.reported = made.report().triangles;
+          ended.reported = made.report().counts.triangles;
         }
       }
     });

@@ -67,6 +67,12 @@ class ReferenceTest(unittest.TestCase):
         self.assertLessEqual({name for name in rows if rows[name]["of"] != "ranks"} | {"Elevation"}, names)
         self.check(names | set(rows) | {"Gradient"}, 30)
 
+    def test_settings_that_one_rank_computes(self):
+        said = re.search(r"once per filter\.\s+These are: (.*?), and, with constraints", REFERENCE, re.DOTALL)
+        rows = TABLE["delaunay"]["settings"]
+        self.assertEqual(sorted(re.findall(r"`(\w+)`", said[1])),
+                         sorted(name for name in rows if rows[name]["ranks"] == "one"))
+
     def test_properties_of_the_panel(self):
         tree = xml.etree.ElementTree.parse(ROOT / "Plugin" / "AdaptiveHilbertDelaunay.xml")
         found = set()

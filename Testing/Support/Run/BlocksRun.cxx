@@ -190,7 +190,7 @@ private:
     each([&](std::size_t b) { return collectFrom(b); });
     compareAround();
     expect(ghosts_ == shared_, "ghosts that are not as their owner has them, in its order");
-    expect(result_.flags.size() == result_.report.triangles, "the sum of the triangles");
+    expect(result_.flags.size() == result_.report.counts.triangles, "the sum of the triangles");
     normalise(result_);
   }
 
@@ -363,11 +363,7 @@ BlocksOutcome runWhole(
     result.status = engine.constrain(constraints, rule);
   }
   const Report& report = engine.report();
-  result.report.vertices = report.inserted;
-  result.report.duplicates = report.duplicates;
-  result.report.notFinite = report.notFinite;
-  result.report.skipped = report.skipped;
-  result.report.triangles = report.triangles;
+  result.report.counts = report;
   result.report.constraints = engine.constraints();
   result.triples.resize(3 * report.triangles);
   result.flags.resize(report.triangles);
@@ -386,9 +382,10 @@ std::string difference(const BlocksOutcome& whole, const BlocksOutcome& blocks)
 {
   const auto counts = [](const BlocksReport& r)
   {
-    return std::vector<std::size_t>{ r.vertices, r.duplicates, r.notFinite, r.skipped, r.triangles,
-      r.constraints.segments, r.constraints.points, r.constraints.withoutVertex,
-      r.constraints.crossing, r.constraints.unfilledLoops, r.constraints.edges };
+    return std::vector<std::size_t>{ r.counts.inserted, r.counts.duplicates, r.counts.notFinite,
+      r.counts.skipped, r.counts.triangles, r.constraints.segments, r.constraints.points,
+      r.constraints.withoutVertex, r.constraints.crossing, r.constraints.unfilledLoops,
+      r.constraints.edges };
   };
   const auto rows = [](const BlocksReport& r)
   {
