@@ -332,7 +332,7 @@ TEST(Alpha, SaysWhenNothingIsLeft)
   filter->AlphaVertsOff();
   filter->Update();
   ASSERT_EQ(filter.Said->Warnings.size(), 1u);
-  EXPECT_NE(filter.Said->Warnings[0].find("MaximumEdgeLength keep none of"), std::string::npos);
+  EXPECT_NE(filter.Said->Warnings[0].find(" keep none of"), std::string::npos);
 }
 
 double longestEdge(vtkPolyData* surface, const std::vector<vtkIdType>& cell)

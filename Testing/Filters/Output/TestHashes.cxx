@@ -7,6 +7,7 @@
 #include "HashFile.h"
 #include "HashedSamples.h"
 #include "HostModes.h"
+#include "SettingRows.h"
 
 #include "Distributions.h"
 #include "Engine/Core/Threads.h"
@@ -219,6 +220,18 @@ std::vector<Case> planesAndSources()
         f->SetSourceData(lines);
         f->GenerateConstraintEdgesOn();
         f->GenerateRegionIdsOn();
+      } },
+    { "everyOutput", uniform,
+      [lines](Filter f)
+      {
+        f->SetSourceData(lines);
+        for (const ahdtest::SettingRow& row : ahdtest::kSettingRows)
+        {
+          if (std::string(row.Name).rfind("Generate", 0) == 0)
+          {
+            row.Set(f, 1.0);
+          }
+        }
       } },
     { "split", uniform,
       [lines](Filter f)

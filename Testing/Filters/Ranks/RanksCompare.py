@@ -25,7 +25,7 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkParallelCore import vtkMultiProcessController
 
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertDelaunay2D
-from rankcases import WITHOUT_EFFECT, Piece, appended, cases, other_values, pieces, uniform
+from rankcases import WITHOUT_EFFECT, Piece, appended, cases, counts_of, other_values, pieces, uniform
 
 CONTROLLER = vtkMultiProcessController.GetGlobalController()
 RANK, RANKS = CONTROLLER.GetLocalProcessId(), CONTROLLER.GetNumberOfProcesses()
@@ -33,9 +33,7 @@ SCRATCH = os.environ["AHD_SCRATCH"]
 TYPES = {"float": vtkFloatArray, "double": vtkDoubleArray, "long": vtkTypeInt64Array, "byte": vtkUnsignedCharArray,
          "bit": vtkBitArray, "text": vtkStringArray}
 NUMBERS = {"float": 10, "double": 11, "int": 6}
-COUNTS = ["NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
-          "NumberOfTriangles", "NumberOfAddedPoints", "NumberOfConstraintEdges", "NumberOfCrossings",
-          "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops", "NumberOfTrimmedTriangles"]
+COUNTS = counts_of("delaunay")
 failures = []
 
 

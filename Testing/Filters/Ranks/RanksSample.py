@@ -20,10 +20,9 @@ from RanksCompare import (
     RANK, RANKS, WANTED, Said, appended, attempt, check, finish, make_filter, make_input, make_source, on_all_ranks,
 )
 from adaptivehilbertdelaunay import vtkAdaptiveHilbertInterpolation2D
-from rankcases import TABLE, WITHOUT_EFFECT, cases, gathered_cases, lattice, other_values, pieces, uniform
+from rankcases import TABLE, WITHOUT_EFFECT, cases, counts_of, gathered_cases, lattice, other_values, pieces, uniform
 
-COUNTS = ["NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
-          "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut"]
+COUNTS = counts_of("interpolation")
 valued = []  # places, of each comparison
 LINEAR, NATURAL, LAPLACE, NEAREST = range(4)
 OUTPUTS = [name for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")]

@@ -25,6 +25,11 @@ WITHOUT_EFFECT = [
 ]
 
 
+def counts_of(table):
+    """The measures that are counts."""
+    return [name for name, row in TABLE[table]["measures"].items() if row["type"] == "id"]
+
+
 def other_values(table):
     """Of each setting that must be the same on all ranks a value that is not its default, as arguments, and the
     settings that it needs to have an effect."""
@@ -358,7 +363,15 @@ def with_points_alone(made):
 
 
 def gathered_cases(ranks):
-    """name -> (pieces, settings, the setting that makes one rank do all)"""
+    """name -> (pieces, settings, the setting that makes one rank do all): of each such setting one case at least."""
+    found = known_gathered_cases(ranks)
+    known = {setting for _, _, setting in found.values()}
+    return dict(found, **{
+        name: (pieces(uniform(300), ranks), {name: other}, name) for name, other, _ in other_values("delaunay")
+        if TABLE["delaunay"]["settings"][name]["ranks"] == "one" and name not in known})
+
+
+def known_gathered_cases(ranks):
     everything, coordinates = EVERYTHING, COORDINATES
     few = uniform(300)
     lines = dict(everything, GenerateRegionIds=True)

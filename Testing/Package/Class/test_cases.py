@@ -7,14 +7,18 @@ import json
 import re
 
 from cases import CASES
-from classtests import BACKEND, FOLDER, WRITES, Case, Filter, Hash, Said, core, model, run_tests, values_of, write_rows
+from classtests import (BACKEND, FOLDER, TABLE, WRITES, Case, Filter, Hash, Said, core, model, run_tests, values_of,
+                        write_rows)
 
 FILE = FOLDER / "Cases.json"
-MEASURES = (
+# Counts are in the field data, too: these rows are to be read.
+COUNTS = (
     "NumberOfPointsInserted", "NumberOfDuplicates", "NumberOfRejectedPoints", "NumberOfSkippedPoints",
     "NumberOfPointsBeyondLimit", "NumberOfTriangles", "NumberOfMergedPoints", "NumberOfAddedPoints",
     "NumberOfConstraintEdges", "NumberOfCrossings", "NumberOfConstraintsLeftOut", "NumberOfUnfilledLoops",
-    "NumberOfTrimmedTriangles", "NumberOfTriangulations", "NP", "NR")
+    "NumberOfTrimmedTriangles", "NumberOfTriangulations")
+MEANS = tuple(name for name, row in TABLE["delaunay"]["measures"].items()
+              if row["type"] == "double" and not name.endswith("Seconds"))
 
 
 def type_name(data):
@@ -78,7 +82,7 @@ def record(given, settings):
         getattr(algorithm, "Set" + name)(*(value if isinstance(value, tuple) else (value,)))
     algorithm.SetInputDataObject(given)
     algorithm.Update()
-    measures = {name: getattr(algorithm, "Get" + name)() for name in MEASURES}
+    measures = {name: getattr(algorithm, "Get" + name)() for name in COUNTS + MEANS}
     found = {
         "warnings": [masked(text) for text in said.warnings], "errors": [masked(text) for text in said.errors],
         "pipeline": len(said.pipeline),

@@ -3,7 +3,7 @@
 C++ and from those in Python. The cases of Testing/Filters/Output/TestHashes.cxx; hashedsamples.py has those of the
 interpolation."""
 
-from classtests import (HASHES, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
+from classtests import (HASHES, TABLE, Case, Filter, Hash, Random, Said, Source, array, blocks, cloud, core, cross,
                         make_points, mixed, model, run_tests, source, tiny, uniform, utm, values_of, vtk)
 from hashedsamples import hashed_samples
 
@@ -69,6 +69,8 @@ def planes_and_sources():
     yield "bestFitFloat", singles, {"ProjectionPlaneMode": 2}
     yield "transform", even, {"ProjectionPlaneMode": 1, "Transform": tilted()}
     yield "constraints", even, {"SourceData": lines, "GenerateConstraintEdges": True, "GenerateRegionIds": True}
+    yield "everyOutput", even, {
+        "SourceData": lines, **{name: True for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")}}
     yield "split", even, {"SourceData": lines, "CrossingMode": Filter.SPLIT}
     yield "coordinates", singles, {
         "SourceData": lines, "SourceMode": Filter.SOURCE_COORDINATES, "CrossingMode": Filter.SPLIT}

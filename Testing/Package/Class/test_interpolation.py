@@ -6,7 +6,7 @@ writes the file anew."""
 import json
 import re
 
-from classtests import (FOLDER, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests, source,
+from classtests import (FOLDER, TABLE, WRITES, Case, Filter, Said, array, blocks, cloud, core, model, run_tests, source,
                         tested_class, values_of, vtk, write_rows)
 from inputs import full, square
 from rastercases import CASES, image, surface_of, wanted_places
@@ -18,8 +18,8 @@ from test_settings import described
 Interpolation = tested_class("vtkAdaptiveHilbertInterpolation2D")
 
 FILE = FOLDER / "Interpolation.json"
-MEASURES = ("NumberOfPlaces", "NumberOfValidPlaces", "NumberOfPlacesOutside", "NumberOfNotFinitePlaces",
-            "NumberOfPlacesWithoutValue", "NumberOfPlacesWithNeighborsLeftOut", "NumberOfTriangulations")
+MEASURES = (*(name for name, row in TABLE["interpolation"]["measures"].items() if row["type"] == "id"),
+            "NumberOfTriangulations")
 
 def set_all(algorithm, settings):
     for name, value in settings.items():

@@ -124,10 +124,18 @@ def feature(name, settings=None, keywords=None, asks=(), points=uniform, arrays=
     return Feature(name, settings or {}, keywords, asks, points, arrays, source, most)
 
 
+TABLE = json.loads((Path(__file__).resolve().parents[2] / "Support" / "settings.json").read_text(encoding="utf-8"))
+
+
 def all_outputs():
-    table = Path(__file__).resolve().parents[2] / "Support" / "settings.json"
-    settings = json.loads(table.read_text(encoding="utf-8"))["delaunay"]["settings"]
-    return {name: True for name in settings if name.startswith("Generate")}
+    return {name: True for name in TABLE["delaunay"]["settings"] if name.startswith("Generate")}
+
+
+def other_arrays(known):
+    """Features of the arrays for which there is none among `known`."""
+    settings = [name for of in known for name in of.settings]
+    return tuple(feature(row["job"].replace("_", " "), {row["setting"]: True}, {}, ["triangles", row["job"]])
+                 for row in TABLE["arrays"].values() if row["setting"] and row["setting"] not in settings)
 
 
 def line():
@@ -217,7 +225,8 @@ FEATURES = (
     feature("regions of a lattice", dict(GenerateRegionIds=True), points=lattice, source=lattice_lines, most=2),
     feature("line through all points", points=along, source=line_through_all),
     feature("n/8 short segments", dict(SourceMode=1), {}, ["triangles"], source=segments),
-    feature("of which some are split", SPLIT, {"crossings": "split"}, ["triangles"], source=segments, most=2),
+    feature("of which some are split", SPLIT, {"crossings": "split"}, ["triangles"], source=segments, most=2))
+FEATURES += other_arrays(FEATURES) + (
     feature("all outputs", all_outputs(), most=2),
     feature("all, of segments", dict(all_outputs(), **SPLIT), source=segments, most=2))
 
