@@ -41,5 +41,7 @@ configure_package_config_file(
   INSTALL_DESTINATION "${ahd_cmake_dir}")
 write_basic_package_version_file("${ahd_built}/AdaptiveHilbertDelaunayConfigVersion.cmake"
   VERSION "${ahd_engine_version}" COMPATIBILITY SameMajorVersion)
+configure_file("${CMAKE_CURRENT_LIST_DIR}/Rounding.cmake" "${ahd_built}/Rounding.cmake" COPYONLY)
 install(FILES "${ahd_built}/AdaptiveHilbertDelaunayConfig.cmake" "${ahd_built}/AdaptiveHilbertDelaunayConfigVersion.cmake"
+  "${CMAKE_CURRENT_LIST_DIR}/Rounding.cmake"
   DESTINATION "${ahd_cmake_dir}")
