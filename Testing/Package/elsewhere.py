@@ -14,6 +14,7 @@ environment, by
 import os
 import re
 import runpy
+import signal
 import sys
 import time
 import unittest
@@ -59,6 +60,7 @@ def run(python, file, *arguments):
 
 def main():
     python, folders = sys.argv[1], sys.argv[2:]
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # jobs in the background of a shell ignore it
     found = [run(python, HERE / "Wheels" / "check_wheel.py", HERE.parents[1] / "Data")]
     for folder in folders:
         for file in sorted((HERE / folder).glob("test_*.py")):
