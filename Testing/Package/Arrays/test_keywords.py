@@ -287,7 +287,7 @@ class PointTest(KeywordTest):
         corner = points[whole.triangles]
         longest = np.hypot(*(corner - np.roll(corner, -1, axis=1)).transpose(2, 0, 1)).max(axis=1)
         np.testing.assert_array_equal(made.triangles, whole.triangles[longest <= 0.1])
-        with self.assertWarnsRegex(DelaunayWarning, "alpha and maximum_edge_length keep none of"):
+        with self.assertWarnsRegex(DelaunayWarning, " keep none of"):
             self.assertEqual(len(delaunay(points, maximum_edge_length=1e-9).triangles), 0)
 
     def test_not_finite(self):
