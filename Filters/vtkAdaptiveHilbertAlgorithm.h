@@ -288,13 +288,13 @@ public:
 
   ///@{
   /// Where the surface ends if no outline bounds it. Convex hull: it has all triangles. Trimmed:
-  /// without the flat triangles along the rim, those with an angle above 153 degrees whose longest
+  /// without the flat triangles along the rim, those with an angle above 158 degrees whose longest
   /// edge lies there; in a fitted plane these stand as walls along a rim that is straight in space.
   /// Automatic: the convex hull in the XY plane, and in the best-fitting plane of points that all
   /// have the same z, x or y; otherwise trimmed. No effect with Alpha, Maximum Edge Length or
   /// Bounding Triangulation. Number Of Trimmed Triangles counts the triangles removed. Default:
   /// AUTOMATIC.
-  /// The angle is exactly 180 degrees less the arc tangent of 1/2. Triangles that thereby come to
+  /// The angle is exactly 180 degrees less the arc tangent of 2/5. Triangles that thereby come to
   /// the rim are trimmed likewise. Constraints stay edges. A warning appears if a point is left
   /// without a triangle or a tenth of the area is removed.
   vtkSetClampMacro(Rim, int, AUTOMATIC, TRIMMED);

@@ -85,7 +85,7 @@ Status constrain(Triangulation&& delaunay, const ConstraintView& constraints, Fi
 /// plane, where a straight rim is only nearly straight. The convex hull then has slivers along it
 /// that are walls in space.
 ///
-/// A triangle is flat if one of its angles is wider than isFlat() allows (Predicates.h: 153.4
+/// A triangle is flat if one of its angles is wider than isFlat() allows (Predicates.h: 158.2
 /// degrees). A flat triangle is removed if its longest edge lies on the convex hull or borders a
 /// removed one, and no constraint is lost: its longest edge is not a constraint, and beyond each
 /// other edge that is one lies a triangle that stays in any case (not flat, or flat over that same

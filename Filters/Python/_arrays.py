@@ -99,7 +99,7 @@ def delaunay(
         The largest circumradius in space, in the unit of the points; 0: no limit. See `lines` and `vertices` of the
         result.
     rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
-        Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 153.4 degrees) along
+        Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 158.2 degrees) along
         the hull. 'automatic': the convex hull in the plane 'xy', and in the best-fitting one if all points have the
         same z, x or y; else trimmed. Nothing is trimmed with `bounding` or limits on the size of triangles.
     tolerance : float from 0 to 1, default 0.0

@@ -85,7 +85,7 @@ def delaunay_2d(
     maximum_edge_length : float, 0 or more, default 0.0
         The longest edge of a triangle in the plane; 0: no limit.
     rim : {'automatic', 'convex_hull', 'trimmed'}, default 'automatic'
-        Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 153.4 degrees) along
+        Where the surface ends without loops. 'trimmed': without the flat triangles (an angle above 158.2 degrees) along
         the hull. 'automatic': the convex hull in the plane 'xy', and in the best-fitting one if all points have the
         same z, x or y; else trimmed. Nothing is trimmed with `bound` or limits on the size of triangles.
     duplicates : {'first', 'lowest_z', 'highest_z', 'mean_z'}, default 'first'

@@ -178,7 +178,7 @@ enum
   AHD_RIM_AUTOMATIC = 0,   /* convex hull in AHD_PLANE_XY, and in AHD_PLANE_BEST_FIT if all points
                               share a coordinate; trimmed in any other plane */
   AHD_RIM_CONVEX_HULL = 1, /* the triangles cover the convex hull */
-  AHD_RIM_TRIMMED = 2      /* without flat triangles (an angle above 153.4 degrees) along it */
+  AHD_RIM_TRIMMED = 2      /* without flat triangles (an angle above 158.2 degrees) along it */
 };
 
 /* voronoi_clip: where outer cells end */

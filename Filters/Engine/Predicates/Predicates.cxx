@@ -215,16 +215,17 @@ int orient2dUnbounded(const Point& a, const Point& b, const Point& c)
 
 // ---------------------------------------------------------------------------------------- flatness
 
-/// Each of the four products has three roundings, the cross and the dot product one more, their sum
-/// another: the error is at most ((1 + u)^5 - 1) (2 |l| + 2 |r| + |p| + |q|) + 6e. 8 u pays for the
-/// rounding of the bound, the guard for all multiples of e. Where something overflows the bound
-/// does, or the sum is NaN, and the comparison fails.
+/// Each of the four products has three roundings, the cross and the dot product one more, five
+/// times the cross product and the sum another each: the error is at most ((1 + u)^6 - 1) (5 |l| +
+/// 5 |r| + 2 |p| + 2 |q|) + 14e. 8 u pays for the rounding of the bound, the guard for all
+/// multiples of e. Where something overflows the bound does, or the sum is NaN, and the comparison
+/// fails.
 std::optional<int> flatnessByFilter(const Point& a, const Point& b, const Point& c)
 {
   const double ax = a.x - c.x, ay = a.y - c.y, bx = b.x - c.x, by = b.y - c.y;
   const double l = ax * by, r = ay * bx, p = ax * bx, q = ay * by;
-  const double sum = 2.0 * (l - r) + (p + q);
-  const double size = 2.0 * (std::fabs(l) + std::fabs(r)) + (std::fabs(p) + std::fabs(q));
+  const double sum = 5.0 * (l - r) + 2.0 * (p + q);
+  const double size = 5.0 * (std::fabs(l) + std::fabs(r)) + 2.0 * (std::fabs(p) + std::fabs(q));
   if (std::fabs(sum) > 8.0 * 0x1p-53 * size + kOrientGuard)
   {
     return signOf(sum);
@@ -232,7 +233,7 @@ std::optional<int> flatnessByFilter(const Point& a, const Point& b, const Point&
   return std::nullopt;
 }
 
-/// Twice a cross product may have 129 bits.
+/// Five times a cross product may have 131 bits.
 std::optional<int> flatnessOnGrid(
   [[maybe_unused]] const Point& a, [[maybe_unused]] const Point& b, [[maybe_unused]] const Point& c)
 {
@@ -241,7 +242,7 @@ std::optional<int> flatnessOnGrid(
   if (grid.fit(c, { &a, &b }))
   {
     return compare(
-      Product256(crossOnGrid(grid[0], grid[1]), 2), Product256(dotOnGrid(grid[0], grid[1]), -1));
+      Product256(crossOnGrid(grid[0], grid[1]), 5), Product256(dotOnGrid(grid[0], grid[1]), -2));
   }
 #endif
   return std::nullopt;
@@ -252,7 +253,8 @@ int flatnessUnbounded(const Point& a, const Point& b, const Point& c)
   const Unit unit{ &a, &b, &c };
   const WideVector A(unit, c, a), B(unit, c, b);
   const auto cross = crossUnbounded(A, B);
-  return (cross + cross + dotUnbounded(A, B)).sign();
+  const auto half = cross + cross + dotUnbounded(A, B); // less half a cross product
+  return (half + half + cross).sign();
 }
 
 // ---------------------------------------------------------------------------------------- inCircle

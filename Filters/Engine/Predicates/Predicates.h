@@ -23,7 +23,7 @@ int inCircle(const Point& a, const Point& b, const Point& c, const Point& d);
 bool inConflict(const Point& a, const Point& b, const Point& c, const Point& d);
 
 /// Is the angle at c of the counterclockwise triangle a, b, c so wide that the triangle is flat:
-/// above 180 degrees less the arc tangent of 1/2, 153.4? That is, (a - c) . (b - c) < -2 times
+/// above 180 degrees less the arc tangent of 2/5, 158.2? That is, 2 (a - c) . (b - c) < -5 times
 /// their cross product. Exact for all finite coordinates.
 bool isFlat(const Point& a, const Point& b, const Point& c);
 

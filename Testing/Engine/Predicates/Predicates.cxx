@@ -185,12 +185,12 @@ TEST(Predicates, MinusZeroIsZero)
     inConflict(minus, right, { 1.0, 1.0 }, up), inConflict(zero, { 1, 0 }, { 1, 1 }, { 0, 1 }));
 }
 
-TEST(Predicates, FlatIsBeyondTwoToOne)
+TEST(Predicates, FlatIsBeyondFiveToTwo)
 {
   const Point at{ 0, 0 };
   for (const double scale : { 1.0, 3.0, 0.1, 0x1p-1000, 0x1p+1000 })
   {
-    const Point left{ -4 * scale, 0 }, right{ 2 * scale, scale };
+    const Point left{ -4 * scale, 0 }, right{ 5 * scale, 2 * scale };
     const Point further{ std::nextafter(right.x, HUGE_VAL), right.y };
     EXPECT_FALSE(isFlat(right, left, at)) << "just as wide as it may be";
     EXPECT_TRUE(isFlat(further, left, at)) << scale;

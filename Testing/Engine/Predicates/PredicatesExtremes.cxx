@@ -99,11 +99,11 @@ bool isCertain(Border border, const Quadruple& q)
 }
 
 /// The place of b for which the angle at c is as wide as in the last triangle that is not flat:
-/// along -(2 A + A turned clockwise), where A runs from c to a; but for rounding.
+/// along -(5/2 A + A turned clockwise), where A runs from c to a; but for rounding.
 Point atTheLimitOfFlatness(const Point& a, const Point& c)
 {
   const double x = a.x - c.x, y = a.y - c.y;
-  return { c.x - (2.0 * x + y), c.y - (2.0 * y - x) };
+  return { c.x - (2.5 * x + y), c.y - (2.5 * y - x) };
 }
 
 /// Tests all predicates on one quadruple after the other, until one is wrong.

@@ -107,18 +107,20 @@ public:
     return sum_.sign();
   }
 
-  /// 2 (a - c) x (b - c) + (a - c) . (b - c), the second multiplied out:
-  /// a.x b.x - c.x (a.x + b.x - c.x), and so for y.
+  /// 5 (a - c) x (b - c) + 2 (a - c) . (b - c), the second multiplied out:
+  /// 2 a.x b.x - 2 c.x (a.x + b.x - c.x), and so for y.
   int flatness(const Point& a, const Point& b, const Point& c)
   {
     orient(a, b, c);
-    mpz_mul_2exp(sum_, sum_, 1);
+    mpz_mul_ui(sum_, sum_, 5);
     for (std::size_t i = 0; i < 2; ++i)
     {
-      mpz_addmul(sum_, three_[i], three_[2 + i]);
       mpz_add(t_, three_[i], three_[2 + i]);
       mpz_sub(t_, t_, three_[4 + i]);
+      mpz_mul_2exp(t_, t_, 1);
       mpz_submul(sum_, three_[4 + i], t_);
+      mpz_mul_2exp(t_, three_[i], 1);
+      mpz_addmul(sum_, t_, three_[2 + i]);
     }
     return sum_.sign();
   }

@@ -63,13 +63,13 @@ inline int oracleOrient2d(const Point& a, const Point& b, const Point& c)
   return sgn(determinant3(p[0], p[1], p[2]));
 }
 
-/// The sign of 2 (a - c) x (b - c) + (a - c) . (b - c).
+/// The sign of 5 (a - c) x (b - c) + 2 (a - c) . (b - c).
 inline int oracleFlatness(const Point& a, const Point& b, const Point& c)
 {
   const auto p = asIntegers<3>({ a, b, c });
   const mpz_class dot = (p[0][0] - p[2][0]) * (p[1][0] - p[2][0]) +
     (p[0][1] - p[2][1]) * (p[1][1] - p[2][1]);
-  return sgn(mpz_class(2 * determinant3(p[0], p[1], p[2]) + dot));
+  return sgn(mpz_class(5 * determinant3(p[0], p[1], p[2]) + 2 * dot));
 }
 
 /// The in-circle determinant, rows (x, y, x^2 + y^2, 1), developed by its third column: entry i is

@@ -202,9 +202,9 @@ TEST(PredicatesStages, GridIsExactUpToItsLimit)
   }
 }
 
-/// Triangles as wide as can be without being flat: seen from c, b lies in the direction (-2, 1)
-/// where a lies in the direction (1, 0).
-const Quadruple kWidest = { Point{ 2, 1 }, { -1, 2 }, { 1, 1 }, { 0, 0 } };
+/// Triangles as wide as can be without being flat: seen from c, b lies in the direction (5, -2)
+/// where a lies in the direction (-1, 0).
+const Quadruple kWidest = { Point{ -3, 1 }, { 3, -1 }, { -2, 1 }, { 0, 0 } };
 
 TEST(PredicatesStages, FilterSettlesWhatIsClearlyFlatOrNot)
 {
@@ -226,18 +226,18 @@ TEST(PredicatesStages, GridSettlesWhatIsNearlyFlatAtAnyUsualScale)
     EXPECT_EQ(flatnessStage(q[0], q[1], q[2]), kGridOrLater) << exponent;
     EXPECT_FALSE(isFlat(q[0], q[1], q[2])) << exponent;
   }
-  // b a last bit lower than (-2, 1); then c and a raised by 2^-59, of 60 bits.
-  EXPECT_TRUE(isFlat({ 1, 0 }, { -2, 1 - 0x1p-53 }, { 0, 0 }));
-  EXPECT_EQ(flatnessStage({ 1, 0x1p-59 }, { -2, 1 }, { 0, 0x1p-59 }), kGridOrLater);
-  EXPECT_TRUE(isFlat({ 1, 0x1p-59 }, { -2, 1 }, { 0, 0x1p-59 }));
-  EXPECT_FALSE(isFlat({ 1, -0x1p-59 }, { -2, 1 }, { 0, -0x1p-59 }));
+  // b a last bit lower than (-5, 2); then c and a raised by 2^-57, of 60 bits.
+  EXPECT_TRUE(isFlat({ 1, 0 }, { -5, 2 - 0x1p-52 }, { 0, 0 }));
+  EXPECT_EQ(flatnessStage({ 1, 0x1p-57 }, { -5, 2 }, { 0, 0x1p-57 }), kGridOrLater);
+  EXPECT_TRUE(isFlat({ 1, 0x1p-57 }, { -5, 2 }, { 0, 0x1p-57 }));
+  EXPECT_FALSE(isFlat({ 1, -0x1p-57 }, { -5, 2 }, { 0, -0x1p-57 }));
 }
 
 TEST(PredicatesStages, UnboundedSettlesWhatIsNearlyFlatBeyondTheGrid)
 {
-  EXPECT_EQ(flatnessStage({ 1, 0x1p-70 }, { -2, 1 }, { 0, 0x1p-70 }), Stage::Unbounded);
-  EXPECT_TRUE(isFlat({ 1, 0x1p-70 }, { -2, 1 }, { 0, 0x1p-70 }));
-  EXPECT_FALSE(isFlat({ 1, -0x1p-70 }, { -2, 1 }, { 0, -0x1p-70 }));
+  EXPECT_EQ(flatnessStage({ 1, 0x1p-70 }, { -5, 2 }, { 0, 0x1p-70 }), Stage::Unbounded);
+  EXPECT_TRUE(isFlat({ 1, 0x1p-70 }, { -5, 2 }, { 0, 0x1p-70 }));
+  EXPECT_FALSE(isFlat({ 1, -0x1p-70 }, { -5, 2 }, { 0, -0x1p-70 }));
   for (const int exponent : { -1074, -1073, -1000, 1022 })
   {
     const Quadruple q = scaled(kWidest, exponent);

@@ -186,7 +186,7 @@ class FollowersTest(Case):
         algorithm.SetDimensions(8, 8)
         algorithm.GetTriangulation().SetProjectionPlaneMode(1)
         algorithm.GetTriangulation().SetTransform(outer)
-        self.assertNoticed(algorithm, (lambda: inner.Scale(2, 1, 1), lambda: outer.Scale(2, 1, 1)),
+        self.assertNoticed(algorithm, (lambda: inner.Scale(2, 1, 1), lambda: outer.Scale(0.5, 1, 1)),
                            lambda: contents(algorithm.GetOutput()))
 
     def test_a_transform_that_is_no_longer_its_own_is_not(self):
