@@ -76,9 +76,10 @@ def delaunay(
         triangulated with the others; in the result their ids follow those of `points`.
     skip : (n,) array of bool or uint8, optional
         Points with a nonzero value are skipped.
-    plane : {'xy', 'best_fit'}, (4, 4) array or function, default 'xy'
-        The plane of the triangulation: x and y; the plane with the least sum of squared distances (if all points have
-        the same z, x or y: the two other coordinates, unchanged); x and y after the matrix is applied to (x, y, z, 1);
+    plane : {'xy', 'automatic', 'best_fit'}, (4, 4) array or function, default 'xy'
+        The plane of the triangulation: x and y; these, or 'best_fit' with a warning for `points` that stand like a wall
+        (the Reference says which do); the plane with the least sum of squared distances (if all points have the same z,
+        x or y: the two other coordinates, unchanged); x and y after the matrix is applied to (x, y, z, 1);
         x and y of the function's result. The function gets (k, 3) float64, k at most 2**14, and changes it in place or
         returns an array: the position in the plane and the height above it. The result is exact for the coordinates in
         that plane, in float64.

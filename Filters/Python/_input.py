@@ -208,6 +208,20 @@ def check_ids(name: str, chains: Chains, count: int, whose: str) -> None:
 # --- All of it ----------------------------------------------------------------------------------------------
 
 
+PLANES = ("xy", "automatic", "best_fit")
+_PLANES = "%r, %r, %r, a (4, 4) matrix or a function" % PLANES
+
+
+def chosen_plane(points: np.ndarray, skip: Optional[np.ndarray], threads: int) -> int:
+    """Of plane='automatic': PLANE_BEST_FIT for points that stand like a wall, else PLANE_XY."""
+    job = library.Job()
+    job.set(threads=threads)
+    job.set_array("points", points)
+    if skip is not None:
+        job.set_array("skip", skip)
+    return job.choose_plane()
+
+
 def _is_shown(array: np.ndarray, given: Any) -> bool:
     """May the array lie in memory of what was given? Frames, buffers and others may show their own numbers; they are
     not asked for these again, which a file that is read, or a graph that is computed, would be."""
@@ -233,6 +247,7 @@ class Request:
         self.arrays: Dict[str, np.ndarray] = {}
         self._shared: Dict[str, Any] = {}  # those in memory of the caller's: what keeps it where it is
         self.projection: Optional[Callable[[np.ndarray], None]] = None
+        self.plane_was_chosen = False  # 'automatic' took the best-fitting one
         self._take("points", points_of("points", points), points)
         if skip is not None:
             self._take("skip", skip_of(skip, len(self.points)), skip)
@@ -313,16 +328,19 @@ class Request:
     def _take_plane(self, plane: Plane) -> None:
         if isinstance(plane, str):
             plane = value_of("plane", plane)
-            if plane not in ("xy", "best_fit"):
-                raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
+            if plane not in PLANES:
+                raise ValueError(_refused("plane", plane, _PLANES))
             self.settings["plane"] = library.PLANE_XY if plane == "xy" else library.PLANE_BEST_FIT
+            if plane == "automatic":
+                self.settings["plane"] = chosen_plane(self.points, self.arrays.get("skip"), self.settings["threads"])
+                self.plane_was_chosen = self.settings["plane"] == library.PLANE_BEST_FIT
         elif callable(plane):
             self.settings["plane"] = library.PLANE_CALLBACK
             self.projection = Projection(plane)
         else:
             matrix = np.asarray(plane)
             if matrix.shape != (4, 4) or matrix.dtype.kind not in "iuf":
-                raise ValueError(_refused("plane", plane, "'xy', 'best_fit', a (4, 4) matrix or a function"))
+                raise ValueError(_refused("plane", plane, _PLANES))
             if not np.isfinite(matrix).all():
                 raise ValueError("plane: the matrix has numbers that are not finite")
             self.settings["plane"] = library.PLANE_MATRIX

@@ -210,6 +210,7 @@ def _signatures() -> Dict[str, Tuple[Any, List[Any]]]:
         "ahd_kept_bytes": (u64, [job]),
         "ahd_release": (status, [job, u64]),
         "ahd_fit_plane": (status, [job, pointer]),
+        "ahd_choose_plane": (status, [job, to(i64)]),
         "ahd_count": (status, [job, name, to(i64)]),
         "ahd_measure": (status, [job, name, to(double)]),
         "ahd_array_size": (status, [job, name, to(u64), to(u64)]),

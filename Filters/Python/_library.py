@@ -247,6 +247,12 @@ class Job:
         self._call(C.ahd_fit_plane, matrix.ctypes.data)
         return matrix
 
+    def choose_plane(self) -> int:
+        """PLANE_BEST_FIT if the points stand like a wall, else PLANE_XY: see ahd_choose_plane."""
+        plane = ctypes.c_int64()
+        self._call(C.ahd_choose_plane, plane)
+        return plane.value
+
     # --- results ---
 
     def count(self, name: str) -> int:

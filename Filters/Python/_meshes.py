@@ -11,14 +11,17 @@ import numpy
 import pyvista
 
 from . import _raster, _vtk
-from ._input import real_of
+from ._input import PLANES, chosen_plane, real_of
+from ._interface import PLANE_BEST_FIT, SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 from ._keywords import MESH_KEYWORDS
 from ._names import value_of
 from ._sampling import METHODS
+from ._vtk.arrays import coordinates, ghost_marks
+from ._vtk.blocks import Blocks
+from ._vtk.execution import SKIPPED
 from ._vtk.table import ARRAY_KEYWORDS
 from ._warnings import DelaunayWarning, _depth
 
-PLANES = ("xy", "automatic", "best_fit")
 #: The words of an argument, in the order of the filter's numbers.
 WORDS = {**{name: row.words for name, row in MESH_KEYWORDS.items() if row.words},
          "plane": PLANES, "method": METHODS, "outside": ("none", "nearest")}
@@ -35,9 +38,9 @@ def _number_of(value, argument):
 class _Messages:
     """Makes the filter's errors exceptions and its warnings DelaunayWarnings, once it has run."""
 
-    def __init__(self, algorithm, package):
+    def __init__(self, algorithm, package, before=()):
         core = importlib.import_module(package + ".vtkCommonCore")
-        self._said = []
+        self._said = list(before)
 
         def keep(_caller, event, text):
             self._said.append((event, text.split("): ", 1)[-1].strip()))
@@ -59,10 +62,15 @@ def _with_keyword(text):
     return re.sub(r"(\d+) or more \(KiB\)", lambda found: "%d or more (bytes)" % (1024 * int(found[1])), text)
 
 
-def _is_flat(mesh):
-    """Do all points have the same z?"""
-    points = mesh.points
-    return len(points) == 0 or bool((points[:, 2] == points[0, 2]).all())
+def _stand_like_a_wall(mesh, threads):
+    """The points of a mesh, of all its blocks."""
+    backend = _vtk.Backend(_vtk.package_of(mesh))
+    blocks = Blocks(backend, mesh).blocks if mesh.IsA("vtkCompositeDataSet") else [mesh]
+    points = [coordinates(backend, block.GetPoints()) for block in blocks]
+    marks = [ghost_marks(block)[0] for block in blocks]
+    marks = [numpy.zeros(len(own), numpy.uint8) if of is None else of & SKIPPED for own, of in zip(points, marks)]
+    return bool(points) and PLANE_BEST_FIT == chosen_plane(
+        *(of[0] if len(of) == 1 else numpy.concatenate(of) for of in (points, marks)), threads)
 
 
 def _check_points(mesh):
@@ -76,15 +84,16 @@ def _make_filter(mesh, plane, memory_limit, settings):
     """A filter of the mesh's VTK, and its messages. TypeError for a mesh without points of its own."""
     package = _vtk.package_of(mesh)
     algorithm = _vtk.vtk_class("vtkAdaptiveHilbertDelaunay2D", package)()
+    said = []
     _check_points(mesh)
     if mesh.IsA("vtkCompositeDataSet"):
         algorithm.MergeBlocksOn()
     algorithm.SetInputDataObject(mesh)
     if isinstance(plane, str):
         plane = PLANES[_number_of(plane, "plane")]
-        flat = plane == "automatic" and mesh.IsA("vtkPointSet") and _is_flat(mesh)
-        fits = plane != "xy" and not flat
-        algorithm.SetProjectionPlaneMode(2 if fits else 0)
+        is_wall = plane == "automatic" and _stand_like_a_wall(mesh, _whole(settings["threads"], "threads", 1024))
+        said += say(SAY_TRIANGULATION, WORDS_OF_NUMPY, {"plane_was_chosen": int(is_wall)}).values()
+        algorithm.SetProjectionPlaneMode(2 if is_wall or plane == "best_fit" else 0)
     else:
         if not (hasattr(plane, "IsA") and plane.IsA("vtkAbstractTransform")):
             raise TypeError("plane must be one of %s, or a vtkAbstractTransform, not %r" % (
@@ -95,7 +104,7 @@ def _make_filter(mesh, plane, memory_limit, settings):
     algorithm.SetMemoryLimit(-(-_whole(memory_limit, "memory_limit", 2**63 - 1) // 1024))
     algorithm.KeepTriangulationOff()
     algorithm.SetReuseLimit(0)
-    return algorithm, _Messages(algorithm, package)
+    return algorithm, _Messages(algorithm, package, [("WarningEvent", text) for text in said])
 
 
 def _whole(value, argument, most):
@@ -199,11 +208,11 @@ def _interpolate(mesh, places, raster, method, outside, no_value, gradients, ele
     """The output of vtkAdaptiveHilbertInterpolation2D, with settings of its raster."""
     if not isinstance(elevation, str):
         raise TypeError("elevation must be a name, a str, not %r" % (elevation,))
-    triangulation, _ = _make_filter(mesh, plane, memory_limit, settings)
+    triangulation, messages = _make_filter(mesh, plane, memory_limit, settings)
     triangulation.SetInputDataObject(None)
     package = _vtk.package_of(mesh)
     algorithm = _vtk.vtk_class("vtkAdaptiveHilbertInterpolation2D", package)()
-    messages = _Messages(algorithm, package)
+    messages = _Messages(algorithm, package, messages._said)
     algorithm.SetTriangulation(triangulation)
     algorithm.SetInputDataObject(mesh)
     if places is not None:

@@ -438,6 +438,7 @@ def triangulate(
     if progress is not None and not callable(progress):
         raise TypeError("progress must be a function, not %r" % (progress,))
     chains = {"segments": segments, "lines": lines, "loops": loops}
-    made = Triangulation(Request(points, skip, source_points, chains, plane, settings), dtype, wanted, progress)
-    warn(made._job)
+    request = Request(points, skip, source_points, chains, plane, settings)
+    made = Triangulation(request, dtype, wanted, progress)
+    warn(made._job, {"plane_was_chosen": int(request.plane_was_chosen)})
     return made

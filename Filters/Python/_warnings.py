@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import sys
 import warnings
-from typing import Any
+from typing import Any, Mapping
 
 from ._interface import SAY_TRIANGULATION, WORDS_OF_NUMPY, say
 
@@ -17,10 +17,10 @@ class DelaunayWarning(UserWarning):
     """
 
 
-def warn(job: Any) -> None:
-    """One DelaunayWarning for each message of a job that has run, in the name of the first caller outside of this
-    package."""
-    for message in say(SAY_TRIANGULATION, WORDS_OF_NUMPY, {}, job).values():
+def warn(job: Any, facts: Mapping[str, Any]) -> None:
+    """One DelaunayWarning for each message of a job that has run, and of `facts`, in the name of the first caller
+    outside of this package."""
+    for message in say(SAY_TRIANGULATION, WORDS_OF_NUMPY, facts, job).values():
         warnings.warn(message, DelaunayWarning, stacklevel=_depth())
 
 

@@ -71,7 +71,8 @@ def delaunay_2d(
         Constraints with points of their own, which are triangulated too and follow those of the mesh.
     plane : {"automatic", "best_fit", "xy"} or vtkAbstractTransform
         The plane of the triangulation: the best-fitting plane, x and y ("xy"), or x and y of the transformed points;
-        "automatic": x and y if all z are the same, otherwise the best-fitting plane. The points keep their positions.
+        "automatic": x and y, or for points that stand like a wall the best-fitting plane, with a warning. Like a wall:
+        seen from above a line or a narrow strip, where z is no function of x and y. The points keep their positions.
     heights : {'own', 'surface'}, default 'own'
         The z of the constraints' own points: as given, or interpolated on the surface of all others, where they lie on
         it.

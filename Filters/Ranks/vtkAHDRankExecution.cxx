@@ -282,6 +282,7 @@ std::size_t vtkAHDRankExecution::ShareOdds(
     this->Report.areStacked = of.AreStacked || this->Report.areStacked;
     this->Report.areOnOneLine = of.AreOnLine && this->Report.areOnOneLine;
   }
+  this->Report.isSteep = points.GetPrepared().plane().stance().isSteep;
   this->Report.triangles = cells;
   this->Report.oddPoints.firstNotFinite = static_cast<std::size_t>(
     std::max<std::int64_t>(firstOdd, 0));

@@ -252,6 +252,11 @@ ahd_status ahd_fit_plane(ahd_job* job, double matrix[16])
     });
 }
 
+ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane)
+{
+  return give(job, plane, "plane", [](ahd::Job& own) { return std::int64_t(own.choosePlane()); });
+}
+
 ahd_status ahd_count(ahd_job* job, const char* name, int64_t* value)
 {
   return give(job, value, "value", [=](ahd::Job& own) { return ahd::countOf(own, name); });

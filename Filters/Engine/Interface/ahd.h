@@ -322,6 +322,13 @@ AHD_API ahd_status ahd_release(ahd_job* job, uint64_t most);
 /* The plane that fits the input points best, without a run: a (4, 4) matrix, row by row, that moves
  * points to the plane (x, y) and their height above it. AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
 AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
+/* AHD_PLANE_BEST_FIT if the input points stand like a wall, else AHD_PLANE_XY: for `plane`, which
+ * it does not set. Like a wall: the plane that fits best is steeper than 45 degrees; the footprint
+ * in x, y is a line or narrower than a quarter of its length; z is no function of x, y (among
+ * neighbours there it spreads by more than a quarter of its variance); points are at most half as
+ * thick as that plane is wide, and at most 16 times as high as long. Widths are standard
+ * deviations. A function of the points alone. AHD_CANCELLED, AHD_OUT_OF_MEMORY. */
+AHD_API ahd_status ahd_choose_plane(ahd_job* job, int64_t* plane);
 
 /* --- Results: counts and measures ------------------------------------------------------------
  *
@@ -359,9 +366,10 @@ AHD_API ahd_status ahd_fit_plane(ahd_job* job, double matrix[16]);
  *                       segments through a vertex that is not exactly on them
  *   points_off_surface  of the source, outside the triangulation of the input
  *   is_projected        0, 1: the plane is not that of x, y
- *   on_one_line         0, 1: there are no triangles and all points are on one line in space
- *   stacked             0, 1: most points are above or below another one
- *   boxes               of the grid, with want_boxes
+ *   steep_plane         0, 1: with AHD_PLANE_BEST_FIT, it is steeper than 80 degrees, and the
+ * points are no wall: z is a function of x, y, or they are 16 times as high as long on_one_line 0,
+ * 1: there are no triangles and all points are on one line in space stacked             0, 1: most
+ * points are above or below another one boxes               of the grid, with want_boxes
  *   drawn_points, drawn_cells
  *                       of ahd_draw_order()
  *   triangles_walked, triangles_removed, exact_in_circle, exact_orient

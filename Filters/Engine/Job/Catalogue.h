@@ -116,6 +116,12 @@ constexpr Row kRows[] = {
   { Topic::Triangulation, "no transform", "transform_is_missing",
     "ProjectionPlaneMode needs a Transform, but none is set: the points were triangulated in x and "
     "y." },
+  { Topic::Triangulation, "steep plane", "is_steep",
+    "{plane_was_chosen?The points stand like a wall: they are triangulated in the plane that fits "
+    "them best, not in x and y. Set {plane_of_wall} if that is meant, or {plane_of_terrain}|The "
+    "plane that fits the points best is steeper than 80 degrees, though they are no wall, as where "
+    "x and y are degrees and z is in metres. The surface may fold over itself. Set "
+    "{plane_of_terrain} for heights above x and y}." },
   { Topic::Triangulation, "no bounding points", "bounding_is_missing",
     "There is no bounding triangulation, because the points are triangulated in another plane than "
     "x and y." },
@@ -252,10 +258,12 @@ constexpr Phrase kPhrases[] = {
   { "fill_rule", { "\"fill_rule\"", "FillRule", "`fill_rule`" } },
   { "insertion_limit", { "\"insertion_limit\"", "InsertionLimit", "insertion_limit" } },
   { "tolerance", { "\"tolerance\"", "Tolerance", "tolerance" } },
-  { "other_plane",
-    { "To triangulate a wall, set \"plane\" to AHD_PLANE_BEST_FIT",
-      "To triangulate a wall, set ProjectionPlaneMode to Best-Fitting Plane",
-      "To triangulate a wall, set plane='best_fit'" } },
+  { "plane_of_wall",
+    { "\"plane\" to AHD_PLANE_BEST_FIT", "ProjectionPlaneMode to Best-Fitting Plane",
+      "plane='best_fit'" } },
+  { "plane_of_terrain",
+    { "\"plane\" to AHD_PLANE_XY", "ProjectionPlaneMode to XY Plane", "plane='xy'" } },
+  { "other_plane", { "To triangulate a wall, set {plane_of_wall}" } },
   { "duplicate_policy", { "\"duplicates\"", "DuplicatePolicy", "`duplicates`" } },
   { "convex_rim", { "\"rim\" to AHD_RIM_CONVEX_HULL", "Rim to Convex Hull", "rim='convex_hull'" } },
   { "nothing_constrained",

@@ -195,6 +195,11 @@ void Job::check(Status status) const
 
 void Job::fitPlane(double* matrix)
 {
+  writeMatrix(fittedPlane(), matrix);
+}
+
+Plane Job::fittedPlane()
+{
   Plane plane;
   InputRequest request;
   arrays.count(request);
@@ -208,7 +213,7 @@ void Job::fitPlane(double* matrix)
       request.points = input.points;
       ahd::check(fitPlaneOf(request, context, plane));
     });
-  writeMatrix(plane, matrix);
+  return plane;
 }
 
 void Job::toPlane(double* xyz, std::size_t count)

@@ -62,6 +62,11 @@ public:
   std::size_t keptBytes() const { return workspace_.bytes(); }
   void release(std::size_t most);
   void fitPlane(double* matrix);
+  /// The fitted plane if the input points stand like a wall in x, y (Stance), else that of x, y.
+  PlaneKind choosePlane()
+  {
+    return fittedPlane().stance().isWall ? PlaneKind::BestFit : PlaneKind::Xy;
+  }
   /// Moves points to their position in the plane of the result.
   void toPlane(double* xyz, std::size_t count);
 
@@ -102,6 +107,7 @@ private:
   InputRequest request(const RunSettings& asked) const;
   CallersMemory callersMemory() const;
   void open(const Context& context, InputRequest& request);
+  Plane fittedPlane();
   void select(const Context& context);
   void check(Status status) const;
 

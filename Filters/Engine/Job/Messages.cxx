@@ -59,6 +59,7 @@ void addOfTriangulation(Facts& f)
   f.add({ "are_few", f["inserted"] < 3 });
   // Points that were not projected were tested for lying on one line.
   f.add({ "is_wall", f["inserted"] > 0 && f["is_projected"] + f["on_one_line"] == 0 });
+  f.add({ "is_steep", f["steep_plane"] + f["plane_was_chosen"] });
   f.add({ "is_empty", f["kept_triangles"] == 0 });
   f.add({ "untrimmed", f["kept_triangles"] + f["trimmed_triangles"] });
   const double trimmed = f.of("trimmed_area").real; // NaN where areas are beyond all doubles

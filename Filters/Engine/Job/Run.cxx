@@ -298,6 +298,7 @@ void Run::reportOn(const RunResult& made)
   report_.unfitIds = points.unfitIds();
   report_.pointsOffSurface = points.outsideCount();
   report_.isProjected = points.isProjected();
+  report_.isSteep = points.plane().stance().isSteep;
   report_.keptEstimate = keptMemoryEstimate(counts_, settings_, report_);
 }
 

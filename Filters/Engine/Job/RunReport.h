@@ -51,6 +51,7 @@ struct RunReport : RunSizes
   OddPoints oddPoints;
   std::size_t pointsOffSurface = 0; ///< of a source to be laid on the surface of the input
   bool isProjected = false;         ///< the plane is another than x, y
+  bool isSteep = false;             ///< it is fitted and steep: Stance::isSteep
   /// In space, if tested: where there is no triangle in x, y.
   bool areOnOneLine = true;
   bool areStacked = false; ///< tested if most points are duplicates
@@ -71,7 +72,7 @@ struct RunReport : RunSizes
         threadsUsed, splits, countsWork, seconds, counts, constraints, delaunayTriangles,
         keptEstimate, triangles, lines, vertices, inputPoints, sourcePoints, addedPoints,
         mergedPoints, firstCrossing, bentConstraints, firstBentCell, unfitIds, oddPoints,
-        pointsOffSurface, isProjected, areOnOneLine, areStacked, foldedTriangles));
+        pointsOffSurface, isProjected, isSteep, areOnOneLine, areStacked, foldedTriangles));
   }
 };
 static_assert(listsAll<Report>() && listsAll<ConstraintReport>() && listsAll<UnfitIds>() &&

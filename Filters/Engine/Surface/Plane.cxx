@@ -32,6 +32,7 @@ void Plane::take(const PlaneFit& fit)
   height_ = fit.height;
   shrink_ = fit.shrink;
   isOfCoordinates_ = fit.isOfCoordinates;
+  stance_ = fit.stance;
   orient(fit.normal);
 }
 

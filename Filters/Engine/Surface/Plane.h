@@ -5,6 +5,7 @@
 #include "../Core/Context.h"
 #include "../Points/Points.h"
 #include "../Result.h"
+#include "Footprint.h"
 #include "Vectors.h"
 
 #include <cstddef>
@@ -50,6 +51,9 @@ public:
   /// coordinates are the place of every point in the plane, not rounded: x, y; y, z; or z, x.
   bool isOfCoordinates() const { return isOfCoordinates_; }
 
+  /// How the fitted points lie.
+  const Stance& stance() const { return stance_; }
+
   /// The point's place along the two axes, and its height above the plane. All three are NaN or
   /// infinite if one of its coordinates is.
   Vector3 project(const Vector3& p) const
@@ -71,6 +75,7 @@ private:
   Vector3 origin_ = { { 0, 0, 0 } };
   double height_ = 0.0; ///< of the plane above the origin, along the normal, shrunk
   bool isOfCoordinates_ = true;
+  Stance stance_;
   double shrink_ = 1.0; ///< a power of two that keeps sums of huge coordinates finite
 };
 

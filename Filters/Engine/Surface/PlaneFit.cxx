@@ -20,6 +20,16 @@ namespace
 
 using WideMatrix = std::array<std::array<DoubleDouble, 3>, 3>;
 
+/// Axes of unit length, and how far points spread along each: squared deviations.
+struct Spread
+{
+  Matrix3 axes = { { unitAxis(0), unitAxis(1), unitAxis(2) } };
+  Vector3 along = {};
+  std::array<std::size_t, 3> by = { { 0, 1, 2 } }; ///< in the order of decreasing spread
+
+  double deviation(std::size_t rank) const { return std::sqrt(std::max(0.0, along[by[rank]])); }
+};
+
 /// The number, wrong by less than 2^-100 of itself.
 template <int N>
 DoubleDouble rounded(const WideInteger<N>& whole)
@@ -80,6 +90,23 @@ void turn(Matrix3& axes, Matrix3& seen)
   axes = turned;
 }
 
+/// Along the eigenvectors. Twice: in the system that the first round finds, the second sees small
+/// differences beside large ones, as of a thin band.
+Spread spreadOf(const WideMatrix& covariance)
+{
+  Spread spread;
+  Matrix3 seen = seenAlong(spread.axes, covariance);
+  turn(spread.axes, seen);
+  seen = seenAlong(spread.axes, covariance);
+  turn(spread.axes, seen);
+  spread.along = { { seen[0][0], seen[1][1], seen[2][2] } };
+  const Vector3& along = spread.along;
+  std::sort(spread.by.begin(), spread.by.end(),
+    [&along](std::size_t i, std::size_t j)
+    { return along[i] > along[j] || (along[i] == along[j] && i < j); });
+  return spread;
+}
+
 } // namespace
 
 /// The state of the fit.
@@ -99,7 +126,9 @@ public:
   template <typename Visit>
   void withFound(const Visit& visit)
   {
-    step_ == Step::Extent ? visit(around_) : visit(moments_);
+    step_ == Step::Extent      ? visit(around_)
+      : step_ == Step::Moments ? visit(moments_)
+                               : visit(levels_);
   }
   const PlaneFit& fit() const { return fit_; }
 
@@ -108,6 +137,7 @@ private:
   {
     Extent,
     Moments,
+    Levels, ///< only if the plane is steep
     Done
   };
 
@@ -117,10 +147,12 @@ private:
   WideMatrix covariance() const;
   Vector3 mean() const;
   void choosePlane();
-  Vector3 chooseNormal(const Matrix3& axes, const Matrix3& spread) const;
+  Vector3 chooseNormal(const Spread& spread) const;
+  void findFootprint(WideMatrix covariance);
+  bool lookAtLevels(Ticker& ticker);
   void takeCommonCoordinate();
   double magnitude(std::size_t k) const { return std::max(-around_.low[k], around_.high[k]); }
-  double roundingAlong(const Vector3& axis) const;
+  bool isLine(const Spread& spread, std::size_t coordinates) const;
 
   const PointView points_;
   const double precision_; ///< of the coordinates
@@ -129,6 +161,9 @@ private:
   std::array<PlaneScale, 3> scales_;
   int unit_ = 0; ///< the points are apart by a 32nd of 2^unit_ at most
   PlaneMoments moments_;
+  Footprint footprint_;                   ///< in units
+  double upright_ = 1.0, flatness_ = 0.0; ///< see stanceOf()
+  CellLevels levels_;
   PlaneFit fit_;
 };
 
@@ -163,6 +198,10 @@ bool PlaneFitting::Work::look(Ticker& ticker)
              around_, [](PlaneExtent& part, const Vector3& p) { part.add(p); }, ticker) &&
       ticker.ask();
   }
+  if (step_ == Step::Levels)
+  {
+    return lookAtLevels(ticker);
+  }
   const std::array<PlaneScale, 3> scales = scales_;
   const auto add = [&scales](PlaneMoments& part, const Vector3& p) {
     part.add({ { scales[0](p[0]), scales[1](p[1]), scales[2](p[2]) } });
@@ -170,11 +209,39 @@ bool PlaneFitting::Work::look(Ticker& ticker)
   return sweep(moments_, add, ticker);
 }
 
+bool PlaneFitting::Work::lookAtLevels(Ticker& ticker)
+{
+  const PowerOfTwo perUnit = powerOfTwo(-unit_);
+  const Vector3 mean = this->mean();
+  const std::array<PlaneScale, 3> scales = scales_;
+  const Footprint footprint = footprint_;
+  const int bitsAcross = footprint.bitsAcross();
+  const auto add = [&](CellLevels& part, const Vector3& p)
+  {
+    Vector3 d;
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+      d[k] = (p[k] * perUnit.first - scales[k].origin * perUnit.first) * perUnit.second - mean[k];
+    }
+    part.add(footprint.cell(d, bitsAcross), footprint.level(d));
+  };
+  return sweep(levels_, add, ticker);
+}
+
 void PlaneFitting::Work::goOn()
 {
   if (step_ == Step::Moments)
   {
     choosePlane();
+    if (upright_ < Stance::kSteep && footprint_.length > 0.0)
+    {
+      step_ = Step::Levels;
+      return;
+    }
+  }
+  else if (step_ == Step::Levels)
+  {
+    fit_.stance = stanceOf(footprint_, levels_, upright_, flatness_);
   }
   else if (around_.count != 0)
   {
@@ -251,60 +318,66 @@ Vector3 PlaneFitting::Work::mean() const
 
 void PlaneFitting::Work::choosePlane()
 {
-  // Twice: in the system that the first round finds, the second sees small differences beside large
-  // ones, as of a thin band.
   const WideMatrix matrix = covariance();
-  Matrix3 axes = { { unitAxis(0), unitAxis(1), unitAxis(2) } };
-  Matrix3 seen = seenAlong(axes, matrix);
-  turn(axes, seen);
-  seen = seenAlong(axes, matrix);
-  turn(axes, seen);
-  fit_.normal = chooseNormal(axes, seen);
+  const Spread spread = spreadOf(matrix);
+  fit_.normal = chooseNormal(spread);
+  upright_ = std::fabs(fit_.normal[2]);
+  flatness_ = spread.deviation(2) / spread.deviation(1);
+  findFootprint(matrix);
   const PowerOfTwo unit = powerOfTwo(unit_);
   fit_.shrink = std::max({ magnitude(0), magnitude(1), magnitude(2) }) > 0x1p1000 ? 0x1p-32 : 1.0;
   fit_.height = dot(fit_.normal, mean()) * fit_.shrink * unit.first * unit.second;
   takeCommonCoordinate();
 }
 
-/// How wide points on a line may be along this axis, in units, because their coordinates are
-/// rounded: as the largest is. Points that have a coordinate in common lie in a plane anyway: these
-/// are taken for a line only within the rounding along the axis.
-double PlaneFitting::Work::roundingAlong(const Vector3& axis) const
+/// Are points with this spread in two or three coordinates on a line, but for a width that rounding
+/// of the coordinates, as of the largest, can cause? Points that have a coordinate in common lie in
+/// a plane anyway: these are taken for a line only within the rounding along the width.
+bool PlaneFitting::Work::isLine(const Spread& spread, std::size_t coordinates) const
 {
   const PowerOfTwo perUnit = powerOfTwo(-unit_);
   double largest = 0.0, along = 0.0;
   bool isFlat = false;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k < coordinates; ++k)
   {
     const bool isCommon = around_.low[k] == around_.high[k];
     const double most = isCommon ? 0.0 : magnitude(k) * perUnit.first * perUnit.second;
     isFlat = isFlat || isCommon;
     largest = std::max(largest, most);
-    along += std::fabs(axis[k]) * most;
+    along += std::fabs(spread.axes[spread.by[1]][k]) * most;
   }
-  return 2 * (isFlat ? along : largest) * precision_;
+  return spread.deviation(1) <= 2 * (isFlat ? along : largest) * precision_ + 0x1p-50;
 }
 
-Vector3 PlaneFitting::Work::chooseNormal(const Matrix3& axes, const Matrix3& spread) const
+Vector3 PlaneFitting::Work::chooseNormal(const Spread& spread) const
 {
-  std::array<std::size_t, 3> by = { { 0, 1, 2 } }; // decreasing spread
-  std::sort(by.begin(), by.end(),
-    [&](std::size_t i, std::size_t j)
-    { return spread[i][i] > spread[j][j] || (spread[i][i] == spread[j][j] && i < j); });
-  if (spread[by[0]][by[0]] <= 0)
+  const Vector3& line = spread.axes[spread.by[0]];
+  if (spread.deviation(0) == 0.0)
   {
     return unitAxis(2);
   }
-  // A width that the rounding of the coordinates alone would make is none.
-  const double rounding = roundingAlong(axes[by[1]]);
-  if (std::sqrt(std::max(0.0, spread[by[1]][by[1]])) <= rounding + 0x1p-50)
+  if (isLine(spread, 3))
   {
-    const Vector3& line = axes[by[0]];
     const bool isSteep = std::fabs(line[2]) >
       1.000001 * std::max(std::fabs(line[0]), std::fabs(line[1]));
     return perpendicular(unitAxis(isSteep ? 1 : 2), line);
   }
-  return axes[by[2]];
+  return spread.axes[spread.by[2]];
+}
+
+/// Of a matrix without the height, whose axis therefore is z: it comes last, whatever its spread.
+void PlaneFitting::Work::findFootprint(WideMatrix covariance)
+{
+  footprint_.height = std::sqrt(std::max(0.0, covariance[2][2].value()));
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    covariance[k][2] = covariance[2][k] = DoubleDouble();
+  }
+  const Spread spread = spreadOf(covariance);
+  footprint_.along = spread.axes[spread.by[0]];
+  footprint_.across = spread.axes[spread.by[1]];
+  footprint_.length = footprint_.height > 0.0 ? spread.deviation(0) : 0.0;
+  footprint_.width = isLine(spread, 2) ? 0.0 : spread.deviation(1);
 }
 
 /// Where all points have a coordinate in common, the plane is exactly that of this coordinate: then

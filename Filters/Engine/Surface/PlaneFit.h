@@ -4,6 +4,7 @@
 
 #include "../Core/Progress.h"
 #include "../Points/Points.h"
+#include "Footprint.h"
 #include "Vectors.h"
 
 #include <memory>
@@ -33,6 +34,9 @@ struct PlaneFit
   /// Is the plane that of a coordinate common to all points? Then the normal is its axis and the
   /// origin 0.
   bool isOfCoordinates = true;
+
+  /// Is it a plane for these points, rather than that of x, y?
+  Stance stance;
 };
 
 /// Returns false if cancelled; throws std::bad_alloc.
@@ -54,7 +58,7 @@ public:
   bool isDone() const;
   /// Reads the own part. Returns false if cancelled; throws std::bad_alloc.
   bool look(Ticker& ticker);
-  /// A few hundred bytes. Throws std::bad_alloc.
+  /// A few hundred bytes, and once 24 KB if the plane is steep. Throws std::bad_alloc.
   void tell(std::vector<unsigned char>& bytes) const;
   /// The messages of all parts, one's own included, in the same order for all.
   void hear(const std::vector<std::vector<unsigned char>>& all);

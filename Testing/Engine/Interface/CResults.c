@@ -147,7 +147,9 @@ static void test_layouts(void)
 }
 
 /* Without a third column z is 0, whatever the memory there has: in the plane, in space, in counts.
-*/ static void test_flat_rows(void) {
+ */
+static void test_flat_rows(void)
+{
   static double rows[] = { 0, 0, 50, 8, 0, 0, 8, 8, 7, 0, 8, 9, 0, 8, -9 };
   ahd_array flat = { rows, AHD_FLOAT64, 2, 5, 24, 8 };
   ahd_job* job = ahd_job_new();
@@ -377,6 +379,7 @@ static void test_planes(void)
   static const double matrix[] = { 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1 };
   const ahd_array moves = { matrix, AHD_FLOAT64, 4, 4, 32, 8 };
   double fitted[16];
+  int64_t plane = -1;
   int calls = 0;
   ahd_job* job = ahd_job_of(wall, 5, 3);
   CHECK_OK(job, ahd_run(job));
@@ -388,6 +391,11 @@ static void test_planes(void)
   fitted[11] = 0;
   CHECK(memcmp(fitted, matrix, sizeof(matrix)) == 0);
   CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_fit_plane(job, NULL));
+  CHECK_OK(job, ahd_choose_plane(job, &plane));
+  CHECK(plane == AHD_PLANE_BEST_FIT);
+  CHECK_OK(job, ahd_get_int(job, "plane", &plane));
+  CHECK(plane == AHD_PLANE_XY);
+  CHECK_STATUS(job, AHD_BAD_ARRAY, ahd_choose_plane(job, NULL));
   CHECK_OK(job, ahd_set_int(job, "plane", AHD_PLANE_BEST_FIT));
   CHECK_OK(job, ahd_run(job));
   CHECK(ahd_counted(job, "triangles") == 4 && ahd_counted(job, "is_projected") == 1);

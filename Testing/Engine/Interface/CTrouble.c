@@ -38,6 +38,7 @@ static void test_no_job(void)
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_run(NULL));
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_release(NULL, 0));
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_fit_plane(NULL, NULL));
+  CHECK_STATUS(NULL, AHD_NO_JOB, ahd_choose_plane(NULL, NULL));
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_count(NULL, "points", &number));
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_measure(NULL, "np", &value));
   CHECK_STATUS(NULL, AHD_NO_JOB, ahd_array_size(NULL, "lines", &bytes, &bytes));

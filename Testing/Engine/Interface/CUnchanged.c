@@ -95,7 +95,7 @@ static void take(snapshot* to, ahd_job* job)
     snapshot after;                                                                                \
     CHECK_STATUS(job, expected, call);                                                             \
     take(&after, job);                                                                             \
-    CHECK(memcmp(&after, before, sizeof(after)) == 0);                         \
+    CHECK(memcmp(&after, before, sizeof(after)) == 0);                                             \
   } while (0)
 
 static void check_settings_and_input(ahd_job* job, const snapshot* before)
@@ -280,8 +280,8 @@ static int32_t call_all(void* user, int32_t phase, double fraction)
   const ahd_status found[] = { ahd_set_int(job, "nmax", 3), ahd_set_double(job, "alpha", 3),
     ahd_get_int(job, "nmax", &number), ahd_get_double(job, "alpha", &value),
     ahd_set_array(job, "points", NULL), ahd_set_projection(job, NULL, NULL),
-    ahd_set_progress(job, NULL, NULL), ahd_estimate(job, &bytes), ahd_run(job),
-    ahd_release(job, 0), ahd_fit_plane(job, matrix), ahd_count(job, "points", &number),
+    ahd_set_progress(job, NULL, NULL), ahd_estimate(job, &bytes), ahd_run(job), ahd_release(job, 0),
+    ahd_fit_plane(job, matrix), ahd_choose_plane(job, &number), ahd_count(job, "points", &number),
     ahd_measure(job, "np", &value), ahd_array_size(job, "points", &rows, &columns),
     ahd_get_array(job, "points", AHD_FLOAT64, &value, 1), ahd_draw_order(job, AHD_INT32, &drawing),
     ahd_interpolate(job, 1, &value, 1), ahd_locate(job, &value, 0, NULL, NULL, NULL),
@@ -300,7 +300,9 @@ static int32_t call_all(void* user, int32_t phase, double fraction)
 }
 
 /* Every call from a callback is refused with a message, which is cleared when the running call
-ends. */ static void test_busy(void) {
+ends. */
+static void test_busy(void)
+{
   double* xy = ahd_scattered(5000);
   ahd_job* job = ahd_job_of(xy, 5000, 2);
   caller own = { 0 };

@@ -80,6 +80,8 @@ inline void expectSame(const Plane& a, const Plane& b)
   EXPECT_EQ(a.firstAxis(), b.firstAxis());
   EXPECT_EQ(a.secondAxis(), b.secondAxis());
   EXPECT_EQ(a.project({ { 0, 0, 0 } }), b.project({ { 0, 0, 0 } }));
+  EXPECT_EQ(a.stance().isWall, b.stance().isWall);
+  EXPECT_EQ(a.stance().isSteep, b.stance().isSteep);
 }
 
 /// Random whole numbers and planes of them.

@@ -42,7 +42,7 @@ Plane fitParts(const std::vector<PointView>& parts, bool areDoubles)
     {
       fitting->hear(all);
     }
-    EXPECT_LE(++steps, 2u);
+    EXPECT_LE(++steps, 3u);
   }
   Plane plane;
   for (const auto& fitting : fittings)
@@ -60,6 +60,8 @@ void expectSame(const Plane& plane, const Plane& expected, const std::vector<Xyz
   EXPECT_EQ(plane.normal(), expected.normal());
   EXPECT_EQ(plane.firstAxis(), expected.firstAxis());
   EXPECT_EQ(plane.secondAxis(), expected.secondAxis());
+  EXPECT_EQ(plane.stance().isWall, expected.stance().isWall);
+  EXPECT_EQ(plane.stance().isSteep, expected.stance().isSteep);
   for (const Xyz& p : points)
   {
     ASSERT_EQ(plane.project(p), expected.project(p)); // no NaN among them

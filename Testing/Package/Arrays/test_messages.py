@@ -35,6 +35,8 @@ CASES = {
     "not finite in a plane": ({"not_finite": 3, "first_not_finite": 7, "is_projected": 1}, 0.0, False),
     "odd z": ({"odd_z": 2}, 0.0, False),
     "stacked": ({"stacked": 1, "duplicates": 21}, 0.0, False),
+    "steep plane": ({"steep_plane": 1, "is_projected": 1}, 0.0, False),
+    "wall in its plane": ({"plane_was_chosen": 1, "is_projected": 1}, 0.0, False),
     "no triangle yet": ({**NONE, "inserted": 2, "beyond_limit": 38}, 0.0, False),
     "few": ({**NONE, "inserted": 2}, 0.0, False),
     "none at all": ({**NONE, "inserted": 0, "not_finite": 40}, 0.0, False),

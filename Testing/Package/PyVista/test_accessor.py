@@ -137,7 +137,9 @@ class DelaunayTest(unittest.TestCase):
 
     def test_planes(self):
         wall = mesh_of([(i % 8, 2 * (i % 8), i // 8) for i in range(40)])
-        self.assertEqual(wall.adaptive.delaunay_2d().n_cells, 56)
+        self.assertEqual(wall.adaptive.delaunay_2d(plane="best_fit").n_cells, 56)
+        with self.warns("stand like a wall.*Set plane='best_fit' if that is meant, or plane='xy'"):
+            self.assertEqual(wall.adaptive.delaunay_2d().n_cells, 56)
         with self.warns("collinear"):
             self.assertEqual(wall.adaptive.delaunay_2d(plane="xy").n_cells, 0)
         core = type(wall).__mro__[-3].__module__.split(".")[0]
@@ -146,6 +148,52 @@ class DelaunayTest(unittest.TestCase):
         turned.RotateX(90)
         made = wall.adaptive.delaunay_2d(plane=turned)
         self.assertGreaterEqual(made.n_cells, 56)
+
+    def test_terrain_is_triangulated_in_x_and_y(self):
+        """Whatever the units of x and y are, unlike in PyVista."""
+        data = pathlib.Path(__file__).resolve().parents[3] / "Data"
+        soundings = numpy.genfromtxt(data / "survey.csv", delimiter=",", skip_header=1)
+        trees = scattered(4000, height=20) * (1, 0.1, 1) + (0, 0, 5)
+        corridor = scattered(2000)
+        corridor[:, 1] /= 200
+        corridor[:, 2] = 40 * numpy.sin(corridor[:, 0] / 100)
+        slope = numpy.array([(i % 30, i // 30, i % 30) for i in range(900)], float)
+        for name, points in (("soundings", soundings), ("trees", trees), ("corridor", corridor), ("slope", slope)):
+            for unit in (1.0, 111000.0, 1 / 111000):
+                mesh = mesh_of(points * (unit, unit, 1))
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error", DelaunayWarning)
+                    made = mesh.adaptive.delaunay_2d()
+                self.assertTrue(numpy.array_equal(made.faces, mesh.adaptive.delaunay_2d(plane="xy").faces), name)
+                box = numpy.prod(numpy.ptp(mesh.points[:, :2].astype(float), axis=0))
+                self.assertLessEqual(area(made), box * (1 + 1e-6), name)
+        with self.warns("steeper than 80 degrees.*ProjectionPlaneMode to XY Plane"):
+            mesh_of(soundings).adaptive.delaunay_2d(plane="best_fit", rim="convex_hull")
+
+    def test_walls_are_triangulated_in_their_plane(self):
+        points = scattered(3000, height=400)
+        points[:, 1] = 8 * numpy.sin(points[:, 0] / 40) + 6 * numpy.cos(points[:, 2] / 30)
+        face = mesh_of(points)
+        for run in (face.adaptive.delaunay_2d, face.adaptive.voronoi_2d):
+            with self.warns("stand like a wall"):
+                made = run()
+            expected = run(plane="best_fit")
+            self.assertTrue(numpy.array_equal(made.faces, expected.faces))
+        halves = pyvista.MultiBlock([mesh_of(points[::2]), mesh_of(points[1::2])])
+        with self.warns("stand like a wall"):
+            self.assertEqual(halves.adaptive.delaunay_2d().n_cells, face.adaptive.delaunay_2d(plane="best_fit").n_cells)
+        with self.warns("stand like a wall"):
+            face.adaptive.to_raster(10.0, plane="automatic")
+        lying = numpy.r_[points, scattered(3000)]
+        hidden = mesh_of(lying)
+        hidden["vtkGhostType"] = numpy.r_[numpy.zeros(3000, numpy.uint8), numpy.full(3000, 2, numpy.uint8)]
+        with self.warns("stand like a wall"):
+            hidden.adaptive.delaunay_2d()
+
+    def test_a_volume_is_triangulated_in_x_and_y(self):
+        layers = mesh_of([(i % 10, i // 10 % 10, i // 100) for i in range(1000)])
+        with self.warns("lie above or below them.*for a volume mesh, triangulate one layer"):
+            self.assertEqual(layers.adaptive.delaunay_2d().n_cells, 162)
 
     def test_flat_points_are_triangulated_in_x_and_y(self):
         """Exactly: a lattice far away from the origin, turned, would no longer be one."""
@@ -296,7 +344,7 @@ class VoronoiTest(unittest.TestCase):
     def test_on_a_slope(self):
         points = scattered(100)
         points[:, 2] = points[:, 0]
-        made = mesh_of(points).adaptive.voronoi_2d()
+        made = mesh_of(points).adaptive.voronoi_2d(plane="best_fit")
         self.assertAlmostEqual(float(abs(made.points[:, 2] - made.points[:, 0]).max()), 0, delta=1e-2)
 
 
